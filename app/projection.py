@@ -344,6 +344,8 @@ class Camera:
         roll_deg = math.degrees(
             math.atan2(float(np.dot(upward, level_right)), float(np.dot(upward, level_upward)))
         )
+        if abs(roll_deg) < 1e-9:  # what the frame's rounding leaves of a level camera
+            roll_deg = 0.0
         return Orbit(azimuth_deg, elevation_deg, self.distance, roll_deg)
 
 
