@@ -1,0 +1,68 @@
+"""A strip across the window for one sentence, and what can be done about it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QToolButton, QWidget
+
+
+class MessageBar(QFrame):
+    """Says one thing at a time and never blocks the window."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("messageBar")
+        self.setAccessibleName(self.tr("Message"))
+        self._sign = QLabel("⚠")
+        self._text = QLabel()
+        self._text.setWordWrap(True)
+        self._text.setTextFormat(Qt.TextFormat.PlainText)
+        self._text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self._choices: list[QPushButton] = []
+        self._close = QToolButton()
+        self._close.setText("✕")
+        self._close.setAutoRaise(True)
+        self._close.setAccessibleName(self.tr("Dismiss this message"))
+        self._close.setToolTip(self.tr("Dismiss this message"))
+        self._close.clicked.connect(self.hide)
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(10, 4, 4, 4)
+        layout.addWidget(self._sign)
+        layout.addWidget(self._text, 1)
+        layout.addWidget(self._close)
+        self.hide()
+
+    @property
+    def text(self) -> str:
+        """The sentence shown, or nothing."""
+        return self._text.text() if not self.isHidden() else ""
+
+    def say(self, sentence: str, *choices: tuple[str, Callable[[], object]]) -> None:
+        """Show a sentence, with a button for each choice.
+
+        Parameters
+        ----------
+        sentence : str
+            Translated.
+        *choices : (str, callable)
+            Button text and what it does; the bar closes first.
+        """
+        for button in self._choices:
+            button.deleteLater()
+        self._choices = []
+        self._text.setText(sentence)
+        for label, act in choices:
+            button = QPushButton(label)
+            button.clicked.connect(lambda _checked=False, act=act: (self.hide(), act()))
+            layout = self.layout()
+            assert isinstance(layout, QHBoxLayout)
+            layout.insertWidget(layout.count() - 1, button)
+            self._choices.append(button)
+        self.show()
+
+    @property
+    def choices(self) -> tuple[QPushButton, ...]:
+        """The buttons of the message shown."""
+        return tuple(self._choices)

@@ -1,0 +1,315 @@
+"""The one kind of pane: a title, and a canvas that shows any drawing.
+
+How a change reaches the screen, and why it is drawn once::
+
+    show_projection(p) --> drawing.show_projection(p)   matrices only, draws nothing
+                       --> QWidget.update(canvas)       coalesced by Qt
+    mouse on the canvas -> vtkCamera of this pane only -> QWidget.update(canvas)
+                                                   |
+                              Qt's paint event --> paintGL --> one VTK render
+
+`plotter.render()` is never called: it draws at once *and* again in paintGL. The mouse does not go
+through VTK's interactor styles, which render by themselves, rewrite the clipping range at every
+drag, and bind plain keys to changes of the scene.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any, Protocol
+
+from PySide6.QtCore import QPointF, Qt, Signal
+from PySide6.QtGui import QCloseEvent, QMouseEvent, QShowEvent, QWheelEvent
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
+from pyvistaqt import QtInteractor
+
+from app.projection import Projection
+
+ORBIT_DEG_PER_PX = 0.4
+ZOOM_PER_WHEEL_STEP = 1.15
+HIGHEST_DEG = 89.0
+
+
+class Drawing(Protocol):
+    """What a pane needs of a drawing."""
+
+    def show_projection(self, projection: Projection) -> None:
+        """Take over the model's matrices; draw nothing yet."""
+
+    def reset_view(self) -> None:
+        """Put the pane's own camera where the whole drawing is in view."""
+
+    def reset_clipping_range(self) -> None:
+        """Fit the pane camera's own near and far to the drawing after it has moved."""
+
+
+class _Canvas(QtInteractor):  # type: ignore[misc]
+    """The VTK surface; turns the mouse into moves of its own camera, and nothing else."""
+
+    moved = Signal()
+
+    def __init__(self, parent: QWidget, *, orbits: bool) -> None:
+        super().__init__(parent, auto_update=False, multi_samples=0)
+        self.setAcceptDrops(False)  # the window takes drops; pyvistaqt would add the file here
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self.setMinimumSize(120, 120)
+        self._orbits = orbits
+        self._last: QPointF | None = None
+
+    def keyPressEvent(self, event: Any) -> None:
+        event.ignore()
+
+    def keyReleaseEvent(self, event: Any) -> None:
+        event.ignore()
+
+    def enterEvent(self, event: Any) -> None:
+        event.ignore()
+
+    def leaveEvent(self, event: Any) -> None:
+        event.ignore()
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        self._last = event.position()
+        event.accept()
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        self._last = None
+        event.accept()
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        event.ignore()  # the pane resets the view
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        event.accept()
+        if self._last is None or not self._orbits:
+            return
+        step = event.position() - self._last
+        self._last = event.position()
+        if event.buttons() == Qt.MouseButton.LeftButton and not (
+            event.modifiers() & Qt.KeyboardModifier.ShiftModifier
+        ):
+            self._orbit(step.x(), step.y())
+        else:
+            self._pan(step.x(), step.y())
+        self.moved.emit()
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        event.accept()
+        if self._orbits:
+            self.zoom(ZOOM_PER_WHEEL_STEP ** (event.angleDelta().y() / 120.0))
+
+    def gesture_event(self, event: Any) -> bool:
+        pinch = event.gesture(Qt.GestureType.PinchGesture)
+        if pinch is not None and self._orbits:
+            event.accept(pinch)
+            self.zoom(pinch.scaleFactor())
+        return True
+
+    def zoom(self, factor: float) -> None:
+        """Bring the pane's own camera nearer by `factor`."""
+        camera = self.camera
+        if camera.GetParallelProjection():
+            camera.SetParallelScale(camera.GetParallelScale() / factor)
+        else:
+            camera.Dolly(factor)
+        self.moved.emit()
+
+    def _orbit(self, right_px: float, down_px: float) -> None:
+        camera = self.camera
+        camera.Azimuth(-ORBIT_DEG_PER_PX * right_px)
+        # Turntable, not trackball: the world's vertical stays vertical, so the pole is a stop.
+        elevation_deg = _elevation_deg(camera)
+        turned = elevation_deg + ORBIT_DEG_PER_PX * down_px
+        camera.Elevation(max(-HIGHEST_DEG, min(HIGHEST_DEG, turned)) - elevation_deg)
+
+    def _pan(self, right_px: float, down_px: float) -> None:
+        camera = self.camera
+        if camera.GetParallelProjection():
+            half_height = camera.GetParallelScale()
+        else:
+            half_angle = math.radians(camera.GetViewAngle()) / 2.0
+            half_height = camera.GetDistance() * math.tan(half_angle)
+        unit = 2.0 * half_height / max(1, self.height())
+        matrix = camera.GetViewTransformMatrix()
+        shift = [
+            unit * (down_px * matrix.GetElement(1, i) - right_px * matrix.GetElement(0, i))
+            for i in range(3)
+        ]
+        for get, put in (
+            (camera.GetPosition, camera.SetPosition),
+            (camera.GetFocalPoint, camera.SetFocalPoint),
+        ):
+            put(*(p + s for p, s in zip(get(), shift, strict=True)))
+
+
+def _elevation_deg(camera: Any) -> float:
+    up = camera.GetViewUp()
+    away = [-d for d in camera.GetDirectionOfProjection()]
+    length = math.hypot(*up)
+    sine = sum(a * b for a, b in zip(away, up, strict=True)) / length
+    return math.degrees(math.asin(max(-1.0, min(1.0, sine))))
+
+
+class Pane(QFrame):
+    """A titled canvas for one drawing.
+
+    A pane that is not visible neither computes nor draws; it shows the current value when it
+    appears.
+
+    Parameters
+    ----------
+    title : str
+        Translated name of the pane.
+    make_drawing : callable
+        Builds the drawing into a plotter: ``make_drawing(plotter, *args)``, with the arguments
+        that `build` is given.
+    orbits : bool
+        Whether the mouse moves this pane's own camera.
+    """
+
+    enlarge_requested = Signal()
+    """The title was double-clicked."""
+    float_requested = Signal()
+    """The pane shall get, or leave, a window of its own."""
+
+    def __init__(
+        self,
+        title: str,
+        make_drawing: Callable[..., Drawing],
+        *,
+        orbits: bool,
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self.setFrameShape(QFrame.Shape.StyledPanel)
+        self.setAccessibleName(title)
+        self.drawing: Drawing | None = None
+        self._make_drawing = make_drawing
+        self._projection: Projection | None = None
+        self._stale = False
+        self._smooth = False
+
+        self.title = QLabel(title)
+        self.title.setObjectName("paneTitle")
+        self.note = QLabel()
+        self.note.setObjectName("paneNote")
+        self._reset = self._button("⌂", self.tr("Reset this pane's own view (double-click)"))
+        self._reset.clicked.connect(self.reset_view)
+        self._reset.setVisible(orbits)
+        self._float = self._button("⧉", self.tr("Put this pane into a window of its own, and back"))
+        self._float.clicked.connect(self.float_requested)
+        self._enlarge = self._button("⤢", self.tr("Enlarge this pane, and back"))
+        self._enlarge.clicked.connect(self.enlarge_requested)
+        self.header = QWidget()
+        self.header.setToolTip(self.tr("Double-click to enlarge this pane, and again to go back"))
+        bar = QHBoxLayout(self.header)
+        bar.setContentsMargins(8, 2, 2, 2)
+        bar.addWidget(self.title)
+        bar.addWidget(self.note, 1)
+        for button in (self._reset, self._enlarge, self._float):
+            bar.addWidget(button)
+
+        self.canvas = _Canvas(self, orbits=orbits)
+        self.canvas.setAccessibleName(title)
+        self.canvas.moved.connect(self._view_moved)
+        if orbits:
+            self.canvas.setToolTip(
+                self.tr("Drag to turn, Shift-drag to move, wheel to zoom, double-click to reset")
+            )
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(0)
+        layout.addWidget(self.header)
+        layout.addWidget(self.canvas, 1)
+
+    def _button(self, text: str, tip: str) -> QToolButton:
+        button = QToolButton()
+        button.setText(text)
+        button.setAutoRaise(True)
+        button.setToolTip(tip)
+        button.setAccessibleName(tip)
+        return button
+
+    def build(self, *args: object, keep_view: bool = False) -> None:
+        """Make the drawing anew, for another scene or style.
+
+        Parameters
+        ----------
+        *args
+            Handed to `make_drawing` after the plotter.
+        keep_view : bool
+            Keep the pane's own camera where it is (another style of the same scene).
+        """
+        camera = self.canvas.camera.copy() if keep_view and self.drawing is not None else None
+        self.drawing = None
+        self.canvas.clear()
+        self.drawing = self._make_drawing(self.canvas, *args)
+        self._apply_smoothing()
+        if self._projection is not None:
+            self.drawing.show_projection(self._projection)
+        if camera is None:
+            self.drawing.reset_view()
+        else:
+            self.canvas.camera.DeepCopy(camera)
+            self.drawing.reset_clipping_range()
+        self.request_repaint()
+
+    def show_projection(self, projection: Projection) -> None:
+        """Show the model's new value: at once if visible, else on appearing."""
+        self._projection = projection
+        if self.drawing is None or not self.isVisible():
+            self._stale = True
+            return
+        self._stale = False
+        self.drawing.show_projection(projection)
+        self.request_repaint()
+
+    def set_smooth(self, smooth: bool) -> None:
+        """Switch antialiasing; the next repaint shows it."""
+        if smooth != self._smooth:
+            self._smooth = smooth
+            self._apply_smoothing()
+            self.request_repaint()
+
+    def _apply_smoothing(self) -> None:
+        for renderer in self.canvas.render_window.GetRenderers():
+            renderer.SetUseFXAA(self._smooth)
+
+    def request_repaint(self) -> None:
+        """Ask Qt for one repaint, however often it is asked before the next paint."""
+        QWidget.update(self.canvas)
+
+    def reset_view(self) -> None:
+        """Put the pane's own camera back; the model is not touched."""
+        if self.drawing is not None:
+            self.drawing.reset_view()
+            self.request_repaint()
+
+    def close_canvas(self) -> None:
+        """Release VTK's hold; before the window's own close, or it outlives its GL context."""
+        self.drawing = None
+        self.canvas.close()
+
+    def _view_moved(self) -> None:
+        if self.drawing is not None:
+            self.drawing.reset_clipping_range()
+        self.request_repaint()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        if self._stale and self._projection is not None:
+            self.show_projection(self._projection)
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        if self.isWindow():  # floating: its close button docks it again
+            event.ignore()
+            self.float_requested.emit()
+        else:
+            super().closeEvent(event)
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        if self.header.geometry().contains(event.position().toPoint()):
+            self.enlarge_requested.emit()
+        else:
+            self.reset_view()
