@@ -43,6 +43,9 @@ class Drawing(Protocol):
     def reset_clipping_range(self) -> None:
         """Fit the pane camera's own near and far to the drawing after it has moved."""
 
+    def remove(self) -> None:
+        """Take everything out of the plotter again."""
+
 
 class _Canvas(QtInteractor):  # type: ignore[misc]
     """The VTK surface; turns the mouse into moves of its own camera, and nothing else."""
@@ -187,6 +190,8 @@ class Pane(QFrame):
         self.drawing: Drawing | None = None
         self._make_drawing = make_drawing
         self._projection: Projection | None = None
+        self._to_build: tuple[object, ...] | None = None
+        self._keep_view = False
         self._stale = False
         self._smooth = False
 
@@ -231,38 +236,50 @@ class Pane(QFrame):
         button.setAccessibleName(tip)
         return button
 
-    def build(self, *args: object, keep_view: bool = False) -> None:
-        """Make the drawing anew, for another scene or style.
+    def build(self, projection: Projection, *args: object, keep_view: bool = False) -> None:
+        """Make the drawing anew, for another scene or style: now if visible, else on appearing.
 
         Parameters
         ----------
+        projection : Projection
+            What it shows first.
         *args
             Handed to `make_drawing` after the plotter.
         keep_view : bool
             Keep the pane's own camera where it is (another style of the same scene).
         """
-        camera = self.canvas.camera.copy() if keep_view and self.drawing is not None else None
-        self.drawing = None
-        self.canvas.clear()
-        self.drawing = self._make_drawing(self.canvas, *args)
-        self._apply_smoothing()
-        if self._projection is not None:
-            self.drawing.show_projection(self._projection)
-        if camera is None:
-            self.drawing.reset_view()
-        else:
-            self.canvas.camera.DeepCopy(camera)
-            self.drawing.reset_clipping_range()
-        self.request_repaint()
+        self._projection = projection
+        self._to_build = args
+        self._keep_view = keep_view and self.drawing is not None
+        if self.isVisible():
+            self._refresh()
 
     def show_projection(self, projection: Projection) -> None:
         """Show the model's new value: at once if visible, else on appearing."""
         self._projection = projection
-        if self.drawing is None or not self.isVisible():
-            self._stale = True
+        self._stale = True
+        if self.isVisible():
+            self._refresh()
+
+    def _refresh(self) -> None:
+        """Bring the drawing up to what was asked for while nobody looked."""
+        if self._projection is None:
             return
+        if self._to_build is not None:
+            camera = self.canvas.camera.copy() if self._keep_view else None
+            if self.drawing is not None:
+                self.drawing.remove()
+            self.drawing = self._make_drawing(self.canvas, *self._to_build)
+            self._to_build = None
+            self._apply_smoothing()
+            self.drawing.show_projection(self._projection)
+            self.drawing.reset_view()
+            if camera is not None:
+                self.canvas.camera.DeepCopy(camera)
+                self.drawing.reset_clipping_range()
+        elif self._stale and self.drawing is not None:
+            self.drawing.show_projection(self._projection)
         self._stale = False
-        self.drawing.show_projection(projection)
         self.request_repaint()
 
     def set_smooth(self, smooth: bool) -> None:
@@ -298,8 +315,7 @@ class Pane(QFrame):
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
-        if self._stale and self._projection is not None:
-            self.show_projection(self._projection)
+        self._refresh()
 
     def closeEvent(self, event: QCloseEvent) -> None:
         if self.isWindow():  # floating: its close button docks it again

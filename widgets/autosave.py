@@ -1,0 +1,109 @@
+"""A copy of unsaved work in the user's data folder, for the day the program dies."""
+
+from __future__ import annotations
+
+import logging
+import os
+import secrets
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtCore import QLockFile, QObject, QTimer
+
+from app.document import Document, DocumentError, read, write
+
+log = logging.getLogger(__name__)
+
+DELAY_MS = 2000
+"""An edit is on disk after this long without another one, and a long drag at this rate."""
+
+
+class Autosave(QObject):
+    """Keeps one file for this window, locked while the window lives.
+
+    A file whose lock can be taken belongs to a window that died; it is offered, never opened by
+    itself.
+
+    Parameters
+    ----------
+    folder : Path
+        The user's data folder; made if it is not there.
+    current : callable
+        Gives the document to keep, or None when all is saved.
+    """
+
+    def __init__(
+        self, folder: Path, current: Callable[[], Document | None], parent: QObject | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._folder = folder
+        self._current = current
+        self._path = folder / f"autosave-{os.getpid()}-{secrets.token_hex(4)}.json"
+        self._lock = QLockFile(str(self._lock_path(self._path)))
+        self._lock.setStaleLockTime(0)  # held for days by a window left open, until it dies
+        self._timer = QTimer(self)
+        self._timer.setSingleShot(True)
+        self._timer.setInterval(DELAY_MS)
+        self._timer.timeout.connect(self.save_now)
+        try:
+            folder.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            log.warning("autosave is off: %s", error)
+        else:
+            self._lock.tryLock(0)
+
+    @staticmethod
+    def _lock_path(path: Path) -> Path:
+        return path.with_suffix(".lock")
+
+    def schedule(self) -> None:
+        """Save soon; a running count is not put off, so that a long play is saved too."""
+        if not self._timer.isActive():
+            self._timer.start()
+
+    def save_now(self) -> None:
+        """Write the copy, or remove it when there is nothing unsaved."""
+        document = self._current()
+        if not self._lock.isLocked():
+            return
+        try:
+            if document is None:
+                self._path.unlink(missing_ok=True)
+            else:
+                write(document, self._path)
+        except (DocumentError, OSError) as error:
+            log.warning("autosave failed: %s", error)
+
+    def orphans(self) -> list[Path]:
+        """Copies left by windows that died, newest first."""
+        found = []
+        for path in self._folder.glob("autosave-*.json"):
+            lock = QLockFile(str(self._lock_path(path)))
+            lock.setStaleLockTime(0)
+            if path != self._path and lock.tryLock(0):
+                lock.unlock()
+                found.append(path)
+        return sorted(found, key=lambda path: path.stat().st_mtime, reverse=True)
+
+    @staticmethod
+    def recover(path: Path) -> Document:
+        """Read a copy.
+
+        Raises
+        ------
+        DocumentError
+            If the copy is not a valid document.
+        """
+        return read(path)
+
+    @staticmethod
+    def discard(path: Path) -> None:
+        """Remove a copy that was recovered or is not wanted."""
+        path.unlink(missing_ok=True)
+
+    def close(self) -> None:
+        """Leave nothing behind: the window was closed in good order."""
+        self._timer.stop()
+        if self._lock.isLocked():
+            self._path.unlink(missing_ok=True)
+            self._lock.unlock()

@@ -1,0 +1,134 @@
+"""Asks what a picture shall show, how large it is, and on which background."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from PySide6.QtGui import QIntValidator
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QDialog,
+    QDialogButtonBox,
+    QFormLayout,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.projection import LARGEST_IMAGE_PX
+
+PANES = ("world", "ndc", "image")
+
+
+class ExportChoice(NamedTuple):
+    """What the user chose; the picture has ``size * scale`` pixels."""
+
+    panes: tuple[str, ...]
+    size: tuple[int, int]
+    scale: float
+    transparent: bool
+
+
+class ExportDialog(QDialog):
+    """The choice of a figure's panes, size, scale and background.
+
+    Parameters
+    ----------
+    titles : dict
+        Translated pane titles by name.
+    image_size : (int, int)
+        Size of the model's image, the natural size of the image pane alone.
+    """
+
+    def __init__(
+        self, titles: dict[str, str], image_size: tuple[int, int], parent: QWidget | None = None
+    ) -> None:
+        super().__init__(parent)
+        self.setWindowTitle(self.tr("Export a picture"))
+        self._image_size = image_size
+        self._boxes = {name: QCheckBox(titles[name]) for name in PANES}
+        panes = QHBoxLayout()
+        for box in self._boxes.values():
+            box.setChecked(True)
+            box.toggled.connect(self._panes_changed)
+            panes.addWidget(box)
+        self._width, self._height = QLineEdit("1800"), QLineEdit("600")
+        size = QHBoxLayout()
+        for field, name in (
+            (self._width, self.tr("Width in pixels")),
+            (self._height, self.tr("Height in pixels")),
+        ):
+            field.setValidator(QIntValidator(1, LARGEST_IMAGE_PX, self))
+            field.setAccessibleName(name)
+            field.setToolTip(name)
+            field.textChanged.connect(self._check)
+        size.addWidget(self._width)
+        size.addWidget(QLabel("×"))
+        size.addWidget(self._height)
+        size.addWidget(QLabel(self.tr("px")))
+        self._scale = QComboBox()
+        self._scale.setToolTip(
+            self.tr("Draws the same figure with more pixels: text and lines grow with it")
+        )
+        for factor in (1, 2, 3, 4):
+            self._scale.addItem(f"{factor} ×", float(factor))
+        self._scale.currentIndexChanged.connect(self._check)
+        self._background = QComboBox()
+        self._background.addItem(self.tr("white"), False)
+        self._background.addItem(self.tr("transparent"), True)
+        self._problem = QLabel()
+        self._problem.setWordWrap(True)
+        self._buttons = QDialogButtonBox(
+            QDialogButtonBox.StandardButton.Save | QDialogButtonBox.StandardButton.Cancel
+        )
+        self._buttons.accepted.connect(self.accept)
+        self._buttons.rejected.connect(self.reject)
+        form = QFormLayout()
+        form.addRow(self.tr("Panes"), panes)
+        form.addRow(self.tr("Size"), size)
+        form.addRow(self.tr("Scale"), self._scale)
+        form.addRow(self.tr("Background"), self._background)
+        layout = QVBoxLayout(self)
+        layout.addLayout(form)
+        layout.addWidget(self._problem)
+        layout.addWidget(self._buttons)
+        self._check()
+
+    def choice(self) -> ExportChoice:
+        """What is chosen now; valid once the dialog is accepted."""
+        return ExportChoice(
+            tuple(name for name in PANES if self._boxes[name].isChecked()),
+            (int(self._width.text()), int(self._height.text())),
+            float(self._scale.currentData()),
+            bool(self._background.currentData()),
+        )
+
+    def _panes_changed(self) -> None:
+        chosen = [name for name in PANES if self._boxes[name].isChecked()]
+        if chosen == ["image"]:
+            width, height = self._image_size
+        else:
+            width, height = 600 * max(1, len(chosen)), 600
+        self._width.setText(str(width))
+        self._height.setText(str(height))
+        self._check()
+
+    def _check(self) -> None:
+        problem = ""
+        if not any(box.isChecked() for box in self._boxes.values()):
+            problem = self.tr("Choose at least one pane.")
+        elif not (self._width.hasAcceptableInput() and self._height.hasAcceptableInput()):
+            problem = self.tr("Width and height must be whole numbers from 1 to {0}.").format(
+                LARGEST_IMAGE_PX
+            )
+        else:
+            largest = max(int(self._width.text()), int(self._height.text()))
+            if largest * self._scale.currentData() > LARGEST_IMAGE_PX:
+                problem = self.tr("At this scale a side has more than {0} pixels.").format(
+                    LARGEST_IMAGE_PX
+                )
+        self._problem.setText("⚠ " + problem if problem else "")
+        self._buttons.button(QDialogButtonBox.StandardButton.Save).setEnabled(not problem)

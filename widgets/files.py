@@ -1,0 +1,212 @@
+"""The File menu's work: scenes and documents in and out, nothing lost on the way."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from pathlib import Path
+from typing import TypeVar
+
+from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtWidgets import QFileDialog, QMessageBox, QProgressDialog, QWidget
+
+from app.document import MESH_ENDINGS, Document, DocumentError, is_mesh, read, write
+from app.scene import Scene, SceneCancelled, SceneError, load
+from app.store import Store
+from widgets.message_bar import MessageBar
+from widgets.messages import sentence
+
+_T = TypeVar("_T")
+RECENT_LIMIT = 10
+SHOW_PROGRESS_AFTER_MS = 100
+
+
+class Files(QObject):
+    """Opens, saves and remembers files for one window.
+
+    Whatever cannot be opened or saved is told in the message bar, in one sentence, and the
+    window stays as it was.
+
+    Parameters
+    ----------
+    window : QWidget
+        Parent of the dialogs.
+    store : Store
+    messages : MessageBar
+    recent : list of str
+        Paths opened or saved before, newest first.
+    """
+
+    path_changed = Signal()
+    recent_changed = Signal()
+
+    def __init__(
+        self, window: QWidget, store: Store, messages: MessageBar, recent: list[str]
+    ) -> None:
+        super().__init__(window)
+        self._window, self._store, self._messages = window, store, messages
+        self._scenes: dict[str, Scene] = {}
+        self.path: Path | None = None
+        self.recent = recent[:RECENT_LIMIT]
+
+    # -- scenes
+
+    def scene(self, name: str) -> Scene:
+        """The scene of that name or mesh path, loaded once.
+
+        All scenes that the undo history can come back to stay in memory, so that undo cannot
+        fail on a file that has gone meanwhile.
+
+        Raises
+        ------
+        SceneError
+            If it cannot be loaded; `SceneCancelled` if the user stopped it.
+        """
+        if name not in self._scenes:
+            self._scenes[name] = self._load(name)
+        return self._scenes[name]
+
+    def _load(self, name: str) -> Scene:
+        if not is_mesh(name):
+            return load(name)
+        dialog = QProgressDialog(
+            self.tr("Opening {0}").format(os.path.basename(name)), self.tr("Cancel"), 0, 100,
+            self._window,
+        )  # fmt: skip
+        dialog.setWindowModality(Qt.WindowModality.WindowModal)
+        dialog.setMinimumDuration(SHOW_PROGRESS_AFTER_MS)
+
+        def progress(fraction: float) -> bool:
+            dialog.setValue(min(99, round(100 * fraction)))
+            return not dialog.wasCanceled()
+
+        try:
+            return load(name, progress)
+        finally:
+            dialog.close()
+            dialog.deleteLater()
+
+    # -- opening
+
+    def open_dialog(self) -> None:
+        """Ask for a file and open it."""
+        meshes = " ".join(f"*{ending}" for ending in MESH_ENDINGS)
+        path, _ = QFileDialog.getOpenFileName(
+            self._window,
+            self.tr("Open a document, a mesh or an exported picture"),
+            str(self.path.parent) if self.path else "",
+            self.tr("All that can be opened ({0});;All files (*)").format(
+                f"*.json {meshes} *.png"
+            ),
+        )
+        if path:
+            self.open(path)
+
+    def open(self, path: str | Path) -> bool:
+        """Open a document, a picture with a document inside, or a mesh.
+
+        Returns
+        -------
+        bool
+            False if it could not be opened, or the user kept the unsaved work.
+        """
+        path = os.path.abspath(path)
+        mesh = is_mesh(path)
+
+        def opened() -> Document:
+            document = None if mesh else read(path)
+            scene = self.scene(document.scene if document else path)
+            return document or Document(path, scene.start)
+
+        document = self._try(opened)
+        if document is None or not self.may_discard():
+            return False
+        self._scenes = {document.scene: self._scenes[document.scene]}
+        self._store.open(document)
+        # A picture carries a document but is no place to save one in.
+        is_document = not mesh and not path.lower().endswith(".png")
+        self._set_path(Path(path) if is_document else None)
+        self._remember(path)
+        return True
+
+    def open_recovered(self, document: Document) -> bool:
+        """Take up a document from an autosave; it is in no file of the user's yet."""
+        if self._try(lambda: self.scene(document.scene)) is None or not self.may_discard():
+            return False
+        self._store.open(document, saved=False)
+        self._set_path(None)
+        return True
+
+    def choose_scene(self, name: str) -> bool:
+        """Change to a built-in scene as an edit that can be undone."""
+        scene = self._try(lambda: self.scene(name))
+        if scene is None:
+            return False
+        if name != self._store.document.scene:
+            self._store.set_document(Document(name, scene.start, self._store.document.extra))
+        return True
+
+    # -- saving
+
+    def save(self) -> bool:
+        """Save where the document came from, or ask."""
+        return self.save_to(self.path) if self.path else self.save_as()
+
+    def save_as(self) -> bool:
+        """Ask for a place and save there."""
+        path, _ = QFileDialog.getSaveFileName(
+            self._window,
+            self.tr("Save the document"),
+            str(self.path or "frustum-lab.json"),
+            self.tr("Frustum Lab documents (*.json)"),
+        )
+        if not path:
+            return False
+        return self.save_to(Path(path if path.lower().endswith(".json") else path + ".json"))
+
+    def save_to(self, path: Path) -> bool:
+        """Save to a path; the old file stays whole if that fails."""
+        document = self._store.document
+        if self._try(lambda: write(document, path) or True) is None:
+            return False
+        self._store.mark_saved()
+        self._set_path(path)
+        self._remember(str(path))
+        return True
+
+    def may_discard(self) -> bool:
+        """Ask what shall become of unsaved work; True if the window may go on without it."""
+        if not self._store.modified:
+            return True
+        box = QMessageBox(self._window)
+        box.setIcon(QMessageBox.Icon.Warning)
+        box.setText(self.tr("There are changes that are not saved."))
+        box.setInformativeText(self.tr("Save them first?"))
+        buttons = QMessageBox.StandardButton
+        box.setStandardButtons(buttons.Save | buttons.Discard | buttons.Cancel)
+        box.setDefaultButton(buttons.Save)
+        answer = box.exec()
+        if answer == buttons.Save:
+            return self.save()
+        return answer == buttons.Discard
+
+    # -- helpers
+
+    def _try(self, act: Callable[[], _T]) -> _T | None:
+        """Do it, or say in one sentence why not."""
+        try:
+            return act()
+        except SceneCancelled:
+            return None
+        except (DocumentError, SceneError) as error:
+            self._messages.say(sentence(error))
+            return None
+
+    def _set_path(self, path: Path | None) -> None:
+        self.path = path
+        self.path_changed.emit()
+
+    def _remember(self, path: str) -> None:
+        path = os.path.abspath(path)
+        self.recent = [path, *(old for old in self.recent if old != path)][:RECENT_LIMIT]
+        self.recent_changed.emit()

@@ -1,0 +1,688 @@
+"""The window: three panes, the controls, and the wires between them and the store.
+
+::
+
+    controls, animation --edited--> Store --changed(document)--> panes, controls, status line
+    menus, tool bar ----------------^                           (each: show_projection)
+"""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+from PySide6.QtCore import QByteArray, QEvent, QMimeData, QStandardPaths, Qt, QTimer
+from PySide6.QtGui import (
+    QAction,
+    QActionGroup,
+    QCloseEvent,
+    QDragEnterEvent,
+    QDropEvent,
+    QGuiApplication,
+    QImage,
+    QKeySequence,
+)
+from PySide6.QtWidgets import (
+    QApplication,
+    QComboBox,
+    QFileDialog,
+    QLabel,
+    QMainWindow,
+    QMessageBox,
+    QSplitter,
+    QToolBar,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app import __version__
+from app.document import Document, DocumentError, to_json
+from app.drawings.image import ImageDrawing
+from app.drawings.ndc import NdcDrawing
+from app.drawings.world import WorldDrawing
+from app.figures import FigureError, png_bytes, render, write_png
+from app.projection import Perspective, Projection, focal_length_35mm, fov_x_from_fov_y
+from app.scene import BUILT_IN
+from app.store import Store
+from widgets import palette
+from widgets.autosave import Autosave
+from widgets.controls import Controls
+from widgets.export_dialog import PANES, ExportChoice, ExportDialog
+from widgets.files import Files
+from widgets.message_bar import MessageBar
+from widgets.messages import sentence
+from widgets.pane import Pane
+
+log = logging.getLogger(__name__)
+
+DRAWINGS: dict[str, Callable[..., Any]] = {
+    "world": WorldDrawing,
+    "ndc": NdcDrawing,
+    "image": ImageDrawing,
+}
+
+
+class MainWindow(QMainWindow):
+    """One document in three linked panes.
+
+    Parameters
+    ----------
+    document : Document
+        What is shown first; its scene must be loadable.
+    settings : Settings
+        The user's own: theme, projector mode, recent files, window geometry.
+    software_rendering : bool
+        Whether OpenGL runs without a GPU; antialiasing then waits while a control is dragged.
+    path : Path, optional
+        The file the document came from.
+
+    Raises
+    ------
+    SceneError
+        If the document's scene cannot be loaded.
+    """
+
+    def __init__(
+        self,
+        document: Document,
+        *,
+        settings: Any,
+        software_rendering: bool,
+        path: Path | None = None,
+    ) -> None:
+        super().__init__()
+        self.setObjectName("mainWindow")
+        self.setAcceptDrops(True)
+        self.settings = settings
+        self._software_rendering = software_rendering
+        self._titles = {
+            "world": self.tr("World"),
+            "ndc": self.tr("NDC cube"),
+            "image": self.tr("Image"),
+        }
+        self._scene_titles = {
+            "letter-f": self.tr("Letter F"),
+            "cube": self.tr("Unit cube"),
+            "posts": self.tr("Row of posts"),
+        }
+        self.store = Store(document, self)
+        self.messages = MessageBar()
+        self.files = Files(self, self.store, self.messages, settings.recent)
+        self.files.path = path
+        self._scene = self.files.scene(document.scene)
+        data = QStandardPaths.writableLocation(QStandardPaths.StandardLocation.AppDataLocation)
+        self.autosave = Autosave(
+            Path(data), lambda: self.store.document if self.store.modified else None, self
+        )
+
+        self.panes = {
+            name: Pane(title, DRAWINGS[name], orbits=name != "image")
+            for name, title in self._titles.items()
+        }
+        self.controls = Controls()
+        self._lay_out()
+        self._make_actions()
+        self._make_status_line()
+        self._wire()
+        self._dress()
+        self._show_document(document)
+        self._history_changed()
+        self._path_changed()
+        if settings.geometry:
+            self.restoreGeometry(QByteArray(settings.geometry))
+        else:
+            self.resize(1366, 768)
+        QTimer.singleShot(0, self._offer_recovery)
+
+    # -- making
+
+    def _lay_out(self) -> None:
+        self._pane_row = QSplitter(Qt.Orientation.Horizontal)
+        self._pane_row.setChildrenCollapsible(False)
+        for pane in self.panes.values():
+            pane.setMinimumWidth(200)
+            self._pane_row.addWidget(pane)
+        self._split = QSplitter(Qt.Orientation.Horizontal)
+        self._split.addWidget(self._pane_row)
+        self._split.addWidget(self.controls)
+        self._split.setStretchFactor(0, 1)
+        self._split.setStretchFactor(1, 0)
+        self._split.setSizes([1040, 320])
+        body = QWidget()
+        layout = QVBoxLayout(body)
+        layout.setContentsMargins(4, 4, 4, 0)
+        layout.addWidget(self.messages)
+        layout.addWidget(self._split, 1)
+        self.setCentralWidget(body)
+
+    def _action(
+        self,
+        text: str,
+        act: Callable[[], object],
+        shortcut: str | QKeySequence.StandardKey | None = None,
+        tip: str = "",
+    ) -> QAction:
+        action = QAction(text, self)
+        action.triggered.connect(lambda _checked=False: act())
+        if shortcut is not None:
+            action.setShortcut(QKeySequence(shortcut))
+        plain = (tip or text).replace("&", "").rstrip("…")
+        keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
+        action.setToolTip(f"{plain} ({keys})" if keys else plain)
+        return action
+
+    def _toggle(
+        self, text: str, act: Callable[[bool], object], on: bool, shortcut: str | None = None
+    ) -> QAction:
+        action = self._action(text, lambda: act(action.isChecked()), shortcut)
+        action.setCheckable(True)
+        action.setChecked(on)
+        return action
+
+    def _make_actions(self) -> None:
+        keys = QKeySequence.StandardKey
+        bar = self.menuBar()
+
+        menu = bar.addMenu(self.tr("&File"))
+        open_ = self._action(
+            self.tr("&Open…"), self.files.open_dialog, keys.Open,
+            self.tr("Open a document, a mesh or an exported picture"),
+        )  # fmt: skip
+        self._save = self._action(self.tr("&Save"), self.files.save, keys.Save)
+        save_as = self._action(self.tr("Save &as…"), self.files.save_as, "Ctrl+Shift+S")
+        copy = self._action(
+            self.tr("&Copy picture"), self.copy_picture, "Ctrl+Shift+C",
+            self.tr("Copy the three panes to the clipboard, with the document inside"),
+        )  # fmt: skip
+        export = self._action(
+            self.tr("&Export picture…"), self.export_dialog, "Ctrl+E",
+            self.tr("Export panes as a PNG picture that carries the document"),
+        )  # fmt: skip
+        menu.addAction(open_)
+        self._recent_menu = menu.addMenu(self.tr("Open &recent"))
+        menu.addSeparator()
+        menu.addActions([self._save, save_as])
+        menu.addSeparator()
+        menu.addActions([export, copy])
+        menu.addSeparator()
+        menu.addAction(self._action(self.tr("&Quit"), self.close, keys.Quit))
+
+        menu = bar.addMenu(self.tr("&Edit"))
+        self._undo = self._action(self.tr("&Undo"), self.store.undo, keys.Undo)
+        self._redo = self._action(self.tr("&Redo"), self.store.redo, keys.Redo)
+        reset = self._action(
+            self.tr("Reset &all"), self.reset, "Ctrl+R",
+            self.tr("Put camera, lens and image back to how the scene opens"),
+        )  # fmt: skip
+        menu.addActions([self._undo, self._redo])
+        menu.addSeparator()
+        menu.addAction(reset)
+
+        menu = bar.addMenu(self.tr("&Scenes"))
+        self._scene_group = QActionGroup(self)
+        for name in BUILT_IN:
+            action = self._action(self._scene_titles[name], partial(self._choose_scene, name))
+            action.setCheckable(True)
+            action.setData(name)
+            self._scene_group.addAction(action)
+            menu.addAction(action)
+        menu.addSeparator()
+        menu.addAction(self._action(self.tr("Open a &mesh…"), self.files.open_dialog))
+
+        menu = bar.addMenu(self.tr("&View"))
+        for number, (name, title) in enumerate(self._titles.items(), start=1):
+            menu.addAction(
+                self._action(
+                    self.tr("Enlarge {0}").format(title), partial(self.enlarge, name), f"F{number + 5}"
+                )
+            )
+        menu.addAction(self._action(self.tr("Show all &panes"), self.show_all_panes, "F9"))
+        menu.addAction(
+            self._action(self.tr("&Reset the panes' own views"), self.reset_views, "Ctrl+0")
+        )
+        menu.addSeparator()
+        self._show_controls = self._toggle(
+            self.tr("&Controls"), self.controls.setVisible, True, "F4"
+        )
+        self._projector = self._toggle(
+            self.tr("&Projector mode"), self.set_projector, self.settings.projector, "Ctrl+P"
+        )
+        self._projector.setToolTip(
+            self.tr("Larger text and thicker lines, for the back row (Ctrl+P)")
+        )
+        menu.addActions([self._show_controls, self._projector])
+        themes = menu.addMenu(self.tr("&Theme"))
+        self._theme_group = QActionGroup(self)
+        for theme, text in (
+            ("system", self.tr("As the system")),
+            ("light", self.tr("Light")),
+            ("dark", self.tr("Dark")),
+        ):
+            action = self._action(text, partial(self.set_theme, theme))
+            action.setCheckable(True)
+            action.setChecked(theme == self.settings.theme)
+            self._theme_group.addAction(action)
+            themes.addAction(action)
+        menu.addAction(self._action(self.tr("&Full screen"), self._toggle_full_screen, "F11"))
+
+        menu = bar.addMenu(self.tr("&Help"))
+        help_ = self._action(self.tr("&Keys and mouse"), self._show_help, keys.HelpContents)
+        menu.addAction(help_)
+        menu.addAction(self._action(self.tr("&Conventions"), self._show_conventions))
+        menu.addAction(self._action(self.tr("&About Frustum Lab"), self._show_about))
+
+        self._play = self._action(
+            self.tr("Play"), self.controls.animation.toggle, "Ctrl+Space",
+            self.tr("Play or pause the camera's orbit"),
+        )  # fmt: skip
+
+        tools = QToolBar(self.tr("Tools"))
+        tools.setObjectName("tools")
+        tools.setMovable(False)
+        self._scene_box = QComboBox()
+        self._scene_box.setAccessibleName(self.tr("Scene"))
+        self._scene_box.setToolTip(self.tr("The scene in front of the camera"))
+        self._scene_box.activated.connect(
+            lambda index: self._choose_scene(self._scene_box.itemData(index))
+        )
+        tools.addWidget(self._scene_box)
+        tools.addSeparator()
+        tools.addActions([open_, self._save])
+        tools.addSeparator()
+        tools.addActions([self._undo, self._redo, reset])
+        tools.addSeparator()
+        tools.addAction(self._play)
+        tools.addSeparator()
+        tools.addActions([copy, export])
+        tools.addSeparator()
+        tools.addAction(self._projector)
+        tools.addSeparator()
+        tools.addAction(help_)
+        self.addToolBar(tools)
+        for action, text in (
+            (open_, self.tr("Open")),
+            (self._save, self.tr("Save")),
+            (reset, self.tr("Reset")),
+            (copy, self.tr("Copy")),
+            (export, self.tr("Export")),
+            (self._projector, self.tr("Projector")),
+            (help_, self.tr("Help")),
+        ):
+            action.setIconText(text)
+
+    def _make_status_line(self) -> None:
+        self._status = {name: QLabel() for name in ("fov", "planes", "camera")}
+        for label, tip in zip(
+            self._status.values(),
+            (
+                self.tr("Field of view, vertical × horizontal, and 35-mm equivalent focal length"),
+                self.tr("Near plane : far plane, and their ratio"),
+                self.tr("Distance from the eye to the target, in world units"),
+            ),
+            strict=True,
+        ):
+            label.setToolTip(tip)
+            label.setContentsMargins(8, 0, 8, 0)
+            self.statusBar().addWidget(label)
+
+    def _wire(self) -> None:
+        store, controls = self.store, self.controls
+        store.changed.connect(self._show_document)
+        store.history_changed.connect(self._history_changed)
+        controls.edited.connect(store.set_projection)
+        for source in (controls, controls.animation):
+            source.gesture_started.connect(store.begin_gesture)
+            source.gesture_finished.connect(store.end_gesture)
+        controls.animation.playing_changed.connect(self._playing_changed)
+        self.files.path_changed.connect(self._path_changed)
+        self.files.recent_changed.connect(self._recent_changed)
+        self._recent_changed()
+        for name, pane in self.panes.items():
+            pane.enlarge_requested.connect(partial(self.enlarge, name))
+            pane.float_requested.connect(partial(self.toggle_float, name))
+        QGuiApplication.styleHints().colorSchemeChanged.connect(self._scheme_changed)
+
+    # -- showing the document
+
+    def _show_document(self, document: Document) -> None:
+        scene = self.files.scene(document.scene)
+        new_scene = scene is not self._scene
+        self._scene = scene
+        if new_scene or self.panes["world"].drawing is None:
+            self.controls.set_scene(scene.size, scene.start)
+            self._build_drawings(keep_view=False)
+            self._list_scenes()
+        self._refine(not (self._software_rendering and self.store.in_gesture))
+        for pane in self.panes.values():
+            pane.show_projection(document.projection)
+        self.controls.show_projection(document.projection)
+        self._show_status(document.projection)
+        self.autosave.schedule()
+
+    def _build_drawings(self, *, keep_view: bool) -> None:
+        style = palette.drawing_style(
+            dark=palette.is_dark(self.settings.theme),
+            projector=self.settings.projector,
+            device_pixel_ratio=self.devicePixelRatioF(),
+        )
+        for pane in self.panes.values():
+            pane.build(
+                self.store.document.projection, self._scene, self._words(), style,
+                keep_view=keep_view,
+            )  # fmt: skip
+
+    def _words(self) -> dict[str, str]:
+        return {
+            "near": self.tr("near"),
+            "far": self.tr("far"),
+            "eye": self.tr("eye"),
+            "target": self.tr("target"),
+            "u": "u",
+            "v": "v",
+            "n": "n",
+            "x": "x",
+            "y": "y",
+            "z": "z",
+        }
+
+    def _refine(self, smooth: bool) -> None:
+        for pane in self.panes.values():
+            pane.set_smooth(smooth)
+
+    def _show_status(self, projection: Projection) -> None:
+        lens, aspect = projection.lens, projection.aspect
+        if isinstance(lens, Perspective):
+            fov = self.tr("fov {0}° × {1}°, {2} mm").format(
+                f"{lens.fov_y_deg:.4g}",
+                f"{fov_x_from_fov_y(lens.fov_y_deg, aspect):.4g}",
+                f"{focal_length_35mm(lens.fov_y_deg, aspect):.4g}",
+            )
+        else:
+            left, right, bottom, top = projection.window
+            fov = self.tr("window {0} × {1}").format(f"{right - left:.4g}", f"{top - bottom:.4g}")
+        self._status["fov"].setText(fov)
+        far = "∞" if lens.far == float("inf") else f"{lens.far:.4g}"
+        planes = self.tr("near {0} : far {1}").format(f"{lens.near:.4g}", far)
+        if isinstance(lens, Perspective) and lens.far != float("inf"):
+            planes += self.tr("  (1 : {0})").format(f"{lens.far / lens.near:.4g}")
+        self._status["planes"].setText(planes)
+        self._status["camera"].setText(
+            self.tr("eye to target {0}").format(f"{projection.camera.distance:.4g}")
+        )
+        width, height = projection.image_size
+        self.panes["image"].note.setText(f"{width} × {height}")
+        z_near, z_far = projection.depth_range
+        self.panes["ndc"].note.setText(f"z {z_near:g} … {z_far:g}".replace("-", "−"))
+
+    def _list_scenes(self) -> None:
+        name = self.store.document.scene
+        self._scene_box.clear()
+        for built_in in BUILT_IN:
+            self._scene_box.addItem(self._scene_titles[built_in], built_in)
+        if name not in BUILT_IN:
+            self._scene_box.addItem(Path(name).name, name)
+        self._scene_box.setCurrentIndex(self._scene_box.findData(name))
+        for action in self._scene_group.actions():
+            action.setChecked(action.data() == name)
+
+    def _choose_scene(self, name: str) -> None:
+        self.files.choose_scene(name)
+        self._list_scenes()
+
+    def reset(self) -> None:
+        """Put the projection back to how the scene opens, as an edit that can be undone."""
+        self.store.set_projection(self._scene.start)
+
+    # -- history, title, recent files
+
+    def _history_changed(self) -> None:
+        self._undo.setEnabled(self.store.can_undo)
+        self._redo.setEnabled(self.store.can_redo)
+        self.setWindowModified(self.store.modified)
+        if not self.store.in_gesture:
+            self._refine(True)
+
+    def _path_changed(self) -> None:
+        name = self.files.path.name if self.files.path else self.tr("Untitled")
+        self.setWindowTitle(f"{name}[*] – Frustum Lab")
+
+    def _recent_changed(self) -> None:
+        self.settings.recent = self.files.recent
+        self._recent_menu.clear()
+        for path in self.files.recent:
+            action = self._recent_menu.addAction(path)
+            action.triggered.connect(lambda _checked=False, path=path: self.files.open(path))
+        self._recent_menu.setEnabled(bool(self.files.recent))
+
+    def _playing_changed(self, playing: bool) -> None:
+        self._play.setText(self.tr("Pause") if playing else self.tr("Play"))
+
+    def _offer_recovery(self) -> None:
+        orphans = self.autosave.orphans()
+        if orphans:
+            newest = orphans[0]
+            self.messages.say(
+                self.tr("Frustum Lab ended unexpectedly with work that was not saved."),
+                (self.tr("Recover it"), partial(self._recover, newest)),
+                (self.tr("Discard it"), partial(self._discard, newest)),
+            )
+
+    def _recover(self, path: Path) -> None:
+        try:
+            document = self.autosave.recover(path)
+        except DocumentError as error:
+            self.messages.say(sentence(error))
+        else:
+            if self.files.open_recovered(document):
+                self._discard(path)
+
+    def _discard(self, path: Path) -> None:
+        self.autosave.discard(path)
+        self._offer_recovery()
+
+    # -- panes
+
+    def enlarge(self, name: str) -> None:
+        """Give one docked pane the whole row, or go back to all."""
+        docked = [pane for pane in self.panes.values() if not pane.isWindow()]
+        chosen = self.panes[name]
+        if chosen.isWindow():
+            return
+        alone = all(pane.isHidden() for pane in docked if pane is not chosen)
+        for pane in docked:
+            pane.setVisible(alone or pane is chosen)
+
+    def show_all_panes(self) -> None:
+        """Dock and show every pane."""
+        for name, pane in self.panes.items():
+            if pane.isWindow():
+                self.toggle_float(name)
+            pane.show()
+
+    def toggle_float(self, name: str) -> None:
+        """Give a pane a window of its own, for a second screen, or dock it again."""
+        pane = self.panes[name]
+        if pane.isWindow():
+            place = [other for other in self.panes if not self.panes[other].isWindow()]
+            index = sum(list(self.panes).index(other) < list(self.panes).index(name) for other in place)
+            self._pane_row.insertWidget(index, pane)
+            pane.show()
+        else:
+            size = pane.size()
+            pane.setParent(self, Qt.WindowType.Window)
+            pane.setWindowTitle(f"{self._titles[name]} – Frustum Lab")
+            pane.resize(size)
+            pane.show()
+            docked = [other for other in self.panes.values() if not other.isWindow()]
+            if docked and all(other.isHidden() for other in docked):
+                docked[0].show()
+
+    def reset_views(self) -> None:
+        """Put every pane's own camera back; the model is not touched."""
+        for pane in self.panes.values():
+            pane.reset_view()
+
+    # -- look
+
+    def set_projector(self, on: bool) -> None:
+        """Switch projector mode: larger text, thicker lines."""
+        self.settings.projector = on
+        self._dress()
+        self._build_drawings(keep_view=True)
+
+    def set_theme(self, theme: str) -> None:
+        """Switch to ``"light"``, ``"dark"`` or ``"system"``."""
+        self.settings.theme = theme
+        self._dress()
+        self._build_drawings(keep_view=True)
+
+    def _scheme_changed(self) -> None:
+        if self.settings.theme == "system":
+            self.set_theme("system")
+
+    def _dress(self) -> None:
+        application = QApplication.instance()
+        assert isinstance(application, QApplication)
+        palette.apply(
+            application,
+            dark=palette.is_dark(self.settings.theme),
+            projector=self.settings.projector,
+        )
+
+    def _toggle_full_screen(self) -> None:
+        self.setWindowState(self.windowState() ^ Qt.WindowState.WindowFullScreen)
+
+    # -- pictures
+
+    def _picture(self, choice: ExportChoice) -> Any:
+        style = palette.drawing_style(dark=False, projector=False, device_pixel_ratio=1.0)
+        return render(
+            self._scene,
+            self.store.document.projection,
+            panes=choice.panes,
+            size=choice.size,
+            scale=choice.scale,
+            transparent=choice.transparent,
+            style=style,
+            words=self._words(),
+        )
+
+    def export_dialog(self) -> None:
+        """Ask what to export and where, and do it."""
+        dialog = ExportDialog(self._titles, self.store.document.projection.image_size, self)
+        if dialog.exec() != ExportDialog.DialogCode.Accepted:
+            return
+        path, _ = QFileDialog.getSaveFileName(
+            self, self.tr("Export a picture"), "frustum-lab.png", self.tr("PNG pictures (*.png)")
+        )
+        if path:
+            if not path.lower().endswith(".png"):
+                path += ".png"
+            self.export(Path(path), dialog.choice())
+
+    def export(self, path: Path, choice: ExportChoice) -> bool:
+        """Write a picture that carries the document; False if that failed."""
+        QApplication.setOverrideCursor(Qt.CursorShape.WaitCursor)
+        try:
+            write_png(path, self._picture(choice), to_json(self.store.document))
+        except (FigureError, DocumentError) as error:
+            self.messages.say(sentence(error))
+            return False
+        finally:
+            QApplication.restoreOverrideCursor()
+        self.statusBar().showMessage(self.tr("Exported {0}").format(path), 5000)
+        return True
+
+    def copy_picture(self) -> None:
+        """Put the three panes on the clipboard, as a picture that carries the document."""
+        pixels = self._picture(ExportChoice(PANES, (1800, 600), 1.0, False))
+        data = QMimeData()
+        png = png_bytes(pixels, to_json(self.store.document))
+        data.setImageData(QImage.fromData(png, "PNG"))
+        data.setData("image/png", QByteArray(png))
+        QGuiApplication.clipboard().setMimeData(data)
+        self.statusBar().showMessage(self.tr("Copied the picture"), 5000)
+
+    # -- help
+
+    def _show_help(self) -> None:
+        self._tell(
+            self.tr("Keys and mouse"),
+            self.tr(
+                "<p>Drag in the world or the NDC pane to turn that pane's own view, Shift-drag to"
+                " move it, wheel to zoom, double-click to put it back. The model is not"
+                " touched.</p>"
+                "<p>Double-click a pane's title to enlarge it (F6, F7, F8; F9 shows all).</p>"
+                "<p>Each control: drag the slider, or type a number and press Enter; Esc takes"
+                " back what you typed; double-click the name to reset it.</p>"
+                "<p>Ctrl+Space plays the orbit, Ctrl+Z undoes (a drag is one step), Ctrl+R resets"
+                " all, Ctrl+E exports, Ctrl+P is for the projector, F4 hides the controls.</p>"
+                "<p>Drop a document, a mesh (OBJ, STL, PLY, glTF) or an exported picture on the"
+                " window to open it.</p>"
+            ),
+        )
+
+    def _show_conventions(self) -> None:
+        self._tell(
+            self.tr("Conventions"),
+            self.tr(
+                "<p>Column vectors, <i>p' = M p</i>. World and view are right-handed with y up;"
+                " the camera looks along −z of view space.</p>"
+                "<p>Camera frame: <i>n</i> = (eye − target)/|·|, <i>u</i> = up × n/|·|,"
+                " <i>v</i> = n × u.</p>"
+                "<p>NDC is the OpenGL cube [−1, 1]³, near at −1 and far at +1; Direct3D has z in"
+                " [0, 1], reversed in [1, 0]. It is drawn with z mirrored so that the near face is"
+                " towards you.</p>"
+                "<p>Image: origin top left, x right, y down, in pixels; the first pixel's centre"
+                " is at 0.5.</p>"
+            ),
+        )
+
+    def _show_about(self) -> None:
+        self._tell(
+            self.tr("About Frustum Lab"),
+            self.tr(
+                "<p><b>Frustum Lab {0}</b></p><p>How a camera turns a 3-D scene into a picture:"
+                " the world, the NDC cube and the image, from one model.</p><p>MIT licence.</p>"
+            ).format(__version__),
+        )
+
+    def _tell(self, title: str, text: str) -> None:
+        box = QMessageBox(QMessageBox.Icon.NoIcon, title, text, parent=self)
+        box.setModal(False)
+        box.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        box.show()
+
+    # -- events
+
+    def event(self, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.DevicePixelRatioChange and self.panes["world"].drawing:
+            self._build_drawings(keep_view=True)
+        return super().event(event)
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        if any(url.isLocalFile() for url in event.mimeData().urls()):
+            event.acceptProposedAction()
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        paths = [url.toLocalFile() for url in event.mimeData().urls() if url.isLocalFile()]
+        if paths:
+            event.acceptProposedAction()
+            # After the drop is done: a question asked inside it would freeze the file manager.
+            QTimer.singleShot(0, partial(self.files.open, paths[0]))
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        if not self.files.may_discard():
+            event.ignore()
+            return
+        self.controls.animation.pause()
+        self.settings.geometry = bytes(self.saveGeometry().data())
+        self.autosave.close()
+        for pane in self.panes.values():
+            pane.close_canvas()
+            if pane.isWindow():
+                pane.hide()
+        super().closeEvent(event)
