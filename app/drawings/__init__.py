@@ -1,0 +1,33 @@
+"""What the three panes show, as VTK actors; no Qt.
+
+Every drawing is made once per scene, ``Drawing(plotter, scene, words, style)``, into a pyvista
+plotter that it does not own, and has
+
+- ``show_projection(projection)``: takes the model over by setting matrices; never renders,
+- ``reset_view()``: puts the pane's own camera back,
+- ``reset_clipping_range()``: to be called after that camera was moved from outside,
+- ``remove()``: takes everything out of the plotter again.
+
+`actors` holds what they share, `style` their colours and sizes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import MappingProxyType
+
+WORDS: Mapping[str, str] = MappingProxyType(
+    {
+        "near": "near",
+        "far": "far",
+        "eye": "eye",
+        "target": "target",
+        "u": "u",
+        "v": "v",
+        "n": "n",
+        "x": "x",
+        "y": "y",
+        "z": "z",
+    }
+)
+"""The words written into the drawings; a mapping with the same keys translates them."""

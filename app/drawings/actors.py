@@ -1,0 +1,402 @@
+"""What the drawings share: actors under one 4x4, labels, and a renderer made ready for them.
+
+How a slider step reaches the screen without any work per vertex::
+
+    Space.set(matrix)  writes 16 numbers into a vtkMatrix4x4 that all its actors hold
+                       as their user matrix; the GPU divides by w
+
+Such a matrix is projective, so that what VTK computes from bounds is useless: the actors give
+no bounds, the renderer has no cullers, and the drawings set their cameras' clipping ranges.
+"""
+
+from __future__ import annotations
+
+import importlib.util
+import math
+import weakref
+from collections.abc import Callable, Iterable, Sequence
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pyvista as pv
+import vtkmodules.vtkRenderingFreeType
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  both register what renders, on import
+from numpy.typing import ArrayLike, NDArray
+from vtkmodules.vtkCommonDataModel import vtkPlane
+from vtkmodules.vtkCommonMath import vtkMatrix4x4
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkCoordinate,
+    vtkPolyDataMapper,
+    vtkProp,
+    vtkTextActor,
+)
+
+from app.drawings.style import Style, rgb
+from app.projection import Projection
+from app.scene import Scene
+
+CUBE_CORNERS = np.array(
+    [(x, y, z) for z in (-1, 1) for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))], dtype=np.float64
+)
+"""The corners of [-1, 1]^3: left-bottom, right-bottom, right-top, left-top at -1, then at +1."""
+CUBE_EDGES = (
+    (0, 1, 2, 3, 0), (4, 5, 6, 7, 4), (0, 4), (1, 5), (2, 6), (3, 7),
+)  # fmt: skip
+"""The cube's edges as polylines over `CUBE_CORNERS`: the face at -1, the one at +1, between."""
+
+_DPI = 72  # at which VTK's points are pixels
+_VTK_FONT_FILE = 4
+_OFFSET_UNITS = -200.0  # in steps of about 1.5e-5 of the depth range; see `lift_lines`
+_LIFT = 2e-3
+
+
+class Space:
+    """One 4x4, projective or not, that actors stand under; setting it moves them all."""
+
+    def __init__(self) -> None:
+        self.matrix = vtkMatrix4x4()
+
+    def add(self, *actors: vtkActor) -> None:
+        """Put actors under this matrix."""
+        for actor in actors:
+            actor.SetUserMatrix(self.matrix)
+
+    def set(self, matrix: NDArray[np.float64]) -> None:
+        """Write another matrix, (4, 4) for column vectors, in place."""
+        self.matrix.DeepCopy(matrix.ravel().tolist())
+
+
+class Canvas:
+    """A drawing's props in one render window, added together and taken out together.
+
+    Parameters
+    ----------
+    plotter : pyvista.BasePlotter
+        A Qt interactor or an off-screen plotter; it is not kept.
+    style : Style
+        The background and the labels' size.
+    layout : callable
+        ``layout(width_px, height_px)``, called just before a rendering in which the window has
+        another size than in the last one, or after `relayout`. It must not render.
+    """
+
+    def __init__(self, plotter: Any, style: Style, layout: Callable[[int, int], None]) -> None:
+        self.window = plotter.render_window
+        self.renderer = plotter.renderer
+        self.style = style
+        self._props: list[tuple[Any, vtkProp]] = []
+        self._labels: list[Label] = []
+        self._layout = weakref.WeakMethod(layout)
+        self._laid_out: tuple[int, int, int] | None = None
+        self.make_ready(self.renderer)
+        self.renderer.SetBackground(*rgb(style.background))
+        itself = weakref.ref(self)  # or window and canvas would keep each other alive
+
+        def start(_window: object, _event: str) -> None:
+            canvas = itself()
+            if canvas is not None:
+                canvas._before_render()
+
+        self._observer: int | None = self.window.AddObserver("StartEvent", start)
+
+    @staticmethod
+    def make_ready(renderer: Any) -> None:
+        """Make a renderer draw everything it is given, in the order it is given."""
+        renderer.GetCullers().RemoveAllItems()
+        renderer.SetUseOIT(False)
+
+    def add(self, *props: vtkProp, renderer: Any = None) -> None:
+        """Add props, to the plotter's own renderer unless another one is named."""
+        renderer = self.renderer if renderer is None else renderer
+        for prop in props:
+            renderer.AddViewProp(prop)
+            self._props.append((renderer, prop))
+
+    def label(self, text: str, **options: Any) -> Label:
+        """Add a `Label` with these options; `Label` describes them."""
+        label = Label(text, self.style, **options)
+        self._labels.append(label)
+        self.add(label.actor)
+        self.relayout()
+        return label
+
+    def relayout(self) -> None:
+        """Ask for a layout before the next rendering."""
+        self._laid_out = None
+
+    def remove(self) -> None:
+        """Take everything out of the window."""
+        if self._observer is not None:
+            self.window.RemoveObserver(self._observer)
+            self._observer = None
+        for renderer, prop in self._props:
+            renderer.RemoveViewProp(prop)
+        self._props.clear()
+        self._labels.clear()
+
+    def _before_render(self) -> None:
+        width_px, height_px = self.window.GetSize()
+        now = (width_px, height_px, self.window.GetDPI())
+        layout = self._layout()
+        if now == self._laid_out or layout is None or 0 in now:
+            return
+        self._laid_out = now
+        for label in self._labels:
+            label.set_dpi(now[2])
+        layout(width_px, height_px)
+
+
+class Label:
+    """A word at a point of the pane's own world, always legible and of constant size.
+
+    Parameters
+    ----------
+    text : str
+    style : Style
+    colour : str, optional
+        Of the text; ink if not given.
+    plate : str, optional
+        Colour of the plate behind the text, which is then black or white.
+    position : (3,) array_like
+        In the pane's own world.
+    offset_em : (float, float)
+        Right and up from there, in heights of an em.
+    anchor : (int, int)
+        Which part of the text is there: -1 left, 0 centre, 1 right; -1 bottom, 0 middle, 1 top.
+    size : float
+        Relative to the style's font size.
+    bold : bool
+    """
+
+    def __init__(
+        self,
+        text: str,
+        style: Style,
+        *,
+        colour: str | None = None,
+        plate: str | None = None,
+        position: ArrayLike = (0.0, 0.0, 0.0),
+        offset_em: tuple[float, float] = (0.0, 0.0),
+        anchor: tuple[int, int] = (0, 0),
+        size: float = 1.0,
+        bold: bool = False,
+    ) -> None:
+        self.actor = vtkTextActor()
+        self.actor.SetTextScaleModeToNone()
+        self.actor.UseBoundsOff()
+        self._pad = " " if plate else ""
+        self._font_px = style.font_size * size
+        self._text: str | None = None
+        self._place = vtkCoordinate()
+        self._place.SetCoordinateSystemToWorld()
+        offset = self.actor.GetPositionCoordinate()
+        offset.SetCoordinateSystemToViewport()
+        offset.SetReferenceCoordinate(self._place)
+        offset.SetValue(offset_em[0] * self._font_px, offset_em[1] * self._font_px, 0.0)
+        self.property = self.actor.GetTextProperty()
+        self.property.SetFontFamily(_VTK_FONT_FILE)
+        self.property.SetFontFile(_font_file(bold))
+        self.property.SetJustification(anchor[0] + 1)
+        self.property.SetVerticalJustification(anchor[1] + 1)
+        if plate:
+            self.property.SetBackgroundColor(*rgb(plate))
+            self.property.SetBackgroundOpacity(1.0)
+            colour = style.text_on(plate)
+        self.property.SetColor(*rgb(colour or style.ink))
+        self.set_dpi(_DPI)
+        self.set_text(text)
+        self.set_position(position)
+
+    def set_text(self, text: str) -> None:
+        """Write another text; the same one costs nothing."""
+        if text != self._text:
+            self._text = text
+            self.actor.SetInput(self._pad + text + self._pad)
+
+    def set_position(self, position: ArrayLike) -> None:
+        """Move to a point of the pane's own world, (3,)."""
+        x, y, z = np.asarray(position, dtype=np.float64).tolist()
+        self._place.SetValue(x, y, z)
+
+    def set_visible(self, visible: bool) -> None:
+        """Show or hide."""
+        self.actor.SetVisibility(visible)
+
+    def set_dpi(self, dpi: int) -> None:
+        """Keep the size in pixels whatever dots per inch the window claims."""
+        self.property.SetFontSize(max(1, round(self._font_px * _DPI / dpi)))
+
+
+@cache
+def _font_file(bold: bool) -> str:
+    """DejaVu Sans, which comes with pyvista's matplotlib.
+
+    VTK's built-in font has no Cyrillic, and a font of the system would make a figure look
+    different from machine to machine.
+    """
+    spec = importlib.util.find_spec("matplotlib")
+    if spec is None or not spec.submodule_search_locations:
+        raise ImportError("matplotlib, which brings the labels' font, is not installed")
+    folder = Path(spec.submodule_search_locations[0]) / "mpl-data" / "fonts" / "ttf"
+    return str(folder / ("DejaVuSans-Bold.ttf" if bold else "DejaVuSans.ttf"))
+
+
+def unlit_actor(mesh: pv.PolyData) -> vtkActor:
+    """An actor in flat colours that no bounds and no light have a say in.
+
+    Parameters
+    ----------
+    mesh : pyvista.PolyData
+        Its ``cell_data["rgb"]``, uint8 (n, 3), colours it if there is one. It is not copied, so
+        that two actors of one window share what is on the GPU.
+    """
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(mesh)
+    # The points are relative to the scene's origin already, and VTK's own shift drops what is
+    # near the eye in a scene 1e7 times as large.
+    mapper.SetVBOShiftScaleMethod(0)
+    mapper.StaticOn()  # the mesh does not change: do not walk the pipeline at every rendering
+    if "rgb" in mesh.cell_data:
+        mapper.SetScalarModeToUseCellFieldData()
+        mapper.SelectColorArray("rgb")
+        mapper.SetColorModeToDirectScalars()
+        mapper.ScalarVisibilityOn()
+    else:
+        mapper.ScalarVisibilityOff()
+    actor = vtkActor()
+    actor.SetMapper(mapper)
+    actor.UseBoundsOff()
+    actor.PickableOff()
+    actor.GetProperty().LightingOff()
+    return actor
+
+
+def scene_actors(
+    scene: Scene, style: Style, clip: Iterable[vtkPlane] = ()
+) -> tuple[vtkActor | None, vtkActor | None]:
+    """The scene's faces and its lines, in scene-local coordinates (world - origin).
+
+    Parameters
+    ----------
+    scene : Scene
+    style : Style
+    clip : iterable of vtkPlane
+        Planes in the pane's own world, behind which nothing is drawn.
+
+    Returns
+    -------
+    (surface, lines) : vtkActor or None each
+    """
+    surface = None if scene.surface is None else unlit_actor(scene.surface)
+    lines = None if scene.lines is None else unlit_actor(scene.lines)
+    if lines is not None:
+        lines.GetProperty().SetLineWidth(style.line_width)
+    planes = list(clip)
+    for actor in (surface, lines):
+        if actor is not None:
+            for plane in planes:
+                actor.GetMapper().AddClippingPlane(plane)
+    return surface, lines
+
+
+def line_actor(
+    points: ArrayLike, lines: Sequence[Sequence[int]], colour: str, width: float
+) -> vtkActor:
+    """Polylines in one colour.
+
+    Parameters
+    ----------
+    points : (n, 3) array_like
+    lines : sequence of sequences of int
+        Indices of each polyline's points.
+    colour : str
+    width : float
+        Pixels.
+    """
+    cells = np.concatenate([[len(line), *line] for line in lines])
+    actor = unlit_actor(pv.PolyData(np.array(points, dtype=np.float64), lines=cells))
+    actor.GetProperty().SetColor(*rgb(colour))
+    actor.GetProperty().SetLineWidth(width)
+    return actor
+
+
+def face_actor(
+    points: ArrayLike, faces: Sequence[Sequence[int]], colour: str, opacity: float = 1.0
+) -> vtkActor:
+    """Polygons in one colour, seen from both sides.
+
+    Parameters
+    ----------
+    points : (n, 3) array_like
+    faces : sequence of sequences of int
+        Indices of each polygon's points.
+    colour : str
+    opacity : float
+        0..1
+    """
+    cells = np.concatenate([[len(face), *face] for face in faces])
+    actor = unlit_actor(pv.PolyData(np.array(points, dtype=np.float64), faces=cells))
+    actor.GetProperty().SetColor(*rgb(colour))
+    actor.GetProperty().SetOpacity(opacity)
+    return actor
+
+
+def point_actor(points: ArrayLike, colour: str, size: float) -> vtkActor:
+    """Round points in one colour.
+
+    Parameters
+    ----------
+    points : (n, 3) array_like
+    colour : str
+    size : float
+        Diameter in pixels.
+    """
+    actor = unlit_actor(pv.PolyData(np.array(points, dtype=np.float64)))
+    actor.GetProperty().SetColor(*rgb(colour))
+    actor.GetProperty().SetPointSize(size)
+    actor.GetProperty().RenderPointsAsSpheresOn()
+    return actor
+
+
+def lift_lines(actor: vtkActor) -> None:
+    """Draw an actor's lines a little nearer to the pane's camera, so that faces do not eat them.
+
+    By a constant step of the depth buffer, which suits an ordinary pane camera with a tight
+    clipping range; under the model's camera use `lifted`.
+    """
+    actor.GetMapper().SetRelativeCoincidentTopologyLineOffsetParameters(0.0, _OFFSET_UNITS)
+
+
+def lifted(
+    clip_from_local: NDArray[np.float64], projection: Projection, scene: Scene
+) -> NDArray[np.float64]:
+    """A `Projection.clip_from_world_at` for lines: the same picture, a little nearer in depth.
+
+    Every point keeps its pixel and gets the depth of a point `_LIFT` of the way nearer to the
+    eye (for a parallel lens, or an eye far away: of the scene's size). In proportion to the
+    distance, it neither drowns in a depth buffer of extreme far/near nor shows what is hidden.
+
+    Parameters
+    ----------
+    clip_from_local : (4, 4) array
+        For `projection`'s own depth range.
+    projection : Projection
+    scene : Scene
+
+    Returns
+    -------
+    (4, 4) float64 array
+    """
+    lens = projection.clip_from_view
+    distance = math.dist(projection.camera.eye, scene.centre)
+    if projection.lens.kind == "perspective":
+        # z_clip = a w + b, so that b / (1 - step) in place of b is the depth at w (1 - step).
+        nearer = lens[2, 3] * _LIFT * (min(1.0, scene.size / distance) if distance > 0.0 else 1.0)
+    else:
+        nearer = lens[2, 2] * _LIFT * scene.size
+    matrix = clip_from_local.copy()
+    matrix[2, 3] += nearer
+    return matrix

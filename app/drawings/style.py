@@ -1,0 +1,112 @@
+"""Colours and sizes of the drawings: one colour per concept in all panes.
+
+The hues are those of Okabe and Ito, which colour-blind readers can tell apart; on the light
+background the pale ones are darkened until a line of them can be seen (3:1). Text is never
+coloured itself: it is ink on the background, or stands on a plate of its concept's colour in
+whatever reads better there (`Style.text_on`), so that its contrast is at least 4.5:1 and a
+colour is never alone in telling near from far.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+BLACK, WHITE = "#000000", "#ffffff"
+
+
+@dataclass(frozen=True)
+class Style:
+    """How the drawings look. Colours are ``"#rrggbb"``, sizes device pixels.
+
+    Parameters
+    ----------
+    background : str
+        Behind the scene, in every pane and in the picture itself.
+    margin : str
+        Around the picture in the image pane.
+    ink, muted : str
+        Text and lines; second-rank text and lines.
+    near, far : str
+        The two planes of the view volume.
+    u, v, n : str
+        The axes of the camera's frame; also x, y, z of the spaces after it.
+    eye, target, frustum, accent : str
+        The camera, the point it looks at, the edges of the view volume, what is pointed out.
+    line_width : float
+        Of ordinary lines.
+    font_size : float
+        Height of an em.
+    """
+
+    background: str
+    margin: str
+    ink: str
+    muted: str
+    near: str
+    far: str
+    u: str
+    v: str
+    n: str
+    eye: str
+    target: str
+    frustum: str
+    accent: str
+    line_width: float = 1.5
+    font_size: float = 13.0
+
+    def enlarged(self, factor: float) -> Style:
+        """Larger text and lines: for a projector's back row, or a finer screen."""
+        return replace(self, line_width=self.line_width * factor, font_size=self.font_size * factor)
+
+    def text_on(self, colour: str) -> str:
+        """Black or white, whichever reads better on a plate of that colour."""
+        return max(BLACK, WHITE, key=lambda text: contrast(text, colour))
+
+
+def rgb(colour: str) -> tuple[float, float, float]:
+    """Red, green and blue in 0..1 of ``"#rrggbb"``, as VTK takes them."""
+    red, green, blue = (int(colour[i : i + 2], 16) / 255.0 for i in (1, 3, 5))
+    return red, green, blue
+
+
+def contrast(one: str, other: str) -> float:
+    """The contrast ratio of two colours, 1..21 (WCAG 2.2, relative luminance)."""
+    lighter, darker = sorted((_luminance(one), _luminance(other)), reverse=True)
+    return (lighter + 0.05) / (darker + 0.05)
+
+
+def _luminance(colour: str) -> float:
+    linear = (c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in rgb(colour))
+    return sum(weight * c for weight, c in zip((0.2126, 0.7152, 0.0722), linear, strict=True))
+
+
+LIGHT = Style(
+    background="#ffffff",
+    margin="#eceef1",
+    ink="#16181b",
+    muted="#5a6068",
+    near="#c48800",
+    far="#1e9be2",
+    u="#d55e00",
+    v="#009e73",
+    n="#0072b2",
+    eye="#16181b",
+    target="#a1960d",
+    frustum="#5a6068",
+    accent="#c46f9d",
+)
+DARK = Style(
+    background="#16181b",
+    margin="#26292e",
+    ink="#eceef1",
+    muted="#a4abb3",
+    near="#e69f00",
+    far="#56b4e9",
+    u="#ed6900",
+    v="#00b586",
+    n="#2a9be0",
+    eye="#eceef1",
+    target="#f0e442",
+    frustum="#a4abb3",
+    accent="#cc79a7",
+)
