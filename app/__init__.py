@@ -1,3 +1,11 @@
 """Frustum Lab: how a camera turns a three-dimensional scene into a picture."""
 
+import sys
+
 __version__ = "0.1.0"
+
+# Here, because an older Python cannot even read the other modules.
+if sys.version_info < (3, 11):  # noqa: UP036
+    here = f"{sys.version_info[0]}.{sys.version_info[1]}"
+    sys.stderr.write(f"frustum-lab: this is Python {here} ({sys.executable}); 3.11 is needed\n")
+    raise SystemExit(3)

@@ -1,0 +1,86 @@
+"""``python3 -m tests``: set up, find a screen, run every check there is.
+
+Arguments go to pytest: ``python3 -m tests tests/test_scene.py -k posts``. The exit status is
+pytest's own, and so is the last line. ruff and mypy are tests like the others (``test_quality``).
+"""
+
+from __future__ import annotations
+
+import contextlib
+import ctypes
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+from collections.abc import Iterator
+from types import FrameType
+
+from app import bootstrap
+
+
+@contextlib.contextmanager
+def screen() -> Iterator[dict[str, str]]:
+    """Yield the environment for Qt on a real X server: the one that is there, or one of our own."""
+    environment = dict(os.environ)
+    if not sys.platform.startswith("linux"):
+        yield environment
+        return
+    environment["QT_QPA_PLATFORM"] = "xcb"
+    if environment.get("DISPLAY"):
+        yield environment
+        return
+    reading, writing = os.pipe()
+    # No -auth: without it the server lets in nobody but the user who started it.
+    command = f"Xvfb -displayfd {writing} -screen 0 1920x1080x24 +extension GLX -nolisten tcp"
+    with tempfile.TemporaryFile() as said:
+        server = subprocess.Popen(
+            [*command.split(), "-noreset"],
+            pass_fds=(writing,),
+            stdout=said,
+            stderr=said,
+            preexec_fn=_die_with_parent,
+        )
+        try:
+            os.close(writing)
+            with os.fdopen(reading) as answer:
+                number = answer.readline().strip()  # the server writes it when it is ready
+            if not number:
+                said.seek(0)
+                why = " ".join(said.read().decode(errors="replace").split())
+                bootstrap.fail(f"Xvfb did not start ({why}); start an X server and set DISPLAY")
+            environment["DISPLAY"] = f":{number}"
+            yield environment
+        finally:
+            server.terminate()
+            server.wait()
+
+
+def _die_with_parent() -> None:
+    """Even a test run that is killed outright leaves no server behind (Linux)."""
+    pr_set_pdeathsig = 1
+    ctypes.CDLL(None).prctl(pr_set_pdeathsig, signal.SIGTERM)
+
+
+def _stop(_signal: int, _frame: FrameType | None) -> None:
+    raise SystemExit(128 + signal.SIGTERM)
+
+
+def main() -> int:
+    """Run pytest in a process of its own, so that a crash in it is still tidied up after."""
+    bootstrap.start("tests", extras=("test",))
+    signal.signal(signal.SIGTERM, _stop)
+    with screen() as environment:
+        command = [sys.executable, "-m", "pytest", *sys.argv[1:]]
+        with subprocess.Popen(command, cwd=bootstrap.ROOT, env=environment) as pytest:
+            try:
+                return pytest.wait()
+            except KeyboardInterrupt:  # pytest has it too, and writes its summary
+                return pytest.wait()
+            except SystemExit:
+                pytest.terminate()
+                raise
+
+
+if __name__ == "__main__":
+    sys.exit(main())
