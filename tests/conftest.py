@@ -1,0 +1,85 @@
+"""What every test stands on: a real X server, real widgets, an own home, nothing left behind."""
+
+from __future__ import annotations
+
+import gc
+import os
+import sys
+import weakref
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+
+@pytest.fixture(autouse=True)
+def own_home(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Keep the user's settings, log and autosaves out of it."""
+    home = tmp_path_factory.mktemp("home")
+    for name, folder in (
+        ("HOME", home),
+        ("XDG_CONFIG_HOME", home / "config"),
+        ("XDG_DATA_HOME", home / "data"),
+        ("XDG_CACHE_HOME", home / "cache"),
+    ):
+        monkeypatch.setenv(name, str(folder))
+    return home
+
+
+@pytest.fixture(scope="session")
+def qapp_cls() -> type:
+    """The application class for pytest-qt, after what must precede the first window."""
+    from PySide6.QtWidgets import QApplication
+
+    from widgets.opengl import prepare
+
+    prepare()
+    return QApplication
+
+
+@pytest.fixture(scope="session")
+def display(qapp: Any) -> Any:
+    """The application, on a platform that can draw: Qt's `offscreen` paints garbage with rc 0."""
+    if sys.platform.startswith("linux"):
+        assert qapp.platformName() == "xcb", os.environ.get("QT_QPA_PLATFORM")
+    return qapp
+
+
+@pytest.fixture
+def make_window(
+    display: Any, qtbot: Any, own_home: Path
+) -> Iterator[Callable[..., Any]]:
+    """Open main windows; after the test all are closed and no interactor survives."""
+    from app.document import Document
+    from app.scene import load
+    from widgets.application import Settings
+    from widgets.main_window import MainWindow
+
+    windows: list[Any] = []
+    canvases: list[weakref.ref[Any]] = []
+
+    def make(document: Document | None = None, *, shown: bool = True, **options: Any) -> Any:
+        document = document or Document("letter-f", load("letter-f").start)
+        options.setdefault("settings", Settings(own_home / "settings.ini"))
+        options.setdefault("software_rendering", True)
+        window = MainWindow(document, **options)
+        windows.append(window)
+        canvases.extend(weakref.ref(pane.canvas) for pane in window.panes.values())
+        if shown:
+            window.show()
+            qtbot.waitExposed(window)
+            qtbot.waitUntil(lambda: all(p.canvas._ctx is not None for p in window.panes.values()))
+        return window
+
+    yield make
+    for window in windows:
+        window.store.mark_saved()
+        window.close()
+        window.deleteLater()
+    windows.clear()
+    display.processEvents()
+    display.sendPostedEvents(None, 52)  # QEvent.DeferredDelete, which no nested loop delivers
+    gc.collect()
+    survivors = [ref for ref in canvases if ref() is not None]
+    assert not survivors, f"{len(survivors)} interactors outlive their windows"

@@ -1,0 +1,561 @@
+"""The whole window: one model drives three panes, and nothing is lost."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QTimer, QUrl
+from PySide6.QtGui import QDropEvent, QImage
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QLabel, QMessageBox, QPushButton, QWidget
+
+from app.document import Document, extract, read, write
+from app.projection import Camera, Orthographic, Perspective, Projection
+from app.scene import load
+from widgets.autosave import Autosave
+from widgets.export_dialog import ExportChoice, ExportDialog
+from widgets.main_window import MainWindow
+
+
+@contextmanager
+def counted_repaints(window: MainWindow) -> Iterator[dict[str, int]]:
+    """Count VTK's renderings of each pane."""
+    counts = dict.fromkeys(window.panes, 0)
+    observers = []
+    for name, pane in window.panes.items():
+        render_window = pane.canvas.render_window
+
+        def count(_window: object, _event: str, name: str = name) -> None:
+            counts[name] += 1
+
+        observers.append((render_window, render_window.AddObserver("EndEvent", count)))
+    yield counts
+    for render_window, tag in observers:
+        render_window.RemoveObserver(tag)
+
+
+def settle(window: MainWindow) -> None:
+    """Let Qt do all that is asked of it, until it has nothing more to do."""
+    for _ in range(3):
+        QApplication.processEvents()
+
+
+def seen(window: MainWindow, **changes: Any) -> Projection:
+    return replace(window.store.document.projection, **changes)
+
+
+def pixels(window: MainWindow, name: str) -> np.ndarray:
+    image = window.panes[name].canvas.grabFramebuffer().convertToFormat(QImage.Format.Format_RGB888)
+    array = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), image.bytesPerLine())
+    return array[:, : 3 * image.width()].reshape(image.height(), image.width(), 3).copy()
+
+
+# -- one model, three panes
+
+
+def test_every_pane_shows_an_edit(make_window: Callable[..., MainWindow]) -> None:
+    window = make_window()
+    before = {name: pixels(window, name) for name in window.panes}
+    window.store.set_projection(seen(window, camera=Camera((-7.0, 3.0, 6.0))))
+    settle(window)
+    for name, picture in before.items():
+        assert (pixels(window, name) != picture).mean() > 0.005, name
+
+
+def test_one_change_is_one_repaint_of_each_pane(make_window: Callable[..., MainWindow]) -> None:
+    window = make_window()
+    settle(window)
+    with counted_repaints(window) as counts:
+        for step in range(5):
+            window.store.set_projection(seen(window, lens=Perspective(46.0 + step, 1.0, 30.0)))
+            settle(window)
+    assert counts == {"world": 5, "ndc": 5, "image": 5}
+
+
+def test_a_drag_repaints_once_a_step_and_once_to_refine(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window(software_rendering=True)
+    settle(window)
+    with counted_repaints(window) as counts:
+        window.store.begin_gesture()
+        for step in range(4):
+            window.store.set_projection(seen(window, lens=Perspective(46.0 + step, 1.0, 30.0)))
+            settle(window)
+        assert counts == {"world": 4, "ndc": 4, "image": 4}
+        window.store.end_gesture()
+        settle(window)
+    assert counts == {"world": 5, "ndc": 5, "image": 5}
+
+
+def test_a_gpu_smooths_during_a_drag_too(make_window: Callable[..., MainWindow]) -> None:
+    window = make_window(software_rendering=False)
+    settle(window)
+    with counted_repaints(window) as counts:
+        window.store.begin_gesture()
+        window.store.set_projection(seen(window, lens=Perspective(50.0, 1.0, 30.0)))
+        settle(window)
+        window.store.end_gesture()
+        settle(window)
+    assert counts == {"world": 1, "ndc": 1, "image": 1}
+
+
+def test_a_hidden_pane_neither_computes_nor_draws_and_catches_up(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window()
+    window.enlarge("world")
+    settle(window)
+    asked: list[Projection] = []
+    drawing = window.panes["image"].drawing
+    show = drawing.show_projection
+    drawing.show_projection = lambda projection: (asked.append(projection), show(projection))
+    with counted_repaints(window) as counts:
+        for step in range(3):
+            window.store.set_projection(seen(window, lens=Perspective(46.0 + step, 1.0, 30.0)))
+            settle(window)
+    assert asked == []
+    assert counts == {"world": 3, "ndc": 0, "image": 0}
+    window.enlarge("world")
+    settle(window)
+    assert asked == [window.store.document.projection]
+
+
+def test_idle_draws_nothing(make_window: Callable[..., MainWindow], qtbot: Any) -> None:
+    window = make_window()
+    settle(window)
+    with counted_repaints(window) as counts:
+        QTest.qWait(700)
+    assert counts == {"world": 0, "ndc": 0, "image": 0}
+
+
+def test_a_slider_moves_all_three_and_undo_brings_them_back(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window()
+    start = window.store.document.projection
+    before = pixels(window, "image")
+    window.controls.edited.emit(replace(start, lens=Perspective(80.0, 1.0, 30.0)))
+    settle(window)
+    assert (pixels(window, "image") != before).any()
+    window.store.undo()
+    settle(window)
+    assert window.store.document.projection == start
+    assert (pixels(window, "image") == before).all()
+
+
+def test_the_image_pane_shows_what_the_model_computes(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    """The topmost corner of the letter F, in the pane's pixels, is where its colour ends."""
+    window = make_window(Document("letter-f", Projection(camera=Camera((0.0, 2.5, 12.0)))))
+    settle(window)
+    scene = load("letter-f")
+    rectangle = window.panes["image"].drawing.picture_rectangle_px
+    left, top, width, _ = rectangle
+    trace = window.store.document.projection.trace(
+        [(scene.lower[0], scene.upper[1], scene.upper[2])]
+    )
+    scale = width / window.store.document.projection.image_size[0]
+    x, y = (trace.image[0] * scale + (left, top)).tolist()
+    picture = pixels(window, "image").astype(int)
+    inside = picture[round(y) + 4, round(x) + 4]
+    above = picture[round(y) - 4, round(x) + 4]
+    beside = picture[round(y) + 4, round(x) - 4]
+    assert np.abs(inside - above).max() > 40
+    assert np.abs(inside - beside).max() > 40
+
+
+# -- the panes' own views
+
+
+@pytest.mark.parametrize("name", ["world", "ndc"])
+def test_the_mouse_turns_the_view_and_never_the_model(
+    make_window: Callable[..., MainWindow], name: str
+) -> None:
+    window = make_window()
+    settle(window)
+    before = window.store.document
+    canvas = window.panes[name].canvas
+    place = canvas.camera.GetPosition()
+    QTest.mousePress(canvas, Qt.MouseButton.LeftButton, pos=QPoint(100, 100))
+    QTest.mouseMove(canvas, QPoint(160, 130))
+    QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=QPoint(160, 130))
+    moved = canvas.camera.GetPosition()
+    assert math.dist(place, moved) > 0.1
+    assert math.dist(canvas.camera.GetFocalPoint(), moved) == pytest.approx(
+        math.dist(canvas.camera.GetFocalPoint(), place)
+    )
+    canvas.zoom(1.5)
+    QTest.mouseDClick(canvas, Qt.MouseButton.LeftButton, pos=QPoint(100, 100))
+    assert math.dist(place, canvas.camera.GetPosition()) < 1e-9
+    assert window.store.document == before
+
+
+def test_turning_stops_at_the_pole(make_window: Callable[..., MainWindow]) -> None:
+    window = make_window()
+    canvas = window.panes["world"].canvas
+    for _ in range(5):
+        canvas._orbit(0.0, 300.0)
+        assert canvas.camera.GetViewUp()[1] > 0.0
+        x, y, z = np.subtract(canvas.camera.GetPosition(), canvas.camera.GetFocalPoint())
+        assert y / math.hypot(x, y, z) < math.sin(math.radians(89.1))
+
+
+def test_keys_on_a_pane_change_nothing(make_window: Callable[..., MainWindow]) -> None:
+    window = make_window()
+    settle(window)
+    before = pixels(window, "world")
+    canvas = window.panes["world"].canvas
+    for key in "3wsqe+-rfp":
+        QTest.keyClick(canvas, key)
+    settle(window)
+    assert (pixels(window, "world") == before).all()
+    assert window.isVisible()
+
+
+def test_enlarging_and_back(make_window: Callable[..., MainWindow]) -> None:
+    window = make_window()
+    header = window.panes["ndc"].header
+    QTest.mouseDClick(window.panes["ndc"], Qt.MouseButton.LeftButton, pos=header.geometry().center())
+    assert [pane.isVisible() for pane in window.panes.values()] == [False, True, False]
+    window.enlarge("ndc")
+    assert all(pane.isVisible() for pane in window.panes.values())
+
+
+def test_a_floating_pane_still_draws_and_docks_again(
+    make_window: Callable[..., MainWindow], qtbot: Any
+) -> None:
+    window = make_window()
+    pane = window.panes["ndc"]
+    window.toggle_float("ndc")
+    qtbot.waitExposed(pane)
+    assert pane.isWindow()
+    before = pixels(window, "ndc")
+    window.store.set_projection(seen(window, camera=Camera((-7.0, 3.0, 6.0))))
+    settle(window)
+    assert (pixels(window, "ndc") != before).any()
+    assert len(np.unique(pixels(window, "ndc").reshape(-1, 3), axis=0)) > 10
+    pane.close()  # its own close button docks it
+    settle(window)
+    assert not pane.isWindow() and pane.isVisible()
+    assert window._pane_row.indexOf(pane) == 1
+    window.store.set_projection(seen(window, camera=Camera((7.0, 3.0, 6.0))))
+    settle(window)
+    assert len(np.unique(pixels(window, "ndc").reshape(-1, 3), axis=0)) > 10
+
+
+# -- room
+
+
+@pytest.mark.parametrize("size", [(1366, 768), (1920, 1080)])
+def test_the_panes_have_room(make_window: Callable[..., MainWindow], size: tuple[int, int]) -> None:
+    window = make_window()
+    window.resize(*size)
+    settle(window)
+    assert window.size().width() == size[0] and window.size().height() == size[1]
+    for pane in window.panes.values():
+        assert pane.width() >= 300 and pane.height() >= 400
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+def test_themes_and_projector_mode_dress_every_pane(
+    make_window: Callable[..., MainWindow], theme: str
+) -> None:
+    window = make_window()
+    window.set_theme(theme)
+    size = window.font().pointSizeF()
+    window.set_projector(True)
+    settle(window)
+    assert QApplication.font().pointSizeF() > 1.3 * size
+    background = np.median(pixels(window, "world").reshape(-1, 3), axis=0).mean()
+    assert (background < 128) == (theme == "dark")
+    window.set_projector(False)
+    window.set_theme("light")
+    assert QApplication.font().pointSizeF() == pytest.approx(size)
+
+
+def test_everything_has_a_name_and_a_tip(make_window: Callable[..., MainWindow]) -> None:
+    window = make_window()
+    for button in window.findChildren(QPushButton):
+        assert button.text() or button.accessibleName()
+    for action in window.findChildren(QWidget, "tools")[0].actions():
+        assert action.isSeparator() or action.toolTip() or action.iconText()
+
+
+# -- files
+
+
+def test_save_open_and_the_unsaved_mark(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window()
+    assert not window.isWindowModified()
+    window.store.set_projection(seen(window, lens=Perspective(60.0, 2.0, math.inf)))
+    assert window.isWindowModified()
+    path = tmp_path / "lesson.json"
+    assert window.files.save_to(path)
+    assert not window.isWindowModified()
+    assert read(path).projection == window.store.document.projection
+    assert "lesson.json" in window.windowTitle()
+    window.store.undo()
+    assert window.isWindowModified()
+    window.store.redo()
+    assert not window.isWindowModified()
+    other = tmp_path / "other.json"
+    write(Document("cube", Projection(lens=Orthographic())), other)
+    assert window.files.open(other)
+    assert window.store.document.scene == "cube"
+    assert window.files.recent[:2] == [str(other), str(path)]
+    assert [a.text() for a in window._recent_menu.actions()][:2] == [str(other), str(path)]
+
+
+@pytest.mark.parametrize(
+    ("name", "content"),
+    [
+        ("empty.json", b""),
+        ("cut.json", b'{"format": "frustum-lab", "version": 1, "sce'),
+        ("future.json", b'{"format": "frustum-lab", "version": 99}'),
+        ("foreign.json", b'{"hello": 1}'),
+        ("huge.json", b'{"format": "frustum-lab", "version": 1e400}'),
+        ("text.stl", b"this is not a mesh"),
+        ("empty.obj", b""),
+        ("plain.png", b"\x89PNG\r\n\x1a\nnot really"),
+        ("notes.txt", b"hello"),
+    ],
+)
+def test_a_bad_file_gives_one_sentence_and_leaves_the_window_as_it_was(
+    make_window: Callable[..., MainWindow], tmp_path: Path, name: str, content: bytes
+) -> None:
+    window = make_window(shown=False)
+    before = window.store.document
+    path = tmp_path / name
+    path.write_bytes(content)
+    assert not window.files.open(path)
+    assert name in window.messages.text
+    assert "\n" not in window.messages.text and window.messages.text.endswith((".", "?"))
+    assert window.store.document == before
+    assert window.files.recent == []
+
+
+def test_a_missing_file_and_a_folder(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window(shown=False)
+    for path in (tmp_path / "missing.json", tmp_path, tmp_path / "missing.obj"):
+        window.messages.hide()
+        assert not window.files.open(path)
+        assert path.name in window.messages.text
+
+
+def test_saving_where_nothing_can_be_saved(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window(shown=False)
+    window.store.set_projection(seen(window, lens=Perspective(60.0, 2.0, 20.0)))
+    assert not window.files.save_to(tmp_path / "no such folder" / "lesson.json")
+    assert "lesson.json" in window.messages.text
+    assert window.store.modified
+
+
+def drop(window: MainWindow, path: Path) -> None:
+    data = QMimeData()
+    data.setUrls([QUrl.fromLocalFile(str(path))])
+    event = QDropEvent(
+        QPointF(200, 200), Qt.DropAction.CopyAction, data, Qt.MouseButton.LeftButton,
+        Qt.KeyboardModifier.NoModifier,
+    )  # fmt: skip
+    window.dropEvent(event)
+    settle(window)
+
+
+def test_a_mesh_is_opened_by_dropping_it(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window()
+    mesh = tmp_path / "tetra.obj"
+    mesh.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 1 3 4\nf 2 3 4\n")
+    drop(window, mesh)
+    assert window.store.document.scene == str(mesh)
+    trace = window.store.document.projection.trace([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)])
+    assert not trace.outside.any()
+    assert len(np.unique(pixels(window, "image").reshape(-1, 3), axis=0)) > 3
+
+
+def test_an_exported_picture_brings_the_state_back(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window()
+    window.store.set_projection(seen(window, lens=Perspective(61.25, 0.5, math.inf)))
+    wanted = window.store.document
+    path = tmp_path / "figure.png"
+    assert window.export(path, ExportChoice(("world", "ndc", "image"), (900, 300), 1.0, False))
+    picture = QImage(str(path))
+    assert (picture.width(), picture.height()) == (900, 300)
+    window.reset()
+    window.store.mark_saved()
+    drop(window, path)
+    assert window.store.document == wanted
+    assert window.files.path is None  # saving must not overwrite the picture
+
+
+def test_the_picture_on_the_clipboard_carries_the_document(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window()
+    window.copy_picture()
+    data = QApplication.clipboard().mimeData()
+    assert data.hasImage()
+    text = extract(bytes(data.data("image/png").data()))
+    assert text is not None and json.loads(text)["scene"] == "letter-f"
+
+
+def test_the_export_dialog_refuses_what_cannot_be_drawn(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window(shown=False)
+    dialog = ExportDialog(window._titles, (640, 360), window)
+    save = dialog._buttons.button(dialog._buttons.StandardButton.Save)
+    assert save.isEnabled()
+    for box in dialog._boxes.values():
+        box.setChecked(False)
+    assert not save.isEnabled() and dialog._problem.text()
+    dialog._boxes["image"].setChecked(True)
+    assert dialog.choice() == ExportChoice(("image",), (640, 360), 1.0, False)
+    dialog._width.setText("0")
+    assert not save.isEnabled()
+    dialog._width.setText("16384")
+    assert save.isEnabled()
+    dialog._scale.setCurrentIndex(1)
+    assert not save.isEnabled()
+
+
+def answer(button: QMessageBox.StandardButton) -> None:
+    """Press a button of the question that will be asked."""
+
+    def press() -> None:
+        box = QApplication.activeModalWidget()
+        assert isinstance(box, QMessageBox)
+        box.button(button).click()
+
+    QTimer.singleShot(0, press)
+
+
+def test_closing_with_unsaved_work_asks(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window()
+    window.store.set_projection(seen(window, lens=Perspective(60.0, 2.0, 20.0)))
+    answer(QMessageBox.StandardButton.Cancel)
+    assert not window.close()
+    assert window.isVisible()
+    window.files.path = tmp_path / "kept.json"
+    answer(QMessageBox.StandardButton.Save)
+    assert window.close()
+    assert read(tmp_path / "kept.json") == window.store.document
+
+
+def test_closing_in_the_middle_of_a_drag_and_of_a_play(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window()
+    window.store.begin_gesture()
+    window.store.set_projection(seen(window, lens=Perspective(60.0, 2.0, 20.0)))
+    window.controls.animation.toggle()
+    answer(QMessageBox.StandardButton.Discard)
+    assert window.close()
+
+
+# -- autosave
+
+
+def test_unsaved_work_is_offered_after_a_crash_and_never_opened_by_itself(
+    make_window: Callable[..., MainWindow], qtbot: Any
+) -> None:
+    crashed = make_window(shown=False)
+    crashed.store.set_projection(seen(crashed, lens=Perspective(61.0, 2.0, 20.0)))
+    crashed.autosave.save_now()
+    lost = crashed.store.document
+    window = make_window(shown=False)
+    settle(window)
+    assert window.messages.text == "", "the work of a window that lives is not offered"
+    crashed.autosave._lock.unlock()  # what the system does when a process dies
+    window._offer_recovery()
+    assert window.messages.text
+    assert window.store.document != lost
+    window.messages.choices[0].click()
+    assert window.store.document == lost
+    assert window.store.modified
+    assert window.autosave.orphans() == []
+
+
+def test_a_good_close_leaves_no_autosave(make_window: Callable[..., MainWindow]) -> None:
+    window = make_window()
+    window.store.set_projection(seen(window, lens=Perspective(61.0, 2.0, 20.0)))
+    window.autosave.save_now()
+    folder = window.autosave._folder
+    assert list(folder.glob("autosave-*.json"))
+    window.store.mark_saved()
+    window.close()
+    assert not list(folder.glob("autosave-*"))
+
+
+def test_a_broken_autosave_is_one_sentence(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window(shown=False)
+    broken = window.autosave._folder / "autosave-1-aaaa.json"
+    broken.write_text("{")
+    window._offer_recovery()
+    window.messages.choices[0].click()
+    assert "autosave-1-aaaa.json" in window.messages.text
+    assert not window.store.modified
+
+
+def test_the_autosave_folder_may_be_unusable(display: Any, tmp_path: Path) -> None:
+    in_the_way = tmp_path / "file"
+    in_the_way.write_text("")
+    autosave = Autosave(in_the_way / "data", lambda: Document())
+    autosave.save_now()
+    assert autosave.orphans() == []
+    autosave.close()
+
+
+# -- scenes
+
+
+def test_the_scene_menu_changes_the_scene_and_undo_brings_it_back(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window()
+    before = pixels(window, "image")
+    window._choose_scene("posts")
+    settle(window)
+    assert window.store.document.scene == "posts"
+    assert window._scene_box.currentData() == "posts"
+    assert (pixels(window, "image") != before).any()
+    window.store.undo()
+    settle(window)
+    assert window.store.document.scene == "letter-f"
+    assert window._scene_box.currentData() == "letter-f"
+    assert (pixels(window, "image") == before).all()
+
+
+def test_status_line_in_figures(make_window: Callable[..., MainWindow]) -> None:
+    # tan(45/2) 16/9 = 0.73637 -> 2 atan = 72.73 deg; 43.267/2 / (tan(22.5) sqrt(1+(16/9)^2)) =
+    # 21.633/(0.41421*2.03974) = 25.60 mm
+    window = make_window(shown=False)
+    texts = " ".join(label.text() for label in window.statusBar().findChildren(QLabel))
+    assert "45° × 72.73°" in texts
+    assert "25.6 mm" in texts
+    assert "1 : 30" in texts
+    window.store.set_projection(seen(window, lens=Perspective(45.0, 1.0, math.inf)))
+    assert "far ∞" in " ".join(label.text() for label in window.statusBar().findChildren(QLabel))
