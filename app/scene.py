@@ -14,6 +14,7 @@ This room knows no Qt and no plotter. It reads files and places the first camera
 from __future__ import annotations
 
 import difflib
+import json
 import math
 import re
 import warnings
@@ -42,7 +43,6 @@ from vtkmodules.vtkCommonDataModel import (
 )
 from vtkmodules.vtkFiltersCore import vtkFeatureEdges, vtkTriangleFilter
 from vtkmodules.vtkIOGeometry import vtkGLTFReader, vtkOBJReader
-from vtkmodules.vtkIOPLY import vtkPLYReader
 
 from app.projection import Camera, Perspective, Projection
 
@@ -135,7 +135,7 @@ def load(name_or_path: str, progress: Progress | None = None) -> Scene:
     if path.suffix.lower() in ENDINGS:
         return _scene_of_mesh(name_or_path, path, progress)
     is_file_name = path.name != name_or_path or path.suffix != ""
-    if is_file_name or _exists(path):
+    if name_or_path and (is_file_name or _exists(path)):
         _check_readable(path)
         raise SceneError(
             f"{path}: a mesh file must end in {_listed(ENDINGS)}; convert it to one of these."
@@ -162,7 +162,8 @@ def frame_camera(
     Returns
     -------
     Projection
-        Looks at the box's centre, near and far planes just outside the box.
+        Looks at the box's centre, near plane just in front of the box, far plane
+        behind it, with room for the ground grid that `load` puts under a mesh.
     """
     size = math.dist(lower, upper)
     # Rounded to what a reader wants to see in a number field: a thousandth of the size.
@@ -187,7 +188,7 @@ def frame_camera(
     )
     camera = Camera(eye, target, up)
     near = _two_digits(camera.distance - 1.05 * radius, math.floor)
-    far = _two_digits(camera.distance + 1.05 * radius, math.ceil)
+    far = _two_digits(camera.distance + 2.6 * radius, math.ceil)
     return Projection(camera, Perspective(lens.fov_y_deg, near, far))
 
 
@@ -469,18 +470,19 @@ def _posts() -> Scene:
     lines: list[Coloured] = []
     for number in range(1, _POSTS + 1):
         z = -_POST_SPACING * (number - 1)
-        post = _box((-0.09, 0.0, z - 0.2), (0.09, 2.3, z - 0.04))
-        plate = _box((-0.6, 1.6, z - 0.04), (0.6, 2.4, z + 0.04))
-        digits = _number(number, (0.0, 2.0, z + 0.06), height=0.5)
+        post = _box((-0.1, 0.0, z - 0.24), (0.1, 2.4, z - 0.04))
+        plate = _box((-0.8, 1.5, z - 0.04), (0.8, 2.6, z + 0.04))
+        digits = _number(number, (0.0, 2.05, z + 0.06), height=0.8)
         quads += [(post, wood), (plate, plate_rgb), (digits, _colours(_EDGE_RGB, len(digits)))]
-        lines += [_edges(post), _edges(plate)]
+        outline = _edges(plate)[0]  # grey: far away there is little else than outline
+        lines.append((outline, _colours(_GRID_AXIS_RGB, len(outline))))
     ground = _grid((-10.0, -126.0), (10.0, 12.0), (2.0, 6.0), 0.0)
     return _built_in(
         "posts",
         _joined(*quads),
         _joined(ground, *lines),
         Projection(
-            Camera((4.0, 3.4, 9.0), (0.6, 1.4, -8.0), (0.0, 1.0, 0.0)),
+            Camera((6.0, 5.0, 9.0), (1.0, 1.8, -8.0), (0.0, 1.0, 0.0)),
             Perspective(fov_y_deg=45.0, near=1.0, far=150.0),
             (1280, 720),
         ),
@@ -604,7 +606,13 @@ def _check_mesh(path: Path, mesh: _Mesh) -> None:
     faces = len(mesh.offsets) - 1
     vertices = len(mesh.points)
     if faces < 1:
-        found = "one vertex" if vertices == 1 else f"{vertices} vertices" if vertices else "nothing"
+        found = (
+            "one vertex"
+            if vertices == 1
+            else f"{vertices} vertices"
+            if vertices
+            else "and no vertices"
+        )
         raise SceneError(
             f"{path}: the file holds no faces ({found}), so that there is no surface to draw; "
             "export the mesh with faces."
@@ -612,7 +620,8 @@ def _check_mesh(path: Path, mesh: _Mesh) -> None:
     too_small = int(np.count_nonzero(np.diff(mesh.offsets) < 3))
     if too_small:
         raise SceneError(
-            f"{path}: {_counted(too_small, 'face')} of {faces} have fewer than three corners; "
+            f"{path}: {_counted(too_small, 'face')} of {faces} "
+            f"{'has' if too_small == 1 else 'have'} fewer than three corners; "
             "the file is damaged or cut off, save or download it again."
         )
     if mesh.corners.min() < 0 or mesh.corners.max() >= vertices:
@@ -747,10 +756,10 @@ def _ground(lower: Vector, upper: Vector, origin: Vector) -> Coloured:
 
 # --------------------------------------------------------------------------- file formats
 #
-# VTK reads the faces of OBJ, PLY and glTF. Its OBJ reader keeps float64 vertices, and its glTF
-# reader applies the node transforms in float64 when asked to. The PLY and STL readers (vtk 9.7)
-# make every coordinate a float32 and cannot be told otherwise; the PLY reader also reads "0.5"
-# as 0 under a locale with a decimal comma, which Qt sets. There we read the numbers ourselves.
+# VTK reads OBJ and glTF: its OBJ reader keeps float64 vertices, and its glTF reader applies the
+# node transforms in float64 when asked to. Its STL and PLY readers (vtk 9.7) make every coordinate
+# a float32 and cannot be told otherwise, and the PLY reader crashes on a file that is cut off, so
+# that these two formats, which are tables of numbers, are read here.
 
 
 @contextmanager
@@ -768,12 +777,12 @@ def _vtk_messages() -> Iterator[vtkStringOutputWindow]:
         vtkOutputWindow.SetInstance(usual_window)
 
 
-def _run_reader(path: Path, reader: vtkOBJReader | vtkPLYReader | vtkGLTFReader) -> Any:
+def _run_reader(path: Path, reader: vtkOBJReader | vtkGLTFReader) -> Any:
     """What the reader makes of the file: polygons, or a tree of blocks of them."""
     reader.SetFileName(str(path))
     with _vtk_messages() as window:
         reader.Update()
-    message = re.search(r"ERROR: .*\n.*?\): (.+)", window.GetOutput())
+    message = re.search(r"ERROR: .*\n.*?\): (.+)", window.GetOutput())  # the first is the cause
     output = reader.GetOutput()
     if message is not None or output is None:
         reason = f" ({message[1].strip().rstrip('.')})" if message is not None else ""
@@ -908,14 +917,14 @@ def _stl_text(path: Path, file: BinaryIO, length: int, progress: Progress | None
     return np.concatenate(blocks).reshape(-1, 3)
 
 
-def _numbers(text: bytes, count: int = -1) -> Floats | None:
-    """The first `count` numbers of a text, or all; None where something else is among them."""
+def _numbers(text: bytes) -> Floats | None:
+    """The numbers of a text, or None where something else is among them."""
     if not text.strip():
         return np.empty(0)
     with warnings.catch_warnings():  # numpy says "unmatched data" and answers what it has
         warnings.simplefilter("error", DeprecationWarning)
         try:
-            return np.fromstring(text, dtype=np.float64, count=count, sep=" ")
+            return np.fromstring(text, dtype=np.float64, sep=" ")
         except (DeprecationWarning, ValueError):
             return None
 
@@ -927,31 +936,57 @@ _PLY_TYPES = {
 }  # fmt: skip
 
 
+@dataclass(frozen=True)
+class _PlyProperty:
+    name: str
+    kind: np.dtype[Any]  # as it lies in the body
+    full_scale: float  # that means full brightness, where it is a colour channel
+    count: np.dtype[Any] | None = None  # of the count in front of a list, None for one number
+
+
 def _read_ply(path: Path, progress: Progress | None) -> _Mesh:
-    vertices = _ply_vertices(path)
+    elements, body = _ply_header_and_body(path)
     _report(progress, 0.2)
-    reader = vtkPLYReader()
-    reader.SetDuplicatePointsForFaceTexture(False)
-    poly_data = _run_reader(path, reader)
-    mesh = _mesh_of_poly_data(poly_data)
-    mesh.points = np.stack([vertices[axis].astype(np.float64) for axis in "xyz"], axis=1)
-    face_rgb = _array(poly_data.GetCellData(), "RGB")
-    if face_rgb is not None and len(face_rgb) == len(mesh.offsets) - 1:
-        mesh.rgb, mesh.painted = face_rgb.astype(np.uint8), True
-        return mesh
-    names = vertices.dtype.names or ()
-    for prefix in ("", "diffuse_"):
-        channels = [prefix + channel for channel in ("red", "green", "blue")]
-        if all(channel in names for channel in channels):
-            full = _full_scale(vertices.dtype[channels[0]])
-            rgb = np.stack([vertices[c].astype(np.float32) for c in channels], axis=1)
-            _paint_with_vertex_colours(mesh, rgb * (255.0 / full))
-            break
+    mesh = _Mesh(np.empty((0, 3)), np.zeros(1, dtype=np.int64), np.empty(0, dtype=np.int64))
+    at = 0
+    for element, rows, properties in elements:
+        columns, lengths, at = _ply_columns(path, element, rows, properties, body, at)
+        scale = {p.name: 255.0 / p.full_scale for p in properties}
+        rgb = [
+            columns[channel].astype(np.float32) * scale[channel]
+            for channel in ("red", "green", "blue")
+            if channel in columns
+        ]
+        if element == "vertex":
+            try:
+                xyz = [columns[axis] for axis in "xyz"]
+            except KeyError:
+                raise _damaged(path, "its vertices have no x, y, z") from None
+            mesh.points = np.stack(xyz, axis=1).astype(np.float64)
+            vertex_rgb = rgb
+        elif element == "face":
+            name = next((n for n in ("vertex_indices", "vertex_index") if n in lengths), None)
+            if name is None:
+                raise _damaged(path, "its faces have no list vertex_indices")
+            mesh.offsets = np.concatenate([[0], np.cumsum(lengths[name])])
+            with np.errstate(invalid="ignore"):  # what is no index, is out of range too
+                mesh.corners = columns[name].astype(np.int64)
+            if len(rgb) == 3:
+                mesh.rgb = np.clip(np.rint(np.stack(rgb, axis=1)), 0, 255).astype(np.uint8)
+                mesh.painted = True
+        _report(progress, 0.4)
+    if mesh.rgb is None and len(vertex_rgb) == 3:
+        _paint_with_vertex_colours(mesh, np.stack(vertex_rgb, axis=1))
     return mesh
 
 
-def _ply_vertices(path: Path) -> NDArray[np.void]:
-    """The table of the vertices with all its columns, each in the type that the header gives."""
+def _ply_header_and_body(
+    path: Path,
+) -> tuple[list[tuple[str, int, list[_PlyProperty]]], bytes]:
+    """The elements up to the faces, each with its number of rows and columns, and the numbers.
+
+    A text body becomes what a binary one is, with every number a float64.
+    """
     data = path.read_bytes()
     header = re.match(rb"ply\s.*?end_header[^\S\n]*\r?\n?", data[:1_000_000], re.DOTALL)
     if header is None:
@@ -959,38 +994,149 @@ def _ply_vertices(path: Path) -> NDArray[np.void]:
             f"{path}: this is not a PLY file, which begins with “ply” and has a line "
             "“end_header”; check what kind of file it is."
         )
-    words = [line.split() for line in header[0].decode("latin-1").splitlines()]
-    encoding = next((line[1] for line in words if line[:1] == ["format"] and line[1:]), "")
-    order = {"ascii": "=", "binary_little_endian": "<", "binary_big_endian": ">"}.get(encoding)
-    elements = [i for i, line in enumerate(words) if line[:1] == ["element"]]
-    if order is None or not elements or words[elements[0]][1:2] != ["vertex"]:
-        raise _damaged(path, "its PLY header does not begin with a known format and the vertices")
-    end = elements[1] if len(elements) > 1 else len(words)
-    columns = [line[1:] for line in words[elements[0] : end] if line[:1] == ["property"]]
+    encoding = ""
+    elements: list[tuple[str, int, list[_PlyProperty]]] = []
     try:
-        count = int(words[elements[0]][2])
-        table = np.dtype([(name, order + _PLY_TYPES[kind]) for kind, name in columns])
-        if count < 0 or not {"x", "y", "z"} <= {name for _, name in columns}:
+        for line in header[0].decode("latin-1").splitlines():
+            words = line.split()
+            if words[:1] == ["format"]:
+                encoding = words[1]
+                order = {"ascii": "", "binary_little_endian": "<", "binary_big_endian": ">"}[
+                    encoding
+                ]
+            elif words[:1] == ["element"]:
+                elements.append((words[1], int(words[2]), []))
+            elif words[:1] == ["property"]:
+                *kinds, name = words[1:]
+                stored = [np.dtype(_PLY_TYPES[kind]) for kind in kinds if kind != "list"]
+                if len(stored) != (2 if kinds[0] == "list" else 1):
+                    raise ValueError
+                read = [np.dtype(order + k.str[1:]) if order else np.dtype("f8") for k in stored]
+                column = _PlyProperty(name, read[-1], _full_scale(stored[-1]), *read[:-1])
+                elements[-1][2].append(column)
+        names = [element for element, _, _ in elements]
+        if "vertex" not in names or not encoding or min(rows for _, rows, _ in elements) < 0:
             raise ValueError
-    except (IndexError, KeyError, ValueError):
-        raise _damaged(path, "its PLY header does not describe vertices with x, y, z") from None
-
+    except (IndexError, KeyError, ValueError, UnboundLocalError):
+        raise _damaged(path, "its PLY header does not describe a mesh") from None
+    needed = 1 + max(names.index(name) for name in ("vertex", "face") if name in names)
+    body = data[header.end() :]
     if encoding == "ascii":
-        numbers = _numbers(data[header.end() :], count * len(columns))
-        if numbers is None or len(numbers) < count * len(columns):
-            raise _damaged(path, f"the file does not hold the {count} vertices that it announces")
-        rows = numbers.reshape(count, len(columns))
-        vertices = np.empty(count, dtype=table)
-        for column, (_, name) in zip(rows.T, columns, strict=True):
-            with np.errstate(invalid="ignore"):  # nan among the colours
-                vertices[name] = column
-        return vertices
-    if len(data) - header.end() < count * table.itemsize:
-        raise _damaged(path, f"the file is cut off before the last of its {count} vertices")
-    return np.frombuffer(data, dtype=table, count=count, offset=header.end())
+        numbers = _numbers(body)
+        if numbers is None:
+            raise _damaged(path, "there is something between its numbers that is not a number")
+        body = numbers.tobytes()
+    return elements[:needed], body
+
+
+def _ply_columns(
+    path: Path, element: str, rows: int, properties: list[_PlyProperty], body: bytes, at: int
+) -> tuple[dict[str, NDArray[Any]], dict[str, Ints], int]:
+    """Columns of one element, the lengths of its lists (whose items are joined), and its end."""
+    lists = [p for p in properties if p.count is not None]
+    cut_off = _damaged(path, f"the file is cut off before the last of its {rows} {element} rows")
+    if rows == 0:
+        empty = {p.name: np.empty(0, dtype=p.kind) for p in properties}
+        return empty, {p.name: np.empty(0, dtype=np.int64) for p in lists}, at
+
+    def row_at(start: int) -> tuple[list[tuple[int, int]], int]:
+        """Where each column's numbers begin in this row, how many they are, the row's end."""
+        places = []
+        for p in properties:
+            length = 1
+            if p.count is not None:
+                if start + p.count.itemsize > len(body):
+                    raise cut_off
+                length = int(np.frombuffer(body, p.count, 1, start)[0])
+                start += p.count.itemsize
+            places.append((start, length))
+            start += length * p.kind.itemsize
+            if length < 0 or start > len(body):
+                raise cut_off
+        return places, start
+
+    # As a rule all lists are as long as those of the first row, and the element is a table.
+    places, _ = row_at(at)
+    fields: list[tuple[Any, ...]] = []
+    for p, (_, length) in zip(properties, places, strict=True):
+        if p.count is not None:
+            fields += [(f"length of {p.name}", p.count), (p.name, p.kind, (length,))]
+        else:
+            fields.append((p.name, p.kind))
+    row = np.dtype(fields)
+    end = at + rows * row.itemsize
+    if end <= len(body):
+        table = np.frombuffer(body, row, rows, at)
+        counts = {p.name: table[f"length of {p.name}"].astype(np.int64) for p in lists}
+        if all((count == count[0]).all() for count in counts.values()):
+            return {p.name: table[p.name].ravel() for p in properties}, counts, end
+    elif not lists:
+        raise cut_off
+
+    # Otherwise only a walk from row to row finds where each begins.
+    found: list[list[tuple[int, int]]] = []
+    for _ in range(rows):
+        places, at = row_at(at)
+        found.append(places)
+    starts, lengths = np.moveaxis(np.array(found, dtype=np.int64), 2, 0)
+    octets = np.frombuffer(body, dtype=np.uint8)
+    columns = {}
+    for i, p in enumerate(properties):
+        offsets = np.cumsum(lengths[:, i]) - lengths[:, i]
+        item = np.arange(lengths[:, i].sum()) - np.repeat(offsets, lengths[:, i])
+        first = np.repeat(starts[:, i], lengths[:, i]) + item * p.kind.itemsize
+        items = octets[first[:, None] + np.arange(p.kind.itemsize)]
+        columns[p.name] = np.ascontiguousarray(items).view(p.kind).ravel()
+    return columns, {p.name: lengths[:, properties.index(p)] for p in lists}, at
+
+
+def _check_gltf(path: Path) -> None:
+    """Refuse what VTK would read past the end of its buffers, or not read at all."""
+    data = path.read_bytes()
+    if data[:4] == b"glTF":
+        data = data[20 : 20 + int.from_bytes(data[12:16], "little")]
+    elif path.suffix.lower() == ".glb":
+        raise SceneError(
+            f"{path}: this is not a GLB file, which begins with “glTF”; "
+            "check what kind of file it is."
+        )
+    try:
+        content = json.loads(data)
+        packed = {"KHR_draco_mesh_compression", "EXT_meshopt_compression"}.intersection(
+            content.get("extensionsRequired", ())
+        )
+        views = content.get("bufferViews", ())
+        fits = all(
+            view.get("byteOffset", 0) + view["byteLength"]
+            <= content["buffers"][view["buffer"]]["byteLength"]
+            for view in views
+        )
+        for accessor in content.get("accessors", ()):
+            if "bufferView" in accessor:
+                view = views[accessor["bufferView"]]
+                width = _GLTF_WIDTH[accessor["componentType"]] * _GLTF_PARTS[accessor["type"]]
+                stride = view.get("byteStride", width)
+                start = accessor.get("byteOffset", 0)
+                fits &= start + (accessor["count"] - 1) * stride + width <= view["byteLength"]
+    except (AttributeError, IndexError, KeyError, TypeError, ValueError) as error:
+        raise _damaged(path, f"its glTF description is not valid ({error!r})") from None
+    if packed:
+        raise SceneError(
+            f"{path}: its mesh is compressed ({', '.join(sorted(packed))}); "
+            "export it without compression."
+        )
+    if not fits:
+        raise _damaged(path, "its glTF description asks for more data than there are")
+
+
+_GLTF_WIDTH = {5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4}
+_GLTF_PARTS = {
+    "SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16,
+}  # fmt: skip
 
 
 def _read_gltf(path: Path, progress: Progress | None) -> _Mesh:
+    _check_gltf(path)
     reader = vtkGLTFReader()
     reader.SetOutputPointsPrecision(reader.DOUBLE_PRECISION)  # of node transform times vertex
     meshes = []
