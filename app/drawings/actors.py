@@ -162,6 +162,8 @@ class Label:
         Colour of the plate behind the text, which is then black or white.
     position : (3,) array_like
         In the pane's own world.
+    in_pixels : bool
+        Take positions as pixels from the renderer's bottom left instead.
     offset_em : (float, float)
         Right and up from there, in heights of an em.
     anchor : (int, int)
@@ -179,6 +181,7 @@ class Label:
         colour: str | None = None,
         plate: str | None = None,
         position: ArrayLike = (0.0, 0.0, 0.0),
+        in_pixels: bool = False,
         offset_em: tuple[float, float] = (0.0, 0.0),
         anchor: tuple[int, int] = (0, 0),
         size: float = 1.0,
@@ -191,7 +194,10 @@ class Label:
         self._font_px = style.font_size * size
         self._text: str | None = None
         self._place = vtkCoordinate()
-        self._place.SetCoordinateSystemToWorld()
+        if in_pixels:
+            self._place.SetCoordinateSystemToViewport()
+        else:
+            self._place.SetCoordinateSystemToWorld()
         offset = self.actor.GetPositionCoordinate()
         offset.SetCoordinateSystemToViewport()
         offset.SetReferenceCoordinate(self._place)
@@ -368,9 +374,20 @@ def lift_lines(actor: vtkActor) -> None:
     clipping range; under the model's camera use `lifted`. Moving vertices costs nothing, where
     VTK's own offset writes every fragment's depth and is one setting for the whole process.
     """
+    _after_position(actor, f"gl_Position.z -= {_LIFT_STEP} * gl_Position.w;")
+
+
+def put_behind(actor: vtkActor) -> None:
+    """Draw an actor as if behind everything else: a tint that colours no face of the scene."""
+    _after_position(actor, "gl_Position.z = 0.99999 * gl_Position.w;")
+
+
+def _after_position(actor: vtkActor, statement: str) -> None:
+    """Add a statement to the vertex shader, behind VTK's own that make `gl_Position`."""
     position = "//VTK::PositionVC::Impl"
-    shifted = f"{position}\n  gl_Position.z -= {_LIFT_STEP} * gl_Position.w;\n"
-    actor.GetShaderProperty().AddVertexShaderReplacement(position, True, shifted, False)
+    actor.GetShaderProperty().AddVertexShaderReplacement(
+        position, True, f"{position}\n  {statement}\n", False
+    )
 
 
 def lifted(

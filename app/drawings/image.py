@@ -1,0 +1,230 @@
+"""The image pane: exactly the picture, as large as the pane allows, and its pixel axes.
+
+The scene stands under ``clip_from_world`` and nothing else: this pane's camera is the identity.
+The picture does not depend on the depth range, and so it is always drawn with OpenGL's, which is
+what the depth buffer here takes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any, NamedTuple
+
+import numpy as np
+from vtkmodules.vtkCommonMath import vtkMatrix4x4
+from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderer
+
+from app.drawings.actors import Canvas, Space, face_actor, lifted, scene_actors
+from app.drawings.style import Style, rgb
+from app.projection import Projection
+from app.scene import Scene
+
+_SQUARE = ((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (1.0, 1.0, 0.0), (0.0, 1.0, 0.0))
+_EM_OF_DIGIT = 0.64  # width of a digit of the labels' font
+
+
+class Rectangle(NamedTuple):
+    """A rectangle of whole device pixels, from the pane's top left."""
+
+    left: int
+    top: int
+    width: int
+    height: int
+
+
+class ImageDrawing:
+    """The picture that the model's camera takes.
+
+    Parameters
+    ----------
+    plotter : pyvista.BasePlotter
+    scene : Scene
+    words : mapping
+        The words written here: ``x``, ``y``.
+    style : Style
+    framed : bool
+        Draw frame, axes and margins round the picture. Without them it fills the pane as far as
+        its aspect allows: wholly, if the pane has the image's size.
+    """
+
+    def __init__(
+        self,
+        plotter: Any,
+        scene: Scene,
+        words: Mapping[str, str],
+        style: Style,
+        *,
+        framed: bool = True,
+    ) -> None:
+        self._scene = scene
+        self._style = style
+        self._framed = framed
+        self._canvas = Canvas(plotter, style, self._layout)
+        self._image_size = scene.start.image_size
+        self._surface_space, self._line_space = Space(), Space()
+        self._picture = vtkRenderer()
+        self._add_picture()
+        self._own_camera = self._canvas.renderer.GetActiveCamera()
+        self._canvas.renderer.SetActiveCamera(_identity_camera())
+        if framed:
+            self._canvas.renderer.SetBackground(*rgb(style.margin))
+            self._add_axes(words)
+
+    @property
+    def picture_renderer(self) -> vtkRenderer:
+        """What draws the picture alone; its viewport is `picture_rectangle_px`."""
+        return self._picture
+
+    @property
+    def picture_rectangle_px(self) -> Rectangle:
+        """Where the picture lies in the pane of its present size."""
+        return self._fit(*self._canvas.window.GetSize())
+
+    def show_projection(self, projection: Projection) -> None:
+        """Take the model's matrices over; draws nothing yet."""
+        if projection.image_size != self._image_size:
+            self._image_size = projection.image_size
+            self._canvas.relayout()
+        seen = projection if projection.depth == "opengl" else replace(projection, depth="opengl")
+        clip_from_local = seen.clip_from_world_at(self._scene.origin)
+        self._surface_space.set(clip_from_local)
+        self._line_space.set(lifted(clip_from_local, seen, self._scene))
+
+    def reset_view(self) -> None:
+        """Do nothing: the view of this pane is the model's."""
+
+    def reset_clipping_range(self) -> None:
+        """Do nothing: near and far of this pane are the model's."""
+
+    def remove(self) -> None:
+        """Take everything out of the plotter again."""
+        self._canvas.remove()
+        self._canvas.window.RemoveRenderer(self._picture)
+        self._canvas.window.SetNumberOfLayers(1)
+        self._canvas.renderer.SetActiveCamera(self._own_camera)
+
+    # -- made once
+
+    def _add_picture(self) -> None:
+        picture = self._picture
+        self._canvas.make_ready(picture)
+        picture.SetActiveCamera(_identity_camera())
+        picture.SetBackground(*rgb(self._style.background))
+        picture.SetLayer(1)
+        picture.PreserveColorBufferOff()  # a layer above the first is transparent otherwise
+        picture.InteractiveOff()
+        self._canvas.window.SetNumberOfLayers(2)
+        self._canvas.window.AddRenderer(picture)
+        surface, lines = scene_actors(self._scene, self._style)
+        for actor, space in ((surface, self._surface_space), (lines, self._line_space)):
+            if actor is not None:
+                space.add(actor)
+                self._canvas.add(actor, renderer=picture)
+
+    def _add_axes(self, words: Mapping[str, str]) -> None:
+        style = self._style
+        self._bars = {name: Space() for name in ("frame", "x", "y", "origin")}
+        self._heads = {name: Space() for name in ("x", "y")}
+        colours = {"frame": style.ink, "x": style.u, "y": style.v, "origin": style.ink}
+        for name, space in self._bars.items():
+            self._add_face(space, _SQUARE, colours[name])
+        heads = {
+            "x": ((0.0, -1.0, 0.0), (2.0, 0.0, 0.0), (0.0, 1.0, 0.0)),
+            "y": ((-1.0, 0.0, 0.0), (0.0, 2.0, 0.0), (1.0, 0.0, 0.0)),
+        }
+        for name, space in self._heads.items():
+            self._add_face(space, heads[name], colours[name])
+
+        def label(text: str, anchor: tuple[int, int], plate: str | None = None) -> Any:
+            return self._canvas.label(text, anchor=anchor, plate=plate, in_pixels=True)
+
+        self._zero = label("0, 0", (1, -1))
+        self._width_label = label("", (1, -1))
+        self._height_label = label("", (1, -1))
+        self._x_label = label(words["x"], (-1, 0), style.u)
+        self._y_label = label(words["y"], (0, 1), style.v)
+
+    def _add_face(
+        self, space: Space, points: tuple[tuple[float, float, float], ...], colour: str
+    ) -> None:
+        actor = face_actor(points, [range(len(points))], colour)
+        space.add(actor)
+        self._canvas.add(actor)
+
+    # -- changed when the pane's or the image's size changes
+
+    def _fit(self, pane_width_px: int, pane_height_px: int) -> Rectangle:
+        """The largest rectangle of the image's aspect inside the pane and its margins."""
+        left, top, right, bottom = self._margins_px if self._framed else (0, 0, 0, 0)
+        room_x = max(1, pane_width_px - left - right)
+        room_y = max(1, pane_height_px - top - bottom)
+        width, height = self._image_size
+        scale = min(room_x / width, room_y / height)
+        fit_x = min(room_x, max(1, round(width * scale)))
+        fit_y = min(room_y, max(1, round(height * scale)))
+        return Rectangle(left + (room_x - fit_x) // 2, top + (room_y - fit_y) // 2, fit_x, fit_y)
+
+    @property
+    def _margins_px(self) -> tuple[int, int, int, int]:
+        """Left, top, right, bottom: room for the numbers, the arrow heads and their letters."""
+        em = self._style.font_size
+        digits = max(len("0, 0"), len(str(self._image_size[1])))
+        return (
+            round((digits * _EM_OF_DIGIT + 1.0) * em),
+            round(2.0 * em),
+            round(3.4 * em),
+            round(3.3 * em),
+        )
+
+    def _layout(self, pane_width_px: int, pane_height_px: int) -> None:
+        left, top, width, height = self._fit(pane_width_px, pane_height_px)
+        right, bottom = left + width, top + height
+        self._picture.SetViewport(
+            left / pane_width_px,
+            (pane_height_px - bottom) / pane_height_px,
+            right / pane_width_px,
+            (pane_height_px - top) / pane_height_px,
+        )
+        if not self._framed:
+            return
+        pane = np.array([pane_width_px, pane_height_px], dtype=np.float64)
+
+        def place(space: Space, x: float, y: float, size_x: float, size_y: float) -> None:
+            """Unit lengths to this many pixels, 0 to this pixel from the pane's top left."""
+            matrix = np.diag([2.0 * size_x / pane[0], -2.0 * size_y / pane[1], 1.0, 1.0])
+            matrix[:2, 3] = 2.0 * x / pane[0] - 1.0, 1.0 - 2.0 * y / pane[1]
+            space.set(matrix)
+
+        em = self._style.font_size
+        thin, thick = (max(1, round(k * self._style.line_width)) for k in (0.7, 1.4))
+        tip, head = round(0.6 * em), 0.3 * em
+        place(self._bars["frame"], left - thin, top - thin, width + 2 * thin, height + 2 * thin)
+        place(self._bars["x"], left - thick, top - thick, width + thick + tip, thick)
+        place(self._bars["y"], left - thick, top - thick, thick, height + thick + tip)
+        place(self._bars["origin"], left - 2 * thick, top - 2 * thick, 2 * thick, 2 * thick)
+        place(self._heads["x"], right + tip, top - thick / 2.0, head, head)
+        place(self._heads["y"], left - thick / 2.0, bottom + tip, head, head)
+
+        def move(label: Any, x: float, y: float) -> None:
+            label.set_position((x, pane_height_px - y, 0.0))
+
+        gap = 0.35 * em
+        self._width_label.set_text(str(self._image_size[0]))
+        self._height_label.set_text(str(self._image_size[1]))
+        text_x = len(str(self._image_size[0])) * _EM_OF_DIGIT * em
+        move(self._zero, left - thick - gap, top - thick - gap)
+        move(self._width_label, max(right, left + text_x), top - thick - gap)
+        move(self._height_label, left - thick - gap, bottom)
+        move(self._x_label, right + tip + 2.0 * head + gap, top - thick / 2.0)
+        move(self._y_label, left - thick / 2.0, bottom + tip + 2.0 * head + gap)
+
+
+def _identity_camera() -> vtkCamera:
+    """A camera that takes clip coordinates as they are."""
+    camera = vtkCamera()
+    camera.SetPosition(0.0, 0.0, 0.0)
+    camera.SetFocalPoint(0.0, 0.0, -1.0)
+    camera.SetExplicitProjectionTransformMatrix(vtkMatrix4x4())
+    camera.UseExplicitProjectionTransformMatrixOn()
+    return camera
