@@ -39,7 +39,7 @@ def screen() -> Iterator[dict[str, str]]:
             pass_fds=(writing,),
             stdout=said,
             stderr=said,
-            preexec_fn=_die_with_parent,
+            preexec_fn=die_with_parent,
         )
         try:
             os.close(writing)
@@ -56,10 +56,11 @@ def screen() -> Iterator[dict[str, str]]:
             server.wait()
 
 
-def _die_with_parent() -> None:
-    """Even a test run that is killed outright leaves no server behind (Linux)."""
-    pr_set_pdeathsig = 1
-    ctypes.CDLL(None).prctl(pr_set_pdeathsig, signal.SIGTERM)
+def die_with_parent() -> None:
+    """Even a test run that is killed outright leaves nothing behind; only Linux knows how."""
+    if sys.platform.startswith("linux"):
+        pr_set_pdeathsig = 1
+        ctypes.CDLL(None).prctl(pr_set_pdeathsig, signal.SIGTERM)
 
 
 def _stop(_signal: int, _frame: FrameType | None) -> None:
@@ -72,7 +73,10 @@ def main() -> int:
     signal.signal(signal.SIGTERM, _stop)
     with screen() as environment:
         command = [sys.executable, "-m", "pytest", *sys.argv[1:]]
-        with subprocess.Popen(command, cwd=bootstrap.ROOT, env=environment) as pytest:
+        before = None if sys.platform == "win32" else die_with_parent
+        with subprocess.Popen(
+            command, cwd=bootstrap.ROOT, env=environment, preexec_fn=before
+        ) as pytest:
             try:
                 return pytest.wait()
             except KeyboardInterrupt:  # pytest has it too, and writes its summary
