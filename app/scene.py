@@ -903,8 +903,7 @@ def _stl_text(path: Path, file: BinaryIO, length: int, progress: Progress | None
             rest = text
             continue
         text, rest = text[:end], text[end:]
-        if b"solid" in text:  # drop the names, in which the words below may occur
-            text = re.sub(rb"solid[^\n]*?(?=facet\s|\n|\Z)", b"", text)
+        text = _without_stl_names(text)
         # "... outer loop vertex x y z vertex x y z vertex x y z endloop ...": the odd pieces.
         loops = text.split(b"loop")[1::2]
         numbers = _numbers(b" ".join(loops).replace(b"vertex", b"").replace(b"end", b""))
@@ -912,9 +911,16 @@ def _stl_text(path: Path, file: BinaryIO, length: int, progress: Progress | None
             raise _damaged(path, "a facet has not three vertices of three numbers")
         blocks.append(numbers)
         _report(progress, 0.4 * file.tell() / length)
-    if b"vertex" in rest:
+    if b"vertex" in _without_stl_names(rest):
         raise _damaged(path, "the file is cut off in the middle of a facet")
     return np.concatenate(blocks).reshape(-1, 3)
+
+
+def _without_stl_names(text: bytes) -> bytes:
+    """Text STL without what follows “solid” and “endsolid”, where any word may occur."""
+    if b"solid" not in text:
+        return text
+    return re.sub(rb"solid[^\n]*?(?=facet\s+normal|\n|\Z)", b"", text)
 
 
 def _numbers(text: bytes) -> Floats | None:
