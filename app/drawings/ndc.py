@@ -99,7 +99,7 @@ class NdcDrawing:
         ends = [(1.0 + _OVERSHOOT, -1.0, 1.0), (-1.0, 1.0 + _OVERSHOOT, 1.0)]
         ends += [(1.0, 1.0, sign * (1.0 + _OVERSHOOT)) for sign in (-1.0, 1.0)]
         drawn = np.vstack([CUBE_CORNERS, ends])
-        margin_px = 2.0 * self._canvas.style.font_size
+        margin_px = 2.6 * self._canvas.style.font_size
         centre = np.zeros(3)
         scale = 0.0
         for axis, side_px in ((right, width_px), (up, height_px)):
@@ -173,7 +173,7 @@ class NdcDrawing:
             self._box.add(actor)
             self._canvas.add(actor)
         for edge in edges:
-            lift_lines(edge)
+            lift_lines(edge, 2)
         for face in faces:
             put_behind(face)
         right, up, along = np.eye(3)
@@ -196,7 +196,7 @@ class NdcDrawing:
             pv.Cone(center=tip, direction=direction, height=0.14, radius=0.045, resolution=24)
         )
         head.GetProperty().SetColor(*rgb(colour))
-        lift_lines(shaft)
+        lift_lines(shaft, 3)
         for actor in (shaft, head):
             space.add(actor)
             self._canvas.add(actor)
