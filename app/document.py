@@ -158,7 +158,7 @@ class Document:
     """
 
     scene: str = "letter-f"
-    projection: Projection = Projection()
+    projection: Projection = field(default_factory=Projection)
     extra: Tree = field(default_factory=dict, hash=False)
 
     def __post_init__(self) -> None:
@@ -772,9 +772,7 @@ def write_bytes_atomically(path: Path, content: bytes) -> None:
         error.file = os.fspath(path)
         raise
     except OSError as error:
-        raise DocumentError(
-            UNWRITABLE, error.strerror or error, file=os.fspath(path)
-        ) from error
+        raise DocumentError(UNWRITABLE, error.strerror or error, file=os.fspath(path)) from error
     except ValueError as error:
         raise DocumentError(BAD_NAME, file=os.fspath(path)) from error
 
@@ -820,7 +818,7 @@ def _replace(target: str, content: bytes, mode: int | None) -> None:
 def _create_unfinished(folder: str, mode: int) -> BinaryIO:
     while True:
         path = os.path.join(folder, f".frustum-lab-{secrets.token_hex(4)}.tmp")
-        file = open(path, "xb", opener=partial(os.open, mode=mode))
+        file = open(path, "xb", opener=partial(os.open, mode=mode))  # noqa: SIM115 the caller closes it
         if not _lock(file.fileno(), wait=True) or os.path.exists(path):
             return file
         file.close()  # another program took it for a dead one's before it was locked

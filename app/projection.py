@@ -62,6 +62,7 @@ Coordinates typed in decimal are off by up to half an ulp, so that nearer to par
 the frame would be made of their rounding errors.
 """
 
+_SHOWN = 100
 _FULL_FRAME_DIAGONAL_MM = math.hypot(36.0, 24.0)
 _CHUNK = 16384  # larger blocks wake OpenBLAS's second thread, which fights a software renderer
 
@@ -113,11 +114,20 @@ BOUNDS = (
 def format_value(value: object) -> str:
     """Write a value as a person would type it: ``1``, ``0.1``, ``inf``, ``(0, 1, 0)``."""
     if isinstance(value, (tuple, list)):
-        return "(" + ", ".join(format_value(part) for part in value) + ")"
+        return _cut("(" + ", ".join(format_value(part) for part in value[:_SHOWN]) + ")")
     if isinstance(value, bool) or not isinstance(value, numbers.Real):
-        return repr(value)
-    number = float(value)
+        return _cut(" ".join(repr(value).split()))
+    try:
+        number = float(value)
+    except OverflowError:
+        whole: Any = value
+        return f"{'-' if whole < 0 else ''}1e{int(math.log10(abs(whole)))}"
     return str(int(number)) if number.is_integer() and abs(number) < 1e15 else repr(number)
+
+
+def _cut(text: str) -> str:
+    """As much of a text as a sentence can hold."""
+    return text if len(text) <= _SHOWN else text[: _SHOWN - 3] + "..."
 
 
 # --------------------------------------------------------------------------- checks, exact vectors
@@ -137,7 +147,9 @@ def _real(field: str, value: Any) -> float:
     try:
         return float(value)
     except OverflowError:  # an int of more than 308 digits
-        raise ProjectionError(field, value, AT_MOST, LARGEST) from None
+        large: Any = value
+        bound, limit = (AT_MOST, LARGEST) if large > 0 else (AT_LEAST, -LARGEST)
+        raise ProjectionError(field, value, bound, limit) from None
 
 
 def _finite(field: str, value: Any) -> float:
@@ -160,7 +172,7 @@ def _vector(field: str, value: Any) -> Vector:
     for part in parts:
         if isinstance(part, bool) or not isinstance(part, numbers.Real):
             raise ProjectionError(field, value, THREE_NUMBERS)
-        if not math.isfinite(part):
+        if not math.isfinite(_real(field, part)):
             raise ProjectionError(field, parts, THREE_NUMBERS)
     x, y, z = (_finite(field, part) for part in parts)
     return x, y, z
@@ -192,6 +204,7 @@ def _unit(exact: tuple[Fraction, ...]) -> Vector:
 
 def _cos_sin_deg(angle_deg: float) -> tuple[float, float]:
     """Cosine and sine of an angle in degrees, exact at the multiples of 90."""
+    angle_deg = math.remainder(angle_deg, 360.0)  # exact, and the quarter below too, then
     quarter = round(angle_deg / 90.0)
     rest = math.radians(math.remainder(angle_deg, 90.0))
     cos, sin = math.cos(rest), math.sin(rest)
@@ -546,16 +559,26 @@ class Projection:
     depth: DepthRange = "opengl"
 
     def __post_init__(self) -> None:
-        size = tuple(self.image_size)
-        if len(size) != 2:
-            raise ProjectionError("image", size, WHOLE_PIXELS, LARGEST_IMAGE_PX)
+        try:
+            size = tuple(self.image_size)
+            if len(size) != 2:
+                raise TypeError
+        except TypeError:
+            raise ProjectionError(
+                "image", self.image_size, WHOLE_PIXELS, LARGEST_IMAGE_PX
+            ) from None
         for name, side in zip(("width", "height"), size, strict=True):
             whole = isinstance(side, numbers.Integral) and not isinstance(side, bool)
             if not whole or not 1 <= side <= LARGEST_IMAGE_PX:
                 raise ProjectionError(name, side, WHOLE_PIXELS, LARGEST_IMAGE_PX)
-        if self.depth not in DEPTH_RANGES:
+        if not isinstance(self.depth, str) or self.depth not in DEPTH_RANGES:
             raise ProjectionError("depth", self.depth, ONE_OF, ", ".join(DEPTH_RANGES))
         _set(self, image_size=(int(size[0]), int(size[1])))
+        if isinstance(self.lens, Orthographic):
+            left, right, bottom, top = self.window
+            for name, low, high in (("left", left, right), ("bottom", bottom, top)):
+                if high - low < SMALLEST:  # `keep` shrank it to nothing, far from the axis
+                    raise ProjectionError(name, low, DISTINCT, format_value(high))
 
     # -- plain figures
 
@@ -749,9 +772,13 @@ class Projection:
         Depth is ``f/(f - n) * ((w - n)/w)``, not ``A + B/w``: the difference ``w - n`` keeps
         1.3e-16 where the sum of two large numbers keeps 6e-5 (near close to far).
         """
-        world = np.array(points_world, dtype=np.float64)
-        if world.shape[-1:] != (3,):
-            raise ProjectionError("points", world.shape, THREE_NUMBERS)
+        try:
+            given = np.asarray(points_world)
+        except ValueError:  # rows of different lengths
+            raise ProjectionError("points", points_world, THREE_NUMBERS) from None
+        if given.dtype.kind not in "iuf" or given.shape[-1:] != (3,):
+            raise ProjectionError("points", points_world, THREE_NUMBERS)
+        world = given.astype(np.float64)
         wrong = ~np.isfinite(world).all(axis=-1) | (np.abs(world) > LARGEST).any(axis=-1)
         if wrong.any():
             raise ProjectionError("points", tuple(world[wrong][0].tolist()), THREE_NUMBERS)
@@ -781,7 +808,7 @@ class Projection:
                 numerator = near + 0.0 * w if far == math.inf else ratio * (far - w)
             else:
                 numerator = (1.0 if far == math.inf else far / (far - near)) * (w - near)
-            depth = numerator / w
+            depth = np.asarray(numerator / w)
         else:
             left, right, bottom, top = self.window
             w = np.ones_like(distance)
@@ -789,7 +816,7 @@ class Projection:
             y_clip = ((y - bottom) - (top - y)) / (top - bottom)
             x_ndc, y_ndc = x_clip, y_clip
             from_plane = far - distance if self.depth == "reversed" else distance - near
-            numerator = depth = from_plane / (far - near)
+            numerator = depth = np.asarray(from_plane / (far - near))
         opengl = self.depth == "opengl"
         z_clip = 2.0 * numerator - w if opengl else numerator
         clip = np.stack([x_clip, y_clip, z_clip, w], axis=-1)
