@@ -94,7 +94,7 @@ SYSTEM = (
     System("libEGL.so.1", "libegl1 libegl-mesa0", _PICTURE),
     System("libX11.so.6", "libx11-6", _PICTURE),
     System("libX11-xcb.so.1", "libx11-xcb1"),
-    System("libXcursor.so.1", "libxcursor1"),
+    System("libXcursor.so.1", "libxcursor1", _PICTURE),
     System("libxkbcommon.so.0", "libxkbcommon0"),
     System("libxkbcommon-x11.so.0", "libxkbcommon-x11-0"),
     System("libxcb-cursor.so.0", "libxcb-cursor0"),
@@ -246,10 +246,13 @@ def missing_system(need: Need) -> list[System]:
 
 def advice(missing: Sequence[System]) -> str:
     """One sentence that says what is missing and, where it is known, the command that brings it."""
-    what = f"this system lacks {', '.join(item.name for item in missing)}"
+    names = [item.name for item in missing]
     if shutil.which("apt-get") is None:
-        return f"{what}; install what brings them with its package manager, then start again"
-    return f"{what}; run: {_apt_command(_packages(missing))}"
+        what = ", ".join(names)
+        return f"this system lacks {what}; install what brings them, and start again"
+    if len(names) > 3:  # the command names them all
+        names[2:] = [f"{len(names) - 2} more"]
+    return f"this system lacks {', '.join(names)}; run: {_apt_command(_packages(missing))}"
 
 
 def _packages(missing: Iterable[System]) -> list[str]:

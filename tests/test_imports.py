@@ -1,0 +1,282 @@
+"""Who may import whom: the table of the rooms, and the source files held against it.
+
+Arrows run one way: numpy core <- scene <- drawings <- figures <- widgets <- main window <- the
+command line. A new file needs a line here before the tests pass; that line is where its place in
+the house is decided.
+"""
+
+from __future__ import annotations
+
+import ast
+import subprocess
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+import pytest
+
+from app.bootstrap import ROOT, requirements
+
+VTK = ("pyvista", "vtkmodules", "vtk")
+QT_CORE = ("PySide6.QtCore",)
+QT = ("PySide6",)
+
+
+@dataclass(frozen=True)
+class Room:
+    """What one file may import, each name with everything below it.
+
+    Attributes
+    ----------
+    packages, rooms : tuple of str
+        Third-party packages, and rooms of ours, that it may import anywhere. The standard library
+        and the bare package ``app`` (for its version) are free to all.
+    late : tuple of str
+        What it may import only inside a function or under TYPE_CHECKING, so that importing the
+        file does not bring it.
+    """
+
+    packages: tuple[str, ...] = ()
+    rooms: tuple[str, ...] = ()
+    late: tuple[str, ...] = ()
+
+
+CORE = Room(("numpy",))
+DRAWING = Room(("numpy", *VTK), ("app.projection", "app.scene", "app.drawings"))
+#: Widgets know the model's values and each other's words, not the store: the window connects them.
+PANEL = Room(
+    ("numpy", *QT),
+    (
+        "app.projection",
+        "widgets.animation",
+        "widgets.messages",
+        "widgets.palette",
+        "widgets.rows",
+    ),
+)
+
+ROOMS = {
+    "app/__init__.py": Room(),
+    "app/bootstrap.py": Room(),
+    "app/__main__.py": Room(rooms=("app.bootstrap",), late=("app.cli",)),
+    "app/projection.py": CORE,
+    "app/precision.py": CORE,
+    "app/depth.py": CORE,
+    "app/clipping.py": CORE,
+    "app/scene.py": Room(("numpy", *VTK), ("app.projection",)),
+    "app/document.py": Room(rooms=("app.projection",)),
+    "app/drawings/__init__.py": DRAWING,
+    "app/drawings/actors.py": DRAWING,
+    "app/drawings/style.py": DRAWING,
+    "app/drawings/world.py": DRAWING,
+    "app/drawings/ndc.py": DRAWING,
+    "app/drawings/image.py": DRAWING,
+    "app/figures.py": Room(
+        ("numpy", *VTK), ("app.projection", "app.scene", "app.drawings", "app.document")
+    ),
+    "app/measure.py": Room(
+        ("numpy", *VTK),
+        (
+            *("app.projection", "app.precision", "app.depth", "app.clipping"),
+            *("app.scene", "app.drawings", "app.document", "app.figures"),
+        ),
+    ),
+    "app/store.py": Room(QT_CORE, ("app.projection", "app.document")),
+    # The command line starts with numbers only; pictures and windows come when they are asked for.
+    "app/cli.py": Room(
+        ("numpy",),
+        ("app.bootstrap", "app.projection", "app.document", "app.doctor"),
+        late=(*VTK, *QT, "app", "widgets"),
+    ),
+    "app/doctor.py": Room(rooms=("app.bootstrap",), late=(*VTK, *QT, "app", "widgets")),
+    "widgets/__init__.py": Room(),
+    "widgets/palette.py": Room(QT, ("app.drawings.style",)),
+    "widgets/messages.py": Room(QT, ("app.projection", "app.document")),
+    "widgets/message_bar.py": PANEL,
+    "widgets/rows.py": PANEL,
+    "widgets/controls.py": PANEL,
+    "widgets/animation.py": PANEL,
+    "widgets/matrix_panel.py": PANEL,
+    "widgets/probe_panel.py": PANEL,
+    "widgets/export_dialog.py": PANEL,
+    # One pane hosts any drawing, so it knows the drawings' values and none of them.
+    "widgets/pane.py": Room(
+        ("numpy", "pyvistaqt", *VTK, *QT),
+        ("app.projection", "app.scene", "app.drawings", "widgets.palette"),
+    ),
+    "widgets/opengl.py": Room(QT),
+    "widgets/autosave.py": Room(QT, ("app.document",)),
+    # Opens and saves what the store holds, for the window; the only other one that knows the store.
+    "widgets/files.py": Room(
+        QT,
+        (
+            *("app.document", "app.scene", "app.projection", "app.store"),
+            *("widgets.message_bar", "widgets.messages"),
+        ),
+    ),
+    "widgets/main_window.py": Room(
+        ("numpy", *QT),
+        (
+            *("app.projection", "app.scene", "app.document", "app.drawings", "app.figures"),
+            *("app.store", "app.measure", "widgets"),
+        ),
+    ),
+    # Starts and ends the program round the window.
+    "widgets/application.py": Room(
+        QT, ("app.document", "widgets.opengl"), late=(*VTK, "app.scene", "widgets.main_window")
+    ),
+}
+
+
+def imports(source: str, package: str) -> list[tuple[str, int, bool]]:
+    """Every module that a source file imports.
+
+    Parameters
+    ----------
+    source : str
+        Python source.
+    package : str
+        The dotted package that the file is in, for relative imports.
+
+    Returns
+    -------
+    list of (name, line, late)
+        Dotted names; a name taken from a package counts as that package's module. `late` is
+        whether it happens inside a function or for type checkers only.
+    """
+    found: list[tuple[str, int, bool]] = []
+
+    def visit(node: ast.AST, late: bool) -> None:
+        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda):
+            late = True
+        elif isinstance(node, ast.If) and "TYPE_CHECKING" in ast.unparse(node.test):
+            for child in node.body:
+                visit(child, True)
+            for child in node.orelse:
+                visit(child, late)
+            return
+        elif isinstance(node, ast.Import):
+            found.extend((alias.name, node.lineno, late) for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            parts = package.split(".")[: len(package.split(".")) + 1 - node.level]
+            base = ".".join([*(parts if node.level else []), *filter(None, [node.module])])
+            found.extend((f"{base}.{alias.name}", node.lineno, late) for alias in node.names)
+        elif isinstance(node, ast.Call) and node.args:
+            called = ast.unparse(node.func).rpartition(".")[2]
+            name = node.args[0]
+            if called in ("import_module", "__import__") and isinstance(name, ast.Constant):
+                found.append((str(name.value), node.lineno, late))
+        for child in ast.iter_child_nodes(node):
+            visit(child, late)
+
+    visit(ast.parse(source), False)
+    return found
+
+
+def faults(path: str, source: str) -> list[str]:
+    """What in a source file is against the table, one sentence each."""
+    room = ROOMS.get(path)
+    if room is None:
+        return [
+            f"{path} is not in the table of tests/test_imports.py: say there what it may import"
+        ]
+    found = []
+    for name, line, late in imports(source, path.rpartition("/")[0].replace("/", ".")):
+        if name.partition(".")[0] in sys.stdlib_module_names or _is_package_itself(name):
+            continue
+        free = (*room.packages, *room.rooms)
+        if _is_below(name, free) or (late and _is_below(name, room.late)):
+            continue
+        when = " when it is itself imported" if _is_below(name, room.late) else ""
+        found.append(f"{path}:{line} imports {name}, which this room must not{when}")
+    return found
+
+
+def _is_package_itself(name: str) -> bool:
+    """Whether this is `app` or its version, as opposed to a room in it."""
+    return name in ("app", "app.__version__")
+
+
+def _is_below(name: str, allowed: tuple[str, ...]) -> bool:
+    return any(f"{name}.".startswith(f"{prefix}.") for prefix in allowed)
+
+
+def sources() -> list[str]:
+    """Every source file of the program, as a path from the root with forward slashes."""
+    return sorted(
+        path.relative_to(ROOT).as_posix()
+        for folder in ("app", "widgets")
+        for path in (ROOT / folder).rglob("*.py")
+    )
+
+
+@pytest.mark.parametrize("path", sources())
+def test_a_room_imports_only_what_the_table_allows(path: str) -> None:
+    assert faults(path, (ROOT / path).read_text(encoding="utf-8")) == []
+
+
+@pytest.mark.parametrize(
+    ("path", "source", "name"),
+    [
+        ("app/projection.py", "import scipy", "scipy"),
+        ("app/projection.py", "from app import scene", "app.scene"),
+        ("app/projection.py", "from . import scene", "app.scene"),
+        ("app/projection.py", "from .scene import load", "app.scene.load"),
+        ("app/projection.py", "def f():\n    import pyvista", "pyvista"),
+        ("app/drawings/world.py", "from PySide6.QtGui import QColor", "PySide6.QtGui.QColor"),
+        ("app/drawings/world.py", "from ..store import Store", "app.store.Store"),
+        ("app/store.py", "from PySide6 import QtWidgets", "PySide6.QtWidgets"),
+        ("app/figures.py", "import importlib\nimportlib.import_module('widgets')", "widgets"),
+        ("app/cli.py", "import widgets.main_window", "widgets.main_window"),
+        ("app/cli.py", "class A:\n    from app import scene", "app.scene"),
+        ("widgets/pane.py", "import app.store", "app.store"),
+        ("widgets/controls.py", "def f():\n    from app import store", "app.store"),
+        ("app/bootstrap.py", "import packaging", "packaging"),
+    ],
+)
+def test_a_forbidden_import_is_found(path: str, source: str, name: str) -> None:
+    (fault,) = faults(path, source)
+    assert name in fault
+
+
+@pytest.mark.parametrize(
+    ("path", "source"),
+    [
+        ("app/projection.py", "from __future__ import annotations\nimport math, numpy as np"),
+        ("app/drawings/ndc.py", "from .actors import lifted\nfrom ..scene import Scene"),
+        ("app/cli.py", "def f():\n    from widgets import application"),
+        ("app/cli.py", "if TYPE_CHECKING:\n    from app.scene import Scene"),
+        ("app/doctor.py", "from app import __version__"),
+    ],
+)
+def test_an_allowed_import_is_let_pass(path: str, source: str) -> None:
+    assert faults(path, source) == []
+
+
+def test_a_file_outside_the_table_is_told_so() -> None:
+    (fault,) = faults("app/shadows.py", "")
+    assert "app/shadows.py is not in the table" in fault
+
+
+def test_every_package_in_use_is_declared() -> None:
+    declared = {requirement.import_name for requirement in requirements(ROOT)}
+    used = {
+        name.partition(".")[0]
+        for path in sources()
+        for name, _, _ in imports((ROOT / path).read_text(encoding="utf-8"), Path(path).parts[0])
+    }
+    assert used - set(sys.stdlib_module_names) - {"app", "widgets"} <= declared
+
+
+@pytest.mark.parametrize(
+    "module", ["app.bootstrap", "app.projection", "app.document", "app.cli", "app.__main__"]
+)
+def test_numbers_start_without_pictures(module: str) -> None:
+    """In a fresh interpreter, because this one has long imported everything."""
+    probe = f"import sys, {module}; print(*sorted({{m.partition('.')[0] for m in sys.modules}}))"
+    done = subprocess.run(
+        [sys.executable, "-c", probe], cwd=ROOT, capture_output=True, text=True, check=True
+    )
+    loaded = done.stdout.split()
+    assert "app" in loaded
+    assert not {"PySide6", "shiboken6", "vtkmodules", "pyvista", "matplotlib"} & set(loaded)
