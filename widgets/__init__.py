@@ -1,0 +1,1 @@
+"""The Qt window: panes, controls, and the wires between them and the store."""

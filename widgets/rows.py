@@ -1,0 +1,745 @@
+"""One row of the controls: a name, a way to choose a value, and what is wrong with it.
+
+A row owns what the user is doing to one value (dragging, typing, a refused text) and knows no
+model. It speaks only of the user's own actions:
+
+    user -> row.edited(value) -> owner accepts (says nothing) or calls row.show_error(sentence)
+    owner -> row.setValue(value)     never answered by a signal
+
+`gesture_started` and `gesture_finished` enclose the edits that belong together: a drag, a burst
+of keys or wheel steps, one typed value, one reset.
+"""
+
+from __future__ import annotations
+
+import html
+import math
+import re
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import Any, NamedTuple
+
+from PySide6.QtCore import QEvent, QSignalBlocker, QSize, Qt, QTimer, Signal
+from PySide6.QtGui import (
+    QAction,
+    QFocusEvent,
+    QKeyEvent,
+    QKeySequence,
+    QMouseEvent,
+    QPalette,
+    QWheelEvent,
+)
+from PySide6.QtWidgets import (
+    QButtonGroup,
+    QComboBox,
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QSizePolicy,
+    QSlider,
+    QToolButton,
+    QWidget,
+)
+
+from app.projection import AT_MOST, DISTINCT, LARGEST, ProjectionError
+from widgets.messages import A_NUMBER, A_NUMBER_OR_INFINITY, number_text, sentence
+
+QUIET_MS = 500
+"""Keys and wheel steps with less than this between them are one gesture."""
+FIELD_CHARACTERS = 9
+"""Longest number that a field shows while it is not being edited."""
+
+# --------------------------------------------------------------------------- numbers as text
+
+_NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)(e[+-]?\d+)?", re.ASCII | re.IGNORECASE)
+_INFINITY = re.compile(r"([+-]?)(∞|inf|infinity)", re.IGNORECASE)
+
+
+def parse_number(name: str, text: str, unit: str = "", *, infinite: bool = False) -> float:
+    """Read a number as typed: decimal point or comma, ``inf`` or ``∞``, perhaps with its unit.
+
+    Parameters
+    ----------
+    name : str
+        What the number is, for the refusal.
+    text, unit : str
+        The typed text, and the unit that may follow the number.
+    infinite : bool
+        Whether infinity is worth mentioning in the refusal. It is read in any case: whether it
+        is allowed is the model's to say.
+
+    Raises
+    ------
+    ProjectionError
+        For any other text, and for digits that float64 can only keep as infinity or as 0.
+    """
+    typed = text.strip()
+    bare = typed.removesuffix(unit).rstrip().replace("−", "-")
+    infinity = _INFINITY.fullmatch(bare)
+    if infinity:
+        return -math.inf if infinity[1] == "-" else math.inf
+    match = _NUMBER.fullmatch(bare)
+    if not match:
+        raise ProjectionError(name, typed, A_NUMBER_OR_INFINITY if infinite else A_NUMBER)
+    number = float(bare.replace(",", "."))
+    if math.isinf(number):
+        raise ProjectionError(name, typed, AT_MOST, LARGEST)
+    if number == 0.0 and re.search("[1-9]", match[1]):
+        raise ProjectionError(name, typed, DISTINCT, 0)
+    return number
+
+
+def short_text(value: float) -> str:
+    """The number as it stands if it is short, otherwise rounded to about six digits.
+
+    What is shown is never cut off: a lost exponent would be another number.
+    """
+    text = number_text(value)
+    for digits in (6, 5, 4, 3, 2, 1):
+        if len(text) <= FIELD_CHARACTERS:
+            break
+        text = re.sub(r"e([+-])0*", r"e\1", f"{value:.{digits}g}").replace("e+", "e")
+    return text
+
+
+# --------------------------------------------------------------------------- slider scales
+
+
+@dataclass(frozen=True)
+class Linear:
+    """A slider in even steps; its values are whole multiples of the step, decimal to the eye.
+
+    Parameters
+    ----------
+    low, high : float
+        The ends, rounded to multiples of the step.
+    step : float
+        One arrow key; best 1, 2 or 5 times a power of ten.
+    page : int
+        How many steps PageUp and PageDown make.
+    """
+
+    low: float
+    high: float
+    step: float
+    page: int = 10
+    infinite = False
+
+    @classmethod
+    def about(cls, centre: float, reach: float) -> Linear:
+        """From ``centre - reach`` to ``centre + reach`` in 200 to 500 nice steps."""
+        rough = 2.0 * reach / 500.0
+        power = 10.0 ** math.floor(math.log10(rough))
+        step = next(m * power for m in (1.0, 2.0, 5.0, 10.0) if m * power >= rough)
+        return cls(centre - reach, centre + reach, float(f"{step:.1g}"))
+
+    @cached_property
+    def _step(self) -> Fraction:
+        return Fraction(repr(self.step))
+
+    @cached_property
+    def _first(self) -> int:
+        return round(Fraction(self.low) / self._step)
+
+    @cached_property
+    def last(self) -> int:
+        """The slider's top position; the bottom is 0."""
+        return round(Fraction(self.high) / self._step) - self._first
+
+    def value_at(self, position: int) -> float:
+        """The value of a slider position."""
+        return float((self._first + position) * self._step)
+
+    def position_of(self, value: float) -> int:
+        """The nearest slider position; the ends for values beyond them."""
+        if math.isinf(value):
+            return self.last if value > 0 else 0
+        return min(max(round(value / self.step - self._first), 0), self.last)
+
+
+@dataclass(frozen=True)
+class Log:
+    """A slider in even ratios; its values have three digits and pass through powers of ten.
+
+    Parameters
+    ----------
+    low, high : float
+        The ends, above 0, rounded to whole steps.
+    per_decade : int
+        Steps from 1 to 10.
+    page : int
+        How many steps PageUp and PageDown make.
+    infinite : bool
+        Whether one more position at the top stands for infinity.
+    """
+
+    low: float
+    high: float
+    per_decade: int = 50
+    page: int = 10
+    infinite: bool = False
+
+    @cached_property
+    def _first(self) -> int:
+        return round(math.log10(self.low) * self.per_decade)
+
+    @cached_property
+    def _last_finite(self) -> int:
+        return round(math.log10(self.high) * self.per_decade) - self._first
+
+    @property
+    def last(self) -> int:
+        """The slider's top position; the bottom is 0."""
+        return self._last_finite + self.infinite
+
+    def value_at(self, position: int) -> float:
+        """The value of a slider position."""
+        if position > self._last_finite:
+            return math.inf
+        return float(f"{10.0 ** ((self._first + position) / self.per_decade):.3g}")
+
+    def position_of(self, value: float) -> int:
+        """The nearest slider position; the ends for values beyond them."""
+        if value <= 0.0:
+            return 0
+        if math.isinf(value):
+            return self.last
+        position = round(math.log10(value) * self.per_decade) - self._first
+        return min(max(position, 0), self._last_finite)
+
+
+Scale = Linear | Log
+
+# --------------------------------------------------------------------------- parts of a row
+
+
+def _rich(text: str) -> str:
+    """Plain tooltips never wrap; rich ones do."""
+    return f"<qt>{html.escape(text)}</qt>"
+
+
+class _Name(QLabel):
+    double_clicked = Signal()
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        if event.button() == Qt.MouseButton.LeftButton:
+            self.double_clicked.emit()
+
+
+class _Slider(QSlider):
+    """A slider that leaves the wheel to the column until it is clicked or tabbed into."""
+
+    def __init__(self) -> None:
+        super().__init__(Qt.Orientation.Horizontal)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setMinimumWidth(48)
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        if self.hasFocus():
+            super().wheelEvent(event)
+        else:
+            event.ignore()
+
+
+class _Combo(QComboBox):
+    """A combo box that leaves the wheel to the column until it has the focus."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        policy = QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
+        self.setSizeAdjustPolicy(policy)  # a long translation must not widen the column
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        if self.hasFocus():
+            super().wheelEvent(event)
+        else:
+            event.ignore()
+
+
+class _Field(QLineEdit):
+    """A line of text that leaves undo and Esc to the window when it has no use for them."""
+
+    focused = Signal(bool)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.refused = False
+
+    def event(self, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
+            if event.key() == Qt.Key.Key_Escape and (self.refused or self.isModified()):
+                event.accept()
+                return True
+            keys = QKeySequence.StandardKey
+            if (event.matches(keys.Undo) and not self.isUndoAvailable()) or (
+                event.matches(keys.Redo) and not self.isRedoAvailable()
+            ):
+                event.ignore()
+                return False
+        return super().event(event)
+
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        self.focused.emit(True)  # first: the full number is there when Tab selects it all
+        super().focusInEvent(event)
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        super().focusOutEvent(event)
+        self.focused.emit(False)
+
+    def sizeHint(self) -> QSize:
+        return self.minimumSizeHint()
+
+    def minimumSizeHint(self) -> QSize:
+        hint = super().minimumSizeHint()
+        margins = 2 * (self.fontMetrics().horizontalAdvance("0") + 1)
+        widest = self.fontMetrics().horizontalAdvance("-" + "0" * (FIELD_CHARACTERS - 1))
+        return QSize(widest + margins, hint.height())
+
+
+_BUTTONS = """
+QToolButton {
+    background: palette(button); color: palette(button-text);
+    border: 1px solid palette(mid); border-radius: 3px; padding: 2px 1px;
+}
+QToolButton:checked {
+    background: palette(highlight); color: palette(highlighted-text); font-weight: 600;
+}
+QToolButton:hover, QToolButton:focus { border-color: palette(text); }
+"""
+"""Fusion hardly shows which of two dark buttons is down."""
+
+# --------------------------------------------------------------------------- rows
+
+
+class Row(QWidget):
+    """What number and choice rows share: name, reset, error line, gestures.
+
+    Parameters
+    ----------
+    name : str
+        Translated name, shown and read aloud.
+    tip : str
+        Translated sentence that says what the value does, in the lectures' terms.
+    """
+
+    edited = Signal(object)
+    """The user chose this value."""
+    gesture_started = Signal()
+    gesture_finished = Signal()
+
+    def __init__(self, name: str, tip: str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.name = name
+        self._value: Any = None
+        self._default: Any = None
+        self._error: QLabel | None = None
+        self._tip = f"{tip} {self.tr('Double-click the name to reset it.')}"
+        self.name_label = _Name(name)
+        self.name_label.setWordWrap(True)
+        self.name_label.setToolTip(_rich(self._tip))
+        self.name_label.double_clicked.connect(self.reset)
+        self._reset_action = QAction(self.tr("Reset {0}").format(name), self)
+        self._reset_action.triggered.connect(self.reset)
+        self.addAction(self._reset_action)  # by the menu key or the right mouse button as well
+        self.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
+        self._grid = QGridLayout(self)
+        self._grid.setContentsMargins(0, 0, 0, 0)
+        self._grid.setHorizontalSpacing(5)
+        self._grid.setVerticalSpacing(1)
+        self._grid.setColumnStretch(1, 1)
+        self._grid.addWidget(self.name_label, 0, 0)
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
+
+    def value(self) -> Any:
+        """The value shown."""
+        return self._value
+
+    def setDefault(self, value: Any) -> None:
+        """Set what a reset goes back to."""
+        self._default = value
+
+    def reset(self) -> None:
+        """Go back to the default, as the user's own edit."""
+        self.clear_error()
+        if self._default is not None and self._default != self._value:
+            self._make_edit(self._default)
+
+    @property
+    def error(self) -> str:
+        """The sentence shown below the row, or nothing."""
+        return "" if self._error is None else self._error.text()
+
+    def show_error(self, sentence: str) -> None:
+        """Refuse what was just edited, and say why below the row."""
+        if self._error is None:
+            self._error = QLabel()
+            self._error.setWordWrap(True)
+            self._error.setTextFormat(Qt.TextFormat.PlainText)
+            self._error.setObjectName("rowError")
+            # The window's own text colour, for contrast; the bar, the sign and the words mark it.
+            self._error.setStyleSheet(
+                "#rowError { border: 0px; border-left: 3px solid #d55e00; padding: 1px 0 2px 5px; }"
+            )
+            self._grid.addWidget(self._error, 1, 0, 1, self._grid.columnCount())
+        self._error.setText(f"⚠ {self.tr('Not possible.')} {sentence}")
+        self._error.show()
+        self._describe(self._error.text())
+
+    def clear_error(self) -> None:
+        """Take the error away, and the refused text with it."""
+        if self._error is not None:
+            self._grid.removeWidget(self._error)
+            self._error.hide()
+            self._error.deleteLater()
+            self._error = None
+            self._describe("")
+            self._show_value()
+
+    def finish_gesture(self) -> None:
+        """End what the user is in the middle of, if anything."""
+
+    def _attempt(self, value: Any) -> None:
+        """Offer a value to the owner; without an objection it is ours."""
+        before, self._value = self._value, value
+        self.edited.emit(value)
+        if self._error is not None and self._value == value:
+            self._value = before
+
+    def _make_edit(self, value: Any) -> None:
+        self.finish_gesture()
+        self.gesture_started.emit()
+        self._attempt(value)
+        self.gesture_finished.emit()
+        self._show_value()
+
+    def _show_value(self) -> None:
+        raise NotImplementedError
+
+    def _describe(self, error: str) -> None:
+        """Tell a screen reader what is wrong."""
+        raise NotImplementedError
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Escape and self._error is not None:
+            self.clear_error()
+        else:
+            super().keyPressEvent(event)
+
+
+class NumberRow(Row):
+    """A slider, a number field and a unit for one number.
+
+    The slider offers round numbers; the field takes any number exactly as it is typed, also
+    beyond the slider's ends, and shows it whole while it has the focus.
+
+    Parameters
+    ----------
+    name, tip : str
+        As in `Row`.
+    scale : Linear or Log
+        What the slider's positions stand for.
+    unit : str
+        Shown behind the field.
+    unit_tip : str
+        What the unit is, if the letters do not say it.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        tip: str,
+        scale: Scale,
+        unit: str = "",
+        unit_tip: str = "",
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(name, tip, parent)
+        self._scale = scale
+        self._value: float = scale.value_at(0)
+        self._open = False
+        self._unit = unit
+        self.slider = _Slider()
+        self.slider.setAccessibleName(self.tr("{0}, slider").format(name))
+        self.slider.setToolTip(_rich(self._tip))
+        self.field = _Field()
+        self.field.setAccessibleName(f"{name} ({unit_tip or unit})" if unit else name)
+        self.unit_label = QLabel(unit)
+        self.unit_label.setForegroundRole(QPalette.ColorRole.PlaceholderText)
+        if unit_tip:
+            self.unit_label.setToolTip(_rich(unit_tip))
+        self.name_label.setBuddy(self.field)
+        self._grid.addWidget(self.slider, 0, 1)
+        self._grid.addWidget(self.field, 0, 2)
+        self._grid.addWidget(self.unit_label, 0, 3)
+        self._quiet = QTimer(self)
+        self._quiet.setSingleShot(True)
+        self._quiet.setInterval(QUIET_MS)
+        self._quiet.timeout.connect(self.finish_gesture)
+        self.slider.valueChanged.connect(self._slid)
+        self.slider.sliderPressed.connect(self._pressed)
+        self.slider.sliderReleased.connect(self.finish_gesture)
+        self.field.editingFinished.connect(self._typed)
+        self.field.focused.connect(self._show_text)
+        self.field.installEventFilter(self)
+        self.setScale(scale)
+        self._write_field_tip()
+
+    # -- set by the owner
+
+    def setValue(self, value: float) -> None:
+        """Show a value; never answered by a signal.
+
+        A slider in the user's hand and a text being typed stay as they are until the user is
+        done; then they show this value.
+        """
+        value = float(value)
+        if value == self._value:
+            return
+        self._value = value
+        if not self._open:
+            self.clear_error()
+            self._show_value()
+
+    def setScale(self, scale: Scale) -> None:
+        """Give the slider other ends and steps."""
+        self._scale = scale
+        with QSignalBlocker(self.slider):
+            self.slider.setRange(0, scale.last)
+            self.slider.setPageStep(scale.page)
+        self._show_value()
+
+    # -- done by the user
+
+    def _pressed(self) -> None:
+        self._quiet.stop()
+        self._begin()
+
+    def _begin(self) -> None:
+        if not self._open:
+            self._open = True
+            self.gesture_started.emit()
+
+    def finish_gesture(self) -> None:
+        """End a drag or a burst of keys; the slider goes back to the value that holds."""
+        if self._open:
+            self._quiet.stop()
+            self._open = False
+            self._show_value()
+            self.gesture_finished.emit()
+
+    def _slid(self, position: int) -> None:
+        value = self._scale.value_at(position)
+        self._begin()
+        if not self.slider.isSliderDown():
+            self._quiet.start()
+        self.clear_error()
+        self._set_text(short_text(value))
+        if value != self._value:
+            self._attempt(value)
+
+    def _typed(self) -> None:
+        if not self.field.isModified():
+            return
+        text = self.field.text()
+        self.finish_gesture()
+        try:
+            value = parse_number(self.name, text, self._unit, infinite=self._scale.infinite)
+        except ProjectionError as error:
+            self._refuse(text, sentence(error))
+            return
+        self.clear_error()
+        self.field.setModified(False)
+        if value != self._value:
+            self._make_edit(value)
+        if self._error is not None:
+            self._refuse(text)
+        else:
+            self._show_text()
+
+    def _refuse(self, text: str, sentence: str = "") -> None:
+        """Leave a refused text where it can be put right."""
+        if sentence:
+            self.show_error(sentence)
+        self.field.refused = True
+        self._set_text(text)
+
+    def eventFilter(self, watched: Any, event: QEvent) -> bool:
+        if watched is self.field and event.type() == QEvent.Type.ToolTip:
+            self._write_field_tip()
+        return super().eventFilter(watched, event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        actions = QSlider.SliderAction
+        steps = {
+            Qt.Key.Key_Up: actions.SliderSingleStepAdd,
+            Qt.Key.Key_Down: actions.SliderSingleStepSub,
+            Qt.Key.Key_PageUp: actions.SliderPageStepAdd,
+            Qt.Key.Key_PageDown: actions.SliderPageStepSub,
+        }
+        if event.key() in steps:  # from the field, as in a spin box
+            self._typed()
+            self.slider.triggerAction(steps[Qt.Key(event.key())])
+        elif event.key() == Qt.Key.Key_Escape and self.field.isModified():
+            self.field.setModified(False)
+            self.clear_error()
+            self._show_text()
+        else:
+            super().keyPressEvent(event)
+
+    # -- shown
+
+    def clear_error(self) -> None:
+        """Take the error away, and the refused text with it."""
+        self.field.refused = False
+        super().clear_error()
+
+    def _show_value(self) -> None:
+        if not self._open:
+            with QSignalBlocker(self.slider):
+                self.slider.setValue(self._scale.position_of(self._value))
+            self._show_text()
+
+    def _show_text(self) -> None:
+        if self._open or self.field.refused or self.field.isModified():
+            return
+        has_focus = self.field.hasFocus()
+        self._set_text(number_text(self._value) if has_focus else short_text(self._value))
+
+    def _set_text(self, text: str) -> None:
+        self.field.setText(text)
+        if not self.field.hasFocus():
+            self.field.setCursorPosition(0)
+
+    def _write_field_tip(self) -> None:
+        exact = f"{self.name} = {number_text(self._value)} {self._unit}".rstrip()
+        self.field.setToolTip(f"<qt><b>{html.escape(exact)}</b><br>{html.escape(self._tip)}</qt>")
+
+    def _describe(self, error: str) -> None:
+        self.field.setAccessibleDescription(error)
+        self.slider.setAccessibleDescription(error)
+
+
+class Choice(NamedTuple):
+    """One of the things that can be chosen: its key, its translated text and explanation."""
+
+    key: str
+    text: str
+    tip: str = ""
+
+
+class ChoiceRow(Row):
+    """One of a few named things: a combo box, or buttons side by side.
+
+    Parameters
+    ----------
+    name, tip : str
+        As in `Row`.
+    choices : sequence of Choice
+    buttons : bool
+        Buttons instead of a combo box: one click instead of two. They may show nothing chosen.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        tip: str,
+        choices: Sequence[Choice],
+        *,
+        buttons: bool = False,
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(name, tip, parent)
+        self._keys = [choice.key for choice in choices]
+        self._value: str | None = self._keys[0]
+        self._combo: QComboBox | None = None
+        self._group = QButtonGroup(self)
+        if buttons:
+            self.widgets: list[QWidget] = self._make_buttons(choices)
+        else:
+            self.widgets = [self._make_combo(choices)]
+        self.name_label.setBuddy(self.widgets[0])
+        self._show_value()
+
+    def _make_combo(self, choices: Sequence[Choice]) -> QComboBox:
+        self._combo = combo = _Combo()
+        for index, choice in enumerate(choices):
+            combo.addItem(choice.text)
+            combo.setItemData(index, _rich(choice.tip), Qt.ItemDataRole.ToolTipRole)
+        combo.setAccessibleName(self.name)
+        combo.setToolTip(_rich(self._tip))
+        combo.activated.connect(self._chosen)  # the user's choice, never the program's
+        self._grid.addWidget(combo, 0, 1)
+        return combo
+
+    def _make_buttons(self, choices: Sequence[Choice]) -> list[QWidget]:
+        line = QHBoxLayout()
+        line.setSpacing(2)
+        made: list[QWidget] = []
+        for index, choice in enumerate(choices):
+            button = QToolButton()
+            button.setText(choice.text)
+            button.setCheckable(True)
+            button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+            button.setStyleSheet(_BUTTONS)
+            button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+            button.setAccessibleName(f"{self.name}: {choice.text}")
+            button.setToolTip(_rich(f"{choice.tip} {self._tip}".strip()))
+            self._group.addButton(button, index)
+            line.addWidget(button)
+            made.append(button)
+        self._group.idClicked.connect(self._chosen)
+        self._grid.addLayout(line, 0, 1)
+        return made
+
+    def choose(self, key: str) -> None:
+        """Choose as the user does."""
+        self._chosen(self._keys.index(key))
+
+    def setValue(self, key: str | None) -> None:
+        """Show a choice, or none of them; never answered by a signal."""
+        if key != self._value:
+            self._value = key
+            self.clear_error()
+            self._show_value()
+
+    def _chosen(self, index: int) -> None:
+        key = self._keys[index]
+        self.clear_error()
+        if key == self._value:
+            self._show_value()
+        else:
+            self._make_edit(key)
+
+    def _show_value(self) -> None:
+        index = self._keys.index(self._value) if self._value in self._keys else -1
+        if self._combo is not None:
+            self._combo.setCurrentIndex(index)
+            return
+        self._group.setExclusive(False)  # an exclusive group cannot show that none is chosen
+        for position, button in enumerate(self._group.buttons()):
+            button.setChecked(position == index)
+        self._group.setExclusive(True)
+
+    def _describe(self, error: str) -> None:
+        for widget in self.widgets:
+            widget.setAccessibleDescription(error)
+
+
+def align(rows: Iterable[Row]) -> None:
+    """Give the names of these rows one width, and the units another, so that they form columns."""
+    rows = list(rows)
+    metrics = rows[0].fontMetrics()
+    widest_name = metrics.averageCharWidth() * 16
+    name_width = max(metrics.horizontalAdvance(row.name) for row in rows) + 2
+    unit_width = max(
+        (row.unit_label.sizeHint().width() for row in rows if isinstance(row, NumberRow)),
+        default=0,
+    )
+    for row in rows:
+        row.name_label.setFixedWidth(min(name_width, widest_name))
+        if isinstance(row, NumberRow):
+            row.unit_label.setFixedWidth(unit_width)
