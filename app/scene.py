@@ -13,6 +13,7 @@ This room knows no Qt and no plotter. It reads files and places the first camera
 
 from __future__ import annotations
 
+import base64
 import difflib
 import json
 import math
@@ -23,6 +24,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, BinaryIO, TypeAlias
+from urllib.parse import unquote
 
 import numpy as np
 import pyvista as pv
@@ -34,15 +36,9 @@ from vtkmodules.vtkCommonCore import (
     vtkOutputWindow,
     vtkStringOutputWindow,
 )
-from vtkmodules.vtkCommonDataModel import (
-    vtkCellArray,
-    vtkFieldData,
-    vtkMultiBlockDataSet,
-    vtkPolyData,
-    vtkStaticPointLocator,
-)
-from vtkmodules.vtkFiltersCore import vtkFeatureEdges, vtkTriangleFilter
-from vtkmodules.vtkIOGeometry import vtkGLTFReader, vtkOBJReader
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkStaticPointLocator
+from vtkmodules.vtkFiltersCore import vtkFeatureEdges
+from vtkmodules.vtkIOGeometry import vtkOBJReader
 
 from app.projection import Camera, Perspective, Projection
 
@@ -756,15 +752,15 @@ def _ground(lower: Vector, upper: Vector, origin: Vector) -> Coloured:
 
 # --------------------------------------------------------------------------- file formats
 #
-# VTK reads OBJ and glTF: its OBJ reader keeps float64 vertices, and its glTF reader applies the
-# node transforms in float64 when asked to. Its STL and PLY readers (vtk 9.7) make every coordinate
-# a float32 and cannot be told otherwise, and the PLY reader crashes on a file that is cut off, so
-# that these two formats, which are tables of numbers, are read here.
+# VTK reads OBJ, and keeps its float64 vertices. Its other readers (vtk 9.7) cannot be had without
+# loss: STL and PLY make every coordinate a float32, glTF the translation of every node, so that a
+# mesh at 1e7 moves by up to half a unit; and PLY and glTF read past the end of a file that is cut
+# off. These are tables of numbers, which numpy reads as fast.
 
 
 @contextmanager
 def _vtk_messages() -> Iterator[vtkStringOutputWindow]:
-    """Collect what VTK would print on stderr, from readers and from the helpers inside them."""
+    """Collect what VTK would print on stderr, through its window and through its logger."""
     window = vtkStringOutputWindow()
     usual_window = vtkOutputWindow.GetInstance()
     usual_verbosity = vtkLogger.GetCurrentVerbosityCutoff()
@@ -775,19 +771,6 @@ def _vtk_messages() -> Iterator[vtkStringOutputWindow]:
     finally:
         vtkLogger.SetStderrVerbosity(usual_verbosity)
         vtkOutputWindow.SetInstance(usual_window)
-
-
-def _run_reader(path: Path, reader: vtkOBJReader | vtkGLTFReader) -> Any:
-    """What the reader makes of the file: polygons, or a tree of blocks of them."""
-    reader.SetFileName(str(path))
-    with _vtk_messages() as window:
-        reader.Update()
-    message = re.search(r"ERROR: .*\n.*?\): (.+)", window.GetOutput())  # the first is the cause
-    output = reader.GetOutput()
-    if message is not None or output is None:
-        reason = f" ({message[1].strip().rstrip('.')})" if message is not None else ""
-        raise _damaged(path, f"it cannot be read as {path.suffix[1:].upper()}{reason}")
-    return output
 
 
 def _damaged(path: Path, problem: str) -> SceneError:
@@ -806,25 +789,9 @@ def _cells(cells: vtkCellArray) -> tuple[Ints, Ints]:
     return offsets.astype(np.int64), corners.astype(np.int64)
 
 
-def _mesh_of_poly_data(poly_data: vtkPolyData) -> _Mesh:
-    if poly_data.GetNumberOfStrips():
-        triangulate = vtkTriangleFilter()
-        triangulate.PassLinesOff()
-        triangulate.PassVertsOff()
-        triangulate.SetInputData(poly_data)
-        triangulate.Update()
-        poly_data = triangulate.GetOutput()
-    if poly_data.GetPoints() is None:
-        points = np.empty((0, 3))
-    else:
-        points = _values(poly_data.GetPoints().GetData()).astype(np.float64)
-    return _Mesh(points, *_cells(poly_data.GetPolys()))
-
-
-def _array(data: vtkFieldData, name: str) -> NDArray[Any] | None:
-    """A named array of VTK point, cell or field data."""
-    found = data.GetArray(name)
-    return None if found is None else _values(found)
+def _bytes(colours: NDArray[np.floating]) -> Colours:
+    rgb: Colours = np.clip(np.rint(np.nan_to_num(colours)), 0, 255).astype(np.uint8)
+    return rgb
 
 
 def _paint_with_vertex_colours(mesh: _Mesh, colours: NDArray[np.floating]) -> None:
@@ -834,7 +801,7 @@ def _paint_with_vertex_colours(mesh: _Mesh, colours: NDArray[np.floating]) -> No
         return  # the check that follows says what is wrong with this mesh
     sums = np.add.reduceat(colours.astype(np.float32)[mesh.corners], mesh.offsets[:-1], axis=0)
     mean = sums / np.diff(mesh.offsets).astype(np.float32)[:, None]
-    mesh.rgb = np.clip(np.rint(mean), 0, 255).astype(np.uint8)
+    mesh.rgb = _bytes(mean)
     mesh.painted = True
 
 
@@ -844,11 +811,23 @@ def _full_scale(kind: np.dtype[Any]) -> float:
 
 
 def _read_obj(path: Path, progress: Progress | None) -> _Mesh:
-    poly_data = _run_reader(path, vtkOBJReader())
-    mesh = _mesh_of_poly_data(poly_data)
-    colours = _array(poly_data.GetPointData(), "RGB")
+    reader = vtkOBJReader()
+    reader.SetFileName(str(path))
+    with _vtk_messages() as window:
+        reader.Update()
+    message = re.search(r"ERROR: .*\n.*?\): (.+)", window.GetOutput())  # the first is the cause
+    if message is not None:
+        reason = message[1].strip().rstrip(".")
+        raise _damaged(path, f"it cannot be read as OBJ ({reason})")
+    poly_data = reader.GetOutput()
+    if poly_data.GetPoints() is None:
+        points = np.empty((0, 3))
+    else:
+        points = _values(poly_data.GetPoints().GetData()).astype(np.float64)
+    mesh = _Mesh(points, *_cells(poly_data.GetPolys()))
+    colours = poly_data.GetPointData().GetArray("RGB")
     if colours is not None:
-        _paint_with_vertex_colours(mesh, colours.astype(np.float64))
+        _paint_with_vertex_colours(mesh, _values(colours).astype(np.float64))
     return mesh
 
 
@@ -978,7 +957,7 @@ def _read_ply(path: Path, progress: Progress | None) -> _Mesh:
             with np.errstate(invalid="ignore"):  # what is no index, is out of range too
                 mesh.corners = columns[name].astype(np.int64)
             if len(rgb) == 3:
-                mesh.rgb = np.clip(np.rint(np.stack(rgb, axis=1)), 0, 255).astype(np.uint8)
+                mesh.rgb = _bytes(np.stack(rgb, axis=1))
                 mesh.painted = True
         _report(progress, 0.4)
     if mesh.rgb is None and len(vertex_rgb) == 3:
@@ -1096,92 +1075,173 @@ def _ply_columns(
     return columns, {p.name: lengths[:, properties.index(p)] for p in lists}, at
 
 
-def _check_gltf(path: Path) -> None:
-    """Refuse what VTK would read past the end of its buffers, or not read at all."""
-    data = path.read_bytes()
-    if data[:4] == b"glTF":
-        data = data[20 : 20 + int.from_bytes(data[12:16], "little")]
-    elif path.suffix.lower() == ".glb":
-        raise SceneError(
-            f"{path}: this is not a GLB file, which begins with “glTF”; "
-            "check what kind of file it is."
-        )
-    try:
-        content = json.loads(data)
-        packed = {"KHR_draco_mesh_compression", "EXT_meshopt_compression"}.intersection(
-            content.get("extensionsRequired", ())
-        )
-        views = content.get("bufferViews", ())
-        fits = all(
-            view.get("byteOffset", 0) + view["byteLength"]
-            <= content["buffers"][view["buffer"]]["byteLength"]
-            for view in views
-        )
-        for accessor in content.get("accessors", ()):
-            if "bufferView" in accessor:
-                view = views[accessor["bufferView"]]
-                width = _GLTF_WIDTH[accessor["componentType"]] * _GLTF_PARTS[accessor["type"]]
-                stride = view.get("byteStride", width)
-                start = accessor.get("byteOffset", 0)
-                fits &= start + (accessor["count"] - 1) * stride + width <= view["byteLength"]
-    except (AttributeError, IndexError, KeyError, TypeError, ValueError) as error:
-        raise _damaged(path, f"its glTF description is not valid ({error!r})") from None
-    if packed:
-        raise SceneError(
-            f"{path}: its mesh is compressed ({', '.join(sorted(packed))}); "
-            "export it without compression."
-        )
-    if not fits:
-        raise _damaged(path, "its glTF description asks for more data than there are")
-
-
-_GLTF_WIDTH = {5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4}
-_GLTF_PARTS = {
-    "SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16,
-}  # fmt: skip
+_GLTF_TYPES = {5120: "<i1", 5121: "<u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
+_GLTF_PARTS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
+_GLTF_PACKED = frozenset({"KHR_draco_mesh_compression", "EXT_meshopt_compression"})
 
 
 def _read_gltf(path: Path, progress: Progress | None) -> _Mesh:
-    _check_gltf(path)
-    reader = vtkGLTFReader()
-    reader.SetOutputPointsPrecision(reader.DOUBLE_PRECISION)  # of node transform times vertex
+    data = path.read_bytes()
+    body = b""
+    if path.suffix.lower() == ".glb":
+        if data[:4] != b"glTF":
+            raise SceneError(
+                f"{path}: this is not a GLB file, which begins with “glTF”; "
+                "check what kind of file it is."
+            )
+        text_end = 20 + int.from_bytes(data[12:16], "little")
+        data, body = data[20:text_end], data[text_end + 8 :]
     meshes = []
-    for poly_data in _leaves(_run_reader(path, reader)):
-        mesh = _mesh_of_poly_data(poly_data)
-        colours = _array(poly_data.GetPointData(), "COLOR_0")
-        material = _array(poly_data.GetFieldData(), "BaseColorMultiplier")
-        if colours is not None:
-            linear = colours[:, :3].astype(np.float64) / _full_scale(colours.dtype)
-            _paint_with_vertex_colours(mesh, _srgb(linear))
-        if mesh.rgb is None:
-            factor = np.ones(3) if material is None else material.ravel()[:3].astype(np.float64)
-            # White is what a file without colours, or with a texture, has.
-            rgb = _PAINT_RGB if (factor == 1.0).all() else np.rint(_srgb(factor))
-            mesh.rgb = _colours(rgb, len(mesh.offsets) - 1)
-        meshes.append(mesh)
+    try:
+        content = json.loads(data)
+        if not str(content["asset"]["version"]).startswith("2."):
+            raise ValueError(f"version {content['asset']['version']}, not 2")
+        packed = _GLTF_PACKED.intersection(content.get("extensionsRequired", ()))
+        if packed:
+            raise SceneError(
+                f"{path}: its mesh is compressed ({', '.join(sorted(packed))}); "
+                "export it without compression."
+            )
+        buffers = [_gltf_buffer(path, buffer, body) for buffer in content.get("buffers", ())]
         _report(progress, 0.2)
-    if not meshes:
-        return _Mesh(np.empty((0, 3)), np.zeros(1, dtype=np.int64), np.empty(0, dtype=np.int64))
+        for node, world_from_node in _gltf_nodes(content):
+            if "mesh" in node:
+                for primitive in content["meshes"][node["mesh"]]["primitives"]:
+                    meshes.append(_gltf_primitive(content, buffers, primitive, world_from_node))
+                    _report(progress, 0.3)
+    except SceneError:
+        raise
+    except (LookupError, AttributeError, TypeError, ValueError, RecursionError) as error:
+        reason = f"{type(error).__name__}: {error}".replace("\n", " ")
+        raise _damaged(path, f"its glTF description is not valid ({reason})") from None
     first_point = np.cumsum([0] + [len(mesh.points) for mesh in meshes])
-    first_corner = np.cumsum([0] + [len(mesh.corners) for mesh in meshes])
+    corners = [m.corners + at for m, at in zip(meshes, first_point[:-1], strict=True)]
+    joined = np.concatenate([np.empty(0, dtype=np.int64), *corners])
     return _Mesh(
-        np.concatenate([mesh.points for mesh in meshes]),
+        np.concatenate([np.empty((0, 3))] + [mesh.points for mesh in meshes]),
+        np.arange(0, len(joined) + 1, 3),
+        joined,
         np.concatenate(
-            [[0]] + [m.offsets[1:] + at for m, at in zip(meshes, first_corner[:-1], strict=True)]
+            [np.empty((0, 3), dtype=np.uint8)]
+            + [mesh.rgb for mesh in meshes if mesh.rgb is not None]
         ),
-        np.concatenate([m.corners + at for m, at in zip(meshes, first_point[:-1], strict=True)]),
-        np.concatenate([mesh.rgb for mesh in meshes if mesh.rgb is not None]),
         painted=all(mesh.painted for mesh in meshes),
     )
 
 
-def _leaves(data: object) -> Iterator[vtkPolyData]:
-    """The polygon meshes in a tree of blocks, in the file's order."""
-    if isinstance(data, vtkMultiBlockDataSet):
-        for i in range(data.GetNumberOfBlocks()):
-            yield from _leaves(data.GetBlock(i))
-    elif isinstance(data, vtkPolyData):
-        yield data
+def _gltf_buffer(path: Path, buffer: dict[str, Any], body: bytes) -> bytes:
+    address = buffer.get("uri")
+    if address is None:
+        data = body
+    elif address.startswith("data:"):
+        data = base64.b64decode(address.partition(",")[2])
+    else:
+        part = path.parent / unquote(address)
+        try:
+            data = part.read_bytes()
+        except OSError as error:
+            raise SceneError(
+                f"{path}: its part {part} cannot be read ({error.strerror}); "
+                "keep the files of a glTF mesh together."
+            ) from None
+    if len(data) < buffer["byteLength"]:
+        raise _damaged(
+            path, f"the file is cut off after {len(data)} of {buffer['byteLength']} bytes of data"
+        )
+    return data
+
+
+def _gltf_nodes(content: dict[str, Any]) -> Iterator[tuple[dict[str, Any], Floats]]:
+    """The nodes of the scene, each with its world_from_node (4, 4)."""
+    nodes = content.get("nodes", [])
+    if content.get("scenes"):
+        roots = content["scenes"][content.get("scene", 0)].get("nodes", [])
+    else:
+        roots = set(range(len(nodes))).difference(*(node.get("children", ()) for node in nodes))
+    waiting = [(root, np.eye(4)) for root in roots]
+    seen = 0
+    while waiting:
+        index, world_from_parent = waiting.pop(0)
+        node = nodes[index]
+        seen += 1
+        if seen > len(nodes):
+            raise ValueError("a node is below itself")
+        if "matrix" in node:  # written column by column
+            parent_from_node = np.array(node["matrix"], dtype=np.float64).reshape(4, 4).T
+        else:
+            x, y, z, w = node.get("rotation", (0.0, 0.0, 0.0, 1.0))
+            rotation = np.array(
+                [
+                    [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+                    [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+                    [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+                ]
+            )
+            parent_from_node = np.eye(4)
+            parent_from_node[:3, :3] = rotation * node.get("scale", (1.0, 1.0, 1.0))
+            parent_from_node[:3, 3] = node.get("translation", (0.0, 0.0, 0.0))
+        world_from_node = world_from_parent @ parent_from_node
+        yield node, world_from_node
+        waiting += [(child, world_from_node) for child in node.get("children", ())]
+
+
+def _gltf_primitive(
+    content: dict[str, Any],
+    buffers: list[bytes],
+    primitive: dict[str, Any],
+    world_from_node: Floats,
+) -> _Mesh:
+    """The triangles of a primitive; none where it is of points or lines."""
+    attributes = primitive["attributes"]
+    local = _gltf_values(content, buffers, attributes["POSITION"])
+    with np.errstate(invalid="ignore", over="ignore"):  # `_check_mesh` says so in words
+        points = local.astype(np.float64) @ world_from_node[:3, :3].T + world_from_node[:3, 3]
+    if "indices" in primitive:
+        order = _gltf_values(content, buffers, primitive["indices"]).ravel().astype(np.int64)
+    else:
+        order = np.arange(len(points))
+    mode = primitive.get("mode", 4)
+    i = np.arange(max(len(order) - 2, 0))
+    if mode == 4:
+        triangles = order[: len(order) // 3 * 3].reshape(-1, 3)
+    elif mode == 5:  # a strip: every other triangle runs the other way round
+        triangles = np.stack([order[i], order[i + 1 + i % 2], order[i + 2 - i % 2]], axis=1)
+    elif mode == 6:  # a fan about the first vertex
+        triangles = np.stack([order[i * 0], order[i + 1], order[i + 2]], axis=1)
+    else:
+        triangles = np.empty((0, 3), dtype=np.int64)
+    if np.linalg.det(world_from_node[:3, :3]) < 0.0:  # a mirror turns faces inside out
+        triangles = triangles[:, ::-1]
+    mesh = _Mesh(points, np.arange(0, triangles.size + 1, 3), triangles.ravel())
+    if "COLOR_0" in attributes:
+        linear = _gltf_values(content, buffers, attributes["COLOR_0"])[:, :3]
+        scale = _full_scale(linear.dtype)
+        _paint_with_vertex_colours(mesh, _srgb(linear.astype(np.float64) / scale))
+    if mesh.rgb is None:
+        material = content["materials"][primitive["material"]] if "material" in primitive else {}
+        factor = material.get("pbrMetallicRoughness", {}).get("baseColorFactor", (1, 1, 1))[:3]
+        white = tuple(factor) == (1, 1, 1)  # what a mesh without colours, or with a texture, has
+        rgb = _PAINT_RGB if white else _bytes(_srgb(np.array(factor, dtype=np.float64)))
+        mesh.rgb = _colours(rgb, len(triangles))
+    return mesh
+
+
+def _gltf_values(content: dict[str, Any], buffers: list[bytes], index: int) -> NDArray[Any]:
+    """The values of an accessor, one row for each element."""
+    accessor = content["accessors"][index]
+    if "sparse" in accessor or "bufferView" not in accessor:
+        raise ValueError("sparse accessors are not read")
+    view = content["bufferViews"][accessor["bufferView"]]
+    first = view.get("byteOffset", 0)
+    data = memoryview(buffers[view["buffer"]])[first : first + view["byteLength"]]
+    kind = np.dtype(_GLTF_TYPES[accessor["componentType"]])
+    parts, count = _GLTF_PARTS[accessor["type"]], accessor["count"]
+    stride = view.get("byteStride", kind.itemsize * parts)
+    start = accessor.get("byteOffset", 0)
+    end = start + (count - 1) * stride + kind.itemsize * parts
+    if count < 1 or start < 0 or stride < 1 or end > len(data):
+        raise ValueError(f"accessor {index} asks for more data than there are")
+    return np.ndarray((count, parts), kind, data, start, (stride, kind.itemsize))
 
 
 def _srgb(linear: Floats) -> Floats:

@@ -374,6 +374,67 @@ def test_gltf_nodes_are_applied_in_float64(tmp_path: Path) -> None:
     assert (np.unique(world_points(scene), axis=0) == np.unique(expected, axis=0)).all()
 
 
+QUARTER_TURN_ABOUT_Y = [0.0, math.sqrt(0.5), 0.0, math.sqrt(0.5)]
+
+
+@pytest.mark.parametrize(
+    ("node", "expected"),
+    [
+        # z goes to x, x to -z
+        ({"rotation": QUARTER_TURN_ABOUT_Y}, [[0, 0, 1], [0, 1, 0], [-1, 0, 0]]),
+        # scaled first, then turned
+        (
+            {"rotation": QUARTER_TURN_ABOUT_Y, "scale": [2, 3, 4]},
+            [[0, 0, 4], [0, 3, 0], [-2, 0, 0]],
+        ),
+        # column by column: x goes to (0, 5, 0)
+        (
+            {"matrix": [0, 5, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]},
+            [[0, 1, 0], [5, 0, 0], [0, 0, 1]],
+        ),
+    ],
+)
+def test_gltf_nodes_turn_and_scale(
+    node: dict[str, Any], expected: list[list[float]], tmp_path: Path
+) -> None:
+    content, body = gltf_parts(PYRAMID)
+    content["nodes"][1] = {"mesh": 0, **node}
+    write_gltf(tmp_path / "m.glb", content, body)
+    scene = load(str(tmp_path / "m.glb"))
+    turned = PYRAMID @ np.array(expected).T
+    assert np.allclose(scene.lower, turned.min(axis=0))
+    assert np.allclose(scene.upper, turned.max(axis=0))
+
+
+def test_a_mirrored_gltf_node_keeps_its_faces_looking_outward(tmp_path: Path) -> None:
+    content, body = gltf_parts(PYRAMID)
+    content["nodes"][1]["scale"] = [-1, 1, 1]
+    write_gltf(tmp_path / "m.glb", content, body)
+    drawn = faces(load(str(tmp_path / "m.glb")))
+    inside = np.mean([face.mean(axis=0) for face in drawn], axis=0)
+    for face in drawn:
+        normal = np.cross(face[1] - face[0], face[2] - face[0])
+        assert normal @ (face[0] - inside) > 0.0
+
+
+def test_gltf_without_a_scene_shows_all_its_nodes_once(tmp_path: Path) -> None:
+    content, body = gltf_parts(PYRAMID, [1, 2, 3])
+    del content["scene"], content["scenes"]
+    write_gltf(tmp_path / "m.glb", content, body)
+    scene = load(str(tmp_path / "m.glb"))
+    assert len(faces(scene)) == 6
+    assert scene.lower == (1.125, 2.0, 3.25)
+
+
+def test_gltf_with_its_data_in_a_file_beside_it(tmp_path: Path) -> None:
+    content, body = gltf_parts(PYRAMID)
+    content["buffers"][0]["uri"] = "the%20data.bin"
+    content["images"] = [{"uri": "missing.png"}]  # pictures are not drawn, nor missed
+    (tmp_path / "the data.bin").write_bytes(body)
+    (tmp_path / "m.gltf").write_text(json.dumps(content))
+    assert load(str(tmp_path / "m.gltf")).upper == tuple(PYRAMID.max(axis=0))
+
+
 def test_gltf_meshes_of_several_nodes_are_joined(tmp_path: Path) -> None:
     content, body = gltf_parts(PYRAMID)
     content["nodes"].append({"mesh": 0, "translation": [10, 0, 0]})
@@ -389,7 +450,9 @@ def test_gltf_triangle_strips_are_drawn(tmp_path: Path) -> None:
     del content["meshes"][0]["primitives"][0]["indices"]
     content["meshes"][0]["primitives"][0]["mode"] = 5
     write_gltf(tmp_path / "m.gltf", content, body)
-    assert [len(face) for face in faces(load(str(tmp_path / "m.gltf")))] == [3, 3, 3]
+    drawn = faces(load(str(tmp_path / "m.gltf")))
+    # a strip 0 1 2 3 4 is 012, 132, 234: every other one begins with its last two swapped
+    assert (np.array(drawn) == PYRAMID[[[0, 1, 2], [1, 3, 2], [2, 3, 4]]]).all()
 
 
 def test_obj_with_normals_and_textures_has_the_edges_of_the_bare_mesh(tmp_path: Path) -> None:
@@ -687,7 +750,7 @@ def bad_files(folder: Path) -> Iterator[tuple[str, str]]:
         "prose.gltf": ("Dear all\n", "not valid"),
         "prose.glb": ("Dear all\n", "not a GLB file"),
         "list.gltf": ("[]", "not valid"),
-        "empty.gltf": ("{}", "cannot be read as GLTF"),
+        "empty.gltf": ("{}", "not valid"),
     }
     for name, (text, expected) in texts.items():
         (folder / name).write_text(text)
@@ -711,15 +774,27 @@ def bad_files(folder: Path) -> Iterator[tuple[str, str]]:
 
     gltf_file(folder / "cut.glb", PYRAMID)
     (folder / "cut.glb").write_bytes(cut((folder / "cut.glb").read_bytes(), 20))
-    yield "cut.glb", "cannot be read as GLB"
+    yield "cut.glb", "cut off after"
     content, body = gltf_parts(PYRAMID)
-    content["accessors"][0]["count"] = 3000  # VTK would read past the end
+    content["accessors"][0]["count"] = 3000
     write_gltf(folder / "count.gltf", content, body)
     yield "count.gltf", "more data than there are"
     content, body = gltf_parts(PYRAMID)
-    content["bufferViews"][1]["byteLength"] += 4
+    content["bufferViews"][1]["byteOffset"] += 4
     write_gltf(folder / "view.gltf", content, body)
     yield "view.gltf", "more data than there are"
+    content, body = gltf_parts(PYRAMID)
+    content["nodes"][1]["children"] = [0]
+    write_gltf(folder / "circle.gltf", content, body)
+    yield "circle.gltf", "a node is below itself"
+    content, body = gltf_parts(PYRAMID * [[1], [1], [math.nan], [1], [math.inf]])
+    del content["accessors"][0]["min"], content["accessors"][0]["max"]  # JSON has no nan
+    write_gltf(folder / "nan.glb", content, body)
+    yield "nan.glb", "2 vertices of 5 are not finite"
+    content, body = gltf_parts(PYRAMID)
+    content["asset"]["version"] = "1.0"
+    write_gltf(folder / "old.glb", content, body)
+    yield "old.glb", "version 1.0"
     content, body = gltf_parts(PYRAMID)
     content["extensionsRequired"] = ["KHR_draco_mesh_compression"]
     write_gltf(folder / "packed.gltf", content, body)
