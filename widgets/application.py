@@ -81,6 +81,10 @@ class DisplayError(RuntimeError):
     """There is no screen to open a window on: why, and what to do."""
 
 
+class WindowError(RuntimeError):
+    """The window cannot show or save what was asked for; one sentence."""
+
+
 @dataclass(frozen=True)
 class Options:
     """What the command line asks of the window besides its document.
@@ -196,7 +200,8 @@ class Settings:
     @property
     def recent(self) -> list[str]:
         """Paths of the files opened or saved before, newest first."""
-        return list(self._read("recent", _paths, []))
+        nothing: list[str] = []
+        return list(self._read("recent", _paths, nothing))
 
     @recent.setter
     def recent(self, recent: list[str]) -> None:
@@ -379,12 +384,12 @@ def log_vtk() -> None:
         "TextEvent": logging.INFO,
     }
 
-    @calldata_type(VTK_STRING)  # type: ignore[untyped-decorator]
+    @calldata_type(VTK_STRING)  # type: ignore[no-untyped-call, untyped-decorator]
     def receive(_window: object, event: str, message: str) -> None:
         logger.log(levels[event], "%s", message.strip())
 
     vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
-    window = vtkOutputWindow()
+    window: Any = vtkOutputWindow()
     window.SetDisplayModeToNever()
     for event in levels:
         window.AddObserver(event, receive)
@@ -698,10 +703,8 @@ def run_window(document: Document, path: Path | None, options: Options) -> int:
     ------
     DisplayError, OpenGLError
         If no window can be opened here.
-    SceneError
-        If the document's scene cannot be loaded.
-    OSError
-        If the screenshot cannot be written.
+    WindowError
+        If the document's scene cannot be loaded, or the screenshot not be written.
     """
     application = make_application()
     found = opengl.probe()
@@ -721,12 +724,16 @@ def run_window(document: Document, path: Path | None, options: Options) -> int:
             settings.override("theme", options.theme)
         translate(application, settings.language)
 
-        from widgets.main_window import MainWindow  # VTK comes with it: only where it can draw
+        from app.scene import SceneError  # VTK comes with it: only where it can draw
+        from widgets.main_window import MainWindow
 
         log_vtk()
-        window = MainWindow(
-            document, settings=settings, software_rendering=found.software, path=path
-        )
+        try:
+            window = MainWindow(
+                document, settings=settings, software_rendering=found.software, path=path
+            )
+        except SceneError as error:
+            raise WindowError(str(error)) from error
         if options.size:
             window.resize(*options.size)
         window.show()
@@ -757,11 +764,11 @@ def _take_screenshot(application: QApplication, window: Any, path: Path) -> None
     while not window.windowHandle().isExposed():
         application.processEvents()
         if time.monotonic() > limit:
-            raise OSError(f"{path}: the window did not appear on the screen.")
+            raise WindowError(f"{path}: the window did not appear on the screen.")
     application.processEvents()
     window.messages.hide()  # an offer to recover work is no part of the picture
     application.processEvents()
     saved = window.grab().save(str(path), "PNG")
     window.close()
     if not saved:
-        raise OSError(f"{path} cannot be written.")
+        raise WindowError(f"{path} cannot be written.")

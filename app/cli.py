@@ -1,0 +1,716 @@
+"""The command line: what is asked for, checked and done.
+
+Every wrong input ends in one sentence on standard error and exit status 2; a machine on which
+nothing can be drawn in one sentence and status 3. Qt, VTK and pyvista are imported only by the
+commands that draw, so that numbers come at once and on any machine.
+"""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import difflib
+import io
+import json
+import math
+import os
+import re
+import sys
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NoReturn
+
+from app import __version__, bootstrap
+from app.doctor import check_off_screen, examine
+from app.document import (
+    BROKEN,
+    EMPTY,
+    FOREIGN,
+    MESH_ENDINGS,
+    NOT_TEXT,
+    Document,
+    DocumentError,
+    is_mesh,
+    read,
+    set_values,
+    to_json,
+)
+from app.projection import (
+    FINITE_NUMBER,
+    LARGEST,
+    LARGEST_IMAGE_PX,
+    PLANES,
+    WHOLE_PIXELS,
+    Array,
+    Projection,
+    ProjectionError,
+    Trace,
+    format_value,
+)
+
+if TYPE_CHECKING:
+    from app.scene import Scene
+
+BAD_INPUT = 2
+CANNOT_DRAW = 3
+INTERRUPTED = 130
+
+PANES = ("world", "ndc", "image")
+THEMES = ("light", "dark")
+LARGEST_INPUT = 2**30
+"""Most bytes of points that are read."""
+
+
+class CliError(Exception):
+    """One sentence for standard error, and the exit status."""
+
+    def __init__(self, sentence: str, status: int = BAD_INPUT) -> None:
+        super().__init__(sentence)
+        self.status = status
+
+
+def main(argv: list[str] | None = None) -> int:
+    """Run a command line.
+
+    Parameters
+    ----------
+    argv : list of str, optional
+        The arguments after the program's name; those of this process by default.
+
+    Returns
+    -------
+    int
+        The exit status: 0 done, 2 bad input, 3 no usable display or OpenGL.
+    """
+    arguments = sys.argv[1:] if argv is None else argv
+    try:
+        return _run(arguments)
+    except CliError as error:
+        return _complain(str(error), error.status)
+    except (DocumentError, ProjectionError) as error:
+        return _complain(str(error), BAD_INPUT)
+    except SystemExit as done:  # argparse, after --help and --version
+        return int(done.code or 0)
+    except BrokenPipeError:  # “| head” has seen enough
+        return 0
+    except KeyboardInterrupt:
+        return INTERRUPTED
+
+
+def _complain(sentence: str, status: int) -> int:
+    if sys.stderr is not None:
+        print(" ".join(sentence.split()), file=sys.stderr)
+    return status
+
+
+def _print(texts: Iterable[str]) -> None:
+    """Write to standard output, now: an error must come here, not when Python ends."""
+    try:
+        for text in texts:
+            sys.stdout.write(text)
+        sys.stdout.flush()
+    except OSError as error:
+        # What is still buffered must not fail once more at exit.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        if isinstance(error, BrokenPipeError):
+            raise
+        raise CliError(f"Standard output cannot be written: {error.strerror}.") from error
+
+
+def _run(arguments: Sequence[str]) -> int:
+    if arguments and arguments[0] in COMMANDS:
+        return COMMANDS[arguments[0]](arguments[1:])
+    return _window(arguments)
+
+
+# --------------------------------------------------------------------------- arguments
+
+
+class _Parser(argparse.ArgumentParser):
+    """An argument parser whose complaints are sentences, and name the nearest option."""
+
+    def __init__(
+        self, command: str, names: str, text: str, description: str, epilog: str = ""
+    ) -> None:
+        usage = " ".join(f"python3 -m app {command} [options] {names}".split())
+        super().__init__(
+            usage=usage,
+            description=description,
+            epilog=epilog,
+            formatter_class=argparse.RawDescriptionHelpFormatter,
+            allow_abbrev=False,
+        )
+        self._command = command
+        self._names = names
+        self.add_argument("words", nargs="*", metavar=names, help=text)
+
+    def error(self, message: str) -> NoReturn:
+        raise CliError(f"{message[0].upper()}{message[1:]}.")
+
+    def read(
+        self, arguments: Sequence[str], least: int, most: int
+    ) -> tuple[argparse.Namespace, list[str]]:
+        """Parse options and words in any order; refuse too few words and too many."""
+        found, extra = self.parse_known_intermixed_args(arguments)
+        for word in extra:
+            option = word.partition("=")[0]
+            names = [name for action in self._actions for name in action.option_strings]
+            where = f"an option of {self._command}" if self._command else "an option of the window"
+            raise CliError(f"{option} is not {where}; the nearest is {_nearest(option, names)}.")
+        words: list[str] = found.words
+        if not least <= len(words) <= most:
+            command = self._command or "The window"
+            takes = self._names or "no names"
+            raise CliError(f"{command} takes {takes}, and {len(words)} names were given.")
+        return found, words
+
+    def add_set(self) -> None:
+        """Take ``--set``."""
+        self.add_argument(
+            "--set",
+            action="append",
+            default=[],
+            metavar="NAME=VALUE",
+            help="change a value of the document, such as lens.far=inf; may be given repeatedly",
+        )
+
+    def add_choice(self, option: str, values: Sequence[str], text: str, default: str = "") -> None:
+        """Take one of several values."""
+        self.add_argument(
+            option,
+            type=lambda value: _one_of(option, value, values),
+            metavar="|".join(values),
+            default=default or None,
+            help=text,
+        )
+
+
+def _nearest(word: str, known: Iterable[str]) -> str:
+    def likeness(name: str) -> float:
+        return difflib.SequenceMatcher(None, word.lower(), name).ratio()
+
+    return max(known, key=likeness)
+
+
+def _one_of(option: str, value: str, values: Sequence[str]) -> str:
+    # CliError is none of the errors that argparse would put into words of its own.
+    if value not in values:
+        raise CliError(f"{option} = {value!r}: must be one of {', '.join(values)}.")
+    return value
+
+
+def _size(value: str) -> tuple[int, int]:
+    match = re.fullmatch(r"([0-9]{1,9})[xX×]([0-9]{1,9})", value)
+    if match is None:
+        raise CliError(f"--size = {value!r}: must be WIDTHxHEIGHT in pixels, such as 1800x600.")
+    width, height = int(match[1]), int(match[2])
+    for name, side in (("width", width), ("height", height)):
+        if not 1 <= side <= LARGEST_IMAGE_PX:
+            bound = WHOLE_PIXELS.format(LARGEST_IMAGE_PX)
+            raise CliError(f"--size {name} = {side}: {bound}.")
+    return width, height
+
+
+def _scale(value: str) -> float:
+    try:
+        scale = _number(value)
+    except ValueError:
+        scale = math.nan
+    if not 0.0 < scale <= 100.0:
+        raise CliError(f"--scale = {value!r}: must be a number greater than 0 and at most 100.")
+    return scale
+
+
+def _panes(value: str) -> tuple[str, ...]:
+    panes = tuple(value.split(","))
+    for pane in panes:
+        if pane not in PANES:
+            raise CliError(f"--panes = {value!r}: {pane!r} must be one of {', '.join(PANES)}.")
+    if len(set(panes)) < len(panes):
+        raise CliError(f"--panes = {value!r}: no pane may be given twice.")
+    return panes
+
+
+def _number(text: str) -> float:
+    """A number in the C locale; not what only Python writes, such as 1_000."""
+    if "_" in text:
+        raise ValueError(text)
+    return float(text)
+
+
+# --------------------------------------------------------------------------- files
+
+
+def _open(file: str | None) -> Document:
+    """The document that a FILE is, holds, or opens with."""
+    if file is None:
+        return Document()
+    if is_mesh(file):
+        scene = _load(file)
+        return Document(os.path.abspath(file), scene.start)
+    if not os.path.lexists(file) and re.fullmatch(r"\w+", file):
+        if file in COMMANDS:
+            raise CliError(f"{file} is a command and must come first: python3 -m app {file} ...")
+        nearest = _nearest(file, COMMANDS)
+        raise CliError(
+            f"{file!r} is neither a file nor a command; the nearest command is {nearest}."
+        )
+    try:
+        return read(file)
+    except DocumentError as error:
+        foreign = error.bound in (BROKEN, EMPTY, FOREIGN, NOT_TEXT)
+        if foreign and not file.lower().endswith((".json", ".png")):
+            endings = ", ".join(MESH_ENDINGS)
+            raise CliError(
+                f"{file} is neither a document (.json), an exported picture (.png) nor a mesh "
+                f"({endings})."
+            ) from error
+        raise
+
+
+def _load(scene: str) -> Scene:
+    """Load a scene, with VTK's import failing like any other lack of a library."""
+    try:
+        from app.scene import SceneError, load
+    except ImportError as error:
+        raise _cannot_import(error) from error
+    try:
+        return load(scene)
+    except SceneError as error:
+        raise CliError(str(error)) from error
+
+
+def _cannot_import(error: ImportError) -> CliError:
+    missing = bootstrap.missing_system("window")
+    if missing:
+        return CliError(f"{bootstrap.advice(missing)}.", CANNOT_DRAW)
+    return CliError(
+        f"A library cannot be loaded ({error}); python3 -m app doctor says more.", CANNOT_DRAW
+    )
+
+
+# --------------------------------------------------------------------------- the window
+
+
+def _window(arguments: Sequence[str]) -> int:
+    lines = "\n".join(f"  {name:<10}{text}" for name, text in _SUMMARIES.items())
+    parser = _Parser(
+        "",
+        "[FILE]",
+        "a document, an exported PNG picture or a mesh (the letter F)",
+        "How a camera turns a 3-D scene into a picture.",
+        f"commands, each with its own --help:\n{lines}",
+    )
+    parser.add_set()
+    parser.add_choice("--theme", THEMES, "colours for this once")
+    parser.add_argument(
+        "--reset", action="store_true", help="delete the settings, then open the window"
+    )
+    parser.add_argument(
+        "--screenshot", metavar="OUT", help="save a picture of the window as PNG and quit"
+    )
+    parser.add_argument("--size", type=_size, metavar="WIDTHxHEIGHT", help="size of the window")
+    parser.add_argument("--version", action="version", version=f"Frustum Lab {__version__}")
+    found, words = parser.read(arguments, 0, 1)
+    if found.screenshot is not None:
+        _check_png("--screenshot", found.screenshot)
+    file = words[0] if words else None
+    document = set_values(_open(file), found.set)
+    try:
+        from widgets import application
+        from widgets.opengl import OpenGLError
+    except ImportError as error:
+        raise _cannot_import(error) from error
+    if found.reset:
+        try:
+            _print([f"{application.delete_settings()}\n"])
+        except OSError as error:
+            raise CliError(f"The settings cannot be deleted: {error}.") from error
+    is_document = file is not None and not is_mesh(file) and not file.lower().endswith(".png")
+    path = Path(os.path.abspath(file)) if file is not None and is_document else None
+    screenshot = None if found.screenshot is None else Path(found.screenshot)
+    options = application.Options(found.theme, found.size, screenshot)
+    try:
+        return application.run_window(document, path, options)
+    except (application.DisplayError, OpenGLError) as error:
+        raise CliError(str(error), CANNOT_DRAW) from error
+    except application.WindowError as error:
+        raise CliError(str(error)) from error
+
+
+def _check_png(name: str, out: str) -> None:
+    if not out.lower().endswith(".png"):
+        raise CliError(f"{name} = {out!r}: must end in .png.")
+    folder = os.path.dirname(out) or "."
+    if not os.path.isdir(folder):
+        raise CliError(f"{name} = {out!r}: there is no folder {folder}.")
+
+
+# --------------------------------------------------------------------------- export
+
+
+def _export(arguments: Sequence[str]) -> int:
+    text = "the picture (.png), and a document, picture or mesh that it shows (the letter F)"
+    parser = _Parser("export", "OUT [FILE]", text, _SUMMARIES["export"])
+    parser.add_argument(
+        "--panes",
+        type=_panes,
+        default=PANES,
+        metavar=",".join(PANES),
+        help="which panes, side by side (all)",
+    )
+    parser.add_argument(
+        "--size",
+        type=_size,
+        metavar="WIDTHxHEIGHT",
+        help="pixels at scale 1 (600x600 for each pane; the image pane alone has its own size)",
+    )
+    parser.add_argument(
+        "--scale", type=_scale, default=1.0, metavar="FACTOR", help="more pixels, same figure (1)"
+    )
+    parser.add_argument("--transparent", action="store_true", help="no background")
+    parser.add_choice("--theme", THEMES, "colours (light)", "light")
+    parser.add_set()
+    found, (out, *file) = parser.read(arguments, 1, 2)
+    _check_png("OUT", out)
+    document = set_values(_open(file[0] if file else None), found.set)
+    if found.size is not None:
+        size = found.size
+    elif found.panes == ("image",):
+        size = document.projection.image_size
+    else:
+        size = 600 * len(found.panes), 600
+    scene = _load(document.scene)
+    try:
+        check_off_screen()
+    except RuntimeError as error:
+        raise CliError(str(error), CANNOT_DRAW) from error
+    try:
+        from app.drawings.style import DARK, LIGHT
+        from app.figures import FigureError, render, write_png
+    except ImportError as error:
+        raise _cannot_import(error) from error
+    try:
+        pixels = render(
+            scene,
+            document.projection,
+            panes=found.panes,
+            size=size,
+            scale=found.scale,
+            transparent=found.transparent,
+            style=DARK if found.theme == "dark" else LIGHT,
+        )
+        # A mesh is named from the picture's folder, so that both can be moved together.
+        write_png(out, pixels, to_json(document, os.path.dirname(os.path.realpath(out))))
+    except FigureError as error:
+        raise CliError(str(error)) from error
+    return 0
+
+
+# --------------------------------------------------------------------------- project
+
+
+def _project(arguments: Sequence[str]) -> int:
+    text = (
+        "a document, picture or mesh whose camera is used (the letter F's), and the points: "
+        "CSV with the columns x,y,z, or - for standard input"
+    )
+    parser = _Parser("project", "[FILE] POINTS", text, _SUMMARIES["project"])
+    parser.add_choice("--format", tuple(_PROJECT_FORMATS), "form of the output (table)", "table")
+    parser.add_set()
+    found, (*file, source) = parser.read(arguments, 1, 2)
+    if not file and source.lower().endswith((".json", *MESH_ENDINGS)):
+        raise CliError(f"POINTS is missing: {source} is what the camera is read from.")
+    projection = set_values(_open(file[0] if file else None), found.set).projection
+    trace = projection.trace(_read_points(source))
+    _print(_PROJECT_FORMATS[found.format](projection, trace))
+    return 0
+
+
+def _read_points(source: str) -> list[tuple[float, float, float]]:
+    """World points from a CSV file or standard input; a first row of names may come first."""
+    name = "Standard input" if source == "-" else source
+    try:
+        # With the mark that some spreadsheets put before UTF-8, or without.
+        text = _read_input(source).decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise CliError(f"{name} is not UTF-8 text.") from error
+    except ValueError as error:  # a NUL in the file's name
+        raise CliError(f"{name!r} is not a name that a file can have.") from error
+    except OSError as error:
+        raise CliError(f"{name} cannot be read: {error.strerror or error}.") from error
+    points = []
+    rows = csv.reader(io.StringIO(text, newline=""), skipinitialspace=True)
+    first = True
+    try:
+        for row in rows:
+            cells = [cell.strip() for cell in row]
+            if not any(cells):
+                continue
+            if not (first and [cell.lower() for cell in cells] == ["x", "y", "z"]):
+                points.append(_point(cells, f"{name}, line {rows.line_num}"))
+            first = False
+    except csv.Error as error:
+        raise CliError(f"{name}, line {rows.line_num}: is not CSV ({error}).") from error
+    if not points:
+        raise CliError(f"{name} has no points: it must have rows of x,y,z.")
+    return points
+
+
+def _read_input(source: str) -> bytes:
+    if source == "-":
+        if sys.stdin is None:
+            raise OSError("it is closed")
+        content: bytes = sys.stdin.buffer.read(LARGEST_INPUT + 1)
+    else:
+        with open(source, "rb") as file:
+            content = file.read(LARGEST_INPUT + 1)
+    if len(content) > LARGEST_INPUT:
+        raise OSError(f"it is larger than {LARGEST_INPUT // 2**20} MiB")
+    return content
+
+
+def _point(cells: list[str], where: str) -> tuple[float, float, float]:
+    if len(cells) != 3:
+        raise CliError(f"{where}: has {len(cells)} columns, must have three: x,y,z.")
+    values = []
+    for name, cell in zip("xyz", cells, strict=True):
+        try:
+            value = _number(cell)
+        except ValueError:
+            value = math.nan
+        if not math.isfinite(value):
+            raise CliError(f"{where}: {name} = {cell!r}: {FINITE_NUMBER}.")
+        if abs(value) > LARGEST:
+            raise CliError(f"{where}: {name} = {cell}: must lie within ±{LARGEST}.")
+        values.append(value)
+    x, y, z = values
+    return x, y, z
+
+
+def _outside_of(outside: list[bool]) -> list[str]:
+    return [plane for plane, is_outside in zip(PLANES, outside, strict=True) if is_outside]
+
+
+def _points_of(trace: Trace) -> Iterator[dict[str, Any]]:
+    """Each point as DESIGN section 8 writes it; `None` where there is no picture of it."""
+    columns = (trace.world, trace.view, trace.clip, trace.ndc, trace.image, trace.depth)
+    rows = zip(
+        *(_plain(column) for column in columns),
+        trace.in_front.tolist(),
+        trace.outside.tolist(),
+        strict=True,
+    )
+    for world, view, clip, ndc, image, depth, in_front, outside in rows:
+        outside_of = _outside_of(outside)
+        yield {
+            "world": world,
+            "view": view,
+            "clip": clip,
+            "ndc": ndc if in_front else None,
+            "image": image if in_front else None,
+            "depth": depth if in_front else None,
+            "inside": in_front and not outside_of,
+            "outside_of": outside_of,
+        }
+
+
+def _plain(array: Array) -> list[Any]:
+    """Python floats, whose repr is the shortest text that reads back the same; no minus zero."""
+    return (array + 0.0).tolist()  # type: ignore[no-any-return]
+
+
+def _finite(values: list[float]) -> list[float | None]:
+    # Only a clip coordinate of an orthographic window narrower than 1e-158 can be infinite.
+    return [value if math.isfinite(value) else None for value in values]
+
+
+def _project_json(projection: Projection, trace: Trace) -> Iterator[str]:
+    separator = '{"points": [\n'
+    for point in _points_of(trace):
+        point["clip"] = _finite(point["clip"])
+        yield separator + json.dumps(point, allow_nan=False)
+        separator = ",\n"
+    names = ("view_from_world", "clip_from_view", "clip_from_world")
+    matrices = {name: _plain(getattr(projection, name)) for name in names}
+    yield f'\n],\n"matrices": {json.dumps(matrices, allow_nan=False)}}}\n'
+
+
+_CSV_COLUMNS = (
+    ("world", ("world_x", "world_y", "world_z")),
+    ("view", ("view_x", "view_y", "view_z")),
+    ("clip", ("clip_x", "clip_y", "clip_z", "clip_w")),
+    ("ndc", ("ndc_x", "ndc_y", "ndc_z")),
+    ("image", ("image_x_px", "image_y_px")),
+    ("depth", ("depth",)),
+)
+
+
+def _project_csv(_projection: Projection, trace: Trace) -> Iterator[str]:
+    columns = [name for _, names in _CSV_COLUMNS for name in names]
+    yield ",".join([*columns, "inside", "outside_of"]) + "\n"
+    for point in _points_of(trace):
+        cells = []
+        for stage, names in _CSV_COLUMNS:
+            values = point[stage]
+            if values is None:
+                cells += [""] * len(names)
+            else:
+                cells += map(repr, values if isinstance(values, list) else [values])
+        cells += ["true" if point["inside"] else "false", " ".join(point["outside_of"])]
+        yield ",".join(cells) + "\n"
+
+
+def _project_table(_projection: Projection, trace: Trace) -> Iterator[str]:
+    labels = (
+        ("world", "world"), ("view", "view"), ("clip", "clip"), ("ndc", "NDC"),
+        ("image", "image px"), ("depth", "depth"),
+    )  # fmt: skip
+    for number, point in enumerate(_points_of(trace), start=1):
+        rows = [["x", "y", "z", "w"]]
+        for stage, _ in labels:
+            values = point[stage]
+            values = [] if values is None else values if isinstance(values, list) else [values]
+            rows.append([format_value(value) for value in values])
+        if number > 1:
+            yield "\n"
+        head, *lines = _aligned(rows)
+        yield f"{f'point {number}':<10}  {head}\n"
+        for (stage, label), line in zip(labels, lines, strict=True):
+            none = "none: the point is not in front of the eye"
+            yield f"{label:>10}  {none if point[stage] is None else line}\n"
+        beyond = ", ".join(point["outside_of"])
+        yield f"{'outside of' if beyond else 'inside':>10}  {beyond or 'the view volume'}\n"
+
+
+_PROJECT_FORMATS: dict[str, Callable[[Projection, Trace], Iterator[str]]] = {
+    "table": _project_table,
+    "csv": _project_csv,
+    "json": _project_json,
+}
+
+
+def _aligned(rows: Sequence[Sequence[str]]) -> list[str]:
+    """Write the rows with the numbers of each column under each other at their points.
+
+    A row may be short; its line is as long as its cells.
+    """
+    columns = max(map(len, rows))
+    split = [[re.fullmatch(r"([^.e]*)(.*)", cell, re.DOTALL) for cell in row] for row in rows]
+    parts = [[(m[1], m[2]) if m else ("", "") for m in row] for row in split]
+    left = [max(len(row[i][0]) for row in parts if i < len(row)) for i in range(columns)]
+    right = [max(len(row[i][1]) for row in parts if i < len(row)) for i in range(columns)]
+    return [
+        "  ".join(
+            before.rjust(left[i]) + after.ljust(right[i]) for i, (before, after) in enumerate(row)
+        ).rstrip()
+        for row in parts
+    ]
+
+
+# --------------------------------------------------------------------------- matrices
+
+
+def _matrices(arguments: Sequence[str]) -> int:
+    text = "a document, picture or mesh whose camera is used (the letter F's)"
+    parser = _Parser("matrices", "[FILE]", text, _SUMMARIES["matrices"])
+    parser.add_choice("--format", tuple(_MATRIX_FORMATS), "form of the output (text)", "text")
+    parser.add_set()
+    found, words = parser.read(arguments, 0, 1)
+    projection = set_values(_open(words[0] if words else None), found.set).projection
+    _print([_MATRIX_FORMATS[found.format](projection)])
+    return 0
+
+
+def _all_matrices(projection: Projection) -> dict[str, tuple[Array, tuple[tuple[str, Array], ...]]]:
+    """Every stage's matrix and its factors, and the product of those before the divide."""
+    matrices = {stage.name: (stage.matrix, stage.factors) for stage in projection.stages}
+    names = ("clip_from_view", "view_from_world")
+    product = tuple((name, matrices[name][0]) for name in names)
+    last = matrices.popitem()
+    return matrices | {"clip_from_world": (projection.clip_from_world, product)} | dict([last])
+
+
+def _matrices_text(projection: Projection) -> str:
+    blocks = []
+    for name, (matrix, factors) in _all_matrices(projection).items():
+        product = " = " + " ".join(factor for factor, _ in factors) if factors else ""
+        blocks.append(f"{name}{product}\n{_text(matrix)}")
+        if name == "view_from_world":
+            blocks += [f"{factor}\n{_text(values)}" for factor, values in factors]
+    return "\n".join(blocks)
+
+
+def _text(matrix: Array) -> str:
+    rows = [[format_value(value) for value in row] for row in _plain(matrix)]
+    return "".join(f"  {line}\n" for line in _aligned(rows))
+
+
+def _matrices_json(projection: Projection) -> str:
+    lines = [
+        f"  {json.dumps(name)}: {json.dumps(_plain(matrix), allow_nan=False)}"
+        for name, (matrix, _) in _all_matrices(projection).items()
+    ]
+    return "{\n" + ",\n".join(lines) + "\n}\n"
+
+
+def _matrices_latex(projection: Projection) -> str:
+    blocks = ["% needs \\usepackage{amsmath}\n"]
+    for name, (matrix, factors) in _all_matrices(projection).items():
+        target, _, source = name.partition("_from_")
+        symbol = rf"M_{{\text{{{target}}}\leftarrow\text{{{source}}}}}"
+        shown = [values for _, values in factors if name == "view_from_world"]
+        equal = " = ".join("\n".join(map(_latex, group)) for group in (shown, [matrix]) if group)
+        blocks.append(f"\\[\n{symbol} = {equal}\n\\]\n")
+    return "\n".join(blocks)
+
+
+def _latex(matrix: Array) -> str:
+    rows = [" & ".join(map(_latex_number, row)) for row in _plain(matrix)]
+    return "\\begin{pmatrix}\n" + " \\\\\n".join(rows) + "\n\\end{pmatrix}"
+
+
+def _latex_number(value: float) -> str:
+    mantissa, e, exponent = format_value(value).partition("e")
+    return rf"{mantissa} \cdot 10^{{{int(exponent)}}}" if e else mantissa
+
+
+_MATRIX_FORMATS: dict[str, Callable[[Projection], str]] = {
+    "text": _matrices_text,
+    "json": _matrices_json,
+    "latex": _matrices_latex,
+}
+
+
+# --------------------------------------------------------------------------- doctor
+
+
+def _doctor(arguments: Sequence[str]) -> int:
+    _Parser("doctor", "", argparse.SUPPRESS, _SUMMARIES["doctor"]).read(arguments, 0, 0)
+    missing = []
+    for finding in examine():
+        _print([f"{finding.name:<20}{finding.text}\n"])
+        if finding.remedy:
+            missing.append(finding)
+    if not missing:
+        _print(["\nEverything needed is here.\n"])
+        return 0
+    lines = [f"  {finding.name}: {finding.remedy}\n" for finding in missing]
+    _print(["\nThis is missing:\n", *lines])
+    return CANNOT_DRAW
+
+
+_SUMMARIES = {
+    "export": "draw a figure into a PNG picture, without a window or display",
+    "project": "follow points through every stage of the projection",
+    "matrices": "print every stage's matrix",
+    "doctor": "say what this machine has, what is missing and how to get it",
+}
+
+COMMANDS: dict[str, Callable[[Sequence[str]], int]] = {
+    "export": _export,
+    "project": _project,
+    "matrices": _matrices,
+    "doctor": _doctor,
+}
+"""The words that the command line may begin with; each takes the arguments after it."""

@@ -1,0 +1,814 @@
+"""The command line as a user types it: `python3 -m app ...` in a process of its own."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import os
+import re
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from app import cli
+from app.document import Document, embed, read, set_values, to_json, write
+from app.projection import Camera, Orthographic, Perspective, Projection
+
+ROOT = Path(__file__).parent.parent
+
+# Numbers that a hand can follow: cot(90/2) = 1, the aspect is 2, near 1 and far 9.
+BY_HAND = Document(
+    "letter-f",
+    Projection(
+        Camera((0.0, 0.0, 5.0), (0.0, 0.0, 0.0), (0.0, 1.0, 0.0)),
+        Perspective(90.0, 1.0, 9.0),
+        (200, 100),
+    ),
+)
+
+
+def run(
+    *arguments: str | Path, text: str | bytes = b"", **environment: str | None
+) -> subprocess.CompletedProcess[str]:
+    """Run the program; an environment variable that is None is not set."""
+    variables = {**os.environ, **environment}
+    done = subprocess.run(
+        [sys.executable, "-m", "app", *map(str, arguments)],
+        cwd=ROOT,
+        env={name: value for name, value in variables.items() if value is not None},
+        input=text.encode() if isinstance(text, str) else text,
+        capture_output=True,
+        check=False,
+        timeout=120,
+    )
+    return subprocess.CompletedProcess(
+        done.args, done.returncode, done.stdout.decode(), done.stderr.decode()
+    )
+
+
+def refused(*arguments: str | Path, text: str | bytes = b"", status: int = 2) -> str:
+    """Run what must be refused, and return the one sentence that says why."""
+    done = run(*arguments, text=text)
+    assert done.returncode == status, done
+    assert done.stdout == ""
+    assert done.stderr.endswith(".\n") and done.stderr.count("\n") == 1, done.stderr
+    assert "Traceback" not in done.stderr
+    return done.stderr
+
+
+@pytest.fixture(scope="session")
+def comma_locale(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
+    """The environment of a locale that writes 0,5, built here: a bare machine has none."""
+    folder = tmp_path_factory.mktemp("locale")
+    (folder / "comma").write_text(
+        'LC_NUMERIC\ndecimal_point ","\nthousands_sep "."\ngrouping 3;3\nEND LC_NUMERIC\n'
+    )
+    codes = "\n".join(f"<U{code:04X}> /x{code:02x}" for code in range(128))
+    (folder / "ascii").write_text(
+        "<code_set_name> ANSI_X3.4-1968\n<comment_char> %\n<escape_char> /\n"
+        f"CHARMAP\n{codes}\nEND CHARMAP\n"
+    )
+    # It complains of all that a locale has besides, and status 1 says that it did.
+    command = ["localedef", "-c", "-i", "comma", "-f", "ascii", "./xx_XX"]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    assert (folder / "xx_XX" / "LC_NUMERIC").exists(), done.stderr
+    return {"LOCPATH": str(folder), "LC_ALL": "xx_XX", "PYTHONUTF8": "1"}
+
+
+@pytest.fixture
+def by_hand(tmp_path: Path) -> Path:
+    path = tmp_path / "by hand.json"
+    write(BY_HAND, path)
+    return path
+
+
+# --------------------------------------------------------------------------- project
+
+
+def project(*arguments: str | Path, points: str) -> list[dict[str, Any]]:
+    done = run("project", *arguments, "-", "--format", "json", text=points)
+    assert (done.returncode, done.stderr) == (0, "")
+    found: list[dict[str, Any]] = json.loads(done.stdout)["points"]
+    return found
+
+
+def test_point_in_view_has_the_numbers_worked_out_by_hand(by_hand: Path) -> None:
+    # The view is the world moved by -5 along z: (2, 1, 1) -> (2, 1, -4), and w = 4.
+    # x_clip = cot/aspect x = 2/2 = 1, y_clip = 1.
+    # z_clip = -(9+1)/(9-1) z - 2*9*1/(9-1) = -1.25*(-4) - 2.25 = 2.75.
+    # NDC = (1/4, 1/4, 2.75/4); depth = (0.6875 + 1)/2 = 0.84375.
+    # Image x = (0.25 + 1)*200/2 = 125, y = (1 - 0.25)*100/2 = 37.5.
+    (point,) = project(by_hand, points="2,1,1\n")
+    assert point["world"] == [2, 1, 1]
+    assert point["view"] == pytest.approx([2, 1, -4], rel=1e-15)
+    assert point["clip"] == pytest.approx([1, 1, 2.75, 4], rel=1e-15)
+    assert point["ndc"] == pytest.approx([0.25, 0.25, 0.6875], rel=1e-15)
+    assert point["image"] == pytest.approx([125, 37.5], rel=1e-15)
+    assert point["depth"] == pytest.approx(0.84375, rel=1e-15)
+    assert (point["inside"], point["outside_of"]) == (True, [])
+
+
+@pytest.mark.parametrize("z", [5, 6], ids=["in the eye plane", "behind the eye"])
+def test_point_that_has_no_picture_gets_null_and_no_mirrored_number(by_hand: Path, z: int) -> None:
+    (point,) = project(by_hand, points=f"2,1,{z}\n")
+    assert point["clip"][3] == 5 - z  # w is the distance before the eye plane
+    assert (point["ndc"], point["image"], point["depth"]) == (None, None, None)
+    assert (point["inside"], point["outside_of"][0]) == (False, "near")
+
+
+@pytest.mark.parametrize(
+    ("point", "planes"),
+    [
+        # At distance 4 the picture is 16 wide and 8 high: x in -8..8, y in -4..4.
+        ("-8.1,0,1", ["left"]),
+        ("8.1,0,1", ["right"]),
+        ("0,-4.1,1", ["bottom"]),
+        ("0,4.1,1", ["top"]),
+        ("0,0,4.5", ["near"]),  # at distance 0.5, nearer than 1
+        ("0,0,-4.5", ["far"]),  # at distance 9.5, farther than 9
+        ("8.1,-4.1,1", ["right", "bottom"]),
+        ("7.9,3.9,1", []),
+    ],
+)
+def test_a_point_is_outside_of_the_planes_it_lies_beyond(
+    by_hand: Path, point: str, planes: list[str]
+) -> None:
+    (found,) = project(by_hand, points=point)
+    assert found["outside_of"] == planes
+    assert found["inside"] is (planes == [])
+
+
+def test_a_parallel_lens_shows_what_is_behind_the_eye_as_outside_of_near(by_hand: Path) -> None:
+    # Parallel rays have no eye to be behind of: w = 1. The window is 4 wide, 2 high:
+    # (1, 0.5, 6) lies at (1/2, 0.5/1) in NDC, depth (-1 - 1)/(9 - 1) = -0.25.
+    sets = [f"lens.{name}" for name in ("left=-2", "right=2", "bottom=-1", "top=1")]
+    arguments = [f"--set={value}" for value in ["lens.kind=orthographic", *sets]]
+    (point,) = project(by_hand, *arguments, points="1,0.5,6\n")
+    assert point["clip"][3] == 1
+    assert point["ndc"][:2] == [0.5, 0.5]
+    assert point["depth"] == -0.25
+    assert point["outside_of"] == ["near"]
+
+
+def test_json_is_exactly_the_trace_of_the_model(by_hand: Path) -> None:
+    rng = np.random.default_rng(7)
+    points = rng.normal(scale=6.0, size=(200, 3))
+    projection = Projection(
+        Camera((3.1, 2.7, 9.3), (0.1, 0.2, 0.3), (0.1, 1.0, 0.0)),
+        Perspective(37.0, 0.01, np.inf),
+        (1366, 768),
+        "reversed",
+    )
+    write(Document("letter-f", projection), by_hand)
+    text = "".join(f"{x!r},{y!r},{z!r}\n" for x, y, z in points.tolist())
+    done = run("project", by_hand, "-", "--format=json", text=text)
+    answer = json.loads(done.stdout)
+    trace = projection.trace(points)
+    assert list(answer) == ["points", "matrices"]
+    for name in ("view_from_world", "clip_from_view", "clip_from_world"):
+        assert np.array_equal(answer["matrices"][name], getattr(projection, name))
+    keys = ["world", "view", "clip", "ndc", "image", "depth", "inside", "outside_of"]
+    for i, point in enumerate(answer["points"]):
+        assert list(point) == keys
+        for name in ("world", "view", "clip"):
+            assert point[name] == getattr(trace, name)[i].tolist()
+        for name in ("ndc", "image", "depth"):
+            value = getattr(trace, name)[i].tolist() if trace.in_front[i] else None
+            assert point[name] == value
+        assert point["inside"] == (trace.in_front[i] and not trace.outside[i].any())
+    assert {point["inside"] for point in answer["points"]} == {True, False}
+    assert any(point["ndc"] is None for point in answer["points"])
+
+
+def test_csv_has_the_same_numbers_as_json_and_empty_cells_for_null(by_hand: Path) -> None:
+    points = "0.1,0.2,0.3\n0,0,6\n-90,0,1e-5\n"
+    done = run("project", by_hand, "-", "--format", "csv", text=points)
+    rows = list(csv.DictReader(io.StringIO(done.stdout)))
+    for row, point in zip(rows, project(by_hand, points=points), strict=True):
+        for stage, axes in (("world", "xyz"), ("view", "xyz"), ("clip", "xyzw"), ("ndc", "xyz")):
+            cells = [row[f"{stage}_{axis}"] for axis in axes]
+            expected = point[stage]
+            assert cells == (list(map(repr, expected)) if expected else [""] * len(axes))
+        cells = [row["image_x_px"], row["image_y_px"]]
+        assert cells == (list(map(repr, point["image"])) if point["image"] else ["", ""])
+        assert row["depth"] == ("" if point["depth"] is None else repr(point["depth"]))
+        assert row["inside"] == str(point["inside"]).lower()
+        assert row["outside_of"] == " ".join(point["outside_of"])
+
+
+def test_table_has_a_block_for_each_point_with_the_numbers_aligned(by_hand: Path) -> None:
+    # One unit behind the eye: w = -1 and z_clip = -1.25*1 - 2.25.
+    done = run("project", by_hand, "-", text="0,0,6\n0,0,0\n")
+    assert done.stdout.splitlines()[:9] == [
+        "point 1     x  y   z     w",
+        "     world  0  0   6",
+        "      view  0  0   1",
+        "      clip  0  0  -3.5  -1",
+        "       NDC  none: the point is not in front of the eye",
+        "  image px  none: the point is not in front of the eye",
+        "     depth  none: the point is not in front of the eye",
+        "outside of  near, left, right, bottom, top",
+        "",
+    ]
+    # Parallel rays, the window 4 wide and 2 high, at distance 4: z = 2*(4-1)/(9-1) - 1 = -0.25.
+    sets = ["kind=orthographic", "left=-2", "right=2", "bottom=-1", "top=1"]
+    arguments = [f"--set=lens.{value}" for value in sets]
+    assert run("project", by_hand, "-", *arguments, text="1,0.5,1\n").stdout.splitlines() == [
+        "point 1       x      y     z     w",
+        "     world    1      0.5   1",
+        "      view    1      0.5  -4",
+        "      clip    0.5    0.5  -0.25  1",
+        "       NDC    0.5    0.5  -0.25",
+        "  image px  150     25",
+        "     depth    0.375",
+        "    inside  the view volume",
+    ]
+
+
+def test_points_come_from_a_file_too_and_the_letter_f_is_the_default(tmp_path: Path) -> None:
+    points = tmp_path / "points.csv"
+    points.write_text("x,y,z\n0,2.2,0\n", encoding="utf-8")
+    done = run("project", points, "--format", "json")
+    (point,) = json.loads(done.stdout)["points"]
+    # What the camera looks at is in the middle of the picture.
+    assert point["image"] == pytest.approx([640, 360], abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        b"\xef\xbb\xbfx,y,z\r\n1,2,3\r\n",
+        b"X, Y, Z\n\n1,2,3\n\n",
+        b' 1 , 2 ,"3"\n',
+        b"+1,2e0,.3e1",
+        b"1,2,3\r",
+    ],
+    ids=["bom and crlf", "capital header, empty lines", "spaces, quotes", "signs", "cr"],
+)
+def test_csv_of_every_kitchen_is_read(text: bytes) -> None:
+    done = run("project", "-", "--format", "json", text=text)
+    assert [point["world"] for point in json.loads(done.stdout)["points"]] == [[1, 2, 3]]
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        (b"", ["no points"]),
+        (b"\n\n", ["no points"]),
+        (b"x,y,z\n", ["no points"]),
+        (b"1,2,3\n1,2\n", ["line 2", "2 columns", "three"]),
+        (b"1,2,3,4\n", ["line 1", "4 columns", "three"]),
+        (b"1;2;3\n", ["line 1", "1 columns"]),
+        (b"1,2,3\n\n1,b,3\n", ["line 3", "y = 'b'", "finite number"]),
+        (b"1,2,3\nx,y,z\n", ["line 2", "x = 'x'", "finite number"]),
+        (b"a,b,c\n1,2,3\n", ["line 1", "x = 'a'", "finite number"]),
+        (b"z,y,x\n1,2,3\n", ["line 1", "x = 'z'", "finite number"]),
+        (b"1,2,nan\n", ["line 1", "z = 'nan'", "finite number"]),
+        (b"-inf,2,3\n", ["line 1", "x = '-inf'", "finite number"]),
+        (b"1e400,2,3\n", ["line 1", "x = '1e400'", "finite number"]),
+        (b"1e200,2,3\n", ["line 1", "x = 1e200", "1e+150"]),
+        (b"1_000,2,3\n", ["line 1", "x = '1_000'", "finite number"]),
+        (b"1,,3\n", ["line 1", "y = ''", "finite number"]),
+        (b"1,2,3\n\xff\xfe\n", ["UTF-8"]),
+        ("1,2,3\n".encode("utf-16"), ["UTF-8"]),
+        (b"1,2," + b"3" * 200_000, ["line 1", "CSV"]),
+        (b"1,2,3\0\n", ["line 1", "z = '3\\x00'"]),
+    ],
+)
+def test_bad_points_are_refused_with_their_line(text: bytes, words: list[str]) -> None:
+    said = refused("project", "-", text=text)
+    for word in ["Standard input", *words]:
+        assert word in said
+
+
+def test_points_file_that_is_not_there_is_refused(tmp_path: Path) -> None:
+    said = refused("project", tmp_path / "none.csv")
+    assert "none.csv cannot be read: No such file" in said
+
+
+def test_points_that_are_a_folder_are_refused(tmp_path: Path) -> None:
+    assert "cannot be read: Is a directory" in refused("project", tmp_path)
+
+
+def test_project_without_points_is_refused() -> None:
+    assert "project takes [FILE] POINTS, and 0 names were given" in refused("project")
+
+
+def test_project_with_a_document_only_says_that_points_are_missing(by_hand: Path) -> None:
+    assert "POINTS is missing" in refused("project", by_hand)
+
+
+def test_project_with_three_names_is_refused(by_hand: Path) -> None:
+    assert "and 3 names were given" in refused("project", by_hand, by_hand, "-")
+
+
+def test_options_may_stand_between_the_names(by_hand: Path) -> None:
+    done = run("project", by_hand, "--format", "json", "-", "--set=lens.far=8", text="2,1,1")
+    assert json.loads(done.stdout)["matrices"]["clip_from_view"][2][2] == -9 / 7
+
+
+def test_a_document_in_a_picture_is_read(tmp_path: Path, by_hand: Path) -> None:
+    picture = tmp_path / "picture.png"
+    picture.write_bytes(embed(one_pixel_png(), to_json(BY_HAND)))
+    assert run("matrices", picture).stdout == run("matrices", by_hand).stdout
+
+
+def one_pixel_png() -> bytes:
+    import struct
+    import zlib
+
+    def chunk(kind: bytes, body: bytes) -> bytes:
+        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+
+    header = struct.pack(">IIBBBBB", 1, 1, 8, 2, 0, 0, 0)
+    pixels = zlib.compress(b"\0\1\2\3")
+    chunks = chunk(b"IHDR", header) + chunk(b"IDAT", pixels) + chunk(b"IEND", b"")
+    return b"\x89PNG\r\n\x1a\n" + chunks
+
+
+def test_a_reader_who_leaves_early_is_no_error() -> None:
+    with subprocess.Popen(
+        [sys.executable, "-m", "app", "project", "-", "--format", "csv"],
+        cwd=ROOT,
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+    ) as process:
+        assert process.stdin and process.stdout and process.stderr
+        process.stdout.close()  # nobody reads, from the first byte on
+        process.stdin.write(b"1,2,3\n" * 20_000)
+        process.stdin.close()
+        assert process.stderr.read() == b""
+        assert process.wait() == 0
+
+
+def test_a_full_disk_behind_standard_output_is_a_sentence() -> None:
+    with open("/dev/full", "wb") as full:
+        done = subprocess.run(
+            [sys.executable, "-m", "app", "matrices"],
+            cwd=ROOT, stdout=full, stderr=subprocess.PIPE, text=True, check=False,
+        )  # fmt: skip
+    assert done.returncode == 2
+    assert done.stderr == "Standard output cannot be written: No space left on device.\n"
+
+
+# --------------------------------------------------------------------------- matrices
+
+
+def matrices(*arguments: str | Path) -> dict[str, Any]:
+    done = run("matrices", *arguments, "--format", "json")
+    assert (done.returncode, done.stderr) == (0, "")
+    found: dict[str, Any] = json.loads(done.stdout)
+    return found
+
+
+def test_matrices_as_json_hold_every_stage_to_the_last_bit(by_hand: Path) -> None:
+    found = matrices(by_hand)
+    assert list(found) == ["view_from_world", "clip_from_view", "clip_from_world", "image_from_ndc"]
+    for name, matrix in found.items():
+        assert np.array_equal(matrix, getattr(BY_HAND.projection, name))
+
+
+def test_perspective_matrix_has_the_last_row_of_the_field(by_hand: Path) -> None:
+    assert matrices(by_hand)["clip_from_view"][3] == [0, 0, -1, 0]
+    text = run("matrices", by_hand).stdout
+    assert re.search(r"clip_from_view\n(.*\n){3}  0 +0 +-1 +0\n", text)
+
+
+def test_text_shows_a_factored_view_matrix_with_aligned_columns(by_hand: Path) -> None:
+    # eye (0, 0, 5) looking along -z: nothing is rotated, the eye moves to the origin.
+    assert run("matrices", by_hand).stdout.startswith(
+        """\
+view_from_world = rotation translation
+  1  0  0   0
+  0  1  0   0
+  0  0  1  -5
+  0  0  0   1
+
+rotation
+  1  0  0  0
+  0  1  0  0
+  0  0  1  0
+  0  0  0  1
+
+translation
+  1  0  0   0
+  0  1  0   0
+  0  0  1  -5
+  0  0  0   1
+
+clip_from_view
+"""
+    )
+
+
+def test_latex_is_pmatrix_with_powers_of_ten_written_out() -> None:
+    done = run("matrices", "--format", "latex", "--set", "lens.near=1e-7")
+    blocks = re.findall(r"\\begin\{pmatrix\}\n(.*?)\n\\end\{pmatrix\}", done.stdout, re.DOTALL)
+    rows = [[row.split(" & ") for row in block.split(" \\\\\n")] for block in blocks]
+    assert len(rows) == 6  # the view matrix with its two factors, and three more
+    assert all(len(matrix) == 4 and all(len(row) == 4 for row in matrix) for matrix in rows)
+
+    def value(cell: str) -> float:
+        return float(re.sub(r" \\cdot 10\^\{(-?\d+)\}", r"e\1", cell))
+
+    near = Projection(lens=Perspective(45.0, 1e-7, 30.0))
+    shown = [[[value(cell) for cell in row] for row in matrix] for matrix in rows]
+    assert shown[0] == near.view_rotation.tolist()
+    assert shown[1] == near.view_translation.tolist()
+    assert shown[2] == near.view_from_world.tolist()
+    assert shown[3] == near.clip_from_view.tolist()
+    assert shown[4] == near.clip_from_world.tolist()
+    assert shown[5] == near.image_from_ndc.tolist()
+    assert "e-" not in done.stdout
+
+
+def test_set_speaks_the_language_of_the_document(by_hand: Path) -> None:
+    sets = ["lens.kind=orthographic", "depth=direct3d", "camera.eye=3,2,4", "lens.far=100"]
+    found = matrices(by_hand, *(f"--set={value}" for value in sets))
+    projection = set_values(BY_HAND, sets).projection
+    assert isinstance(projection.lens, Orthographic)
+    assert found["clip_from_world"] == projection.clip_from_world.tolist()
+    assert found["clip_from_view"][3] == [0, 0, 0, 1]
+
+
+def test_numbers_need_no_qt_and_no_vtk(by_hand: Path) -> None:
+    code = """
+import sys
+from app.cli import main
+status = main(sys.argv[1:])
+heavy = {"PySide6", "shiboken6", "vtk", "vtkmodules", "pyvista", "pyvistaqt", "widgets"}
+assert not heavy & {name.partition(".")[0] for name in sys.modules}, sorted(sys.modules)
+assert "app.scene" not in sys.modules
+sys.exit(status)
+"""
+    for arguments in (["matrices", by_hand], ["project", by_hand, "-"], ["project", "--help"]):
+        done = subprocess.run(
+            [sys.executable, "-c", code, *map(str, arguments)],
+            cwd=ROOT, input="1,2,3\n", capture_output=True, text=True, check=False,
+        )  # fmt: skip
+        assert done.returncode == 0, done.stderr
+
+
+def test_numbers_are_written_the_same_in_every_locale(
+    comma_locale: dict[str, str], by_hand: Path
+) -> None:
+    code = (
+        "import locale, sys; locale.setlocale(locale.LC_ALL, ''); "
+        "assert locale.localeconv()['decimal_point'] == ','; "
+        "import numpy; numpy.set_printoptions(legacy='1.13', precision=2); "
+        "from app.cli import main; sys.exit(main(sys.argv[1:]))"
+    )
+    for arguments in (
+        ["project", by_hand, "-", "--format", "json"],
+        ["project", by_hand, "-", "--format", "csv"],
+        ["project", by_hand, "-"],
+        ["matrices", by_hand],
+        ["matrices", by_hand, "--format", "latex"],
+    ):
+        done = subprocess.run(
+            [sys.executable, "-c", code, *map(str, arguments)],
+            cwd=ROOT, env={**os.environ, **comma_locale}, input="0.1,1234567.5,1e-9\n",
+            capture_output=True, text=True, check=False,
+        )  # fmt: skip
+        assert done.stderr == ""
+        assert done.stdout == run(*arguments, text="0.1,1234567.5,1e-9\n").stdout
+
+
+def test_a_coordinate_that_overflows_is_null_in_json(by_hand: Path) -> None:
+    # A window 2e-200 wide, and a point 1e149 away from it: x_clip = 1e349.
+    sets = ["lens.kind=orthographic", "lens.keep=stretch"]
+    sets += ["lens.left=-1e-200", "lens.right=1e-200"]
+    arguments = [f"--set={value}" for value in sets]
+    (point,) = project(by_hand, *arguments, points="1e149,0,0\n")
+    assert point["clip"][0] is None
+    assert point["ndc"] is None
+    assert point["outside_of"] == ["right"]
+
+
+# --------------------------------------------------------------------------- words and options
+
+
+@pytest.mark.parametrize(
+    ("word", "nearest"),
+    [("expot", "export"), ("Project", "project"), ("matrix", "matrices"), ("doktor", "doctor")],
+)
+def test_a_mistyped_command_names_the_nearest(word: str, nearest: str) -> None:
+    said = refused(word)
+    assert said == (
+        f"{word!r} is neither a file nor a command; the nearest command is {nearest}.\n"
+    )
+
+
+def test_measure_is_not_offered_yet() -> None:
+    assert "'measure' is neither a file nor a command" in refused("measure")
+    assert "measure" not in run("--help").stdout
+
+
+def test_a_command_wins_over_a_file_of_its_name(tmp_path: Path) -> None:
+    write(BY_HAND, tmp_path / "matrices")
+    done = subprocess.run(
+        [sys.executable, "-c", "import sys; from app.cli import main; sys.exit(main())", "matrices"],
+        cwd=tmp_path, env={**os.environ, "PYTHONPATH": str(ROOT)}, capture_output=True, text=True,
+        check=False,
+    )  # fmt: skip
+    assert done.stdout.startswith("view_from_world")
+    # The letter F's matrices: the file of that name was not read.
+    assert done.stdout == run("matrices").stdout != run("matrices", tmp_path / "matrices").stdout
+
+
+def test_a_command_that_does_not_come_first_is_told_so() -> None:
+    assert "matrices is a command and must come first" in refused("--set", "lens.far=9", "matrices")
+
+
+def test_help_names_every_command_and_none_that_is_not_there() -> None:
+    done = run("--help")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert re.findall(r"^  ([a-z]+) ", done.stdout.partition("commands,")[2], re.MULTILINE) == [
+        "export", "project", "matrices", "doctor",
+    ]  # fmt: skip
+
+
+@pytest.mark.parametrize("command", list(cli.COMMANDS))
+def test_each_command_has_help(command: str) -> None:
+    done = run(command, "--help")
+    assert done.returncode == 0
+    assert done.stdout.startswith(f"usage: python3 -m app {command} [options]")
+
+
+def test_version() -> None:
+    from app import __version__
+
+    assert run("--version").stdout == f"Frustum Lab {__version__}\n"
+
+
+def test_unknown_option_names_the_nearest() -> None:
+    assert refused("matrices", "--fromat=json") == (
+        "--fromat is not an option of matrices; the nearest is --format.\n"
+    )
+
+
+def test_option_without_its_value_is_refused() -> None:
+    assert "--format" in refused("matrices", "--format")
+
+
+def test_unknown_format_names_the_known_ones() -> None:
+    assert "--format = 'xml': must be one of text, json, latex" in refused(
+        "matrices", "--format", "xml"
+    )
+
+
+def test_set_with_an_unknown_name_names_the_nearest() -> None:
+    said = refused("matrices", "--set", "lens.fra=3")
+    assert "lens.fra" in said and "lens.far" in said
+
+
+def test_set_without_a_value_is_refused() -> None:
+    assert "NAME=VALUE" in refused("matrices", "--set", "lens.far")
+
+
+@pytest.mark.parametrize(
+    ("value", "words"),
+    [
+        ("lens.near=0", "lens.near = 0: must be greater than 0"),
+        ("lens.near=-1", "lens.near = -1: must be greater than 0"),
+        ("lens.near=30", "lens.near = 30: must be less than far, which is 30"),
+        ("lens.near=nan", "lens.near = 'nan': must be a finite number"),
+        ("lens.far=1e400", "lens.far = '1e400': must be a finite number"),
+        ("lens.fov_y_deg=0", "lens.fov_y_deg = 0: must lie between 0 and 180"),
+        ("lens.fov_y_deg=180", "lens.fov_y_deg = 180: must lie between 0 and 180"),
+        ("lens.fov_y_deg=-1", "lens.fov_y_deg = -1: must lie between 0 and 180"),
+        ("lens.fov_y_deg=200", "lens.fov_y_deg = 200: must lie between 0 and 180"),
+        ("camera.eye=0,2.2,0", "camera.target = (0, 2.2, 0): must differ from the eye"),
+        ("camera.up=0,0,0", "camera.up = (0, 0, 0): must not be the zero vector"),
+        ("camera.up=6,2.8,9", "camera.up = (6, 2.8, 9): must not be parallel"),
+        ("camera.eye=1,2", "camera.eye = '1,2': must be three finite numbers"),
+        ("image.width=0", "image.width = 0: must be a whole number of pixels from 1 to 16384"),
+        ("image.height=100000", "image.height = 100000: must be a whole number of pixels"),
+        ("lens.kind=fisheye", "lens.kind = 'fisheye': must be one of perspective, orthographic"),
+        ("depth=metal", "depth = 'metal': must be one of opengl, direct3d, reversed"),
+    ],
+)
+def test_bad_value_is_refused_with_field_value_and_bound(value: str, words: str) -> None:
+    said = refused("matrices", "--set", value)
+    # Vectors are written with brackets of one kind or the other.
+    assert words.replace("(", "[").replace(")", "]") in said.replace("(", "[").replace(")", "]")
+
+
+def test_up_almost_along_the_view_direction_works() -> None:
+    # 1e-12 rad from it, as the issue asks.
+    view = np.array([6.0, 2.8, 9.0])
+    across = np.cross(view, [0.0, 1.0, 0.0])
+    up = view / np.linalg.norm(view) + 1e-12 * across / np.linalg.norm(across)
+    assert run("matrices", "--set", f"camera.up={','.join(map(repr, up.tolist()))}").returncode == 0
+
+
+# --------------------------------------------------------------------------- files
+
+
+def cut(path: Path) -> None:
+    path.write_text(path.read_text(encoding="utf-8")[:100], encoding="utf-8")
+
+
+FILES: dict[str, tuple[str, Callable[[Path], object], list[str]]] = {
+    "missing": ("none.json", lambda path: None, ["does not exist"]),
+    "missing mesh": ("none.stl", lambda path: None, ["none.stl"]),
+    "empty": ("empty.json", lambda path: path.touch(), ["is empty"]),
+    "folder": ("folder.json", lambda path: path.mkdir(), ["folder"]),
+    "not JSON": ("text.json", lambda path: path.write_text("hello"), ["not JSON"]),
+    "another ending": ("notes.txt", lambda path: path.write_text("hello"), ["neither", ".stl"]),
+    "no PNG": ("broken.png", lambda path: path.write_bytes(b"\x89PNG\r\n\x1a\nxx"), ["PNG"]),
+    "plain picture": ("plain.png", lambda path: path.write_bytes(one_pixel_png()), ["document"]),
+    "text named .stl": ("text.stl", lambda path: path.write_text("hello"), ["text.stl"]),
+    "cut short": ("cut.json", lambda path: (write(BY_HAND, path), cut(path)), ["cut short"]),
+    "a newline in its name": ("a\nb.json", lambda path: None, ["does not exist"]),
+}
+
+
+@pytest.mark.parametrize("command", ["", "matrices", "export out.png"])
+@pytest.mark.parametrize("kind", list(FILES))
+def test_a_file_that_cannot_be_used_is_refused_by_every_command(
+    tmp_path: Path, kind: str, command: str
+) -> None:
+    name, make, words = FILES[kind]
+    make(tmp_path / name)
+    arguments = [str(tmp_path / word) if "." in word else word for word in command.split()]
+    said = refused(*arguments, tmp_path / name)
+    for word in words:
+        assert word in said
+    assert not (tmp_path / "out.png").exists()
+
+
+def test_two_files_are_too_many(by_hand: Path) -> None:
+    assert "takes [FILE], and 2 names were given" in refused(by_hand, by_hand)
+
+
+def test_a_mesh_brings_the_camera_that_shows_it(tmp_path: Path) -> None:
+    mesh = tmp_path / "tetrahedron.obj"
+    mesh.write_text("v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n")
+    done = run("project", mesh, "-", "--format=json", text="0,0,0\n2,0,0\n0,2,0\n0,0,2\n")
+    points = json.loads(done.stdout)["points"]
+    assert all(point["inside"] for point in points)
+
+
+# --------------------------------------------------------------------------- export
+
+
+def export(out: Path, *arguments: str | Path, **environment: str | None) -> np.ndarray:
+    import pyvista as pv
+
+    done = run("export", out, *arguments, **environment)
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+    # VTK's reader has the first row at the bottom.
+    image = pv.read(out)
+    width, height, _ = image.dimensions
+    return np.asarray(image.point_data["PNGImage"]).reshape(height, width, -1)[::-1]
+
+
+def test_export_has_the_same_pixels_with_and_without_a_display(
+    tmp_path: Path, by_hand: Path
+) -> None:
+    size = ("--size", "600x200")
+    assert os.environ["DISPLAY"]
+    with_one = export(tmp_path / "a.png", by_hand, *size)
+    without = export(tmp_path / "b.png", by_hand, *size, DISPLAY=None, WAYLAND_DISPLAY=None)
+    assert with_one.shape == (200, 600, 3)
+    assert len(np.unique(with_one.reshape(-1, 3), axis=0)) > 20  # a picture, not a blank
+    assert np.array_equal(with_one, without)
+
+
+def test_export_with_an_unreachable_display_draws_all_the_same(
+    tmp_path: Path, by_hand: Path
+) -> None:
+    size = ("--size", "300x100")
+    pixels = export(tmp_path / "a.png", by_hand, *size)
+    assert np.array_equal(pixels, export(tmp_path / "b.png", by_hand, *size, DISPLAY=":9999"))
+
+
+def test_export_carries_the_document_with_what_was_set(tmp_path: Path, by_hand: Path) -> None:
+    out = tmp_path / "figure.png"
+    export(out, by_hand, "--size=60x20", "--set", "lens.near=0.5")
+    assert read(out) == set_values(BY_HAND, ["lens.near=0.5"])
+
+
+def test_export_options_reach_the_picture(tmp_path: Path, by_hand: Path) -> None:
+    image = export(tmp_path / "image.png", by_hand, "--panes", "image")
+    assert image.shape == (100, 200, 3)  # the image pane alone has the image's own size
+    two = export(tmp_path / "two.png", by_hand, "--panes=world,ndc", "--scale=0.5")
+    assert two.shape == (300, 600, 3)
+    clear = export(tmp_path / "clear.png", by_hand, "--size=90x30", "--transparent")
+    assert clear.shape == (30, 90, 4) and clear[..., 3].min() == 0
+    light = export(tmp_path / "light.png", by_hand, "--size=90x30")
+    dark = export(tmp_path / "dark.png", by_hand, "--size=90x30", "--theme", "dark")
+    assert np.median(dark) < 100 < 200 < np.median(light)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["figure.svg"], "OUT = 'figure.svg': must end in .png"),
+        (["figure"], "OUT = 'figure': must end in .png"),
+        (["no/such/folder/figure.png"], "there is no folder no/such/folder"),
+        (["figure.png", "--size", "0x100"], "--size width = 0: must be a whole number of pixels"),
+        (["figure.png", "--size", "100x100000"], "--size height = 100000: must be a whole number"),
+        (["figure.png", "--size", "big"], "--size = 'big': must be WIDTHxHEIGHT"),
+        (["figure.png", "--scale", "0"], "--scale = '0': must be a number greater than 0"),
+        (["figure.png", "--scale", "nan"], "--scale = 'nan': must be a number greater than 0"),
+        (["figure.png", "--scale", "100"], "16384"),
+        (["figure.png", "--panes", "world,depth"], "'depth' must be one of world, ndc, image"),
+        (["figure.png", "--panes", "ndc,ndc"], "no pane may be given twice"),
+        (["figure.png", "--theme", "pink"], "--theme = 'pink': must be one of light, dark"),
+        (["figure.png", "--set", "scene=cubee"], "cube"),
+        ([], "export takes OUT [FILE], and 0 names were given"),
+    ],
+)
+def test_bad_export_is_refused(arguments: list[str], words: str) -> None:
+    assert words in refused("export", *arguments)
+    assert not (ROOT / "figure.png").exists()
+
+
+def test_export_to_a_full_disk_is_a_sentence(tmp_path: Path) -> None:
+    out = tmp_path / "full.png"
+    out.symlink_to("/dev/full")
+    assert "No space left" in refused("export", out, "--size=30x10")
+
+
+def test_export_without_opengl_says_what_to_do_instead_of_crashing(tmp_path: Path) -> None:
+    for display in (os.environ["DISPLAY"], None):
+        done = run(
+            "export", tmp_path / "a.png", DISPLAY=display, MESA_GL_VERSION_OVERRIDE="2.1"
+        )
+        assert done.returncode == 3
+        assert "OpenGL 3.2" in done.stderr and "driver" in done.stderr
+        assert done.stderr.count("\n") == 1
+    assert not (tmp_path / "a.png").exists()
+
+
+# --------------------------------------------------------------------------- doctor
+
+
+def test_doctor_finds_everything_on_a_machine_that_runs_the_tests() -> None:
+    done = run("doctor")
+    assert done.returncode == 0, done.stdout
+    assert done.stdout.endswith("\n\nEverything needed is here.\n")
+    for name in ("Python", "numpy", "vtk", "pyvista", "pyvistaqt", "PySide6-Essentials", "Qt",
+                 "System libraries", "Settings in", "Log in", "Display", "Screen", "OpenGL",
+                 "Export"):  # fmt: skip
+        assert re.search(rf"^{name} +\S", done.stdout, re.MULTILINE), name
+    assert os.environ["DISPLAY"] in done.stdout
+
+
+def test_doctor_without_a_display_says_how_to_get_one() -> None:
+    done = run("doctor", DISPLAY=None, WAYLAND_DISPLAY=None)
+    assert done.returncode == 3
+    assert re.search(r"This is missing:\n  Display: .*ssh with -X.*\n\Z", done.stdout)
+
+
+def test_doctor_survives_a_driver_that_crashes() -> None:
+    done = run("doctor", MESA_GL_VERSION_OVERRIDE="2.1")
+    assert done.returncode == 3
+    assert re.search(r"\n  OpenGL: OpenGL 2.1 is too old", done.stdout)
+    assert re.search(r"\n  Export: install Mesa", done.stdout)
+
+
+def test_doctor_names_a_package_of_the_wrong_version(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    from app import doctor
+
+    monkeypatch.setattr(doctor, "_display", lambda: iter(()))
+    monkeypatch.setattr(doctor, "_off_screen", lambda: doctor.Finding("Export", "ok"))
+    version = doctor.metadata.version
+    monkeypatch.setattr(
+        doctor.metadata, "version", lambda name: "9.9" if name == "vtk" else version(name)
+    )
+    assert cli.main(["doctor"]) == 3
+    said = capsys.readouterr().out
+    assert re.search(r"This is missing:\n  vtk: change it: .* -m pip install 'vtk>=9", said)
+
+
+def test_doctor_tells_a_crash_and_a_silence_from_an_answer() -> None:
+    from app import doctor
+
+    code = "import os, signal; os.kill(os.getpid(), signal.SIGSEGV)"
+    answer, problem = doctor._try([sys.executable, "-c", code], dict(os.environ))
+    assert (answer, problem) == (None, "the driver crashed (signal 11)")
+    answer, problem = doctor._try([sys.executable, "-c", "print('{\"a\": 1}')"], dict(os.environ))
+    assert (answer, problem) == ({"a": 1}, "")
+
+
+def test_doctor_does_not_wait_for_ever(monkeypatch: pytest.MonkeyPatch) -> None:
+    from app import doctor
+
+    monkeypatch.setattr(doctor, "LONGEST_TRIAL_S", 0.2)
+    answer, problem = doctor._try([sys.executable, "-c", "input()"], dict(os.environ))
+    assert answer is None and "EOF" in problem  # nothing can wait for the keyboard
+    code = "import threading; threading.Event().wait()"
+    answer, problem = doctor._try([sys.executable, "-c", code], dict(os.environ))
+    assert answer is None and "does not answer" in problem
