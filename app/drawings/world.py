@@ -1,0 +1,743 @@
+"""The world pane: the scene, the camera in it, and the camera's frustum.
+
+The frustum is not computed here: it is the NDC cube's own edges and faces under
+``world_from_clip``. So is the picture on the near plane, which is the scene once more under
+
+    local_from_film . flatten . clip_from_local
+
+where flatten squeezes all depths into a thin slab at the near face, on the side from which it is
+looked at, so that what is in front stays in front. A slider step sets matrices and nothing else.
+
+Everything is scene-local, ``world - scene.origin`` subtracted in float64. The cubes that are drawn
+have the reversed depth range whatever the model's own is: there 1/w of the far face is 1/far
+itself, where [-1, 1] makes it a difference of two numbers of the size of 1/near, of which float32
+keeps nothing once far/near reaches 1e6. The frustum is the same.
+
+Distances along the line of sight are drawn true to scale from `_Reach.low` to `_Reach.high`. What
+lies beyond is drawn at the limit, behind a visible break, with its true distance written there::
+
+    eye <------ near ============== / / - - far 1e+06
+    0           1                   break   high
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Any, NamedTuple
+
+import numpy as np
+from vtkmodules.vtkCommonDataModel import vtkPlane
+from vtkmodules.vtkRenderingCore import vtkActor
+
+from app.drawings import actors
+from app.drawings.actors import Canvas, Label, Space
+from app.drawings.style import Style
+from app.projection import Array, Lens, Perspective, Projection
+from app.scene import Scene
+
+SLAB = 0.01
+"""Thickness of the picture on the near plane, relative to near (parallel lens: the reach)."""
+
+_BEYOND = 1.3  # how far the frustum is drawn, of the depth of what is looked at
+_BREAK = 0.8  # of the reach: where a break begins
+_MARGIN = 0.02  # of the scene's depth, kept free at both ends of the slab
+_LINES_IN_FRONT = 0.01  # of the slab: a face must not eat its own edges
+_LINES_LIFT = 2e-3  # of the distance from the pane's camera, for the same reason
+_VIEW_ANGLE_DEG = 50.0
+_ELEVATION_DEG = 25.0  # of the pane's camera, and how far it stands behind the model's
+_BEHIND_DEG = 55.0
+_FILL = 0.86  # of the pane by what `reset_view` frames; the rest is for the labels
+_NEAREST = 0.02  # of the pane camera's focal distance: what is nearer is cut
+_LEAST_PICTURE_PX = 1.5
+_BODY = 0.065  # size of the camera's body, of the scene's size and distance
+
+# The cube of the reversed range: near face at z = 1, far face at z = 0.
+_CUBE = actors.CUBE_CORNERS * (1.0, 1.0, -0.5) + (0.0, 0.0, 0.5)
+_NEAR_FACE, _FAR_FACE = (0, 1, 2, 3), (4, 5, 6, 7)
+_SIDES = tuple((i, (i + 1) % 4, (i + 1) % 4 + 4, i + 4) for i in range(4))
+
+# Where the planes' labels can be, best first: corners, middles of edges, within.
+_NEAR_LABEL_AT = np.array([(x, y, 1) for x, y in ((-1, -1), (-1, 1), (1, -1), (1, 1))])
+_FAR_LABEL_AT = np.array(
+    [(x, y, 0) for x, y in ((-1, 1), (1, 1), (-1, -1), (1, -1), (0, 1), (-1, 0), (1, 0), (0, -1))]
+    + [(x, y, 0) for r in (0.5, 0.2, 0.1, 0.05) for x, y in ((-r, r), (r, r), (-r, -r), (r, -r))]
+)
+
+_ABOVE = ((0.0, 1.0), (0.0, -1.0))
+_LEFT_BELOW = ((-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0), (-1.0, -3.0), (1.0, -3.0))
+_RIGHT_BELOW = ((1.0, -0.6), (-1.0, -0.6), (0.0, -1.0), (0.0, 1.0), (1.0, 1.0), (-1.0, 1.0))
+_BELOW_FIRST = ((0.3, -1.0), (1.0, -1.0), (-1.0, -1.0), (0.0, 1.0), (1.0, 1.0), (-1.0, 1.0))
+
+# The eye is where the cube's z axis meets infinity: a pyramid with its apex at the origin and its
+# base at z = 1 becomes the eye's pyramid to the near face when z and w change places.
+_CUBE_FROM_PYRAMID = np.eye(4)[[0, 1, 3, 2]]
+
+
+class _Reach(NamedTuple):
+    """Which distances from the eye plane are drawn where they are; world units.
+
+    Attributes
+    ----------
+    low, high : float
+        The limits; low is negative: behind the eye, for a parallel lens.
+    near, far : float
+        Where the planes are drawn, ``low <= near < far <= high``.
+    near_break, far_break : (float, float) or None
+        From where to where the frustum's edges are broken, if the planes are not drawn where
+        they are.
+    """
+
+    low: float
+    high: float
+    near: float
+    far: float
+    near_break: tuple[float, float] | None
+    far_break: tuple[float, float] | None
+
+    @property
+    def body(self) -> tuple[float, float]:
+        """The part of near..far whose edges are whole."""
+        start, end = self.near, self.far
+        if self.near_break is not None and self.near_break[0] >= start:
+            start = self.near_break[1]
+        if self.far_break is not None and self.far_break[1] <= end:
+            end = self.far_break[0]
+        return start, end
+
+
+class WorldDrawing:
+    """The scene with the camera and its frustum in it.
+
+    Parameters
+    ----------
+    plotter : pyvista.BasePlotter
+        Where to draw; its own camera looks at all this from outside and is not the model's.
+    scene : Scene
+    words : Mapping[str, str]
+        `app.drawings.WORDS` or a translation.
+    style : Style
+    """
+
+    def __init__(self, plotter: Any, scene: Scene, words: Mapping[str, str], style: Style) -> None:
+        self._scene, self._words, self._style = scene, words, style
+        self._origin = np.array(scene.origin, dtype=np.float64)
+        self._objects = _box_corners(scene.lower, scene.upper) - self._origin
+        meshes = [mesh for mesh in (scene.surface, scene.lines) if mesh is not None]
+        bounds = [np.reshape(mesh.bounds, (3, 2)) for mesh in meshes]
+        self._everything = np.concatenate(
+            [self._objects, *(_box_corners(b[:, 0], b[:, 1]) for b in bounds)]
+        )
+        self._canvas = Canvas(plotter, style, self._lay_out)
+        self._own_camera = plotter.renderer.GetActiveCamera()
+        self._build_scene()
+        self._build_camera()
+        self._build_frustum()
+        self._from_eye_side: bool | None = None
+        self._placed: tuple[float, ...] | None = None
+        self._framed = self._objects
+        self._look_from_pane()
+        self.show_projection(scene.start)
+        self.reset_view()
+
+    # -- building, once per scene
+
+    def _build_scene(self) -> None:
+        scene, style = self._scene, self._style
+        surface, lines = actors.scene_actors(scene, style)
+        self._lines_space = Space()
+        self._window_planes = [vtkPlane() for _ in range(6)]
+        picture = actors.scene_actors(scene, style, self._window_planes)
+        self._picture_space, self._picture_lines_space = Space(), Space()
+        for space, actor in (
+            (self._lines_space, lines),
+            (self._picture_space, picture[0]),
+            (self._picture_lines_space, picture[1]),
+        ):
+            if actor is not None:
+                space.add(actor)
+        self._picture = [actor for actor in picture if actor is not None]
+        self._canvas.add(*(a for a in (surface, lines) if a is not None), *self._picture)
+
+    def _build_camera(self) -> None:
+        style, words, add = self._style, self._words, self._canvas.add
+        width = style.line_width
+        self._camera_space, self._sight_space = Space(), Space()
+        self._eye_space, self._target_space, self._rim_space = Space(), Space(), Space()
+
+        sight = actors.line_actor([(0, 0, 0), (0, 0, -1)], [(0, 1)], style.muted, width)
+        self._sight_space.add(sight)
+        points, faces, edges = _camera_body()
+        body = actors.face_actor(points, faces, style.muted)
+        wire = actors.line_actor(points, edges, style.eye, width)
+        self._camera_space.add(body, wire)
+        eye = actors.point_actor([(0, 0, 0)], style.eye, 5.0 * width)
+        target = actors.point_actor([(0, 0, 0)], style.target, 6.0 * width)
+        rim = actors.point_actor([(0, 0, 0)], style.ink, 8.0 * width)
+        self._eye_space.add(eye)
+        self._target_space.add(target)
+        self._rim_space.add(rim)
+        add(sight, body, wire, eye, rim, target)
+
+        self._axis_tips = np.array([(0, 1.7, 0), (0, 0, 2.5), (1.7, 0, 0)])
+        self._axis_labels = []
+        for axis, tip in zip("vnu", self._axis_tips, strict=True):
+            colour = getattr(style, axis)
+            shaft, head = _arrow(tip, colour, 2.0 * width)
+            self._camera_space.add(shaft, head)
+            add(shaft, head)
+            self._axis_labels.append(self._canvas.label(words[axis], plate=colour, bold=True))
+        self._eye_label = self._canvas.label(words["eye"], plate=style.eye)
+        self._target_label = self._canvas.label(words["target"], plate=style.target)
+
+    def _build_frustum(self) -> None:
+        style = self._style
+        width = style.line_width
+        self._frustum_space, self._body_space, self._apex_space = Space(), Space(), Space()
+        self._break_spaces = {"near": Space(), "far": Space()}
+
+        def outline(face: tuple[int, ...], colour: str) -> vtkActor:
+            return actors.line_actor(_CUBE, [(*face, face[0])], colour, 2.0 * width)
+
+        far_face = actors.face_actor(_CUBE, [_FAR_FACE], style.far, 0.16)
+        sides = actors.face_actor(_CUBE, _SIDES, style.frustum, 0.05)
+        near_face = actors.face_actor(_CUBE, [_NEAR_FACE], style.near, 0.3)
+        near_line, far_line = outline(_NEAR_FACE, style.near), outline(_FAR_FACE, style.far)
+        self._frustum_space.add(far_face, sides, near_face, near_line, far_line)
+        edges = [(i, i + 4) for i in range(4)]
+        self._body = actors.line_actor(_CUBE, edges, style.frustum, 1.4 * width)
+        self._body_space.add(self._body)
+        apex = [(0.0, 0.0, 0.0), *_CUBE[:4]]
+        self._apex = actors.line_actor(
+            apex, [(0, i) for i in range(1, 5)], style.frustum, 0.8 * width
+        )
+        self._apex_space.add(self._apex)
+        self._breaks = {}
+        for name, space in self._break_spaces.items():
+            self._breaks[name] = actors.line_actor(*_broken_edges(), style.ink, 1.4 * width)
+            space.add(self._breaks[name])
+        self._canvas.add(
+            near_line, far_line, self._body, self._apex, *self._breaks.values(),
+            far_face, sides, near_face,
+        )  # fmt: skip
+        self._near_label = self._canvas.label("", plate=style.near)
+        self._far_label = self._canvas.label("", plate=style.far)
+
+    def remove(self) -> None:
+        """Take everything out of the plotter again."""
+        self._canvas.remove()
+
+    # -- the model
+
+    def show_projection(self, projection: Projection) -> None:
+        """Take over the model's matrices; draw nothing yet.
+
+        Parameters
+        ----------
+        projection : Projection
+        """
+        self._projection = projection
+        camera, lens = projection.camera, projection.lens
+        self._eye = np.array(camera.eye) - self._origin
+        self._target = np.array(camera.target) - self._origin
+        self._local_from_view = np.eye(4)
+        self._local_from_view[:3, :3] = camera.frame.T
+        self._local_from_view[:3, 3] = self._eye
+        self._depths = (self._eye - self._everything) @ camera.frame[2]
+        objects_depth = float(((self._eye - self._objects) @ camera.frame[2]).max())
+        self._extent = self._scene.size + math.dist(camera.eye, self._scene.centre)
+        self._reach = reach = self._reach_of(lens, objects_depth)
+
+        self._body_size = _BODY * self._extent
+        self._camera_space.set(_scaled(self._local_from_view, self._body_size))
+        self._sight_space.set(_scaled(self._local_from_view, camera.distance))
+
+        frustum = self._local_from_cube(reach.near, reach.far)
+        self._frustum = frustum
+        self._corners = _applied(frustum, _CUBE)
+        self._frustum_space.set(frustum)
+        start, end = reach.body
+        self._body.SetVisibility(start < end)
+        if start < end:
+            self._body_space.set(self._local_from_cube(start, end))
+        for name, broken in (("near", reach.near_break), ("far", reach.far_break)):
+            self._breaks[name].SetVisibility(broken is not None)
+            if broken is not None:
+                self._break_spaces[name].set(self._local_from_cube(*broken))
+        self._apex.SetVisibility(lens.kind == "perspective")
+        if lens.kind == "perspective":
+            base = frustum
+            if reach.near_break is not None:
+                base = self._local_from_cube(*reach.near_break)
+            self._apex_space.set(base @ _CUBE_FROM_PYRAMID)
+        self._follow_pane()
+
+    def _reach_of(self, lens: Lens, objects_depth: float) -> _Reach:
+        size, extent = self._scene.size, self._extent
+        nearby_target = min(self._projection.camera.distance, 2.0 * extent)
+        high = _BEYOND * max(objects_depth, nearby_target, 0.5 * size)
+        near, far = lens.near, lens.far
+        if isinstance(lens, Perspective):
+            low = 0.0
+            near = max(near, 1e-12 * high)  # nobody sees the difference; float32 does
+        else:
+            low = -0.5 * _BEYOND * extent
+        near_break = far_break = None
+        if near > _BREAK * high:
+            near, near_break = _BREAK * high, (_BREAK**2 * high, _BREAK * high)
+        elif near < low:
+            near, near_break = low, (low, _BREAK * low)
+        if far > high:
+            far, far_break = high, (_BREAK * high, high)
+        elif far < _BREAK * low:
+            far, far_break = _BREAK * low, (_BREAK * low, _BREAK**2 * low)
+        far = max(far, near + 1e-9 * (high - low))
+        return _Reach(low, high, near, far, near_break, far_break)
+
+    def _local_from_cube(self, near: float, far: float) -> Array:
+        """`Projection.world_from_clip` for a part of the view volume, scene-local, (4, 4)."""
+        lens = replace(self._projection.lens, near=near, far=far)
+        part = replace(self._projection, lens=lens, depth="reversed")
+        return _normalised(self._local_from_view @ part.view_from_clip)
+
+    def _place_labels(self) -> None:
+        """Put each label where it hides no other one, at its first place if that is free."""
+        lens, words = self._projection.lens, self._words
+        near = f"{words['near']} {_distance(lens.near)}"
+        far = f"{words['far']} {_distance(lens.far)}"
+        self._near_label.set_text(near)
+        self._far_label.set_text(far)
+        layout = _Layout(self._canvas, self._pane)
+        layout.keep_free(np.stack([self._eye, self._target]))
+        for name, label, tip in zip("vnu", self._axis_labels, self._axis_tips, strict=True):
+            stretched = np.outer((1.2, 1.5, 1.9), tip) * self._body_size
+            places = self._eye + stretched @ self._projection.camera.frame
+            layout.place(label, words[name], places, ((0.0, 0.0),))
+        layout.place(self._target_label, words["target"], self._target[None], _RIGHT_BELOW)
+        layout.place(self._eye_label, words["eye"], self._eye[None], _BELOW_FIRST)
+        layout.place(self._near_label, near, _applied(self._frustum, _NEAR_LABEL_AT), _LEFT_BELOW)
+        layout.place(self._far_label, far, _applied(self._frustum, _FAR_LABEL_AT), _ABOVE)
+
+    def _place_picture(self) -> None:
+        """The scene, flattened onto the near plane, and the planes of the picture's window."""
+        reach = self._reach
+        pane = self._pane
+        away = pane.eye - self._eye
+        self._from_eye_side = float(away @ self._projection.camera.frame[2]) > -reach.near
+        left_bottom, right_top = self._corners[0], self._corners[2]
+        _, height_px = self._canvas.window.GetSize()
+        px = math.dist(pane.eye, left_bottom) * 2.0 * pane.slope / max(1, height_px)
+        depths = float(self._depths.min()), float(self._depths.max())
+        lens = self._projection.lens
+        seen = (
+            reach.near_break is None
+            and math.dist(left_bottom, right_top) > _LEAST_PICTURE_PX * px
+            and depths[1] > lens.near
+            and depths[0] < lens.far
+        )
+        for actor in self._picture:
+            actor.SetVisibility(seen)
+        if not seen:
+            return
+        film = flatten(
+            self._projection, self._origin, depths, reach.high, toward_eye=self._from_eye_side
+        )
+        self._picture_space.set(film.surface)
+        self._picture_lines_space.set(film.lines)
+        for plane, (*normal, offset) in zip(self._window_planes, film.planes.tolist(), strict=True):
+            plane.SetNormal(normal)
+            plane.SetOrigin([-offset * part for part in normal])
+
+    # -- the pane's own camera
+
+    def reset_view(self) -> None:
+        """Put the pane's own camera beside the model's, with all that is drawn in view."""
+        frame = self._projection.camera.frame
+        behind = np.array([frame[2, 0], 0.0, frame[2, 2]])
+        beside = np.cross(behind, (0.0, 1.0, 0.0))
+        if np.linalg.norm(beside) < 0.2:  # it looks straight down or up: stand at its right
+            beside = np.array([frame[0, 0], 0.0, frame[0, 2]])
+            if np.linalg.norm(beside) < 0.2:
+                beside = np.array([1.0, 0.0, 0.0])
+        beside /= np.linalg.norm(beside)
+        if beside @ (0.3, 0.0, 1.0) < 0.0:  # scenes show their fronts to +z
+            beside = -beside
+        turn, rise = math.radians(_BEHIND_DEG), math.radians(_ELEVATION_DEG)
+        level = math.cos(turn) * beside + math.sin(turn) * behind
+        level /= np.linalg.norm(level)
+        self._direction = math.cos(rise) * level + np.array([0.0, math.sin(rise), 0.0])
+        self._framed = self._points_to_frame()
+        width_px, height_px = self._canvas.window.GetSize()
+        self._place_view(max(1, width_px), max(1, height_px))
+
+    def _points_to_frame(self) -> Array:
+        """What `reset_view` brings into view: of a very wide frustum only the part nearby."""
+        centre = (self._objects.mean(axis=0) + self._eye) / 2.0
+        body = self._around_body()
+        points = np.concatenate([self._objects, body, self._corners, [self._target]])
+        offsets = points - centre
+        lengths = np.linalg.norm(offsets, axis=1, keepdims=True)
+        nearby: Array = centre + offsets * np.minimum(
+            1.0, 1.1 * self._extent / np.maximum(lengths, 1e-300)
+        )
+        return nearby
+
+    def _place_view(self, width_px: int, height_px: int) -> None:
+        """Stand in `_direction` from the framed points, as near as this window allows."""
+        camera = self._own_camera
+        out = self._direction
+        right = np.cross((0.0, 1.0, 0.0), out)
+        right /= np.linalg.norm(right)
+        up = np.cross(out, right)
+        x, y, z = np.stack([right, up, out]) @ self._framed.T
+        half = math.tan(math.radians(_VIEW_ANGLE_DEG / 2.0)) * _FILL
+        centre, distance = [], -math.inf
+        for across, slope in ((x, half * width_px / height_px), (y, half)):
+            low, high = float((slope * z - across).max()), float((slope * z + across).max())
+            centre.append((high - low) / 2.0)
+            distance = max(distance, (high + low) / (2.0 * slope))
+        middle = float(self._objects.mean(axis=0) @ out + self._eye @ out) / 2.0
+        position = centre[0] * right + centre[1] * up + distance * out
+        camera.SetParallelProjection(False)
+        camera.SetViewAngle(_VIEW_ANGLE_DEG)
+        camera.SetPosition(*position)
+        camera.SetFocalPoint(*(position + (middle - distance) * out))
+        camera.SetViewUp(0.0, 1.0, 0.0)
+        self._placed = (*camera.GetPosition(), *camera.GetFocalPoint())
+        self.reset_clipping_range()
+
+    def _lay_out(self, width_px: int, height_px: int) -> None:
+        """Fit a view that nobody has moved into a window of another size."""
+        camera = self._own_camera
+        if self._placed == (*camera.GetPosition(), *camera.GetFocalPoint()):
+            self._place_view(width_px, height_px)
+        else:
+            self._follow_pane()
+
+    def reset_clipping_range(self) -> None:
+        """Follow the pane's own camera after it was moved."""
+        self._look_from_pane()
+        lift = np.eye(4)
+        lift[:3, :3] *= 1.0 - _LINES_LIFT
+        lift[:3, 3] = _LINES_LIFT * self._pane.eye
+        self._lines_space.set(lift)
+        self._follow_pane()
+
+    def _look_from_pane(self) -> None:
+        camera = self._own_camera
+        toward = np.array(camera.GetDirectionOfProjection())
+        right = np.cross(toward, camera.GetViewUp())
+        right /= np.linalg.norm(right)
+        axes = np.stack([right, np.cross(right, toward), toward])
+        slope = math.tan(math.radians(camera.GetViewAngle()) / 2.0)
+        self._pane = _PaneView(np.array(camera.GetPosition()), axes, slope)
+
+    def _follow_pane(self) -> None:
+        """All that depends on the model and on where the pane's camera stands."""
+        self._place_labels()
+        self._place_picture()
+        camera, toward = self._own_camera, self._pane.axes[2]
+        points = np.concatenate([self._everything, self._around_body(), self._corners])
+        depths = (points - self._pane.eye) @ toward
+        target_depth = float((self._target - self._pane.eye) @ toward)
+        nearest = max(
+            0.98 * min(float(depths.min()), target_depth), _NEAREST * camera.GetDistance()
+        )
+        farthest = max(1.02 * max(float(depths.max()), target_depth), 2.0 * nearest)
+        camera.SetClippingRange(nearest, farthest)
+        for space, point, on_top in (
+            (self._eye_space, self._eye, 1.1),
+            (self._target_space, self._target, 1.2),
+            (self._rim_space, self._target, 1.3),
+        ):
+            # Drawn towards the pane's camera, where nothing is in front, on the same pixel.
+            depth = float((point - self._pane.eye) @ toward)
+            shrink = on_top * nearest / depth if depth > on_top * nearest else 1.0
+            space.set(_translation(self._pane.eye + shrink * (point - self._pane.eye)))
+
+    def _around_body(self) -> Array:
+        return self._eye + 3.0 * self._body_size * np.vstack([np.eye(3), -np.eye(3)])
+
+
+class _PaneView(NamedTuple):
+    """The pane's own camera.
+
+    Attributes
+    ----------
+    eye : (3,) array
+        Scene-local.
+    axes : (3, 3) array
+        Rows: right, up and toward what it looks at.
+    slope : float
+        Tangent of half the vertical angle of view.
+    """
+
+    eye: Array
+    axes: Array
+    slope: float
+
+
+class _Layout:
+    """Finds free places for labels in the pane, one after the other."""
+
+    def __init__(self, canvas: Canvas, pane: _PaneView) -> None:
+        width_px, height_px = canvas.window.GetSize()
+        self._size_px = max(1, width_px), max(1, height_px)
+        self._em = canvas.style.font_size
+        self._pane = pane
+        self._taken: list[tuple[float, float, float, float]] = []
+
+    def _seen(self, points: Array) -> list[list[float]]:
+        """Pixels from the left and from the bottom, and length per pixel, of local points."""
+        width_px, height_px = self._size_px
+        x, y, depth = self._pane.axes @ (points - self._pane.eye).T
+        unit = np.maximum(depth, 1e-300) * (2.0 * self._pane.slope / height_px)
+        x_px, y_px = width_px / 2.0 + x / unit, height_px / 2.0 + y / unit
+        seen: list[list[float]] = np.stack([x_px, y_px, unit], axis=1)[depth > 0.0].tolist()
+        return seen
+
+    def keep_free(self, points: Array) -> None:
+        """Let no label hide what is drawn at these points, (n, 3)."""
+        half = 0.4 * self._em
+        self._taken += [(x - half, y - half, x + half, y + half) for x, y, _ in self._seen(points)]
+
+    def place(
+        self, label: Label, text: str, points: Array, sides: Sequence[tuple[float, float]]
+    ) -> None:
+        """Put a label beside the first of these points, and on its first side, that is free.
+
+        Parameters
+        ----------
+        label : Label
+            Anchored at its centre.
+        text : str
+            What is written on it.
+        points : (n, 3) array
+        sides : sequence of (float, float)
+            Where the label's box is from the point: -1 to the left of or below, 1 to the right
+            of or above, 0 on it.
+        """
+        half_x, half_y = 0.33 * self._em * (len(text) + 2.2), 0.72 * self._em
+        width_px, height_px = self._size_px
+        best: tuple[float, float, float] | None = None
+        for at_x, at_y, unit in self._seen(points):
+            for side_x, side_y in sides:
+                x = at_x + side_x * (half_x + 0.5 * self._em)
+                y = at_y + side_y * (half_y + 0.5 * self._em)
+                low_x, low_y, high_x, high_y = x - half_x, y - half_y, x + half_x, y + half_y
+                if low_x < 0.0 or low_y < 0.0 or high_x > width_px or high_y > height_px:
+                    continue
+                best = best or (x, y, unit)
+                if all(
+                    low_x >= b[2] or high_x <= b[0] or low_y >= b[3] or high_y <= b[1]
+                    for b in self._taken
+                ):
+                    self._put(label, (x, y, unit))
+                    self._taken.append((low_x, low_y, high_x, high_y))
+                    return
+        label.set_visible(best is not None)
+        if best is not None:
+            self._put(label, best)
+
+    def _put(self, label: Label, place: tuple[float, float, float]) -> None:
+        x, y, unit = place
+        width_px, height_px = self._size_px
+        depth = unit * height_px / (2.0 * self._pane.slope)
+        on_axes = np.array([(x - width_px / 2.0) * unit, (y - height_px / 2.0) * unit, depth])
+        label.set_position(self._pane.eye + on_axes @ self._pane.axes)
+        label.set_visible(True)
+
+
+class Film(NamedTuple):
+    """The picture on the near plane.
+
+    Attributes
+    ----------
+    surface, lines : (4, 4) float64 array
+        Local from local: from the scene to its picture; that of the lines lies a little in front.
+    planes : (6, 4) float64 array
+        Half-spaces ``a x + b y + c z + d >= 0`` of the pane's world, normals of length 1: left,
+        right, bottom, top, near, far. What is outside one of them is not in the picture.
+    """
+
+    surface: Array
+    lines: Array
+    planes: Array
+
+
+def flatten(
+    projection: Projection,
+    origin: Array,
+    depths: tuple[float, float],
+    reach: float,
+    *,
+    toward_eye: bool,
+) -> Film:
+    """Squeeze the scene into a thin slab at the near face, every point along its ray to the eye.
+
+    Parameters
+    ----------
+    projection : Projection
+    origin : (3,) array
+        The scene's; see `Projection.clip_from_world_at`.
+    depths : (float, float)
+        Least and largest distance of anything in the scene from the eye plane, in front (+) or
+        behind (-), in world units. The slab's thickness is spent on them.
+    reach : float
+        A length in world units to which a parallel lens' slab is proportioned.
+    toward_eye : bool
+        On which side of the near plane the slab lies. On the eye's, the nearest is on top, as
+        seen from there; on the other, the nearest is again on top as seen from *there*: a
+        picture looked at from behind is its mirror image, not the things' back sides.
+
+    Returns
+    -------
+    Film
+
+    Notes
+    -----
+    In homogeneous coordinates, with depth 1 at the near and 0 at the far end of what is in the
+    picture: ``flatten: z' = w +- slab z``; x, y and w stay, so that each point keeps its ray.
+    """
+    lens = projection.lens
+    near, far = lens.near, lens.far
+    free = _MARGIN * (depths[1] - depths[0])
+    start = max(near, depths[0] - free)
+    end = max(min(far, depths[1] + free), start + 1e-6 * max(abs(start), free))
+    shallow = replace(projection, lens=replace(lens, near=start, far=end), depth="reversed")
+    clip_from_local = shallow.clip_from_world_at(origin)
+    perspective = isinstance(lens, Perspective)
+    beyond = math.inf if perspective else near + reach
+    film_lens = replace(lens, near=near, far=beyond)
+    film = replace(projection, lens=film_lens, depth="reversed")
+    local_from_film = film.world_from_clip_at(origin)
+    film_from_local = film.clip_from_world_at(origin)
+    slab = SLAB if toward_eye else -SLAB
+
+    squeeze = np.eye(4)
+    squeeze[2] = 0.0, 0.0, slab, 1.0
+    lifted = squeeze.copy()
+    lifted[2, 3] += slab * _LINES_IN_FRONT
+    x, y, z, w = film_from_local
+    side = 1.0 if toward_eye else -1.0
+    planes = np.array([w + x, w - x, w + y, w - y, SLAB * w - side * (z - w), side * (z - w)])
+    planes /= np.linalg.norm(planes[:, :3], axis=1, keepdims=True)
+    return Film(
+        _normalised(local_from_film @ squeeze @ clip_from_local),
+        _normalised(local_from_film @ lifted @ clip_from_local),
+        planes,
+    )
+
+
+# --------------------------------------------------------------------------- matrices
+
+
+def _translation(offset: Array) -> Array:
+    matrix = np.eye(4)
+    matrix[:3, 3] = offset
+    return matrix
+
+
+def _scaled(local_from_view: Array, size: float) -> Array:
+    matrix = local_from_view.copy()
+    matrix[:3, :3] *= size
+    return matrix
+
+
+def _normalised(matrix: Array) -> Array:
+    """The same projective matrix with entries that float32 can hold."""
+    result: Array = matrix / np.abs(matrix).max()
+    return result
+
+
+def _applied(matrix: Array, points: Array) -> Array:
+    homogeneous = np.column_stack([points, np.ones(len(points))]) @ matrix.T
+    result: Array = homogeneous[:, :3] / homogeneous[:, 3:]
+    return result
+
+
+# --------------------------------------------------------------------------- shapes
+
+
+def _box_corners(lower: Any, upper: Any) -> Array:
+    """The eight corners of a box, (8, 3)."""
+    lower, upper = np.asarray(lower, dtype=np.float64), np.asarray(upper, dtype=np.float64)
+    corners: Array = lower + (upper - lower) * ((actors.CUBE_CORNERS + 1.0) / 2.0)
+    return corners
+
+
+def _camera_body() -> tuple[Array, list[tuple[int, ...]], list[tuple[int, ...]]]:
+    """A box with a lens hood and a viewfinder, in view space: the eye in the hood's mouth.
+
+    Returns
+    -------
+    points : (n, 3) array
+    faces, edges : lists of tuples of int
+    """
+    points: list[tuple[float, float, float]] = []
+    faces: list[tuple[int, ...]] = []
+    edges: list[tuple[int, ...]] = []
+    sections = (
+        ((0.4, 0.3, 0.0), (0.2, 0.15, 0.5)),  # hood: half width, half height, distance behind
+        ((0.6, 0.42, 0.5), (0.6, 0.42, 1.4)),  # box
+    )
+    for front, back in sections:
+        first = len(points)
+        for half_width, half_height, z in (front, back):
+            points += [
+                (sx * half_width, sy * half_height, z)
+                for sx, sy in ((-1, -1), (1, -1), (1, 1), (-1, 1))
+            ]
+        quads = [*_SIDES, _FAR_FACE] if not faces else [_NEAR_FACE, *_SIDES, _FAR_FACE]
+        faces += [tuple(first + i for i in quad) for quad in quads]
+        edges += [tuple(first + i for i in line) for line in actors.CUBE_EDGES]
+    first = len(points)
+    for z in (0.65, 1.25):
+        points += [(-0.3, 0.42, z), (0.3, 0.42, z), (0.0, 0.75, z)]
+    prism = [(0, 1, 2), (3, 4, 5), (0, 2, 5, 3), (1, 2, 5, 4)]
+    faces += [tuple(first + i for i in face) for face in prism]
+    edges += [tuple(first + i for i in line) for line in ((0, 1, 2, 0), (3, 4, 5, 3), (2, 5))]
+    return np.array(points), faces, edges
+
+
+def _arrow(tip: Array, colour: str, width: float) -> tuple[vtkActor, vtkActor]:
+    """A line from the origin along an axis, and its pointed head."""
+    neck, radius = 0.82 * tip, 0.06 * float(np.linalg.norm(tip))
+    along = tip / np.linalg.norm(tip)
+    one, two = np.roll(along, 1), np.roll(along, 2)
+    angles = np.arange(12) * (2.0 * math.pi / 12)
+    ring = neck + radius * (np.outer(np.cos(angles), one) + np.outer(np.sin(angles), two))
+    faces = [(0, 1 + i, 1 + (i + 1) % 12) for i in range(12)] + [tuple(range(12, 0, -1))]
+    shaft = actors.line_actor(np.stack([0.0 * tip, neck]), [(0, 1)], colour, width)
+    return shaft, actors.face_actor(np.vstack([tip, ring]), faces, colour)
+
+
+def _broken_edges() -> tuple[Array, list[tuple[int, ...]]]:
+    """The four edges of the cube from near to far, dashed, with a zigzag where they are broken.
+
+    Returns
+    -------
+    points : (n, 3) array
+    lines : list of tuples of int
+    """
+    dashes = [(0.0, 0.12), (0.56, 0.68), (0.78, 0.9)]
+    zigzag = [(0.12, 0.0), (0.17, 1.0), (0.25, -1.0), (0.33, 1.0), (0.41, -1.0), (0.46, 0.0)]
+    points: list[tuple[float, float, float]] = []
+    lines: list[tuple[int, ...]] = []
+    for x, y, _ in _CUBE[:4]:
+        for strokes in ([(t, 0.0) for t in dash] for dash in dashes):
+            lines.append((len(points), len(points) + 1))
+            points += [(x, y, 1.0 - t) for t, _ in strokes]
+        lines.append(tuple(range(len(points), len(points) + len(zigzag))))
+        for t, across in zigzag:
+            outward = 1.0 + 0.05 * across
+            points.append((x * outward, y * outward, 1.0 - t))
+    return np.array(points), lines
+
+
+def _distance(value: float) -> str:
+    """A distance as a label says it: 1, 0.025, 1e+06, the sign for infinity."""
+    if math.isinf(value):
+        return "\N{INFINITY}"
+    return f"{value:.0f}" if 1e4 <= abs(value) < 1e6 else f"{value:.4g}"
