@@ -50,6 +50,10 @@ CUBE_EDGES = (
 
 _DPI = 72  # at which VTK's points are pixels
 _VTK_FONT_FILE = 4
+_KEEP_OFF_ZERO = """
+  float least = 1e-9 * (abs(gl_Position.x) + abs(gl_Position.y));
+  if (abs(gl_Position.w) < least) gl_Position.w = gl_Position.w < 0.0 ? -least : least;"""
+# VTK's wide lines divide by the w of both ends: a line that ends exactly beside the eye is lost.
 _LIFT = 2e-3  # of the distance
 _LIFT_STEP = 6e-4  # in NDC of the pane's own camera
 
@@ -301,6 +305,7 @@ def scene_actors(
     lines = None if scene.lines is None else unlit_actor(scene.lines)
     if lines is not None:
         lines.GetProperty().SetLineWidth(style.line_width)
+        _after_position(lines, _KEEP_OFF_ZERO)
     planes = list(clip)
     for actor in (surface, lines):
         if actor is not None:
@@ -374,6 +379,7 @@ def line_actor(
     actor = unlit_actor(pv.PolyData(np.array(points, dtype=np.float64), lines=cells))
     actor.GetProperty().SetColor(*rgb(colour))
     actor.GetProperty().SetLineWidth(width)
+    _after_position(actor, _KEEP_OFF_ZERO)
     return actor
 
 
@@ -424,7 +430,9 @@ def lift_lines(actor: vtkActor, steps: int = 1) -> None:
     clipping range; under the model's camera use `lifted`. Moving vertices costs nothing, where
     VTK's own offset writes every fragment's depth and is one setting for the whole process.
     """
-    _after_position(actor, f"gl_Position.z -= {_LIFT_STEP * steps} * gl_Position.w;")
+    _after_position(
+        actor, f"{_KEEP_OFF_ZERO}\n  gl_Position.z -= {_LIFT_STEP * steps} * gl_Position.w;"
+    )
 
 
 def put_behind(actor: vtkActor) -> None:
@@ -433,7 +441,7 @@ def put_behind(actor: vtkActor) -> None:
 
 
 def _after_position(actor: vtkActor, statement: str) -> None:
-    """Add a statement to the vertex shader, behind VTK's own that make `gl_Position`."""
+    """Let a statement of the vertex shader follow VTK's own that make `gl_Position`."""
     position = "//VTK::PositionVC::Impl"
     actor.GetShaderProperty().AddVertexShaderReplacement(
         position, True, f"{position}\n  {statement}\n", False

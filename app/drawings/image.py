@@ -101,7 +101,7 @@ class ImageDrawing:
         """Take everything out of the plotter again."""
         self._canvas.remove()
         self._canvas.window.RemoveRenderer(self._picture)
-        self._canvas.window.SetNumberOfLayers(1)
+        self._canvas.window.SetNumberOfLayers(self._layers)
         self._canvas.renderer.SetActiveCamera(self._own_camera)
 
     # -- made once
@@ -114,7 +114,8 @@ class ImageDrawing:
         picture.SetLayer(1)
         picture.PreserveColorBufferOff()  # a layer above the first is transparent otherwise
         picture.InteractiveOff()
-        self._canvas.window.SetNumberOfLayers(2)
+        self._layers = self._canvas.window.GetNumberOfLayers()
+        self._canvas.window.SetNumberOfLayers(max(2, self._layers))
         self._canvas.window.AddRenderer(picture)
         surface, lines = scene_actors(self._scene, self._style)
         for actor, space in ((surface, self._surface_space), (lines, self._line_space)):
