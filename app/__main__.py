@@ -27,9 +27,9 @@ def need_of(arguments: Sequence[str]) -> bootstrap.Need:
 def main() -> int:
     """Set up, run the command line, return its exit status."""
     bootstrap.start(need_of(sys.argv[1:]))
-    from app import cli  # only now are its imports sure to be there
+    from app.cli import main as run  # only now are its imports sure to be there
 
-    return cli.main(sys.argv[1:])
+    return run(sys.argv[1:])
 
 
 if __name__ == "__main__":

@@ -27,6 +27,7 @@ import os
 import re
 import shlex
 import shutil
+import signal
 import subprocess
 import sys
 import time
@@ -493,8 +494,9 @@ def _last_line(lines: Iterable[str], start: str = "") -> str:
 class Held:
     """A held lock, which programs started under it hold too.
 
-    When a set-up is killed its pip may live on for a while. As pip inherited the open lock file,
-    the lock is free only when pip is gone too, and the next start cannot get in its way.
+    When a set-up is killed its pip may live on for a while (not on Linux, where it goes too). As
+    pip inherited the open lock file, the lock is free only when pip is gone, and the next start
+    cannot get in its way.
     """
 
     def __init__(self, file: IO[bytes]) -> None:
@@ -514,6 +516,7 @@ class Held:
             text=True,
             errors="replace",
             pass_fds=() if sys.platform == "win32" else (self._file.fileno(),),
+            preexec_fn=None if sys.platform == "win32" else die_with_parent,
         ) as process:
             assert process.stdout is not None
             try:
@@ -523,6 +526,13 @@ class Held:
                 process.kill()
                 raise
         return process.returncode
+
+
+def die_with_parent() -> None:
+    """Let a child process, before it becomes another program, end when its parent is killed."""
+    if sys.platform.startswith("linux"):  # nobody else knows how
+        pr_set_pdeathsig = 1
+        ctypes.CDLL(None).prctl(pr_set_pdeathsig, signal.SIGTERM)
 
 
 @contextlib.contextmanager

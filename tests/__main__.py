@@ -7,7 +7,6 @@ pytest's own, and so is the last line. ruff and mypy are tests like the others (
 from __future__ import annotations
 
 import contextlib
-import ctypes
 import os
 import signal
 import subprocess
@@ -39,7 +38,7 @@ def screen() -> Iterator[dict[str, str]]:
             pass_fds=(writing,),
             stdout=said,
             stderr=said,
-            preexec_fn=die_with_parent,
+            preexec_fn=bootstrap.die_with_parent,
         )
         try:
             os.close(writing)
@@ -56,13 +55,6 @@ def screen() -> Iterator[dict[str, str]]:
             server.wait()
 
 
-def die_with_parent() -> None:
-    """Even a test run that is killed outright leaves nothing behind; only Linux knows how."""
-    if sys.platform.startswith("linux"):
-        pr_set_pdeathsig = 1
-        ctypes.CDLL(None).prctl(pr_set_pdeathsig, signal.SIGTERM)
-
-
 def _stop(_signal: int, _frame: FrameType | None) -> None:
     raise SystemExit(128 + signal.SIGTERM)
 
@@ -73,7 +65,7 @@ def main() -> int:
     signal.signal(signal.SIGTERM, _stop)
     with screen() as environment:
         command = [sys.executable, "-m", "pytest", *sys.argv[1:]]
-        before = None if sys.platform == "win32" else die_with_parent
+        before = None if sys.platform == "win32" else bootstrap.die_with_parent
         with subprocess.Popen(
             command, cwd=bootstrap.ROOT, env=environment, preexec_fn=before
         ) as pytest:
