@@ -465,7 +465,8 @@ class Controls(QScrollArea):
         try:
             projection = binding.write(self._projection, value)
         except ProjectionError as error:
-            binding.row.show_error(sentence(seen_from(binding.field, value, error)))
+            seen = seen_from(binding.field, binding.row.name, value, error)
+            binding.row.show_error(sentence(seen))
             # After the layout has made room for it, and only if it is still there.
             QTimer.singleShot(0, self, partial(self._reveal, binding.row))
         else:

@@ -15,9 +15,11 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
 from app.document import DocumentError
 from app.projection import (
     BOTTOM_BEFORE_TOP,
+    FINITE_NUMBER,
     LEFT_BEFORE_RIGHT,
     NEAR_BEFORE_FAR,
     NOT_THE_EYE,
+    THREE_NUMBERS,
     ProjectionError,
     format_value,
 )
@@ -127,7 +129,7 @@ def number_text(value: float) -> str:
 
 def _value_text(value: object) -> str:
     if isinstance(value, str):
-        return f"“{value}”"
+        return f"“{value if len(value) <= 40 else value[:37] + '...'}”"
     if isinstance(value, numbers.Real) and not isinstance(value, bool):
         return number_text(float(value))
     return format_value(value)
@@ -161,23 +163,26 @@ _OTHER_SIDE = {
 }
 
 
-def seen_from(field: str, value: float, error: ProjectionError) -> ProjectionError:
-    """Turn an error about a pair of fields so that it speaks of the one that was edited.
+def seen_from(field: str, name: str, value: float, error: ProjectionError) -> ProjectionError:
+    """Turn an error so that it speaks of what was edited.
 
-    The core says "near must be less than far" whichever of the two was moved.
+    The core says "near must be less than far" whichever of the two was moved, and shows a whole
+    vector for the one component that is not a number.
 
     Parameters
     ----------
-    field : str
-        The edited field.
+    field, name : str
+        The edited field, and what its row is called.
     value : float
         What it was to become.
     error : ProjectionError
         What the core answered.
     """
     if (field, error.bound) in _OTHER_SIDE:
-        near_value = _value_text(error.value)
-        return ProjectionError(field, value, _OTHER_SIDE[field, error.bound], near_value)
+        lower = _value_text(error.value)
+        return ProjectionError(field, value, _OTHER_SIDE[field, error.bound], lower)
     if field == "eye" and error.bound == NOT_THE_EYE:
         return ProjectionError("eye", error.value, NOT_THE_TARGET)
+    if error.bound == THREE_NUMBERS:
+        return ProjectionError(name, value, FINITE_NUMBER)
     return error

@@ -155,8 +155,10 @@ class Linear:
 
     def position_of(self, value: float) -> int:
         """The nearest slider position; the ends for values beyond them."""
-        if math.isinf(value):
-            return self.last if value > 0 else 0
+        if value <= self.low:
+            return 0
+        if value >= self.high:
+            return self.last
         return min(max(round(value / self.step - self._first), 0), self.last)
 
 

@@ -1,0 +1,1063 @@
+"""The control column with real widgets, both ways: the user's action out, the model's value in."""
+
+from __future__ import annotations
+
+import ast
+import inspect
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Any
+
+import pytest
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QInputMethodEvent, QWheelEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QComboBox, QLineEdit, QSlider, QToolButton
+
+from app import document, projection
+from app.document import DocumentError
+from app.projection import (
+    LARGEST,
+    Camera,
+    Orbit,
+    Orthographic,
+    Perspective,
+    Projection,
+    ProjectionError,
+    fov_x_from_fov_y,
+)
+from widgets import messages
+from widgets.controls import Controls
+from widgets.messages import sentence
+from widgets.rows import ChoiceRow, Linear, Log, NumberRow, parse_number, short_text
+
+START = Projection(Camera((6.0, 5.0, 9.0), (0.0, 2.0, 0.0)), Perspective(45.0, 1.0, 30.0))
+BOX = replace(START, lens=Orthographic(-4.0, 4.0, -3.0, 3.0, 1.0, 30.0))
+KEY = Qt.Key
+
+
+class Record:
+    """What the column says, in order."""
+
+    def __init__(self, controls: Controls) -> None:
+        self.edits: list[Projection] = []
+        self.events: list[str] = []
+        controls.edited.connect(self._edited)
+        controls.gesture_started.connect(lambda: self.events.append("start"))
+        controls.gesture_finished.connect(lambda: self.events.append("finish"))
+
+    def _edited(self, edit: Projection) -> None:
+        self.edits.append(edit)
+        self.events.append("edit")
+
+
+@pytest.fixture
+def controls(display: Any, qtbot: Any) -> Iterator[Controls]:
+    column = Controls()
+    qtbot.addWidget(column)
+    column.resize(320, 900)
+    column.set_scene(6.0, START)
+    column.show_projection(START)
+    column.show()
+    qtbot.waitExposed(column)
+    column.activateWindow()
+    qtbot.waitUntil(column.isActiveWindow)
+    yield column
+
+
+@pytest.fixture
+def record(controls: Controls) -> Record:
+    return Record(controls)
+
+
+def number(controls: Controls, key: str) -> NumberRow:
+    row = controls.rows[key]
+    assert isinstance(row, NumberRow)
+    return row
+
+
+def choice(controls: Controls, key: str) -> ChoiceRow:
+    row = controls.rows[key]
+    assert isinstance(row, ChoiceRow)
+    return row
+
+
+def enter(row: NumberRow, text: str) -> None:
+    """Type over what the field holds, and press Return."""
+    row.field.setFocus()
+    row.field.selectAll()
+    QTest.keyClick(row.field, KEY.Key_Delete)
+    if text.isascii():
+        QTest.keyClicks(row.field, text)
+    else:  # as an input method hands it over
+        event = QInputMethodEvent()
+        event.setCommitString(text)
+        QApplication.sendEvent(row.field, event)
+    QTest.keyClick(row.field, KEY.Key_Return)
+
+
+def handle(slider: QSlider) -> QPoint:
+    """Where the slider's handle is."""
+    from PySide6.QtWidgets import QStyle, QStyleOptionSlider
+
+    option = QStyleOptionSlider()
+    slider.initStyleOption(option)
+    part = QStyle.SubControl.SC_SliderHandle
+    control = QStyle.ComplexControl.CC_Slider
+    return slider.style().subControlRect(control, option, part, slider).center()
+
+
+def press(slider: QSlider) -> QPoint:
+    place = handle(slider)
+    QTest.mousePress(slider, Qt.MouseButton.LeftButton, pos=place)
+    assert slider.isSliderDown()
+    return place
+
+
+def drag(slider: QSlider, position: int) -> None:
+    """Move the pressed slider to a position, as the mouse does."""
+    slider.setSliderPosition(position)
+
+
+def release(slider: QSlider) -> None:
+    QTest.mouseRelease(slider, Qt.MouseButton.LeftButton, pos=handle(slider))
+    assert not slider.isSliderDown()
+
+
+def in_mode(controls: Controls, key: str) -> None:
+    """Bring the row into view: the right lens and the right camera mode."""
+    if key in ("left", "right", "bottom", "top", "keep"):
+        controls.show_projection(BOX)
+    if key[-2:] in ("_x", "_y", "_z"):
+        choice(controls, "camera_mode").choose("vectors")
+
+
+# What the user types into each row, what the model becomes, and the text of another value that
+# the model is given from elsewhere.
+NUMBERS: dict[str, tuple[str, Any, Projection, str]] = {
+    "fov_y_deg": (
+        "60",
+        lambda p: p.lens == Perspective(60.0, 1.0, 30.0),
+        replace(START, lens=Perspective(30.5, 1.0, 30.0)),
+        "30.5",
+    ),
+    "fov_x_deg": (
+        "90",
+        # tan(fov_y/2) = tan(45)/aspect = 9/16
+        lambda p: math.isclose(p.lens.fov_y_deg, math.degrees(2 * math.atan(9 / 16))),
+        replace(START, lens=Perspective(math.degrees(2 * math.atan(9 / 16)), 1.0, 30.0)),
+        "90",
+    ),
+    "focal_length_mm": (
+        "50",
+        # half the film's diagonal over 50 mm, shared out 9 : hypot(16, 9)
+        lambda p: math.isclose(
+            math.tan(math.radians(p.lens.fov_y_deg / 2)),
+            math.hypot(36, 24) / 2 / 50 * 9 / math.hypot(16, 9),
+        ),
+        replace(START, lens=Perspective(30.0, 1.0, 30.0)),
+        "39.582",  # 21.6333 * cot(15) * 9 / hypot(16, 9)
+    ),
+    "near": (
+        "0.125",
+        lambda p: p.lens == Perspective(45.0, 0.125, 30.0),
+        replace(START, lens=Perspective(45.0, 2.5, 30.0)),
+        "2.5",
+    ),
+    "far": (
+        "1e3",
+        lambda p: p.lens == Perspective(45.0, 1.0, 1000.0),
+        replace(START, lens=Perspective(45.0, 1.0, math.inf)),
+        "∞",
+    ),
+    "left": ("-5", lambda p: p.lens.left == -5.0, replace(BOX, lens=Orthographic(-1.5)), "-1.5"),
+    "right": (
+        "5",
+        lambda p: p.lens.right == 5.0,
+        replace(BOX, lens=replace(BOX.lens, right=1.5)),
+        "1.5",
+    ),
+    "bottom": (
+        "-5",
+        lambda p: p.lens.bottom == -5.0,
+        replace(BOX, lens=replace(BOX.lens, bottom=-1.5)),
+        "-1.5",
+    ),
+    "top": (
+        "5",
+        lambda p: p.lens.top == 5.0,
+        replace(BOX, lens=replace(BOX.lens, top=1.5)),
+        "1.5",
+    ),
+    "azimuth_deg": (
+        "90",  # the +x side, at the same height and distance
+        lambda p: (
+            p.camera.eye[:2] == pytest.approx((math.hypot(6, 9), 5.0))
+            and p.camera.eye[2] == pytest.approx(0.0, abs=1e-12)
+        ),
+        replace(START, camera=Camera((0.0, 2.0, 7.0), (0.0, 2.0, 0.0))),
+        "0",
+    ),
+    "elevation_deg": (
+        "0",
+        lambda p: p.camera.eye[1] == 2.0 and math.isclose(p.camera.distance, math.sqrt(126)),
+        replace(START, camera=Camera((0.0, 9.0, 7.0), (0.0, 2.0, 0.0))),
+        "45",
+    ),
+    "distance": (
+        "20",
+        lambda p: math.isclose(p.camera.distance, 20.0) and p.camera.target == (0.0, 2.0, 0.0),
+        replace(START, camera=Camera((0.0, 2.0, 7.0), (0.0, 2.0, 0.0))),
+        "7",
+    ),
+    "roll_deg": (
+        "90",  # the camera's v was the old u
+        lambda p: p.camera.frame[1] == pytest.approx(START.camera.frame[0]),
+        replace(START, camera=Camera((0.0, 2.0, 7.0), (0.0, 2.0, 0.0), (1.0, 0.0, 0.0))),
+        "90",
+    ),
+    "width": (
+        "640",
+        lambda p: p.image_size == (640, 720),
+        replace(START, image_size=(99, 9)),
+        "99",
+    ),
+    "height": (
+        "400",
+        lambda p: p.image_size == (1280, 400),
+        replace(START, image_size=(99, 9)),
+        "9",
+    ),
+    **{
+        f"{vector}_{letter}": (
+            "7.5",
+            lambda p, vector=vector, axis=axis: getattr(p.camera, vector)[axis] == 7.5,
+            replace(START, camera=Camera((1.5, 2.5, 3.5), (-1.5, -2.5, -3.5), (0.5, 0.6, 0.7))),
+            texts[axis],
+        )
+        for vector, texts in (
+            ("eye", ("1.5", "2.5", "3.5")),
+            ("target", ("-1.5", "-2.5", "-3.5")),
+            ("up", ("0.5", "0.6", "0.7")),
+        )
+        for axis, letter in enumerate("xyz")
+    },
+}
+
+CHOICES: dict[str, tuple[str, Any, Projection]] = {
+    "kind": ("orthographic", lambda p: p.lens.kind == "orthographic", BOX),
+    "keep": ("x", lambda p: p.lens.keep == "x", replace(BOX, lens=replace(BOX.lens, keep="x"))),
+    "aspect": ("4:3", lambda p: p.image_size == (960, 720), replace(START, image_size=(96, 72))),
+    "depth": ("reversed", lambda p: p.depth == "reversed", replace(START, depth="reversed")),
+}
+
+
+def test_the_tables_name_every_row(controls: Controls) -> None:
+    assert {*NUMBERS, *CHOICES, "camera_mode"} == set(controls.rows)
+
+
+# -- one user's action is one edit; a shown projection is none
+
+
+@pytest.mark.parametrize("key", NUMBERS)
+def test_a_typed_number_is_one_edit(controls: Controls, key: str) -> None:
+    in_mode(controls, key)
+    record = Record(controls)
+    text, holds, _, _ = NUMBERS[key]
+    enter(number(controls, key), text)
+    assert record.events == ["start", "edit", "finish"]
+    assert holds(record.edits[0]), record.edits[0]
+    assert number(controls, key).field.text() == messages.number_text(float(text))
+
+
+@pytest.mark.parametrize("key", NUMBERS)
+def test_a_shown_projection_writes_each_row_and_says_nothing(controls: Controls, key: str) -> None:
+    in_mode(controls, key)
+    record = Record(controls)
+    _, _, shown, text = NUMBERS[key]
+    row = number(controls, key)
+    controls.show_projection(shown)
+    assert row.field.text() == text
+    assert not row.isHidden()
+    if row.slider.minimum() < row.slider.value() < row.slider.maximum():
+        scale = row._scale
+        near_by = scale.value_at(row.slider.value())
+        assert abs(near_by - row.value()) <= abs(scale.value_at(row.slider.value() + 1) - near_by)
+    assert record.events == []
+
+
+@pytest.mark.parametrize("key", CHOICES)
+def test_a_chosen_thing_is_one_edit(controls: Controls, key: str) -> None:
+    in_mode(controls, key)
+    record = Record(controls)
+    wanted, holds, _ = CHOICES[key]
+    row = choice(controls, key)
+    widget = row.widgets[0]
+    if isinstance(widget, QComboBox):
+        widget.setFocus()
+        while row._keys[widget.currentIndex()] != wanted:
+            QTest.keyClick(widget, KEY.Key_Down)
+        assert record.edits and record.events[-3:] == ["start", "edit", "finish"]
+    else:
+        QTest.mouseClick(row.widgets[row._keys.index(wanted)], Qt.MouseButton.LeftButton)
+        assert record.events == ["start", "edit", "finish"]
+    assert holds(record.edits[-1])
+
+
+@pytest.mark.parametrize("key", CHOICES)
+def test_a_shown_choice_says_nothing(controls: Controls, key: str) -> None:
+    in_mode(controls, key)
+    record = Record(controls)
+    wanted, _, shown = CHOICES[key]
+    controls.show_projection(shown)
+    row = choice(controls, key)
+    widget = row.widgets[0]
+    if isinstance(widget, QComboBox):
+        assert widget.currentIndex() == row._keys.index(wanted)
+    else:
+        checked = [b.isChecked() for b in row.widgets if isinstance(b, QToolButton)]
+        assert checked == [key == wanted for key in row._keys]
+    assert record.events == []
+
+
+def test_an_aspect_that_is_no_preset_chooses_none(controls: Controls) -> None:
+    controls.show_projection(replace(START, image_size=(1000, 999)))
+    buttons = choice(controls, "aspect").widgets
+    assert not any(b.isChecked() for b in buttons if isinstance(b, QToolButton))
+    controls.show_projection(replace(START, image_size=(999, 999)))
+    assert [b.isChecked() for b in buttons if isinstance(b, QToolButton)] == [True, False, False]
+
+
+def test_the_controls_show_their_own_edit_before_they_tell_of_it(controls: Controls) -> None:
+    texts = []
+    controls.edited.connect(lambda _edit: texts.append(number(controls, "fov_x_deg").field.text()))
+    enter(number(controls, "fov_y_deg"), "90")
+    assert texts == [short_text(fov_x_from_fov_y(90.0, 16 / 9))]
+
+
+def test_no_echo_when_the_owner_shows_the_edit_again(controls: Controls, record: Record) -> None:
+    controls.edited.connect(controls.show_projection)
+    controls.edited.connect(lambda edit: controls.show_projection(replace(edit)))
+    enter(number(controls, "near"), "2")
+    assert len(record.edits) == 1
+
+
+def test_switching_the_camera_mode_is_no_edit(controls: Controls, record: Record) -> None:
+    buttons = choice(controls, "camera_mode").widgets
+    QTest.mouseClick(buttons[1], Qt.MouseButton.LeftButton)
+    assert number(controls, "azimuth_deg").isHidden()
+    assert number(controls, "eye_x").field.text() == "6"
+    QTest.mouseClick(buttons[0], Qt.MouseButton.LeftButton)
+    assert number(controls, "eye_x").isHidden() and not number(controls, "distance").isHidden()
+    assert record.events == []
+
+
+# -- sliders
+
+
+@pytest.mark.parametrize("key", NUMBERS)
+@pytest.mark.parametrize("end", [KEY.Key_Home, KEY.Key_End])
+def test_every_slider_goes_to_its_ends(controls: Controls, key: str, end: Qt.Key) -> None:
+    """The model stays valid, or the row says why not; never an exception, never silence."""
+    in_mode(controls, key)
+    record = Record(controls)
+    row = number(controls, key)
+    row.slider.setFocus()
+    QTest.keyClick(row.slider, end)
+    QTest.keyClick(row.slider, KEY.Key_Up if end == KEY.Key_Home else KEY.Key_Down)
+    row.finish_gesture()
+    assert record.edits or row.error
+    holds = controls.projection
+    assert row.value() == pytest.approx(controls._bindings[key].read(holds))
+    assert row.slider.value() == row._scale.position_of(row.value())
+
+
+def test_a_drag_is_one_gesture(controls: Controls, record: Record) -> None:
+    slider = number(controls, "fov_y_deg").slider
+    press(slider)
+    for position in (100, 110, 120):
+        drag(slider, position)
+    release(slider)
+    assert record.events == ["start", "edit", "edit", "edit", "finish"]
+    assert [edit.lens.fov_y_deg for edit in record.edits] == [51.0, 56.0, 61.0]
+
+
+def test_the_mouse_itself_moves_the_slider(controls: Controls, record: Record) -> None:
+    slider = number(controls, "fov_y_deg").slider
+    place = press(slider)
+    QTest.mouseMove(slider, place + QPoint(20, 0))
+    QApplication.processEvents()
+    release(slider)
+    assert record.events[0] == "start" and record.events[-1] == "finish"
+    assert record.edits[-1].lens.fov_y_deg > 60.0
+
+
+def test_a_burst_of_keys_is_one_gesture(controls: Controls, record: Record, qtbot: Any) -> None:
+    row = number(controls, "azimuth_deg")
+    row.slider.setFocus()
+    with qtbot.waitSignal(controls.gesture_finished):
+        for _ in range(3):
+            QTest.keyClick(row.slider, KEY.Key_Right)
+    assert record.events == ["start", "edit", "edit", "edit", "finish"]
+
+
+def test_a_burst_ends_when_another_row_is_taken(controls: Controls, record: Record) -> None:
+    number(controls, "azimuth_deg").slider.setFocus()
+    QTest.keyClick(number(controls, "azimuth_deg").slider, KEY.Key_Right)
+    enter(number(controls, "near"), "2")
+    assert record.events == ["start", "edit", "finish", "start", "edit", "finish"]
+
+
+def wheel(slider: QSlider) -> None:
+    centre = QPointF(slider.rect().center())
+    event = QWheelEvent(
+        centre,
+        slider.mapToGlobal(centre),
+        QPoint(),
+        QPoint(0, 120),
+        Qt.MouseButton.NoButton,
+        Qt.KeyboardModifier.NoModifier,
+        Qt.ScrollPhase.NoScrollPhase,
+        False,
+    )
+    QApplication.sendEvent(slider, event)
+
+
+def test_the_wheel_scrolls_the_column_unless_the_slider_has_the_focus(
+    controls: Controls, record: Record
+) -> None:
+    slider = number(controls, "roll_deg").slider
+    number(controls, "near").field.setFocus()
+    wheel(slider)
+    assert record.edits == []
+    slider.setFocus()
+    wheel(slider)
+    assert len(record.edits) == 1 and record.edits[0].camera.orbit.roll_deg > 0.0
+
+
+def test_arrow_keys_in_the_field_move_the_slider(controls: Controls, record: Record) -> None:
+    row = number(controls, "fov_y_deg")
+    row.field.setFocus()
+    QTest.keyClick(row.field, KEY.Key_Up)
+    QTest.keyClick(row.field, KEY.Key_PageDown)
+    assert [edit.lens.fov_y_deg for edit in record.edits] == [45.5, 40.5]
+    assert row.field.text() == "40.5"
+
+
+def test_far_reaches_infinity_at_the_end_of_its_slider(controls: Controls, record: Record) -> None:
+    row = number(controls, "far")
+    row.slider.setFocus()
+    QTest.keyClick(row.slider, KEY.Key_End)
+    assert record.edits[-1].lens.far == math.inf and row.field.text() == "∞"
+    QTest.keyClick(row.slider, KEY.Key_Down)
+    assert record.edits[-1].lens.far == pytest.approx(6e9, rel=0.03)  # 1e9 of the scene's size
+
+
+def test_near_and_far_are_logarithmic_over_the_range_of_the_scene(controls: Controls) -> None:
+    for name in ("near", "far"):
+        scale = number(controls, name)._scale
+        assert scale.value_at(0) == pytest.approx(6e-6, rel=0.03)
+        middle = scale.value_at(scale.last // 2)
+        assert middle == pytest.approx(math.sqrt(6e-6 * 6e9), rel=0.1)
+
+
+def test_a_box_has_even_sliders_and_no_infinity(controls: Controls) -> None:
+    controls.show_projection(BOX)
+    record = Record(controls)
+    enter(number(controls, "near"), "-12")
+    assert record.edits[-1].lens.near == -12.0
+    enter(number(controls, "far"), "inf")
+    assert number(controls, "far").error.endswith("Far = ∞: must be a finite number.")
+    row = number(controls, "far")
+    row.slider.setFocus()
+    QTest.keyClick(row.slider, KEY.Key_End)
+    assert record.edits[-1].lens.far == 60.0
+
+
+def test_an_impossible_place_of_the_slider_is_explained_and_left_on_release(
+    controls: Controls, record: Record
+) -> None:
+    row = number(controls, "near")
+    start = row.slider.value()
+    press(row.slider)
+    drag(row.slider, row._scale.position_of(20.0))
+    drag(row.slider, row._scale.position_of(100.0))
+    held = row.slider.value()
+    assert "Near = 100: must be less than far, which is 30." in row.error
+    assert held == row._scale.position_of(100.0) and row.field.text() == "100"
+    assert len(record.edits) == 1
+    kept = record.edits[0].lens.near
+    assert controls.projection.lens.near == row.value() == kept == 20.0
+    release(row.slider)
+    assert start < row.slider.value() == row._scale.position_of(kept) < held
+    assert row.field.text() == "20"
+    assert record.events == ["start", "edit", "finish"]
+
+
+def test_dragging_back_to_a_possible_place_takes_the_sentence_away(controls: Controls) -> None:
+    row = number(controls, "near")
+    press(row.slider)
+    drag(row.slider, row.slider.maximum())
+    assert row.error
+    drag(row.slider, row._scale.position_of(2.0))
+    assert not row.error
+    release(row.slider)
+
+
+def test_the_model_does_not_move_a_slider_in_the_users_hand(
+    controls: Controls, record: Record
+) -> None:
+    row = number(controls, "fov_y_deg")
+    press(row.slider)
+    drag(row.slider, 100)
+    other = replace(controls.projection, lens=Perspective(51.0000000001, 1.0, 30.0))
+    controls.show_projection(other)
+    assert (row.slider.value(), row.field.text()) == (100, "51")
+    controls.show_projection(replace(other, lens=Perspective(20.0, 1.0, 30.0)))
+    assert row.slider.value() == 100
+    release(row.slider)
+    assert row.field.text() == "20" and row.slider.value() == row._scale.position_of(20.0)
+    assert len(record.edits) == 1
+
+
+@pytest.mark.parametrize(
+    "scale",
+    [
+        Log(6e-6, 6e9, infinite=True),
+        Log(6e-2, 6e3, per_decade=100),
+        Linear(1.0, 179.0, 0.5),
+        Linear.about(1e7, 12.0),
+        Linear.about(0.0, 1e-200),
+        Linear.about(2.2, 23.0),
+        Linear.about(-1e130, 1e140),
+    ],
+    ids=repr,
+)
+def test_slider_positions_and_values_answer_each_other(scale: Any) -> None:
+    values = [scale.value_at(position) for position in range(scale.last + 1)]
+    assert values == sorted(set(values))
+    assert [scale.position_of(value) for value in values] == list(range(scale.last + 1))
+    assert scale.position_of(-1e200) == 0 and scale.position_of(math.inf) == scale.last
+    if isinstance(scale, Log):
+        assert all(value == float(f"{value:.2e}") for value in values)  # three digits
+
+
+def test_linear_values_are_decimal_to_the_eye() -> None:
+    scale = Linear.about(0.0, 1.0)
+    values = [scale.value_at(position) for position in range(scale.last + 1)]
+    assert max(len(repr(value)) for value in values) <= len("-0.995")
+    assert 0.3 in values  # not 0.30000000000000004
+
+
+# -- orbit
+
+
+def test_there_and_back_again_without_drift(controls: Controls, record: Record) -> None:
+    row = number(controls, "azimuth_deg")
+    before = row.value(), controls.projection.camera.orbit
+    row.slider.setFocus()
+    for _ in range(40):
+        QTest.keyClick(row.slider, KEY.Key_Right)
+    for _ in range(40):
+        QTest.keyClick(row.slider, KEY.Key_Left)
+    enter(row, repr(before[0]))
+    assert row.value() == before[0]
+    after = controls.projection.camera
+    assert after.orbit == pytest.approx(before[1], abs=1e-9)
+    assert after.eye == pytest.approx(START.camera.eye, abs=1e-9)
+    assert number(controls, "elevation_deg").field.text() == "15.5014"
+
+
+@pytest.mark.parametrize("end", [90.0, -90.0])
+def test_through_the_zenith_without_flips(controls: Controls, record: Record, end: float) -> None:
+    rows = {name: number(controls, name) for name in Orbit._fields}
+    enter(rows["azimuth_deg"], "30")
+    enter(rows["roll_deg"], "20")
+    slider = rows["elevation_deg"].slider
+    press(slider)
+    for elevation in (0.0, end / 2, 0.98 * end, end, end, 0.98 * end):
+        drag(slider, rows["elevation_deg"]._scale.position_of(elevation))
+        assert (rows["azimuth_deg"].value(), rows["roll_deg"].value()) == (30.0, 20.0)
+    drag(slider, rows["elevation_deg"]._scale.position_of(end))
+    release(slider)
+    at_end = controls.projection.camera.frame
+    enter(rows["azimuth_deg"], "31")
+    assert rows["elevation_deg"].value() == end and rows["roll_deg"].value() == 20.0
+    # One degree of azimuth turns the picture by one degree, up there too.
+    turned = controls.projection.camera.frame
+    assert float(at_end[0] @ turned[0]) == pytest.approx(math.cos(math.radians(1.0)))
+    enter(rows["roll_deg"], "0")
+    enter(rows["elevation_deg"], "0")
+    assert controls.projection.camera.orbit[:2] == pytest.approx((31.0, 0.0))
+
+
+def test_an_angle_past_a_full_turn_is_taken_as_typed(controls: Controls, record: Record) -> None:
+    row = number(controls, "azimuth_deg")
+    enter(row, "270")
+    assert row.field.text() == "270" and row.slider.value() == row.slider.maximum()
+    assert record.edits[0].camera.eye[0] == pytest.approx(-math.hypot(6, 9))
+    controls.show_projection(START)
+    controls.show_projection(replace(record.edits[0], image_size=(100, 100)))
+    assert row.field.text() in ("270", "-90")
+
+
+def test_the_camera_of_someone_else_is_read_back(controls: Controls) -> None:
+    enter(number(controls, "azimuth_deg"), "30")
+    camera = Camera.from_orbit((0.0, 2.0, 0.0), Orbit(50.0, -20.0, 8.0, 10.0))
+    controls.show_projection(replace(START, camera=camera))
+    texts = [number(controls, name).field.text() for name in Orbit._fields]
+    assert texts == ["50", "-20", "8", "10"]
+
+
+# -- typed
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("1,5", 1.5),
+        (" 2.5 ", 2.5),
+        (".5", 0.5),
+        ("5.", 5.0),
+        ("1E-3", 1e-3),
+        ("0.1234567890123456", 0.1234567890123456),
+        ("2.5 units", 2.5),
+        ("1e-7", 1e-7),  # below the slider's end
+        ("1e-250", 1e-250),
+    ],
+)
+def test_a_number_is_taken_as_it_is_typed(
+    controls: Controls, record: Record, text: str, value: float
+) -> None:
+    row = number(controls, "near")
+    enter(row, text)
+    assert record.edits[0].lens.near == row.value() == value
+    number(controls, "far").field.setFocus()
+    assert row.value() == value and len(row.field.text()) <= 10
+    row.field.setFocus()
+    assert float(row.field.text()) == value
+    number(controls, "far").field.setFocus()
+    assert len(record.edits) == 1
+
+
+def test_out_of_the_sliders_range_pins_the_slider(controls: Controls, record: Record) -> None:
+    row = number(controls, "far")
+    enter(row, "1e20")
+    assert record.edits[0].lens.far == 1e20
+    assert row.slider.value() == row.slider.maximum() - 1  # the top is infinity
+    row = number(controls, "fov_y_deg")
+    enter(row, "0.25")
+    assert record.edits[1].lens.fov_y_deg == 0.25 and row.slider.value() == 0
+    row = number(controls, "width")
+    enter(row, "9000")
+    assert record.edits[2].image_size == (9000, 720) and row.slider.value() == row.slider.maximum()
+
+
+@pytest.mark.parametrize("text", ["inf", "∞", "Infinity", "+inf"])
+def test_far_may_be_typed_as_infinity(controls: Controls, record: Record, text: str) -> None:
+    enter(number(controls, "far"), text)
+    assert record.edits[0].lens.far == math.inf
+    assert number(controls, "far").field.text() == "∞"
+
+
+NONSENSE = ["nan", "0x10", "1_000", "", " ", "abc", "1,2,3", "1.2.3", "--1", "1e", "٣", "1 2", "-∞"]
+
+
+@pytest.mark.parametrize("key", NUMBERS)
+def test_nonsense_is_refused_in_every_field(controls: Controls, key: str) -> None:
+    in_mode(controls, key)
+    record = Record(controls)
+    before = controls.projection
+    row = number(controls, key)
+    for text in NONSENSE:
+        enter(row, text)
+        assert row.error.startswith("⚠ Not possible. "), text
+        assert row.error.endswith(".") and row.name in row.error
+        assert text.strip() in row.error
+        assert row.field.text() == text  # where it can be put right
+        assert row.field.accessibleDescription() == row.error
+    assert record.edits == [] and controls.projection is before
+    QTest.keyClick(row.field, KEY.Key_Escape)
+    assert row.error == ""
+    assert row.field.text() == messages.number_text(row.value())
+
+
+@pytest.mark.parametrize(
+    ("key", "text", "expected"),
+    [
+        ("near", "30", "Near = 30: must be less than far, which is 30."),
+        ("near", "40", "Near = 40: must be less than far, which is 30."),
+        ("near", "0", "Near = 0: must be greater than 0."),
+        ("near", "-1", "Near = -1: must be greater than 0."),
+        ("near", "inf", "Near = ∞: must be a finite number."),
+        ("near", "1e400", f"Near = “1e400”: must be at most {LARGEST}."),
+        ("near", "1e-400", "Near = “1e-400”: is too close to 0 for float64 to tell apart."),
+        ("far", "0.5", "Far = 0.5: must be greater than near, which is 1."),
+        ("far", "1e400", f"Far = “1e400”: must be at most {LARGEST}."),
+        ("far", "nan", "Far = “nan”: must be a number, or inf for ∞."),
+        *(
+            (key, text, f"{name} = {text}: must lie between 0 and 180, both excluded.")
+            for key, name in (("fov_y_deg", "Vertical fov"), ("fov_x_deg", "Horizontal fov"))
+            for text in ("0", "180", "-1", "200")
+        ),
+        ("fov_x_deg", "inf", "Horizontal fov = ∞: must be a finite number."),
+        ("focal_length_mm", "0", "Focal length = 0: must be greater than 0."),
+        ("focal_length_mm", "-50", "Focal length = -50: must be greater than 0."),
+        ("left", "4", "Left = 4: must be less than right, which is 4."),
+        ("right", "-4", "Right = -4: must be greater than left, which is -4."),
+        ("bottom", "9", "Bottom = 9: must be less than top, which is 3."),
+        ("top", "-9", "Top = -9: must be greater than bottom, which is -3."),
+        ("distance", "0", "Distance = 0: must be greater than 0."),
+        ("distance", "-3", "Distance = -3: must be greater than 0."),
+        ("elevation_deg", "91", "Elevation = 91: must be at most 90."),
+        ("elevation_deg", "-91", "Elevation = -91: must be at least -90."),
+        ("up_y", "0", "Up = (0, 0, 0): must not be the zero vector."),
+        ("width", "0", "Width = 0: must be a whole number of pixels from 1 to 16384."),
+        ("width", "100000", "Width = 100000: must be a whole number of pixels from 1 to 16384."),
+        ("height", "1.5", "Height = 1.5: must be a whole number of pixels from 1 to 16384."),
+        ("height", "inf", "Height = ∞: must be a whole number of pixels from 1 to 16384."),
+    ],
+)
+def test_what_the_model_refuses_is_explained_at_the_row(
+    controls: Controls, key: str, text: str, expected: str
+) -> None:
+    in_mode(controls, key)
+    record = Record(controls)
+    row = number(controls, key)
+    before = controls.projection, row.slider.value()
+    enter(row, text)
+    assert row.error == f"⚠ Not possible. {expected}"
+    assert row.field.text() == text
+    assert record.edits == [] and (controls.projection, row.slider.value()) == before
+
+
+def test_eye_on_target_and_up_along_the_view(controls: Controls) -> None:
+    choice(controls, "camera_mode").choose("vectors")
+    start = replace(START, camera=Camera((0.0, 2.0, 5.0), (0.0, 2.0, 0.0)))
+    controls.show_projection(start)
+    record = Record(controls)
+    enter(number(controls, "eye_z"), "0")
+    assert number(controls, "eye_z").error.endswith(
+        "Eye = (0, 2, 0): must differ from the target, or the camera looks nowhere."
+    )
+    enter(number(controls, "target_z"), "5")
+    assert number(controls, "target_z").error.endswith(
+        "Target = (0, 2, 5): must differ from the eye, or the camera looks nowhere."
+    )
+    assert record.edits == []
+    enter(number(controls, "up_z"), "1")
+    enter(number(controls, "up_y"), "0")
+    assert number(controls, "up_y").error.endswith(
+        "Up = (0, 0, 1): must not be parallel to the view direction."
+    )
+    enter(number(controls, "up_y"), "1e-12")  # as near as the issue asks
+    assert controls.projection.camera.up == (0.0, 1e-12, 1.0)
+    assert len(record.edits) == 2
+
+
+def test_a_row_that_a_change_elsewhere_puts_right_forgets_its_error(controls: Controls) -> None:
+    near = number(controls, "near")
+    enter(near, "40")
+    controls.show_projection(replace(START, camera=Camera((1.0, 2.0, 3.0))))
+    assert near.error and near.field.text() == "40"  # the camera has nothing to do with it
+    enter(number(controls, "far"), "50")
+    assert not near.error and near.field.text() == "1"
+
+
+def test_a_good_value_takes_the_error_away(controls: Controls, record: Record) -> None:
+    near = number(controls, "near")
+    enter(near, "40")
+    enter(near, "4")
+    assert not near.error and record.edits[0].lens.near == 4.0
+    enter(near, "nonsense")
+    enter(near, "4")  # the value it has
+    assert not near.error and len(record.edits) == 1
+
+
+def test_the_error_line_exists_only_while_there_is_an_error(controls: Controls) -> None:
+    near = number(controls, "near")
+    height = near.sizeHint().height()
+    enter(near, "40")
+    assert near.sizeHint().height() > height
+    QTest.keyClick(near.field, KEY.Key_Escape)
+    assert near.sizeHint().height() == height
+
+
+def test_leaving_the_field_takes_what_was_typed(controls: Controls, record: Record) -> None:
+    row = number(controls, "near")
+    row.field.setFocus()
+    row.field.selectAll()
+    QTest.keyClicks(row.field, "2")
+    assert record.edits == []
+    QTest.keyClick(row.field, KEY.Key_Tab)
+    assert record.edits[0].lens.near == 2.0
+
+
+def test_a_text_being_typed_survives_the_animation(controls: Controls) -> None:
+    row = number(controls, "azimuth_deg")
+    row.field.setFocus()
+    row.field.selectAll()
+    QTest.keyClicks(row.field, "12")
+    controls.show_projection(replace(START, camera=Camera((1.0, 2.0, 3.0))))
+    assert row.field.text() == "12"
+    QTest.keyClick(row.field, KEY.Key_Escape)
+    assert row.field.text() == messages.number_text(row.value())
+
+
+def test_undo_in_a_field_without_own_history_is_the_windows(controls: Controls) -> None:
+    from PySide6.QtGui import QShortcut
+
+    asked = []
+    shortcut = QShortcut("Ctrl+Z", controls)
+    shortcut.activated.connect(lambda: asked.append("undo"))
+    row = number(controls, "near")
+    row.field.setFocus()
+    QTest.keyClicks(row.field, "7")
+    QTest.keyClick(row.field, KEY.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    assert asked == []
+    enter(row, "3")
+    QTest.keyClick(row.field, KEY.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    assert asked == ["undo"]
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (0.1, "0.1"),
+        (30.0, "30"),
+        (-123.456, "-123.456"),
+        (1 / 3, "0.333333"),
+        (29.999999999999996, "30"),
+        (-1.23456789e-12, "-1.23e-12"),
+        (1e9, "1e9"),
+        (1234567.0, "1234567"),
+        (math.inf, "∞"),
+        (1e-300, "1e-300"),
+        (-1.7976931348623157e150, "-1.8e150"),
+    ],
+)
+def test_shown_numbers_are_short_and_never_cut(value: float, text: str) -> None:
+    assert short_text(value) == text
+    assert len(text) <= 9
+
+
+@pytest.mark.parametrize("value", [-123.456789, 1e-300, 6e9, -1.23456789e-12])
+def test_the_field_is_wide_enough_for_what_it_shows(controls: Controls, value: float) -> None:
+    field = number(controls, "near").field
+    text = field.fontMetrics().horizontalAdvance(short_text(value))
+    assert text <= field.contentsRect().width() - 4
+    assert isinstance(field, QLineEdit)
+
+
+def test_parsing_tells_nothing_of_the_locale() -> None:
+    assert parse_number("Near", "−1,5e−3") == -1.5e-3
+    for text in ("1.000,5", "1'000", "½", "\uff11"):
+        with pytest.raises(ProjectionError):
+            parse_number("Near", text)
+
+
+# -- reset, scene
+
+
+@pytest.mark.parametrize("key", NUMBERS)
+def test_a_double_click_on_the_name_resets(controls: Controls, key: str) -> None:
+    in_mode(controls, key)
+    changed = replace(
+        controls.projection,
+        camera=Camera((1.0, 2.5, 3.0), (-1.0, 0.5, -3.0), (0.5, 0.6, 0.7)),
+        lens=Perspective(70.0, 0.5, 70.0)
+        if controls.projection.lens.kind == "perspective"
+        else Orthographic(-1.0, 1.0, -1.0, 1.0, -1.0, 70.0),
+        image_size=(99, 88),
+    )
+    controls.show_projection(changed)
+    record = Record(controls)
+    row = number(controls, key)
+    QTest.mouseDClick(row.name_label, Qt.MouseButton.LeftButton)
+    assert record.events == ["start", "edit", "finish"]
+    defaults = START.with_lens(changed.lens.kind)
+    assert row.value() == pytest.approx(controls._bindings[key].read(defaults))
+    assert controls._bindings[key].read(record.edits[0]) == pytest.approx(row.value())
+    QTest.mouseDClick(row.name_label, Qt.MouseButton.LeftButton)
+    assert len(record.edits) == 1
+
+
+def test_a_reset_takes_a_refused_text_away(controls: Controls, record: Record) -> None:
+    row = number(controls, "near")
+    enter(row, "abc")
+    QTest.mouseDClick(row.name_label, Qt.MouseButton.LeftButton)
+    assert (row.error, row.field.text()) == ("", "1") and record.edits == []
+
+
+def test_choices_are_reset_by_their_name(controls: Controls) -> None:
+    controls.show_projection(replace(BOX, depth="reversed", image_size=(5, 7)))
+    record = Record(controls)
+    for key in ("depth", "aspect", "kind"):
+        QTest.mouseDClick(controls.rows[key].name_label, Qt.MouseButton.LeftButton)
+    assert record.edits[-1].depth == "opengl" and record.edits[-1].image_size == (12, 7)
+    assert record.edits[-1].lens.kind == "perspective"
+
+
+def test_another_scene_moves_the_sliders_and_says_nothing(
+    controls: Controls, record: Record
+) -> None:
+    large = Projection(Camera((1e4, 2e4, 3e4)), Perspective(30.0, 1000.0, 1e6))
+    controls.set_scene(2e4, large)
+    assert record.events == []
+    assert number(controls, "near")._scale.value_at(0) == pytest.approx(2e-2)
+    QTest.mouseDClick(number(controls, "far").name_label, Qt.MouseButton.LeftButton)
+    assert record.edits[0].lens.far == 1e6
+    far_away = replace(large, camera=Camera((1e7 + 5.0, 5.0, 1e7), (1e7, 0.0, 1e7)))
+    controls.set_scene(2.0, far_away)
+    choice(controls, "camera_mode").choose("vectors")
+    controls.show_projection(far_away)
+    row = number(controls, "eye_x")
+    assert row.slider.minimum() < row.slider.value() < row.slider.maximum()
+
+
+@pytest.mark.parametrize("size", [1e-200, 1e-6, 1.0, 1e9, 1e140])
+def test_any_size_of_scene_has_sliders(controls: Controls, size: float) -> None:
+    lens = Perspective(45.0, 0.1 * size, 10.0 * size)
+    start = Projection(Camera((0.0, 0.0, 2.0 * size), (0.0, 0.0, 0.0)), lens)
+    controls.set_scene(size, start)
+    controls.show_projection(start)
+    record = Record(controls)
+    for key in ("near", "far", "distance", "azimuth_deg"):
+        row = number(controls, key)
+        QTest.keyClick(row.slider, KEY.Key_Up)
+        row.finish_gesture()
+        assert row.error == "", key
+    assert len(record.edits) == 4
+
+
+# -- folding
+
+
+def test_what_is_folded_is_shown_when_it_opens(controls: Controls, record: Record) -> None:
+    section = controls.sections["lens"]
+    QTest.mouseClick(section.heading, Qt.MouseButton.LeftButton)
+    assert not section.is_open and not number(controls, "near").isVisible()
+    controls.show_projection(replace(START, lens=Perspective(50.0, 3.0, 40.0)))
+    assert number(controls, "near").value() == 1.0  # not touched
+    section.heading.setFocus()
+    QTest.keyClick(section.heading, KEY.Key_Space)
+    assert number(controls, "near").field.text() == "3"
+    controls.sections["image"].set_open(False)
+    controls.show_projection(replace(START, image_size=(12, 34)))
+    assert number(controls, "height").value() == 720.0
+    controls.sections["image"].set_open(True)
+    assert number(controls, "height").value() == 34.0
+    assert record.events == []
+
+
+def test_the_lens_shows_only_its_own_rows(controls: Controls) -> None:
+    perspective = {"fov_y_deg", "fov_x_deg", "focal_length_mm"}
+    box = {"left", "right", "bottom", "top", "keep"}
+
+    def shown() -> set[str]:
+        return {key for key in perspective | box if controls.rows[key].isVisible()}
+
+    assert shown() == perspective
+    controls.show_projection(BOX)
+    assert shown() == box
+    controls.show_projection(START)
+    assert shown() == perspective
+
+
+# -- for everyone
+
+
+def test_every_control_has_a_name_and_a_tip(controls: Controls) -> None:
+    widgets = [
+        widget
+        for kind in (QSlider, QLineEdit, QComboBox, QToolButton)
+        for widget in controls.widget().findChildren(kind)
+    ]
+    assert len(widgets) > 60
+    for widget in widgets:
+        assert widget.accessibleName() and widget.toolTip(), widget
+    names = [widget.accessibleName() for widget in widgets if isinstance(widget, QLineEdit)]
+    assert len(set(names)) == len(names)
+
+
+def test_tab_goes_through_the_rows_in_their_order(controls: Controls) -> None:
+    row = number(controls, "fov_y_deg")
+    row.slider.setFocus()
+    visited = [QApplication.focusWidget()]
+    for _ in range(3):
+        QTest.keyClick(QApplication.focusWidget(), KEY.Key_Tab)
+        visited.append(QApplication.focusWidget())
+    following = number(controls, "fov_x_deg")
+    assert visited == [row.slider, row.field, following.slider, following.field]
+
+
+def test_the_column_fits_into_320_pixels(controls: Controls) -> None:
+    for mode in ("orbit", "vectors"):
+        choice(controls, "camera_mode").choose(mode)
+        QApplication.processEvents()
+        assert controls.minimumSizeHint().width() <= 320
+        assert controls.widget().width() <= controls.viewport().width()
+    assert number(controls, "near").slider.width() >= 60
+    enter(number(controls, "near"), "4" * 300)
+    QApplication.processEvents()
+    assert controls.widget().width() <= controls.viewport().width()
+    assert controls.minimumSizeHint().width() <= 320
+
+
+# -- sentences
+
+
+@pytest.mark.parametrize(
+    ("listed", "core", "context"),
+    [
+        (messages.PROJECTION_BOUNDS, projection.BOUNDS, "ProjectionError"),
+        (messages.DOCUMENT_BOUNDS, document.BOUNDS, "DocumentError"),
+    ],
+    ids=["projection", "document"],
+)
+def test_translators_are_given_every_bound(
+    listed: tuple[str, ...], core: tuple[str, ...], context: str
+) -> None:
+    assert set(listed) == set(core)
+    marked = {
+        ast.literal_eval(call.args[1])
+        for call in ast.walk(ast.parse(inspect.getsource(messages)))
+        if isinstance(call, ast.Call)
+        and getattr(call.func, "id", "") == "QT_TRANSLATE_NOOP"
+        and ast.literal_eval(call.args[0]) == context
+    }
+    assert marked >= set(core)  # literal, or lupdate would not see them
+
+
+def test_sentences_are_translated_before_they_are_filled_in(qapp: QApplication) -> None:
+    from PySide6.QtCore import QTranslator
+
+    class Croatian(QTranslator):
+        words = {  # noqa: RUF012
+            "Near": "Bliža ravnina",
+            "must be less than far, which is {0}": "mora biti manja od dalje, koja je {0}",
+            "does not exist": "ne postoji",
+            "must be greater than {0}": "mora biti veće od {0}",
+        }
+
+        def translate(self, context: str, text: str, *_rest: object) -> str:
+            return self.words.get(text, "")
+
+        def isEmpty(self) -> bool:
+            return False
+
+    translator = Croatian()
+    qapp.installTranslator(translator)
+    try:
+        with pytest.raises(ProjectionError) as caught:
+            Perspective(45.0, 3.0, 2.5)
+        assert sentence(caught.value) == "Bliža ravnina = 3: mora biti manja od dalje, koja je 2.5."
+        missing = DocumentError(document.NO_FILE, file="a.json")
+        assert sentence(missing) == "a.json ne postoji."
+        wrong = DocumentError(projection.ABOVE, 0, field="lens.near", value=-1)
+        assert sentence(wrong) == "lens.near = -1: mora biti veće od 0."
+    finally:
+        qapp.removeTranslator(translator)
+    assert sentence(caught.value) == "Near = 3: must be less than far, which is 2.5."
+    assert sentence(OSError("no space")) == "no space"
