@@ -236,7 +236,7 @@ _PAINT_RGB = (184, 194, 208)  # of a mesh that brings no colours
 # Directions to the two lights, and their strengths. The ambient part keeps the darkest face
 # visible on a dark background, the sum stays below 1 on a light one.
 _AMBIENT = 0.42
-_LIGHTS = (((0.38, 0.80, 0.47), 0.50), ((-0.62, -0.25, -0.74), 0.24))
+_LIGHTS = (((0.25, 0.80, 0.55), 0.50), ((-0.62, -0.25, -0.74), 0.24))
 
 
 def _lit(normals: Floats) -> Floats:
@@ -546,7 +546,7 @@ def _scene_of_mesh(name: str, path: Path, progress: Progress | None) -> Scene:
     origin = _rounded(_centre(lower, upper), -math.floor(math.log10(size)))
     mesh.points -= np.array(origin)
     _report(progress, 0.6)
-    rgb = _face_colours(mesh, size, progress)
+    rgb = _face_colours(mesh, progress)
 
     lines = _ground(lower, upper, origin)
     if len(mesh.offsets) - 1 <= FACES_WITH_EDGES:
@@ -663,7 +663,7 @@ def _faces_by_size(mesh: _Mesh) -> Iterator[tuple[slice | Ints, Ints]]:
                 yield some, mesh.corners[mesh.offsets[some][:, None] + np.arange(size)]
 
 
-def _face_colours(mesh: _Mesh, size: float, progress: Progress | None) -> Colours:
+def _face_colours(mesh: _Mesh, progress: Progress | None) -> Colours:
     faces = len(mesh.offsets) - 1
     if mesh.rgb is not None and mesh.painted and (mesh.rgb != mesh.rgb[0]).any():
         return mesh.rgb
@@ -671,24 +671,24 @@ def _face_colours(mesh: _Mesh, size: float, progress: Progress | None) -> Colour
     light = np.empty((faces, 1), dtype=np.float32)
     done = 0
     for which, corners in _faces_by_size(mesh):
-        normals = _normals(mesh.points, corners, size)
+        normals = _normals(mesh.points, corners)
         light[which, 0] = _lit(normals)
         done += len(corners)
         _report(progress, 0.6 + 0.3 * done / faces)
     return (paint * light).astype(np.uint8)
 
 
-def _normals(points: Floats, corners: Ints, size: float) -> Floats:
+def _normals(points: Floats, corners: Ints) -> Floats:
     """Unit normals (m, 3) of polygons (m, k), 0 where the area is 0.
 
     The area vectors of the triangles of a fan add up to that of the polygon, also of a concave
-    one. Divided by the size first, no product of a tiny or huge mesh leaves float64.
+    one.
     """
     first = points[corners[:, 0]]
     area = np.zeros((3, len(corners)))
-    before = ((points[corners[:, 1]] - first) / size).T
+    before = (points[corners[:, 1]] - first).T
     for k in range(2, corners.shape[1]):
-        after = ((points[corners[:, k]] - first) / size).T
+        after = (points[corners[:, k]] - first).T
         area[0] += before[1] * after[2] - before[2] * after[1]
         area[1] += before[2] * after[0] - before[0] * after[2]
         area[2] += before[0] * after[1] - before[1] * after[0]
