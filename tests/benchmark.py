@@ -135,7 +135,7 @@ def step_over_repaint(scale: float) -> dict[str, Any]:
         app = application()
         # As while a slider is dragged: antialiasing waits, in the steps and in the repaints.
         window.store.begin_gesture()
-        row = window.controls.fov_y
+        row = window.controls.rows["fov_y_deg"]
         start = row.value()
         turns = max(8, round(scale * (200 if vertices < 1_000_000 else 40)))
         bare, step = [], []
@@ -306,7 +306,7 @@ def random_changes(scale: float) -> dict[str, Any]:
     # One play of the animation, as far as the history is concerned.
     window.store.begin_gesture()
     rng = random.Random(1)
-    sliders = [row.slider for row in window.controls.number_rows()]
+    sliders = [row.slider for row in window.controls.rows.values() if hasattr(row, "slider")]
     total = max(500, round(5000 * scale))
     start = 0
     for change in range(total):

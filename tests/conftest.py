@@ -69,15 +69,15 @@ def make_window(
         if shown:
             window.show()
             qtbot.waitExposed(window)
-            qtbot.waitUntil(lambda: all(p.canvas._ctx is not None for p in window.panes.values()))
+            panes = window.panes.values()
+            qtbot.waitUntil(lambda: not any(p.canvas.render_window.GetNeverRendered() for p in panes))
         return window
 
     yield make
-    for window in windows:
-        window.store.mark_saved()
-        window.close()
-        window.deleteLater()
-    windows.clear()
+    while windows:
+        windows[-1].store.mark_saved()
+        windows[-1].close()
+        windows.pop().deleteLater()
     display.processEvents()
     display.sendPostedEvents(None, 52)  # QEvent.DeferredDelete, which no nested loop delivers
     gc.collect()

@@ -15,7 +15,14 @@ import pytest
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QTimer, QUrl
 from PySide6.QtGui import QDropEvent, QImage
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLabel, QMessageBox, QPushButton, QWidget
+from PySide6.QtWidgets import (
+    QApplication,
+    QComboBox,
+    QLabel,
+    QMessageBox,
+    QPushButton,
+    QToolButton,
+)
 
 from app.document import Document, extract, read, write
 from app.projection import Camera, Orthographic, Perspective, Projection
@@ -185,18 +192,18 @@ def test_the_mouse_turns_the_view_and_never_the_model(
     settle(window)
     before = window.store.document
     canvas = window.panes[name].canvas
-    place = canvas.camera.GetPosition()
+    place = canvas.own_camera.GetPosition()
     QTest.mousePress(canvas, Qt.MouseButton.LeftButton, pos=QPoint(100, 100))
     QTest.mouseMove(canvas, QPoint(160, 130))
     QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=QPoint(160, 130))
-    moved = canvas.camera.GetPosition()
+    moved = canvas.own_camera.GetPosition()
     assert math.dist(place, moved) > 0.1
-    assert math.dist(canvas.camera.GetFocalPoint(), moved) == pytest.approx(
-        math.dist(canvas.camera.GetFocalPoint(), place)
+    assert math.dist(canvas.own_camera.GetFocalPoint(), moved) == pytest.approx(
+        math.dist(canvas.own_camera.GetFocalPoint(), place)
     )
     canvas.zoom(1.5)
     QTest.mouseDClick(canvas, Qt.MouseButton.LeftButton, pos=QPoint(100, 100))
-    assert math.dist(place, canvas.camera.GetPosition()) < 1e-9
+    assert math.dist(place, canvas.own_camera.GetPosition()) < 1e-9
     assert window.store.document == before
 
 
@@ -205,8 +212,8 @@ def test_turning_stops_at_the_pole(make_window: Callable[..., MainWindow]) -> No
     canvas = window.panes["world"].canvas
     for _ in range(5):
         canvas._orbit(0.0, 300.0)
-        assert canvas.camera.GetViewUp()[1] > 0.0
-        x, y, z = np.subtract(canvas.camera.GetPosition(), canvas.camera.GetFocalPoint())
+        assert canvas.own_camera.GetViewUp()[1] > 0.0
+        x, y, z = np.subtract(canvas.own_camera.GetPosition(), canvas.own_camera.GetFocalPoint())
         assert y / math.hypot(x, y, z) < math.sin(math.radians(89.1))
 
 
@@ -225,7 +232,7 @@ def test_keys_on_a_pane_change_nothing(make_window: Callable[..., MainWindow]) -
 def test_enlarging_and_back(make_window: Callable[..., MainWindow]) -> None:
     window = make_window()
     header = window.panes["ndc"].header
-    QTest.mouseDClick(window.panes["ndc"], Qt.MouseButton.LeftButton, pos=header.geometry().center())
+    QTest.mouseDClick(header, Qt.MouseButton.LeftButton, pos=header.rect().center())
     assert [pane.isVisible() for pane in window.panes.values()] == [False, True, False]
     window.enlarge("ndc")
     assert all(pane.isVisible() for pane in window.panes.values())
@@ -287,8 +294,10 @@ def test_everything_has_a_name_and_a_tip(make_window: Callable[..., MainWindow])
     window = make_window()
     for button in window.findChildren(QPushButton):
         assert button.text() or button.accessibleName()
-    for action in window.findChildren(QWidget, "tools")[0].actions():
-        assert action.isSeparator() or action.toolTip() or action.iconText()
+    for button in window.findChildren(QToolButton):
+        assert button.isHidden() or button.toolTip(), button.text()
+    for box in window.findChildren(QComboBox):
+        assert box.accessibleName() and box.toolTip()
 
 
 # -- files
@@ -551,11 +560,11 @@ def test_the_scene_menu_changes_the_scene_and_undo_brings_it_back(
 
 def test_status_line_in_figures(make_window: Callable[..., MainWindow]) -> None:
     # tan(45/2) 16/9 = 0.73637 -> 2 atan = 72.73 deg; 43.267/2 / (tan(22.5) sqrt(1+(16/9)^2)) =
-    # 21.633/(0.41421*2.03974) = 25.60 mm
+    # 21.6333/(0.414214*2.039741) = 25.605 mm
     window = make_window(shown=False)
     texts = " ".join(label.text() for label in window.statusBar().findChildren(QLabel))
     assert "45° × 72.73°" in texts
-    assert "25.6 mm" in texts
+    assert "25.61 mm" in texts
     assert "1 : 30" in texts
     window.store.set_projection(seen(window, lens=Perspective(45.0, 1.0, math.inf)))
     assert "far ∞" in " ".join(label.text() for label in window.statusBar().findChildren(QLabel))

@@ -234,11 +234,8 @@ class MainWindow(QMainWindow):
 
         menu = bar.addMenu(self.tr("&View"))
         for number, (name, title) in enumerate(self._titles.items(), start=1):
-            menu.addAction(
-                self._action(
-                    self.tr("Enlarge {0}").format(title), partial(self.enlarge, name), f"F{number + 5}"
-                )
-            )
+            text = self.tr("Enlarge {0}").format(title)
+            menu.addAction(self._action(text, partial(self.enlarge, name), f"F{number + 5}"))
         menu.addAction(self._action(self.tr("Show all &panes"), self.show_all_panes, "F9"))
         menu.addAction(
             self._action(self.tr("&Reset the panes' own views"), self.reset_views, "Ctrl+0")
@@ -506,9 +503,10 @@ class MainWindow(QMainWindow):
         """Give a pane a window of its own, for a second screen, or dock it again."""
         pane = self.panes[name]
         if pane.isWindow():
-            place = [other for other in self.panes if not self.panes[other].isWindow()]
-            index = sum(list(self.panes).index(other) < list(self.panes).index(name) for other in place)
-            self._pane_row.insertWidget(index, pane)
+            names = list(self.panes)
+            before = names[: names.index(name)]
+            place = sum(not self.panes[other].isWindow() for other in before)
+            self._pane_row.insertWidget(place, pane)
             pane.show()
         else:
             size = pane.size()

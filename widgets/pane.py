@@ -23,6 +23,7 @@ from PySide6.QtCore import QPointF, Qt, Signal
 from PySide6.QtGui import QCloseEvent, QMouseEvent, QShowEvent, QWheelEvent
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
 from pyvistaqt import QtInteractor
+from vtkmodules.vtkRenderingCore import vtkCamera
 
 from app.projection import Projection
 
@@ -109,9 +110,14 @@ class _Canvas(QtInteractor):  # type: ignore[misc]
             self.zoom(pinch.scaleFactor())
         return True
 
+    @property
+    def own_camera(self) -> Any:
+        """The pane's own camera; pyvista's `camera` would first put it where pyvista likes."""
+        return self.renderer.GetActiveCamera()
+
     def zoom(self, factor: float) -> None:
         """Bring the pane's own camera nearer by `factor`."""
-        camera = self.camera
+        camera = self.own_camera
         if camera.GetParallelProjection():
             camera.SetParallelScale(camera.GetParallelScale() / factor)
         else:
@@ -119,7 +125,7 @@ class _Canvas(QtInteractor):  # type: ignore[misc]
         self.moved.emit()
 
     def _orbit(self, right_px: float, down_px: float) -> None:
-        camera = self.camera
+        camera = self.own_camera
         camera.Azimuth(-ORBIT_DEG_PER_PX * right_px)
         # Turntable, not trackball: the world's vertical stays vertical, so the pole is a stop.
         elevation_deg = _elevation_deg(camera)
@@ -127,7 +133,7 @@ class _Canvas(QtInteractor):  # type: ignore[misc]
         camera.Elevation(max(-HIGHEST_DEG, min(HIGHEST_DEG, turned)) - elevation_deg)
 
     def _pan(self, right_px: float, down_px: float) -> None:
-        camera = self.camera
+        camera = self.own_camera
         if camera.GetParallelProjection():
             half_height = camera.GetParallelScale()
         else:
@@ -202,7 +208,7 @@ class Pane(QFrame):
         self._reset = self._button("⌂", self.tr("Reset this pane's own view (double-click)"))
         self._reset.clicked.connect(self.reset_view)
         self._reset.setVisible(orbits)
-        self._float = self._button("⧉", self.tr("Put this pane into a window of its own, and back"))
+        self._float = self._button("❐", self.tr("Put this pane into a window of its own, and back"))
         self._float.clicked.connect(self.float_requested)
         self._enlarge = self._button("⤢", self.tr("Enlarge this pane, and back"))
         self._enlarge.clicked.connect(self.enlarge_requested)
@@ -266,7 +272,10 @@ class Pane(QFrame):
         if self._projection is None:
             return
         if self._to_build is not None:
-            camera = self.canvas.camera.copy() if self._keep_view else None
+            camera = None
+            if self._keep_view:
+                camera = vtkCamera()
+                camera.DeepCopy(self.canvas.own_camera)
             if self.drawing is not None:
                 self.drawing.remove()
             self.drawing = self._make_drawing(self.canvas, *self._to_build)
@@ -275,7 +284,7 @@ class Pane(QFrame):
             self.drawing.show_projection(self._projection)
             self.drawing.reset_view()
             if camera is not None:
-                self.canvas.camera.DeepCopy(camera)
+                self.canvas.own_camera.DeepCopy(camera)
                 self.drawing.reset_clipping_range()
         elif self._stale and self.drawing is not None:
             self.drawing.show_projection(self._projection)
