@@ -400,10 +400,11 @@ class Environment:
 
     def _can_be_kept(self) -> bool:
         """Whether what is there can be completed by pip; else it has to be made anew."""
-        stamp = self.read_stamp()
-        if stamp == _UNFINISHED or not self.python.exists():
+        if not self.python.exists():
             return False
+        stamp = self.read_stamp()
         if stamp is not None:
+            # Neither unfinished, nor for another Python or platform (a folder two machines share).
             ours = f"{sys.implementation.cache_tag} {sys.platform} "
             return stamp.startswith(ours) and self._runs() is not None
         # Somebody made it by hand. It is theirs: complete it, or leave it alone.
