@@ -7,8 +7,10 @@ import io
 import json
 import os
 import re
+import struct
 import subprocess
 import sys
+import zlib
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -57,7 +59,7 @@ def refused(*arguments: str | Path, text: str | bytes = b"", status: int = 2) ->
     done = run(*arguments, text=text)
     assert done.returncode == status, done
     assert done.stdout == ""
-    assert done.stderr.endswith(".\n") and done.stderr.count("\n") == 1, done.stderr
+    assert done.stderr.endswith((".\n", "?\n")) and done.stderr.count("\n") == 1, done.stderr
     assert "Traceback" not in done.stderr
     return done.stderr
 
@@ -220,12 +222,12 @@ def test_table_has_a_block_for_each_point_with_the_numbers_aligned(by_hand: Path
     sets = ["kind=orthographic", "left=-2", "right=2", "bottom=-1", "top=1"]
     arguments = [f"--set=lens.{value}" for value in sets]
     assert run("project", by_hand, "-", *arguments, text="1,0.5,1\n").stdout.splitlines() == [
-        "point 1       x      y     z     w",
-        "     world    1      0.5   1",
-        "      view    1      0.5  -4",
-        "      clip    0.5    0.5  -0.25  1",
-        "       NDC    0.5    0.5  -0.25",
-        "  image px  150     25",
+        "point 1       x       y     z     w",
+        "     world    1       0.5   1",
+        "      view    1       0.5  -4",
+        "      clip    0.5     0.5  -0.25  1",
+        "       NDC    0.5     0.5  -0.25",
+        "  image px  150      25",
         "     depth    0.375",
         "    inside  the view volume",
     ]
@@ -320,11 +322,10 @@ def test_a_document_in_a_picture_is_read(tmp_path: Path, by_hand: Path) -> None:
 
 
 def one_pixel_png() -> bytes:
-    import struct
-    import zlib
-
     def chunk(kind: bytes, body: bytes) -> bytes:
-        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+        return (
+            struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+        )
 
     header = struct.pack(">IIBBBBB", 1, 1, 8, 2, 0, 0, 0)
     pixels = zlib.compress(b"\0\1\2\3")
@@ -514,7 +515,7 @@ def test_measure_is_not_offered_yet() -> None:
 def test_a_command_wins_over_a_file_of_its_name(tmp_path: Path) -> None:
     write(BY_HAND, tmp_path / "matrices")
     done = subprocess.run(
-        [sys.executable, "-c", "import sys; from app.cli import main; sys.exit(main())", "matrices"],
+        [sys.executable, "-c", "from app.cli import main; main()", "matrices"],
         cwd=tmp_path, env={**os.environ, "PYTHONPATH": str(ROOT)}, capture_output=True, text=True,
         check=False,
     )  # fmt: skip
@@ -693,7 +694,7 @@ def test_export_with_an_unreachable_display_draws_all_the_same(
 
 def test_export_carries_the_document_with_what_was_set(tmp_path: Path, by_hand: Path) -> None:
     out = tmp_path / "figure.png"
-    export(out, by_hand, "--size=60x20", "--set", "lens.near=0.5")
+    export(out, by_hand, "--size=96x32", "--set", "lens.near=0.5")
     assert read(out) == set_values(BY_HAND, ["lens.near=0.5"])
 
 
@@ -701,11 +702,11 @@ def test_export_options_reach_the_picture(tmp_path: Path, by_hand: Path) -> None
     image = export(tmp_path / "image.png", by_hand, "--panes", "image")
     assert image.shape == (100, 200, 3)  # the image pane alone has the image's own size
     two = export(tmp_path / "two.png", by_hand, "--panes=world,ndc", "--scale=0.5")
-    assert two.shape == (300, 600, 3)
-    clear = export(tmp_path / "clear.png", by_hand, "--size=90x30", "--transparent")
-    assert clear.shape == (30, 90, 4) and clear[..., 3].min() == 0
-    light = export(tmp_path / "light.png", by_hand, "--size=90x30")
-    dark = export(tmp_path / "dark.png", by_hand, "--size=90x30", "--theme", "dark")
+    assert two.shape == (320, 640, 3)  # two squares of 640 at half the scale
+    clear = export(tmp_path / "clear.png", by_hand, "--size=96x32", "--transparent")
+    assert clear.shape == (32, 96, 4) and clear[..., 3].min() == 0
+    light = export(tmp_path / "light.png", by_hand, "--size=96x32")
+    dark = export(tmp_path / "dark.png", by_hand, "--size=96x32", "--theme", "dark")
     assert np.median(dark) < 100 < 200 < np.median(light)
 
 
@@ -718,11 +719,12 @@ def test_export_options_reach_the_picture(tmp_path: Path, by_hand: Path) -> None
         (["figure.png", "--size", "0x100"], "--size width = 0: must be a whole number of pixels"),
         (["figure.png", "--size", "100x100000"], "--size height = 100000: must be a whole number"),
         (["figure.png", "--size", "big"], "--size = 'big': must be WIDTHxHEIGHT"),
-        (["figure.png", "--scale", "0"], "--scale = '0': must be a number greater than 0"),
-        (["figure.png", "--scale", "nan"], "--scale = 'nan': must be a number greater than 0"),
-        (["figure.png", "--scale", "100"], "16384"),
-        (["figure.png", "--panes", "world,depth"], "'depth' must be one of world, ndc, image"),
-        (["figure.png", "--panes", "ndc,ndc"], "no pane may be given twice"),
+        (["figure.png", "--scale", "0"], "scale = 0: must lie between 0"),
+        (["figure.png", "--scale", "nan"], "scale = nan: must lie between 0"),
+        (["figure.png", "--scale", "2x"], "--scale = '2x': must be a finite number"),
+        (["figure.png", "--scale", "100"], "width = 1920 times scale 100: must be from"),
+        (["figure.png", "--panes", "world,depth"], "'depth': must be one of world, ndc, image"),
+        (["figure.png", "--panes", ""], "pane = '': must be one of world, ndc, image"),
         (["figure.png", "--theme", "pink"], "--theme = 'pink': must be one of light, dark"),
         (["figure.png", "--set", "scene=cubee"], "cube"),
         ([], "export takes OUT [FILE], and 0 names were given"),
@@ -736,14 +738,12 @@ def test_bad_export_is_refused(arguments: list[str], words: str) -> None:
 def test_export_to_a_full_disk_is_a_sentence(tmp_path: Path) -> None:
     out = tmp_path / "full.png"
     out.symlink_to("/dev/full")
-    assert "No space left" in refused("export", out, "--size=30x10")
+    assert "No space left" in refused("export", out, "--size=96x32")
 
 
 def test_export_without_opengl_says_what_to_do_instead_of_crashing(tmp_path: Path) -> None:
     for display in (os.environ["DISPLAY"], None):
-        done = run(
-            "export", tmp_path / "a.png", DISPLAY=display, MESA_GL_VERSION_OVERRIDE="2.1"
-        )
+        done = run("export", tmp_path / "a.png", DISPLAY=display, MESA_GL_VERSION_OVERRIDE="2.1")
         assert done.returncode == 3
         assert "OpenGL 3.2" in done.stderr and "driver" in done.stderr
         assert done.stderr.count("\n") == 1

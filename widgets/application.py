@@ -36,8 +36,10 @@ from typing import Any, ClassVar, TypeVar
 
 from PySide6 import __version__ as pyside_version
 from PySide6.QtCore import (
+    QBuffer,
     QCoreApplication,
     QEvent,
+    QIODevice,
     QLibraryInfo,
     QLocale,
     QMessageLogContext,
@@ -62,7 +64,7 @@ from PySide6.QtWidgets import (
 )
 
 from app import __version__
-from app.document import Document
+from app.document import Document, write_bytes_atomically
 from widgets import opengl
 
 log = logging.getLogger(__name__)
@@ -97,7 +99,7 @@ class Options:
         Width and height of the window, in pixels of the screen's scale.
     screenshot : Path or None
         Where to put a picture of the window, which closes then. The user's settings are neither
-        read nor written, so that the picture is the same everywhere.
+        read nor written, and the theme is light, so that the picture is the same everywhere.
     """
 
     theme: str | None = None
@@ -646,7 +648,7 @@ def close_on_interrupt(application: QApplication) -> Callable[[], None]:
 
     Python sees a signal only when it runs, which Qt's loop may not let it for hours; a byte
     through a socket wakes the loop, and nothing has to poll. A second Ctrl-C, while a window
-    still asks about unsaved work, ends the program at once; the autosave has the work.
+    still asks about unsaved work, ends the program at once.
 
     Returns
     -------
@@ -704,7 +706,9 @@ def run_window(document: Document, path: Path | None, options: Options) -> int:
     DisplayError, OpenGLError
         If no window can be opened here.
     WindowError
-        If the document's scene cannot be loaded, or the screenshot not be written.
+        If the document's scene cannot be loaded, or there is no window to take a picture of.
+    DocumentError
+        If the screenshot cannot be written.
     """
     application = make_application()
     found = opengl.probe()
@@ -720,8 +724,8 @@ def run_window(document: Document, path: Path | None, options: Options) -> int:
             found.version, found.renderer,
         )  # fmt: skip
         settings = Settings(None if options.screenshot else settings_path())
-        if options.theme:
-            settings.override("theme", options.theme)
+        if options.theme or options.screenshot:
+            settings.override("theme", options.theme or "light")
         translate(application, settings.language)
 
         from app.scene import SceneError  # VTK comes with it: only where it can draw
@@ -768,7 +772,8 @@ def _take_screenshot(application: QApplication, window: Any, path: Path) -> None
     application.processEvents()
     window.messages.hide()  # an offer to recover work is no part of the picture
     application.processEvents()
-    saved = window.grab().save(str(path), "PNG")
+    png = QBuffer()
+    png.open(QIODevice.OpenModeFlag.WriteOnly)
+    window.grab().save(png, "PNG")
     window.close()
-    if not saved:
-        raise WindowError(f"{path} cannot be written.")
+    write_bytes_atomically(path, png.data().data())

@@ -1,0 +1,663 @@
+"""Round the window: what happens before it opens, when something goes wrong, and at the end."""
+
+from __future__ import annotations
+
+import json
+import logging
+import os
+import re
+import signal
+import subprocess
+import sys
+import threading
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from app.document import Document, write
+from app.projection import Projection
+from tests.test_cli import ROOT, comma_locale, refused, run
+from widgets import application, opengl
+from widgets.application import Settings
+
+__all__ = ["comma_locale"]
+
+# The real program, in which `act(window)` is called once the window is shown.
+DRIVER = """
+import os, signal, sys
+from PySide6.QtCore import QTimer
+from widgets.main_window import MainWindow
+
+def show_and_act(window, show=MainWindow.show):
+    show(window)
+    QTimer.singleShot(0, lambda: act(window))
+
+MainWindow.show = show_and_act
+
+def act(window):
+{act}
+
+from app.cli import main
+sys.exit(main(sys.argv[1:]))
+"""
+
+
+def driver(act: str) -> list[str]:
+    lines = "\n".join("    " + line for line in act.strip().splitlines())
+    return [sys.executable, "-c", DRIVER.replace("{act}", lines)]
+
+
+def drive(act: str, *arguments: str | Path) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [*driver(act), *map(str, arguments)],
+        cwd=ROOT, capture_output=True, text=True, check=False, timeout=120,
+    )  # fmt: skip
+
+
+def picture(path: Path) -> np.ndarray:
+    import pyvista as pv
+
+    image = pv.read(path)
+    width, height, _ = image.dimensions
+    return np.asarray(image.point_data["PNGImage"]).reshape(height, width, -1)[::-1, :, :3]
+
+
+# --------------------------------------------------------------------------- the display
+
+
+def no_window(**environment: str | None) -> str:
+    """Run the program where it cannot open a window, and return the sentence that says so."""
+    done = run(**environment)
+    assert done.returncode == 3, done
+    assert done.stdout == ""
+    assert done.stderr.count("\n") == 1 and done.stderr.endswith(".\n"), done.stderr
+    return done.stderr
+
+
+def test_without_a_display_it_says_how_to_get_one() -> None:
+    said = no_window(DISPLAY=None, WAYLAND_DISPLAY=None, QT_QPA_PLATFORM=None)
+    assert "There is no screen" in said and "ssh with -X" in said and "xvfb-run" in said
+
+
+def test_a_display_that_does_not_answer_is_named() -> None:
+    said = no_window(DISPLAY=":9999", WAYLAND_DISPLAY=None, QT_QPA_PLATFORM=None)
+    assert "DISPLAY = :9999 does not answer" in said
+
+
+def test_a_wayland_that_is_not_there_is_no_screen(tmp_path: Path) -> None:
+    said = no_window(
+        DISPLAY=None,
+        WAYLAND_DISPLAY="wayland-9",
+        XDG_RUNTIME_DIR=str(tmp_path),
+        QT_QPA_PLATFORM="wayland",
+    )
+    assert "WAYLAND_DISPLAY leads to none" in said
+
+
+@pytest.mark.parametrize("platform", ["offscreen", "minimal", "nonsense"])
+def test_a_platform_that_shows_no_opengl_is_refused(platform: str) -> None:
+    assert f"QT_QPA_PLATFORM = {platform}: must be xcb or wayland" in no_window(
+        QT_QPA_PLATFORM=platform
+    )
+
+
+def test_a_missing_system_library_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    def missing(name: str) -> None:
+        raise OSError("libxcb-cursor.so.0: cannot open shared object file")
+
+    monkeypatch.setattr(application.ctypes, "CDLL", missing)
+    with pytest.raises(application.DisplayError, match=r"libxcb-cursor\.so\.0.*doctor"):
+        application.check_display()
+
+
+# --------------------------------------------------------------------------- OpenGL
+
+
+def test_too_old_an_opengl_is_a_sentence_and_no_crash() -> None:
+    said = no_window(MESA_GL_VERSION_OVERRIDE="2.1")
+    assert "OpenGL 2.1 is too old" in said
+    for remedy in ("driver", "LIBGL_ALWAYS_SOFTWARE=1", "Mesa", "remote desktop"):
+        assert remedy in said
+
+
+def test_probe_finds_what_vtk_draws_with(display: Any) -> None:
+    import pyvista as pv
+
+    found = opengl.probe()
+    plotter = pv.Plotter(off_screen=True, window_size=(20, 20))
+    plotter.show(auto_close=False)
+    details = plotter.render_window.ReportCapabilities()
+    plotter.close()
+    assert f"OpenGL renderer string:  {found.renderer}\n" in details
+    assert f"OpenGL vendor string:  {found.vendor}\n" in details
+    assert re.match(r"[3-9]\.\d", found.version)
+    assert found.software == ("llvmpipe" in found.renderer)
+
+
+@pytest.mark.parametrize(
+    ("renderer", "software"),
+    [
+        ("llvmpipe (LLVM 15.0.6, 256 bits)", True),
+        ("softpipe", True),
+        ("Software Rasterizer", True),
+        ("SWR (LLVM 10.0.0, 256 bits)", True),
+        ("ANGLE (Google, Vulkan 1.3.0 (SwiftShader Device (LLVM 16.0.0)), SwiftShader)", True),
+        ("GDI Generic", True),
+        ("D3D12 (Microsoft Basic Render Driver)", True),
+        ("Apple Software Renderer", True),
+        ("NVIDIA GeForce RTX 3060/PCIe/SSE2", False),
+        ("AMD Radeon RX 580 (polaris10, LLVM 15.0.6, DRM 3.49, 6.1.0)", False),
+        ("Mesa Intel(R) UHD Graphics 620 (KBL GT2)", False),
+        ("Apple M2", False),
+    ],
+)
+def test_a_program_that_draws_is_told_from_a_graphics_card(renderer: str, software: bool) -> None:
+    assert opengl.is_software(renderer) is software
+
+
+def test_every_window_gets_a_core_profile_without_multisampling(display: Any) -> None:
+    from PySide6.QtCore import QCoreApplication, Qt
+    from PySide6.QtGui import QSurfaceFormat
+
+    chosen = QSurfaceFormat.defaultFormat()
+    assert (chosen.majorVersion(), chosen.minorVersion(), chosen.samples()) == (3, 2, 0)
+    assert chosen.profile() == QSurfaceFormat.OpenGLContextProfile.CoreProfile
+    assert QCoreApplication.testAttribute(Qt.ApplicationAttribute.AA_ShareOpenGLContexts)
+
+
+# --------------------------------------------------------------------------- settings
+
+
+@pytest.fixture
+def ini(tmp_path: Path) -> Path:
+    return tmp_path / "settings.ini"
+
+
+def test_settings_come_back_as_they_were(ini: Path) -> None:
+    settings = Settings(ini)
+    settings.theme = "dark"
+    settings.projector = True
+    settings.language = "sr_RS"
+    settings.geometry = bytes(range(256))
+    recent = ['/tmp/a, "b"; ž=%41\\n.json', "C:\\d\\e.json", "@Variant(x)", "/tmp/\U0001f600"]
+    settings.recent = recent
+    again = Settings(ini)
+    assert (again.theme, again.projector, again.language) == ("dark", True, "sr_RS")
+    assert again.geometry == bytes(range(256))
+    assert again.recent == recent
+
+
+def test_settings_have_defaults_and_make_no_file_for_them(ini: Path) -> None:
+    settings = Settings(ini)
+    found = (settings.theme, settings.projector, settings.language, settings.geometry)
+    assert found == ("system", False, "", None)
+    assert settings.recent == []
+    assert not ini.exists()
+
+
+@pytest.mark.parametrize(
+    ("line", "name"),
+    [
+        ("theme=pink", "theme"),
+        ("theme=dark, light", "theme"),
+        ("projector=1", "projector"),
+        ("projector=yes", "projector"),
+        ("language=../../evil", "language"),
+        ("geometry=not base 64", "geometry"),
+        (f"geometry={'A' * 20_000}", "geometry"),
+        ('recent="[1, 2]"', "recent"),
+        ('recent="{}"', "recent"),
+        ('recent="["', "recent"),
+        (f'recent="{"[" * 9_000}"', "recent"),
+        ('recent="[\\"\\"]"', "recent"),
+    ],
+)
+def test_a_bad_value_is_the_default_and_the_others_stay(
+    ini: Path, line: str, name: str, caplog: pytest.LogCaptureFixture
+) -> None:
+    others = {"theme": "theme=dark", "projector": "projector=true"}
+    others.pop(name, None)
+    ini.write_text("\n".join(["[General]", line, *others.values()]) + "\n", encoding="utf-8")
+    settings = Settings(ini)
+    assert getattr(settings, name) == getattr(Settings(None), name)
+    if name != "theme":
+        assert settings.theme == "dark"
+    if name != "projector":
+        assert settings.projector is True
+    assert getattr(settings, name) is not None or name == "geometry"
+    assert [record for record in caplog.messages if f"setting {name} = " in record][1:] == []
+    assert f"setting {name} = " in caplog.text
+    assert not Path(f"{ini}.bak").exists()
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        b"\0\1\2\3" * 100,
+        b"\xff\xfe[\0G\0e\0n\0",
+        b"<html>not found</html>\n",
+        b"[General\ntheme=dark\n",
+        b"[General]\ntheme=da\0rk\n",
+        b"[General]\ntheme=@Variant(\\0\\0\\0\\x7f\\0\\0\\0\\xePyObject)\n",
+        b'[General]\ntheme="@ByteArray(dark)"\n',
+        b'{"theme": "dark"}\n',
+    ],
+)
+def test_a_broken_settings_file_is_set_aside(
+    ini: Path, content: bytes, caplog: pytest.LogCaptureFixture
+) -> None:
+    ini.write_bytes(content)
+    settings = Settings(ini)
+    assert settings.theme == "system"
+    assert Path(f"{ini}.bak").read_bytes() == content
+    assert "set aside as" in caplog.text and ".bak" in caplog.text
+    settings.theme = "dark"
+    assert Settings(ini).theme == "dark"
+
+
+def test_settings_that_cannot_be_written_hold_until_the_end(
+    tmp_path: Path, caplog: pytest.LogCaptureFixture
+) -> None:
+    (tmp_path / "file").write_text("in the way")
+    settings = Settings(tmp_path / "file" / "settings.ini")
+    settings.theme = "dark"
+    settings.projector = True
+    assert (settings.theme, settings.projector) == ("dark", True)
+    # Root may write below a file no more than others. It is told once.
+    assert len([m for m in caplog.messages if "settings cannot be" in m]) == 1
+
+
+def test_a_settings_folder_in_place_of_the_file_is_no_obstacle(ini: Path) -> None:
+    ini.mkdir()
+    settings = Settings(ini)
+    settings.theme = "dark"
+    assert settings.theme == "dark"
+    assert ini.is_dir()
+
+
+def test_an_override_is_not_saved_and_ends_when_the_value_is_set(ini: Path) -> None:
+    settings = Settings(ini)
+    settings.theme = "dark"
+    settings.override("theme", "light")
+    settings.projector = True
+    assert settings.theme == "light"
+    assert Settings(ini).theme == "dark"
+    settings.theme = "system"
+    assert settings.theme == Settings(ini).theme == "system"
+
+
+def test_two_windows_do_not_undo_each_others_settings(ini: Path) -> None:
+    one, other = Settings(ini), Settings(ini)
+    one.theme = "dark"
+    other.projector = True
+    again = Settings(ini)
+    assert (again.theme, again.projector) == ("dark", True)
+
+
+def test_the_program_starts_with_broken_settings(own_home: Path) -> None:
+    ini = application.settings_path()
+    assert ini.is_relative_to(own_home)
+    ini.parent.mkdir(parents=True)
+    ini.write_bytes(b"\0broken")
+    done = drive("print(window.settings.theme); window.close()")
+    assert (done.returncode, done.stdout, done.stderr) == (0, "system\n", "")
+    assert Path(f"{ini}.bak").read_bytes() == b"\0broken"
+    assert "set aside as" in application.log_path().read_text(encoding="utf-8")
+
+
+def test_the_window_keeps_its_settings_from_one_start_to_the_next() -> None:
+    done = drive("window.set_projector(True); window.close()")
+    assert (done.returncode, done.stderr) == (0, "")
+    done = drive("print(window.settings.projector); window.close()")
+    assert done.stdout == "True\n"
+
+
+def test_reset_deletes_the_settings_and_says_so_even_where_no_window_opens() -> None:
+    ini = application.settings_path()
+    settings = Settings(ini)
+    settings.theme = "dark"
+    assert ini.exists()
+    done = run("--reset", DISPLAY=None, WAYLAND_DISPLAY=None)
+    assert done.stdout == f"Settings deleted: {ini}\n"
+    assert done.returncode == 3
+    assert not ini.exists()
+    done = run("--reset", DISPLAY=None, WAYLAND_DISPLAY=None)
+    assert done.stdout == f"There are no settings to delete: {ini}\n"
+
+
+def test_reset_opens_the_window_with_the_defaults() -> None:
+    Settings(application.settings_path()).theme = "dark"
+    done = drive("print(window.settings.theme); window.close()", "--reset")
+    assert done.returncode == 0
+    assert done.stdout.splitlines()[-1] == "system"
+
+
+# --------------------------------------------------------------------------- log and exceptions
+
+
+@pytest.fixture
+def own_logging() -> Iterator[logging.Logger]:
+    """Take away what `start_log` adds."""
+    root = logging.getLogger()
+    handlers, level = list(root.handlers), root.level
+    yield root
+    logging.captureWarnings(False)
+    for handler in set(root.handlers) - set(handlers):
+        root.removeHandler(handler)
+        handler.close()
+    root.setLevel(level)
+
+
+def test_the_log_is_in_the_users_data_folder(own_home: Path, own_logging: logging.Logger) -> None:
+    assert application.start_log() is not None
+    own_logging.warning("hello \udcff")
+    text = application.log_path().read_text(encoding="utf-8")
+    assert application.log_path().is_relative_to(own_home)
+    assert "WARNING root: hello \\udcff" in text
+
+
+def test_the_log_does_not_grow_for_ever(
+    own_logging: logging.Logger, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(application, "LARGEST_LOG", 10_000)
+    application.start_log()
+    for number in range(2_000):
+        own_logging.info("line %d of many", number)
+    files = sorted(application.log_path().parent.iterdir())
+    assert len(files) == 3
+    assert max(file.stat().st_size for file in files) <= 10_000
+    assert "line 1999 of many" in application.log_path().read_text(encoding="utf-8")
+
+
+def test_a_log_that_cannot_be_written_is_done_without(
+    own_home: Path, own_logging: logging.Logger, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (own_home / "file").write_text("in the way")
+    monkeypatch.setenv("XDG_DATA_HOME", str(own_home / "file"))
+    assert application.start_log() is None
+
+
+@pytest.fixture
+def watch(display: Any, monkeypatch: pytest.MonkeyPatch) -> Iterator[application.ExceptionWatch]:
+    # monkeypatch puts pytest's own hooks back.
+    monkeypatch.setattr(sys, "excepthook", sys.excepthook)
+    monkeypatch.setattr(threading, "excepthook", threading.excepthook)
+    watch = application.ExceptionWatch(Path("the.log"))
+    watch.install()
+    yield watch
+    if watch.report is not None:
+        watch.report.close()
+        watch.report.deleteLater()
+
+
+def fail(display: Any, error: Exception) -> None:
+    """Raise in a slot, and let Qt go on."""
+    from PySide6.QtCore import QTimer
+
+    def slot() -> None:
+        raise error
+
+    QTimer.singleShot(0, slot)
+    for _ in range(3):
+        display.processEvents()
+
+
+def test_an_exception_in_a_slot_is_logged_and_reported(
+    watch: application.ExceptionWatch, display: Any, caplog: pytest.LogCaptureFixture
+) -> None:
+    fail(display, ValueError("the moon\nis new"))
+    report = watch.report
+    assert report is not None and report.isVisible() and not report.isModal()
+    assert "ValueError: the moon is new" in report.text
+    assert "the.log" in report.text
+    assert "Traceback" in caplog.text and "the moon" in caplog.text
+
+
+def test_repeated_exceptions_do_not_pile_up_windows(
+    watch: application.ExceptionWatch, display: Any
+) -> None:
+    before = len(display.topLevelWidgets())
+    for number in range(5):
+        fail(display, ValueError(f"number {number}"))
+    assert len(display.topLevelWidgets()) == before + 1
+    assert watch.report is not None
+    assert "number 0" in watch.report.text and "4 more times" in watch.report.text
+    watch.report.close()
+    fail(display, KeyError("another day"))
+    assert "another day" in watch.report.text and "more times" not in watch.report.text
+    assert len(display.topLevelWidgets()) == before + 1
+
+
+def test_an_exception_in_a_thread_is_reported_too(
+    watch: application.ExceptionWatch, display: Any
+) -> None:
+    thread = threading.Thread(target=lambda: 1 // 0)
+    thread.start()
+    thread.join()
+    display.processEvents()
+    assert watch.report is not None
+    assert "ZeroDivisionError" in watch.report.text
+
+
+def test_copy_details_puts_the_traceback_on_the_clipboard(
+    watch: application.ExceptionWatch, display: Any
+) -> None:
+    from PySide6.QtWidgets import QPushButton
+
+    fail(display, ValueError("the moon"))
+    assert watch.report is not None
+    buttons = watch.report.findChildren(QPushButton)
+    (copy,) = (button for button in buttons if button.text() == "Copy details")
+    copy.click()
+    text = display.clipboard().text()
+    assert "Traceback" in text and "in slot" in text and "ValueError: the moon" in text
+    assert "PySide6" in text
+    assert watch.report.isVisible()
+
+
+def test_a_report_that_fails_is_only_logged(
+    watch: application.ExceptionWatch,
+    display: Any,
+    monkeypatch: pytest.MonkeyPatch,
+    caplog: pytest.LogCaptureFixture,
+) -> None:
+    def broken(_report: object, _summary: str, _details: str) -> None:
+        raise RuntimeError("no ink")
+
+    monkeypatch.setattr(application.Report, "tell", broken)
+    fail(display, ValueError("the moon"))
+    assert [m for m in caplog.messages if "report" in m] == ["the report itself failed"]
+
+
+def test_the_program_outlives_an_exception_and_logs_what_qt_and_vtk_say() -> None:
+    done = drive(
+        """
+from PySide6.QtCore import qWarning
+from vtkmodules.vtkIOGeometry import vtkSTLReader
+def after():
+    from PySide6.QtWidgets import QApplication
+    reports = [w for w in QApplication.topLevelWidgets() if type(w).__name__ == "Report"]
+    print([report.isVisible() for report in reports])
+    reports[0].close()
+    window.close()
+QTimer.singleShot(0, lambda: QTimer.singleShot(0, after))
+qWarning("a word of Qt")
+reader = vtkSTLReader()
+reader.SetFileName("/no/such.stl")
+reader.Update()
+raise LookupError("lost")
+"""
+    )
+    assert (done.returncode, done.stdout) == (0, "[True]\n")
+    # The terminal gets the exception, which is a fault of ours, and nothing of the rest.
+    assert done.stderr.count("Traceback") == 1 and "LookupError: lost" in done.stderr
+    assert "Qt" not in done.stderr and "such.stl" not in done.stderr
+    text = application.log_path().read_text(encoding="utf-8")
+    assert "WARNING qt: a word of Qt" in text
+    assert re.search(r"ERROR vtk: .*\n?.*/no/such.stl", text)
+    assert "LookupError: lost" in text
+    assert "OpenGL" in text.splitlines()[0]
+
+
+# --------------------------------------------------------------------------- the window
+
+
+def test_ctrl_c_closes_the_window_and_ends_well(own_home: Path) -> None:
+    with subprocess.Popen(
+        driver("print('ready', flush=True)"),
+        cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+    ) as process:  # fmt: skip
+        assert process.stdout and process.stderr
+        try:
+            assert process.stdout.readline() == "ready\n"
+            process.send_signal(signal.SIGINT)
+            # Nothing else wakes the program: an idle window runs no Python.
+            assert process.wait(timeout=60) == 0
+        finally:
+            process.kill()
+        assert process.stderr.read() == ""
+    assert "geometry" in application.settings_path().read_text()  # it was closed, not killed
+    assert not list(own_home.rglob("autosave-*"))
+
+
+def test_a_second_ctrl_c_ends_a_program_that_still_asks(own_home: Path) -> None:
+    act = """
+from dataclasses import replace
+projection = window.store.document.projection
+window.store.set_projection(replace(projection, image_size=(640, 480)))
+ask = window.files.may_discard
+def asking():
+    QTimer.singleShot(0, lambda: print("asking", flush=True))
+    return ask()
+window.files.may_discard = asking
+print("ready", flush=True)
+"""
+    with subprocess.Popen(
+        driver(act), cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    ) as process:
+        assert process.stdout
+        try:
+            for expected in ("ready\n", "asking\n"):
+                assert process.stdout.readline() == expected
+                assert process.poll() is None
+                process.send_signal(signal.SIGINT)
+            assert process.wait(timeout=60) == -signal.SIGINT
+        finally:
+            process.kill()
+
+
+def test_the_window_shows_what_the_command_line_says(tmp_path: Path) -> None:
+    path = tmp_path / "my.json"
+    write(Document("cube", Projection(image_size=(300, 200))), path)
+    done = drive(
+        """
+document = window.store.document
+print(document.scene, document.projection.image_size, document.projection.lens.near)
+print(window.files.path, window.settings.theme, window.width(), window.height())
+window.close()
+""",
+        path, "--set", "lens.near=0.25", "--theme=dark", "--size", "1200x700",
+    )  # fmt: skip
+    assert done.stderr == ""
+    assert done.stdout.splitlines() == ["cube (300, 200) 0.25", f"{path} dark 1200 700"]
+    # --theme was for this once.
+    assert Settings(application.settings_path()).theme == "system"
+
+
+def test_a_document_whose_mesh_is_gone_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "my.json"
+    write(Document(str(tmp_path / "gone.stl")), path)
+    assert "gone.stl" in refused(path)
+
+
+def test_numbers_in_files_keep_their_points_in_every_locale(comma_locale: dict[str, str]) -> None:
+    code = (
+        "import ctypes, locale\n"
+        "from widgets.application import make_application\n"
+        "application = make_application()\n"
+        "libc = ctypes.CDLL(None)\n"
+        "libc.strtod.restype = ctypes.c_double\n"
+        "print(libc.strtod(b'0.5', None))\n"
+        "locale.setlocale(locale.LC_NUMERIC, '')\n"
+        "print(libc.strtod(b'0.5', None))\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code],
+        cwd=ROOT, env={**os.environ, **comma_locale}, capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    # The second number shows that the locale does what is guarded against.
+    assert done.stdout == "0.5\n0.0\n", done.stderr
+
+
+def test_a_translation_beside_the_code_is_loaded(
+    display: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from PySide6.QtCore import QCoreApplication, QTranslator
+
+    (tmp_path / "frustum_lab_hr.ts").write_text(
+        '<?xml version="1.0" encoding="utf-8"?><!DOCTYPE TS><TS version="2.1" language="hr">'
+        "<context><name>Report</name><message><source>Copy details</source>"
+        "<translation>Kopiraj pojedinosti</translation></message></context></TS>",
+        encoding="utf-8",
+    )
+    tool = Path(sys.executable).parent / "pyside6-lrelease"
+    subprocess.run([tool, "frustum_lab_hr.ts"], cwd=tmp_path, check=True, capture_output=True)
+    monkeypatch.setattr(application, "TRANSLATIONS", tmp_path)
+    assert application.translate(display, "et") is False
+    assert application.translate(display, "hr_HR") is True
+    try:
+        assert QCoreApplication.translate("Report", "Copy details") == "Kopiraj pojedinosti"
+    finally:
+        for translator in display.findChildren(QTranslator):
+            display.removeTranslator(translator)
+            translator.deleteLater()
+
+
+# --------------------------------------------------------------------------- the screenshot
+
+
+def test_screenshot_is_a_picture_of_the_whole_window(tmp_path: Path) -> None:
+    Settings(application.settings_path()).theme = "dark"
+    out = tmp_path / "window.png"
+    done = run("--screenshot", out, "--size", "1366x768")
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+    light = picture(out)
+    assert light.shape == (768, 1366, 3)
+    assert np.median(light) > 200  # whatever the user's settings are
+    # The panes are the left three quarters. Grabbed too early, each is of one colour.
+    for pane in np.array_split(light[100:700, :1020], 3, axis=1):
+        colours, counts = np.unique(pane.reshape(-1, 3), axis=0, return_counts=True)
+        assert len(colours) > 50
+        assert counts.sum() - counts.max() > 2_000
+    done = run("--screenshot", out, "--theme", "dark", "--set", "scene=cube")
+    assert done.returncode == 0
+    assert np.median(picture(out)) < 80
+    # The settings were left alone.
+    settings = Settings(application.settings_path())
+    assert (settings.theme, settings.geometry) == ("dark", None)
+
+
+def test_screenshot_to_a_place_that_is_not_there_is_refused(tmp_path: Path) -> None:
+    assert "there is no folder" in refused("--screenshot", tmp_path / "no" / "a.png")
+    assert "must end in .png" in refused("--screenshot", tmp_path / "a.jpg")
+
+
+def test_screenshot_to_a_full_disk_is_refused(tmp_path: Path) -> None:
+    out = tmp_path / "full.png"
+    out.symlink_to("/dev/full")
+    assert "full.png cannot be written: No space left on device" in refused("--screenshot", out)
+
+
+def test_doctor_reads_the_probe_of_another_process(display: Any) -> None:
+    done = subprocess.run(
+        [sys.executable, "-m", "widgets.opengl"],
+        cwd=ROOT, capture_output=True, text=True, check=True,
+    )  # fmt: skip
+    answer = json.loads(done.stdout)
+    found = opengl.probe()
+    assert (answer["version"], answer["renderer"]) == (found.version, found.renderer)
+    assert answer["platform"] == display.platformName()
+    assert len(answer["screens"]) == len(display.screens())
