@@ -130,9 +130,12 @@ class DocumentError(ValueError):
             Turns one of `BOUNDS` into another language.
         """
         bound = translate(self.bound).format(*self.limits)
+        file = _printable(self.file)
+        if len(file) > _LONGEST_FILE:
+            file = "..." + file[3 - _LONGEST_FILE :]
         if not self.field:
-            return f"{_printable(self.file) or translate(THE_DOCUMENT)} {bound}."
-        place = f"{_printable(self.file)}: " if self.file else ""
+            return f"{file or translate(THE_DOCUMENT)} {bound}."
+        place = f"{file}: " if file else ""
         if self.value is ...:
             return f"{place}{self.field} {bound}."
         return f"{place}{self.field} = {_as_written(self.value)}: {bound}."
@@ -182,6 +185,7 @@ _PATHS = (
 # What float() takes and no document would: 1_000, nan, infinity, digits of other scripts.
 _NUMBER = re.compile(r"[+-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?")
 _LONGEST_SHOWN = 60
+_LONGEST_FILE = 200
 
 
 def _known(kind: object) -> dict[str, tuple[str, ...]]:
@@ -218,11 +222,12 @@ def _as_written(value: object) -> str:
     if value is None or isinstance(value, bool):
         return json.dumps(value)
     if isinstance(value, (list, tuple)):
-        text = "[" + ", ".join(map(_as_written, value[:8])) + "]"
+        text = "[" + ", ".join(map(_as_written, value[:_LONGEST_SHOWN])) + "]"
     elif isinstance(value, dict):
-        text = "{" + ", ".join(f"{_printable(key)}: ..." for key in list(value)[:8]) + "}"
+        keys = list(value)[:_LONGEST_SHOWN]
+        text = "{" + ", ".join(f"{_printable(key)}: ..." for key in keys) + "}"
     elif isinstance(value, str):
-        text = repr(type(value)(value[:_LONGEST_SHOWN]))
+        text = repr(type(value)(value[: _LONGEST_SHOWN + 1]))
     else:
         text = format_value(value)
     return text if len(text) <= _LONGEST_SHOWN else text[: _LONGEST_SHOWN - 3] + "..."
@@ -286,6 +291,8 @@ def _check_tree(value: Any, path: str, depth: int) -> None:
     """Refuse, by its path, what JSON's grammar lets through."""
     if isinstance(value, _Refused):
         path = _join(path, value.key) if value.key else path
+        if not path:
+            raise DocumentError(FOREIGN)
         raise DocumentError(value.bound, field=path, value=value.value)
     if depth > DEEPEST:
         raise DocumentError(TOO_DEEP, DEEPEST)
@@ -681,7 +688,7 @@ def read(path: Path) -> Document:
     DocumentError
         If there is no such file, it cannot be read, or it is not a valid document.
     """
-    try:
+    with _blamed_on(path, UNREADABLE):
         content = _read_bytes(path)
         if content.startswith(_PNG):
             text = extract(content)
@@ -690,9 +697,27 @@ def read(path: Path) -> Document:
         else:
             text = _decode(content)
         return parse(text, os.path.dirname(os.path.realpath(path)))
+
+
+@contextlib.contextmanager
+def _blamed_on(path: Path, bound: str) -> Iterator[None]:
+    """Name the file in what is raised, and turn the system's complaints into a sentence."""
+    file = os.fspath(path)
+    if "\0" in file:
+        raise DocumentError(BAD_NAME, file=file)
+    try:
+        yield
     except DocumentError as error:
-        error.file = os.fspath(path)
+        error.file = file
         raise
+    except FileNotFoundError as error:
+        if bound == UNREADABLE:
+            raise DocumentError(NO_FILE, file=file) from error
+        raise DocumentError(bound, error.strerror or error, file=file) from error
+    except OSError as error:
+        raise DocumentError(bound, error.strerror or error, file=file) from error
+    except UnicodeEncodeError as error:  # a half of a surrogate pair
+        raise DocumentError(BAD_NAME, file=file) from error
 
 
 def _decode(content: bytes) -> str:
@@ -703,21 +728,12 @@ def _decode(content: bytes) -> str:
 
 
 def _read_bytes(path: Path) -> bytes:
-    try:
-        if os.path.isdir(path):
-            raise DocumentError(FOLDER)
-        with open(path, "rb") as file:
-            content = file.read(len(_PNG))
-            limit = LARGEST_PICTURE if content == _PNG else LARGEST_DOCUMENT
-            content += file.read(limit - len(content) + 1)
-    except FileNotFoundError as error:
-        raise DocumentError(NO_FILE) from error
-    except OSError as error:
-        raise DocumentError(UNREADABLE, error.strerror or error) from error
-    except ValueError as error:
-        if isinstance(error, DocumentError):
-            raise
-        raise DocumentError(BAD_NAME) from error
+    if os.path.isdir(path):
+        raise DocumentError(FOLDER)
+    with open(path, "rb") as file:
+        content = file.read(len(_PNG))
+        limit = LARGEST_PICTURE if content == _PNG else LARGEST_DOCUMENT
+        content += file.read(limit - len(content) + 1)
     if len(content) > limit:
         raise DocumentError(TOO_LARGE, limit // 2**20)
     return content
@@ -737,7 +753,8 @@ def write(document: Document, path: Path) -> None:
     DocumentError
         If it cannot be written; the file that was there is as it was.
     """
-    folder = os.path.dirname(os.path.realpath(path))
+    with _blamed_on(path, UNWRITABLE):
+        folder = os.path.dirname(os.path.realpath(path))
     write_bytes_atomically(path, to_json(document, folder).encode())
 
 
@@ -760,21 +777,14 @@ def write_bytes_atomically(path: Path, content: bytes) -> None:
     The content goes to a new file in the same folder, which takes the old one's name when it is
     safely on the disk. What a killed program left behind of this is removed by the next one.
     """
-    try:
+    with _blamed_on(path, UNWRITABLE):
         target = os.path.realpath(path)
         mode = _mode_to_keep(target)
-        if mode is not None and not stat.S_ISREG(mode):
-            with open(target, "wb") as device:  # /dev/stdout and the like cannot be replaced
+        if mode is None or stat.S_ISREG(mode):
+            _replace(target, content, mode)
+        else:  # /dev/stdout and the like cannot be replaced
+            with open(target, "wb") as device:
                 device.write(content)
-            return
-        _replace(target, content, mode)
-    except DocumentError as error:
-        error.file = os.fspath(path)
-        raise
-    except OSError as error:
-        raise DocumentError(UNWRITABLE, error.strerror or error, file=os.fspath(path)) from error
-    except ValueError as error:
-        raise DocumentError(BAD_NAME, file=os.fspath(path)) from error
 
 
 def _mode_to_keep(target: str) -> int | None:
