@@ -25,6 +25,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from itertools import islice
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -65,10 +66,16 @@ _FAR_LABEL_AT = np.array(
     + [(x, y, 0) for r in (0.5, 0.2, 0.1, 0.05) for x, y in ((-r, r), (r, r), (-r, -r), (r, -r))]
 )
 
+# On which sides of their points labels can be, best first: right and up, in half labels.
+_ON = ((0.0, 0.0), (0.0, 1.0), (0.0, -1.0), (1.0, 0.0), (-1.0, 0.0))
 _ABOVE = ((0.0, 1.0), (0.0, -1.0))
+_BELOW = ((0.3, -1.0), (1.0, -1.0), (-1.0, -1.0), (0.0, 1.0), (1.0, 1.0), (-1.0, 1.0))
 _LEFT_BELOW = ((-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0), (-1.0, -3.0), (1.0, -3.0))
 _RIGHT_BELOW = ((1.0, -0.6), (-1.0, -0.6), (0.0, -1.0), (0.0, 1.0), (1.0, 1.0), (-1.0, 1.0))
-_BELOW_FIRST = ((0.3, -1.0), (1.0, -1.0), (-1.0, -1.0), (0.0, 1.0), (1.0, 1.0), (-1.0, 1.0))
+
+# The axes' tips in view space, in sizes of the body; their letters stand beyond them.
+_AXES = {"v": (0.0, 1.7, 0.0), "n": (0.0, 0.0, 2.5), "u": (1.7, 0.0, 0.0)}
+_TIPS = np.concatenate([stretch * np.array(list(_AXES.values())) for stretch in (1.2, 1.5, 1.9)])
 
 # The eye is where the cube's z axis meets infinity: a pyramid with its apex at the origin and its
 # base at z = 1 becomes the eye's pyramid to the near face when z and w change places.
@@ -169,7 +176,7 @@ class WorldDrawing:
         sight = actors.line_actor([(0, 0, 0), (0, 0, -1)], [(0, 1)], style.muted, width)
         self._sight_space.add(sight)
         points, faces, edges = _camera_body()
-        body = actors.face_actor(points, faces, style.muted)
+        body = actors.face_actor(points, faces, style.muted, 0.65)  # the axes show through it
         wire = actors.line_actor(points, edges, style.eye, width)
         self._camera_space.add(body, wire)
         eye = actors.point_actor([(0, 0, 0)], style.eye, 5.0 * width)
@@ -178,16 +185,16 @@ class WorldDrawing:
         self._eye_space.add(eye)
         self._target_space.add(target)
         self._rim_space.add(rim)
-        add(sight, body, wire, eye, rim, target)
+        add(sight, wire, eye, rim, target)
 
-        self._axis_tips = np.array([(0, 1.7, 0), (0, 0, 2.5), (1.7, 0, 0)])
         self._axis_labels = []
-        for axis, tip in zip("vnu", self._axis_tips, strict=True):
+        for axis, tip in _AXES.items():
             colour = getattr(style, axis)
-            shaft, head = _arrow(tip, colour, 2.0 * width)
+            shaft, head = _arrow(np.array(tip), colour, 2.0 * width)
             self._camera_space.add(shaft, head)
             add(shaft, head)
             self._axis_labels.append(self._canvas.label(words[axis], plate=colour, bold=True))
+        add(body)
         self._eye_label = self._canvas.label(words["eye"], plate=style.eye)
         self._target_label = self._canvas.label(words["target"], plate=style.target)
 
@@ -241,9 +248,7 @@ class WorldDrawing:
         camera, lens = projection.camera, projection.lens
         self._eye = np.array(camera.eye) - self._origin
         self._target = np.array(camera.target) - self._origin
-        self._local_from_view = np.eye(4)
-        self._local_from_view[:3, :3] = camera.frame.T
-        self._local_from_view[:3, 3] = self._eye
+        _, self._local_from_view = _view(projection, self._origin)
         self._depths = (self._eye - self._everything) @ camera.frame[2]
         objects_depth = float(((self._eye - self._objects) @ camera.frame[2]).max())
         self._extent = self._scene.size + math.dist(camera.eye, self._scene.centre)
@@ -308,16 +313,21 @@ class WorldDrawing:
         far = f"{words['far']} {_distance(lens.far)}"
         self._near_label.set_text(near)
         self._far_label.set_text(far)
+        frame = self._projection.camera.frame
+        tips = self._eye + (_TIPS * self._body_size) @ frame
+        near_at = _applied(self._frustum, _NEAR_LABEL_AT)
+        far_at = _applied(self._frustum, _FAR_LABEL_AT)
         layout = _Layout(self._canvas, self._pane)
-        layout.keep_free(np.stack([self._eye, self._target]))
-        for name, label, tip in zip("vnu", self._axis_labels, self._axis_tips, strict=True):
-            stretched = np.outer((1.2, 1.5, 1.9), tip) * self._body_size
-            places = self._eye + stretched @ self._projection.camera.frame
-            layout.place(label, words[name], places, ((0.0, 0.0),))
-        layout.place(self._target_label, words["target"], self._target[None], _RIGHT_BELOW)
-        layout.place(self._eye_label, words["eye"], self._eye[None], _BELOW_FIRST)
-        layout.place(self._near_label, near, _applied(self._frustum, _NEAR_LABEL_AT), _LEFT_BELOW)
-        layout.place(self._far_label, far, _applied(self._frustum, _FAR_LABEL_AT), _ABOVE)
+        (eye, target, *axes), near_seen, far_seen = layout.seen(
+            np.concatenate([[self._eye, self._target], tips]), near_at, far_at
+        )
+        layout.keep_free([eye, target])
+        for i, (name, label) in enumerate(zip(_AXES, self._axis_labels, strict=True)):
+            layout.place(label, words[name], axes[i::3], _ON)
+        layout.place(self._target_label, words["target"], [target], _RIGHT_BELOW)
+        layout.place(self._eye_label, words["eye"], [eye], _BELOW)
+        layout.place(self._near_label, near, near_seen, _LEFT_BELOW)
+        layout.place(self._far_label, far, far_seen, _ABOVE)
 
     def _place_picture(self) -> None:
         """The scene, flattened onto the near plane, and the planes of the picture's window."""
@@ -442,14 +452,14 @@ class WorldDrawing:
         depths = (points - self._pane.eye) @ toward
         target_depth = float((self._target - self._pane.eye) @ toward)
         nearest = max(
-            0.98 * min(float(depths.min()), target_depth), _NEAREST * camera.GetDistance()
+            0.95 * min(float(depths.min()), target_depth), _NEAREST * camera.GetDistance()
         )
         farthest = max(1.02 * max(float(depths.max()), target_depth), 2.0 * nearest)
         camera.SetClippingRange(nearest, farthest)
         for space, point, on_top in (
-            (self._eye_space, self._eye, 1.1),
-            (self._target_space, self._target, 1.2),
-            (self._rim_space, self._target, 1.3),
+            (self._eye_space, self._eye, 1.01),
+            (self._target_space, self._target, 1.02),
+            (self._rim_space, self._target, 1.03),
         ):
             # Drawn towards the pane's camera, where nothing is in front, on the same pixel.
             depth = float((point - self._pane.eye) @ toward)
@@ -488,64 +498,73 @@ class _Layout:
         self._pane = pane
         self._taken: list[tuple[float, float, float, float]] = []
 
-    def _seen(self, points: Array) -> list[list[float]]:
-        """Pixels from the left and from the bottom, and length per pixel, of local points."""
+    def seen(self, *groups: Array) -> list[list[tuple[float, float, float]]]:
+        """Pixels from the left and from the bottom, and depth, of local points, groups (n, 3)."""
         width_px, height_px = self._size_px
-        x, y, depth = self._pane.axes @ (points - self._pane.eye).T
-        unit = np.maximum(depth, 1e-300) * (2.0 * self._pane.slope / height_px)
-        x_px, y_px = width_px / 2.0 + x / unit, height_px / 2.0 + y / unit
-        seen: list[list[float]] = np.stack([x_px, y_px, unit], axis=1)[depth > 0.0].tolist()
-        return seen
+        x, y, depth = self._pane.axes @ (np.concatenate(groups) - self._pane.eye).T
+        in_front = np.where(depth > 0.0, depth, np.inf)
+        px = height_px / (2.0 * self._pane.slope * in_front)
+        seen = np.stack([width_px / 2.0 + px * x, height_px / 2.0 + px * y, depth], axis=1)
+        found, rows = [], iter(map(tuple, seen.tolist()))
+        for group in groups:
+            found.append(list(islice(rows, len(group))))
+        return found
 
-    def keep_free(self, points: Array) -> None:
-        """Let no label hide what is drawn at these points, (n, 3)."""
+    def keep_free(self, points: Sequence[tuple[float, float, float]]) -> None:
+        """Let no label hide what is drawn at these `seen` points."""
         half = 0.4 * self._em
-        self._taken += [(x - half, y - half, x + half, y + half) for x, y, _ in self._seen(points)]
+        self._taken += [(x - half, y - half, x + half, y + half) for x, y, _ in points]
 
     def place(
-        self, label: Label, text: str, points: Array, sides: Sequence[tuple[float, float]]
+        self,
+        label: Label,
+        text: str,
+        points: Sequence[tuple[float, float, float]],
+        sides: Sequence[tuple[float, float]],
     ) -> None:
         """Put a label beside the first of these points, and on its first side, that is free.
 
         Parameters
         ----------
         label : Label
-            Anchored at its centre.
+            Anchored at its centre. Hidden if none of the points is in the pane.
         text : str
             What is written on it.
-        points : (n, 3) array
+        points : sequence of (float, float, float)
+            As `seen`.
         sides : sequence of (float, float)
             Where the label's box is from the point: -1 to the left of or below, 1 to the right
             of or above, 0 on it.
         """
         half_x, half_y = 0.33 * self._em * (len(text) + 2.2), 0.72 * self._em
+        away_x, away_y = half_x + 0.5 * self._em, half_y + 0.5 * self._em
         width_px, height_px = self._size_px
-        best: tuple[float, float, float] | None = None
-        for at_x, at_y, unit in self._seen(points):
-            for side_x, side_y in sides:
-                x = at_x + side_x * (half_x + 0.5 * self._em)
-                y = at_y + side_y * (half_y + 0.5 * self._em)
+        second_best: tuple[float, float, float] | None = None
+        for at_x, at_y, depth in points:
+            for side_x, side_y in sides if depth > 0.0 else ():
+                x, y = at_x + side_x * away_x, at_y + side_y * away_y
                 low_x, low_y, high_x, high_y = x - half_x, y - half_y, x + half_x, y + half_y
                 if low_x < 0.0 or low_y < 0.0 or high_x > width_px or high_y > height_px:
                     continue
-                best = best or (x, y, unit)
-                if all(
-                    low_x >= b[2] or high_x <= b[0] or low_y >= b[3] or high_y <= b[1]
+                if second_best is None:
+                    second_best = x, y, depth
+                if not any(
+                    low_x < b[2] and high_x > b[0] and low_y < b[3] and high_y > b[1]
                     for b in self._taken
                 ):
-                    self._put(label, (x, y, unit))
                     self._taken.append((low_x, low_y, high_x, high_y))
+                    self._put(label, x, y, depth)
                     return
-        label.set_visible(best is not None)
-        if best is not None:
-            self._put(label, best)
+        if second_best is None:
+            label.set_visible(False)
+        else:
+            self._put(label, *second_best)
 
-    def _put(self, label: Label, place: tuple[float, float, float]) -> None:
-        x, y, unit = place
+    def _put(self, label: Label, x_px: float, y_px: float, depth: float) -> None:
         width_px, height_px = self._size_px
-        depth = unit * height_px / (2.0 * self._pane.slope)
-        on_axes = np.array([(x - width_px / 2.0) * unit, (y - height_px / 2.0) * unit, depth])
-        label.set_position(self._pane.eye + on_axes @ self._pane.axes)
+        unit = 2.0 * self._pane.slope * depth / height_px
+        across, up = (x_px - width_px / 2.0) * unit, (y_px - height_px / 2.0) * unit
+        label.set_position(self._pane.eye + np.array([across, up, depth]) @ self._pane.axes)
         label.set_visible(True)
 
 
@@ -604,15 +623,16 @@ def flatten(
     near, far = lens.near, lens.far
     free = _MARGIN * (depths[1] - depths[0])
     start = max(near, depths[0] - free)
-    end = max(min(far, depths[1] + free), start + 1e-6 * max(abs(start), free))
+    end = max(min(far, depths[1] + free), start + 1e-6 * max(abs(start), reach))
     shallow = replace(projection, lens=replace(lens, near=start, far=end), depth="reversed")
-    clip_from_local = shallow.clip_from_world_at(origin)
+    view_from_local, local_from_view = _view(projection, origin)
+    clip_from_local = shallow.clip_from_view @ view_from_local
     perspective = isinstance(lens, Perspective)
     beyond = math.inf if perspective else near + reach
     film_lens = replace(lens, near=near, far=beyond)
     film = replace(projection, lens=film_lens, depth="reversed")
-    local_from_film = film.world_from_clip_at(origin)
-    film_from_local = film.clip_from_world_at(origin)
+    local_from_film = local_from_view @ film.view_from_clip
+    film_from_local = film.clip_from_view @ view_from_local
     slab = SLAB if toward_eye else -SLAB
 
     squeeze = np.eye(4)
@@ -631,6 +651,16 @@ def flatten(
 
 
 # --------------------------------------------------------------------------- matrices
+
+
+def _view(projection: Projection, origin: Array) -> tuple[Array, Array]:
+    """View from scene-local coordinates and back, both (4, 4); the eye is subtracted first."""
+    camera = projection.camera
+    eye = np.array(camera.eye) - origin
+    view_from_local, local_from_view = np.identity(4), np.identity(4)
+    view_from_local[:3, :3], view_from_local[:3, 3] = camera.frame, camera.frame @ -eye
+    local_from_view[:3, :3], local_from_view[:3, 3] = camera.frame.T, eye
+    return view_from_local, local_from_view
 
 
 def _translation(offset: Array) -> Array:
@@ -731,8 +761,7 @@ def _broken_edges() -> tuple[Array, list[tuple[int, ...]]]:
             points += [(x, y, 1.0 - t) for t, _ in strokes]
         lines.append(tuple(range(len(points), len(points) + len(zigzag))))
         for t, across in zigzag:
-            outward = 1.0 + 0.05 * across
-            points.append((x * outward, y * outward, 1.0 - t))
+            points.append((x * (1.0 + 0.02 * across), y * (1.0 + 0.08 * across), 1.0 - t))
     return np.array(points), lines
 
 

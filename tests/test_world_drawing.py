@@ -1,0 +1,695 @@
+"""The world pane: the matrices of what it draws, and the pixels that reach the screen."""
+
+from __future__ import annotations
+
+import gc
+import math
+import weakref
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+import pyvista as pv
+from numpy.typing import NDArray
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow, vtkUnsignedCharArray
+from vtkmodules.vtkCommonMath import vtkMatrix4x4
+from vtkmodules.vtkRenderingCore import vtkCamera, vtkTextActor
+
+from app.drawings import WORDS
+from app.drawings.style import DARK, LIGHT, Style, rgb
+from app.drawings.world import SLAB, WorldDrawing, flatten
+from app.projection import (
+    DEPTH_RANGES,
+    PLANES,
+    Array,
+    Camera,
+    Orthographic,
+    Perspective,
+    Projection,
+)
+from app.scene import Scene, load
+
+Pixels = NDArray[np.uint8]
+CUBE = np.array([(x, y, z) for z in (1, 0) for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))])
+START = load("letter-f").start
+
+
+class View:
+    """A world drawing in an off-screen window that it finds empty and leaves empty."""
+
+    def __init__(
+        self, plotter: Any, scene: Scene, width: int = 500, height: int = 560, style: Style = LIGHT
+    ) -> None:
+        self.plotter = plotter
+        self.window = plotter.render_window
+        self.window.SetSize(width, height)
+        self.camera = vtkCamera()
+        plotter.renderer.SetActiveCamera(self.camera)
+        self.drawing = WorldDrawing(plotter, scene, WORDS, style)
+        self.scene = scene
+
+    def pixels(self) -> Pixels:
+        """Render once; (height, width, 3), the first row on top."""
+        self.window.Render()
+        width, height = self.window.GetSize()
+        buffer = vtkUnsignedCharArray()
+        self.window.GetPixelData(0, 0, width - 1, height - 1, 0, buffer, 0)
+        return np.array(vtk_to_numpy(buffer).reshape(height, width, 3)[::-1])
+
+    def pixel_of(self, points_world: Any) -> Array:
+        """Column and row, (..., 2), by VTK's own camera; to be called after a rendering."""
+        width, height = self.window.GetSize()
+        matrix = to_array(self.camera.GetCompositeProjectionTransformMatrix(width / height, -1, 1))
+        ndc = applied(matrix, np.asarray(points_world) - self.scene.origin)
+        return (ndc[..., :2] * (0.5, -0.5) + 0.5) * (width, height)
+
+    def stand(self, eye: Any, target: Any, angle_deg: float = 50.0) -> None:
+        """Move the pane's own camera, as a user might."""
+        self.camera.SetPosition(*eye)
+        self.camera.SetFocalPoint(*target)
+        self.camera.SetViewAngle(angle_deg)
+        self.drawing.reset_clipping_range()
+
+    def labels(self) -> dict[str, vtkTextActor]:
+        """What is written and visible, by its text."""
+        props = self.plotter.renderer.GetViewProps()
+        texts = [prop for prop in props if isinstance(prop, vtkTextActor)]
+        return {text.GetInput().strip(): text for text in texts if text.GetVisibility()}
+
+    def hide_labels(self) -> None:
+        for label in self.labels().values():
+            label.GetTextProperty().SetOpacity(0.0)
+            label.GetTextProperty().SetBackgroundOpacity(0.0)
+
+
+MakeView = Callable[..., View]
+
+
+@pytest.fixture(scope="module")
+def plotter() -> Iterator[Any]:
+    plotter = pv.Plotter(off_screen=True, window_size=[500, 560], border=False)
+    plotter.render_window.SetMultiSamples(0)
+    plotter.render_window.Render()
+    yield plotter
+    plotter.close()
+
+
+@pytest.fixture
+def make_view(plotter: Any) -> Iterator[MakeView]:
+    """Make world panes, one after the other; VTK must have had nothing to say."""
+    said, before = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
+    vtkOutputWindow.SetInstance(said)
+    made: list[View] = []
+
+    def make(scene: Scene | str = "letter-f", *args: Any, **options: Any) -> View:
+        if made:
+            made.pop().drawing.remove()
+        made.append(
+            View(plotter, load(scene) if isinstance(scene, str) else scene, *args, **options)
+        )
+        return made[-1]
+
+    yield make
+    made.pop().drawing.remove()
+    vtkOutputWindow.SetInstance(before)
+    assert said.GetOutput() == ""
+
+
+def to_array(matrix: vtkMatrix4x4) -> Array:
+    return np.array([[matrix.GetElement(i, j) for j in range(4)] for i in range(4)])
+
+
+def applied(matrix: Array, points: Any) -> Array:
+    clip = np.asarray(points) @ matrix[:, :3].T + matrix[:, 3]
+    return np.asarray(clip[..., :3] / clip[..., 3:])
+
+
+def to_bytes(colour: str) -> list[int]:
+    return [round(255 * part) for part in rgb(colour)]
+
+
+def with_lens(**values: Any) -> Projection:
+    return replace(START, lens=replace(START.lens, **values))
+
+
+def orthographic(**values: Any) -> Projection:
+    projection = START.with_lens("orthographic")
+    return replace(projection, lens=replace(projection.lens, **values))
+
+
+def random_projections(count: int, seed: int = 0) -> Iterator[Projection]:
+    """Cameras round the letter F; every lens and depth range has its turn."""
+    random = np.random.default_rng(seed)
+    for number in range(count):
+        direction = random.normal(size=3)
+        eye = random.uniform(2.0, 40.0) * direction / np.linalg.norm(direction)
+        target, up = random.uniform((-1, 1, -1), (1, 3, 1)), random.normal(size=3)
+        near = 10.0 ** random.uniform(-4.0, 0.0)
+        far = near + 10.0 ** random.uniform(-2.0, 6.0)
+        lens: Perspective | Orthographic
+        if number % 2:
+            low, high = random.uniform(-8.0, -0.5, 2), random.uniform(0.5, 8.0, 2)
+            lens = Orthographic(low[0], high[0], low[1], high[1], near - 1.0, far)
+        else:
+            far = math.inf if number % 5 == 0 else far
+            lens = Perspective(10.0 ** random.uniform(0.0, 2.2), near, far)
+        camera = Camera(tuple(eye), tuple(target), tuple(up))
+        depth = list(DEPTH_RANGES)[number % 3]
+        yield Projection(camera, lens, (640, 480), depth)  # type: ignore[arg-type]
+
+
+# --------------------------------------------------------------------------- matrices
+
+
+def test_the_frustum_is_the_unprojected_cube(make_view: MakeView) -> None:
+    """Wherever its planes are drawn where they are: the model's own corners, to 1e-12."""
+    drawing = make_view().drawing
+    whole = cut = 0
+    for projection in random_projections(120):
+        drawing.show_projection(projection)
+        matrix = to_array(drawing._frustum_space.matrix)
+        reach = drawing._reach
+        if reach.near_break is not None:
+            continue
+        if reach.far_break is not None:  # what is drawn is the frustum of a nearer far plane
+            assert projection.lens.far > reach.high == reach.far
+            projection = replace(projection, lens=replace(projection.lens, far=reach.far))
+            cut += 1
+        else:
+            whole += 1
+        expected = projection.frustum_corners_world[:, :3]
+        size = np.abs(expected - projection.camera.eye).max() + np.abs(expected).max()
+        assert np.abs(applied(matrix, CUBE) - expected).max() < 1e-12 * size, projection
+        assert np.abs(matrix).max() <= 1.0  # or float32 overflows
+    assert whole > 20 and cut > 20
+
+
+def test_the_eye_lines_run_from_the_eye_to_the_near_corners(make_view: MakeView) -> None:
+    view = make_view()
+    for projection in random_projections(20):
+        if projection.lens.kind == "orthographic":
+            continue
+        view.drawing.show_projection(projection)
+        matrix = to_array(view.drawing._apex_space.matrix)
+        ends = applied(matrix, np.array([(0.0, 0.0, 0.0), *CUBE[:4]]))
+        expected = [projection.camera.eye, *projection.frustum_corners_world[:4, :3]]
+        assert np.allclose(ends, expected, rtol=0, atol=1e-9)
+
+
+@pytest.mark.parametrize("toward_eye", [True, False])
+def test_flattened_points_keep_their_ray_and_their_order(toward_eye: bool) -> None:
+    """On the near plane within the slab, on the ray to the eye, the nearest on top."""
+    random = np.random.default_rng(1)
+    checked = 0
+    for projection in random_projections(200, seed=2):
+        lens, camera = projection.lens, projection.camera
+        points = random.uniform((-2.0, 0.0, -2.0), (2.0, 5.0, 2.0), (60, 3))
+        depths = (np.array(camera.eye) - points) @ camera.frame[2]
+        trace = projection.trace(points)
+        inside = ~trace.outside.any(axis=-1)
+        if inside.sum() < 2:
+            continue
+        checked += 1
+        film = flatten(
+            projection, np.zeros(3), (depths.min(), depths.max()), 10.0, toward_eye=toward_eye
+        )
+        flat = applied(film.surface, points[inside])
+        again = projection.trace(flat)
+        assert np.allclose(again.image, trace.image[inside], rtol=0, atol=1e-5)
+        flat_depths = (np.array(camera.eye) - flat) @ camera.frame[2]
+        thick = SLAB * (lens.near if lens.kind == "perspective" else 10.0)
+        above = (lens.near - flat_depths) * (1.0 if toward_eye else -1.0)
+        rounding = 1e-9 * (thick + abs(lens.near))
+        assert above.min() >= -rounding and above.max() <= 1.02 * thick + rounding
+        # From the slab's free side, what the camera sees in front lies on top.
+        order = np.argsort(depths[inside])
+        assert (np.diff(above[order]) <= rounding).all()
+        spread = (np.ptp(above) / thick) / (np.ptp(depths[inside]) / np.ptp(depths))
+        assert spread > 0.005  # the slab is spent on the scene, not on near to far
+    assert checked > 40
+
+
+def test_the_windows_planes_cut_what_the_model_says_is_outside() -> None:
+    """Also for points behind the eye, whose flattened w is negative: VTK multiplies first."""
+    random = np.random.default_rng(3)
+    behind = 0
+    for projection in random_projections(60, seed=4):
+        points = random.uniform(-40.0, 40.0, (200, 3))
+        depths = (np.array(projection.camera.eye) - points) @ projection.camera.frame[2]
+        near, far = projection.lens.near, projection.lens.far
+        if not (depths.max() > near and depths.min() < far):
+            continue
+        bounds = depths.min(), depths.max()
+        film = flatten(projection, np.zeros(3), bounds, 10.0, toward_eye=True)
+        flat = points @ film.surface[:, :3].T + film.surface[:, 3]
+        cut = ((flat @ film.planes.T) < 0.0).any(axis=1)
+        outside = projection.trace(points).outside
+        thin = np.abs(np.stack([depths - near, depths - far])).min(axis=0) < 0.05
+        assert (cut == outside.any(axis=1))[~thin].all(), projection
+        behind += int((flat[:, 3] < 0.0).sum())
+        for plane, name in zip((0, 1, 2, 3), PLANES[2:], strict=True):
+            in_front = ~thin & (depths > 0.0)
+            alone = (flat @ film.planes[plane] < 0.0) == outside[:, PLANES.index(name)]
+            assert alone[in_front].all(), name
+    assert behind > 1000
+
+
+# --------------------------------------------------------------------------- the break
+
+
+def test_what_lies_within_reach_is_drawn_where_it_is(make_view: MakeView) -> None:
+    view = make_view()
+    view.drawing.show_projection(with_lens(near=2.0, far=15.0))
+    breaks = view.drawing._breaks
+    assert not breaks["near"].GetVisibility() and not breaks["far"].GetVisibility()
+    assert {"near 2", "far 15"} <= set(view.labels())
+
+
+@pytest.mark.parametrize(
+    ("projection", "broken", "labels"),
+    [
+        (with_lens(far=1e6), {"far"}, {"near 1", "far 1e+06"}),
+        (with_lens(far=math.inf), {"far"}, {"near 1", "far ∞"}),
+        (with_lens(near=1e-6, far=math.inf), {"far"}, {"near 1e-06", "far ∞"}),
+        (with_lens(near=2000.0, far=30000.0), {"near", "far"}, {"near 2000", "far 30000"}),
+        (orthographic(near=-2.0, far=16.0), set(), {"near -2", "far 16"}),
+        (orthographic(near=-1e9, far=1e9), {"near", "far"}, {"near -1e+09", "far 1e+09"}),
+        (orthographic(near=-300.0, far=-200.0), {"near", "far"}, {"near -300", "far -200"}),
+        (orthographic(near=500.0, far=600.0), {"near", "far"}, {"near 500", "far 600"}),
+    ],
+)
+def test_what_lies_beyond_is_broken_and_says_its_distance(
+    make_view: MakeView, projection: Projection, broken: set[str], labels: set[str]
+) -> None:
+    view = make_view()
+    view.drawing.show_projection(projection)
+    view.drawing.reset_view()
+    shown = {name for name, actor in view.drawing._breaks.items() if actor.GetVisibility()}
+    assert shown == broken
+    assert labels <= set(view.labels())
+    corners = applied(to_array(view.drawing._frustum_space.matrix), CUBE)
+    away = np.linalg.norm(corners - view.scene.centre, axis=1)
+    assert away.max() < 10.0 * view.scene.size
+
+
+def test_the_break_can_be_seen(make_view: MakeView) -> None:
+    """Ink that was not there, at each of the four edges, inside the pane."""
+    view = make_view()
+    view.drawing.show_projection(with_lens(far=1e6))
+    view.hide_labels()
+    with_break = view.pixels()
+    view.drawing._breaks["far"].SetVisibility(False)
+    changed = (with_break != view.pixels()).any(axis=-1)
+    view.drawing._breaks["far"].SetVisibility(True)
+    matrix = to_array(view.drawing._break_spaces["far"].matrix)
+    for edge in range(4):
+        middle = view.pixel_of(applied(matrix, (CUBE[edge] + CUBE[edge + 4]) / 2.0))
+        column, row = np.round(middle).astype(int)
+        around = changed[max(0, row - 12) : row + 12, max(0, column - 12) : column + 12]
+        assert around.sum() > 10, edge
+
+
+def test_the_reach_is_continuous_and_the_pane_stands_still(make_view: MakeView) -> None:
+    """While a control is dragged nothing jumps: neither the cut nor the pane's camera."""
+    view = make_view()
+    before = (*view.camera.GetPosition(), *view.camera.GetFocalPoint(), view.camera.GetViewAngle())
+    last: Array | None = None
+    for step in range(400):
+        angle = 2.0 * math.pi * step / 400.0
+        eye = (14.0 * math.sin(angle), 5.0, 9.0 * math.cos(angle))
+        near = 10.0 ** (step / 40.0 - 4.0)
+        lens = Perspective(45.0, near, 2e7)
+        view.drawing.show_projection(Projection(Camera(eye, (0.0, 2.0, 0.0)), lens))
+        reach = view.drawing._reach
+        now = np.array([reach.high, min(reach.near, 100.0), reach.far])
+        if last is not None:
+            assert (np.abs(now - last) < 0.07 * np.abs(last) + 0.05).all(), step
+        last = now
+    after = (*view.camera.GetPosition(), *view.camera.GetFocalPoint(), view.camera.GetViewAngle())
+    assert after == before
+
+
+# --------------------------------------------------------------------------- pixels
+
+
+def colour_at(image: Pixels, pixel: Array) -> list[int]:
+    column, row = np.floor(pixel).astype(int)
+    return [int(part) for part in image[row, column]]
+
+
+@pytest.mark.parametrize("style", [LIGHT, DARK])
+def test_markers_light_their_pixels(make_view: MakeView, style: Any) -> None:
+    """Eye and target are seen from wherever the pane looks, also through the letter F."""
+    view = make_view(style=style)
+    for azimuth in (0.0, 35.0, 180.0, 250.0):
+        view.drawing.reset_view()
+        view.camera.Azimuth(azimuth)
+        view.drawing.reset_clipping_range()
+        for eye in ((6.0, 5.0, 9.0), (1.0, 3.0, 8.0)):
+            view.drawing.show_projection(replace(START, camera=Camera(eye, (0.0, 2.5, 0.0))))
+            image = view.pixels()
+            for point, colour in ((eye, style.eye), ((0.0, 2.5, 0.0), style.target)):
+                assert colour_at(image, view.pixel_of(point)) == to_bytes(colour), azimuth
+
+
+def test_planes_light_their_pixels_and_near_is_nearer(make_view: MakeView) -> None:
+    view = make_view()
+    projection = with_lens(near=5.0, far=15.0)
+    view.drawing.show_projection(projection)
+    view.hide_labels()
+    image = view.pixels()
+    corners = projection.frustum_corners_world[:, :3]
+    for face, colour in ((corners[:4], LIGHT.near), (corners[4:], LIGHT.far)):
+        middles = (face + np.roll(face, -1, axis=0)) / 2.0
+        for pixel in view.pixel_of(middles):
+            column, row = np.floor(pixel).astype(int)
+            around = image[row - 2 : row + 3, column - 2 : column + 3].astype(int)
+            assert (np.abs(around - to_bytes(colour)).max(axis=-1) < 12).any()
+    drawn = applied(to_array(view.drawing._frustum_space.matrix), CUBE)
+    depths = (np.array(projection.camera.eye) - drawn) @ projection.camera.frame[2]
+    assert np.allclose(depths, [5.0] * 4 + [15.0] * 4)
+
+
+def ray_cast(scene: Scene, projection: Projection, pixels: Array) -> tuple[Array, list[Any]]:
+    """What the model's camera sees in its image, by intersecting rays with the faces.
+
+    Returns
+    -------
+    points : (n, 3) array
+        The rays' points on the near plane.
+    colours : list of n
+        Of the nearest face, or None.
+    """
+    assert scene.surface is not None
+    left, right, bottom, top = projection.window
+    width, height = projection.image_size
+    camera, lens = projection.camera, projection.lens
+    u, v, n = camera.frame
+    x = left + (right - left) * pixels[:, 0] / width
+    y = top - (top - bottom) * pixels[:, 1] / height
+    points = np.array(camera.eye) + np.outer(x, u) + np.outer(y, v) - lens.near * n
+    colours: list[Any] = []
+    surface = scene.surface.triangulate()
+    triangles = surface.points[surface.regular_faces].astype(float) + scene.origin
+    rgb_of = surface.cell_data["rgb"]
+    for point in points:
+        along = point - camera.eye if lens.kind == "perspective" else -n
+        along = along / np.linalg.norm(along)
+        a, b, c = triangles[:, 0], triangles[:, 1], triangles[:, 2]
+        normal = np.cross(b - a, c - a)
+        slope = normal @ along
+        with np.errstate(divide="ignore", invalid="ignore"):
+            t = ((a - point) * normal).sum(axis=1) / slope
+            hit = point + t[:, None] * along
+            within = np.isfinite(t) & (t > 0.0)
+            for p, q in ((a, b), (b, c), (c, a)):
+                within &= (np.cross(q - p, hit - p) * normal).sum(axis=1) >= 0.0
+        nearest = np.where(within, t, np.inf)
+        first = int(nearest.argmin())
+        colours.append(rgb_of[first].tolist() if np.isfinite(nearest[first]) else None)
+    return points, colours
+
+
+@pytest.mark.parametrize("side", ["eye's side", "other side"])
+@pytest.mark.parametrize(
+    "projection",
+    [
+        with_lens(near=3.0, fov_y_deg=38.0),
+        replace(with_lens(near=3.0, far=math.inf), depth="direct3d"),
+        replace(orthographic(near=3.0, left=-4.0, right=4.0, bottom=-4, top=4), depth="reversed"),
+    ],
+)
+def test_the_picture_on_the_near_plane_is_the_image(
+    make_view: MakeView, projection: Projection, side: str
+) -> None:
+    """The same colours as rays through the pixels find, seen obliquely and from both sides."""
+    scene = replace(load("letter-f"), lines=None)
+    view = make_view(scene, 700, 600)
+    view.drawing.show_projection(projection)
+    width, height = projection.image_size
+    random = np.random.default_rng(5)
+    pixels = random.uniform((0.25 * width, 0.1 * height), (0.75 * width, 0.9 * height), (400, 2))
+    points, colours = ray_cast(scene, projection, pixels)
+    seen = np.stack([np.array(ray_cast(scene, projection, pixels + step)[1], dtype=object)
+                     for step in ((9, 0), (-9, 0), (0, 9), (0, -9))])  # fmt: skip
+    camera, near = projection.camera, projection.lens.near
+    centre = points.mean(axis=0)
+    u, v, n = camera.frame
+    toward = 1.0 if side == "eye's side" else -1.0
+    size = projection.window[3] * 2.0
+    view.stand(
+        centre + (toward * n + 0.35 * u + 0.25 * v) * min(0.8 * size, 0.8 * near), centre, 90
+    )
+    view.hide_labels()
+    image = view.pixels()
+    spots = view.pixel_of(points)
+    hits = 0
+    for i, (spot, colour) in enumerate(zip(spots, colours, strict=True)):
+        settled = all(np.array_equal(other, colours[i]) for other in seen[:, i])
+        if colour is None or not settled or not ((spot > 2) & (spot < (698, 598))).all():
+            continue
+        hits += 1
+        assert colour_at(image, spot) == colour, (i, spot)
+    assert hits > 25
+
+
+@pytest.mark.parametrize("eye", [(0.3, 2.0, 7.0), (0.6, 4.0, 3.2)])
+def test_nothing_of_the_picture_is_outside_its_window(
+    make_view: MakeView, eye: tuple[float, float, float]
+) -> None:
+    """Seen from between near plane and scene, the only F there is is the one on the plane."""
+    scene = load("letter-f")
+    view = make_view(scene, 500, 500)
+    lens = Perspective(18.0, 2.0, 30.0)
+    projection = Projection(Camera(eye, (0.0, 2.2, 0.0)), lens, (400, 400))
+    view.drawing.show_projection(projection)
+    u, _, n = projection.camera.frame
+    middle = np.array(eye) - lens.near * n
+    view.stand(middle - 0.5 * n + 0.1 * u, middle, 100.0)
+    view.hide_labels()
+    for actor in view.plotter.renderer.GetActors():  # the scene stands beside and behind
+        if actor not in view.drawing._picture:
+            actor.VisibilityOff()
+    painted = (view.pixels() != np.array(to_bytes(LIGHT.background))).any(axis=-1)
+    corners = view.pixel_of(projection.frustum_corners_world[:4, :3])
+    rows, columns = np.nonzero(painted)
+    spots = np.stack([columns + 0.5, rows + 0.5], axis=1)
+    edges = np.roll(corners, -1, axis=0) - corners
+    across = np.stack(
+        [edge[0] * (spots[:, 1] - at[1]) - edge[1] * (spots[:, 0] - at[0])
+         for edge, at in zip(edges, corners, strict=True)]
+    ) / np.linalg.norm(edges, axis=1)[:, None]  # fmt: skip
+    turned = np.sign(np.median(across))
+    assert (turned * across > -3.0).all()
+    assert len(rows) > 2000
+
+
+def test_labels_hide_no_other_label(make_view: MakeView) -> None:
+    view = make_view()
+    cases = [START, with_lens(near=1e-6, far=math.inf), with_lens(near=4.0), orthographic(near=-5)]
+    cases += [replace(START, camera=Camera((0.0, 14.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, -1.0)))]
+    for projection in cases:
+        view.drawing.show_projection(projection)
+        view.drawing.reset_view()
+        view.pixels()
+        boxes = {}
+        for text, actor in view.labels().items():
+            box = [0.0] * 4
+            actor.GetBoundingBox(view.plotter.renderer, box)
+            x, y = actor.GetPositionCoordinate().GetComputedDoubleViewportValue(
+                view.plotter.renderer
+            )
+            boxes[text] = (x + box[0], y + box[2], x + box[1], y + box[3])
+        assert {"u", "v", "n", "eye", "target"} < set(boxes) and len(boxes) == 7
+        for one, a in boxes.items():
+            assert a[0] >= 0 and a[1] >= 0 and a[2] <= 500 and a[3] <= 560, one
+            for other, b in boxes.items():
+                apart = a[2] <= b[0] or b[2] <= a[0] or a[3] <= b[1] or b[3] <= a[1]
+                assert one == other or apart, (one, other, projection.lens)
+
+
+# --------------------------------------------------------------------------- behaviour
+
+
+def test_a_step_sets_matrices_and_nothing_else(make_view: MakeView) -> None:
+    view = make_view()
+    view.pixels()
+    renders: list[str] = []
+    view.window.AddObserver("StartEvent", lambda _window, event: renders.append(event))
+    renderer, camera = view.plotter.renderer, view.camera
+    props = list(renderer.GetViewProps())
+    matrices = [actor.GetUserMatrix() for actor in renderer.GetActors()]
+    meshes = [actor.GetMapper().GetInput().GetMTime() for actor in renderer.GetActors()]
+    mappers = [actor.GetMapper().GetMTime() for actor in renderer.GetActors()]
+    place = (*camera.GetPosition(), *camera.GetFocalPoint(), *camera.GetViewUp())
+    for projection in random_projections(50, seed=6):
+        view.drawing.show_projection(projection)
+    assert list(renderer.GetViewProps()) == props
+    actors = list(renderer.GetActors())
+    assert [actor.GetUserMatrix() for actor in actors] == matrices
+    assert [actor.GetMapper().GetInput().GetMTime() for actor in actors] == meshes
+    assert [actor.GetMapper().GetMTime() for actor in actors] == mappers
+    assert (*camera.GetPosition(), *camera.GetFocalPoint(), *camera.GetViewUp()) == place
+    assert renders == []
+
+
+def test_the_scene_and_its_picture_share_their_points(make_view: MakeView) -> None:
+    """Or a large mesh would be on the GPU twice."""
+    view = make_view()
+    inputs = [a.GetMapper().GetInput() for a in view.drawing._picture]
+    others = [
+        a.GetMapper().GetInput()
+        for a in view.plotter.renderer.GetActors()
+        if a not in view.drawing._picture
+    ]
+    assert len(inputs) == 2
+    for mesh in inputs:
+        assert any(mesh is other for other in others)
+
+
+@pytest.mark.parametrize("size", [(500, 560), (1280, 720), (300, 400)])
+@pytest.mark.parametrize("scene", ["letter-f", "cube", "posts"])
+def test_the_view_has_everything_in_it_from_beside(
+    make_view: MakeView, scene: str, size: tuple[int, int]
+) -> None:
+    view = make_view(scene, *size)
+    view.pixels()
+    start = view.scene.start
+    corners = applied(to_array(view.drawing._frustum_space.matrix), CUBE)
+    points = np.array([start.camera.eye, start.camera.target, view.scene.centre, *corners])
+    spots = view.pixel_of(points)
+    assert ((spots > 0) & (spots < size)).all()
+    assert np.ptp(spots, axis=0).max() > 0.5 * min(size)  # and as large as it can be
+    # Seen side by side, not one behind the other.
+    assert np.linalg.norm(spots[0] - spots[2]) > 0.2 * min(size)
+
+
+def test_a_resized_pane_fits_again_unless_its_view_was_moved(make_view: MakeView) -> None:
+    view = make_view("letter-f", 500, 560)
+    view.pixels()
+    first = view.camera.GetPosition()
+    view.window.SetSize(900, 300)
+    view.pixels()
+    assert view.camera.GetPosition() != first
+    spots = view.pixel_of(applied(to_array(view.drawing._frustum_space.matrix), CUBE))
+    assert ((spots > 0) & (spots < (900, 300))).all()
+    view.camera.Azimuth(20.0)
+    view.drawing.reset_clipping_range()
+    moved = view.camera.GetPosition()
+    view.window.SetSize(500, 500)
+    view.pixels()
+    assert view.camera.GetPosition() == moved
+
+
+def test_reset_view_undoes_the_mouse(make_view: MakeView) -> None:
+    view = make_view()
+    place = view.camera.GetPosition()
+    view.camera.Azimuth(50.0)
+    view.camera.Dolly(2.0)
+    view.drawing.reset_clipping_range()
+    view.drawing.reset_view()
+    assert view.camera.GetPosition() == place
+
+
+def moved(scene: Scene, scale: float, origin: tuple[float, float, float]) -> Scene:
+    """The same scene and camera, scaled and then carried to `origin`."""
+
+    def carry(point: tuple[float, float, float]) -> tuple[float, float, float]:
+        x, y, z = (o + scale * p for o, p in zip(origin, point, strict=True))
+        return x, y, z
+
+    meshes = []
+    for mesh in (scene.surface, scene.lines):
+        assert mesh is not None
+        copy = mesh.copy()
+        copy.points = copy.points * scale
+        meshes.append(copy)
+    camera, lens = scene.start.camera, scene.start.lens
+    start = replace(
+        scene.start,
+        camera=Camera(carry(camera.eye), carry(camera.target), camera.up),
+        lens=replace(lens, near=lens.near * scale, far=lens.far * scale),
+    )
+    lower, upper = carry(scene.lower), carry(scene.upper)
+    return Scene(scene.name, origin, meshes[0], meshes[1], lower, upper, start, scene.requires)
+
+
+@pytest.mark.parametrize(
+    ("scale", "origin"),
+    [(1.0, (1e7, -2e7, 3e7)), (1e-6, (0.0, 0.0, 0.0)), (1e9, (0.0, 0.0, 0.0))],
+)
+def test_scenes_far_away_tiny_or_huge_look_the_same(
+    make_view: MakeView, scale: float, origin: tuple[float, float, float]
+) -> None:
+    images = []
+    for scene in (load("letter-f"), moved(load("letter-f"), scale, origin)):
+        view = make_view(scene)
+        view.hide_labels()  # their distances differ
+        images.append(view.pixels())
+    differing = (images[0] != images[1]).any(axis=-1)
+    assert differing.mean() < 0.002
+
+
+@pytest.mark.parametrize(
+    "projection",
+    [
+        with_lens(fov_y_deg=1e-4),
+        with_lens(fov_y_deg=179.99),
+        with_lens(near=1e-9, far=math.inf),
+        with_lens(near=1e-300, far=math.inf),
+        with_lens(near=1.0, far=1.0 + 1e-12),
+        with_lens(near=1e9, far=1e12),
+        orthographic(near=-1e12, far=1e12),
+        orthographic(left=-1e-6, right=1e-6),
+        orthographic(left=-1e9, right=1e9, bottom=-1e9, top=1e9),
+        replace(START, camera=Camera((0.0, 30.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, -1.0))),
+        replace(START, camera=Camera((0.0, 2.2, 0.3), (0.0, 2.2, 0.0), (1.0, 1.0, 0.0))),
+        replace(START, camera=Camera((6.0, 5.0, 9.0), (12.0, 8.0, 18.0))),
+        replace(START, camera=Camera((1e7, 5.0, 9.0), (0.0, 2.2, 0.0))),
+        replace(START, camera=Camera((6.0, 5.0, 9.0), (0.0, -1e12, 0.0))),
+    ],
+)
+def test_extremes_draw_the_scene_and_the_camera(
+    make_view: MakeView, projection: Projection
+) -> None:
+    view = make_view("letter-f", 300, 340)
+    view.drawing.show_projection(projection)
+    first = view.pixels()
+    view.drawing.reset_view()
+    second = view.pixels()
+    for space in (view.drawing._frustum_space, view.drawing._picture_space):
+        matrix = to_array(space.matrix)
+        assert np.isfinite(matrix.astype(np.float32)).all()
+    for image in (first, second):
+        assert len(np.unique(image.reshape(-1, 3), axis=0)) > 5
+    eye = view.pixel_of(projection.camera.eye)
+    assert ((eye > 0) & (eye < (300, 340))).all()
+    assert colour_at(second, eye) == to_bytes(LIGHT.eye)
+
+
+def test_a_flat_scene_in_the_eye_plane(make_view: MakeView) -> None:
+    """No depth at all to spread over the slab."""
+    mesh = pv.PolyData(
+        np.array([(-1.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)]), faces=[3, 0, 1, 2]
+    )
+    mesh.cell_data["rgb"] = np.array([(200, 0, 0)], dtype=np.uint8)
+    start = Projection(Camera((0.0, 0.0, 0.0), (0.0, 0.0, -1.0)), Orthographic(near=-1.0, far=1.0))
+    lower, upper = (-1.0, 0.0, 0.0), (1.0, 1.0, 0.0)
+    scene = Scene("flat", (0.0, 0.0, 0.0), mesh, None, lower, upper, start, frozenset())
+    view = make_view(scene)
+    assert (view.pixels() == (200, 0, 0)).all(axis=-1).sum() > 100
+
+
+def test_removing_leaves_nothing_behind(make_view: MakeView) -> None:
+    view = make_view()
+    view.pixels()
+    alive = weakref.ref(view.drawing)
+    view.drawing.remove()
+    assert view.plotter.renderer.GetViewProps().GetNumberOfItems() == 0
+    view.pixels()
+    view.drawing = make_view().drawing
+    gc.collect()
+    assert alive() is None
