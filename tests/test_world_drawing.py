@@ -113,7 +113,8 @@ def make_view(plotter: Any) -> Iterator[MakeView]:
         return made[-1]
 
     yield make
-    made.pop().drawing.remove()
+    for view in made:
+        view.drawing.remove()
     vtkOutputWindow.SetInstance(before)
     assert said.GetOutput() == ""
 
@@ -431,7 +432,7 @@ def test_the_picture_on_the_near_plane_is_the_image(
     view.drawing.show_projection(projection)
     width, height = projection.image_size
     random = np.random.default_rng(5)
-    pixels = random.uniform((0.25 * width, 0.1 * height), (0.75 * width, 0.9 * height), (400, 2))
+    pixels = random.uniform((0.25 * width, 0.1 * height), (0.75 * width, 0.9 * height), (250, 2))
     points, colours = ray_cast(scene, projection, pixels)
     seen = np.stack([np.array(ray_cast(scene, projection, pixels + step)[1], dtype=object)
                      for step in ((9, 0), (-9, 0), (0, 9), (0, -9))])  # fmt: skip
@@ -483,7 +484,7 @@ def test_nothing_of_the_picture_is_outside_its_window(
          for edge, at in zip(edges, corners, strict=True)]
     ) / np.linalg.norm(edges, axis=1)[:, None]  # fmt: skip
     turned = np.sign(np.median(across))
-    assert (turned * across > -3.0).all()
+    assert (turned * across > -5.0).all()  # the slab's thickness from so near, and a line's
     assert len(rows) > 2000
 
 
@@ -613,8 +614,15 @@ def moved(scene: Scene, scale: float, origin: tuple[float, float, float]) -> Sce
         camera=Camera(carry(camera.eye), carry(camera.target), camera.up),
         lens=replace(lens, near=lens.near * scale, far=lens.far * scale),
     )
-    lower, upper = carry(scene.lower), carry(scene.upper)
-    return Scene(scene.name, origin, meshes[0], meshes[1], lower, upper, start, scene.requires)
+    return replace(
+        scene,
+        origin=origin,
+        surface=meshes[0],
+        lines=meshes[1],
+        lower=carry(scene.lower),
+        upper=carry(scene.upper),
+        start=start,
+    )
 
 
 @pytest.mark.parametrize(
@@ -677,8 +685,14 @@ def test_a_flat_scene_in_the_eye_plane(make_view: MakeView) -> None:
     )
     mesh.cell_data["rgb"] = np.array([(200, 0, 0)], dtype=np.uint8)
     start = Projection(Camera((0.0, 0.0, 0.0), (0.0, 0.0, -1.0)), Orthographic(near=-1.0, far=1.0))
-    lower, upper = (-1.0, 0.0, 0.0), (1.0, 1.0, 0.0)
-    scene = Scene("flat", (0.0, 0.0, 0.0), mesh, None, lower, upper, start, frozenset())
+    scene = replace(
+        load("letter-f"),
+        surface=mesh,
+        lines=None,
+        lower=(-1.0, 0.0, 0.0),
+        upper=(1.0, 1.0, 0.0),
+        start=start,
+    )
     view = make_view(scene)
     assert (view.pixels() == (200, 0, 0)).all(axis=-1).sum() > 100
 

@@ -38,7 +38,7 @@ from app.drawings.style import Style
 from app.projection import Array, Lens, Perspective, Projection
 from app.scene import Scene
 
-SLAB = 0.01
+SLAB = 0.005
 """Thickness of the picture on the near plane, relative to near (parallel lens: the reach)."""
 
 _BEYOND = 1.3  # how far the frustum is drawn, of the depth of what is looked at
