@@ -621,9 +621,9 @@ def flatten(
     """
     lens = projection.lens
     near, far = lens.near, lens.far
-    free = _MARGIN * (depths[1] - depths[0])
+    free = max(_MARGIN * (depths[1] - depths[0]), 1e-6 * reach)  # flat scenes have no depth
     start = max(near, depths[0] - free)
-    end = max(min(far, depths[1] + free), start + 1e-6 * max(abs(start), reach))
+    end = max(min(far, depths[1] + free), start + 1e-6 * reach)
     shallow = replace(projection, lens=replace(lens, near=start, far=end), depth="reversed")
     view_from_local, local_from_view = _view(projection, origin)
     clip_from_local = shallow.clip_from_view @ view_from_local
