@@ -121,7 +121,12 @@ SYSTEM = (
 _RENAMED = {"libglib2.0-0": "libglib2.0-0t64"}
 
 #: Distributions whose import name is not simply their own name.
-_IMPORT_NAME = {"vtk": "vtkmodules", "pyside6-essentials": "PySide6", "pytest-qt": "pytestqt"}
+_IMPORT_NAME = {
+    "pillow": "PIL",
+    "vtk": "vtkmodules",
+    "pyside6-essentials": "PySide6",
+    "pytest-qt": "pytestqt",
+}
 
 
 @dataclass(frozen=True)

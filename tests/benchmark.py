@@ -306,14 +306,14 @@ def random_changes(scale: float) -> dict[str, Any]:
     # One play of the animation, as far as the history is concerned.
     window.store.begin_gesture()
     rng = random.Random(1)
-    sliders = [row.slider for row in window.controls.rows.values() if hasattr(row, "slider")]
+    rows = [row for row in window.controls.rows.values() if hasattr(row, "slider")]
     total = max(500, round(5000 * scale))
     start = 0
     for change in range(total):
         if change == total // 5:
             gc.collect()
             start = resident()
-        slider = rng.choice(sliders)
+        slider = rng.choice([row for row in rows if row.isVisible()]).slider
         try:
             slider.setValue(rng.randint(slider.minimum(), slider.maximum()))
         except ProjectionError as error:

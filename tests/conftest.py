@@ -70,7 +70,8 @@ def make_window(
             window.show()
             qtbot.waitExposed(window)
             panes = window.panes.values()
-            qtbot.waitUntil(lambda: not any(p.canvas.render_window.GetNeverRendered() for p in panes))
+            views = [pane.canvas.render_window for pane in panes]
+            qtbot.waitUntil(lambda: not any(view.GetNeverRendered() for view in views))
         return window
 
     yield make

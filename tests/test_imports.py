@@ -63,7 +63,8 @@ ROOMS = {
     "app/precision.py": CORE,
     "app/depth.py": CORE,
     "app/clipping.py": CORE,
-    "app/scene.py": Room(("numpy", *VTK), ("app.projection",)),
+    "app/meshes.py": Room(("numpy", *VTK)),
+    "app/scene.py": Room(("numpy", *VTK), ("app.projection", "app.meshes")),
     "app/document.py": Room(rooms=("app.projection",)),
     "app/drawings/__init__.py": DRAWING,
     "app/drawings/actors.py": DRAWING,
@@ -72,7 +73,7 @@ ROOMS = {
     "app/drawings/ndc.py": DRAWING,
     "app/drawings/image.py": DRAWING,
     "app/figures.py": Room(
-        ("numpy", *VTK), ("app.projection", "app.scene", "app.drawings", "app.document")
+        ("numpy", "PIL", *VTK), ("app.projection", "app.scene", "app.drawings", "app.document")
     ),
     "app/measure.py": Room(
         ("numpy", *VTK),
