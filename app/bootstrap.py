@@ -257,7 +257,7 @@ def advice(missing: Sequence[System]) -> str:
         what = ", ".join(names)
         return f"this system lacks {what}; install what brings them, and start again"
     if len(names) > 3:  # the command names them all
-        names[2:] = [f"{len(names) - 2} more"]
+        names[2:] = [f"and {len(names) - 2} more"]
     return f"this system lacks {', '.join(names)}; run: {_apt_command(_packages(missing))}"
 
 
