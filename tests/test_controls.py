@@ -402,6 +402,18 @@ def test_a_burst_of_keys_is_one_gesture(controls: Controls, record: Record, qtbo
     assert record.events == ["start", "edit", "edit", "edit", "finish"]
 
 
+def test_a_drag_that_follows_a_burst_is_one_gesture_with_it(
+    controls: Controls, record: Record
+) -> None:
+    row = number(controls, "azimuth_deg")
+    row.slider.setFocus()
+    QTest.keyClick(row.slider, KEY.Key_Right)
+    press(row.slider)
+    assert not row._quiet.isActive()  # it would end the gesture under the hand
+    release(row.slider)
+    assert record.events == ["start", "edit", "finish"]
+
+
 def test_a_burst_ends_when_another_row_is_taken(controls: Controls, record: Record) -> None:
     number(controls, "azimuth_deg").slider.setFocus()
     QTest.keyClick(number(controls, "azimuth_deg").slider, KEY.Key_Right)
@@ -677,6 +689,9 @@ def test_nonsense_is_refused_in_every_field(controls: Controls, key: str) -> Non
         assert text.strip() in row.error
         assert row.field.text() == text  # where it can be put right
         assert row.field.accessibleDescription() == row.error
+    row.slider.setFocus()
+    assert row.field.text() == NONSENSE[-1]
+    row.field.setFocus()
     assert record.edits == [] and controls.projection is before
     QTest.keyClick(row.field, KEY.Key_Escape)
     assert row.error == ""

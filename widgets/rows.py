@@ -606,7 +606,7 @@ class NumberRow(Row):
             self._show_text()
 
     def _show_text(self) -> None:
-        if self._open or self.field.refused or self.field.isModified():
+        if self.field.refused or self.field.isModified():
             return
         has_focus = self.field.hasFocus()
         self._set_text(number_text(self._value) if has_focus else short_text(self._value))
