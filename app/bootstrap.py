@@ -49,6 +49,7 @@ _WINDOW: tuple[Need, ...] = ("window", "tests")
 _STAMP = "frustum-lab.stamp"
 _UNFINISHED = "setting up\n"
 _UNOBTAINABLE = "No matching distribution|ResolutionImpossible"
+_NO_ANSWER = r"Retrying \("
 _AGAIN = "FRUSTUM_LAB_STARTED_AGAIN"
 
 
@@ -451,13 +452,13 @@ class Environment:
         pip = [str(self.python), "-I", "-m", "pip", "install", "--disable-pip-version-check"]
         pip += ["--no-input", "--progress-bar", "off", "--only-binary", ":all:"]
         status, output = self._pip(held, [*pip, "-c", str(self.constraints), *wanted])
-        if status != 0 and any(re.search(_UNOBTAINABLE, line) for line in output):
+        if status != 0 and _shows(output, _UNOBTAINABLE) and not _shows(output, _NO_ANSWER):
             _say("the tested versions do not exist for this machine: trying others")
             status, output = self._pip(held, [*pip, *wanted])
         if status != 0:
             why = _last_line(output, "ERROR:") or f"exit status {status}"
-            if any("Retrying (" in line for line in output):
-                why = f"no package server could be reached; {why}"
+            if _shows(output, _NO_ANSWER):
+                why = "no package server could be reached"  # whatever pip concluded from that
             raise SetupError(
                 f"the Python packages could not be installed ({why}); "
                 f"check the network and run again: {_command_again()}"
@@ -465,11 +466,15 @@ class Environment:
 
     def _pip(self, held: Held, command: list[str]) -> tuple[int, list[str]]:
         output: list[str] = []
+        said = ""
 
         def follow(line: str) -> None:
+            nonlocal said
             output.append(line)
-            if (text := _progress(line)) is not None:
+            text = _progress(line)
+            if text is not None and text != said:
                 _say(f"  {text}")
+                said = text
 
         return held.run(command, follow), output
 
@@ -484,9 +489,13 @@ def _progress(line: str) -> str | None:
     match = re.match(r"Installing collected packages: (.*)", line)
     if match:
         return f"installing {match[1].count(',') + 1} packages"
-    if "Retrying (" in line:
+    if re.search(_NO_ANSWER, line):
         return "the package server does not answer; trying again"
     return None
+
+
+def _shows(output: Iterable[str], pattern: str) -> bool:
+    return any(re.search(pattern, line) for line in output)
 
 
 def _last_line(lines: Iterable[str], start: str = "") -> str:
