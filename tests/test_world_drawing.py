@@ -671,6 +671,10 @@ def test_extremes_draw_the_scene_and_the_camera(
     for space in (view.drawing._frustum_space, view.drawing._picture_space):
         matrix = to_array(space.matrix)
         assert np.isfinite(matrix.astype(np.float32)).all()
+    on_the_gpu = to_array(view.drawing._frustum_space.matrix).astype(np.float32)
+    with np.errstate(divide="raise", invalid="raise"):
+        drawn = applied(on_the_gpu, CUBE.astype(np.float32))
+    assert np.isfinite(drawn).all()
     for image in (first, second):
         assert len(np.unique(image.reshape(-1, 3), axis=0)) > 5
     eye = view.pixel_of(projection.camera.eye)

@@ -141,7 +141,6 @@ class WorldDrawing:
         self._build_scene()
         self._build_camera()
         self._build_frustum()
-        self._from_eye_side: bool | None = None
         self._placed: tuple[float, ...] | None = None
         self._framed = self._objects
         self._look_from_pane()
@@ -334,7 +333,7 @@ class WorldDrawing:
         reach = self._reach
         pane = self._pane
         away = pane.eye - self._eye
-        self._from_eye_side = float(away @ self._projection.camera.frame[2]) > -reach.near
+        from_eye_side = float(away @ self._projection.camera.frame[2]) > -reach.near
         left_bottom, right_top = self._corners[0], self._corners[2]
         _, height_px = self._canvas.window.GetSize()
         px = math.dist(pane.eye, left_bottom) * 2.0 * pane.slope / max(1, height_px)
@@ -350,9 +349,7 @@ class WorldDrawing:
             actor.SetVisibility(seen)
         if not seen:
             return
-        film = flatten(
-            self._projection, self._origin, depths, reach.high, toward_eye=self._from_eye_side
-        )
+        film = flatten(self._projection, self._origin, depths, reach.high, toward_eye=from_eye_side)
         self._picture_space.set(film.surface)
         self._picture_lines_space.set(film.lines)
         for plane, (*normal, offset) in zip(self._window_planes, film.planes.tolist(), strict=True):
