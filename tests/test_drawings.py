@@ -261,6 +261,30 @@ def test_only_what_is_before_the_eye_is_drawn(off_screen: Callable[[int, int], O
     assert not wall_px[:, 100:].any()
 
 
+def test_what_reaches_behind_the_eye_is_not_culled_by_its_bounds(
+    off_screen: Callable[[int, int], OffScreen],
+) -> None:
+    """A strip whose ends, divided by w, are both right of the picture, and its middle in it.
+
+    In view coordinates (x, w) it runs from (2, 1) to (-3, -1); x/w is 2 and 3 at its ends, and
+    at 0.35 of its length it is at (0.25, 0.3).
+    """
+    length = math.sqrt(29.0)
+    right, forward = np.array([[-5.0, 0.0, -2.0], [-2.0, 0.0, 5.0]]) / length
+    eye = -2.0 * right - forward
+    strip = [(0.0, -0.1, 0.0), (length, -0.1, 0.0), (length, 0.1, 0.0), (0.0, 0.1, 0.0)]
+    scene = scene_of(strip, [(0, 1, 2, 3)], [(200, 30, 30)])
+    projection = Projection(
+        Camera(tuple(eye), tuple(eye + forward)), Perspective(90, 0.01, 100), (200, 200)
+    )
+    screen = off_screen(200, 200)
+    drawing = ImageDrawing(screen.plotter, scene, WORDS, LIGHT, framed=False)
+    drawing.show_projection(projection)
+    image = screen.pixels()
+    x, y = projection.trace((0.35 * length, 0.0, 0.0)).image
+    assert image[int(y), int(x)].tolist() == [200, 30, 30]
+
+
 # --------------------------------------------------------------------------- the NDC pane
 
 
@@ -388,9 +412,11 @@ def test_the_picture_lies_exactly_in_its_rectangle(
     screen = off_screen(640, 480)
     drawing = ImageDrawing(screen.plotter, scene, WORDS, LIGHT)
     screen.pixels()
-    camera = Camera((0, 0, 0), (0, 0, -1))
-    drawing.show_projection(Projection(camera, Perspective(60, 1, 30), image_size))
     screen.window.SetSize(*pane)
+    projection = Projection(Camera((0, 0, 0), (0, 0, -1)), Perspective(60, 1, 30), (123, 45))
+    drawing.show_projection(projection)
+    screen.pixels()  # another size of pane and of image, so that the next rendering finds news
+    drawing.show_projection(replace(projection, image_size=image_size))
     image = screen.pixels()
     left, top, width, height = drawing.picture_rectangle_px
     picture = drawn(image, red)
