@@ -356,6 +356,26 @@ def test_markers_light_their_pixels(make_view: MakeView, style: Any) -> None:
                 assert colour_at(image, view.pixel_of(point)) == to_bytes(colour), azimuth
 
 
+def test_axes_are_seen_before_the_body(make_view: MakeView) -> None:
+    """Each from the eye towards its letter, in its colour, although the camera is solid."""
+    view = make_view("letter-f", 1280, 720)
+    view.hide_labels()
+    frame, eye = START.camera.frame, np.array(START.camera.eye)
+    for azimuth in (0.0, 40.0, 130.0, 220.0):
+        view.drawing.reset_view()
+        view.camera.Azimuth(azimuth)
+        view.drawing.reset_clipping_range()
+        image = view.pixels()
+        for name, axis, length in zip("uvn", frame, (1.7, 1.7, 2.5), strict=True):
+            for part in (0.4, 0.7, 0.9):
+                tip = eye + part * length * view.drawing._body_size * axis
+                column, row = np.floor(view.pixel_of(tip)).astype(int)
+                around = image[row - 1 : row + 2, column - 1 : column + 2]
+                painted = (around == to_bytes(getattr(LIGHT, name))).all(axis=-1)
+                near_eye = np.abs(view.pixel_of(tip) - view.pixel_of(eye)).max() < 6.0
+                assert painted.any() or near_eye, (azimuth, name, part)
+
+
 def test_planes_light_their_pixels_and_near_is_nearer(make_view: MakeView) -> None:
     view = make_view()
     projection = with_lens(near=5.0, far=15.0)

@@ -169,13 +169,13 @@ class WorldDrawing:
     def _build_camera(self) -> None:
         style, words, add = self._style, self._words, self._canvas.add
         width = style.line_width
-        self._camera_space, self._sight_space = Space(), Space()
+        self._camera_space, self._axes_space, self._sight_space = Space(), Space(), Space()
         self._eye_space, self._target_space, self._rim_space = Space(), Space(), Space()
 
         sight = actors.line_actor([(0, 0, 0), (0, 0, -1)], [(0, 1)], style.muted, width)
         self._sight_space.add(sight)
         points, faces, edges = _camera_body()
-        body = actors.face_actor(points, faces, style.muted, 0.65)  # the axes show through it
+        body = actors.face_actor(points, faces, style.muted)
         wire = actors.line_actor(points, edges, style.eye, width)
         self._camera_space.add(body, wire)
         eye = actors.point_actor([(0, 0, 0)], style.eye, 5.0 * width)
@@ -184,16 +184,15 @@ class WorldDrawing:
         self._eye_space.add(eye)
         self._target_space.add(target)
         self._rim_space.add(rim)
-        add(sight, wire, eye, rim, target)
+        add(sight, body, wire, eye, rim, target)
 
         self._axis_labels = []
         for axis, tip in _AXES.items():
             colour = getattr(style, axis)
             shaft, head = _arrow(np.array(tip), colour, 2.0 * width)
-            self._camera_space.add(shaft, head)
+            self._axes_space.add(shaft, head)
             add(shaft, head)
             self._axis_labels.append(self._canvas.label(words[axis], plate=colour, bold=True))
-        add(body)
         self._eye_label = self._canvas.label(words["eye"], plate=style.eye)
         self._target_label = self._canvas.label(words["target"], plate=style.target)
 
@@ -254,7 +253,8 @@ class WorldDrawing:
         self._reach = reach = self._reach_of(lens, objects_depth)
 
         self._body_size = _BODY * self._extent
-        self._camera_space.set(_scaled(self._local_from_view, self._body_size))
+        self._local_from_body = _scaled(self._local_from_view, self._body_size)
+        self._camera_space.set(self._local_from_body)
         self._sight_space.set(_scaled(self._local_from_view, camera.distance))
 
         frustum = self._local_from_cube(reach.near, reach.far)
@@ -447,10 +447,11 @@ class WorldDrawing:
         camera, toward = self._own_camera, self._pane.axes[2]
         points = np.concatenate([self._everything, self._around_body(), self._corners])
         depths = (points - self._pane.eye) @ toward
+        eye_depth = float((self._eye - self._pane.eye) @ toward)
         target_depth = float((self._target - self._pane.eye) @ toward)
-        nearest = max(
-            0.95 * min(float(depths.min()), target_depth), _NEAREST * camera.GetDistance()
-        )
+        axes_depth = eye_depth - 4.6 * self._body_size  # brought before the body, see below
+        nearest = 0.95 * min(float(depths.min()), target_depth, axes_depth)
+        nearest = max(nearest, _NEAREST * camera.GetDistance())
         farthest = max(1.02 * max(float(depths.max()), target_depth), 2.0 * nearest)
         camera.SetClippingRange(nearest, farthest)
         for space, point, on_top in (
@@ -458,10 +459,23 @@ class WorldDrawing:
             (self._target_space, self._target, 1.02),
             (self._rim_space, self._target, 1.03),
         ):
-            # Drawn towards the pane's camera, where nothing is in front, on the same pixel.
-            depth = float((point - self._pane.eye) @ toward)
-            shrink = on_top * nearest / depth if depth > on_top * nearest else 1.0
-            space.set(_translation(self._pane.eye + shrink * (point - self._pane.eye)))
+            shrink = self._toward_pane(point, on_top * nearest)
+            space.set(shrink @ _translation(point))
+        before_body = max(nearest, eye_depth - 2.0 * self._body_size)
+        in_front_of_body = self._toward_pane(self._eye, before_body)
+        self._axes_space.set(in_front_of_body @ self._local_from_body)
+
+    def _toward_pane(self, point: Array, depth: float) -> Array:
+        """Shrink everything towards the pane's camera until `point` is at `depth`, (4, 4).
+
+        All stays on its pixel, but comes before what would hide it.
+        """
+        matrix = np.identity(4)
+        away = float((point - self._pane.eye) @ self._pane.axes[2])
+        if away > depth:
+            matrix[:3, :3] *= depth / away
+            matrix[:3, 3] = (1.0 - depth / away) * self._pane.eye
+        return matrix
 
     def _around_body(self) -> Array:
         return self._eye + 3.0 * self._body_size * np.vstack([np.eye(3), -np.eye(3)])
