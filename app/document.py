@@ -153,6 +153,9 @@ class Document:
     extra : dict
         Keys that this program does not know, kept for those that do, in the places where they
         stood: ``{"author": "...", "lens": {"label": "..."}}``. Not to be changed in place.
+    views : dict of str to Camera
+        From where a pane (``"world"``, ``"ndc"``) was looked at, if somebody turned it: no part
+        of the model, but a figure shall be drawn as it was seen. Not to be changed in place.
 
     Raises
     ------
@@ -163,6 +166,7 @@ class Document:
     scene: str = "letter-f"
     projection: Projection = field(default_factory=Projection)
     extra: Tree = field(default_factory=dict, hash=False)
+    views: dict[str, Camera] = field(default_factory=dict, hash=False)
 
     def __post_init__(self) -> None:
         if not isinstance(self.scene, str) or not self.scene or "\0" in self.scene:
@@ -192,7 +196,7 @@ def _known(kind: object) -> dict[str, tuple[str, ...]]:
     """The keys that this program knows, by section; the top level is section ``""``."""
     lens = _LENS.get(kind, ()) if isinstance(kind, str) else ()
     return {
-        "": ("format", "version", "scene", "camera", "lens", "depth", "image"),
+        "": ("format", "version", "scene", "camera", "lens", "depth", "image", "views"),
         "camera": _CAMERA,
         "lens": ("kind", *lens),
         "image": ("width", "height"),
@@ -406,7 +410,22 @@ def _document(tree: Tree, folder: Path | None = None) -> Document:
         int(side) if isinstance(side, float) and side.is_integer() else side for side in sides
     )
     projection = Projection(camera, lens, (width, height), _required(tree, "depth", "depth"))
-    return Document(scene, projection, _unknown(tree, kind))
+    views = _section(tree, "views") if "views" in tree else {}
+    return Document(
+        scene, projection, _unknown(tree, kind), {name: _view(views, name) for name in views}
+    )
+
+
+def _view(views: Tree, name: str) -> Camera:
+    path = _join("views", name)
+    if not isinstance(views[name], dict):
+        raise DocumentError(OBJECT, field=path, value=views[name])
+    try:
+        return Camera(*(_required(views[name], key, f"{path}.{key}") for key in _CAMERA))
+    except ProjectionError as error:
+        raise DocumentError(
+            error.bound, *error.limits, field=f"{path}.{error.field}", value=error.value
+        ) from error
 
 
 # --------------------------------------------------------------------------- document to text
@@ -442,7 +461,8 @@ def to_json(document: Document, folder: Path | None = None) -> str:
               "image": {"width": 1280, "height": 720}
             }
 
-        An infinite far is ``"inf"``. Keys that were not known when it was read are there again.
+        An infinite far is ``"inf"``; ``views``, if there are any, hold cameras too. Keys that
+        were not known when it was read are there again.
     """
     tree = _tree(document)
     if folder is not None:
@@ -470,15 +490,21 @@ def _tree(document: Document) -> Tree:
         "format": FORMAT,
         "version": VERSION,
         "scene": document.scene,
-        "camera": {key: [_plain(part) for part in getattr(camera, key)] for key in _CAMERA},
+        "camera": _camera_tree(camera),
         "lens": {"kind": lens.kind}
         | {k: v if isinstance(v, str) else _plain(v) for k, v in values.items()},
         "depth": projection.depth,
         "image": {"width": width, "height": height},
     }
+    if document.views:
+        tree["views"] = {name: _camera_tree(view) for name, view in document.views.items()}
     for section in ("camera", "lens", "image"):
         tree[section] |= extra.get(section, {})
     return tree | {key: value for key, value in extra.items() if key not in tree}
+
+
+def _camera_tree(camera: Camera) -> Tree:
+    return {key: [_plain(part) for part in getattr(camera, key)] for key in _CAMERA}
 
 
 def _scene_from(scene: str, folder: Path) -> str:
@@ -533,7 +559,7 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
             projection = projection.with_lens(texts.pop("lens.kind"))
     tree = _tree(replace(document, projection=projection))
     known = _known(projection.lens.kind)
-    paths = [path for path in known[""] if path not in (*known, "format", "version")]
+    paths = [path for path in known[""] if path not in (*known, "format", "version", "views")]
     paths += [f"{section}.{key}" for section in known if section for key in known[section]]
     for path, text in texts.items():
         section, _, key = path.rpartition(".")
