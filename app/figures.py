@@ -121,12 +121,12 @@ def render(
     return parts[0] if len(parts) == 1 else np.concatenate(parts, axis=1)
 
 
-def write_png(path: Path, pixels: Pixels, document_json: str | None = None) -> None:
+def write_png(path: str | Path, pixels: Pixels, document_json: str | None = None) -> None:
     """Write a figure, whole or not at all, with the document that it shows inside.
 
     Parameters
     ----------
-    path : Path
+    path : str or Path
     pixels : (height, width, 3 or 4) uint8 array
         As `render` returns it.
     document_json : str, optional
@@ -228,6 +228,8 @@ def _averaged(drawn: Pixels, factor: int, transparent: bool) -> Pixels:
     only so can they be averaged; dividing afterwards, no edge has a dark seam.
     """
     channels = 4 if transparent else 3
+    if factor == 1 and not transparent:
+        return drawn[..., :3].copy()
     if factor == 1:
         total = drawn[..., :channels].astype(np.uint16)
     else:

@@ -76,8 +76,14 @@ def scene_of(
         np.array(points, dtype=float), faces=np.hstack([[len(f), *f] for f in faces])
     )
     mesh.cell_data["rgb"] = np.array(colours, dtype=np.uint8)
-    lower, upper = ((-3.0,) * 3, (3.0,) * 3)
-    return Scene("test", origin, mesh, None, lower, upper, Projection(), frozenset())
+    return replace(
+        load("cube"),
+        origin=origin,
+        surface=mesh,
+        lines=None,
+        lower=(-3.0, -3.0, -3.0),
+        upper=(3.0, 3.0, 3.0),
+    )
 
 
 def without_lines(scene: Scene) -> Scene:

@@ -216,8 +216,8 @@ class NdcDrawing:
                 label("1", offset_em=left, anchor=(1, 0)),
             ),
             "z": (
-                label("", offset_em=right, anchor=(-1, 0)),
-                label("", offset_em=right, anchor=(-1, 0)),
+                label("", offset_em=right, anchor=(-1, 0), plate=style.background),
+                label("", offset_em=right, anchor=(-1, 0), plate=style.background),
             ),
         }
         self._letters = {
