@@ -27,6 +27,7 @@ from PIL import Image, PngImagePlugin
 
 import app.document
 import app.projection
+import app.scene
 from app.document import (
     BOUNDS,
     Document,
@@ -557,7 +558,7 @@ def test_a_wrong_setting_is_refused(assignment: str, expected: str | None) -> No
 @given(st.text(), st.text())
 @settings(max_examples=100, deadline=None)
 def test_any_setting_is_taken_or_refused(path: str, text: str) -> None:
-    sentence(lambda: set_value(Document(), path, text))
+    sentence(lambda: set_value(Document(), f"my {path}", text))
     for known in ("lens.near", "camera.eye", "image.width", "depth"):
         try:
             set_value(Document(), known, text)
@@ -768,6 +769,10 @@ def test_a_mesh_may_be_named_from_where_the_program_was_started(
     assert parse(to_json(Document("bunny.stl"))).scene == "bunny.stl"
     write(Document("cube"), "lessons/lesson.json")
     assert read("lessons/lesson.json").scene == "cube"
+
+
+def test_what_is_called_a_mesh_is_what_can_be_read() -> None:
+    assert set(app.document.MESH_ENDINGS) == set(app.scene.ENDINGS)
     assert not is_mesh("letter-f")
     assert all(is_mesh(f"a{end}") for end in (".obj", ".STL", ".ply", ".gltf", ".Glb"))
 
@@ -938,12 +943,23 @@ if sys.platform != "win32":  # what only POSIX can do, or be asked
         assert run_script(LIMITED, path).splitlines() == [refused, refused, refused, "written"]
         assert read(path).scene == "cube"
 
-    def test_a_device_is_written_to_and_stays_a_device() -> None:
+    def test_a_device_is_written_to_and_never_replaced(
+        tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        # Run by root, a program that gets this wrong would take the machine's devices away.
+        monkeypatch.setattr(os, "replace", lambda *names: pytest.fail(f"replaces {names}"))
+        pipe = tmp_path / "pipe"
+        os.mkfifo(pipe)
+        reading = os.open(pipe, os.O_RDONLY | os.O_NONBLOCK)
+        try:
+            write(Document(), pipe)
+            assert os.read(reading, 10_000).decode() == WRITTEN
+        finally:
+            os.close(reading)
+        assert pipe.is_fifo()
         if os.path.exists("/dev/full"):
             found = sentence(lambda: write(Document(), "/dev/full"))
             assert found == "/dev/full cannot be written: No space left on device."
-        write(Document(), os.devnull)
-        assert not os.path.isfile(os.devnull)
 
     def test_a_read_only_folder_or_file_is_left_as_it_is() -> None:
         # Not in pytest's own folder, which nobody but its user can enter.
