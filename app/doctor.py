@@ -147,7 +147,7 @@ def _try(command: list[str], environment: dict[str, str]) -> tuple[dict[str, Any
             stdin=subprocess.DEVNULL, timeout=LONGEST_TRIAL_S, check=False,
         )  # fmt: skip
     except subprocess.TimeoutExpired:
-        return None, f"does not answer within {LONGEST_TRIAL_S:.0f} s"
+        return None, f"does not answer within {LONGEST_TRIAL_S:g} s"
     if done.returncode < 0:
         return None, f"the driver crashed (signal {-done.returncode})"
     lines = done.stdout.strip().splitlines()

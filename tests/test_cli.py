@@ -333,10 +333,16 @@ def one_pixel_png() -> bytes:
     return b"\x89PNG\r\n\x1a\n" + chunks
 
 
+def buffered() -> dict[str, str]:
+    """The environment in which Python keeps output back, and writes the rest when it ends."""
+    return {name: text for name, text in os.environ.items() if name != "PYTHONUNBUFFERED"}
+
+
 def test_a_reader_who_leaves_early_is_no_error() -> None:
     with subprocess.Popen(
         [sys.executable, "-m", "app", "project", "-", "--format", "csv"],
         cwd=ROOT,
+        env=buffered(),
         stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
@@ -353,7 +359,8 @@ def test_a_full_disk_behind_standard_output_is_a_sentence() -> None:
     with open("/dev/full", "wb") as full:
         done = subprocess.run(
             [sys.executable, "-m", "app", "matrices"],
-            cwd=ROOT, stdout=full, stderr=subprocess.PIPE, text=True, check=False,
+            cwd=ROOT,
+            env=buffered(), stdout=full, stderr=subprocess.PIPE, text=True, check=False,
         )  # fmt: skip
     assert done.returncode == 2
     assert done.stderr == "Standard output cannot be written: No space left on device.\n"
@@ -407,6 +414,13 @@ translation
 clip_from_view
 """
     )
+
+
+def test_no_matrix_shows_a_minus_zero() -> None:
+    # A symmetric window has -(right + left)/(right - left) = -0.0 in its matrix.
+    for form in ("text", "json", "latex"):
+        done = run("matrices", "--format", form, "--set", "lens.kind=orthographic")
+        assert not re.search(r"-0(\.0)?(?![.\d])", done.stdout)
 
 
 def test_latex_is_pmatrix_with_powers_of_ten_written_out() -> None:
@@ -498,7 +512,7 @@ def test_a_coordinate_that_overflows_is_null_in_json(by_hand: Path) -> None:
 
 @pytest.mark.parametrize(
     ("word", "nearest"),
-    [("expot", "export"), ("Project", "project"), ("matrix", "matrices"), ("doktor", "doctor")],
+    [("expot", "export"), ("PROJECT", "project"), ("matrix", "matrices"), ("doktor", "doctor")],
 )
 def test_a_mistyped_command_names_the_nearest(word: str, nearest: str) -> None:
     said = refused(word)
@@ -628,7 +642,7 @@ FILES: dict[str, tuple[str, Callable[[Path], object], list[str]]] = {
     "plain picture": ("plain.png", lambda path: path.write_bytes(one_pixel_png()), ["document"]),
     "text named .stl": ("text.stl", lambda path: path.write_text("hello"), ["text.stl"]),
     "cut short": ("cut.json", lambda path: (write(BY_HAND, path), cut(path)), ["cut short"]),
-    "a newline in its name": ("a\nb.json", lambda path: None, ["does not exist"]),
+    "a newline in its name": ("a\nb.stl", lambda path: None, ["b.stl"]),
 }
 
 
@@ -807,8 +821,18 @@ def test_doctor_does_not_wait_for_ever(monkeypatch: pytest.MonkeyPatch) -> None:
     from app import doctor
 
     monkeypatch.setattr(doctor, "LONGEST_TRIAL_S", 0.2)
-    answer, problem = doctor._try([sys.executable, "-c", "input()"], dict(os.environ))
-    assert answer is None and "EOF" in problem  # nothing can wait for the keyboard
-    code = "import threading; threading.Event().wait()"
+    code = "import threading; threading.Event().wait(60)"
     answer, problem = doctor._try([sys.executable, "-c", code], dict(os.environ))
-    assert answer is None and "does not answer" in problem
+    assert answer is None and problem == "does not answer within 0.2 s"
+
+
+def test_doctor_does_not_take_the_keyboard_from_the_terminal() -> None:
+    code = (
+        "import os, sys; from app import doctor; "
+        "print(doctor._try([sys.executable, '-c', 'print(repr(input()))'], dict(os.environ)))"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code],
+        cwd=ROOT, input="typed\n", capture_output=True, text=True, check=True,
+    )  # fmt: skip
+    assert "EOF" in done.stdout and "typed" not in done.stdout
