@@ -378,6 +378,7 @@ def _export(arguments: Sequence[str]) -> int:
             scale=found.scale,
             transparent=found.transparent,
             style=DARK if found.theme == "dark" else LIGHT,
+            views=document.views,
         )
         # A mesh is named from the picture's folder, so that both can be moved together.
         write_png(out, pixels, to_json(document, os.path.dirname(os.path.realpath(out))))

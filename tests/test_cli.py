@@ -712,6 +712,18 @@ def test_export_carries_the_document_with_what_was_set(tmp_path: Path, by_hand: 
     assert read(out) == set_values(BY_HAND, ["lens.near=0.5"])
 
 
+def test_export_looks_from_where_the_document_says(tmp_path: Path) -> None:
+    from_above = Camera((0.0, 40.0, 0.1), (0.0, 0.0, 0.0), (0.0, 1.0, 0.0))
+    pictures = []
+    for name, views in (("plain", {}), ("turned", {"world": from_above})):
+        path = tmp_path / f"{name}.json"
+        write(Document("letter-f", views=views), path)
+        pictures.append(export(tmp_path / f"{name}.png", path, "--size=300x100"))
+    plain, turned = pictures
+    assert not np.array_equal(plain[:, :100], turned[:, :100])  # the world pane is turned
+    assert np.array_equal(plain[:, 100:], turned[:, 100:])  # and no other
+
+
 def test_export_options_reach_the_picture(tmp_path: Path, by_hand: Path) -> None:
     image = export(tmp_path / "image.png", by_hand, "--panes", "image")
     assert image.shape == (100, 200, 3)  # the image pane alone has the image's own size
