@@ -14,7 +14,7 @@ import sys
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
-from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -30,7 +30,7 @@ from app.drawings.image import ImageDrawing
 from app.drawings.ndc import NdcDrawing
 from app.drawings.style import LIGHT, Style
 from app.drawings.world import WorldDrawing
-from app.projection import LARGEST_IMAGE_PX, Projection
+from app.projection import LARGEST_IMAGE_PX, Camera, Projection
 from app.scene import Scene
 
 Pixels = NDArray[np.uint8]
@@ -67,6 +67,7 @@ def render(
     transparent: bool = False,
     style: Style = LIGHT,
     words: Mapping[str, str] = WORDS,
+    views: Mapping[str, Camera] = MappingProxyType({}),
 ) -> Pixels:
     """Draw one pane, or several side by side.
 
@@ -86,6 +87,8 @@ def render(
     style : Style, optional
     words : mapping, optional
         The words written into the drawings.
+    views : mapping of pane to Camera, optional
+        From where a pane is looked at; one that is not named shows all it has.
 
     Returns
     -------
@@ -115,13 +118,16 @@ def render(
             style,
             words,
             framed=len(panes) > 1,
+            view=views.get(pane),
         )
         for pane, left, right in zip(panes, edges[:-1], edges[1:], strict=True)
     ]
     return parts[0] if len(parts) == 1 else np.concatenate(parts, axis=1)
 
 
-def write_png(path: str | Path, pixels: Pixels, document_json: str | None = None) -> None:
+def write_png(
+    path: str | os.PathLike[str], pixels: Pixels, document_json: str | None = None
+) -> None:
     """Write a figure, whole or not at all, with the document that it shows inside.
 
     Parameters
@@ -132,7 +138,7 @@ def write_png(path: str | Path, pixels: Pixels, document_json: str | None = None
     document_json : str, optional
         Dropped on the window, the picture brings this document back.
     """
-    write_bytes_atomically(Path(path), png_bytes(pixels, document_json))
+    write_bytes_atomically(path, png_bytes(pixels, document_json))
 
 
 def png_bytes(pixels: Pixels, document_json: str | None = None) -> bytes:
@@ -190,6 +196,7 @@ def _render_pane(
     style: Style,
     words: Mapping[str, str],
     framed: bool,
+    view: Camera | None,
 ) -> Pixels:
     factor = _oversampling(size)
     width, height = (factor * side for side in size)
@@ -199,6 +206,8 @@ def _render_pane(
         drawing = _DRAWINGS[pane](plotter, scene, words, style.enlarged(factor), **options)
         drawing.show_projection(projection)
         drawing.reset_view()
+        if view is not None:
+            drawing.show_view(view)
         if transparent:
             for renderer in window.GetRenderers():
                 renderer.SetBackground(0.0, 0.0, 0.0)

@@ -49,10 +49,10 @@ DEPTH_RANGES: dict[str, tuple[float, float]] = {
 PLANES = ("near", "far", "left", "right", "bottom", "top")
 """The six planes of the view volume, in the order of `Trace.outside`."""
 
-LARGEST = 1e150
-"""Largest coordinate or distance: its square is still a float64."""
-SMALLEST = 1e-300
-"""Smallest near distance and extent: its reciprocal is still a float64."""
+LARGEST = 1e100
+"""Largest coordinate or distance; with `SMALLEST`, no matrix overflows float64 (2e205 * 1e100)."""
+SMALLEST = 1e-205
+"""Smallest near distance, and smallest extent of a window or a depth range."""
 LARGEST_IMAGE_PX = 16384
 """Largest image side, the texture limit that every current OpenGL driver offers."""
 SMALLEST_UP_ANGLE = 1e-15

@@ -633,7 +633,7 @@ def test_extreme_projections_draw_without_a_word(
         Perspective(45, 1e-6, math.inf),
         Perspective(179.99, 1e-6, 1e9),
         Perspective(1e-6, 1, 30),
-        Perspective(45, 1e-300, 1e150),
+        Perspective(45, 1e-205, 1e100),
         Perspective(45, 1, 1 + 1e-12),
         Orthographic(-1e-9, 1e-9, -1e9, 1e9, -1e9, 1e9),
     )

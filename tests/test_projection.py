@@ -937,14 +937,14 @@ def test_stages_multiply_to_the_whole() -> None:
         np.testing.assert_array_equal(stages["image_from_ndc"].matrix, projection.image_from_ndc)
 
 
-EXTREME = [1e-300, 1e-200, 1e-9, 1.0, 1e9, 1e140]
+EXTREME = [1e-205, 1e-200, 1e-9, 1.0, 1e9, 1e90]
 
 
 @pytest.mark.parametrize("depth", DEPTH_RANGES)
 def test_what_can_be_made_works(depth: str) -> None:
     """No warning, no infinity, also at the ends of what is allowed."""
     for near in EXTREME:
-        for far in (math.nextafter(near, math.inf), 2.0 * near, 1e150, math.inf):
+        for far in (math.nextafter(near, math.inf), 2.0 * near, 1e100, math.inf):
             for fov_y_deg in (1e-100, 1.0, 90.0, math.nextafter(180.0, 0.0)):
                 for size in ((1, LARGEST_IMAGE_PX), (LARGEST_IMAGE_PX, 1)):
                     lens = Perspective(fov_y_deg, near, far)
@@ -986,12 +986,12 @@ def orbit_with(**changes: float) -> Callable[[], object]:
     return lambda: Camera.from_orbit((0.0, 0.0, 0.0), Orbit(**orbit))
 
 
-DISTANT = Camera((0, 0, 1e150), (0, 0, 0))
+DISTANT = Camera((0, 0, 1e100), (0, 0, 0))
 REFUSED: list[tuple[Callable[[], object], str, str, str]] = [
     # lenses
     (perspective_with(near=0), "near", ABOVE, "near = 0: must be greater than 0."),
     (perspective_with(near=-1.5), "near", ABOVE, "near = -1.5: must be greater than 0."),
-    (perspective_with(near=1e-301), "near", AT_LEAST, "near = 1e-301: must be at least 1e-300."),
+    (perspective_with(near=1e-206), "near", AT_LEAST, "near = 1e-206: must be at least 1e-205."),
     (perspective_with(near=30), "near", NEAR_BEFORE_FAR,
      "near = 30: must be less than far, which is 30."),
     (perspective_with(near=31), "near", NEAR_BEFORE_FAR,
@@ -1005,9 +1005,9 @@ REFUSED: list[tuple[Callable[[], object], str, str, str]] = [
     (perspective_with(near=1j), "near", FINITE_NUMBER, "near = 1j: must be a finite number."),
     (perspective_with(far=NAN), "far", FINITE_NUMBER, "far = nan: must be a finite number."),
     (perspective_with(far=-INF), "far", FINITE_NUMBER, "far = -inf: must be a finite number."),
-    (perspective_with(far=1e151), "far", AT_MOST, "far = 1e+151: must be at most 1e+150."),
-    (perspective_with(far=HUGE), "far", AT_MOST, "far = 1e400: must be at most 1e+150."),
-    (perspective_with(far=-HUGE), "far", AT_LEAST, "far = -1e400: must be at least -1e+150."),
+    (perspective_with(far=1e101), "far", AT_MOST, "far = 1e+101: must be at most 1e+100."),
+    (perspective_with(far=HUGE), "far", AT_MOST, "far = 1e400: must be at most 1e+100."),
+    (perspective_with(far=-HUGE), "far", AT_LEAST, "far = -1e400: must be at least -1e+100."),
     (perspective_with(far="inf"), "far", FINITE_NUMBER, "far = 'inf': must be a finite number."),
     (perspective_with(fov_y_deg=0), "fov_y_deg", BETWEEN,
      "fov_y_deg = 0: must lie between 0 and 180, both excluded."),
@@ -1065,8 +1065,8 @@ REFUSED: list[tuple[Callable[[], object], str, str, str]] = [
      "eye = ('1', 2, 3): must be three finite numbers x, y, z."),
     (camera_with(up=(0, True, 0)), "up", THREE_NUMBERS,
      "up = (0, True, 0): must be three finite numbers x, y, z."),
-    (camera_with(eye=(1e151, 0, 0)), "eye", AT_MOST, "eye = 1e+151: must be at most 1e+150."),
-    (camera_with(eye=(HUGE, 0, 0)), "eye", AT_MOST, "eye = 1e400: must be at most 1e+150."),
+    (camera_with(eye=(1e101, 0, 0)), "eye", AT_MOST, "eye = 1e+101: must be at most 1e+100."),
+    (camera_with(eye=(HUGE, 0, 0)), "eye", AT_MOST, "eye = 1e400: must be at most 1e+100."),
     (camera_with(eye=np.zeros((3, 3))), "eye", THREE_NUMBERS,
      "eye = array([[0., 0., 0.], [0., 0., 0.], [0., 0., 0.]]): "
      "must be three finite numbers x, y, z."),
@@ -1110,7 +1110,7 @@ REFUSED: list[tuple[Callable[[], object], str, str, str]] = [
     (lambda: Projection().with_lens("fisheye"), "kind", ONE_OF,
      "kind = 'fisheye': must be one of perspective, orthographic."),
     (lambda: Projection(DISTANT, Perspective(45, 1, INF)).with_lens("orthographic"), "far",
-     AT_MOST, "far = 4e+150: must be at most 1e+150."),
+     AT_MOST, "far = 4e+100: must be at most 1e+100."),
     # points
     (tracing((NAN, 0, 0)), "points", THREE_NUMBERS,
      "points = (nan, 0, 0): must be three finite numbers x, y, z."),
@@ -1126,8 +1126,8 @@ REFUSED: list[tuple[Callable[[], object], str, str, str]] = [
      "points = ('1', '2', '3'): must be three finite numbers x, y, z."),
     (tracing([HUGE, 0, 0]), "points", THREE_NUMBERS,
      "points = (1e400, 0, 0): must be three finite numbers x, y, z."),
-    (tracing([1e151, 0, 0]), "points", THREE_NUMBERS,
-     "points = (1e+151, 0, 0): must be three finite numbers x, y, z."),
+    (tracing([1e101, 0, 0]), "points", THREE_NUMBERS,
+     "points = (1e+101, 0, 0): must be three finite numbers x, y, z."),
     (lambda: fov_y_from_focal_length_35mm(0, 1.5), "focal_length_mm", ABOVE,
      "focal_length_mm = 0: must be greater than 0."),
     (lambda: fov_y_from_focal_length_35mm(NAN, 1.5), "focal_length_mm", FINITE_NUMBER,

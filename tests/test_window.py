@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from PIL import Image
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QTimer, QUrl
 from PySide6.QtGui import QDropEvent, QImage
 from PySide6.QtTest import QTest
@@ -25,6 +26,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.document import Document, extract, read, write
+from app.figures import render
 from app.projection import Camera, Orthographic, Perspective, Projection
 from app.scene import load
 from widgets.autosave import Autosave
@@ -414,6 +416,58 @@ def test_an_exported_picture_brings_the_state_back(
     drop(window, path)
     assert window.store.document == wanted
     assert window.files.path is None  # saving must not overwrite the picture
+
+
+def turn(window: MainWindow, name: str) -> None:
+    canvas = window.panes[name].canvas
+    QTest.mousePress(canvas, Qt.MouseButton.LeftButton, pos=QPoint(100, 100))
+    QTest.mouseMove(canvas, QPoint(180, 130))
+    QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=QPoint(180, 130))
+    canvas.zoom(1.2)
+    settle(window)
+
+
+def test_a_picture_shows_the_panes_as_they_were_turned_and_so_does_its_document(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window()
+    straight, turned = tmp_path / "straight.png", tmp_path / "turned.png"
+    choice = ExportChoice(("world", "ndc"), (800, 400), 1.0, False)
+    window.export(straight, choice)
+    for name in ("world", "ndc"):
+        turn(window, name)
+    assert not window.store.modified, "to look from elsewhere changes no document"
+    before = {name: pixels(window, name) for name in ("world", "ndc")}
+    window.export(turned, choice)
+    picture = np.asarray(Image.open(turned))
+    assert (picture != np.asarray(Image.open(straight))).mean() > 0.02
+    document = read(turned)
+    again = render(
+        load("letter-f"), document.projection, choice.panes, choice.size, views=document.views
+    )
+    assert (again == picture).all()
+
+    window.reset_views()
+    settle(window)
+    assert any((pixels(window, name) != before[name]).any() for name in before)
+    drop(window, turned)
+    for name, there in before.items():
+        assert (pixels(window, name) == there).all(), name
+    drop(window, straight)
+    assert window.panes["world"].view is None and window.panes["ndc"].view is None
+
+
+def test_another_theme_keeps_the_panes_as_they_were_turned(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window()
+    turn(window, "world")
+    view = window.panes["world"].view
+    assert view is not None
+    window.set_theme("dark")
+    settle(window)
+    assert window.panes["world"].view == view
+    assert window.panes["ndc"].view is None
 
 
 def test_the_picture_on_the_clipboard_carries_the_document(

@@ -35,16 +35,24 @@ class Files(QObject):
     messages : MessageBar
     recent : list of str
         Paths opened or saved before, newest first.
+    with_views : callable
+        Adds to a document from where its panes are looked at just now.
     """
 
     path_changed = Signal()
     recent_changed = Signal()
 
     def __init__(
-        self, window: QWidget, store: Store, messages: MessageBar, recent: list[str]
+        self,
+        window: QWidget,
+        store: Store,
+        messages: MessageBar,
+        recent: list[str],
+        with_views: Callable[[Document], Document],
     ) -> None:
         super().__init__(window)
         self._window, self._store, self._messages = window, store, messages
+        self._with_views = with_views
         self._scenes: dict[str, Scene] = {}
         self.path: Path | None = None
         self.recent = recent[:RECENT_LIMIT]
@@ -166,8 +174,13 @@ class Files(QObject):
 
     def save_to(self, path: Path) -> bool:
         """Save to a path; the old file stays whole if that fails."""
-        document = self._store.document
-        if self._try(lambda: write(document, path) or True) is None:
+        document = self._with_views(self._store.document)
+
+        def written() -> bool:
+            write(document, path)
+            return True
+
+        if not self._try(written):
             return False
         self._store.mark_saved()
         self._set_path(path)

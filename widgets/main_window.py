@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import logging
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -24,6 +25,7 @@ from PySide6.QtGui import (
     QGuiApplication,
     QImage,
     QKeySequence,
+    QOpenGLContext,
 )
 from PySide6.QtWidgets import (
     QApplication,
@@ -44,8 +46,8 @@ from app.drawings.image import ImageDrawing
 from app.drawings.ndc import NdcDrawing
 from app.drawings.world import WorldDrawing
 from app.figures import FigureError, png_bytes, render, write_png
-from app.projection import Perspective, Projection, focal_length_35mm, fov_x_from_fov_y
-from app.scene import BUILT_IN
+from app.projection import Camera, Perspective, Projection, focal_length_35mm, fov_x_from_fov_y
+from app.scene import BUILT_IN, Scene
 from app.store import Store
 from widgets import palette
 from widgets.autosave import Autosave
@@ -110,12 +112,15 @@ class MainWindow(QMainWindow):
         }
         self.store = Store(document, self)
         self.messages = MessageBar()
-        self.files = Files(self, self.store, self.messages, settings.recent)
+        self.files = Files(self, self.store, self.messages, settings.recent, self._with_views)
         self.files.path = path
-        self._scene = self.files.scene(document.scene)
+        self._scene: Scene | None = None
+        self._views: dict[str, Camera] = {}
         data = QStandardPaths.writableLocation(QStandardPaths.StandardLocation.AppDataLocation)
         self.autosave = Autosave(
-            Path(data), lambda: self.store.document if self.store.modified else None, self
+            Path(data),
+            lambda: self._with_views(self.store.document) if self.store.modified else None,
+            self,
         )
 
         self.panes = {
@@ -151,6 +156,7 @@ class MainWindow(QMainWindow):
         self._split.setStretchFactor(0, 1)
         self._split.setStretchFactor(1, 0)
         self._split.setSizes([1040, 320])
+        self._pane_row.setSizes([420, 310, 310])
         body = QWidget()
         layout = QVBoxLayout(body)
         layout.setContentsMargins(4, 4, 4, 0)
@@ -346,11 +352,11 @@ class MainWindow(QMainWindow):
 
     def _show_document(self, document: Document) -> None:
         scene = self.files.scene(document.scene)
-        new_scene = scene is not self._scene
-        self._scene = scene
-        if new_scene or self.panes["world"].drawing is None:
+        # An edit shares its views with the document before; another document brings its own.
+        if scene is not self._scene or document.views is not self._views:
+            self._scene, self._views = scene, document.views
             self.controls.set_scene(scene.size, scene.start)
-            self._build_drawings(keep_view=False)
+            self._build_drawings(document.views)
             self._list_scenes()
         self._refine(not (self._software_rendering and self.store.in_gesture))
         for pane in self.panes.values():
@@ -359,17 +365,23 @@ class MainWindow(QMainWindow):
         self._show_status(document.projection)
         self.autosave.schedule()
 
-    def _build_drawings(self, *, keep_view: bool) -> None:
+    def _build_drawings(self, views: dict[str, Camera]) -> None:
         style = palette.drawing_style(
             dark=palette.is_dark(self.settings.theme),
             projector=self.settings.projector,
             device_pixel_ratio=self.devicePixelRatioF(),
         )
-        for pane in self.panes.values():
-            pane.build(
-                self.store.document.projection, self._scene, self._words(), style,
-                keep_view=keep_view,
-            )  # fmt: skip
+        projection, words = self.store.document.projection, self._words()
+        for name, pane in self.panes.items():
+            pane.build(projection, views.get(name), self._scene, words, style)
+
+    def _views_now(self) -> dict[str, Camera]:
+        """From where the panes are looked at, of those that somebody turned."""
+        views = {name: pane.view for name, pane in self.panes.items()}
+        return {name: view for name, view in views.items() if view is not None}
+
+    def _with_views(self, document: Document) -> Document:
+        return replace(document, views=self._views_now())
 
     def _words(self) -> dict[str, str]:
         return {
@@ -431,7 +443,7 @@ class MainWindow(QMainWindow):
 
     def reset(self) -> None:
         """Put the projection back to how the scene opens, as an edit that can be undone."""
-        self.store.set_projection(self._scene.start)
+        self.store.set_projection(self.files.scene(self.store.document.scene).start)
 
     # -- history, title, recent files
 
@@ -529,13 +541,13 @@ class MainWindow(QMainWindow):
         """Switch projector mode: larger text, thicker lines."""
         self.settings.projector = on
         self._dress()
-        self._build_drawings(keep_view=True)
+        self._build_drawings(self._views_now())
 
     def set_theme(self, theme: str) -> None:
         """Switch to ``"light"``, ``"dark"`` or ``"system"``."""
         self.settings.theme = theme
         self._dress()
-        self._build_drawings(keep_view=True)
+        self._build_drawings(self._views_now())
 
     def _scheme_changed(self) -> None:
         if self.settings.theme == "system":
@@ -557,9 +569,13 @@ class MainWindow(QMainWindow):
 
     def _picture(self, choice: ExportChoice) -> Any:
         style = palette.drawing_style(dark=False, projector=False, device_pixel_ratio=1.0)
+        current = QOpenGLContext.currentContext()
+        if current is not None:  # or VTK may take Qt's context for its own
+            current.doneCurrent()
         return render(
-            self._scene,
+            self.files.scene(self.store.document.scene),
             self.store.document.projection,
+            views=self._views_now(),
             panes=choice.panes,
             size=choice.size,
             scale=choice.scale,
@@ -585,7 +601,8 @@ class MainWindow(QMainWindow):
         """Write a picture that carries the document; False if that failed."""
         QApplication.setOverrideCursor(Qt.CursorShape.WaitCursor)
         try:
-            write_png(path, self._picture(choice), to_json(self.store.document))
+            document = self._with_views(self.store.document)
+            write_png(path, self._picture(choice), to_json(document, path.parent))
         except (FigureError, DocumentError) as error:
             self.messages.say(sentence(error))
             return False
@@ -598,8 +615,8 @@ class MainWindow(QMainWindow):
         """Put the three panes on the clipboard, as a picture that carries the document."""
         pixels = self._picture(ExportChoice(PANES, (1800, 600), 1.0, False))
         data = QMimeData()
-        png = png_bytes(pixels, to_json(self.store.document))
-        data.setImageData(QImage.fromData(png, "PNG"))
+        png = png_bytes(pixels, to_json(self._with_views(self.store.document)))
+        data.setImageData(QImage.fromData(png))
         data.setData("image/png", QByteArray(png))
         QGuiApplication.clipboard().setMimeData(data)
         self.statusBar().showMessage(self.tr("Copied the picture"), 5000)
@@ -658,7 +675,7 @@ class MainWindow(QMainWindow):
 
     def event(self, event: QEvent) -> bool:
         if event.type() == QEvent.Type.DevicePixelRatioChange and self.panes["world"].drawing:
-            self._build_drawings(keep_view=True)
+            self._build_drawings(self._views_now())
         return super().event(event)
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:

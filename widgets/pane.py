@@ -23,9 +23,8 @@ from PySide6.QtCore import QPointF, Qt, Signal
 from PySide6.QtGui import QCloseEvent, QMouseEvent, QShowEvent, QWheelEvent
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
 from pyvistaqt import QtInteractor
-from vtkmodules.vtkRenderingCore import vtkCamera
 
-from app.projection import Projection
+from app.projection import Camera, Projection
 
 ORBIT_DEG_PER_PX = 0.4
 ZOOM_PER_WHEEL_STEP = 1.15
@@ -43,6 +42,13 @@ class Drawing(Protocol):
 
     def reset_clipping_range(self) -> None:
         """Fit the pane camera's own near and far to the drawing after it has moved."""
+
+    @property
+    def view(self) -> Camera | None:
+        """Where the pane's own camera was moved to; None if it was not."""
+
+    def show_view(self, view: Camera) -> None:
+        """Move the pane's own camera there."""
 
     def remove(self) -> None:
         """Take everything out of the plotter again."""
@@ -197,7 +203,7 @@ class Pane(QFrame):
         self._make_drawing = make_drawing
         self._projection: Projection | None = None
         self._to_build: tuple[object, ...] | None = None
-        self._keep_view = False
+        self._view: Camera | None = None
         self._stale = False
         self._smooth = False
 
@@ -242,23 +248,30 @@ class Pane(QFrame):
         button.setAccessibleName(tip)
         return button
 
-    def build(self, projection: Projection, *args: object, keep_view: bool = False) -> None:
+    def build(self, projection: Projection, view: Camera | None, *args: object) -> None:
         """Make the drawing anew, for another scene or style: now if visible, else on appearing.
 
         Parameters
         ----------
         projection : Projection
             What it shows first.
+        view : Camera or None
+            Where the pane's own camera is to stand; None for where everything is in view.
         *args
             Handed to `make_drawing` after the plotter.
-        keep_view : bool
-            Keep the pane's own camera where it is (another style of the same scene).
         """
         self._projection = projection
         self._to_build = args
-        self._keep_view = keep_view and self.drawing is not None
+        self._view = view
         if self.isVisible():
             self._refresh()
+
+    @property
+    def view(self) -> Camera | None:
+        """Where the user moved the pane's own camera to; None if it was not moved."""
+        if self._to_build is not None or self.drawing is None:
+            return self._view
+        return self.drawing.view
 
     def show_projection(self, projection: Projection) -> None:
         """Show the model's new value: at once if visible, else on appearing."""
@@ -272,10 +285,6 @@ class Pane(QFrame):
         if self._projection is None:
             return
         if self._to_build is not None:
-            camera = None
-            if self._keep_view:
-                camera = vtkCamera()
-                camera.DeepCopy(self.canvas.own_camera)
             if self.drawing is not None:
                 self.drawing.remove()
             self.drawing = self._make_drawing(self.canvas, *self._to_build)
@@ -283,9 +292,8 @@ class Pane(QFrame):
             self._apply_smoothing()
             self.drawing.show_projection(self._projection)
             self.drawing.reset_view()
-            if camera is not None:
-                self.canvas.own_camera.DeepCopy(camera)
-                self.drawing.reset_clipping_range()
+            if self._view is not None:
+                self.drawing.show_view(self._view)
         elif self._stale and self.drawing is not None:
             self.drawing.show_projection(self._projection)
         self._stale = False
@@ -299,7 +307,7 @@ class Pane(QFrame):
             self.request_repaint()
 
     def _apply_smoothing(self) -> None:
-        for renderer in self.canvas.render_window.GetRenderers():
+        for renderer in self.canvas.ren_win.GetRenderers():
             renderer.SetUseFXAA(self._smooth)
 
     def request_repaint(self) -> None:

@@ -6,6 +6,7 @@ plotter that it does not own, and has
 - ``show_projection(projection)``: takes the model over by setting matrices; never renders,
 - ``reset_view()``: puts the pane's own camera back,
 - ``reset_clipping_range()``: to be called after that camera was moved from outside,
+- ``view`` and ``show_view(view)``: where that camera was moved to, as a `Camera`, and back there,
 - ``remove()``: takes everything out of the plotter again.
 
 `actors` holds what they share, `style` their colours and sizes.

@@ -17,7 +17,7 @@ from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderer
 
 from app.drawings.actors import Canvas, Space, face_actor, lifted, scene_actors
 from app.drawings.style import Style, rgb
-from app.projection import Projection
+from app.projection import Camera, Projection
 from app.scene import Scene
 
 _SQUARE = ((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (1.0, 1.0, 0.0), (0.0, 1.0, 0.0))
@@ -96,6 +96,13 @@ class ImageDrawing:
 
     def reset_clipping_range(self) -> None:
         """Do nothing: near and far of this pane are the model's."""
+
+    @property
+    def view(self) -> None:
+        """None: the view of this pane is the model's."""
+
+    def show_view(self, view: Camera) -> None:
+        """Do nothing: the view of this pane is the model's."""
 
     def remove(self) -> None:
         """Take everything out of the plotter again."""

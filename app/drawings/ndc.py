@@ -37,7 +37,7 @@ from app.drawings.actors import (
     unlit_actor,
 )
 from app.drawings.style import Style, rgb
-from app.projection import DEPTH_RANGES, Projection
+from app.projection import DEPTH_RANGES, Camera, Projection
 from app.scene import Scene
 
 VIEW_AZIMUTH_DEG, VIEW_ELEVATION_DEG = 27.0, 18.0
@@ -124,6 +124,29 @@ class NdcDrawing:
         if not camera.GetParallelProjection():
             near = max(near, distance / 1000.0, 1e-3)
         camera.SetClippingRange(near, max(near, distance) + _REACH)
+
+    @property
+    def view(self) -> Camera | None:
+        """Where the pane's own camera was moved to, in the displayed cube; None if it was not.
+
+        The camera is a parallel one: the view's distance stands for its scale.
+        """
+        if self._current_view() == self._view:
+            return None
+        camera = self._camera
+        target = np.array(camera.GetFocalPoint())
+        toward = -np.array(camera.GetDirectionOfProjection())
+        eye = target + camera.GetParallelScale() * toward
+        return Camera(tuple(eye), tuple(target), camera.GetViewUp())
+
+    def show_view(self, view: Camera) -> None:
+        """Move the pane's own camera to a `view` of before."""
+        camera = self._camera
+        camera.SetFocalPoint(*view.target)
+        camera.SetPosition(*(np.array(view.target) + _DISTANCE * view.frame[2]))
+        camera.SetViewUp(*view.up)
+        camera.SetParallelScale(view.distance)
+        self.reset_clipping_range()
 
     def remove(self) -> None:
         """Take everything out of the plotter again."""

@@ -35,7 +35,7 @@ from vtkmodules.vtkRenderingCore import vtkActor
 from app.drawings import actors
 from app.drawings.actors import Canvas, Label, Space
 from app.drawings.style import Style
-from app.projection import Array, Lens, Perspective, Projection
+from app.projection import Array, Camera, Lens, Perspective, Projection
 from app.scene import Scene
 
 SLAB = 0.005
@@ -377,6 +377,24 @@ class WorldDrawing:
         self._framed = self._points_to_frame()
         width_px, height_px = self._canvas.window.GetSize()
         self._place_view(max(1, width_px), max(1, height_px))
+
+    @property
+    def view(self) -> Camera | None:
+        """Where the pane's own camera was moved to, in world coordinates; None if it was not."""
+        camera = self._own_camera
+        eye, target = camera.GetPosition(), camera.GetFocalPoint()
+        if self._placed == (*eye, *target):
+            return None
+        origin = self._origin
+        return Camera(tuple(origin + eye), tuple(origin + target), camera.GetViewUp())
+
+    def show_view(self, view: Camera) -> None:
+        """Move the pane's own camera to a `view` of before."""
+        camera = self._own_camera
+        camera.SetPosition(*(view.eye - self._origin))
+        camera.SetFocalPoint(*(view.target - self._origin))
+        camera.SetViewUp(*view.up)
+        self.reset_clipping_range()
 
     def _points_to_frame(self) -> Array:
         """What `reset_view` brings into view: of a very wide frustum only the part nearby."""
