@@ -667,7 +667,7 @@ def test_scenes_far_away_tiny_or_huge_look_the_same(
         with_lens(fov_y_deg=1e-4),
         with_lens(fov_y_deg=179.99),
         with_lens(near=1e-9, far=math.inf),
-        with_lens(near=1e-300, far=math.inf),
+        with_lens(near=1e-205, far=math.inf),
         with_lens(near=1.0, far=1.0 + 1e-12),
         with_lens(near=1e9, far=1e12),
         orthographic(near=-1e12, far=1e12),
