@@ -55,7 +55,8 @@ class MessageBar(QFrame):
         self._text.setText(sentence)
         for label, act in choices:
             button = QPushButton(label)
-            button.clicked.connect(lambda _checked=False, act=act: (self.hide(), act()))
+            button.clicked.connect(self.hide)
+            button.clicked.connect(lambda _checked=False, act=act: act())
             layout = self.layout()
             assert isinstance(layout, QHBoxLayout)
             layout.insertWidget(layout.count() - 1, button)

@@ -54,7 +54,7 @@ class Drawing(Protocol):
         """Take everything out of the plotter again."""
 
 
-class _Canvas(QtInteractor):  # type: ignore[misc]
+class _Canvas(QtInteractor):
     """The VTK surface; turns the mouse into moves of its own camera, and nothing else."""
 
     moved = Signal()
@@ -307,7 +307,8 @@ class Pane(QFrame):
             self.request_repaint()
 
     def _apply_smoothing(self) -> None:
-        for renderer in self.canvas.ren_win.GetRenderers():
+        window: Any = self.canvas.render_window
+        for renderer in window.GetRenderers():
             renderer.SetUseFXAA(self._smooth)
 
     def request_repaint(self) -> None:
