@@ -500,15 +500,9 @@ def _plain(array: Array) -> list[Any]:
     return (array + 0.0).tolist()  # type: ignore[no-any-return]
 
 
-def _finite(values: list[float]) -> list[float | None]:
-    # Only a clip coordinate of an orthographic window narrower than 1e-158 can be infinite.
-    return [value if math.isfinite(value) else None for value in values]
-
-
 def _project_json(projection: Projection, trace: Trace) -> Iterator[str]:
     separator = '{"points": [\n'
     for point in _points_of(trace):
-        point["clip"] = _finite(point["clip"])
         yield separator + json.dumps(point, allow_nan=False)
         separator = ",\n"
     names = ("view_from_world", "clip_from_view", "clip_from_world")

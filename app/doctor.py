@@ -105,11 +105,11 @@ def _display() -> Iterator[Finding]:
     except ImportError:
         return  # said already
     try:
-        application.check_display()
+        with application.display():
+            answer, problem = _try([sys.executable, "-m", "widgets.opengl"], dict(os.environ))
     except application.DisplayError as error:
         yield Finding("Display", "none", str(error))
         return
-    answer, problem = _try([sys.executable, "-m", "widgets.opengl"], dict(os.environ))
     if answer is None:
         remedy = "update the graphics driver, or start with LIBGL_ALWAYS_SOFTWARE=1"
         yield Finding("OpenGL", problem, remedy)

@@ -10,7 +10,7 @@ import signal
 import subprocess
 import sys
 import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -109,8 +109,53 @@ def test_a_missing_system_library_is_named(monkeypatch: pytest.MonkeyPatch) -> N
         raise OSError("libxcb-cursor.so.0: cannot open shared object file")
 
     monkeypatch.setattr(application.ctypes, "CDLL", missing)
-    with pytest.raises(application.DisplayError, match=r"libxcb-cursor\.so\.0.*doctor"):
-        application.check_display()
+    with (
+        pytest.raises(application.DisplayError, match=r"libxcb-cursor\.so\.0.*doctor"),
+        application.display(),
+    ):
+        pytest.fail("a screen was promised")
+
+
+class FakeXcb:
+    """Stands in for libxcb: notes what is called, and refuses the first connections."""
+
+    def __init__(self, refusals: int, calls: list[str]) -> None:
+        self.refusals = refusals
+
+        def note(name: str, answer: Callable[[], int]) -> Callable[..., int]:
+            def called(*_arguments: object) -> int:
+                calls.append(name)
+                return answer()
+
+            return called
+
+        self.xcb_connect = note("connect", lambda: 1)
+        self.xcb_connection_has_error = note("ask", self.refuse)
+        self.xcb_disconnect = note("disconnect", lambda: 0)
+
+    def refuse(self) -> int:
+        self.refusals -= 1
+        return int(self.refusals >= 0)
+
+
+def test_an_x_server_never_loses_its_only_client_before_qt_comes(
+    display: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # Without any client it starts anew, and Qt, refused in that moment, would end the process.
+    calls: list[str] = []
+    monkeypatch.setattr(application.ctypes, "CDLL", lambda name: FakeXcb(0, calls))
+    monkeypatch.setattr(application.opengl, "prepare", lambda: None)
+    monkeypatch.setattr(application, "QApplication", lambda _: calls.append("Qt") or display)
+    application.make_application()
+    assert calls == ["connect", "ask", "Qt", "disconnect"]
+
+
+def test_an_x_server_that_is_starting_anew_is_asked_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    calls: list[str] = []
+    monkeypatch.setattr(application.ctypes, "CDLL", lambda name: FakeXcb(1, calls))
+    monkeypatch.setattr(application, "X_RETRIES_S", (0.0, 0.0))
+    with application.display():
+        assert calls == ["connect", "ask", "disconnect", "connect", "ask"]
 
 
 # --------------------------------------------------------------------------- OpenGL

@@ -28,8 +28,10 @@ import sys
 import threading
 import time
 import traceback
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from types import FrameType, TracebackType
 from typing import Any, ClassVar, TypeVar
@@ -75,6 +77,8 @@ TRANSLATIONS = Path(__file__).parent / "translations"
 WITHOUT_DISPLAY = "“export”, “project” and “matrices” need none."
 LARGEST_LOG = 1_000_000
 """Bytes after which a new log file is begun; two old ones are kept."""
+X_RETRIES_S = (0.1, 0.4, 0.0)
+"""Pauses after each try to reach an X server, which may be starting anew."""
 FIRST_PICTURE_S = 60.0
 """Longest wait for the window of a screenshot to be on the screen."""
 
@@ -530,16 +534,28 @@ class ExceptionWatch(QObject):
 # --------------------------------------------------------------------------- display
 
 
-def check_display() -> None:
-    """Make sure that Qt will find a screen: without one it ends the process.
+@contextmanager
+def display() -> Iterator[None]:
+    """Make sure that Qt will find a screen inside: without one it ends the process.
+
+    The connection to an X server is held until Qt has its own: a server without any starts anew
+    (under xvfb-run, for one) and is deaf meanwhile.
 
     Raises
     ------
     DisplayError
         If there is none.
     """
-    if not sys.platform.startswith("linux"):
-        return
+    leave = _reach_display() if sys.platform.startswith("linux") else None
+    try:
+        yield
+    finally:
+        if leave is not None:
+            leave()
+
+
+def _reach_display() -> Callable[[], object] | None:
+    """Connect to Wayland or X; return what ends the connection, if it has to be held."""
     wanted = os.environ.get("QT_QPA_PLATFORM", "")
     names = [part.partition(":")[0] for part in wanted.split(";")] if wanted else []
     wayland = not names or any(name.startswith("wayland") for name in names)
@@ -550,7 +566,7 @@ def check_display() -> None:
             "windows here; unset it."
         )
     if wayland and _wayland_answers():
-        return
+        return None
     display = os.environ.get("DISPLAY", "")
     if not x11 or not display:
         name = "DISPLAY" if x11 else "WAYLAND_DISPLAY"
@@ -559,7 +575,7 @@ def check_display() -> None:
             "session, over ssh with -X, or with xvfb-run -s '+extension GLX' in front; "
             + WITHOUT_DISPLAY
         )
-    _check_x11(display)
+    return _reach_x11(display)
 
 
 def _wayland_answers() -> bool:
@@ -579,7 +595,7 @@ def _wayland_answers() -> bool:
     return bool(connection)
 
 
-def _check_x11(display: str) -> None:
+def _reach_x11(display: str) -> Callable[[], object]:
     plugins = QLibraryInfo.path(QLibraryInfo.LibraryPath.PluginsPath)
     try:
         # Qt's own way to the X server, with all the system libraries that it needs.
@@ -594,15 +610,17 @@ def _check_x11(display: str) -> None:
     xcb.xcb_connect.argtypes = [ctypes.c_char_p, ctypes.c_void_p]
     xcb.xcb_connection_has_error.argtypes = [ctypes.c_void_p]
     xcb.xcb_disconnect.argtypes = [ctypes.c_void_p]
-    connection = xcb.xcb_connect(os.fsencode(display), None)
-    refused = xcb.xcb_connection_has_error(connection)
-    xcb.xcb_disconnect(connection)
-    if refused:
-        raise DisplayError(
-            f"The X server DISPLAY = {display} does not answer or does not let this user in: start "
-            "it in a desktop session, over ssh with -X, or with xvfb-run -s '+extension GLX' in "
-            f"front; {WITHOUT_DISPLAY}"
-        )
+    for pause_s in X_RETRIES_S:
+        connection = xcb.xcb_connect(os.fsencode(display), None)
+        if not xcb.xcb_connection_has_error(connection):
+            return partial(xcb.xcb_disconnect, connection)
+        xcb.xcb_disconnect(connection)
+        time.sleep(pause_s)
+    raise DisplayError(
+        f"The X server DISPLAY = {display} does not answer or does not let this user in: start "
+        "it in a desktop session, over ssh with -X, or with xvfb-run -s '+extension GLX' in "
+        f"front; {WITHOUT_DISPLAY}"
+    )
 
 
 # --------------------------------------------------------------------------- running
@@ -616,10 +634,10 @@ def make_application() -> QApplication:
     DisplayError, OpenGLError
         If no window can be opened here.
     """
-    check_display()
-    name_application()
-    opengl.prepare()
-    application = QApplication(sys.argv[:1])
+    with display():
+        name_application()
+        opengl.prepare()
+        application = QApplication(sys.argv[:1])
     application.setApplicationDisplayName("Frustum Lab")
     # Qt takes the user's locale for the C library too, where VTK's readers would then stop a
     # number at its point: 0.5 would be 0.
