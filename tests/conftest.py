@@ -74,6 +74,11 @@ def make_window(
             qtbot.waitUntil(lambda: not any(view.GetNeverRendered() for view in views))
         return window
 
+    def forget(window: Any) -> None:
+        windows.remove(window)
+        window.deleteLater()
+
+    make.forget = forget  # type: ignore[attr-defined]
     yield make
     while windows:
         windows[-1].store.mark_saved()

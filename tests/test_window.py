@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
+import gc
 import json
 import math
+import random
+import subprocess
+import sys
+import weakref
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
@@ -11,6 +16,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import psutil
 import pytest
 from PIL import Image
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QTimer, QUrl
@@ -27,11 +33,13 @@ from PySide6.QtWidgets import (
 
 from app.document import Document, extract, read, write
 from app.figures import render
-from app.projection import Camera, Orthographic, Perspective, Projection
+from app.projection import Camera, Orbit, Orthographic, Perspective, Projection
 from app.scene import load
 from widgets.autosave import Autosave
 from widgets.export_dialog import ExportChoice, ExportDialog
 from widgets.main_window import MainWindow
+
+ROOT = Path(__file__).parent.parent
 
 
 @contextmanager
@@ -560,6 +568,38 @@ def test_unsaved_work_is_offered_after_a_crash_and_never_opened_by_itself(
     assert window.autosave.orphans() == []
 
 
+DIES = """
+import os, signal, sys
+from dataclasses import replace
+from pathlib import Path
+from PySide6.QtCore import QCoreApplication
+from app.document import Document, to_json
+from app.projection import Perspective
+from widgets.autosave import Autosave
+application = QCoreApplication([])
+document = Document("posts")
+document = replace(document, projection=replace(document.projection, lens=Perspective(61, 2, 20)))
+autosave = Autosave(Path(sys.argv[1]), lambda: document)
+autosave.save_now()
+assert autosave.orphans() == []
+os.kill(os.getpid(), signal.SIGKILL if hasattr(signal, "SIGKILL") else signal.SIGTERM)
+"""
+
+
+def test_a_killed_process_leaves_its_work_to_the_next(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window(shown=False)
+    folder = window.autosave._folder
+    killed = subprocess.run([sys.executable, "-c", DIES, str(folder)], cwd=ROOT, check=False)
+    assert killed.returncode != 0
+    window._offer_recovery()
+    window.messages.choices[0].click()
+    assert window.store.document.scene == "posts"
+    assert window.store.document.projection.lens == Perspective(61.0, 2.0, 20.0)
+    assert window.autosave.orphans() == []
+
+
 def test_a_good_close_leaves_no_autosave(make_window: Callable[..., MainWindow]) -> None:
     window = make_window()
     window.store.set_projection(seen(window, lens=Perspective(61.0, 2.0, 20.0)))
@@ -622,3 +662,50 @@ def test_status_line_in_figures(make_window: Callable[..., MainWindow]) -> None:
     assert "1 : 30" in texts
     window.store.set_projection(seen(window, lens=Perspective(45.0, 1.0, math.inf)))
     assert "far ∞" in " ".join(label.text() for label in window.statusBar().findChildren(QLabel))
+
+
+# -- memory
+
+
+def resident() -> int:
+    return int(psutil.Process().memory_info().rss)
+
+
+def test_windows_opened_and_closed_leave_nothing_behind(
+    make_window: Callable[..., MainWindow], display: QApplication
+) -> None:
+    """The benchmark does it 20 times; a leak of one window shows in fewer."""
+    sizes, canvases = [], []
+    for _ in range(6):
+        window = make_window()
+        canvases += [weakref.ref(pane.canvas) for pane in window.panes.values()]
+        window.close()
+        make_window.forget(window)  # type: ignore[attr-defined]
+        del window
+        display.processEvents()
+        display.sendPostedEvents(None, 52)  # QEvent.DeferredDelete
+        gc.collect()
+        sizes.append(resident())
+    assert sum(canvas() is not None for canvas in canvases) == 0
+    assert sizes[-1] - sizes[1] < 20e6
+
+
+def test_random_changes_do_not_pile_up(make_window: Callable[..., MainWindow]) -> None:
+    window = make_window()
+    window.store.begin_gesture()
+    rng = random.Random(2)
+    start = 0
+    for change in range(600):
+        if change == 300:
+            gc.collect()
+            start = resident()
+        camera = Camera.from_orbit(
+            (0.0, 2.2, 0.0), Orbit(rng.uniform(-180, 180), rng.uniform(-80, 80), rng.uniform(2, 40))
+        )
+        near = 10 ** rng.uniform(-6, 1)
+        lens = Perspective(rng.uniform(1, 179), near, near * 10 ** rng.uniform(0.1, 9))
+        window.store.set_projection(Projection(camera, lens))
+        QApplication.processEvents()
+    gc.collect()
+    assert resident() - start < 10e6
+    window.store.end_gesture()
