@@ -10,6 +10,7 @@ from __future__ import annotations
 import argparse
 import csv
 import difflib
+import functools
 import io
 import json
 import math
@@ -227,13 +228,30 @@ def _number(text: str) -> float:
 # --------------------------------------------------------------------------- files
 
 
-def _open(file: str | None) -> Document:
-    """The document that a FILE is, holds, or opens with."""
+def _document(file: str | None, assignments: Sequence[str]) -> Document:
+    """The document that a FILE is, holds, or opens with, after the values set by ``--set``.
+
+    Without a FILE, ``scene=NAME`` opens that scene as the menu does: seen with its own camera.
+    """
     if file is None:
-        return Document()
+        names = [text.strip() for key, _, text in map(_split, assignments) if key == "scene"]
+        return set_values(_opened(names[-1]) if names else Document(), assignments)
+    return set_values(_open(file), assignments)
+
+
+def _split(assignment: str) -> tuple[str, str, str]:
+    key, equals, text = assignment.partition("=")
+    return key.strip(), equals, text
+
+
+def _opened(scene: str) -> Document:
+    name = os.path.abspath(scene) if is_mesh(scene) else scene
+    return Document(name, _load(name).start)
+
+
+def _open(file: str) -> Document:
     if is_mesh(file):
-        scene = _load(file)
-        return Document(os.path.abspath(file), scene.start)
+        return _opened(file)
     if not os.path.lexists(file) and re.fullmatch(r"\w+", file):
         if file in COMMANDS:
             raise CliError(f"{file} is a command and must come first: python3 -m app {file} ...")
@@ -254,8 +272,9 @@ def _open(file: str | None) -> Document:
         raise
 
 
+@functools.cache
 def _load(scene: str) -> Scene:
-    """Load a scene, with VTK's import failing like any other lack of a library."""
+    """Load a scene once, with VTK's import failing like any other lack of a library."""
     try:
         from app.scene import SceneError, load
     except ImportError as error:
@@ -301,7 +320,8 @@ def _window(arguments: Sequence[str]) -> int:
     if found.screenshot is not None:
         _check_png("--screenshot", found.screenshot)
     file = words[0] if words else None
-    document = set_values(_open(file), found.set)
+    document = _document(file, found.set)
+    scene = _load(document.scene) if is_mesh(document.scene) else None
     try:
         from widgets import application
         from widgets.opengl import OpenGLError
@@ -317,7 +337,7 @@ def _window(arguments: Sequence[str]) -> int:
     screenshot = None if found.screenshot is None else Path(found.screenshot)
     options = application.Options(found.theme, found.size, screenshot)
     try:
-        return application.run_window(document, path, options)
+        return application.run_window(document, path, options, scene)
     except (application.DisplayError, OpenGLError) as error:
         raise CliError(str(error), CANNOT_DRAW) from error
     except application.WindowError as error:
@@ -358,7 +378,7 @@ def _export(arguments: Sequence[str]) -> int:
     parser.add_set()
     found, (out, *file) = parser.read(arguments, 1, 2)
     _check_png("OUT", out)
-    document = set_values(_open(file[0] if file else None), found.set)
+    document = _document(file[0] if file else None, found.set)
     scene = _load(document.scene)
     try:
         check_off_screen()
@@ -401,7 +421,7 @@ def _project(arguments: Sequence[str]) -> int:
     found, (*file, source) = parser.read(arguments, 1, 2)
     if not file and source.lower().endswith((".json", *MESH_ENDINGS)):
         raise CliError(f"POINTS is missing: {source} is what the camera is read from.")
-    projection = set_values(_open(file[0] if file else None), found.set).projection
+    projection = _document(file[0] if file else None, found.set).projection
     trace = projection.trace(_read_points(source))
     _print(_PROJECT_FORMATS[found.format](projection, trace))
     return 0
@@ -591,7 +611,7 @@ def _matrices(arguments: Sequence[str]) -> int:
     parser.add_choice("--format", tuple(_MATRIX_FORMATS), "form of the output (text)", "text")
     parser.add_set()
     found, words = parser.read(arguments, 0, 1)
-    projection = set_values(_open(words[0] if words else None), found.set).projection
+    projection = _document(words[0] if words else None, found.set).projection
     _print([_MATRIX_FORMATS[found.format](projection)])
     return 0
 

@@ -21,6 +21,7 @@ import pytest
 from app import cli
 from app.document import Document, embed, read, set_values, to_json, write
 from app.projection import LARGEST, SMALLEST, Camera, Orthographic, Perspective, Projection
+from app.scene import load
 
 ROOT = Path(__file__).parent.parent
 
@@ -845,3 +846,18 @@ def test_doctor_does_not_take_the_keyboard_from_the_terminal() -> None:
         cwd=ROOT, input="typed\n", capture_output=True, text=True, check=True,
     )  # fmt: skip
     assert "EOF" in done.stdout and "typed" not in done.stdout
+
+
+def test_a_scene_alone_is_seen_with_its_own_camera_and_in_a_document_with_the_documents(
+    tmp_path: Path,
+) -> None:
+    own = matrices("--set", "scene=posts")
+    start = load("posts").start
+    assert own["view_from_world"] == start.view_from_world.tolist()
+    write(BY_HAND, tmp_path / "seen.json")
+    kept = matrices(tmp_path / "seen.json", "--set", "scene=posts")
+    assert kept["view_from_world"] == BY_HAND.projection.view_from_world.tolist()
+
+
+def test_a_scene_that_is_not_there_names_the_nearest() -> None:
+    assert "did you mean “posts”" in refused("matrices", "--set", "scene=post")

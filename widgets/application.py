@@ -34,7 +34,7 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from types import FrameType, TracebackType
-from typing import Any, ClassVar, TypeVar
+from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
 from PySide6 import __version__ as pyside_version
 from PySide6.QtCore import (
@@ -68,6 +68,9 @@ from PySide6.QtWidgets import (
 from app import __version__
 from app.document import Document, write_bytes_atomically
 from widgets import opengl
+
+if TYPE_CHECKING:
+    from app.scene import Scene
 
 log = logging.getLogger(__name__)
 
@@ -704,7 +707,9 @@ def close_on_interrupt(application: QApplication) -> Callable[[], None]:
     return undo
 
 
-def run_window(document: Document, path: Path | None, options: Options) -> int:
+def run_window(
+    document: Document, path: Path | None, options: Options, scene: Scene | None = None
+) -> int:
     """Open the window on a document and stay until it is closed.
 
     Parameters
@@ -713,6 +718,8 @@ def run_window(document: Document, path: Path | None, options: Options) -> int:
     path : Path or None
         The file the document is in, and would be saved to.
     options : Options
+    scene : Scene, optional
+        The document's scene, if it is loaded already.
 
     Returns
     -------
@@ -752,7 +759,11 @@ def run_window(document: Document, path: Path | None, options: Options) -> int:
         log_vtk()
         try:
             window = MainWindow(
-                document, settings=settings, software_rendering=found.software, path=path
+                document,
+                settings=settings,
+                software_rendering=found.software,
+                path=path,
+                scene=scene,
             )
         except SceneError as error:
             raise WindowError(str(error)) from error

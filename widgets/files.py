@@ -74,6 +74,10 @@ class Files(QObject):
             self._scenes[name] = self._load(name)
         return self._scenes[name]
 
+    def keep(self, name: str, scene: Scene) -> None:
+        """Take a scene that is loaded already."""
+        self._scenes[name] = scene
+
     def _load(self, name: str) -> Scene:
         if not is_mesh(name):
             return load(name)

@@ -80,6 +80,8 @@ class MainWindow(QMainWindow):
         Whether OpenGL runs without a GPU; antialiasing then waits while a control is dragged.
     path : Path, optional
         The file the document came from.
+    scene : Scene, optional
+        The document's scene, if it is loaded already.
 
     Raises
     ------
@@ -94,6 +96,7 @@ class MainWindow(QMainWindow):
         settings: Any,
         software_rendering: bool,
         path: Path | None = None,
+        scene: Scene | None = None,
     ) -> None:
         super().__init__()
         self.setObjectName("mainWindow")
@@ -114,6 +117,8 @@ class MainWindow(QMainWindow):
         self.messages = MessageBar()
         self.files = Files(self, self.store, self.messages, settings.recent, self._with_views)
         self.files.path = path
+        if scene is not None:
+            self.files.keep(document.scene, scene)
         self._scene: Scene | None = None
         self._views: dict[str, Camera] = {}
         data = QStandardPaths.writableLocation(QStandardPaths.StandardLocation.AppDataLocation)
@@ -690,6 +695,7 @@ class MainWindow(QMainWindow):
             QTimer.singleShot(0, partial(self.files.open, paths[0]))
 
     def closeEvent(self, event: QCloseEvent) -> None:
+        self.autosave.save_now()  # whatever ends the program while the question stands
         if not self.files.may_discard():
             event.ignore()
             return
