@@ -172,7 +172,9 @@ class Document:
         if not isinstance(self.scene, str) or not self.scene or "\0" in self.scene:
             raise DocumentError(SCENE_NAME, field="scene", value=self.scene)
         # A key that the lens before did not know may be a field of the one it was changed to.
-        object.__setattr__(self, "extra", _unknown(self.extra, self.projection.lens.kind))
+        object.__setattr__(
+            self, "extra", _unknown(self.extra, self.projection.lens.kind, self.views)
+        )
 
 
 # --------------------------------------------------------------------------- names and values
@@ -203,7 +205,7 @@ def _known(kind: object) -> dict[str, tuple[str, ...]]:
     }
 
 
-def _unknown(tree: Tree, kind: str) -> Tree:
+def _unknown(tree: Tree, kind: str, views: Iterable[str]) -> Tree:
     """What is left of a document without the keys that this program knows."""
     known = _known(kind)
     left = {key: value for key, value in tree.items() if key not in known[""]}
@@ -211,6 +213,10 @@ def _unknown(tree: Tree, kind: str) -> Tree:
         inside = {k: v for k, v in tree.get(section, {}).items() if k not in known[section]}
         if inside:
             left[section] = inside
+    inside = {name: tree.get("views", {}).get(name, {}) for name in views}
+    inside = {n: {k: v for k, v in view.items() if k not in _CAMERA} for n, view in inside.items()}
+    if any(inside.values()):
+        left["views"] = {name: view for name, view in inside.items() if view}
     return left
 
 
@@ -411,9 +417,8 @@ def _document(tree: Tree, folder: Path | None = None) -> Document:
     )
     projection = Projection(camera, lens, (width, height), _required(tree, "depth", "depth"))
     views = _section(tree, "views") if "views" in tree else {}
-    return Document(
-        scene, projection, _unknown(tree, kind), {name: _view(views, name) for name in views}
-    )
+    cameras = {name: _view(views, name) for name in views}
+    return Document(scene, projection, _unknown(tree, kind, cameras), cameras)
 
 
 def _view(views: Tree, name: str) -> Camera:
@@ -497,7 +502,11 @@ def _tree(document: Document) -> Tree:
         "image": {"width": width, "height": height},
     }
     if document.views:
-        tree["views"] = {name: _camera_tree(view) for name, view in document.views.items()}
+        unknown = extra.get("views", {})
+        tree["views"] = {
+            name: _camera_tree(view) | unknown.get(name, {})
+            for name, view in document.views.items()
+        }
     for section in ("camera", "lens", "image"):
         tree[section] |= extra.get(section, {})
     return tree | {key: value for key, value in extra.items() if key not in tree}

@@ -21,7 +21,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from PIL import Image, PngImagePlugin
 
@@ -158,7 +158,7 @@ def unknown_keys(known: tuple[str, ...]) -> st.SearchStrategy[dict[str, Any]]:
 def documents(draw: st.DrawFn) -> Document:
     def ordered(low: float, high: float) -> tuple[float, float]:
         first, second = sorted(draw(st.tuples(st.floats(low, high), st.floats(low, high))))
-        return (first, second) if second - first > 1e-290 else (low, high)
+        return (first, second) if second - first > 1e-200 else (low, high)
 
     try:
         camera = Camera(*draw(st.tuples(*[st.tuples(FINITE, FINITE, FINITE)] * 3)))
@@ -175,20 +175,24 @@ def documents(draw: st.DrawFn) -> Document:
         lens = Orthographic(left, right, bottom, top, *ordered(-1e100, 1e100), "stretch")
     size = draw(st.tuples(*[st.integers(1, 16384)] * 2))
     depth = draw(st.sampled_from(sorted(app.projection.DEPTH_RANGES)))
-    known = ("format", "version", "scene", "camera", "lens", "depth", "image")
+    known = ("format", "version", "scene", "camera", "lens", "depth", "image", "views")
     fields = ("eye", "target", "up", "kind", "fov_y_deg", "left", "right", "bottom", "top", "near")
     fields += ("far", "keep", "width", "height")
     extra = draw(unknown_keys(known))
     inside = draw(unknown_keys(fields))
     if inside:
         extra[draw(st.sampled_from(["camera", "lens", "image"]))] = inside
+    views = dict.fromkeys(draw(st.sets(st.text(), max_size=2)), camera)
+    if views and inside:
+        extra["views"] = {draw(st.sampled_from(sorted(views))): inside}
     # Also names that are not UTF-8, which a POSIX folder may hold.
     letters = st.characters(exclude_categories=["Cs"], exclude_characters="\0")
     scene = draw(st.text(letters | st.sampled_from("\udc80\udcff"), min_size=1))
-    return Document(scene, Projection(camera, lens, size, depth), extra)
+    return Document(scene, Projection(camera, lens, size, depth), extra, views)
 
 
 @given(documents())
+@example(Document("not UTF-8 \udcff.stl"))
 @settings(max_examples=100, deadline=None)
 def test_the_round_trip_is_exact(document: Document) -> None:
     text = to_json(document)
@@ -218,6 +222,7 @@ def test_unknown_keys_survive_at_every_level() -> None:
     tree["camera"]["label"] = "A"
     tree["lens"] |= {"maker": "?", "left": -1}  # a field of another lens is not ours here
     tree["image"]["dpi"] = 300
+    tree["views"] = {"world": tree["camera"] | {"label": "from above"}}
     document = parse(json.dumps(tree))
     assert json.loads(to_json(document)) == tree
     assert "čćžšđ" in to_json(document)  # as a person can read it
@@ -228,6 +233,8 @@ def test_unknown_keys_survive_at_every_level() -> None:
     # ... and what the new lens knows is taken from the lens.
     flat = set_value(document, "lens.kind", "orthographic")
     lens = json.loads(to_json(flat))["lens"]
+    # What belonged to a pane's view goes with it.
+    assert "from above" not in to_json(replace(document, views={}))
     assert lens["left"] == flat.projection.lens.left < -1.0
     assert lens["maker"] == "?"
     assert parse(to_json(flat)) == flat
@@ -1023,6 +1030,21 @@ if sys.platform != "win32":  # what only POSIX can do, or be asked
         write(Document(), tmp_path / "lesson.json")
         assert not live.exists()
         assert all(path.read_bytes() == b"half" for path in foreign)
+
+    def test_a_file_is_locked_until_it_has_its_name(
+        tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    ) -> None:
+        replace_file, renamed = os.replace, []
+
+        def watched(source: str, target: str) -> None:
+            with open(source, "rb") as file, pytest.raises(BlockingIOError):
+                fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            renamed.append(os.path.basename(target))
+            replace_file(source, target)
+
+        monkeypatch.setattr(os, "replace", watched)
+        write(Document(), tmp_path / "lesson.json")
+        assert renamed == ["lesson.json"]
 
     def test_a_save_whose_file_was_taken_for_a_dead_ones_starts_again(
         tmp_path: Path, monkeypatch: pytest.MonkeyPatch
