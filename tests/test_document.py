@@ -1016,6 +1016,11 @@ if sys.platform != "win32":  # what only POSIX can do, or be asked
         write(Document(str(tmp_path / "store" / "x.stl")), link)
         assert json.loads(target.read_text())["scene"] == "x.stl"
         assert read(link).scene == str(tmp_path / "store" / "x.stl")
+        # And the mesh's folder may be linked to, but the mesh keeps the name it was given.
+        (tmp_path / "meshes").symlink_to("store")
+        (tmp_path / "store" / "y.stl").symlink_to("../far/away/y.stl")
+        write(Document(str(tmp_path / "meshes" / "y.stl")), target)
+        assert json.loads(target.read_text())["scene"] == "y.stl"
 
     def test_what_another_program_is_still_writing_is_left_alone(tmp_path: Path) -> None:
         live, dead = tmp_path / ".frustum-lab-0123abcd.tmp", tmp_path / ".frustum-lab-ffffffff.tmp"
