@@ -11,7 +11,7 @@ from __future__ import annotations
 import io
 import os
 import sys
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from types import MappingProxyType
@@ -53,9 +53,46 @@ _LARGEST_DRAWN_PX = 8192  # side of what is averaged; every driver can draw it
 _MOST_DRAWN_PX = 40_000_000  # of one pane before averaging: about 0.5 GB with depth and copies
 _WINDOW_CHOICE = "VTK_DEFAULT_OPENGL_WINDOW"
 
+NO_PANES = "panes = {0}: must name at least one of {1}."
+UNKNOWN_PANE = "pane = {0}: must be one of {1}."
+SCALE = "scale = {0}: must lie between 0, excluded, and {1}."
+WIDTH = "width = {0}: must be from {1} to {2} pixels."
+HEIGHT = "height = {0}: must be from {1} to {2} pixels."
+SCALED_WIDTH = "width = {0} times scale {3}: must be from {1} to {2} pixels."
+SCALED_HEIGHT = "height = {0} times scale {3}: must be from {1} to {2} pixels."
+SENTENCES = (NO_PANES, UNKNOWN_PANE, SCALE, WIDTH, HEIGHT, SCALED_WIDTH, SCALED_HEIGHT)
+"""Every sentence of a `FigureError`, for translators."""
+_SIDES = {"width": (WIDTH, SCALED_WIDTH), "height": (HEIGHT, SCALED_HEIGHT)}
+
 
 class FigureError(ValueError):
-    """A figure that cannot be made: one sentence that names the value and its bound."""
+    """A figure that cannot be made: one sentence that names the value and its bound.
+
+    Parameters
+    ----------
+    template : str
+        The sentence, with ``{0}``, ``{1}`` for its parts, so that it can be translated before
+        they are filled in. One of `SENTENCES`.
+    *parts : object
+        The parts themselves: names and numbers.
+    """
+
+    def __init__(self, template: str, *parts: object) -> None:
+        super().__init__(template, *parts)
+        self.template, self.parts = template, parts
+
+    def __str__(self) -> str:
+        return self.sentence()
+
+    def sentence(self, translate: Callable[[str], str] = str) -> str:
+        """The sentence.
+
+        Parameters
+        ----------
+        translate : callable
+            Turns one of `SENTENCES` into another language.
+        """
+        return translate(self.template).format(*self.parts)
 
 
 def render(
@@ -167,23 +204,22 @@ def _checked_size(
 ) -> tuple[int, int]:
     """The figure's width and height in pixels."""
     if isinstance(panes, str) or not panes:
-        raise FigureError(f"panes = {panes!r}: must name at least one of {', '.join(PANES)}.")
+        raise FigureError(NO_PANES, repr(panes), ", ".join(PANES))
     for pane in panes:
         if pane not in _DRAWINGS:
-            raise FigureError(f"pane = {pane!r}: must be one of {', '.join(PANES)}.")
+            raise FigureError(UNKNOWN_PANE, repr(pane), ", ".join(PANES))
     lone_image = tuple(panes) == ("image",)
     if size is None:
         size = projection.image_size if lone_image else (PANE_PX * len(panes), PANE_PX)
     if not 0.0 < scale <= LARGEST_PX:  # NaN fails too
-        raise FigureError(f"scale = {scale:g}: must lie between 0, excluded, and {LARGEST_PX}.")
+        raise FigureError(SCALE, f"{scale:g}", LARGEST_PX)
     asked = dict(zip(("width", "height"), size, strict=True))
     for name, side in asked.items():
         smallest = 1 if lone_image else SMALLEST_PANE_PX * (len(panes) if name == "width" else 1)
         if not smallest <= side * scale <= LARGEST_PX:  # again, also NaN
-            by_scale = "" if scale == 1.0 else f" times scale {scale:g}"
-            raise FigureError(
-                f"{name} = {side:g}{by_scale}: must be from {smallest} to {LARGEST_PX} pixels."
-            )
+            plain, scaled = _SIDES[name]
+            template = plain if scale == 1.0 else scaled
+            raise FigureError(template, f"{side:g}", smallest, LARGEST_PX, f"{scale:g}")
     return round(asked["width"] * scale), round(asked["height"] * scale)
 
 

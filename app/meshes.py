@@ -43,8 +43,133 @@ Progress: TypeAlias = Callable[[float], bool]
 PAINT_RGB = (184, 194, 208)
 """Colour of a surface that brings none."""
 
+# What can be wrong with a file: whole sentences, so that they can be translated.
+NO_FILE = "{0}: there is no such file; check its name and folder."
+FOLDER = "{0}: this is a folder; choose a mesh file inside it."
+NO_PERMISSION = "{0}: no permission to read it; change its permissions."
+UNREADABLE = "{0}: cannot be read ({1})."
+BAD_NAME = "{0}: not a possible file name; rename the file."
+EMPTY = "{0}: the file is empty; save or download it again."
+NO_VERTICES = (
+    "{0}: the file holds no faces (and no vertices), so that there is no surface to draw; "
+    "export the mesh with faces."
+)
+ONE_VERTEX = (
+    "{0}: the file holds no faces (one vertex), so that there is no surface to draw; "
+    "export the mesh with faces."
+)
+ONLY_VERTICES = (
+    "{0}: the file holds no faces ({1} vertices), so that there is no surface to draw; "
+    "export the mesh with faces."
+)
+SMALL_FACE = (
+    "{0}: {1} face of {2} has fewer than three corners; "
+    "the file is damaged or cut off, save or download it again."
+)
+SMALL_FACES = (
+    "{0}: {1} faces of {2} have fewer than three corners; "
+    "the file is damaged or cut off, save or download it again."
+)
+NO_SUCH_VERTEX = (
+    "{0}: a face names a vertex that does not exist (there are {1}); "
+    "the file is damaged or cut off, save or download it again."
+)
+VERTEX_NOT_FINITE = (
+    "{0}: {1} vertex of {2} is not finite (nan or inf); repair the mesh and export it again."
+)
+VERTICES_NOT_FINITE = (
+    "{0}: {1} vertices of {2} are not finite (nan or inf); repair the mesh and export it again."
+)
+NOT_OBJ = "{0}: it cannot be read as OBJ ({1}); export or download the file again."
+NOT_STL = (
+    "{0}: this is not an STL file, neither text (which begins with “solid”) nor binary; "
+    "check what kind of file it is."
+)
+STL_CUT_OFF = (
+    "{0}: the file is cut off after {1} of {2} triangles; export or download the file again."
+)
+STL_NUMBERS = (
+    "{0}: a facet has not three vertices of three numbers; export or download the file again."
+)
+STL_FACET_CUT_OFF = (
+    "{0}: the file is cut off in the middle of a facet; export or download the file again."
+)
+NOT_PLY = (
+    "{0}: this is not a PLY file, which begins with “ply” and has a line “end_header”; "
+    "check what kind of file it is."
+)
+PLY_HEADER = "{0}: its PLY header does not describe a mesh; export or download the file again."
+PLY_NUMBERS = (
+    "{0}: there is something between its numbers that is not a number; "
+    "export or download the file again."
+)
+PLY_NO_XYZ = "{0}: its vertices have no x, y, z; export or download the file again."
+PLY_NO_CORNERS = "{0}: its faces have no list vertex_indices; export or download the file again."
+PLY_CUT_OFF = (
+    "{0}: the file is cut off before the last of its {1} {2} rows; "
+    "export or download the file again."
+)
+NOT_GLB = "{0}: this is not a GLB file, which begins with “glTF”; check what kind of file it is."
+GLTF_COMPRESSED = "{0}: its mesh is compressed ({1}); export it without compression."
+GLTF_PART = "{0}: its part {1} cannot be read ({2}); keep the files of a glTF mesh together."
+GLTF_CUT_OFF = (
+    "{0}: the file is cut off after {1} of {2} bytes of data; export or download the file again."
+)
+GLTF_VERSION = (
+    "{0}: its glTF description is not valid (version {1}, not 2); "
+    "export or download the file again."
+)
+GLTF_CIRCLE = (
+    "{0}: its glTF description is not valid (a node is below itself); "
+    "export or download the file again."
+)
+GLTF_SPARSE = (
+    "{0}: its glTF description is not valid (sparse accessors are not read); "
+    "export or download the file again."
+)
+GLTF_ACCESSOR = (
+    "{0}: its glTF description is not valid (accessor {1} asks for more data than there are); "
+    "export or download the file again."
+)
+NOT_GLTF = "{0}: its glTF description is not valid ({1}); export or download the file again."
+SENTENCES = (
+    NO_FILE, FOLDER, NO_PERMISSION, UNREADABLE, BAD_NAME, EMPTY, NO_VERTICES, ONE_VERTEX,
+    ONLY_VERTICES, SMALL_FACE, SMALL_FACES, NO_SUCH_VERTEX, VERTEX_NOT_FINITE,
+    VERTICES_NOT_FINITE, NOT_OBJ, NOT_STL, STL_CUT_OFF, STL_NUMBERS, STL_FACET_CUT_OFF, NOT_PLY,
+    PLY_HEADER, PLY_NUMBERS, PLY_NO_XYZ, PLY_NO_CORNERS, PLY_CUT_OFF, NOT_GLB, GLTF_COMPRESSED,
+    GLTF_PART, GLTF_CUT_OFF, GLTF_VERSION, GLTF_CIRCLE, GLTF_SPARSE, GLTF_ACCESSOR, NOT_GLTF,
+)  # fmt: skip
+"""Every sentence of a `SceneError` about a file, for translators."""
+
+
 class SceneError(ValueError):
-    """One sentence that names the scene or the file, what is wrong with it, and what to do."""
+    """One sentence that names the scene or the file, what is wrong with it, and what to do.
+
+    Parameters
+    ----------
+    template : str
+        The sentence, with ``{0}``, ``{1}`` for its parts, so that it can be translated before
+        they are filled in. One of `SENTENCES`, here or in `app.scene`.
+    *parts : object
+        The parts themselves: names and numbers.
+    """
+
+    def __init__(self, template: str, *parts: object) -> None:
+        super().__init__(template, *parts)
+        self.template, self.parts = template, parts
+
+    def __str__(self) -> str:
+        return self.sentence()
+
+    def sentence(self, translate: Callable[[str], str] = str) -> str:
+        """The sentence.
+
+        Parameters
+        ----------
+        translate : callable
+            Turns one of `SENTENCES` into another language.
+        """
+        return translate(self.template).format(*self.parts)
 
 
 class SceneCancelled(Exception):
@@ -120,57 +245,34 @@ def check_readable(path: Path) -> None:
         with path.open("rb") as file:
             empty = not file.read(1)
     except FileNotFoundError:
-        raise SceneError(f"{path}: there is no such file; check its name and folder.") from None
+        raise SceneError(NO_FILE, path) from None
     except IsADirectoryError:
-        raise SceneError(f"{path}: this is a folder; choose a mesh file inside it.") from None
+        raise SceneError(FOLDER, path) from None
     except PermissionError:
-        raise SceneError(f"{path}: no permission to read it; change its permissions.") from None
+        raise SceneError(NO_PERMISSION, path) from None
     except OSError as error:
-        raise SceneError(f"{path}: cannot be read ({error.strerror}).") from None
+        raise SceneError(UNREADABLE, path, error.strerror) from None
     except ValueError:  # a zero byte, or a name that is not Unicode
-        raise SceneError(f"{str(path)!r}: not a possible file name; rename the file.") from None
+        raise SceneError(BAD_NAME, repr(str(path))) from None
     if empty:
-        raise SceneError(f"{path}: the file is empty; save or download it again.")
+        raise SceneError(EMPTY, path)
 
 
 def _check_mesh(path: Path, mesh: Mesh) -> None:
     faces = len(mesh.offsets) - 1
     vertices = len(mesh.points)
     if faces < 1:
-        found = (
-            "one vertex"
-            if vertices == 1
-            else f"{vertices} vertices"
-            if vertices
-            else "and no vertices"
-        )
-        raise SceneError(
-            f"{path}: the file holds no faces ({found}), so that there is no surface to draw; "
-            "export the mesh with faces."
-        )
+        few = {0: NO_VERTICES, 1: ONE_VERTEX}
+        raise SceneError(few.get(vertices, ONLY_VERTICES), path, vertices)
     too_small = int(np.count_nonzero(np.diff(mesh.offsets) < 3))
     if too_small:
-        raise SceneError(
-            f"{path}: {_counted(too_small, 'face')} of {faces} "
-            f"{'has' if too_small == 1 else 'have'} fewer than three corners; "
-            "the file is damaged or cut off, save or download it again."
-        )
+        raise SceneError(SMALL_FACE if too_small == 1 else SMALL_FACES, path, too_small, faces)
     if mesh.corners.min() < 0 or mesh.corners.max() >= vertices:
-        raise SceneError(
-            f"{path}: a face names a vertex that does not exist (there are {vertices}); "
-            "the file is damaged or cut off, save or download it again."
-        )
+        raise SceneError(NO_SUCH_VERTEX, path, vertices)
     not_finite = int(np.count_nonzero(~np.isfinite(mesh.points).all(axis=1)))
     if not_finite:
-        raise SceneError(
-            f"{path}: {_counted(not_finite, 'vertex', 'vertices')} of {vertices} "
-            f"{'is' if not_finite == 1 else 'are'} not finite (nan or inf); "
-            "repair the mesh and export it again."
-        )
-
-
-def _counted(count: int, one: str, many: str = "") -> str:
-    return f"{count} {one if count == 1 else many or one + 's'}"
+        template = VERTEX_NOT_FINITE if not_finite == 1 else VERTICES_NOT_FINITE
+        raise SceneError(template, path, not_finite, vertices)
 
 
 def _drop_unused_points(mesh: Mesh) -> None:
@@ -208,10 +310,6 @@ def _vtk_messages() -> Iterator[vtkStringOutputWindow]:
     finally:
         vtkLogger.SetStderrVerbosity(usual_verbosity)
         vtkOutputWindow.SetInstance(usual_window)
-
-
-def _damaged(path: Path, problem: str) -> SceneError:
-    return SceneError(f"{path}: {problem}; export or download the file again.")
 
 
 def values_of(array: vtkDataArray) -> NDArray[Any]:
@@ -254,8 +352,7 @@ def _read_obj(path: Path, progress: Progress | None) -> Mesh:
         reader.Update()
     message = re.search(r"ERROR: .*\n.*?\): (.+)", window.GetOutput())  # the first is the cause
     if message is not None:
-        reason = message[1].strip().rstrip(".")
-        raise _damaged(path, f"it cannot be read as OBJ ({reason})")
+        raise SceneError(NOT_OBJ, path, message[1].strip().rstrip("."))
     poly_data = reader.GetOutput()
     if poly_data.GetPoints() is None:
         points = np.empty((0, 3))
@@ -283,13 +380,10 @@ def _read_stl(path: Path, progress: Progress | None) -> Mesh:
         elif head.lstrip()[:5].lower() == b"solid":
             corners = _stl_text(path, file, length, progress)
         elif len(head) < 84 or b"\0" not in head:
-            raise SceneError(
-                f"{path}: this is not an STL file, neither text (which begins with “solid”) nor "
-                "binary; check what kind of file it is."
-            )
+            raise SceneError(NOT_STL, path)
         elif length < binary_length:
             there = (length - 84) // _STL_TRIANGLE.itemsize
-            raise _damaged(path, f"the file is cut off after {there} of {count} triangles")
+            raise SceneError(STL_CUT_OFF, path, there, count)
         else:  # some programs append data of their own
             corners = _stl_binary(file, count)
     report(progress, 0.4)
@@ -324,11 +418,11 @@ def _stl_text(path: Path, file: BinaryIO, length: int, progress: Progress | None
         loops = text.split(b"loop")[1::2]
         numbers = _numbers(b" ".join(loops).replace(b"vertex", b"").replace(b"end", b""))
         if numbers is None or len(numbers) != 9 * len(loops):
-            raise _damaged(path, "a facet has not three vertices of three numbers")
+            raise SceneError(STL_NUMBERS, path)
         blocks.append(numbers)
         report(progress, 0.4 * file.tell() / length)
     if b"vertex" in _without_stl_names(rest):
-        raise _damaged(path, "the file is cut off in the middle of a facet")
+        raise SceneError(STL_FACET_CUT_OFF, path)
     return np.concatenate(blocks).reshape(-1, 3)
 
 
@@ -383,13 +477,13 @@ def _read_ply(path: Path, progress: Progress | None) -> Mesh:
             try:
                 xyz = [columns[axis] for axis in "xyz"]
             except KeyError:
-                raise _damaged(path, "its vertices have no x, y, z") from None
+                raise SceneError(PLY_NO_XYZ, path) from None
             mesh.points = np.stack(xyz, axis=1).astype(np.float64)
             vertex_rgb = rgb
         elif element == "face":
             name = next((n for n in ("vertex_indices", "vertex_index") if n in lengths), None)
             if name is None:
-                raise _damaged(path, "its faces have no list vertex_indices")
+                raise SceneError(PLY_NO_CORNERS, path)
             mesh.offsets = np.concatenate([[0], np.cumsum(lengths[name])])
             with np.errstate(invalid="ignore"):  # what is no index, is out of range too
                 mesh.corners = columns[name].astype(np.int64)
@@ -412,10 +506,7 @@ def _ply_header_and_body(
     data = path.read_bytes()
     header = re.match(rb"ply\s.*?end_header[^\S\n]*\r?\n?", data[:1_000_000], re.DOTALL)
     if header is None:
-        raise SceneError(
-            f"{path}: this is not a PLY file, which begins with “ply” and has a line "
-            "“end_header”; check what kind of file it is."
-        )
+        raise SceneError(NOT_PLY, path)
     encoding = ""
     elements: list[tuple[str, int, list[_PlyProperty]]] = []
     try:
@@ -440,13 +531,13 @@ def _ply_header_and_body(
         if "vertex" not in names or not encoding or min(rows for _, rows, _ in elements) < 0:
             raise ValueError
     except (IndexError, KeyError, ValueError, UnboundLocalError):
-        raise _damaged(path, "its PLY header does not describe a mesh") from None
+        raise SceneError(PLY_HEADER, path) from None
     needed = 1 + max(names.index(name) for name in ("vertex", "face") if name in names)
     body = data[header.end() :]
     if encoding == "ascii":
         numbers = _numbers(body)
         if numbers is None:
-            raise _damaged(path, "there is something between its numbers that is not a number")
+            raise SceneError(PLY_NUMBERS, path)
         body = numbers.tobytes()
     return elements[:needed], body
 
@@ -456,7 +547,7 @@ def _ply_columns(
 ) -> tuple[dict[str, NDArray[Any]], dict[str, Ints], int]:
     """Columns of one element, the lengths of its lists (whose items are joined), and its end."""
     lists = [p for p in properties if p.count is not None]
-    cut_off = _damaged(path, f"the file is cut off before the last of its {rows} {element} rows")
+    cut_off = SceneError(PLY_CUT_OFF, path, rows, element)
     if rows == 0:
         empty = {p.name: np.empty(0, dtype=p.kind) for p in properties}
         return empty, {p.name: np.empty(0, dtype=np.int64) for p in lists}, at
@@ -522,35 +613,32 @@ def _read_gltf(path: Path, progress: Progress | None) -> Mesh:
     body = b""
     if path.suffix.lower() == ".glb":
         if data[:4] != b"glTF":
-            raise SceneError(
-                f"{path}: this is not a GLB file, which begins with “glTF”; "
-                "check what kind of file it is."
-            )
+            raise SceneError(NOT_GLB, path)
         text_end = 20 + int.from_bytes(data[12:16], "little")
         data, body = data[20:text_end], data[text_end + 8 :]
     meshes = []
     try:
         content = json.loads(data)
-        if not str(content["asset"]["version"]).startswith("2."):
-            raise ValueError(f"version {content['asset']['version']}, not 2")
+        version = str(content["asset"]["version"])
+        if not version.startswith("2."):
+            raise SceneError(GLTF_VERSION, path, version.replace("\n", " "))
         packed = _GLTF_PACKED.intersection(content.get("extensionsRequired", ()))
         if packed:
-            raise SceneError(
-                f"{path}: its mesh is compressed ({', '.join(sorted(packed))}); "
-                "export it without compression."
-            )
+            raise SceneError(GLTF_COMPRESSED, path, ", ".join(sorted(packed)))
         buffers = [_gltf_buffer(path, buffer, body) for buffer in content.get("buffers", ())]
         report(progress, 0.2)
-        for node, world_from_node in _gltf_nodes(content):
+        for node, world_from_node in _gltf_nodes(path, content):
             if "mesh" in node:
                 for primitive in content["meshes"][node["mesh"]]["primitives"]:
-                    meshes.append(_gltf_primitive(content, buffers, primitive, world_from_node))
+                    meshes.append(
+                        _gltf_primitive(path, content, buffers, primitive, world_from_node)
+                    )
                     report(progress, 0.3)
     except SceneError:
         raise
     except (LookupError, AttributeError, TypeError, ValueError, RecursionError) as error:
         reason = f"{type(error).__name__}: {error}".replace("\n", " ")
-        raise _damaged(path, f"its glTF description is not valid ({reason})") from None
+        raise SceneError(NOT_GLTF, path, reason) from None
     first_point = np.cumsum([0] + [len(mesh.points) for mesh in meshes])
     corners = [m.corners + at for m, at in zip(meshes, first_point[:-1], strict=True)]
     joined = np.concatenate([np.empty(0, dtype=np.int64), *corners])
@@ -577,18 +665,13 @@ def _gltf_buffer(path: Path, buffer: dict[str, Any], body: bytes) -> bytes:
         try:
             data = part.read_bytes()
         except OSError as error:
-            raise SceneError(
-                f"{path}: its part {part} cannot be read ({error.strerror}); "
-                "keep the files of a glTF mesh together."
-            ) from None
+            raise SceneError(GLTF_PART, path, part, error.strerror) from None
     if len(data) < buffer["byteLength"]:
-        raise _damaged(
-            path, f"the file is cut off after {len(data)} of {buffer['byteLength']} bytes of data"
-        )
+        raise SceneError(GLTF_CUT_OFF, path, len(data), buffer["byteLength"])
     return data
 
 
-def _gltf_nodes(content: dict[str, Any]) -> Iterator[tuple[dict[str, Any], Floats]]:
+def _gltf_nodes(path: Path, content: dict[str, Any]) -> Iterator[tuple[dict[str, Any], Floats]]:
     """The nodes of the scene, each with its world_from_node (4, 4)."""
     nodes = content.get("nodes", [])
     if content.get("scenes"):
@@ -602,7 +685,7 @@ def _gltf_nodes(content: dict[str, Any]) -> Iterator[tuple[dict[str, Any], Float
         node = nodes[index]
         seen += 1
         if seen > len(nodes):
-            raise ValueError("a node is below itself")
+            raise SceneError(GLTF_CIRCLE, path)
         if "matrix" in node:  # written column by column
             parent_from_node = np.array(node["matrix"], dtype=np.float64).reshape(4, 4).T
         else:
@@ -623,6 +706,7 @@ def _gltf_nodes(content: dict[str, Any]) -> Iterator[tuple[dict[str, Any], Float
 
 
 def _gltf_primitive(
+    path: Path,
     content: dict[str, Any],
     buffers: list[bytes],
     primitive: dict[str, Any],
@@ -630,11 +714,12 @@ def _gltf_primitive(
 ) -> Mesh:
     """The triangles of a primitive; none where it is of points or lines."""
     attributes = primitive["attributes"]
-    local = _gltf_values(content, buffers, attributes["POSITION"])
+    local = _gltf_values(path, content, buffers, attributes["POSITION"])
     with np.errstate(invalid="ignore", over="ignore"):  # `_check_mesh` says so in words
         points = local.astype(np.float64) @ world_from_node[:3, :3].T + world_from_node[:3, 3]
     if "indices" in primitive:
-        order = _gltf_values(content, buffers, primitive["indices"]).ravel().astype(np.int64)
+        indices = _gltf_values(path, content, buffers, primitive["indices"])
+        order = indices.ravel().astype(np.int64)
     else:
         order = np.arange(len(points))
     mode = primitive.get("mode", 4)
@@ -651,7 +736,7 @@ def _gltf_primitive(
         triangles = triangles[:, ::-1]
     mesh = Mesh(points, np.arange(0, triangles.size + 1, 3), triangles.ravel())
     if "COLOR_0" in attributes:
-        linear = _gltf_values(content, buffers, attributes["COLOR_0"])[:, :3]
+        linear = _gltf_values(path, content, buffers, attributes["COLOR_0"])[:, :3]
         scale = _full_scale(linear.dtype)
         _paint_with_vertex_colours(mesh, _srgb(linear.astype(np.float64) / scale))
     if mesh.rgb is None:
@@ -663,11 +748,13 @@ def _gltf_primitive(
     return mesh
 
 
-def _gltf_values(content: dict[str, Any], buffers: list[bytes], index: int) -> NDArray[Any]:
+def _gltf_values(
+    path: Path, content: dict[str, Any], buffers: list[bytes], index: int
+) -> NDArray[Any]:
     """The values of an accessor, one row for each element."""
     accessor = content["accessors"][index]
     if "sparse" in accessor or "bufferView" not in accessor:
-        raise ValueError("sparse accessors are not read")
+        raise SceneError(GLTF_SPARSE, path)
     view = content["bufferViews"][accessor["bufferView"]]
     first = view.get("byteOffset", 0)
     data = memoryview(buffers[view["buffer"]])[first : first + view["byteLength"]]
@@ -677,7 +764,7 @@ def _gltf_values(content: dict[str, Any], buffers: list[bytes], index: int) -> N
     start = accessor.get("byteOffset", 0)
     end = start + (count - 1) * stride + kind.itemsize * parts
     if count < 1 or start < 0 or stride < 1 or end > len(data):
-        raise ValueError(f"accessor {index} asks for more data than there are")
+        raise SceneError(GLTF_ACCESSOR, path, index)
     return np.ndarray((count, parts), kind, data, start, (stride, kind.itemsize))
 
 

@@ -46,6 +46,14 @@ from app.projection import Camera, Perspective, Projection
 
 Vector: TypeAlias = tuple[float, float, float]
 
+WRONG_ENDING = "{0}: a mesh file must end in {1} or {2}; convert it to one of these."
+NOT_A_SCENE = "There is no scene “{0}”, only {1} or {2}; a mesh file needs its ending."
+NEARLY_A_SCENE = "There is no scene “{0}”, only {1} or {2}; did you mean “{3}”?"
+ONE_POINT = "{0}: all vertices are at one point, so that there is nothing to see; check the export."
+WRONG_SIZE = "{0}: the mesh is {1} units large, but must be between 1e-30 and 1e30; scale it."
+SENTENCES = (WRONG_ENDING, NOT_A_SCENE, NEARLY_A_SCENE, ONE_POINT, WRONG_SIZE)
+"""Every further sentence of a `SceneError`, for translators; see also `app.meshes.SENTENCES`."""
+
 FACES_WITH_EDGES = 5_000
 """Meshes of more faces get no edge lines: they would be denser than the pixels."""
 
@@ -120,12 +128,10 @@ def load(name_or_path: str, progress: Progress | None = None) -> Scene:
     is_file_name = path.name != name_or_path or path.suffix != ""
     if name_or_path and (is_file_name or _exists(path)):
         check_readable(path)
-        raise SceneError(
-            f"{path}: a mesh file must end in {_listed(ENDINGS)}; convert it to one of these."
-        )
+        raise SceneError(WRONG_ENDING, path, *_but_last(ENDINGS))
     likely = difflib.get_close_matches(name_or_path.lower(), BUILT_IN, n=1, cutoff=0.5)
-    hint = f"did you mean “{likely[0]}”?" if likely else "a mesh file needs its ending."
-    raise SceneError(f"There is no scene “{name_or_path}”, only {_listed(BUILT_IN)}; {hint}")
+    template = NEARLY_A_SCENE if likely else NOT_A_SCENE
+    raise SceneError(template, name_or_path, *_but_last(BUILT_IN), *likely)
 
 
 def frame_camera(
@@ -195,8 +201,9 @@ def _two_digits(value: float, rounding: Callable[[float], int]) -> float:
     return float(f"{rounding(value / 10.0**exponent)}e{exponent}")
 
 
-def _listed(words: Sequence[str]) -> str:
-    return f"{', '.join(words[:-1])} or {words[-1]}"
+def _but_last(words: Sequence[str]) -> tuple[str, str]:
+    """All but the last, and the last: to say “a, b or c” in any language."""
+    return ", ".join(words[:-1]), words[-1]
 
 
 # --------------------------------------------------------------------------- colours
@@ -486,15 +493,9 @@ def _scene_of_mesh(name: str, path: Path, progress: Progress | None) -> Scene:
     lower, upper = _vector(mesh.points.min(axis=0)), _vector(mesh.points.max(axis=0))
     size = math.dist(lower, upper)
     if size == 0.0:
-        raise SceneError(
-            f"{path}: all vertices are at one point, so that there is nothing to see; "
-            "check the export."
-        )
+        raise SceneError(ONE_POINT, path)
     if not 1e-30 < size < 1e30:  # the GPU's float32 ends near 1e-38 and 1e38
-        raise SceneError(
-            f"{path}: the mesh is {size:.2g} units large, but must be between 1e-30 and 1e30; "
-            "scale it."
-        )
+        raise SceneError(WRONG_SIZE, path, f"{size:.2g}")
     # A round number near the middle, and 0 for a mesh that is at the origin anyway.
     origin = _rounded(_centre(lower, upper), -math.floor(math.log10(size)))
     mesh.points -= np.array(origin)

@@ -7,6 +7,7 @@ import inspect
 import math
 from collections.abc import Iterator
 from dataclasses import replace
+from types import ModuleType
 from typing import Any
 
 import pytest
@@ -15,8 +16,9 @@ from PySide6.QtGui import QInputMethodEvent, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QComboBox, QLineEdit, QSlider, QToolButton
 
-from app import document, projection
+from app import document, figures, meshes, projection, scene
 from app.document import DocumentError
+from app.figures import FigureError
 from app.projection import (
     LARGEST,
     Camera,
@@ -27,6 +29,7 @@ from app.projection import (
     ProjectionError,
     fov_x_from_fov_y,
 )
+from app.scene import SceneError
 from widgets import messages
 from widgets.controls import Controls
 from widgets.messages import sentence
@@ -1054,8 +1057,10 @@ def test_the_column_fits_into_320_pixels(controls: Controls) -> None:
     [
         (messages.PROJECTION_BOUNDS, projection.BOUNDS, "ProjectionError"),
         (messages.DOCUMENT_BOUNDS, document.BOUNDS, "DocumentError"),
+        (messages.SCENE_SENTENCES, meshes.SENTENCES + scene.SENTENCES, "SceneError"),
+        (messages.FIGURE_SENTENCES, figures.SENTENCES, "FigureError"),
     ],
-    ids=["projection", "document"],
+    ids=["projection", "document", "scene", "figure"],
 )
 def test_translators_are_given_every_bound(
     listed: tuple[str, ...], core: tuple[str, ...], context: str
@@ -1071,6 +1076,22 @@ def test_translators_are_given_every_bound(
     assert marked >= set(core)  # literal, or lupdate would not see them
 
 
+@pytest.mark.parametrize("room", [meshes, scene, figures])
+def test_a_room_says_only_what_translators_know(room: ModuleType) -> None:
+    errors = [
+        call
+        for call in ast.walk(ast.parse(inspect.getsource(room)))
+        if isinstance(call, ast.Call) and ast.unparse(call.func) in ("SceneError", "FigureError")
+    ]
+    assert len(errors) >= 4
+    for error in errors:  # constants, never text made on the spot
+        assert isinstance(error.args[0], ast.Name | ast.IfExp | ast.Call), ast.unparse(error)
+    constants = [value for name, value in vars(room).items() if name.isupper()]
+    templates = {text for text in constants if isinstance(text, str) and "{0}" in text}
+    assert templates == set(room.SENTENCES)
+    assert all(text.endswith((".", "?")) for text in templates)
+
+
 def test_sentences_are_translated_before_they_are_filled_in(qapp: QApplication) -> None:
     from PySide6.QtCore import QTranslator
 
@@ -1080,6 +1101,9 @@ def test_sentences_are_translated_before_they_are_filled_in(qapp: QApplication) 
             "must be less than far, which is {0}": "mora biti manja od dalje, koja je {0}",
             "does not exist": "ne postoji",
             "must be greater than {0}": "mora biti veće od {0}",
+            meshes.EMPTY: "{0}: datoteka je prazna.",
+            scene.NEARLY_A_SCENE: "Nema scene „{0}”, možda „{3}”? Ima {1} i {2}.",
+            figures.SCALED_WIDTH: "širina = {0} puta {3}: mora biti od {1} do {2} piksela.",
         }
 
         def translate(self, context: str, text: str, *_rest: object) -> str:
@@ -1098,7 +1122,21 @@ def test_sentences_are_translated_before_they_are_filled_in(qapp: QApplication) 
         assert sentence(missing) == "a.json ne postoji."
         wrong = DocumentError(projection.ABOVE, 0, field="lens.near", value=-1)
         assert sentence(wrong) == "lens.near = -1: mora biti veće od 0."
+        with pytest.raises(SceneError) as unknown:
+            scene.load("kube")
+        said = "Nema scene „kube”, možda „cube”? Ima letter-f, cube i posts."
+        assert sentence(unknown.value) == said
+        assert sentence(SceneError(meshes.EMPTY, "{1}.obj")) == "{1}.obj: datoteka je prazna."
+        cube = scene.load("cube")
+        with pytest.raises(FigureError) as large:
+            figures.render(cube, cube.start, size=(9000, 600), scale=2.0)
+        said = "širina = 9000 puta 2: mora biti od 96 do 16384 piksela."
+        assert sentence(large.value) == said
     finally:
         qapp.removeTranslator(translator)
     assert sentence(caught.value) == "Near = 3: must be less than far, which is 2.5."
+    said = "There is no scene “kube”, only letter-f, cube or posts; did you mean “cube”?"
+    assert sentence(unknown.value) == str(unknown.value) == said
+    said = "width = 9000 times scale 2: must be from 96 to 16384 pixels."
+    assert sentence(large.value) == str(large.value) == said
     assert sentence(OSError("no space")) == "no space"

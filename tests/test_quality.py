@@ -1,9 +1,13 @@
-"""ruff and mypy, as tests like all others: one command, one verdict."""
+"""What tools say of the sources, as tests like all others: one command, one verdict."""
 
 from __future__ import annotations
 
+import ast
 import subprocess
 import sys
+from collections.abc import Iterator
+from pathlib import Path
+from xml.etree import ElementTree
 
 from app.bootstrap import ROOT
 
@@ -22,3 +26,38 @@ def test_ruff_is_content() -> None:
 
 def test_mypy_is_content_with_strict_types() -> None:
     assert report("mypy") == ""
+
+
+def translated(node: ast.AST, context: str) -> Iterator[tuple[str, str]]:
+    """Context and text of every call that translates, as lupdate should see them."""
+    if isinstance(node, ast.ClassDef):
+        context = node.name
+    if isinstance(node, ast.Call):
+        called = ast.unparse(node.func)
+        if called.endswith(".tr"):
+            yield context, ast.literal_eval(node.args[0])
+        elif called == "QT_TRANSLATE_NOOP":
+            yield ast.literal_eval(node.args[0]), ast.literal_eval(node.args[1])
+    for child in ast.iter_child_nodes(node):
+        yield from translated(child, context)
+
+
+def test_lupdate_finds_every_string(tmp_path: Path) -> None:
+    """It reads no f-strings, for one, and says nothing of what it overlooks."""
+    sources = sorted(str(path) for path in (ROOT / "widgets").rglob("*.py"))
+    catalogue = tmp_path / "all.ts"
+    lupdate = "from PySide6.scripts.pyside_tool import lupdate; lupdate()"
+    command = [sys.executable, "-c", lupdate, *sources, "-ts", str(catalogue)]
+    subprocess.run(command, cwd=ROOT, capture_output=True, check=True)
+    found = {
+        (context.findtext("name"), message.findtext("source"))
+        for context in ElementTree.parse(catalogue).iter("context")
+        for message in context.iter("message")
+    }
+    written = {
+        text
+        for path in sources
+        for text in translated(ast.parse(Path(path).read_text(encoding="utf-8")), "")
+    }
+    assert len(found) > 300
+    assert written == found

@@ -414,5 +414,6 @@ class AnimationBar(QWidget):
             row.setVisible(self.height_mode.value() != "fixed")
 
     def _say(self, text: str) -> None:
-        self._error.setText(f"⚠ {self.tr('Stopped.')} {text}" if text else "")
+        stopped = self.tr("Stopped.")
+        self._error.setText(f"⚠ {stopped} {text}" if text else "")
         self._error.setVisible(bool(text))

@@ -805,4 +805,4 @@ def _take_screenshot(application: QApplication, window: Any, path: Path) -> None
     png.open(QIODevice.OpenModeFlag.WriteOnly)
     window.grab().save(png, "PNG")
     window.close()
-    write_bytes_atomically(path, png.data().data())
+    write_bytes_atomically(path, bytes(png.data().data()))

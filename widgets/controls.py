@@ -243,7 +243,7 @@ class Controls(QScrollArea):
         self._row(
             section, "fov_y_deg", "lens",
             self.tr("Angle between the bottom and the top of the frustum, as seen from the eye."),
-            fov, "°", degrees, lambda p: p.lens.fov_y_deg, _with_lens_field("fov_y_deg"),
+            fov, "°", degrees, _lens_field("fov_y_deg"), _with_lens_field("fov_y_deg"),
         )  # fmt: skip
         self._row(
             section, "fov_x_deg", "lens",
@@ -266,8 +266,7 @@ class Controls(QScrollArea):
         }
         for side, tip in sides.items():
             self._length(
-                section, side, "lens", tip, lambda p, side=side: getattr(p.lens, side),
-                _with_lens_field(side),
+                section, side, "lens", tip, _lens_field(side), _with_lens_field(side)
             )  # fmt: skip
         keeps = (
             Choice(
@@ -289,19 +288,19 @@ class Controls(QScrollArea):
         self._choice(
             section, "keep", "lens",
             self.tr("How the window follows the aspect of the image."),
-            keeps, lambda p: p.lens.keep, _with_lens_field("keep"),
+            keeps, _lens_field("keep"), _with_lens_field("keep"),
         )  # fmt: skip
         self._length(
             section, "near", "lens",
             self.tr("Distance from the eye to the near plane: nothing nearer is drawn. The closer"
                     " to 0, the coarser the depth buffer."),
-            lambda p: p.lens.near, _with_lens_field("near"),
+            _lens_field("near"), _with_lens_field("near"),
         )  # fmt: skip
         self._length(
             section, "far", "lens",
             self.tr("Distance from the eye to the far plane: nothing farther is drawn. A"
                     " perspective lens also takes inf (∞), at the slider's end."),
-            lambda p: p.lens.far, _with_lens_field("far"),
+            _lens_field("far"), _with_lens_field("far"),
         )  # fmt: skip
 
     def _make_camera(self) -> None:
@@ -372,7 +371,7 @@ class Controls(QScrollArea):
             self._row(
                 section, name, "image_size", tip, Linear(10.0, 4000.0, 10.0),
                 self.tr("px"), self.tr("pixels"),
-                lambda p, axis=axis: p.image_size[axis], partial(_with_side, axis),
+                partial(_side, axis), partial(_with_side, axis),
             )  # fmt: skip
         choices = tuple(
             Choice(
@@ -514,7 +513,8 @@ class Controls(QScrollArea):
         if key in ("left", "right", "bottom", "top", "keep"):
             return isinstance(lens, Orthographic)
         if self._bindings[key].part == "camera":
-            return (key in Orbit._fields) == (self.camera_mode.value() == "orbit")
+            orbits: bool = self.camera_mode.value() == "orbit"
+            return (key in Orbit._fields) == orbits
         return True
 
     def _show_rows(self) -> None:
@@ -572,6 +572,10 @@ class Controls(QScrollArea):
 # --------------------------------------------------------------------------- reading and writing
 
 
+def _lens_field(field: str) -> Read:
+    return lambda projection: getattr(projection.lens, field)
+
+
 def _with_lens_field(field: str) -> Write:
     def write(projection: Projection, value: Any) -> Projection:
         return replace(projection, lens=replace(projection.lens, **{field: value}))
@@ -621,10 +625,14 @@ def _write_component(vector: str, axis: int, projection: Projection, value: floa
     return replace(projection, camera=replace(projection.camera, **{vector: tuple(components)}))
 
 
+def _side(axis: int, projection: Projection) -> int:
+    return projection.image_size[axis]
+
+
 def _with_side(axis: int, projection: Projection, side_px: float) -> Projection:
     size: list[Any] = list(projection.image_size)
     size[axis] = int(side_px) if float(side_px).is_integer() else side_px
-    return replace(projection, image_size=tuple(size))  # type: ignore[arg-type]
+    return replace(projection, image_size=tuple(size))
 
 
 def _aspect(projection: Projection) -> str | None:

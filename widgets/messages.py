@@ -1,7 +1,7 @@
 """What is said when something is refused: one sentence, in the reader's language.
 
-The core raises errors whose parts are data (field, value, bound, limits) because it knows no Qt;
-here they become a sentence. The lists below repeat the core's English so that lupdate finds it;
+The core raises errors whose parts are data (template, field, value, limits) because it knows no
+Qt; here they become a sentence. The lists below repeat the core's English so that lupdate finds it;
 a test holds them against the core's own lists.
 """
 
@@ -9,10 +9,12 @@ from __future__ import annotations
 
 import math
 import numbers
+from collections.abc import Callable
+from typing import Protocol, cast, runtime_checkable
 
-from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
+from PySide6 import QtCore
+from PySide6.QtCore import QCoreApplication
 
-from app.document import DocumentError
 from app.projection import (
     BOTTOM_BEFORE_TOP,
     FINITE_NUMBER,
@@ -23,6 +25,9 @@ from app.projection import (
     ProjectionError,
     format_value,
 )
+
+# PySide6 declares that it takes and gives objects.
+QT_TRANSLATE_NOOP = cast("Callable[[str, str], str]", QtCore.QT_TRANSLATE_NOOP)
 
 PROJECTION_BOUNDS = (
     QT_TRANSLATE_NOOP("ProjectionError", "must be a finite number"),
@@ -76,6 +81,192 @@ DOCUMENT_BOUNDS = (
     QT_TRANSLATE_NOOP("DocumentError", "The document"),
 )
 """Every further part of a `DocumentError`: the members of `app.document.BOUNDS`."""
+
+SCENE_SENTENCES = (
+    QT_TRANSLATE_NOOP("SceneError", "{0}: there is no such file; check its name and folder."),
+    QT_TRANSLATE_NOOP("SceneError", "{0}: this is a folder; choose a mesh file inside it."),
+    QT_TRANSLATE_NOOP("SceneError", "{0}: no permission to read it; change its permissions."),
+    QT_TRANSLATE_NOOP("SceneError", "{0}: cannot be read ({1})."),
+    QT_TRANSLATE_NOOP("SceneError", "{0}: not a possible file name; rename the file."),
+    QT_TRANSLATE_NOOP("SceneError", "{0}: the file is empty; save or download it again."),
+    QT_TRANSLATE_NOOP(
+        "SceneError",
+        "{0}: the file holds no faces (and no vertices), so that there is no surface to draw; "
+        "export the mesh with faces.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "SceneError",
+        "{0}: the file holds no faces (one vertex), so that there is no surface to draw; "
+        "export the mesh with faces.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "SceneError",
+        "{0}: the file holds no faces ({1} vertices), so that there is no surface to draw; "
+        "export the mesh with faces.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "SceneError",
+        "{0}: {1} face of {2} has fewer than three corners; "
+        "the file is damaged or cut off, save or download it again.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "SceneError",
+        "{0}: {1} faces of {2} have fewer than three corners; "
+        "the file is damaged or cut off, save or download it again.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "SceneError",
+        "{0}: a face names a vertex that does not exist (there are {1}); "
+        "the file is damaged or cut off, save or download it again.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "SceneError",
+        "{0}: {1} vertex of {2} is not finite (nan or inf); repair the mesh and export it again.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "SceneError",
+        "{0}: {1} vertices of {2} are not finite (nan or inf); "
+        "repair the mesh and export it again.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "SceneError",
+        "{0}: it cannot be read as OBJ ({1}); export or download the file again.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "SceneError",
+        "{0}: this is not an STL file, neither text (which begins with “solid”) nor binary; "
+        "check what kind of file it is.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "SceneError",
+        "{0}: the file is cut off after {1} of {2} triangles; export or download the file again.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "SceneError",
+        "{0}: a facet has not three vertices of three numbers; export or download the file again.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "SceneError",
+        "{0}: the file is cut off in the middle of a facet; export or download the file again.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "SceneError",
+        "{0}: this is not a PLY file, which begins with “ply” and has a line “end_header”; "
+        "check what kind of file it is.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "SceneError",
+        "{0}: its PLY header does not describe a mesh; export or download the file again.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "SceneError",
+        "{0}: there is something between its numbers that is not a number; "
+        "export or download the file again.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "SceneError",
+        "{0}: its vertices have no x, y, z; export or download the file again.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "SceneError",
+        "{0}: its faces have no list vertex_indices; export or download the file again.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "SceneError",
+        "{0}: the file is cut off before the last of its {1} {2} rows; "
+        "export or download the file again.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "SceneError",
+        "{0}: this is not a GLB file, which begins with “glTF”; check what kind of file it is.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "SceneError",
+        "{0}: its mesh is compressed ({1}); export it without compression.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "SceneError",
+        "{0}: its part {1} cannot be read ({2}); keep the files of a glTF mesh together.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "SceneError",
+        "{0}: the file is cut off after {1} of {2} bytes of data; "
+        "export or download the file again.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "SceneError",
+        "{0}: its glTF description is not valid (version {1}, not 2); "
+        "export or download the file again.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "SceneError",
+        "{0}: its glTF description is not valid (a node is below itself); "
+        "export or download the file again.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "SceneError",
+        "{0}: its glTF description is not valid (sparse accessors are not read); "
+        "export or download the file again.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "SceneError",
+        "{0}: its glTF description is not valid (accessor {1} asks for more data than there "
+        "are); export or download the file again.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "SceneError",
+        "{0}: its glTF description is not valid ({1}); export or download the file again.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "SceneError",
+        "{0}: a mesh file must end in {1} or {2}; convert it to one of these.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "SceneError",
+        "There is no scene “{0}”, only {1} or {2}; a mesh file needs its ending.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "SceneError",
+        "There is no scene “{0}”, only {1} or {2}; did you mean “{3}”?",
+    ),
+    QT_TRANSLATE_NOOP(
+        "SceneError",
+        "{0}: all vertices are at one point, so that there is nothing to see; check the export.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "SceneError",
+        "{0}: the mesh is {1} units large, but must be between 1e-30 and 1e30; scale it.",
+    ),
+)
+"""Every `SceneError`: the members of `app.meshes.SENTENCES` and `app.scene.SENTENCES`."""
+
+FIGURE_SENTENCES = (
+    QT_TRANSLATE_NOOP("FigureError", "panes = {0}: must name at least one of {1}."),
+    QT_TRANSLATE_NOOP("FigureError", "pane = {0}: must be one of {1}."),
+    QT_TRANSLATE_NOOP("FigureError", "scale = {0}: must lie between 0, excluded, and {1}."),
+    QT_TRANSLATE_NOOP("FigureError", "width = {0}: must be from {1} to {2} pixels."),
+    QT_TRANSLATE_NOOP("FigureError", "height = {0}: must be from {1} to {2} pixels."),
+    QT_TRANSLATE_NOOP(
+        "FigureError",
+        "width = {0} times scale {3}: must be from {1} to {2} pixels.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "FigureError",
+        "height = {0} times scale {3}: must be from {1} to {2} pixels.",
+    ),
+)
+"""Every `FigureError`: the members of `app.figures.SENTENCES`."""
+
+_CONTEXTS = {
+    template: context
+    for context, templates in (
+        ("ProjectionError", PROJECTION_BOUNDS),
+        ("DocumentError", DOCUMENT_BOUNDS),
+        ("SceneError", SCENE_SENTENCES),
+        ("FigureError", FIGURE_SENTENCES),
+    )
+    for template in templates
+}
 
 # What only a control can refuse: text that is no number, and the core's one-sided bounds as
 # seen from the other side (far dragged below near is far's fault in the reader's eyes).
@@ -135,9 +326,16 @@ def _value_text(value: object) -> str:
     return format_value(value)
 
 
-def _bound(template: str) -> str:
-    context = "DocumentError" if template in DOCUMENT_BOUNDS else "ProjectionError"
+def _translated(template: str) -> str:
+    context = _CONTEXTS.get(template, "ProjectionError")  # or one that only a control can refuse
     return QCoreApplication.translate(context, template)
+
+
+@runtime_checkable
+class _Translatable(Protocol):
+    """`DocumentError`, and `SceneError` and `FigureError`, whose rooms would bring VTK here."""
+
+    def sentence(self, translate: Callable[[str], str]) -> str: ...
 
 
 def sentence(error: Exception) -> str:
@@ -146,12 +344,12 @@ def sentence(error: Exception) -> str:
     Parameters
     ----------
     error : Exception
-        A `ProjectionError` or `DocumentError` is translated; any other speaks for itself.
+        One of the core's own is translated; any other speaks for itself.
     """
-    if isinstance(error, DocumentError):
-        return error.sentence(_bound)
+    if isinstance(error, _Translatable):
+        return error.sentence(_translated)
     if isinstance(error, ProjectionError):
-        bound = _bound(error.bound).format(*error.limits)
+        bound = _translated(error.bound).format(*error.limits)
         return f"{field_name(error.field)} = {_value_text(error.value)}: {bound}."
     return str(error)
 

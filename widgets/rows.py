@@ -339,7 +339,8 @@ class Row(QWidget):
         self._value: Any = None
         self._default: Any = None
         self._error: QLabel | None = None
-        self._tip = f"{tip} {self.tr('Double-click the name to reset it.')}"
+        how_to_reset = self.tr("Double-click the name to reset it.")
+        self._tip = f"{tip} {how_to_reset}"
         self.name_label = _Name(name)
         self.name_label.setWordWrap(True)
         self.name_label.setToolTip(_rich(self._tip))
@@ -359,6 +360,10 @@ class Row(QWidget):
     def value(self) -> Any:
         """The value shown."""
         return self._value
+
+    def setValue(self, value: Any) -> None:
+        """Show a value; never answered by a signal."""
+        raise NotImplementedError
 
     def setDefault(self, value: Any) -> None:
         """Set what a reset goes back to."""
@@ -387,7 +392,8 @@ class Row(QWidget):
                 "#rowError { border: 0px; border-left: 3px solid #d55e00; padding: 1px 0 2px 5px; }"
             )
             self._grid.addWidget(self._error, 1, 0, 1, self._grid.columnCount())
-        self._error.setText(f"⚠ {self.tr('Not possible.')} {sentence}")
+        refused = self.tr("Not possible.")  # lupdate reads no f-strings
+        self._error.setText(f"⚠ {refused} {sentence}")
         self._error.show()
         self._describe(self._error.text())
 
