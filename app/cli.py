@@ -24,11 +24,7 @@ from typing import TYPE_CHECKING, Any, NoReturn
 from app import __version__, bootstrap
 from app.doctor import check_off_screen, examine
 from app.document import (
-    BROKEN,
-    EMPTY,
-    FOREIGN,
     MESH_ENDINGS,
-    NOT_TEXT,
     Document,
     DocumentError,
     is_mesh,
@@ -259,17 +255,7 @@ def _open(file: str) -> Document:
         raise CliError(
             f"{file!r} is neither a file nor a command; the nearest command is {nearest}."
         )
-    try:
-        return read(file)
-    except DocumentError as error:
-        foreign = error.bound in (BROKEN, EMPTY, FOREIGN, NOT_TEXT)
-        if foreign and not file.lower().endswith((".json", ".png")):
-            endings = ", ".join(MESH_ENDINGS)
-            raise CliError(
-                f"{file} is neither a document (.json), an exported picture (.png) nor a mesh "
-                f"({endings})."
-            ) from error
-        raise
+    return read(file)
 
 
 @functools.cache

@@ -79,6 +79,7 @@ UNREADABLE = "cannot be read: {0}"
 UNWRITABLE = "cannot be written: {0}"
 BAD_NAME = "is not a name that a file can have"
 BROKEN_PICTURE = "is not a whole PNG picture: it is broken or cut short"
+NEITHER = "is neither a document (.json), an exported picture (.png) nor a mesh ({0})"
 PLAIN_PICTURE = "is a picture without a Frustum Lab document in it"
 UNKNOWN = "is not known; the nearest name is {0}"
 OTHER_LENS = "belongs to another lens: set lens.kind={0} as well"
@@ -87,7 +88,7 @@ THE_DOCUMENT = "The document"
 BOUNDS = (
     MISSING, EMPTY, BROKEN, NOT_TEXT, FOREIGN, NEWER, VERSION_NUMBER, TWICE, TOO_DEEP, TOO_LARGE,
     OBJECT, SCENE_NAME, NO_FILE, FOLDER, WRITE_PROTECTED, UNREADABLE, UNWRITABLE, BAD_NAME,
-    BROKEN_PICTURE, PLAIN_PICTURE, UNKNOWN, OTHER_LENS, NO_EQUALS, THE_DOCUMENT,
+    BROKEN_PICTURE, NEITHER, PLAIN_PICTURE, UNKNOWN, OTHER_LENS, NO_EQUALS, THE_DOCUMENT,
 )  # fmt: skip
 """Every part of a `DocumentError` beyond those of `app.projection.BOUNDS`, for translators."""
 
@@ -729,9 +730,16 @@ def read(path: Path) -> Document:
             text = extract(content)
             if text is None:
                 raise DocumentError(PLAIN_PICTURE)
-        else:
-            text = _decode(content)
-        return parse(text, os.path.dirname(os.path.realpath(path)))
+            return parse(text, os.path.dirname(os.path.realpath(path)))
+        ending = os.path.splitext(path)[1].lower()
+        try:
+            return parse(_decode(content), os.path.dirname(os.path.realpath(path)))
+        except DocumentError as error:
+            if ending == ".json" or error.bound not in (BROKEN, EMPTY, FOREIGN, NOT_TEXT):
+                raise
+            if ending == ".png":
+                raise DocumentError(BROKEN_PICTURE) from error
+            raise DocumentError(NEITHER, ", ".join(MESH_ENDINGS)) from error
 
 
 @contextlib.contextmanager

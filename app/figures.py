@@ -95,6 +95,10 @@ class FigureError(ValueError):
         return translate(self.template).format(*self.parts)
 
 
+class FigureCancelled(Exception):
+    """The progress callback of `render` answered False."""
+
+
 def render(
     scene: Scene,
     projection: Projection,
@@ -105,6 +109,7 @@ def render(
     style: Style = LIGHT,
     words: Mapping[str, str] = WORDS,
     views: Mapping[str, Camera] = MappingProxyType({}),
+    progress: Callable[[float], bool] | None = None,
 ) -> Pixels:
     """Draw one pane, or several side by side.
 
@@ -126,6 +131,8 @@ def render(
         The words written into the drawings.
     views : mapping of pane to Camera, optional
         From where a pane is looked at; one that is not named shows all it has.
+    progress : callable, optional
+        Called before each pane with the fraction done; when it returns False, drawing stops.
 
     Returns
     -------
@@ -136,29 +143,34 @@ def render(
     ------
     FigureError
         For an unknown pane, or a size or scale that no figure can have.
+    FigureCancelled
+        When `progress` returned False.
 
     Notes
     -----
     Beside live Qt panes, release Qt's current OpenGL context first (``doneCurrent``): where Qt
     and VTK reach OpenGL through different systems, VTK would take Qt's context for its own.
     """
-    width, height = _checked_size(projection, panes, size, scale)
+    width, height = checked_size(projection.image_size, panes, size, scale)
     style = replace(style, margin=style.background).enlarged(scale)
     edges = [round(i * width / len(panes)) for i in range(len(panes) + 1)]
-    parts = [
-        _render_pane(
-            pane,
-            scene,
-            projection,
-            (right - left, height),
-            transparent,
-            style,
-            words,
-            framed=len(panes) > 1,
-            view=views.get(pane),
+    parts: list[Pixels] = []
+    for pane, left, right in zip(panes, edges[:-1], edges[1:], strict=True):
+        if progress is not None and not progress(len(parts) / len(panes)):
+            raise FigureCancelled
+        parts.append(
+            _render_pane(
+                pane,
+                scene,
+                projection,
+                (right - left, height),
+                transparent,
+                style,
+                words,
+                framed=len(panes) > 1,
+                view=views.get(pane),
+            )
         )
-        for pane, left, right in zip(panes, edges[:-1], edges[1:], strict=True)
-    ]
     return parts[0] if len(parts) == 1 else np.concatenate(parts, axis=1)
 
 
@@ -196,13 +208,19 @@ def png_bytes(pixels: Pixels, document_json: str | None = None) -> bytes:
     return png if document_json is None else embed(png, document_json)
 
 
-def _checked_size(
-    projection: Projection,
+def checked_size(
+    image_size: tuple[int, int],
     panes: Sequence[str],
     size: tuple[int, int] | None,
     scale: float,
 ) -> tuple[int, int]:
-    """The figure's width and height in pixels."""
+    """The figure's width and height in pixels, for `render`'s parameters of these names.
+
+    Raises
+    ------
+    FigureError
+        For an unknown pane, or a size or scale that no figure can have.
+    """
     if isinstance(panes, str) or not panes:
         raise FigureError(NO_PANES, repr(panes), ", ".join(PANES))
     for pane in panes:
@@ -210,7 +228,7 @@ def _checked_size(
             raise FigureError(UNKNOWN_PANE, repr(pane), ", ".join(PANES))
     lone_image = tuple(panes) == ("image",)
     if size is None:
-        size = projection.image_size if lone_image else (PANE_PX * len(panes), PANE_PX)
+        size = image_size if lone_image else (PANE_PX * len(panes), PANE_PX)
     if not 0.0 < scale <= LARGEST_PX:  # NaN fails too
         raise FigureError(SCALE, f"{scale:g}", LARGEST_PX)
     asked = dict(zip(("width", "height"), size, strict=True))

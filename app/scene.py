@@ -221,7 +221,7 @@ _SIDE_RGB = np.array(
     ],
     dtype=np.uint8,
 )
-_EDGE_RGB = (38, 38, 42)
+_EDGE_RGB = (72, 72, 78)  # dark on a face, and still seen on a dark background
 _GRID_RGB = (158, 158, 158)
 _GRID_AXIS_RGB = (105, 105, 105)
 _PLATE_RGB = (245, 242, 230)

@@ -685,7 +685,12 @@ def test_a_file_that_is_no_document_is_refused_by_its_name(
         ),
         "photo.jpg": (
             b"\xff\xd8\xff\xe0\0\x10JFIF",
-            "photo.jpg is not a Frustum Lab document: it is not UTF-8 text.",
+            "photo.jpg is neither a document (.json), an exported picture (.png) nor a mesh"
+            " (.obj, .stl, .ply, .gltf, .glb).",
+        ),
+        "fake.png": (
+            b"no picture at all",
+            "fake.png is not a whole PNG picture: it is broken or cut short.",
         ),
         "other.json": (b'{"a": 1}', "other.json is not a Frustum Lab document."),
         "plain.png": (

@@ -99,7 +99,7 @@ ROOMS = {
     "widgets/animation.py": PANEL,
     "widgets/matrix_panel.py": PANEL,
     "widgets/probe_panel.py": PANEL,
-    "widgets/export_dialog.py": PANEL,
+    "widgets/export_dialog.py": Room(QT, ("app.figures", "widgets.messages")),
     # One pane hosts any drawing, so it knows the drawings' values and none of them.
     "widgets/pane.py": Room(
         ("numpy", "pyvistaqt", *VTK, *QT),

@@ -27,6 +27,7 @@ from PySide6.QtWidgets import (
     QComboBox,
     QLabel,
     QMessageBox,
+    QProgressDialog,
     QPushButton,
     QToolButton,
 )
@@ -249,7 +250,7 @@ def test_enlarging_and_back(make_window: Callable[..., MainWindow]) -> None:
 
 
 def test_a_floating_pane_still_draws_and_docks_again(
-    make_window: Callable[..., MainWindow], qtbot: Any
+    make_window: Callable[..., MainWindow], qtbot: Any, qtlog: Any
 ) -> None:
     window = make_window()
     pane = window.panes["ndc"]
@@ -263,6 +264,8 @@ def test_a_floating_pane_still_draws_and_docks_again(
     assert len(np.unique(pixels(window, "ndc").reshape(-1, 3), axis=0)) > 10
     pane.close()  # its own close button docks it
     settle(window)
+    said = [record.message for record in qtlog.records]
+    assert not [message for message in said if "QRhi" in message], "of the window it has left"
     assert not pane.isWindow() and pane.isVisible()
     assert window._pane_row.indexOf(pane) == 1
     window.store.set_projection(seen(window, camera=Camera((7.0, 3.0, 6.0))))
@@ -292,7 +295,7 @@ def test_themes_and_projector_mode_dress_every_pane(
     size = window.font().pointSizeF()
     window.set_projector(True)
     settle(window)
-    assert QApplication.font().pointSizeF() > 1.3 * size
+    assert QApplication.font().pointSizeF() > 1.2 * size
     background = np.median(pixels(window, "world").reshape(-1, 3), axis=0).mean()
     assert (background < 128) == (theme == "dark")
     window.set_projector(False)
@@ -487,6 +490,43 @@ def test_the_picture_on_the_clipboard_carries_the_document(
     assert data.hasImage()
     text = extract(bytes(data.data("image/png").data()))
     assert text is not None and json.loads(text)["scene"] == "letter-f"
+
+
+def test_an_export_can_be_cancelled(
+    make_window: Callable[..., MainWindow], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    window = make_window()
+    monkeypatch.setattr("widgets.main_window.SHOW_PROGRESS_AFTER_MS", 0)
+    seen_dialogs = []
+
+    def cancel() -> None:
+        dialog = QApplication.activeModalWidget()
+        if isinstance(dialog, QProgressDialog):
+            seen_dialogs.append(dialog.labelText())
+            dialog.cancel()
+
+    timer = QTimer()
+    timer.timeout.connect(cancel)
+    timer.start(0)
+    path = tmp_path / "figure.png"
+    assert not window.export(path, ExportChoice(("world", "ndc", "image"), (900, 300), 1.0, False))
+    timer.stop()
+    assert seen_dialogs
+    assert not path.exists()
+    assert window.messages.text == ""
+
+
+def test_a_message_goes_when_the_next_try_succeeds_and_an_offer_stays(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window(shown=False)
+    assert not window.files.save_to(tmp_path / "no such folder" / "lesson.json")
+    assert window.messages.text
+    assert window.files.save_to(tmp_path / "lesson.json")
+    assert window.messages.text == ""
+    window.messages.say("An offer.", ("Take it", lambda: None))
+    assert window.files.save_to(tmp_path / "lesson.json")
+    assert window.messages.text == "An offer."
 
 
 def test_the_export_dialog_refuses_what_cannot_be_drawn(

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from PySide6.QtGui import QIntValidator
 from PySide6.QtWidgets import (
     QCheckBox,
     QComboBox,
@@ -18,9 +17,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.projection import LARGEST_IMAGE_PX
-
-PANES = ("world", "ndc", "image")
+from app.figures import PANES, FigureError, checked_size
+from widgets.messages import sentence
 
 
 class ExportChoice(NamedTuple):
@@ -61,7 +59,6 @@ class ExportDialog(QDialog):
             (self._width, self.tr("Width in pixels")),
             (self._height, self.tr("Height in pixels")),
         ):
-            field.setValidator(QIntValidator(1, LARGEST_IMAGE_PX, self))
             field.setAccessibleName(name)
             field.setToolTip(name)
             field.textChanged.connect(self._check)
@@ -120,15 +117,15 @@ class ExportDialog(QDialog):
         problem = ""
         if not any(box.isChecked() for box in self._boxes.values()):
             problem = self.tr("Choose at least one pane.")
-        elif not (self._width.hasAcceptableInput() and self._height.hasAcceptableInput()):
-            problem = self.tr("Width and height must be whole numbers from 1 to {0}.").format(
-                LARGEST_IMAGE_PX
-            )
         else:
-            largest = max(int(self._width.text()), int(self._height.text()))
-            if largest * self._scale.currentData() > LARGEST_IMAGE_PX:
-                problem = self.tr("At this scale a side has more than {0} pixels.").format(
-                    LARGEST_IMAGE_PX
-                )
+            try:
+                choice = self.choice()
+            except ValueError:
+                problem = self.tr("Width and height must be whole numbers.")
+            else:
+                try:
+                    checked_size(self._image_size, choice.panes, choice.size, choice.scale)
+                except FigureError as error:
+                    problem = sentence(error)
         self._problem.setText("⚠ " + problem if problem else "")
         self._buttons.button(QDialogButtonBox.StandardButton.Save).setEnabled(not problem)

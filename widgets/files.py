@@ -212,12 +212,14 @@ class Files(QObject):
     def _try(self, act: Callable[[], _T]) -> _T | None:
         """Do it, or say in one sentence why not."""
         try:
-            return act()
+            done = act()
         except SceneCancelled:
             return None
         except (DocumentError, SceneError) as error:
             self._messages.say(sentence(error))
             return None
+        self._messages.done()
+        return done
 
     def _set_path(self, path: Path | None) -> None:
         self.path = path

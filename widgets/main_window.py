@@ -15,7 +15,16 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import QByteArray, QEvent, QMimeData, QStandardPaths, Qt, QTimer
+from PySide6.QtCore import (
+    QByteArray,
+    QDateTime,
+    QEvent,
+    QLocale,
+    QMimeData,
+    QStandardPaths,
+    Qt,
+    QTimer,
+)
 from PySide6.QtGui import (
     QAction,
     QActionGroup,
@@ -34,6 +43,7 @@ from PySide6.QtWidgets import (
     QLabel,
     QMainWindow,
     QMessageBox,
+    QProgressDialog,
     QSplitter,
     QToolBar,
     QVBoxLayout,
@@ -44,22 +54,32 @@ from app import __version__
 from app.document import Document, DocumentError, to_json
 from app.drawings.image import ImageDrawing
 from app.drawings.ndc import NdcDrawing
+from app.drawings.style import Style
 from app.drawings.world import WorldDrawing
-from app.figures import FigureError, png_bytes, render, write_png
+from app.figures import (
+    PANES,
+    FigureCancelled,
+    FigureError,
+    png_bytes,
+    render,
+    write_png,
+)
 from app.projection import Camera, Perspective, Projection, focal_length_35mm, fov_x_from_fov_y
 from app.scene import BUILT_IN, Scene
 from app.store import Store
 from widgets import palette
 from widgets.autosave import Autosave
 from widgets.controls import Controls
-from widgets.export_dialog import PANES, ExportChoice, ExportDialog
-from widgets.files import Files
+from widgets.export_dialog import ExportChoice, ExportDialog
+from widgets.files import SHOW_PROGRESS_AFTER_MS, Files
 from widgets.message_bar import MessageBar
 from widgets.messages import sentence
 from widgets.pane import Pane
 
 log = logging.getLogger(__name__)
 
+PANE_WIDTHS = [400, 305, 330]
+"""Of the panes in a window of 1366 pixels; the splitter keeps their proportion."""
 DRAWINGS: dict[str, Callable[..., Any]] = {
     "world": WorldDrawing,
     "ndc": NdcDrawing,
@@ -161,7 +181,7 @@ class MainWindow(QMainWindow):
         self._split.setStretchFactor(0, 1)
         self._split.setStretchFactor(1, 0)
         self._split.setSizes([1040, 320])
-        self._pane_row.setSizes([420, 310, 310])
+        self._pane_row.setSizes(PANE_WIDTHS)
         body = QWidget()
         layout = QVBoxLayout(body)
         layout.setContentsMargins(4, 4, 4, 0)
@@ -460,7 +480,11 @@ class MainWindow(QMainWindow):
             self._refine(True)
 
     def _path_changed(self) -> None:
-        name = self.files.path.name if self.files.path else self.tr("Untitled")
+        scene = self.store.document.scene
+        if self.files.path:
+            name = self.files.path.name
+        else:
+            name = self.tr("Untitled") if scene in BUILT_IN else Path(scene).name
         self.setWindowTitle(f"{name}[*] – Frustum Lab")
 
     def _recent_changed(self) -> None:
@@ -479,7 +503,12 @@ class MainWindow(QMainWindow):
         if orphans:
             newest = orphans[0]
             self.messages.say(
-                self.tr("Frustum Lab ended unexpectedly with work that was not saved."),
+                self.tr("Frustum Lab ended unexpectedly; work of {0} was not saved.").format(
+                    QLocale().toString(
+                        QDateTime.fromSecsSinceEpoch(int(newest.stat().st_mtime)),
+                        QLocale.FormatType.ShortFormat,
+                    )
+                ),
                 (self.tr("Recover it"), partial(self._recover, newest)),
                 (self.tr("Discard it"), partial(self._discard, newest)),
             )
@@ -515,6 +544,7 @@ class MainWindow(QMainWindow):
             if pane.isWindow():
                 self.toggle_float(name)
             pane.show()
+        self._pane_row.setSizes(PANE_WIDTHS)
 
     def toggle_float(self, name: str) -> None:
         """Give a pane a window of its own, for a second screen, or dock it again."""
@@ -523,14 +553,11 @@ class MainWindow(QMainWindow):
             names = list(self.panes)
             before = names[: names.index(name)]
             place = sum(not self.panes[other].isWindow() for other in before)
-            self._pane_row.insertWidget(place, pane)
-            pane.show()
+            pane.move_to(None, lambda: self._pane_row.insertWidget(place, pane))
         else:
             size = pane.size()
-            pane.setParent(self, Qt.WindowType.Window)
             pane.setWindowTitle(f"{self._titles[name]} – Frustum Lab")
-            pane.resize(size)
-            pane.show()
+            pane.move_to(self, lambda: pane.resize(size))
             docked = [other for other in self.panes.values() if not other.isWindow()]
             if docked and all(other.isHidden() for other in docked):
                 docked[0].show()
@@ -577,6 +604,25 @@ class MainWindow(QMainWindow):
         current = QOpenGLContext.currentContext()
         if current is not None:  # or VTK may take Qt's context for its own
             current.doneCurrent()
+        dialog = QProgressDialog(
+            self.tr("Drawing the picture"), self.tr("Cancel"), 0, 100, self
+        )
+        dialog.setWindowModality(Qt.WindowModality.WindowModal)
+        dialog.setMinimumDuration(SHOW_PROGRESS_AFTER_MS)
+
+        def progress(fraction: float) -> bool:
+            dialog.setValue(round(99 * fraction))
+            return not dialog.wasCanceled()
+
+        try:
+            return self._drawn(choice, style, progress)
+        finally:
+            dialog.close()
+            dialog.deleteLater()
+
+    def _drawn(
+        self, choice: ExportChoice, style: Style, progress: Callable[[float], bool]
+    ) -> Any:
         return render(
             self.files.scene(self.store.document.scene),
             self.store.document.projection,
@@ -587,6 +633,7 @@ class MainWindow(QMainWindow):
             transparent=choice.transparent,
             style=style,
             words=self._words(),
+            progress=progress,
         )
 
     def export_dialog(self) -> None:
@@ -604,21 +651,24 @@ class MainWindow(QMainWindow):
 
     def export(self, path: Path, choice: ExportChoice) -> bool:
         """Write a picture that carries the document; False if that failed."""
-        QApplication.setOverrideCursor(Qt.CursorShape.WaitCursor)
         try:
             document = self._with_views(self.store.document)
             write_png(path, self._picture(choice), to_json(document, path.parent))
+        except FigureCancelled:
+            return False
         except (FigureError, DocumentError) as error:
             self.messages.say(sentence(error))
             return False
-        finally:
-            QApplication.restoreOverrideCursor()
+        self.messages.done()
         self.statusBar().showMessage(self.tr("Exported {0}").format(path), 5000)
         return True
 
     def copy_picture(self) -> None:
         """Put the three panes on the clipboard, as a picture that carries the document."""
-        pixels = self._picture(ExportChoice(PANES, (1800, 600), 1.0, False))
+        try:
+            pixels = self._picture(ExportChoice(PANES, (1800, 600), 1.0, False))
+        except FigureCancelled:
+            return
         data = QMimeData()
         png = png_bytes(pixels, to_json(self._with_views(self.store.document)))
         data.setImageData(QImage.fromData(png))

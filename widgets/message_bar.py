@@ -63,6 +63,11 @@ class MessageBar(QFrame):
             self._choices.append(button)
         self.show()
 
+    def done(self) -> None:
+        """Take back what was said of a try that has been made good; an offer stays."""
+        if not self._choices:
+            self.hide()
+
     @property
     def choices(self) -> tuple[QPushButton, ...]:
         """The buttons of the message shown."""

@@ -74,6 +74,10 @@ DOCUMENT_BOUNDS = (
     QT_TRANSLATE_NOOP("DocumentError", "cannot be written: {0}"),
     QT_TRANSLATE_NOOP("DocumentError", "is not a name that a file can have"),
     QT_TRANSLATE_NOOP("DocumentError", "is not a whole PNG picture: it is broken or cut short"),
+    QT_TRANSLATE_NOOP(
+        "DocumentError",
+        "is neither a document (.json), an exported picture (.png) nor a mesh ({0})",
+    ),
     QT_TRANSLATE_NOOP("DocumentError", "is a picture without a Frustum Lab document in it"),
     QT_TRANSLATE_NOOP("DocumentError", "is not known; the nearest name is {0}"),
     QT_TRANSLATE_NOOP("DocumentError", "belongs to another lens: set lens.kind={0} as well"),

@@ -9,7 +9,9 @@ from PySide6.QtWidgets import QApplication
 from app.drawings.style import DARK, LIGHT, Style
 
 PROJECTOR_FACTOR = 1.5
-"""How much larger text and lines are in projector mode, for the back row."""
+"""How much larger the drawings' text and lines are in projector mode, for the back row."""
+PROJECTOR_FONT_FACTOR = 1.25
+"""The same for the controls, which the lecturer reads: the panes need the room."""
 
 _COLOURS = (  # role, light, dark
     (QPalette.ColorRole.Window, "#f4f4f2", "#222426"),
@@ -74,7 +76,7 @@ def apply(application: QApplication, *, dark: bool, projector: bool) -> None:
         base_size = application.font().pointSizeF()
         application.setProperty("frustumLabFontSize", base_size)
     font = QFont(application.font())
-    font.setPointSizeF(base_size * (PROJECTOR_FACTOR if projector else 1.0))
+    font.setPointSizeF(base_size * (PROJECTOR_FONT_FACTOR if projector else 1.0))
     application.setFont(font)
     application.setStyleSheet(
         _STYLE_SHEET.format(

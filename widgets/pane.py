@@ -21,7 +21,15 @@ from typing import Any, Protocol
 
 from PySide6.QtCore import QPointF, Qt, Signal
 from PySide6.QtGui import QCloseEvent, QMouseEvent, QShowEvent, QWheelEvent
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QSizePolicy,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
 from pyvistaqt import QtInteractor
 
 from app.projection import Camera, Projection
@@ -211,6 +219,7 @@ class Pane(QFrame):
         self.title.setObjectName("paneTitle")
         self.note = QLabel()
         self.note.setObjectName("paneNote")
+        self.note.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self._reset = self._button("⌂", self.tr("Reset this pane's own view (double-click)"))
         self._reset.clicked.connect(self.reset_view)
         self._reset.setVisible(orbits)
@@ -320,6 +329,26 @@ class Pane(QFrame):
         if self.drawing is not None:
             self.drawing.reset_view()
             self.request_repaint()
+
+    def move_to(self, window: QWidget | None, place: Callable[[], object]) -> None:
+        """Get under another top-level window, of which the picture knows nothing yet.
+
+        Parameters
+        ----------
+        window : QWidget or None
+            New parent as a window of its own; None to be docked by `place`.
+        place : callable
+            Called while the pane is hidden: puts it where it shall be.
+        """
+        self.hide()
+        if window is not None:
+            self.setParent(window, Qt.WindowType.Window)
+        place()
+        # Qt keeps the canvas' texture, which belongs to the old window, until the size changes.
+        size = self.canvas.size()
+        self.canvas.resize(size.width(), size.height() + 1)
+        self.show()
+        self.canvas.resize(size)
 
     def close_canvas(self) -> None:
         """Release VTK's hold; before the window's own close, or it outlives its GL context."""
