@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QInputMethodEvent, QWheelEvent
+from PySide6.QtGui import QFont, QInputMethodEvent, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QComboBox, QLineEdit, QSlider, QToolButton
 
@@ -1042,11 +1042,73 @@ def test_the_column_fits_into_320_pixels(controls: Controls) -> None:
         QApplication.processEvents()
         assert controls.minimumSizeHint().width() <= 320
         assert controls.widget().width() <= controls.viewport().width()
-    assert number(controls, "near").slider.width() >= 60
+    assert number(controls, "near").slider.width() >= 88
     enter(number(controls, "near"), "4" * 300)
     QApplication.processEvents()
     assert controls.widget().width() <= controls.viewport().width()
     assert controls.minimumSizeHint().width() <= 320
+
+
+@pytest.fixture
+def enlarged(controls: Controls, qapp: QApplication) -> Iterator[Controls]:
+    """The column as a projector shows it."""
+    before = qapp.font()
+    larger = QFont(before)
+    larger.setPointSizeF(1.5 * before.pointSizeF())
+    qapp.setFont(larger)
+    controls.setFont(larger)
+    controls.resize(controls.minimumSizeHint().width(), 640)
+    QApplication.processEvents()
+    yield controls
+    qapp.setFont(before)
+
+
+def test_an_error_is_shown_whole_in_any_width(enlarged: Controls, qtbot: Any) -> None:
+    row = number(enlarged, "near")
+    lines = set()
+
+    def shown_whole() -> bool:  # a layout tells the one around it in the next turn of the loop
+        label = row._error
+        assert label is not None
+        assert label.font().pointSizeF() == enlarged.font().pointSizeF()
+        lines.add(label.height() // label.fontMetrics().lineSpacing())
+        needed = label.heightForWidth(label.width())
+        return label.height() >= needed and row.rect().contains(label.geometry())
+
+    for length in range(2, 40, 3):
+        enter(row, "nearer and nearer, but never quite there"[:length])
+        for width in (0, 200, 0):  # beyond the least
+            enlarged.resize(enlarged.minimumSizeHint().width() + width, 640)
+            qtbot.waitUntil(shown_whole, timeout=2000)
+    assert {2, 3} <= lines
+
+
+def test_the_scroll_bar_shifts_nothing(controls: Controls) -> None:
+    bar, row = controls.verticalScrollBar(), number(controls, "near")
+    controls.resize(340, 1600)
+    QApplication.processEvents()
+    assert not bar.isVisible()
+    before = row.slider.geometry(), row.field.geometry(), controls.minimumSizeHint()
+    controls.resize(340, 500)
+    QApplication.processEvents()
+    assert bar.isVisible()
+    assert (row.slider.geometry(), row.field.geometry(), controls.minimumSizeHint()) == before
+    assert row.mapTo(controls, row.rect().topRight()).x() < bar.mapTo(controls, QPoint()).x()
+    controls.resize(340, 1600)
+    QApplication.processEvents()
+    assert not bar.isVisible() and row.slider.geometry() == before[0]
+
+
+def test_a_slider_stays_long_enough_to_use_and_the_column_narrow(enlarged: Controls) -> None:
+    for mode in ("orbit", "vectors"):
+        choice(enlarged, "camera_mode").choose(mode)
+        QApplication.processEvents()
+        sliders = [slider for slider in enlarged.findChildren(QSlider) if slider.isVisible()]
+        assert len(sliders) > 10
+        assert min(slider.width() for slider in sliders) >= 88
+        assert enlarged.widget().width() <= enlarged.viewport().width()
+    # Three panes of at least 240 beside it, in a window of 1366.
+    assert enlarged.minimumSizeHint().width() <= 1366 - 3 * 240 - 40
 
 
 # -- sentences

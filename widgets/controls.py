@@ -17,6 +17,7 @@ from functools import partial
 from typing import Any, Literal, TypeAlias
 
 from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer, Signal
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QFrame,
     QScrollArea,
@@ -47,6 +48,7 @@ Read: TypeAlias = Callable[[Projection], Any]
 Write: TypeAlias = Callable[[Projection, Any], Projection]
 Part: TypeAlias = Literal["lens", "camera", "image_size", "depth"]
 
+RIGHT_MARGIN_PX = 4
 ASPECTS = {"1:1": (1, 1), "4:3": (4, 3), "16:9": (16, 9)}
 
 
@@ -149,8 +151,8 @@ class Controls(QScrollArea):
         self.setAccessibleName(self.tr("Controls"))
         self._column = QWidget()
         self._layout = QVBoxLayout(self._column)
-        self._layout.setContentsMargins(0, 0, 4, 0)
         self._layout.setSpacing(0)
+        self._reserve_bar()
         self._make_lens()
         self._make_camera()
         self._make_image()
@@ -551,9 +553,22 @@ class Controls(QScrollArea):
     def _align(self) -> None:
         align([*self.rows.values(), *self.animation.rows])
 
+    def _reserve_bar(self) -> None:
+        """Keep the scroll bar's room free while there is none: nothing shifts under the hand."""
+        shown = self.width() - self.viewport().width()
+        free = max(0, self._bar_width() - shown)
+        self._layout.setContentsMargins(0, 0, RIGHT_MARGIN_PX + free, 0)
+
+    def _bar_width(self) -> int:
+        return self.verticalScrollBar().sizeHint().width()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        self._reserve_bar()  # first: the rows keep their width and wrap no text again
+        super().resizeEvent(event)
+
     def minimumSizeHint(self) -> QSize:
-        bar = self.verticalScrollBar().sizeHint().width()
-        return QSize(self._column.minimumSizeHint().width() + bar, 120)
+        rows = self._column.minimumSizeHint().width() - self._layout.contentsMargins().right()
+        return QSize(rows + RIGHT_MARGIN_PX + self._bar_width(), 120)
 
     def sizeHint(self) -> QSize:
         return QSize(max(320, self.minimumSizeHint().width()), 600)

@@ -49,8 +49,12 @@ from widgets.messages import A_NUMBER, A_NUMBER_OR_INFINITY, number_text, senten
 
 QUIET_MS = 500
 """Keys and wheel steps with less than this between them are one gesture."""
-FIELD_CHARACTERS = 9
-"""Longest number that a field shows while it is not being edited."""
+FIELD_CHARACTERS = 8
+"""Longest number, without its sign, that a field shows while it is not being edited."""
+INSIDE_FIELD_PX = 2
+"""What Qt leaves free on both sides of a field's text."""
+LEAST_SLIDER_PX = 90
+"""Shorter than this, a slider has more values than a hand can tell apart."""
 
 # --------------------------------------------------------------------------- numbers as text
 
@@ -99,7 +103,7 @@ def short_text(value: float) -> str:
     """
     text = number_text(value)
     for digits in (6, 5, 4, 3, 2, 1):
-        if len(text) <= FIELD_CHARACTERS:
+        if len(text.lstrip("-")) <= FIELD_CHARACTERS:
             break
         text = re.sub(r"e([+-])0*", r"e\1", f"{value:.{digits}g}").replace("e+", "e")
     return text
@@ -237,7 +241,7 @@ class _Slider(QSlider):
     def __init__(self) -> None:
         super().__init__(Qt.Orientation.Horizontal)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setMinimumWidth(48)
+        self.setMinimumWidth(LEAST_SLIDER_PX)  # in projector mode, too
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         if self.hasFocus():
@@ -296,10 +300,10 @@ class _Field(QLineEdit):
         return self.minimumSizeHint()
 
     def minimumSizeHint(self) -> QSize:
-        hint = super().minimumSizeHint()
-        margins = 2 * (self.fontMetrics().horizontalAdvance("0") + 1)
-        widest = self.fontMetrics().horizontalAdvance("-" + "0" * (FIELD_CHARACTERS - 1))
-        return QSize(widest + margins, hint.height())
+        hint, metrics = super().minimumSizeHint(), self.fontMetrics()
+        widest = metrics.horizontalAdvance("-" + "0" * FIELD_CHARACTERS)
+        frame = hint.width() - metrics.maxWidth()  # Qt's least width is one widest letter
+        return QSize(widest + frame + 2 * INSIDE_FIELD_PX + 1, hint.height())  # 1: the cursor
 
 
 _BUTTONS = """
@@ -351,11 +355,12 @@ class Row(QWidget):
         self.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
         self._grid = QGridLayout(self)
         self._grid.setContentsMargins(0, 0, 0, 0)
-        self._grid.setHorizontalSpacing(5)
+        self._grid.setHorizontalSpacing(4)
         self._grid.setVerticalSpacing(1)
         self._grid.setColumnStretch(1, 1)
         self._grid.addWidget(self.name_label, 0, 0)
-        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
+        # Fixed would hold the row at its size hint, which knows not how often the error wraps.
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
 
     def value(self) -> Any:
         """The value shown."""
