@@ -14,7 +14,15 @@ import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QFont, QInputMethodEvent, QWheelEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QComboBox, QLineEdit, QSlider, QToolButton
+from PySide6.QtWidgets import (
+    QApplication,
+    QComboBox,
+    QLineEdit,
+    QSlider,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
 
 from app import document, figures, meshes, projection, scene
 from app.document import DocumentError
@@ -1081,6 +1089,25 @@ def test_an_error_is_shown_whole_in_any_width(enlarged: Controls, qtbot: Any) ->
             enlarged.resize(enlarged.minimumSizeHint().width() + width, 640)
             qtbot.waitUntil(shown_whole, timeout=2000)
     assert {2, 3} <= lines
+
+
+def test_a_narrow_row_is_as_high_as_its_error(display: Any, qtbot: Any) -> None:
+    host = QWidget()
+    qtbot.addWidget(host)
+    layout = QVBoxLayout(host)
+    row = NumberRow("N", "Number.", Linear(0.0, 10.0, 1.0))
+    layout.addWidget(row)
+    layout.addStretch(1)
+    host.setFixedSize(host.minimumSizeHint().width(), 300)
+    host.show()
+    row.show_error("N = 11: must be at most 10, which is the greatest of all numbers in this test.")
+
+    def shown_whole() -> bool:
+        label = row._error
+        assert label is not None
+        return label.height() >= label.heightForWidth(label.width()) > 2 * row.field.height()
+
+    qtbot.waitUntil(shown_whole, timeout=2000)
 
 
 def test_the_scroll_bar_shifts_nothing(controls: Controls) -> None:
