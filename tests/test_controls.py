@@ -732,7 +732,7 @@ def test_nonsense_is_refused_in_every_field(controls: Controls, key: str) -> Non
     assert record.edits == [] and controls.projection is before
     QTest.keyClick(row.field, KEY.Key_Escape)
     assert row.error == ""
-    assert row.field.text() == messages.number_text(row.value())
+    assert row.field.text() == short_text(row.value())
 
 
 @pytest.mark.parametrize(
@@ -854,7 +854,68 @@ def test_a_text_being_typed_survives_the_animation(controls: Controls) -> None:
     controls.show_projection(replace(START, camera=Camera((1.0, 2.0, 3.0))))
     assert row.field.text() == "12"
     QTest.keyClick(row.field, KEY.Key_Escape)
-    assert row.field.text() == messages.number_text(row.value())
+    assert row.field.text() == short_text(row.value())
+
+
+LONG = 14.51302281719
+
+
+def test_a_taken_number_is_shown_short_from_its_start(controls: Controls, record: Record) -> None:
+    row = number(controls, "azimuth_deg")
+    enter(row, repr(LONG))
+    assert row.field.hasFocus() and row.field.text() == "14.513"
+    assert row.field.cursorPosition() == 0 and row.value() == LONG
+    row._write_field_tip()
+    assert repr(LONG) in row.field.toolTip()
+    row.slider.setFocus()  # not a second edit, and no digit is lost
+    assert (row.value(), len(record.edits)) == (LONG, 1)
+    enter(row, "1e12")
+    assert row.field.text() == "1e12" and row.value() == 1e12
+    row.field.setFocus()
+    row.setDefault(LONG)
+    QTest.keyClicks(row.field, "5")
+    row.actions()[0].trigger()
+    assert row.field.hasFocus() and row.field.text() == "14.513"
+    assert row.field.cursorPosition() == 0
+    row.slider.setFocus()
+    assert row.value() == LONG  # the 5 is forgotten
+
+
+def test_a_short_number_is_whole_as_soon_as_it_is_touched(controls: Controls) -> None:
+    row = number(controls, "azimuth_deg")
+    field = row.field
+    enter(row, repr(LONG))
+    for key in (KEY.Key_Shift, KEY.Key_Return):
+        QTest.keyClick(field, key)
+        assert field.text() == "14.513"
+    QTest.keyClicks(field, "1")
+    assert field.text() == f"1{LONG!r}"
+    QTest.keyClick(field, KEY.Key_Return)
+    assert row.value() == float(f"1{LONG!r}") and field.text() == "114.513"
+    QTest.mouseClick(field, Qt.MouseButton.LeftButton)
+    assert field.text() == f"1{LONG!r}"
+    QTest.keyClick(field, KEY.Key_Return)
+    QTest.keyClick(field, KEY.Key_A, Qt.KeyboardModifier.ControlModifier)
+    assert field.selectedText() == f"1{LONG!r}"
+    QTest.keyClick(field, KEY.Key_Return)
+    field.setCursorPosition(0)
+    event = QInputMethodEvent()
+    event.setCommitString("2")
+    QApplication.sendEvent(field, event)
+    assert field.text() == f"21{LONG!r}"
+
+
+def test_entering_a_field_by_the_keyboard_shows_the_start_of_the_number(controls: Controls) -> None:
+    row = number(controls, "azimuth_deg")
+    enter(row, repr(LONG))
+    row.slider.setFocus()
+    QTest.keyClick(row.slider, KEY.Key_Tab)
+    assert row.field.selectedText() == row.field.text() == repr(LONG)
+    assert row.field.cursorPosition() == 0
+    controls.show_projection(replace(START, camera=Camera((1.0, 2.0, 3.0), (0.0, 2.0, 0.0))))
+    assert row.field.selectedText() == row.field.text() == "18.4349"  # atan(1/3)
+    QTest.keyClicks(row.field, "7")
+    assert row.field.text() == "7"
 
 
 def test_undo_in_a_field_without_own_history_is_the_windows(controls: Controls) -> None:

@@ -25,6 +25,7 @@ from PySide6.QtCore import QEvent, QSignalBlocker, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QAction,
     QFocusEvent,
+    QInputMethodEvent,
     QKeyEvent,
     QKeySequence,
     QMouseEvent,
@@ -266,10 +267,29 @@ class _Combo(QComboBox):
             event.ignore()
 
 
+_LEAVE_TEXT = {
+    Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Tab, Qt.Key.Key_Backtab, Qt.Key.Key_Escape,
+    Qt.Key.Key_Up, Qt.Key.Key_Down, Qt.Key.Key_PageUp, Qt.Key.Key_PageDown,
+    Qt.Key.Key_Shift, Qt.Key.Key_Control, Qt.Key.Key_Alt, Qt.Key.Key_AltGr, Qt.Key.Key_Meta,
+}  # fmt: skip
+
+
+def _may_edit(event: QEvent) -> bool:
+    """Whether this event is a hand at the text of a field."""
+    if isinstance(event, QKeyEvent):
+        return event.type() == QEvent.Type.KeyPress and event.key() not in _LEAVE_TEXT
+    if isinstance(event, QInputMethodEvent):
+        return bool(event.commitString() or event.preeditString())
+    kinds = QEvent.Type
+    return event.type() in (kinds.MouseButtonPress, kinds.ContextMenu, kinds.Drop)
+
+
 class _Field(QLineEdit):
     """A line of text that leaves undo and Esc to the window when it has no use for them."""
 
     focused = Signal(bool)
+    touched = Signal()
+    """What comes next may edit the text."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -286,11 +306,19 @@ class _Field(QLineEdit):
             ):
                 event.ignore()
                 return False
+        if _may_edit(event):
+            self.touched.emit()
         return super().event(event)
 
     def focusInEvent(self, event: QFocusEvent) -> None:
         self.focused.emit(True)  # first: the full number is there when Tab selects it all
         super().focusInEvent(event)
+        if self.selectedText() == self.text():
+            self.select_to_start()
+
+    def select_to_start(self) -> None:
+        """Select all with the cursor at the start, so that it is the start that is seen."""
+        self.setSelection(len(self.text()), -len(self.text()))
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
         super().focusOutEvent(event)
@@ -447,7 +475,8 @@ class NumberRow(Row):
     """A slider, a number field and a unit for one number.
 
     The slider offers round numbers; the field takes any number exactly as it is typed, also
-    beyond the slider's ends, and shows it whole while it has the focus.
+    beyond the slider's ends. It shows the number whole when it is entered, short once it has been
+    taken, and whole again as soon as it is touched.
 
     Parameters
     ----------
@@ -474,6 +503,7 @@ class NumberRow(Row):
         self._scale = scale
         self._value: float = scale.value_at(0)
         self._open = False
+        self._whole = False
         self._unit = unit
         self.slider = _Slider()
         self.slider.setAccessibleName(self.tr("{0}, slider").format(name))
@@ -496,7 +526,8 @@ class NumberRow(Row):
         self.slider.sliderPressed.connect(self._pressed)
         self.slider.sliderReleased.connect(self.finish_gesture)
         self.field.editingFinished.connect(self._typed)
-        self.field.focused.connect(self._show_text)
+        self.field.focused.connect(self._focused)
+        self.field.touched.connect(self._touched)
         self.field.installEventFilter(self)
         self.setScale(scale)
         self._write_field_tip()
@@ -513,6 +544,7 @@ class NumberRow(Row):
         if value == self._value:
             return
         self._value = value
+        self._whole = False
         if not self._open:
             self.clear_error()
             self._show_value()
@@ -550,12 +582,22 @@ class NumberRow(Row):
         if not self.slider.isSliderDown():
             self._quiet.start()
         self.clear_error()
+        self._whole = False
         self._set_text(short_text(value))
         if value != self._value:
             self._attempt(value)
 
+    def reset(self) -> None:
+        """Go back to the default, as the user's own edit; a text being typed is forgotten."""
+        self._forget_text()
+        super().reset()
+        self._show_text()
+
     def _typed(self) -> None:
         if not self.field.isModified():
+            if not self.field.refused:
+                self._forget_text()
+                self._show_text()
             return
         text = self.field.text()
         self.finish_gesture()
@@ -565,7 +607,7 @@ class NumberRow(Row):
             self._refuse(text, sentence(error))
             return
         self.clear_error()
-        self.field.setModified(False)
+        self._forget_text()
         if value != self._value:
             self._make_edit(value)
         if self._error is not None:
@@ -578,7 +620,10 @@ class NumberRow(Row):
         if sentence:
             self.show_error(sentence)
         self.field.refused = True
+        place = self.field.cursorPosition()
         self._set_text(text)
+        if self.field.hasFocus():
+            self.field.setCursorPosition(place)
 
     def eventFilter(self, watched: Any, event: QEvent) -> bool:
         if watched is self.field and event.type() == QEvent.Type.ToolTip:
@@ -596,8 +641,8 @@ class NumberRow(Row):
         if event.key() in steps:  # from the field, as in a spin box
             self._typed()
             self.slider.triggerAction(steps[Qt.Key(event.key())])
-        elif event.key() == Qt.Key.Key_Escape and self.field.isModified():
-            self.field.setModified(False)
+        elif event.key() == Qt.Key.Key_Escape and (self.error or self.field.isModified()):
+            self._forget_text()
             self.clear_error()
             self._show_text()
         else:
@@ -610,6 +655,20 @@ class NumberRow(Row):
         self.field.refused = False
         super().clear_error()
 
+    def _forget_text(self) -> None:
+        self.field.setModified(False)
+        self._whole = False
+
+    def _focused(self, has_focus: bool) -> None:
+        self._whole = has_focus
+        self._show_text()
+
+    def _touched(self) -> None:
+        """Let the user edit all digits, not the few that were shown."""
+        if not self._whole:
+            self._whole = True
+            self._show_text()
+
     def _show_value(self) -> None:
         if not self._open:
             with QSignalBlocker(self.slider):
@@ -619,13 +678,17 @@ class NumberRow(Row):
     def _show_text(self) -> None:
         if self.field.refused or self.field.isModified():
             return
-        has_focus = self.field.hasFocus()
-        self._set_text(number_text(self._value) if has_focus else short_text(self._value))
+        self._set_text(number_text(self._value) if self._whole else short_text(self._value))
 
     def _set_text(self, text: str) -> None:
+        """Show a text from its start; what was selected as a whole stays so."""
+        all_selected = self.field.hasSelectedText() and (
+            self.field.selectedText() == self.field.text()
+        )
         self.field.setText(text)
-        if not self.field.hasFocus():
-            self.field.setCursorPosition(0)
+        self.field.setCursorPosition(0)
+        if all_selected:
+            self.field.select_to_start()
 
     def _write_field_tip(self) -> None:
         exact = f"{self.name} = {number_text(self._value)} {self._unit}".rstrip()
