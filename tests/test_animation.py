@@ -346,11 +346,57 @@ def test_a_walk_that_cannot_be_stops_and_says_why(bar: AnimationBar, record: Rec
     bar.play()
     bar.advance(1.0)
     assert not bar.playing and record.events[-2:] == ["finish", False] and not record.cameras
-    assert "Target = (0, 9, 0): must differ from the eye" in bar._error.text()
+    said = "The camera stands straight above the target and cannot look level."
+    assert bar._error.text() == f"⚠ Stopped. {said}"
     assert bar._error.isVisible()
-    bar.show_camera(START)
+    bar.show_camera(Camera((0.0, -9.0, 0.0), (0.0, 2.0, 0.0), (0.0, 0.0, -1.0)))
     bar.play()
+    bar.advance(1.0)
+    assert "straight below" in bar._error.text()
+
+
+def stop(bar: AnimationBar) -> None:
+    bar.show_camera(Camera((0.0, 9.0, 0.0), (0.0, 2.0, 0.0), (0.0, 0.0, -1.0)))
+    bar.look.choose("level")
+    bar.play()
+    bar.advance(1.0)
+    assert bar._error.isVisible()
+
+
+def test_why_the_walk_stopped_is_forgotten_when_it_is_no_longer_so(bar: AnimationBar) -> None:
+    stop(bar)
+    bar.show_camera(START)  # a reset, an undo, a slider
     assert not bar._error.isVisible()
+    stop(bar)
+    bar.set_scene(4.0, START.target)
+    assert not bar._error.isVisible()
+    stop(bar)
+    bar.look.choose("target")
+    assert not bar._error.isVisible()
+    stop(bar)
+    bar.show_camera(replace(START))
+    bar.play()
+    bar.advance(1.0)
+    assert bar.playing and not bar._error.isVisible()
+
+
+def test_a_walk_through_the_target_or_along_up_says_so(bar: AnimationBar) -> None:
+    bar.height_mode.choose("steps")
+    bar.lowest.setValue(2.0)
+    bar.highest.setValue(2.0)
+    bar._settings_edited()
+    bar.show_camera(Camera((0.0, 9.0, 0.0), (0.0, 2.0, 0.0), (0.0, 0.0, -1.0)))
+    bar.play()
+    bar.advance(3.0)
+    said = "The camera has come to the target and cannot look at it."
+    assert not bar.playing and bar._error.text().endswith(said)
+    bar.speed.setValue(0.0)
+    bar._settings_edited()
+    bar.show_camera(Camera((0.0, 9.0, 5.0), (0.0, 2.0, 0.0), (0.0, 0.0, 1.0)))
+    bar.play()
+    bar.advance(3.0)
+    said = "The camera would look along its own up vector."
+    assert not bar.playing and bar._error.text().endswith(said)
 
 
 def test_another_scene_stops_the_walk_and_fits_the_limits(

@@ -13,7 +13,7 @@ from typing import Literal, TypeAlias
 from PySide6.QtCore import QElapsedTimer, Qt, QTimer, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
 
-from app.projection import Camera, ProjectionError, Vector
+from app.projection import NOT_PARALLEL, NOT_THE_EYE, Camera, ProjectionError, Vector
 from widgets.messages import sentence
 from widgets.rows import Choice, ChoiceRow, Linear, NumberRow, Row
 
@@ -276,6 +276,7 @@ class AnimationBar(QWidget):
         """Note where the camera is; one that is not the last frame's is where to go on from."""
         if camera == self._shown:
             return
+        self._say("")
         before, self._shown = self._shown, camera
         if self._start is None or before is None:
             return
@@ -341,11 +342,23 @@ class AnimationBar(QWidget):
             camera = camera_at(self._start, self._elapsed_s, self._motion)
         except ProjectionError as error:
             self.pause()
-            self._say(sentence(error))
+            self._say(self._why(error))
             return
         if camera != self._shown:
             self._shown = camera
             self.edited.emit(camera)
+
+    def _why(self, error: ProjectionError) -> str:
+        """What stopped the walk, without the numbers of a camera that nobody made."""
+        if error.bound == NOT_THE_EYE and self._motion.look == "level":
+            if self._start is not None and self._start.eye[1] < self._start.target[1]:
+                return self.tr("The camera is straight below the target and cannot look level.")
+            return self.tr("The camera stands straight above the target and cannot look level.")
+        if error.bound == NOT_THE_EYE:
+            return self.tr("The camera has come to the target and cannot look at it.")
+        if error.bound == NOT_PARALLEL:
+            return self.tr("The camera would look along its own up vector.")
+        return sentence(error)
 
     def _frame(self) -> None:
         seconds = self._watch.nsecsElapsed() * 1e-9  # whole milliseconds would lose 3 %
@@ -377,6 +390,7 @@ class AnimationBar(QWidget):
             self._start = camera
 
     def _settings_edited(self) -> None:
+        self._say("")
         if self._start is not None and self._shown is not None:
             self._go_on_from(self._shown, self._start.target[1])
         height, look = self.height_mode.value(), self.look.value()
