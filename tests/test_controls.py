@@ -28,6 +28,9 @@ from app import document, figures, meshes, projection, scene
 from app.document import DocumentError
 from app.figures import FigureError
 from app.projection import (
+    AT_LEAST,
+    AT_MOST,
+    DISTINCT,
     LARGEST,
     Camera,
     Orbit,
@@ -674,6 +677,9 @@ def test_the_camera_of_someone_else_is_read_back(controls: Controls) -> None:
         ("2.5 units", 2.5),
         ("1e-7", 1e-7),  # below the slider's end
         ("1e-90", 1e-90),
+        ("1/3", 1 / 3),
+        ("-2/-7", 2 / 7),
+        (" 1,5 / 4 units", 0.375),
     ],
 )
 def test_a_number_is_taken_as_it_is_typed(
@@ -710,7 +716,8 @@ def test_far_may_be_typed_as_infinity(controls: Controls, record: Record, text: 
     assert number(controls, "far").field.text() == "∞"
 
 
-NONSENSE = ["nan", "0x10", "1_000", "", " ", "abc", "1,2,3", "1.2.3", "--1", "1e", "٣", "1 2", "-∞"]
+NONSENSE = ["nan", "0x10", "1_000", "", " ", "abc", "1,2,3", "1.2.3", "--1", "1e", "٣", "1 2", "-∞",
+            "1/0", "1/", "/3", "1/2/3", "1//2", "1/-0", "inf/2"]  # fmt: skip
 
 
 @pytest.mark.parametrize("key", NUMBERS)
@@ -961,6 +968,25 @@ def test_the_field_is_wide_enough_for_what_it_shows(controls: Controls, value: f
     text = field.fontMetrics().horizontalAdvance(short_text(value))
     assert text <= field.contentsRect().width() - 4
     assert isinstance(field, QLineEdit)
+
+
+def test_a_fraction_is_read_as_precisely_as_a_number(controls: Controls) -> None:
+    assert parse_number("Near", "-2/7") == -2 / 7
+    assert parse_number("Near", "0/5") == 0.0
+    for text, bound in (
+        ("1e300/1e-300", AT_MOST),
+        ("1e300/-1e-300", AT_LEAST),
+        ("-1e400", AT_LEAST),
+        ("1/1e400", AT_MOST),
+        ("1e-300/1e300", DISTINCT),
+        ("1/1e-400", DISTINCT),
+    ):
+        with pytest.raises(ProjectionError) as caught:
+            parse_number("Near", text)
+        assert caught.value.bound == bound, text
+    row = number(controls, "azimuth_deg")
+    enter(row, "-1/3")
+    assert row.value() == -1 / 3 and row.field.text() == "-0.333333"
 
 
 def test_parsing_tells_nothing_of_the_locale() -> None:

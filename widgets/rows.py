@@ -45,7 +45,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.projection import AT_MOST, DISTINCT, LARGEST, ProjectionError
+from app.projection import AT_LEAST, AT_MOST, DISTINCT, LARGEST, ProjectionError
 from widgets.messages import A_NUMBER, A_NUMBER_OR_INFINITY, number_text, sentence
 
 QUIET_MS = 500
@@ -64,7 +64,7 @@ _INFINITY = re.compile(r"([+-]?)(∞|inf|infinity)", re.IGNORECASE)
 
 
 def parse_number(name: str, text: str, unit: str = "", *, infinite: bool = False) -> float:
-    """Read a number as typed: decimal point or comma, ``inf`` or ``∞``, perhaps with its unit.
+    """Read a number as typed: decimal point or comma, ``1/3``, ``inf``, perhaps with its unit.
 
     Parameters
     ----------
@@ -86,13 +86,23 @@ def parse_number(name: str, text: str, unit: str = "", *, infinite: bool = False
     infinity = _INFINITY.fullmatch(bare)
     if infinity:
         return -math.inf if infinity[1] == "-" else math.inf
-    match = _NUMBER.fullmatch(bare)
-    if not match:
-        raise ProjectionError(name, typed, A_NUMBER_OR_INFINITY if infinite else A_NUMBER)
-    number = float(bare.replace(",", "."))
-    if math.isinf(number):
-        raise ProjectionError(name, typed, AT_MOST, LARGEST)
-    if number == 0.0 and re.search("[1-9]", match[1]):
+    not_a_number = A_NUMBER_OR_INFINITY if infinite else A_NUMBER
+    parts = []
+    for part in bare.split("/"):
+        match = _NUMBER.fullmatch(part.strip())
+        if not match:
+            raise ProjectionError(name, typed, not_a_number)
+        number = float(match[0].replace(",", "."))
+        if number == 0.0 and re.search("[1-9]", match[1]):
+            raise ProjectionError(name, typed, DISTINCT, 0)
+        parts.append(number)
+    if len(parts) > 2 or parts[1:] == [0.0]:
+        raise ProjectionError(name, typed, not_a_number)
+    number = parts[0] / parts[1] if len(parts) == 2 else parts[0]
+    if any(map(math.isinf, parts)) or math.isinf(number):
+        bound, limit = (AT_LEAST, -LARGEST) if number < 0.0 else (AT_MOST, LARGEST)
+        raise ProjectionError(name, typed, bound, limit)
+    if number == 0.0 and parts[0] != 0.0:
         raise ProjectionError(name, typed, DISTINCT, 0)
     return number
 
