@@ -615,6 +615,97 @@ def test_reset_view_undoes_the_mouse(make_view: MakeView) -> None:
     assert view.camera.GetPosition() == place
 
 
+FAR_AWAY = replace(START, camera=Camera((6e11, 5e11, 9e11), (0.0, 2.2, 0.0)))
+
+
+def toward(camera: vtkCamera) -> Array:
+    return np.array(camera.GetDirectionOfProjection())
+
+
+@pytest.mark.parametrize(
+    "projection",
+    [
+        with_lens(fov_y_deg=63.0),
+        with_lens(fov_y_deg=100.0),
+        orthographic(near=-5.0, bottom=-12.0, top=12.0),
+        replace(START, camera=Camera((0.0, 14.0, 30.0), (0.0, 0.0, 0.0))),
+        FAR_AWAY,
+    ],
+)
+def test_refit_brings_back_what_has_left_the_picture(
+    make_view: MakeView, projection: Projection
+) -> None:
+    """The frustum whole, at its largest, looked at from where it was looked at before."""
+    view = make_view("letter-f", 412, 670)
+    view.pixels()
+    before, direction = view.camera.GetPosition(), toward(view.camera)
+    view.drawing.show_projection(projection)
+    assert view.camera.GetPosition() == before
+    assert view.drawing.refit() and view.drawing.view is None
+    assert np.allclose(toward(view.camera), direction, atol=1e-9)
+    view.pixels()
+    corners = applied(to_array(view.drawing._frustum_space.matrix), CUBE)
+    points = [projection.camera.eye, projection.camera.target, view.scene.centre, *corners]
+    spots = view.pixel_of(np.array(points))
+    assert ((spots > 0) & (spots < (412, 670))).all()
+    assert (np.ptp(spots, axis=0) / (412, 670)).max() > 0.5
+    placed = view.camera.GetPosition()
+    assert not view.drawing.refit() and view.camera.GetPosition() == placed
+    view.window.SetSize(670, 412)  # what was fitted is fitted into another size, too
+    view.pixels()
+    spots = view.pixel_of(np.array(points))
+    assert ((spots > 0) & (spots < (670, 412))).all()
+
+
+def test_refit_brings_nearer_what_has_nearly_vanished(make_view: MakeView) -> None:
+    view = make_view()
+    view.pixels()
+    before = np.array(view.camera.GetPosition())
+    view.drawing.show_projection(FAR_AWAY)
+    view.drawing.refit()
+    view.drawing.show_projection(START)
+    assert view.drawing.refit()
+    assert np.allclose(view.camera.GetPosition(), before, atol=1e-6)
+
+
+def test_refit_leaves_alone_what_is_in_the_picture_or_was_moved(make_view: MakeView) -> None:
+    view = make_view()
+    view.pixels()
+    place = view.camera.GetPosition()
+    for projection in (START, with_lens(fov_y_deg=30.0), with_lens(near=5.0)):
+        view.drawing.show_projection(projection)
+        assert not view.drawing.refit() and view.camera.GetPosition() == place
+    view.camera.Azimuth(20.0)
+    view.drawing.reset_clipping_range()
+    place = view.camera.GetPosition()
+    view.drawing.show_projection(with_lens(fov_y_deg=100.0))
+    assert not view.drawing.refit() and view.camera.GetPosition() == place
+
+
+@pytest.mark.parametrize("fov_y_deg", [45.0, 63.0, 100.0])
+def test_a_frustum_up_to_100_degrees_is_framed_whole(make_view: MakeView, fov_y_deg: float) -> None:
+    view = make_view("letter-f", 412, 670)
+    view.drawing.show_projection(with_lens(fov_y_deg=fov_y_deg))
+    view.drawing.reset_view()
+    view.pixels()
+    spots = view.pixel_of(applied(to_array(view.drawing._frustum_space.matrix), CUBE))
+    assert ((spots > 0) & (spots < (412, 670))).all()
+
+
+def test_a_frustum_too_wide_to_be_framed_does_not_make_the_scene_tiny(
+    make_view: MakeView,
+) -> None:
+    view = make_view("letter-f", 412, 670)
+    tall = []
+    for projection in (START, with_lens(fov_y_deg=179.0), replace(START, image_size=(4000, 100))):
+        view.drawing.show_projection(projection)
+        view.drawing.reset_view()
+        view.pixels()
+        spots = view.pixel_of(np.array([(0.0, 0.0, 0.0), (0.0, 5.0, 0.0)]))
+        tall.append(np.ptp(spots[:, 1]))
+    assert min(tall) > 0.5 * tall[0] > 20.0
+
+
 def moved(scene: Scene, scale: float, origin: tuple[float, float, float]) -> Scene:
     """The same scene and camera, scaled and then carried to `origin`."""
 

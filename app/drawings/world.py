@@ -50,6 +50,8 @@ _VIEW_ANGLE_DEG = 50.0
 _ELEVATION_DEG = 25.0  # of the pane's camera, and how far it stands behind the model's
 _BEHIND_DEG = 55.0
 _FILL = 0.86  # of the pane by what `reset_view` frames; the rest is for the labels
+_SHRUNK = 0.4  # of the pane: what fills less of it is brought nearer by `refit`
+_WHOLE, _NEARBY = 3.0, 1.1  # of the extent: a frustum that is framed whole; else only so far
 _NEAREST = 0.02  # of the pane camera's focal distance: what is nearer is cut
 _LEAST_PICTURE_PX = 1.5
 _BODY = 0.065  # size of the camera's body, of the scene's size and distance
@@ -378,14 +380,45 @@ class WorldDrawing:
         width_px, height_px = self._canvas.window.GetSize()
         self._place_view(max(1, width_px), max(1, height_px))
 
+    def refit(self) -> bool:
+        """Fit a view that nobody has moved, if what it framed has left it or nearly vanished.
+
+        The direction of looking stays. To be called when a gesture ends, never during one: while
+        a control is dragged the pane stands still, so that the model is what is seen moving.
+
+        Returns
+        -------
+        bool
+            Whether the view was changed, and so has to be painted again.
+        """
+        if self._was_moved():
+            return False
+        framed = self._points_to_frame()
+        x, y, depth = self._pane.axes @ (framed - self._pane.eye).T
+        width_px, height_px = (max(1, side) for side in self._canvas.window.GetSize())
+        if depth.min() > 0.0:
+            # From -1 to 1 in the pane.
+            across = x / (depth * self._pane.slope * width_px / height_px)
+            up = y / (depth * self._pane.slope)
+            largest = max(float(np.ptp(across)), float(np.ptp(up))) / 2.0
+            inside = max(float(np.abs(across).max()), float(np.abs(up).max())) <= 1.0
+            if inside and largest >= _SHRUNK:
+                return False
+        self._framed = framed
+        self._place_view(width_px, height_px)
+        return True
+
+    def _was_moved(self) -> bool:
+        camera = self._own_camera
+        return self._placed != (*camera.GetPosition(), *camera.GetFocalPoint())
+
     @property
     def view(self) -> Camera | None:
         """Where the pane's own camera was moved to, in world coordinates; None if it was not."""
-        camera = self._own_camera
-        eye, target = camera.GetPosition(), camera.GetFocalPoint()
-        if self._placed == (*eye, *target):
+        if not self._was_moved():
             return None
-        origin = self._origin
+        camera, origin = self._own_camera, self._origin
+        eye, target = camera.GetPosition(), camera.GetFocalPoint()
         return Camera(tuple(origin + eye), tuple(origin + target), camera.GetViewUp())
 
     def show_view(self, view: Camera) -> None:
@@ -397,16 +430,20 @@ class WorldDrawing:
         self.reset_clipping_range()
 
     def _points_to_frame(self) -> Array:
-        """What `reset_view` brings into view: of a very wide frustum only the part nearby."""
+        """What `reset_view` brings into view: of a very wide frustum only the part nearby.
+
+        The wider beyond `_WHOLE`, the less of it, steadily: where the frustum cannot be seen
+        whole without losing the scene, the scene is what matters.
+        """
         centre = (self._objects.mean(axis=0) + self._eye) / 2.0
         body = self._around_body()
         points = np.concatenate([self._objects, body, self._corners, [self._target]])
         offsets = points - centre
-        lengths = np.linalg.norm(offsets, axis=1, keepdims=True)
-        nearby: Array = centre + offsets * np.minimum(
-            1.0, 1.1 * self._extent / np.maximum(lengths, 1e-300)
-        )
-        return nearby
+        lengths = np.maximum(np.linalg.norm(offsets, axis=1, keepdims=True), 1e-300)
+        whole, nearby = _WHOLE * self._extent, _NEARBY * self._extent
+        shown = np.minimum(lengths, np.maximum(whole * (whole / lengths), nearby))
+        framed: Array = centre + offsets * (shown / lengths)
+        return framed
 
     def _place_view(self, width_px: int, height_px: int) -> None:
         """Stand in `_direction` from the framed points, as near as this window allows."""
@@ -434,11 +471,10 @@ class WorldDrawing:
 
     def _lay_out(self, width_px: int, height_px: int) -> None:
         """Fit a view that nobody has moved into a window of another size."""
-        camera = self._own_camera
-        if self._placed == (*camera.GetPosition(), *camera.GetFocalPoint()):
-            self._place_view(width_px, height_px)
-        else:
+        if self._was_moved():
             self._follow_pane()
+        else:
+            self._place_view(width_px, height_px)
 
     def reset_clipping_range(self) -> None:
         """Follow the pane's own camera after it was moved."""
