@@ -749,18 +749,32 @@ def test_nonsense_is_refused_in_every_field(controls: Controls, key: str) -> Non
         ("near", "40", "Near = 40: must be less than far, which is 30."),
         ("near", "0", "Near = 0: must be greater than 0."),
         ("near", "-1", "Near = -1: must be greater than 0."),
-        ("near", "inf", "Near = ∞: must be a finite number."),
+        ("near", "inf", "Near = ∞: must be less than far, which is 30."),
+        ("near", "-inf", "Near = -∞: must be greater than 0."),
+        (
+            "near",
+            "nan",
+            "Near = “nan”: must be a number, such as 0.5 or 2e-3; must be greater than 0;"
+            " must be less than far, which is 30.",
+        ),
+        ("elevation_deg", "inf", "Elevation = ∞: must be at most 90."),
+        ("azimuth_deg", "inf", "Azimuth = ∞: must be a finite number."),
+        ("eye_y", "nan", "Eye y = “nan”: must be a number, such as 0.5 or 2e-3."),
         ("near", "1e400", f"Near = “1e400”: must be at most {LARGEST}."),
         ("near", "1e-400", "Near = “1e-400”: is too close to 0 for float64 to tell apart."),
         ("far", "0.5", "Far = 0.5: must be greater than near, which is 1."),
         ("far", "1e400", f"Far = “1e400”: must be at most {LARGEST}."),
-        ("far", "nan", "Far = “nan”: must be a number, or inf for ∞."),
+        (
+            "far",
+            "nan",
+            "Far = “nan”: must be a number, or inf for ∞; must be greater than near, which is 1.",
+        ),
         *(
             (key, text, f"{name} = {text}: must lie between 0 and 180, both excluded.")
             for key, name in (("fov_y_deg", "Vertical fov"), ("fov_x_deg", "Horizontal fov"))
             for text in ("0", "180", "-1", "200")
         ),
-        ("fov_x_deg", "inf", "Horizontal fov = ∞: must be a finite number."),
+        ("fov_x_deg", "inf", "Horizontal fov = ∞: must lie between 0 and 180, both excluded."),
         ("focal_length_mm", "0", "Focal length = 0: must be greater than 0."),
         ("focal_length_mm", "-50", "Focal length = -50: must be greater than 0."),
         ("left", "4", "Left = 4: must be less than right, which is 4."),
@@ -789,6 +803,33 @@ def test_what_the_model_refuses_is_explained_at_the_row(
     assert row.error == f"⚠ Not possible. {expected}"
     assert row.field.text() == text
     assert record.edits == [] and (controls.projection, row.slider.value()) == before
+
+
+def test_limits_are_as_short_as_the_fields_show_them(controls: Controls) -> None:
+    lens = Orthographic(-8.227704165888369, 8.227696165888, -3.0, 3.0, 1.0, 30.0)
+    controls.show_projection(replace(BOX, lens=lens))
+    left, right = number(controls, "left"), number(controls, "right")
+    enter(left, "9")
+    assert left.error.endswith("Left = 9: must be less than right, which is 8.2277.")
+    enter(right, "-9")
+    assert right.error.endswith("Right = -9: must be greater than left, which is -8.2277.")
+    enter(left, "8.227699")  # which is less than 8.2277
+    assert left.error.endswith("must be less than right, which is 8.227696165888.")
+    camera = Camera((1 / 3, 2 / 3, 5.0), (1 / 3, 2 / 3, 0.0))
+    controls.show_projection(replace(START, camera=camera))
+    choice(controls, "camera_mode").choose("vectors")
+    enter(number(controls, "eye_z"), "0")
+    assert "Eye = (0.333333, 0.666667, 0): must differ" in number(controls, "eye_z").error
+
+
+def test_asking_for_limits_changes_nothing(controls: Controls, record: Record) -> None:
+    row = number(controls, "azimuth_deg")
+    enter(row, "270")
+    before = controls.projection
+    enter(row, "nan")
+    enter(number(controls, "distance"), "inf")
+    assert controls.projection is before and len(record.edits) == 1
+    assert controls._bindings["azimuth_deg"].read(before) == 270.0  # as typed, not -90
 
 
 def test_eye_on_target_and_up_along_the_view(controls: Controls) -> None:
@@ -1175,7 +1216,7 @@ def test_an_error_is_shown_whole_in_any_width(enlarged: Controls, qtbot: Any) ->
         for width in (0, 200, 0):  # beyond the least
             enlarged.resize(enlarged.minimumSizeHint().width() + width, 640)
             qtbot.waitUntil(shown_whole, timeout=2000)
-    assert {2, 3} <= lines
+    assert {3, 4} <= lines
 
 
 def test_a_narrow_row_is_as_high_as_its_error(display: Any, qtbot: Any) -> None:

@@ -16,7 +16,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any, Literal, TypeAlias
 
-from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QCoreApplication, QEvent, QObject, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QFrame,
@@ -30,6 +30,7 @@ from PySide6.QtWidgets import (
 from app.projection import (
     BETWEEN,
     FINITE_NUMBER,
+    LARGEST,
     Camera,
     Orbit,
     Orthographic,
@@ -42,7 +43,7 @@ from app.projection import (
 )
 from widgets.animation import AnimationBar
 from widgets.messages import field_name, seen_from, sentence
-from widgets.rows import Choice, ChoiceRow, Linear, Log, NumberRow, Row, Scale, align
+from widgets.rows import Choice, ChoiceRow, Linear, Log, NumberRow, Row, Scale, align, short_text
 
 Read: TypeAlias = Callable[[Projection], Any]
 Write: TypeAlias = Callable[[Projection, Any], Projection]
@@ -450,6 +451,8 @@ class Controls(QScrollArea):
     ) -> None:  # fmt: skip
         self._bindings[key] = binding = Binding(row, field, part, read, write)
         section.rows.addWidget(row)
+        if isinstance(row, NumberRow):
+            row.limits = partial(self._limits, binding)
         row.edited.connect(partial(self._edit, binding))
         row.gesture_started.connect(partial(self._gesture_started, row))
         row.gesture_finished.connect(self.gesture_finished)
@@ -466,11 +469,36 @@ class Controls(QScrollArea):
             projection = binding.write(self._projection, value)
         except ProjectionError as error:
             seen = seen_from(binding.field, binding.row.name, value, error)
-            binding.row.show_error(sentence(seen))
+            if isinstance(value, float) and math.isinf(value) and seen.bound == FINITE_NUMBER:
+                seen = self._limit(binding, value) or seen
+            binding.row.show_error(sentence(_as_shown(seen, value)))
             # After the layout has made room for it, and only if it is still there.
             QTimer.singleShot(0, self, partial(self._reveal, binding.row))
         else:
             self._adopt(projection)
+
+    def _limit(self, binding: Binding, value: float) -> ProjectionError | None:
+        """The model's own limit on the side of an infinite value, if it has one there."""
+        probe, orbit = math.copysign(LARGEST, value), self._orbit
+        try:
+            binding.write(self._projection, probe)
+        except ProjectionError as error:
+            seen = seen_from(binding.field, binding.row.name, probe, error)
+            if seen.field == binding.field and seen.value == probe:
+                return ProjectionError(seen.field, value, seen.bound, *seen.limits)
+        finally:
+            self._orbit = orbit
+        return None
+
+    def _limits(self, binding: Binding) -> str:
+        """What the model asks of a number in this row."""
+        clauses = []
+        for value in (-math.inf, math.inf):
+            error = self._limit(binding, value)
+            if error is not None:
+                bound = QCoreApplication.translate("ProjectionError", error.bound)
+                clauses.append(bound.format(*_as_shown(error, value).limits))
+        return "; ".join(dict.fromkeys(clauses))
 
     def _adopt(self, projection: Projection) -> None:
         if projection != self._projection:
@@ -585,6 +613,27 @@ class Controls(QScrollArea):
 
 
 # --------------------------------------------------------------------------- reading and writing
+
+
+def _as_shown(error: ProjectionError, value: Any) -> ProjectionError:
+    """An error whose numbers are as short as the fields show them, but for the edited one."""
+    refused = error.value
+    if isinstance(refused, tuple):
+        refused = tuple(part if part == value else float(f"{part:.6g}") for part in refused)
+    limits = (_short_limit(limit, value) for limit in error.limits)
+    return ProjectionError(error.field, refused, error.bound, *limits)
+
+
+def _short_limit(limit: Any, value: Any) -> Any:
+    """A limit as its field shows it, unless the value lies between that and the limit itself."""
+    try:
+        number = float(limit)
+        shown = float(short_text(number))
+    except ValueError:  # words, or infinity
+        return limit
+    if isinstance(value, str) or (value > number, value < number) != (value > shown, value < shown):
+        return limit
+    return short_text(number)
 
 
 def _lens_field(field: str) -> Read:

@@ -15,7 +15,7 @@ from __future__ import annotations
 import html
 import math
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -512,6 +512,8 @@ class NumberRow(Row):
         super().__init__(name, tip, parent)
         self._scale = scale
         self._value: float = scale.value_at(0)
+        self.limits: Callable[[], str] = str
+        """Says what holds for any number here, for whoever typed none; set by the owner."""
         self._open = False
         self._whole = False
         self._unit = unit
@@ -614,7 +616,9 @@ class NumberRow(Row):
         try:
             value = parse_number(self.name, text, self._unit, infinite=self._scale.infinite)
         except ProjectionError as error:
-            self._refuse(text, sentence(error))
+            said = sentence(error)
+            limits = self.limits() if error.bound in (A_NUMBER, A_NUMBER_OR_INFINITY) else ""
+            self._refuse(text, f"{said.removesuffix('.')}; {limits}." if limits else said)
             return
         self.clear_error()
         self._forget_text()
