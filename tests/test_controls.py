@@ -1131,6 +1131,54 @@ def test_what_is_folded_is_shown_when_it_opens(controls: Controls, record: Recor
     assert record.events == []
 
 
+def test_sections_fold_by_the_keyboard_and_stay_so(controls: Controls, record: Record) -> None:
+    for section in controls.sections.values():
+        heading = section.heading
+        heading.setFocus(Qt.FocusReason.TabFocusReason)
+        assert heading.hasFocus() and heading.focusPolicy() & Qt.FocusPolicy.TabFocus
+        for key, is_open in (
+            (KEY.Key_Space, False),
+            (KEY.Key_Return, True),
+            (KEY.Key_Right, True),
+            (KEY.Key_Left, False),
+            (KEY.Key_Left, False),
+            (KEY.Key_Enter, True),
+            (KEY.Key_Space, False),
+        ):
+            QTest.keyClick(heading, key)
+            assert section.is_open == is_open, key
+            said = "unfolded" if is_open else "folded"
+            assert heading.accessibleDescription() == said and heading.hasFocus()
+    # Neither another scene, lens, camera mode nor hiding the column unfolds them.
+    controls.show_projection(BOX)
+    controls.set_scene(60.0, BOX)
+    choice(controls, "camera_mode").choose("vectors")
+    controls.hide()
+    controls.show()
+    assert not any(section.is_open for section in controls.sections.values())
+    assert record.edits == []
+    QTest.keyClick(controls.sections["lens"].heading, KEY.Key_Right)
+    assert number(controls, "left").isVisible()
+
+
+def test_a_section_that_opens_below_the_fold_comes_into_view(
+    controls: Controls, qtbot: Any
+) -> None:
+    controls.resize(320, 560)
+    heading = controls.sections["animation"].heading
+    heading.setFocus(Qt.FocusReason.TabFocusReason)
+    QTest.keyClick(heading, KEY.Key_Left)
+    controls.verticalScrollBar().setValue(0)
+    QTest.keyClick(heading, KEY.Key_Right)
+    look, viewport = controls.animation.look, controls.viewport()
+
+    def in_view() -> bool:
+        ends = [part.mapTo(viewport, QPoint()).y() for part in (heading, look)]
+        return ends[0] >= 0 and ends[1] + look.height() <= viewport.height()
+
+    qtbot.waitUntil(in_view, timeout=2000)
+
+
 def test_the_lens_shows_only_its_own_rows(controls: Controls) -> None:
     perspective = {"fov_y_deg", "fov_x_deg", "focal_length_mm"}
     box = {"left", "right", "bottom", "top", "keep"}

@@ -17,8 +17,9 @@ from functools import partial
 from typing import Any, Literal, TypeAlias
 
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, QSize, Qt, QTimer, Signal
-from PySide6.QtGui import QResizeEvent
+from PySide6.QtGui import QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import (
+    QApplication,
     QFrame,
     QScrollArea,
     QSizePolicy,
@@ -76,7 +77,8 @@ class Binding:
 
 
 class Section(QWidget):
-    """A heading that folds what is below it."""
+    """A heading that folds what is below it: by a click, Space, Enter, or as in a tree, ← and →.
+    """
 
     toggled = Signal(bool)
 
@@ -92,6 +94,7 @@ class Section(QWidget):
         font = self.heading.font()
         font.setBold(True)
         self.heading.setFont(font)
+        self.heading.installEventFilter(self)
         self.heading.clicked.connect(lambda: self.set_open(not self.is_open))
         self.body = QWidget()
         self.rows = QVBoxLayout(self.body)
@@ -103,6 +106,19 @@ class Section(QWidget):
         layout.addWidget(self.heading)
         layout.addWidget(self.body)
         self.set_open(True)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Take the heading's keys before the button makes arrows move the focus."""
+        if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress:
+            key, keys = event.key(), Qt.Key
+            if key in (keys.Key_Return, keys.Key_Enter):
+                self.set_open(not self.is_open)
+                return True
+            if key in (keys.Key_Left, keys.Key_Right):
+                if self.is_open != (key == keys.Key_Right):
+                    self.set_open(key == keys.Key_Right)
+                return True
+        return super().eventFilter(watched, event)
 
     @property
     def is_open(self) -> bool:
@@ -417,9 +433,21 @@ class Controls(QScrollArea):
 
     def _section(self, key: str, title: str) -> Section:
         self.sections[key] = section = Section(title)
-        section.toggled.connect(lambda is_open: self._show_rows() if is_open else None)
+        section.toggled.connect(partial(self._folded, section))
         self._layout.addWidget(section)
         return section
+
+    def _folded(self, section: Section, is_open: bool) -> None:
+        if is_open:
+            self._show_rows()
+            # After the layout has made room: what opens below the fold comes into view.
+            QTimer.singleShot(0, self, partial(self._bring_into_view, section))
+
+    def _bring_into_view(self, section: Section) -> None:
+        if section.is_open and section.isVisible():
+            QApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest)
+            self.ensureWidgetVisible(section, 0, 0)
+            self.ensureWidgetVisible(section.heading, 0, 0)
 
     def _row(
         self, section: Section, key: str, part: Part, tip: str, scale: Scale, unit: str,
