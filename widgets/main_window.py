@@ -475,7 +475,8 @@ class MainWindow(QMainWindow):
     def _history_changed(self) -> None:
         self._undo.setEnabled(self.store.can_undo)
         self._redo.setEnabled(self.store.can_redo)
-        self.setWindowModified(self.store.modified)
+        if self.isWindowModified() != self.store.modified:  # it costs as much as a drawing
+            self.setWindowModified(self.store.modified)
         if not self.store.in_gesture:
             self._refine(True)
 
