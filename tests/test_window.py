@@ -36,6 +36,7 @@ from app.document import Document, extract, read, write
 from app.figures import render
 from app.projection import Camera, Orbit, Orthographic, Perspective, Projection
 from app.scene import load
+from widgets.application import Settings
 from widgets.autosave import Autosave
 from widgets.export_dialog import ExportChoice, ExportDialog
 from widgets.main_window import MainWindow
@@ -218,6 +219,26 @@ def test_the_mouse_turns_the_view_and_never_the_model(
     assert window.store.document == before
 
 
+def test_the_world_stands_still_during_a_drag_and_fits_itself_after_it(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window()
+    camera = window.panes["world"].canvas.own_camera
+    place = camera.GetPosition()
+    window.store.begin_gesture()
+    window.store.set_projection(seen(window, lens=Perspective(110.0, 1.0, 30.0)))
+    settle(window)
+    assert camera.GetPosition() == place
+    with counted_repaints(window) as counts:
+        window.store.end_gesture()
+        settle(window)
+    assert counts["world"] == 1
+    assert math.dist(camera.GetPosition(), camera.GetFocalPoint()) > 1.05 * math.dist(
+        place, camera.GetFocalPoint()
+    )
+    assert window.panes["world"].view is None
+
+
 def test_turning_stops_at_the_pole(make_window: Callable[..., MainWindow]) -> None:
     window = make_window()
     canvas = window.panes["world"].canvas
@@ -301,6 +322,18 @@ def test_themes_and_projector_mode_dress_every_pane(
     window.set_projector(False)
     window.set_theme("light")
     assert QApplication.font().pointSizeF() == pytest.approx(size)
+
+
+def test_a_window_that_starts_in_projector_mode_is_large_all_over(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    size = make_window().controls.sections["lens"].heading.font().pointSizeF()
+    settings = Settings(None)
+    settings.projector = True
+    window = make_window(settings=settings)
+    assert window.controls.sections["lens"].heading.font().pointSizeF() > 1.2 * size
+    assert window.menuBar().font().pointSizeF() > 1.2 * size
+    window.set_projector(False)
 
 
 def test_everything_has_a_name_and_a_tip(make_window: Callable[..., MainWindow]) -> None:
@@ -615,6 +648,7 @@ from pathlib import Path
 from PySide6.QtCore import QCoreApplication
 from app.document import Document, to_json
 from app.projection import Perspective
+from widgets.application import Settings
 from widgets.autosave import Autosave
 application = QCoreApplication([])
 document = Document("posts")

@@ -122,6 +122,7 @@ class MainWindow(QMainWindow):
         self.setObjectName("mainWindow")
         self.setAcceptDrops(True)
         self.settings = settings
+        self._dress()  # before there are widgets, which would keep the font of before
         self._software_rendering = software_rendering
         self._titles = {
             "world": self.tr("World"),
@@ -157,7 +158,6 @@ class MainWindow(QMainWindow):
         self._make_actions()
         self._make_status_line()
         self._wire()
-        self._dress()
         self._show_document(document)
         self._history_changed()
         self._path_changed()
@@ -479,6 +479,8 @@ class MainWindow(QMainWindow):
             self.setWindowModified(self.store.modified)
         if not self.store.in_gesture:
             self._refine(True)
+            for pane in self.panes.values():
+                pane.refit()
 
     def _path_changed(self) -> None:
         scene = self.store.document.scene

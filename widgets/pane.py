@@ -48,6 +48,9 @@ class Drawing(Protocol):
     def reset_view(self) -> None:
         """Put the pane's own camera where the whole drawing is in view."""
 
+    def refit(self) -> bool:
+        """Fit a view that nobody moved to what has left it; tell whether it changed."""
+
     def reset_clipping_range(self) -> None:
         """Fit the pane camera's own near and far to the drawing after it has moved."""
 
@@ -328,6 +331,11 @@ class Pane(QFrame):
         """Put the pane's own camera back; the model is not touched."""
         if self.drawing is not None:
             self.drawing.reset_view()
+            self.request_repaint()
+
+    def refit(self) -> None:
+        """Bring back what an edit has carried out of a view that nobody moved."""
+        if self.isVisible() and self.drawing is not None and self.drawing.refit():
             self.request_repaint()
 
     def move_to(self, window: QWidget | None, place: Callable[[], object]) -> None:

@@ -5,6 +5,7 @@ plotter that it does not own, and has
 
 - ``show_projection(projection)``: takes the model over by setting matrices; never renders,
 - ``reset_view()``: puts the pane's own camera back,
+- ``refit()``: at a gesture's end, fits a view that nobody has moved to what has left it,
 - ``reset_clipping_range()``: to be called after that camera was moved from outside,
 - ``view`` and ``show_view(view)``: where that camera was moved to, as a `Camera`, and back there,
 - ``remove()``: takes everything out of the plotter again.

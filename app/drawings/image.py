@@ -94,6 +94,10 @@ class ImageDrawing:
     def reset_view(self) -> None:
         """Do nothing: the view of this pane is the model's."""
 
+    def refit(self) -> bool:
+        """The view of this pane is the model's."""
+        return False
+
     def reset_clipping_range(self) -> None:
         """Do nothing: near and far of this pane are the model's."""
 

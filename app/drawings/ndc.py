@@ -116,6 +116,10 @@ class NdcDrawing:
         self._view = self._current_view()
         self.reset_clipping_range()
 
+    def refit(self) -> bool:
+        """Nothing leaves the cube: no other view is needed."""
+        return False
+
     def reset_clipping_range(self) -> None:
         """Fit this pane's near and far to the cube; call it after its camera was moved."""
         camera = self._camera
