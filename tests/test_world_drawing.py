@@ -79,6 +79,16 @@ class View:
         texts = [prop for prop in props if isinstance(prop, vtkTextActor)]
         return {text.GetInput().strip(): text for text in texts if text.GetVisibility()}
 
+    def label_boxes(self) -> dict[str, tuple[float, float, float, float]]:
+        """Left, bottom, right, top of what is written, in pixels from the bottom left."""
+        boxes, renderer = {}, self.plotter.renderer
+        for text, actor in self.labels().items():
+            box = [0.0] * 4
+            actor.GetBoundingBox(renderer, box)
+            x, y = actor.GetPositionCoordinate().GetComputedDoubleViewportValue(renderer)
+            boxes[text] = (x + box[0], y + box[2], x + box[1], y + box[3])
+        return boxes
+
     def hide_labels(self) -> None:
         for label in self.labels().values():
             label.GetTextProperty().SetOpacity(0.0)
@@ -516,20 +526,85 @@ def test_labels_hide_no_other_label(make_view: MakeView) -> None:
         view.drawing.show_projection(projection)
         view.drawing.reset_view()
         view.pixels()
-        boxes = {}
-        for text, actor in view.labels().items():
-            box = [0.0] * 4
-            actor.GetBoundingBox(view.plotter.renderer, box)
-            x, y = actor.GetPositionCoordinate().GetComputedDoubleViewportValue(
-                view.plotter.renderer
-            )
-            boxes[text] = (x + box[0], y + box[2], x + box[1], y + box[3])
+        boxes = view.label_boxes()
         assert {"u", "v", "n", "eye", "target"} < set(boxes) and len(boxes) == 7
         for one, a in boxes.items():
             assert a[0] >= 0 and a[1] >= 0 and a[2] <= 500 and a[3] <= 560, one
             for other, b in boxes.items():
                 apart = a[2] <= b[0] or b[2] <= a[0] or a[3] <= b[1] or b[3] <= a[1]
                 assert one == other or apart, (one, other, projection.lens)
+
+
+CROWDED = [
+    START,
+    with_lens(fov_y_deg=5.0),
+    with_lens(fov_y_deg=63.0),
+    with_lens(near=4.0),
+    with_lens(near=1e-6, far=math.inf),
+    with_lens(near=2000.0, far=30000.0),
+    with_lens(near=1.0, far=1.0 + 1e-12),
+    orthographic(near=-5),
+    replace(START, camera=Camera((6e11, 5e11, 9e11), (0.0, 2.2, 0.0))),
+    replace(START, camera=Camera((0.0, 14.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, -1.0))),
+]
+
+
+def from_box(point: Array, box: tuple[float, float, float, float]) -> float:
+    return float(np.linalg.norm(np.clip(point, box[:2], box[2:]) - point))
+
+
+@pytest.mark.parametrize("size", [(412, 670), (1280, 720)])
+@pytest.mark.parametrize("projection", CROWDED)
+def test_a_planes_label_is_at_its_plane_or_joined_to_it(
+    make_view: MakeView, projection: Projection, size: tuple[int, int]
+) -> None:
+    """And never at a corner of the other plane, which a reader would take for its own."""
+    em = LIGHT.font_size
+    view = make_view("letter-f", *size)
+    view.drawing.show_projection(projection)
+    view.drawing.reset_view()
+    view.pixels()
+    boxes = {text.split()[0]: box for text, box in view.label_boxes().items()}
+    corners = applied(to_array(view.drawing._frustum_space.matrix), CUBE)
+    spots = view.pixel_of(corners) * (1, -1) + (0, size[1])
+    planes = {"near": spots[:4], "far": spots[4:]}
+    for name, other in (("near", "far"), ("far", "near")):
+        face, box = planes[name], boxes[name]
+        assert min(from_box(spot, box) for spot in planes[other]) > 2.0 * em, name
+        anchors = [*face, *((face + np.roll(face, -1, axis=0)) / 2.0)]
+        leader = view.drawing._leaders[name].actor
+        if min(from_box(spot, box) for spot in anchors) > 1.8 * em:  # diagonally, and roughly
+            assert leader.GetVisibility(), name
+        if leader.GetVisibility():
+            line = leader.GetMapper().GetInput()
+            start, end = (np.array(line.GetPoint(i)[:2]) for i in (0, 1))
+            assert min(math.dist(start, spot) for spot in anchors) < 0.5
+            assert from_box(end, box) == 0.0
+
+
+def test_a_leader_lights_its_pixels_and_goes_when_it_is_not_needed(make_view: MakeView) -> None:
+    view = make_view("letter-f", 412, 670)
+    line = view.drawing._leaders["near"].actor
+    for projection in (CROWDED[8], with_lens(near=1.0, far=1.0 + 1e-12)):
+        view.drawing.show_projection(projection)
+        view.drawing.reset_view()
+        image = view.pixels()
+    assert line.GetVisibility()
+    start, end = (np.array(line.GetMapper().GetInput().GetPoint(i)[:2]) for i in (0, 1))
+    lit = 0
+    box = next(b for text, b in view.label_boxes().items() if text.startswith("near"))
+    for part in np.linspace(0.2, 0.9, 15):
+        x, y = start + part * (end - start)
+        if from_box(np.array((x, y)), box) < 2.0:
+            continue
+        column, row = int(x), int(670 - y)
+        around = image[row - 2 : row + 3, column - 2 : column + 3]
+        assert (around == to_bytes(LIGHT.near)).all(axis=-1).any(), part
+        lit += 1
+    assert lit > 3
+    view.drawing.show_projection(with_lens(near=4.0))
+    view.drawing.reset_view()
+    assert not line.GetVisibility()
 
 
 # --------------------------------------------------------------------------- behaviour

@@ -29,12 +29,13 @@ from itertools import islice
 from typing import Any, NamedTuple
 
 import numpy as np
-from vtkmodules.vtkCommonDataModel import vtkPlane
-from vtkmodules.vtkRenderingCore import vtkActor
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPlane, vtkPolyData
+from vtkmodules.vtkRenderingCore import vtkActor, vtkActor2D, vtkPolyDataMapper2D
 
 from app.drawings import actors
 from app.drawings.actors import Canvas, Label, Space
-from app.drawings.style import Style
+from app.drawings.style import Style, rgb
 from app.projection import Array, Camera, Lens, Perspective, Projection
 from app.scene import Scene
 
@@ -56,24 +57,34 @@ _NEAREST = 0.02  # of the pane camera's focal distance: what is nearer is cut
 _LEAST_PICTURE_PX = 1.5
 _BODY = 0.065  # size of the camera's body, of the scene's size and distance
 
+# The corners of a box round the camera's body, in view space and sizes of the body.
+_BODY_BOX = actors.CUBE_CORNERS * (0.6, 0.58, 0.7) + (0.0, 0.16, 0.7)
+
 # The cube of the reversed range: near face at z = 1, far face at z = 0.
 _CUBE = actors.CUBE_CORNERS * (1.0, 1.0, -0.5) + (0.0, 0.0, 0.5)
 _NEAR_FACE, _FAR_FACE = (0, 1, 2, 3), (4, 5, 6, 7)
 _SIDES = tuple((i, (i + 1) % 4, (i + 1) % 4 + 4, i + 4) for i in range(4))
 
-# Where the planes' labels can be, best first: corners, middles of edges, within.
-_NEAR_LABEL_AT = np.array([(x, y, 1) for x, y in ((-1, -1), (-1, 1), (1, -1), (1, 1))])
+# Where the planes' labels can be, best first: corners, then middles of edges.
+_NEAR_LABEL_AT = np.array(
+    [(x, y, 1) for x, y in ((-1, -1), (-1, 1), (1, -1), (1, 1), (0, -1), (-1, 0), (0, 1), (1, 0))]
+)
 _FAR_LABEL_AT = np.array(
     [(x, y, 0) for x, y in ((-1, 1), (1, 1), (-1, -1), (1, -1), (0, 1), (-1, 0), (1, 0), (0, -1))]
-    + [(x, y, 0) for r in (0.5, 0.2, 0.1, 0.05) for x, y in ((-r, r), (r, r), (-r, -r), (r, -r))]
 )
 
 # On which sides of their points labels can be, best first: right and up, in half labels.
 _ON = ((0.0, 0.0), (0.0, 1.0), (0.0, -1.0), (1.0, 0.0), (-1.0, 0.0))
-_ABOVE = ((0.0, 1.0), (0.0, -1.0))
 _BELOW = ((0.3, -1.0), (1.0, -1.0), (-1.0, -1.0), (0.0, 1.0), (1.0, 1.0), (-1.0, 1.0))
-_LEFT_BELOW = ((-1.0, -1.0), (1.0, -1.0), (-1.0, 1.0), (1.0, 1.0), (-1.0, -3.0), (1.0, -3.0))
 _RIGHT_BELOW = ((1.0, -0.6), (-1.0, -0.6), (0.0, -1.0), (0.0, 1.0), (1.0, 1.0), (-1.0, 1.0))
+_BELOW_PLANE = (
+    (-1.0, -1.0), (0.0, -1.0), (1.0, -1.0), (-1.0, 0.0), (1.0, 0.0), (-1.0, 1.0), (0.0, 1.0),
+    (1.0, 1.0),
+)  # fmt: skip
+_ABOVE_PLANE = tuple((x, -y) for x, y in (_BELOW_PLANE[1:3] + _BELOW_PLANE[:1] + _BELOW_PLANE[3:]))
+_GAPS_EM = (0.5, 1.6, 3.0, 5.0, 8.0, 12.0)  # between a label and its point, best first
+_LEADER_FROM_EM = 1.2  # a label as far from its point is joined to it by a line
+_OTHER_PLANE_EM = 2.0  # as far is each plane's label from the other one's corners
 
 # The axes' tips in view space, in sizes of the body; their letters stand beyond them.
 _AXES = {"v": (0.0, 1.7, 0.0), "n": (0.0, 0.0, 2.5), "u": (1.7, 0.0, 0.0)}
@@ -171,6 +182,11 @@ class WorldDrawing:
     def _build_camera(self) -> None:
         style, words, add = self._style, self._words, self._canvas.add
         width = style.line_width
+        # The leaders before all labels, whose plates hide the ends.
+        self._leaders = {
+            name: _Leader(getattr(style, name), width) for name in ("eye", "target", "near", "far")
+        }
+        add(*(leader.actor for leader in self._leaders.values()))
         self._camera_space, self._axes_space, self._sight_space = Space(), Space(), Space()
         self._eye_space, self._target_space, self._rim_space = Space(), Space(), Space()
 
@@ -316,19 +332,27 @@ class WorldDrawing:
         self._far_label.set_text(far)
         frame = self._projection.camera.frame
         tips = self._eye + (_TIPS * self._body_size) @ frame
-        near_at = _applied(self._frustum, _NEAR_LABEL_AT)
-        far_at = _applied(self._frustum, _FAR_LABEL_AT)
-        layout = _Layout(self._canvas, self._pane)
-        (eye, target, *axes), near_seen, far_seen = layout.seen(
-            np.concatenate([[self._eye, self._target], tips]), near_at, far_at
+        body = _applied(self._local_from_body, _BODY_BOX)
+        layout, leaders = _Layout(self._canvas, self._pane), self._leaders
+        (eye, target, *axes), body_seen, near_seen, far_seen = layout.seen(
+            np.concatenate([[self._eye, self._target], tips]),
+            body,
+            _applied(self._frustum, _NEAR_LABEL_AT),
+            _applied(self._frustum, _FAR_LABEL_AT),
         )
         layout.keep_free([eye, target])
         for i, (name, label) in enumerate(zip(_AXES, self._axis_labels, strict=True)):
-            layout.place(label, words[name], axes[i::3], _ON)
-        layout.place(self._target_label, words["target"], [target], _RIGHT_BELOW)
-        layout.place(self._eye_label, words["eye"], [eye], _BELOW)
-        layout.place(self._near_label, near, near_seen, _LEFT_BELOW)
-        layout.place(self._far_label, far, far_seen, _ABOVE)
+            layout.place(label, words[name], axes[i::3], _ON, gaps=1)
+        layout.place(
+            self._target_label, words["target"], [target], _RIGHT_BELOW, leaders["target"], gaps=3
+        )
+        layout.place(self._eye_label, words["eye"], [eye], _BELOW, leaders["eye"], gaps=3)
+        layout.keep_free_box(body_seen)
+        for label, text, seen, sides, leader, others in (
+            (self._near_label, near, near_seen, _BELOW_PLANE, leaders["near"], far_seen),
+            (self._far_label, far, far_seen, _ABOVE_PLANE, leaders["far"], near_seen),
+        ):
+            layout.place(label, text, seen, sides, leader, apart_from=others[:4])
 
     def _place_picture(self) -> None:
         """The scene, flattened onto the near plane, and the planes of the picture's window."""
@@ -580,14 +604,24 @@ class _Layout:
         half = 0.4 * self._em
         self._taken += [(x - half, y - half, x + half, y + half) for x, y, _ in points]
 
+    def keep_free_box(self, points: Sequence[tuple[float, float, float]]) -> None:
+        """Let no label hide what is drawn between these `seen` points."""
+        x, y, depth = zip(*points, strict=True)
+        if min(depth) > 0.0:
+            self._taken.append((min(x), min(y), max(x), max(y)))
+
     def place(
         self,
         label: Label,
         text: str,
         points: Sequence[tuple[float, float, float]],
         sides: Sequence[tuple[float, float]],
+        leader: _Leader | None = None,
+        *,
+        gaps: int = len(_GAPS_EM),
+        apart_from: Sequence[tuple[float, float, float]] = (),
     ) -> None:
-        """Put a label beside the first of these points, and on its first side, that is free.
+        """Put a label as near as can be to one of these points, where it hides no other one.
 
         Parameters
         ----------
@@ -596,41 +630,105 @@ class _Layout:
         text : str
             What is written on it.
         points : sequence of (float, float, float)
-            As `seen`.
+            As `seen`, best first.
         sides : sequence of (float, float)
-            Where the label's box is from the point: -1 to the left of or below, 1 to the right
-            of or above, 0 on it.
+            Where the label's box is from the point, best first: -1 to the left of or below, 1 to
+            the right of or above, 0 on it.
+        leader : _Leader, optional
+            Joins the label to its point if they are far apart.
+        gaps : int
+            How many of `_GAPS_EM` to try.
+        apart_from : sequence of (float, float, float)
+            What the label must not seem to belong to, as `seen`.
         """
-        half_x, half_y = 0.33 * self._em * (len(text) + 2.2), 0.72 * self._em
-        away_x, away_y = half_x + 0.5 * self._em, half_y + 0.5 * self._em
-        width_px, height_px = self._size_px
-        second_best: tuple[float, float, float] | None = None
-        for at_x, at_y, depth in points:
-            for side_x, side_y in sides if depth > 0.0 else ():
-                x, y = at_x + side_x * away_x, at_y + side_y * away_y
-                low_x, low_y, high_x, high_y = x - half_x, y - half_y, x + half_x, y + half_y
-                if low_x < 0.0 or low_y < 0.0 or high_x > width_px or high_y > height_px:
-                    continue
-                if second_best is None:
-                    second_best = x, y, depth
-                if not any(
-                    low_x < b[2] and high_x > b[0] and low_y < b[3] and high_y > b[1]
-                    for b in self._taken
-                ):
-                    self._taken.append((low_x, low_y, high_x, high_y))
-                    self._put(label, x, y, depth)
-                    return
-        if second_best is None:
-            label.set_visible(False)
-        else:
-            self._put(label, *second_best)
+        em = self._em
+        half = em * np.array([0.26 * (len(text) + 2) + 0.15, 0.72])  # as DejaVu Sans is wide
+        at = np.array([p for p in points if p[2] > 0.0], dtype=np.float64).reshape(-1, 3)
+        if leader is not None:  # which must not point out of the pane
+            at = at[((at[:, :2] >= 0.0) & (at[:, :2] <= self._size_px)).all(axis=1)]
+        taken = np.array(self._taken).reshape(-1, 4)
+        others = np.array([p[:2] for p in apart_from if p[2] > 0.0]).reshape(-1, 2)
+        second_best: tuple[Array, Array] | None = None
+        for gap in _GAPS_EM[:gaps] if len(at) else ():
+            centres = (at[:, None, :2] + np.array(sides) * (half + gap * em)).reshape(-1, 2)
+            anchors = np.repeat(at, len(sides), axis=0)
+            low, high = centres - half, centres + half
+            possible: Any = ((low >= 0.0) & (high <= self._size_px)).all(axis=1)
+            if len(others):
+                nearest = np.clip(others, low[:, None], high[:, None]) - others
+                apart = np.hypot(nearest[..., 0], nearest[..., 1]).min(axis=1)
+                possible &= apart >= _OTHER_PLANE_EM * em
+            hidden = (low[:, None] < taken[:, 2:]) & (high[:, None] > taken[:, :2])
+            free: Any = possible & ~np.logical_or.reduce(hidden.all(axis=2), axis=1)
+            if leader is not None and gap > _LEADER_FROM_EM:  # it must not seem another's
+                starts = anchors[:, :2]
+                ends = np.clip(starts, low, high)
+                on = (starts + np.array([[[0.4]], [[0.7]]]) * (ends - starts))[:, :, None]
+                crossing = ((on > taken[:, :2]) & (on < taken[:, 2:])).all(axis=3)
+                free &= ~np.logical_or.reduce(crossing, axis=(0, 2))
+            best = int(free.argmax())
+            if free[best]:
+                self._taken.append((*low[best].tolist(), *high[best].tolist()))
+                self._put(label, leader, anchors[best], centres[best], half)
+                return
+            first = int(possible.argmax())
+            if second_best is None and possible[first]:
+                second_best = anchors[first], centres[first]
+        if second_best is not None:
+            self._put(label, leader, *second_best, half)
+            return
+        label.set_visible(False)
+        if leader is not None:
+            leader.actor.SetVisibility(False)
 
-    def _put(self, label: Label, x_px: float, y_px: float, depth: float) -> None:
-        width_px, height_px = self._size_px
+    def _put(
+        self, label: Label, leader: _Leader | None, anchor: Array, centre: Array, half: Array
+    ) -> None:
+        (width_px, height_px), depth = self._size_px, float(anchor[2])
         unit = 2.0 * self._pane.slope * depth / height_px
-        across, up = (x_px - width_px / 2.0) * unit, (y_px - height_px / 2.0) * unit
+        across, up = (centre - (width_px / 2.0, height_px / 2.0)) * unit
         label.set_position(self._pane.eye + np.array([across, up, depth]) @ self._pane.axes)
         label.set_visible(True)
+        if leader is not None:
+            end = np.clip(anchor[:2], centre - half, centre + half)
+            apart = math.dist(end, anchor[:2]) > _LEADER_FROM_EM * self._em
+            leader.actor.SetVisibility(apart)
+            if apart:  # the plate is a little smaller than the box that is kept free for it
+                leader.join(anchor, np.clip(end, centre - 0.7 * half, centre + 0.7 * half))
+
+
+class _Leader:
+    """A thin line in the plane of the screen, from a label to what it names.
+
+    Parameters
+    ----------
+    colour : str
+        Of the label's plate.
+    width : float
+        Pixels.
+    """
+
+    def __init__(self, colour: str, width: float) -> None:
+        self._points = vtkPoints()
+        self._points.SetNumberOfPoints(2)
+        cells = vtkCellArray()
+        cells.InsertNextCell(2, (0, 1))
+        line = vtkPolyData()
+        line.SetPoints(self._points)
+        line.SetLines(cells)
+        mapper = vtkPolyDataMapper2D()
+        mapper.SetInputData(line)
+        self.actor = vtkActor2D()
+        self.actor.SetMapper(mapper)
+        self.actor.GetProperty().SetColor(*rgb(colour))
+        self.actor.GetProperty().SetLineWidth(width)
+        self.actor.SetVisibility(False)
+
+    def join(self, start_px: Array, end_px: Array) -> None:
+        """Draw it between two pixels, counted from the left and from the bottom."""
+        for i, (x, y) in enumerate((start_px[:2], end_px[:2])):
+            self._points.SetPoint(i, x, y, 0.0)
+        self._points.Modified()
 
 
 class Film(NamedTuple):
