@@ -44,6 +44,7 @@ SLAB = 0.005
 
 _BEYOND = 1.3  # how far the frustum is drawn, of the depth of what is looked at
 _BREAK = 0.8  # of the reach: where a break begins
+_STROKES_AT = 0.38  # of a broken edge
 _MARGIN = 0.02  # of the scene's depth, kept free at both ends of the slab
 _LINES_IN_FRONT = 0.01  # of the slab: a face must not eat its own edges
 _LINES_LIFT = 2e-3  # of the distance from the pane's camera, for the same reason
@@ -218,7 +219,6 @@ class WorldDrawing:
         style = self._style
         width = style.line_width
         self._frustum_space, self._body_space, self._apex_space = Space(), Space(), Space()
-        self._break_spaces = {"near": Space(), "far": Space()}
 
         def outline(face: tuple[int, ...], colour: str) -> vtkActor:
             return actors.line_actor(_CUBE, [(*face, face[0])], colour, 2.0 * width)
@@ -236,12 +236,16 @@ class WorldDrawing:
             apex, [(0, i) for i in range(1, 5)], style.frustum, 0.8 * width
         )
         self._apex_space.add(self._apex)
-        self._breaks = {}
-        for name, space in self._break_spaces.items():
-            self._breaks[name] = actors.line_actor(*_broken_edges(), style.ink, 1.4 * width)
-            space.add(self._breaks[name])
+        self._breaks: dict[str, list[tuple[Space, vtkActor]]] = {"near": [], "far": []}
+        self._break_ends: dict[str, Array] = {}
+        for broken_edges in self._breaks.values():
+            for _ in range(4):
+                edge = actors.line_actor(*_broken_edge(), style.frustum, 1.4 * width)
+                broken_edges.append((Space(), edge))
+                broken_edges[-1][0].add(edge)
+        broken = [edge for edges in self._breaks.values() for _, edge in edges]
         self._canvas.add(
-            near_line, far_line, self._body, self._apex, *self._breaks.values(),
+            near_line, far_line, self._body, self._apex, *broken,
             far_face, sides, near_face,
         )  # fmt: skip
         self._near_label = self._canvas.label("", plate=style.near)
@@ -284,9 +288,11 @@ class WorldDrawing:
         if start < end:
             self._body_space.set(self._local_from_cube(start, end))
         for name, broken in (("near", reach.near_break), ("far", reach.far_break)):
-            self._breaks[name].SetVisibility(broken is not None)
+            for _, edge in self._breaks[name]:
+                edge.SetVisibility(broken is not None)
+            self._break_ends.pop(name, None)
             if broken is not None:
-                self._break_spaces[name].set(self._local_from_cube(*broken))
+                self._break_ends[name] = _applied(self._local_from_cube(*broken), _CUBE)
         self._apex.SetVisibility(lens.kind == "perspective")
         if lens.kind == "perspective":
             base = frustum
@@ -381,6 +387,30 @@ class WorldDrawing:
         for plane, (*normal, offset) in zip(self._window_planes, film.planes.tolist(), strict=True):
             plane.SetNormal(normal)
             plane.SetOrigin([-offset * part for part in normal])
+
+    def _place_breaks(self) -> None:
+        """Turn the strokes of each broken edge until they cross it in the plane of the screen."""
+        pane, em = self._pane, self._canvas.style.font_size
+        height_px = max(1, self._canvas.window.GetSize()[1])
+        for name, ends in self._break_ends.items():
+            starts, along = ends[:4], ends[4:] - ends[:4]
+            x, y, depth = pane.axes @ (starts + _STROKES_AT * along - pane.eye).T
+            depth = np.maximum(np.abs(depth), 1e-9 * self._extent)
+            unit = 2.0 * pane.slope * depth / height_px  # the world's size of a pixel there
+            right, up, away = pane.axes @ along.T
+            right, up = right - x * away / depth, up - y * away / depth
+            length = np.hypot(right, up)
+            turned = length > 1e-3 * unit
+            right = np.where(turned, right / np.where(turned, length, 1.0), 1.0)
+            up = np.where(turned, up / np.where(turned, length, 1.0), 0.0)
+            size = unit * em * np.clip(length / (2.5 * em * unit), 0.65, 1.0)
+            on = np.stack([right, up], axis=1) @ pane.axes[:2] * size[:, None]
+            across = np.stack([-up, right], axis=1) @ pane.axes[:2] * size[:, None]
+            matrices = np.zeros((4, 4, 4))
+            matrices[:, :3] = np.stack([along, across, on, starts], axis=2)
+            matrices[:, 3, 3] = 1.0
+            for (space, _), matrix in zip(self._breaks[name], matrices, strict=True):
+                space.set(matrix)
 
     # -- the pane's own camera
 
@@ -522,6 +552,7 @@ class WorldDrawing:
         """All that depends on the model and on where the pane's camera stands."""
         self._place_labels()
         self._place_picture()
+        self._place_breaks()
         camera, toward = self._own_camera, self._pane.axes[2]
         points = np.concatenate([self._everything, self._around_body(), self._corners])
         depths = (points - self._pane.eye) @ toward
@@ -906,26 +937,22 @@ def _arrow(tip: Array, colour: str, width: float) -> tuple[vtkActor, vtkActor]:
     return shaft, actors.face_actor(np.vstack([tip, ring]), faces, colour)
 
 
-def _broken_edges() -> tuple[Array, list[tuple[int, ...]]]:
-    """The four edges of the cube from near to far, dashed, with a zigzag where they are broken.
+def _broken_edge() -> tuple[Array, list[tuple[int, ...]]]:
+    """An edge with two strokes across, and dashed from there: ``--- / / - - -``.
 
     Returns
     -------
     points : (n, 3) array
+        How far along the edge, 0..1, and by how many em of the screen across and along it.
     lines : list of tuples of int
     """
-    dashes = [(0.0, 0.12), (0.56, 0.68), (0.78, 0.9)]
-    zigzag = [(0.12, 0.0), (0.17, 1.0), (0.25, -1.0), (0.33, 1.0), (0.41, -1.0), (0.46, 0.0)]
-    points: list[tuple[float, float, float]] = []
-    lines: list[tuple[int, ...]] = []
-    for x, y, _ in _CUBE[:4]:
-        for strokes in ([(t, 0.0) for t in dash] for dash in dashes):
-            lines.append((len(points), len(points) + 1))
-            points += [(x, y, 1.0 - t) for t, _ in strokes]
-        lines.append(tuple(range(len(points), len(points) + len(zigzag))))
-        for t, across in zigzag:
-            points.append((x * (1.0 + 0.02 * across), y * (1.0 + 0.08 * across), 1.0 - t))
-    return np.array(points), lines
+    at, gap, half, slant = _STROKES_AT, 0.21, 0.5, 0.17
+    strokes = [((at, -half, z - slant), (at, half, z + slant)) for z in (-gap, gap)]
+    dashes = [((at, 0.0, gap), (0.56, 0.0, 0.0))]
+    dashes += [((a, 0.0, 0.0), (b, 0.0, 0.0)) for a, b in ((0.68, 0.8), (0.9, 1.0))]
+    pieces = [((0.0, 0.0, 0.0), (at, 0.0, -gap)), *strokes, *dashes]
+    points = np.array([end for piece in pieces for end in piece])
+    return points, [(i, i + 1) for i in range(0, len(points), 2)]
 
 
 def _distance(value: float) -> str:
