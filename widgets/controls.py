@@ -11,7 +11,7 @@ but several such pairs. What is folded is neither read nor written until it is o
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from typing import Any, Literal, TypeAlias
@@ -49,6 +49,7 @@ from widgets.rows import Choice, ChoiceRow, Linear, Log, NumberRow, Row, Scale, 
 Read: TypeAlias = Callable[[Projection], Any]
 Write: TypeAlias = Callable[[Projection, Any], Projection]
 Part: TypeAlias = Literal["lens", "camera", "image_size", "depth"]
+PARTS: tuple[Part, ...] = ("lens", "camera", "image_size", "depth")
 
 RIGHT_MARGIN_PX = 4
 ASPECTS = {"1:1": (1, 1), "4:3": (4, 3), "16:9": (16, 9)}
@@ -202,12 +203,17 @@ class Controls(QScrollArea):
         if projection is before or projection == before:
             return
         self._projection = projection
+        changed = {
+            part for part in PARTS if getattr(projection, part) != getattr(before, part)
+        }
         for binding in self._bindings.values():
-            if getattr(projection, binding.part) != getattr(before, binding.part):
+            if binding.part in changed:
                 binding.row.clear_error()
         if projection.lens.kind != before.lens.kind:
             self._fit_lens_rows()
-        self._show_rows()
+        if "image_size" in changed:
+            changed.add("lens")  # two of its three angles have the aspect in them
+        self._show_rows(changed)
         self.animation.show_camera(projection.camera)
 
     def set_scene(self, size: float, defaults: Projection) -> None:
@@ -575,9 +581,12 @@ class Controls(QScrollArea):
             return (key in Orbit._fields) == orbits
         return True
 
-    def _show_rows(self) -> None:
+    def _show_rows(self, parts: Collection[str] = PARTS) -> None:
+        """Show the rows of these parts of the projection, of those that are in use and unfolded."""
         sections = {"image_size": "image"}
         for key, binding in self._bindings.items():
+            if binding.part not in parts:
+                continue
             in_use = self._in_use(key)
             if binding.row.isHidden() == in_use:
                 binding.row.setVisible(in_use)
