@@ -20,7 +20,7 @@ from vtkmodules.vtkRenderingCore import vtkCamera, vtkTextActor
 
 from app.drawings import WORDS
 from app.drawings.style import DARK, LIGHT, Style, rgb
-from app.drawings.world import SLAB, WorldDrawing, flatten
+from app.drawings.world import _SAMPLES, SLAB, WorldDrawing, _Layout, flatten
 from app.projection import (
     DEPTH_RANGES,
     PLANES,
@@ -631,6 +631,55 @@ def test_a_leader_lights_its_pixels_and_goes_when_it_is_not_needed(make_view: Ma
     view.drawing.show_projection(with_lens(near=4.0))
     view.drawing.reset_view()
     assert not line.GetVisibility()
+
+
+@pytest.mark.parametrize("style", [LIGHT, DARK])
+def test_a_plane_that_covers_the_pane_does_not_flood_it(make_view: MakeView, style: Style) -> None:
+    """Its tint is nearly gone, its label is not; a plane that is seen whole keeps its tint."""
+    view = make_view("letter-f", 412, 670, style)
+    view.drawing.show_projection(with_lens(fov_y_deg=179.0))
+    view.drawing.reset_view()
+    image = view.pixels().astype(int)
+    colour = np.array([np.median(image[..., channel]) for channel in range(3)])
+    off = np.abs(colour - to_bytes(style.background)).max()
+    assert 2 < off < 30
+    assert {"near 1", "far 30"} <= set(view.labels())
+    boxes = view.label_boxes()
+    for name in ("near 1", "far 30"):
+        left, bottom, right, top = boxes[name]
+        assert left >= 0 and bottom >= 0 and right <= 412 and top <= 670
+    view.drawing.show_projection(with_lens(near=8.0, far=15.0))
+    view.drawing.reset_view()
+    assert [tint.GetProperty().GetOpacity() for tint, _ in view.drawing._tints] == [0.3, 0.16]
+
+
+def test_what_a_plane_covers_of_the_pane_is_what_is_painted(make_view: MakeView) -> None:
+    view = make_view("letter-f", 400, 300)
+    checked = 0
+    for projection in random_projections(40, seed=9):
+        view.drawing.show_projection(projection)
+        view.drawing.reset_view()
+        view.hide_labels()
+        pane = view.drawing._pane
+        turned_away = pane._replace(axes=pane.axes * [[-1.0], [1.0], [-1.0]])
+        for corners in np.split(view.drawing._corners, 2):
+            assert _Layout(view.drawing._canvas, turned_away).covered(corners) == []
+        layout = _Layout(view.drawing._canvas, pane)
+        for tint, corners in zip(
+            view.drawing._tints, np.split(view.drawing._corners, 2), strict=True
+        ):
+            for actor in view.plotter.renderer.GetActors():
+                actor.SetVisibility(actor is tint[0])
+            tint[0].GetProperty().SetOpacity(1.0)
+            painted = (view.pixels() != to_bytes(LIGHT.background)).any(axis=-1)
+            covered = {(round(x), round(y)) for x, y, _ in layout.covered(corners)}
+            for x, y in (_SAMPLES + 1.0) / 2.0 * (400, 300):
+                column, row = int(x), int(300 - y)
+                around = painted[max(0, row - 2) : row + 3, max(0, column - 2) : column + 3]
+                if around.all() or not around.any():
+                    assert around.all() == ((round(x), round(y)) in covered), projection
+                    checked += int(around.all())
+    assert checked > 200
 
 
 # --------------------------------------------------------------------------- behaviour

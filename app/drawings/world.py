@@ -56,6 +56,8 @@ _SHRUNK = 0.4  # of the pane: what fills less of it is brought nearer by `refit`
 _WHOLE, _NEARBY = 3.0, 1.1  # of the extent: a frustum that is framed whole; else only so far
 _NEAREST = 0.02  # of the pane camera's focal distance: what is nearer is cut
 _LEAST_PICTURE_PX = 1.5
+_NEAR_TINT, _FAR_TINT = 0.3, 0.16  # opacities
+_FADE_FROM, _FADED = 0.6, 0.15  # of the pane under a plane; of the tint when it is all of it
 _BODY = 0.065  # size of the camera's body, of the scene's size and distance
 
 # The corners of a box round the camera's body, in view space and sizes of the body.
@@ -73,6 +75,11 @@ _NEAR_LABEL_AT = np.array(
 _FAR_LABEL_AT = np.array(
     [(x, y, 0) for x, y in ((-1, 1), (1, 1), (-1, -1), (1, -1), (0, 1), (-1, 0), (1, 0), (0, -1))]
 )
+
+# Where in the pane a plane is looked for, from -1 to 1; what is near the bottom left first.
+_SAMPLES = np.array([(x, y) for y in range(-4, 5) for x in range(-4, 5)]) * (2.0 / 9.0)
+_ONES = np.ones(len(_SAMPLES))
+_YZX, _ZXY = [1, 2, 0], [2, 0, 1]
 
 # On which sides of their points labels can be, best first: right and up, in half labels.
 _ON = ((0.0, 0.0), (0.0, 1.0), (0.0, -1.0), (1.0, 0.0), (-1.0, 0.0))
@@ -223,11 +230,12 @@ class WorldDrawing:
         def outline(face: tuple[int, ...], colour: str) -> vtkActor:
             return actors.line_actor(_CUBE, [(*face, face[0])], colour, 2.0 * width)
 
-        far_face = actors.face_actor(_CUBE, [_FAR_FACE], style.far, 0.16)
+        far_face = actors.face_actor(_CUBE, [_FAR_FACE], style.far, _FAR_TINT)
         sides = actors.face_actor(_CUBE, _SIDES, style.frustum, 0.05)
-        near_face = actors.face_actor(_CUBE, [_NEAR_FACE], style.near, 0.3)
+        near_face = actors.face_actor(_CUBE, [_NEAR_FACE], style.near, _NEAR_TINT)
         near_line, far_line = outline(_NEAR_FACE, style.near), outline(_FAR_FACE, style.far)
         self._frustum_space.add(far_face, sides, near_face, near_line, far_line)
+        self._tints = (near_face, _NEAR_TINT), (far_face, _FAR_TINT)
         edges = [(i, i + 4) for i in range(4)]
         self._body = actors.line_actor(_CUBE, edges, style.frustum, 1.4 * width)
         self._body_space.add(self._body)
@@ -354,11 +362,17 @@ class WorldDrawing:
         )
         layout.place(self._eye_label, words["eye"], [eye], _BELOW, leaders["eye"], gaps=3)
         layout.keep_free_box(body_seen)
-        for label, text, seen, sides, leader, others in (
-            (self._near_label, near, near_seen, _BELOW_PLANE, leaders["near"], far_seen),
-            (self._far_label, far, far_seen, _ABOVE_PLANE, leaders["far"], near_seen),
+        on_near, on_far = (layout.covered(face) for face in (self._corners[:4], self._corners[4:]))
+        for (tint, opacity), points in zip(self._tints, (on_near, on_far), strict=True):
+            flood = (len(points) / len(_SAMPLES) - _FADE_FROM) / (1.0 - _FADE_FROM)
+            tint.GetProperty().SetOpacity(opacity * (1.0 - (1.0 - _FADED) * max(0.0, flood)))
+        for label, text, seen, sides, leader, others, inside in (
+            (self._near_label, near, near_seen, _BELOW_PLANE, leaders["near"], far_seen, on_near),
+            (self._far_label, far, far_seen, _ABOVE_PLANE, leaders["far"], near_seen, on_far[::-1]),
         ):
-            layout.place(label, text, seen, sides, leader, apart_from=others[:4])
+            others = others[:4]
+            if not layout.place(label, text, seen, sides, leader, apart_from=others):
+                layout.place(label, text, inside, _ON[:1], gaps=1, apart_from=others)
 
     def _place_picture(self) -> None:
         """The scene, flattened onto the near plane, and the planes of the picture's window."""
@@ -630,6 +644,25 @@ class _Layout:
             found.append(list(islice(rows, len(group))))
         return found
 
+    def covered(self, face: Array) -> list[tuple[float, float, float]]:
+        """At which of `_SAMPLES` a parallelogram, (4, 3), is in front of the pane, as `seen`."""
+        middle = (face[0] + face[2]) / 2.0 - self._pane.eye
+        across, up = (face[1] - face[0]) / 2.0, (face[3] - face[0]) / 2.0
+        width_px, height_px = self._size_px
+        slope = self._pane.slope
+        rays = np.column_stack([_SAMPLES * (slope * width_px / height_px, slope), _ONES])
+        # Cramer's rule for depth * ray = middle + s across + t up.
+        spanned = np.stack([middle, across, up]) @ self._pane.axes.T
+        # Row i is the cross product of the other two; much faster than numpy's own of one pair.
+        after, before = spanned[_YZX], spanned[_ZXY]
+        adjugate = after[:, _YZX] * before[:, _ZXY] - after[:, _ZXY] * before[:, _YZX]
+        volume = float(spanned[0] @ adjugate[0])
+        facing, s, t = adjugate @ rays.T
+        largest = np.abs(facing)
+        on = (facing * volume > 0.0) & (np.abs(s) <= largest) & (np.abs(t) <= largest)
+        px = (_SAMPLES[on] + 1.0) / 2.0 * self._size_px
+        return list(map(tuple, np.column_stack([px, volume / facing[on]]).tolist()))
+
     def keep_free(self, points: Sequence[tuple[float, float, float]]) -> None:
         """Let no label hide what is drawn at these `seen` points."""
         half = 0.4 * self._em
@@ -651,7 +684,7 @@ class _Layout:
         *,
         gaps: int = len(_GAPS_EM),
         apart_from: Sequence[tuple[float, float, float]] = (),
-    ) -> None:
+    ) -> bool:
         """Put a label as near as can be to one of these points, where it hides no other one.
 
         Parameters
@@ -671,6 +704,11 @@ class _Layout:
             How many of `_GAPS_EM` to try.
         apart_from : sequence of (float, float, float)
             What the label must not seem to belong to, as `seen`.
+
+        Returns
+        -------
+        bool
+            Whether there was a place for it.
         """
         em = self._em
         half = em * np.array([0.26 * (len(text) + 2) + 0.15, 0.72])  # as DejaVu Sans is wide
@@ -701,16 +739,17 @@ class _Layout:
             if free[best]:
                 self._taken.append((*low[best].tolist(), *high[best].tolist()))
                 self._put(label, leader, anchors[best], centres[best], half)
-                return
+                return True
             first = int(possible.argmax())
             if second_best is None and possible[first]:
                 second_best = anchors[first], centres[first]
         if second_best is not None:
             self._put(label, leader, *second_best, half)
-            return
+            return True
         label.set_visible(False)
         if leader is not None:
             leader.actor.SetVisibility(False)
+        return False
 
     def _put(
         self, label: Label, leader: _Leader | None, anchor: Array, centre: Array, half: Array
