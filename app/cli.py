@@ -458,7 +458,8 @@ def _read_input(source: str) -> bytes:
 
 def _point(cells: list[str], where: str) -> tuple[float, float, float]:
     if len(cells) != 3:
-        raise CliError(f"{where}: has {len(cells)} columns, must have three: x,y,z.")
+        found = "1 column" if len(cells) == 1 else f"{len(cells)} columns"
+        raise CliError(f"{where}: has {found}, must have three: x,y,z.")
     values = []
     for name, cell in zip("xyz", cells, strict=True):
         try:

@@ -607,7 +607,8 @@ def _unknown_path(path: str, paths: list[str]) -> DocumentError:
         last = difflib.SequenceMatcher(
             None, shown.rpartition(".")[2], known.rpartition(".")[2]
         ).ratio()
-        return max(whole, last) + whole / 100.0
+        begun = known.rpartition(".")[2].startswith(shown.rpartition(".")[2])
+        return max(whole, last) + whole / 100.0 + begun
 
     return DocumentError(UNKNOWN, max(paths, key=likeness), field=shown)
 

@@ -30,6 +30,7 @@ from app.drawings.image import ImageDrawing
 from app.drawings.ndc import NdcDrawing
 from app.drawings.style import LIGHT, Style
 from app.drawings.world import WorldDrawing
+from app.meshes import Refusal
 from app.projection import LARGEST_IMAGE_PX, Camera, Projection
 from app.scene import Scene
 
@@ -65,34 +66,8 @@ SENTENCES = (NO_PANES, UNKNOWN_PANE, SCALE, WIDTH, HEIGHT, SCALED_WIDTH, SCALED_
 _SIDES = {"width": (WIDTH, SCALED_WIDTH), "height": (HEIGHT, SCALED_HEIGHT)}
 
 
-class FigureError(ValueError):
-    """A figure that cannot be made: one sentence that names the value and its bound.
-
-    Parameters
-    ----------
-    template : str
-        The sentence, with ``{0}``, ``{1}`` for its parts, so that it can be translated before
-        they are filled in. One of `SENTENCES`.
-    *parts : object
-        The parts themselves: names and numbers.
-    """
-
-    def __init__(self, template: str, *parts: object) -> None:
-        super().__init__(template, *parts)
-        self.template, self.parts = template, parts
-
-    def __str__(self) -> str:
-        return self.sentence()
-
-    def sentence(self, translate: Callable[[str], str] = str) -> str:
-        """The sentence.
-
-        Parameters
-        ----------
-        translate : callable
-            Turns one of `SENTENCES` into another language.
-        """
-        return translate(self.template).format(*self.parts)
+class FigureError(Refusal):
+    """A figure that cannot be made, with the value and its bound."""
 
 
 class FigureCancelled(Exception):

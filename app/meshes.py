@@ -142,14 +142,14 @@ SENTENCES = (
 """Every sentence of a `SceneError` about a file, for translators."""
 
 
-class SceneError(ValueError):
-    """One sentence that names the scene or the file, what is wrong with it, and what to do.
+class Refusal(ValueError):
+    """One sentence that names what was refused, what is wrong with it, and what to do.
 
     Parameters
     ----------
     template : str
         The sentence, with ``{0}``, ``{1}`` for its parts, so that it can be translated before
-        they are filled in. One of `SENTENCES`, here or in `app.scene`.
+        they are filled in. One of the room's `SENTENCES`.
     *parts : object
         The parts themselves: names and numbers.
     """
@@ -170,6 +170,10 @@ class SceneError(ValueError):
             Turns one of `SENTENCES` into another language.
         """
         return translate(self.template).format(*self.parts)
+
+
+class SceneError(Refusal):
+    """A scene or a mesh file that cannot be shown."""
 
 
 class SceneCancelled(Exception):

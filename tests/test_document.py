@@ -1129,3 +1129,7 @@ def test_a_wrong_view_is_named(views: str, found: str) -> None:
 
 def test_a_view_is_no_value_to_set() -> None:
     assert "is not known" in sentence(lambda: set_values(VIEWED, ["views=1"]))
+
+
+def test_the_beginning_of_a_name_is_nearest_to_the_whole() -> None:
+    assert "lens.fov_y_deg" in sentence(lambda: set_values(Document(), ["lens.fov=60"]))

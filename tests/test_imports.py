@@ -73,7 +73,8 @@ ROOMS = {
     "app/drawings/ndc.py": DRAWING,
     "app/drawings/image.py": DRAWING,
     "app/figures.py": Room(
-        ("numpy", "PIL", *VTK), ("app.projection", "app.scene", "app.drawings", "app.document")
+        ("numpy", "PIL", *VTK),
+        ("app.projection", "app.meshes", "app.scene", "app.drawings", "app.document"),
     ),
     "app/measure.py": Room(
         ("numpy", *VTK),
