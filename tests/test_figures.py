@@ -241,3 +241,21 @@ def test_a_png_brings_its_pixels_and_its_document_back(tmp_path: Path) -> None:
     plain = tmp_path / "plain.png"
     write_png(plain, pixels)
     assert b"frustum-lab" not in plain.read_bytes()
+
+
+def test_a_mesh_far_from_the_origin_is_drawn_as_cleanly_as_near_it(tmp_path: Path) -> None:
+    """In float32, whose step at 1e7 is 1, nothing would be left of this ball of radius 1/2."""
+    ball = pv.Sphere(theta_resolution=24, phi_resolution=24)
+    points = np.round(np.asarray(ball.points, dtype=np.float64) * 1024.0) / 1024.0
+    pictures = []
+    for offset in (64.0, 1e7):  # neither has the world's axes in its grid
+        lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in (points + offset).tolist()]
+        lines += ["f " + " ".join(map(str, face + 1)) for face in ball.regular_faces]
+        path = tmp_path / f"ball-{offset:g}.obj"
+        path.write_text("\n".join(lines) + "\n")
+        scene = load(str(path))
+        pictures.append(render(scene, scene.start, size=(600, 200)))
+    near, far = pictures
+    assert len(np.unique(near.reshape(-1, 3), axis=0)) > 50
+    # The eye itself is rounded to 2e-9 there: a pixel on an edge may round the other way.
+    assert (near != far).any(axis=2).mean() < 1e-3
