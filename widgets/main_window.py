@@ -52,6 +52,7 @@ from PySide6.QtWidgets import (
 
 from app import __version__
 from app.document import Document, DocumentError, to_json
+from app.drawings import WORDS
 from app.drawings.image import ImageDrawing
 from app.drawings.ndc import NdcDrawing
 from app.drawings.style import Style
@@ -409,17 +410,13 @@ class MainWindow(QMainWindow):
         return replace(document, views=self._views_now())
 
     def _words(self) -> dict[str, str]:
+        """The drawings' words in the window's language; the letters are the lectures'."""
         return {
+            **WORDS,
             "near": self.tr("near"),
             "far": self.tr("far"),
             "eye": self.tr("eye"),
             "target": self.tr("target"),
-            "u": "u",
-            "v": "v",
-            "n": "n",
-            "x": "x",
-            "y": "y",
-            "z": "z",
         }
 
     def _refine(self, smooth: bool) -> None:

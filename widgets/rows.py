@@ -15,6 +15,7 @@ from __future__ import annotations
 import html
 import math
 import re
+from abc import abstractmethod
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -404,9 +405,9 @@ class Row(QWidget):
         """The value shown."""
         return self._value
 
+    @abstractmethod
     def setValue(self, value: Any) -> None:
         """Show a value; never answered by a signal."""
-        raise NotImplementedError
 
     def setDefault(self, value: Any) -> None:
         """Set what a reset goes back to."""
@@ -467,12 +468,13 @@ class Row(QWidget):
         self.gesture_finished.emit()
         self._show_value()
 
+    @abstractmethod
     def _show_value(self) -> None:
-        raise NotImplementedError
+        """Bring the row's widgets to the value."""
 
+    @abstractmethod
     def _describe(self, error: str) -> None:
         """Tell a screen reader what is wrong."""
-        raise NotImplementedError
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape and self._error is not None:
