@@ -18,8 +18,12 @@ then the closed form of the lens. A concatenated matrix loses the digits that th
 point have in common (5e-5 px at 1e9 from the origin, against 3e-13 px here); it is still made,
 because it is what a GPU is given and what the lectures write.
 
+Where a lens stretches the rounding of the dot products (a field of view near 0 or 180 degrees,
+a parallel camera far from its small window), they are taken with twice the digits.
+
 The letters u, v, n, the look-at and the view matrix are those of lecture 004 (Horvat); the
-perspective matrix is equation (13) of lecture 000.
+perspective matrix is equation (13) of lecture 000, the oblique one P_ort H of lecture 002, the
+canonical volumes and the matrices M_pp and M_z between them those of lecture 001.
 """
 
 from __future__ import annotations
@@ -33,6 +37,9 @@ from typing import Any, ClassVar, Literal, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+
+from app import double_double as dd
+from app.double_double import DoubleDouble
 
 Vector: TypeAlias = tuple[float, float, float]
 Array: TypeAlias = NDArray[np.float64]
@@ -55,6 +62,10 @@ SMALLEST = 1e-205
 """Smallest near distance, and smallest extent of a window or a depth range."""
 LARGEST_IMAGE_PX = 16384
 """Largest image side, the texture limit that every current OpenGL driver offers."""
+SMALLEST_FIELD = 1e-100
+"""Smallest field of view in degrees, and smallest window in units of its distance."""
+LARGEST_SHEAR = 1e6
+"""Largest cotangent of an oblique lens' angles; theirs start at 5.8e-5 degrees."""
 SMALLEST_UP_ANGLE = 1e-15
 """Least angle in radians between up and the view direction.
 
@@ -64,6 +75,7 @@ the frame would be made of their rounding errors.
 
 _SHOWN = 100
 _FULL_FRAME_DIAGONAL_MM = math.hypot(36.0, 24.0)
+_STRETCH = 8.0  # `Projection.stretch` up to which plain dot products keep 2e-12 px of 1920
 _CHUNK = 16384  # larger blocks wake OpenBLAS's second thread, which fights a software renderer
 
 
@@ -102,11 +114,14 @@ NOT_ZERO = "must not be the zero vector"
 NOT_PARALLEL = "must not be parallel to the view direction"
 WHOLE_PIXELS = "must be a whole number of pixels from 1 to {0}"
 ONE_OF = "must be one of {0}"
+FAR_BEYOND_NEAR = "must be greater than near, which is {0}"
 DISTINCT = "is too close to {0} for float64 to tell apart"
+WIDER = "is too close to {0} for a plane as far from the eye as near is"
+NO_POINT = "is at infinity, where there is no point but a direction"
 BOUNDS = (
     FINITE_NUMBER, ABOVE, AT_LEAST, AT_MOST, BETWEEN, NEAR_BEFORE_FAR, LEFT_BEFORE_RIGHT,
     BOTTOM_BEFORE_TOP, THREE_NUMBERS, NOT_THE_EYE, NOT_ZERO, NOT_PARALLEL, WHOLE_PIXELS, ONE_OF,
-    DISTINCT,
+    FAR_BEYOND_NEAR, DISTINCT, WIDER, NO_POINT,
 )  # fmt: skip
 """Every sentence a `ProjectionError` can end with, for translators."""
 
@@ -178,15 +193,24 @@ def _vector(field: str, value: Any) -> Vector:
     return x, y, z
 
 
-def _exact(vector: Vector) -> tuple[Fraction, ...]:
-    return tuple(map(Fraction, vector))
+Whole: TypeAlias = tuple[int, int, int]
 
 
-def _dot(a: tuple[Fraction, ...], b: tuple[Fraction, ...]) -> Fraction:
-    return sum((p * q for p, q in zip(a, b, strict=True)), Fraction(0))
+def _whole(*vectors: Vector) -> list[Whole]:
+    """Float64 vectors as whole numbers of one common, very small unit: exact."""
+    ratios = [[part.as_integer_ratio() for part in vector] for vector in vectors]
+    unit = max(below for vector in ratios for _, below in vector)  # they are all powers of two
+    return [
+        tuple(above * (unit // below) for above, below in vector)  # type: ignore[misc]
+        for vector in ratios
+    ]
 
 
-def _cross(a: tuple[Fraction, ...], b: tuple[Fraction, ...]) -> tuple[Fraction, ...]:
+def _dot(a: Whole, b: Whole) -> int:
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def _cross(a: Whole, b: Whole) -> Whole:
     return (
         a[1] * b[2] - a[2] * b[1],
         a[2] * b[0] - a[0] * b[2],
@@ -194,12 +218,15 @@ def _cross(a: tuple[Fraction, ...], b: tuple[Fraction, ...]) -> tuple[Fraction, 
     )
 
 
-def _unit(exact: tuple[Fraction, ...]) -> Vector:
-    """The direction of an exact vector, each component within 2 ulp whatever its length."""
-    largest = max(map(abs, exact))
-    x, y, z = (float(part / largest) for part in exact)
-    length = math.hypot(x, y, z)
-    return x / length, y / length, z / length
+def _unit(exact: Whole) -> tuple[Fraction, ...]:
+    """The direction of an exact vector, each component to `double_double.BITS` bits."""
+    square = _dot(exact, exact)
+    unit = []
+    for part in exact:
+        shift = dd.BITS + square.bit_length() // 2 - part.bit_length() + 1
+        size = math.isqrt((part * part << 2 * shift) // square)
+        unit.append(Fraction(size if part >= 0 else -size, 1 << shift))
+    return tuple(unit)
 
 
 def _cos_sin_deg(angle_deg: float) -> tuple[float, float]:
@@ -276,30 +303,32 @@ class Camera:
         if self.up == (0.0, 0.0, 0.0):
             raise ProjectionError("up", self.up, NOT_ZERO)
         backward, right = self._exact_axes
-        sin_squared = _dot(right, right) / (
-            _dot(backward, backward) * _dot(_exact(self.up), _exact(self.up))
-        )
+        up = _whole(self.up)[0]
+        sin_squared = Fraction(_dot(right, right), _dot(backward, backward) * _dot(up, up))
         if sin_squared < Fraction(SMALLEST_UP_ANGLE) ** 2:
             raise ProjectionError("up", self.up, NOT_PARALLEL)
 
     @cached_property
-    def _exact_axes(self) -> tuple[tuple[Fraction, ...], tuple[Fraction, ...]]:
+    def _exact_axes(self) -> tuple[Whole, Whole]:
         """``N = eye - target`` and ``U = up x N`` of lecture 004, without any rounding.
 
         With up 1e-12 rad from the view direction the cross product cancels 12 of float64's 16
-        digits; in rationals it cancels none, and rounding once at the end is all that is lost.
+        digits; in whole numbers it cancels none, and rounding once at the end is all that is lost.
         """
-        backward = tuple(
-            e - t for e, t in zip(_exact(self.eye), _exact(self.target), strict=True)
-        )
-        return backward, _cross(_exact(self.up), backward)
+        eye, target = _whole(self.eye, self.target)
+        backward = (eye[0] - target[0], eye[1] - target[1], eye[2] - target[2])
+        return backward, _cross(_whole(self.up)[0], backward)
 
     @cached_property
     def frame(self) -> Array:
         """Rows u, v, n of the camera's right-handed orthonormal frame (lecture 004), (3, 3)."""
+        return _read_only([list(map(float, axis)) for axis in self.exact_frame])
+
+    @cached_property
+    def exact_frame(self) -> tuple[tuple[Fraction, ...], ...]:
+        """`frame` to `double_double.BITS` bits, rows u, v, n."""
         backward, right = self._exact_axes
-        upward = _cross(backward, right)
-        return _read_only([_unit(right), _unit(upward), _unit(backward)])
+        return tuple(map(_unit, (right, _cross(backward, right), backward)))
 
     @property
     def distance(self) -> float:
@@ -374,6 +403,37 @@ def _orbit_axes(azimuth_deg: float, elevation_deg: float) -> tuple[Vector, Vecto
 # --------------------------------------------------------------------------- lenses
 
 
+def _check_planes(near: Any, far: Any, *, parallel: bool) -> tuple[float, float]:
+    """Near and far of a lens as floats, or a `ProjectionError`."""
+    near = _finite("near", near)
+    if not parallel:
+        if near <= 0.0:
+            raise ProjectionError("near", near, ABOVE, 0)
+        if near < SMALLEST:
+            raise ProjectionError("near", near, AT_LEAST, SMALLEST)
+    far = _real("far", far)
+    if parallel or far != math.inf:
+        far = _finite("far", far)
+    if near >= far:
+        raise ProjectionError("near", near, NEAR_BEFORE_FAR, format_value(far))
+    if far - near < SMALLEST:
+        raise ProjectionError("near", near, DISTINCT, format_value(far))
+    return near, far
+
+
+def _check_window(left: float, right: float, bottom: float, top: float, lens: _Windowed) -> None:
+    """Refuse a window without an extent, or with one too small for this lens' matrices."""
+    for name, low, high, bound in (
+        ("left", left, right, LEFT_BEFORE_RIGHT),
+        ("bottom", bottom, top, BOTTOM_BEFORE_TOP),
+    ):
+        if low >= high:
+            raise ProjectionError(name, low, bound, format_value(high))
+        if high - low < lens.least_window:
+            bound = DISTINCT if lens.parallel else WIDER
+            raise ProjectionError(name, low, bound, format_value(high))
+
+
 @dataclass(frozen=True)
 class Perspective:
     """The symmetric perspective lens (gluPerspective); the aspect is the image's.
@@ -387,6 +447,7 @@ class Perspective:
     """
 
     kind: ClassVar[str] = "perspective"
+    parallel: ClassVar[bool] = False
 
     fov_y_deg: float = 45.0
     near: float = 1.0
@@ -396,18 +457,9 @@ class Perspective:
         fov_y_deg = _finite("fov_y_deg", self.fov_y_deg)
         if not 0.0 < fov_y_deg < 180.0:
             raise ProjectionError("fov_y_deg", fov_y_deg, BETWEEN, 0, 180)
-        if fov_y_deg < 1e-100:  # its half-angle's cotangent must leave room for the aspect
-            raise ProjectionError("fov_y_deg", fov_y_deg, AT_LEAST, 1e-100)
-        near = _finite("near", self.near)
-        if near <= 0.0:
-            raise ProjectionError("near", near, ABOVE, 0)
-        if near < SMALLEST:
-            raise ProjectionError("near", near, AT_LEAST, SMALLEST)
-        far = _real("far", self.far)
-        if far != math.inf:
-            far = _finite("far", far)
-        if near >= far:
-            raise ProjectionError("near", near, NEAR_BEFORE_FAR, format_value(far))
+        if fov_y_deg < SMALLEST_FIELD:
+            raise ProjectionError("fov_y_deg", fov_y_deg, AT_LEAST, SMALLEST_FIELD)
+        near, far = _check_planes(self.near, self.far, parallel=False)
         _set(self, fov_y_deg=fov_y_deg, near=near, far=far)
 
     @property
@@ -421,14 +473,98 @@ class Perspective:
             return math.tan(math.radians(180.0 - self.fov_y_deg) / 2.0)
         return 1.0 / math.tan(math.radians(self.fov_y_deg) / 2.0)
 
-    def window(self, aspect: float) -> tuple[float, float, float, float]:
+    def window(self, aspect: float | Fraction) -> tuple[float, float, float, float]:
         """Left, right, bottom, top of the picture on the near plane, in world units."""
         top = self.near / self.cot_half_fov_y
-        return -aspect * top, aspect * top, -top, top
+        right = float(aspect) * top
+        return -right, right, -top, top
 
 
 @dataclass(frozen=True)
-class Orthographic:
+class _Windowed:
+    """The six numbers that glFrustum and glOrtho share, and what follows from them."""
+
+    left: float
+    right: float
+    bottom: float
+    top: float
+    near: float
+    far: float
+    keep: Keep
+
+    parallel: ClassVar[bool]
+
+    def __post_init__(self) -> None:
+        names = ("left", "right", "bottom", "top")
+        left, right, bottom, top = (_finite(n, getattr(self, n)) for n in names)
+        near, far = _check_planes(self.near, self.far, parallel=self.parallel)
+        _set(self, left=left, right=right, bottom=bottom, top=top, near=near, far=far)
+        _check_window(left, right, bottom, top, self)
+        if self.keep not in ("stretch", "x", "y"):
+            raise ProjectionError("keep", self.keep, ONE_OF, "stretch, x, y")
+
+    @property
+    def least_window(self) -> float:
+        """The least width and height of the window, in world units."""
+        return SMALLEST
+
+    def exact_window(self, aspect: Fraction) -> tuple[Fraction, Fraction, Fraction, Fraction]:
+        """`window` without rounding, (left, right, bottom, top)."""
+        left, right, bottom, top = map(Fraction, (self.left, self.right, self.bottom, self.top))
+        if self.keep == "x":
+            k = ((right - left) / aspect - (top - bottom)) / 2
+            bottom, top = bottom - k, top + k
+        elif self.keep == "y":
+            k = (aspect * (top - bottom) - (right - left)) / 2
+            left, right = left - k, right + k
+        return left, right, bottom, top
+
+    def window(self, aspect: float | Fraction) -> tuple[float, float, float, float]:
+        """Left, right, bottom, top of the picture after `keep`, in world units.
+
+        Lecture 000, PerspektivnaProjekcijaX and Y, with the slip in Y's last line corrected.
+        """
+        if self.keep == "stretch":
+            return self.left, self.right, self.bottom, self.top
+        left, right, bottom, top = map(float, self.exact_window(Fraction(aspect)))
+        return left, right, bottom, top
+
+
+@dataclass(frozen=True)
+class Frustum(_Windowed):
+    """The perspective lens with a window of its own (glFrustum), off the axis if you like.
+
+    Parameters
+    ----------
+    left, right, bottom, top : float
+        The picture's window on the near plane, ``left < right``, ``bottom < top``.
+    near, far : float
+        Distances of the clipping planes from the eye, ``0 < near < far``; far may be ``inf``.
+    keep : {"stretch", "x", "y"}
+        How the window follows the image's aspect: not at all, or by adjusting the y range
+        (``"x"`` is kept, lecture 000's variant X) or the x range (``"y"``, variant Y).
+    """
+
+    kind: ClassVar[str] = "frustum"
+    parallel: ClassVar[bool] = False
+
+    left: float = -0.7
+    right: float = 0.7
+    bottom: float = -0.4
+    top: float = 0.4
+    near: float = 1.0
+    far: float = 30.0
+    keep: Keep = "stretch"
+
+    @property
+    def least_window(self) -> float:
+        """The least width and height of the window, in world units; near divided by it is left
+        room for."""
+        return max(SMALLEST, SMALLEST_FIELD * self.near)
+
+
+@dataclass(frozen=True)
+class Orthographic(_Windowed):
     """The orthographic lens (glOrtho).
 
     Parameters
@@ -439,11 +575,11 @@ class Orthographic:
         Distances of the clipping planes from the eye plane, ``near < far``; near may be
         negative (behind the eye), far must be finite.
     keep : {"stretch", "x", "y"}
-        How the window follows the image's aspect: not at all, or by adjusting the y range
-        (``"x"`` is kept, lecture 000's variant X) or the x range (``"y"``, variant Y).
+        As `Frustum`'s.
     """
 
     kind: ClassVar[str] = "orthographic"
+    parallel: ClassVar[bool] = True
 
     left: float = -4.0
     right: float = 4.0
@@ -453,52 +589,177 @@ class Orthographic:
     far: float = 30.0
     keep: Keep = "stretch"
 
+
+@dataclass(frozen=True)
+class Oblique(_Windowed):
+    """The oblique parallel lens of lecture 002: the orthographic one after its matrix H.
+
+    ``x' = x + (z + near) cot(alpha)`` and ``y' = y + (z + near) cot(beta)`` in view space: the
+    projectors lean, and what lies on the near plane stays where it is.
+
+    Parameters
+    ----------
+    left, right, bottom, top : float
+        The picture's window on the near plane, ``left < right``, ``bottom < top``.
+    near, far : float
+        As `Orthographic`'s.
+    alpha_deg, beta_deg : float
+        Angles of the projectors with the x and the y axis, in the open interval (0, 180);
+        90 and 90 is the orthographic lens. See `oblique_angles` for cavalier and cabinet.
+    keep : {"stretch", "x", "y"}
+        As `Frustum`'s.
+    """
+
+    kind: ClassVar[str] = "oblique"
+    parallel: ClassVar[bool] = True
+
+    left: float = -4.0
+    right: float = 4.0
+    bottom: float = -4.0
+    top: float = 4.0
+    near: float = 1.0
+    far: float = 30.0
+    alpha_deg: float = 109.47122063449069  # cabinet, receding at 45 degrees
+    beta_deg: float = 109.47122063449069
+    keep: Keep = "stretch"
+
     def __post_init__(self) -> None:
-        names = ("left", "right", "bottom", "top", "near", "far")
-        left, right, bottom, top, near, far = (_finite(n, getattr(self, n)) for n in names)
-        for name, low, high, bound in (
-            ("left", left, right, LEFT_BEFORE_RIGHT),
-            ("bottom", bottom, top, BOTTOM_BEFORE_TOP),
-            ("near", near, far, NEAR_BEFORE_FAR),
-        ):
-            if low >= high:
-                raise ProjectionError(name, low, bound, format_value(high))
-            if high - low < SMALLEST:
-                raise ProjectionError(name, low, DISTINCT, format_value(high))
-        if self.keep not in ("stretch", "x", "y"):
-            raise ProjectionError("keep", self.keep, ONE_OF, "stretch, x, y")
-        _set(self, left=left, right=right, bottom=bottom, top=top, near=near, far=far)
+        super().__post_init__()
+        for name in ("alpha_deg", "beta_deg"):
+            angle_deg = _finite(name, getattr(self, name))
+            if not 0.0 < angle_deg < 180.0:
+                raise ProjectionError(name, angle_deg, BETWEEN, 0, 180)
+            least = math.degrees(1.0 / LARGEST_SHEAR)
+            if not least <= angle_deg <= 180.0 - least:
+                bound, limit = (AT_LEAST, least) if angle_deg < 90.0 else (AT_MOST, 180.0 - least)
+                raise ProjectionError(name, angle_deg, bound, format_value(limit))
+            _set(self, **{name: angle_deg})
 
-    def window(self, aspect: float) -> tuple[float, float, float, float]:
-        """Left, right, bottom, top of the picture after `keep`, in world units.
+    @property
+    def least_window(self) -> float:
+        """The least width and height of the window, in world units; the shear is left room for."""
+        return SMALLEST * LARGEST_SHEAR
 
-        Lecture 000, PerspektivnaProjekcijaX and Y, with the slip in Y's last line corrected.
-        """
-        left, right, bottom, top = self.left, self.right, self.bottom, self.top
-        if self.keep == "x":
-            k = ((right - left) / aspect - (top - bottom)) / 2.0
-            bottom, top = bottom - k, top + k
-        elif self.keep == "y":
-            k = (aspect * (top - bottom) - (right - left)) / 2.0
-            left, right = left - k, right + k
-        return left, right, bottom, top
+    @property
+    def shear(self) -> tuple[float, float]:
+        """``cot(alpha), cot(beta)``: the shift in x and y per unit of z."""
+        return _cot_deg(self.alpha_deg), _cot_deg(self.beta_deg)
 
 
-Lens: TypeAlias = Perspective | Orthographic
-LENSES: dict[str, type[Perspective | Orthographic]] = {
-    lens.kind: lens for lens in (Perspective, Orthographic)
+def _cot_deg(angle_deg: float) -> float:
+    """The cotangent of an angle in degrees, exact at 90, within 2 ulp elsewhere."""
+    cos, sin = _cos_sin_deg(angle_deg)
+    return cos / sin
+
+
+def oblique_angles(receding: float, receding_deg: float) -> tuple[float, float]:
+    """The angles of an `Oblique` lens under which receding edges are drawn like this.
+
+    Parameters
+    ----------
+    receding : float
+        Drawn length of an edge along the view direction per true length: 1 is a cavalier,
+        1/2 a cabinet drawing.
+    receding_deg : float
+        Direction in the picture in which things recede, in degrees from the right, anticlockwise.
+
+    Returns
+    -------
+    alpha_deg, beta_deg : float
+
+    Notes
+    -----
+    A unit into the picture moves a point by ``(-cot(alpha), -cot(beta))`` (lecture 002, H).
+    """
+    receding, receding_deg = _finite("receding", receding), _finite("receding_deg", receding_deg)
+    cos, sin = _cos_sin_deg(receding_deg)
+    return (
+        math.degrees(math.atan2(1.0, -receding * cos)),
+        math.degrees(math.atan2(1.0, -receding * sin)),
+    )
+
+
+def receding_of(lens: Oblique) -> tuple[float, float]:
+    """Drawn length per unit of depth, and its direction in degrees: of `oblique_angles`."""
+    cot_alpha, cot_beta = lens.shear
+    length = math.hypot(cot_alpha, cot_beta)
+    return length, math.degrees(math.atan2(-cot_beta, -cot_alpha)) if length else 0.0
+
+
+OBLIQUE_PRESETS: dict[str, tuple[float, float]] = {
+    f"{name}-{label}": oblique_angles(receding, receding_deg)
+    for name, receding in (("cavalier", 1.0), ("cabinet", 0.5))
+    for label, receding_deg in (
+        ("30", 30.0), ("45", 45.0), ("63.4", math.degrees(math.atan(2.0))),
+    )
+}  # fmt: skip
+"""`Oblique` angles of the drawings of the textbooks, by name and receding angle."""
+
+Lens: TypeAlias = Perspective | Frustum | Orthographic | Oblique
+LENSES: dict[str, type[Perspective] | type[Frustum] | type[Orthographic] | type[Oblique]] = {
+    "perspective": Perspective,
+    "frustum": Frustum,
+    "orthographic": Orthographic,
+    "oblique": Oblique,
 }
 
 
 # --------------------------------------------------------------------------- projection
 
 
+def _skew(low: float, high: float) -> float:
+    """``(high + low)/(high - low)``: how far an interval's middle is from 0, in halves of it."""
+    return (high + low) / (high - low)
+
+
 class Stage(NamedTuple):
-    """One step of the pipeline: its name, its matrix, and the factors the matrix is made of."""
+    """One step of the pipeline.
+
+    Attributes
+    ----------
+    name : str
+        ``target_from_source``.
+    matrix : (4, 4) float64 array
+    factors : tuple of (str, (4, 4) array)
+        Named factors whose product, in this order, is the matrix; empty if it has none.
+    note : str
+        What is special about it for this lens, one of `NOTES`; empty if nothing is.
+    """
 
     name: str
     matrix: Array
-    factors: tuple[tuple[str, Array], ...]
+    factors: tuple[tuple[str, Array], ...] = ()
+    note: str = ""
+
+
+NO_OBJECT_TRANSFORM = "the scene's objects are given in world coordinates"
+NO_M_PP = "a parallel lens has no M_pp: this is the identity"
+SCALED_BY_NEAR = "far is infinite: the canonical pyramid is scaled by near, which is at z = -1"
+NOTES = (NO_OBJECT_TRANSFORM, NO_M_PP, SCALED_BY_NEAR)
+"""Every note of a `Stage`, for translators."""
+
+
+class Intrinsics(NamedTuple):
+    """A perspective camera as photogrammetry and OpenCV write it, all in pixels.
+
+    Attributes
+    ----------
+    fx, fy : float
+        Focal length in pixel widths and in pixel heights.
+    cx, cy : float
+        Principal point, counted from the *centre* of the first pixel as OpenCV does: an image
+        640 wide with the axis in its middle has ``cx = 319.5``, which is 320 in our pixels.
+
+    Notes
+    -----
+    ``K = [[fx, 0, cx], [0, fy, cy], [0, 0, 1]]`` maps x right, y down, z forward to pixels
+    (Hartley and Zisserman, Multiple View Geometry, 6.1).
+    """
+
+    fx: float
+    fy: float
+    cx: float
+    cy: float
 
 
 class Trace(NamedTuple):
@@ -532,6 +793,15 @@ class Trace(NamedTuple):
     outside: NDArray[np.bool_]
 
 
+def _stage(name: str, *factors: tuple[str, Array], note: str = "") -> Stage:
+    """A stage that is the product of its factors."""
+    matrix = np.eye(4)
+    for _, factor in factors:
+        matrix = matrix @ factor
+    frozen = tuple((label, _read_only(factor)) for label, factor in factors)
+    return Stage(name, _read_only(matrix), frozen, note)
+
+
 @dataclass(frozen=True)
 class Projection:
     """A camera, a lens, an image and a depth range: everything a picture depends on.
@@ -541,7 +811,7 @@ class Projection:
     Parameters
     ----------
     camera : Camera
-    lens : Perspective or Orthographic
+    lens : Perspective, Frustum, Orthographic or Oblique
     image_size : (int, int)
         Width and height in pixels.
     depth : {"opengl", "direct3d", "reversed"}
@@ -574,11 +844,8 @@ class Projection:
         if not isinstance(self.depth, str) or self.depth not in DEPTH_RANGES:
             raise ProjectionError("depth", self.depth, ONE_OF, ", ".join(DEPTH_RANGES))
         _set(self, image_size=(int(size[0]), int(size[1])))
-        if isinstance(self.lens, Orthographic):
-            left, right, bottom, top = self.window
-            for name, low, high in (("left", left, right), ("bottom", bottom, top)):
-                if high - low < SMALLEST:  # `keep` shrank it to nothing, far from the axis
-                    raise ProjectionError(name, low, DISTINCT, format_value(high))
+        if isinstance(self.lens, _Windowed):  # `keep` can shrink it to nothing, far from the axis
+            _check_window(*self.window, self.lens)
 
     # -- plain figures
 
@@ -592,10 +859,57 @@ class Projection:
         """NDC z of the near and of the far plane."""
         return DEPTH_RANGES[self.depth]
 
-    @property
+    @cached_property
     def window(self) -> tuple[float, float, float, float]:
         """Left, right, bottom, top of the picture on the near plane, in world units."""
-        return self.lens.window(self.aspect)
+        return self.lens.window(Fraction(*self.image_size))
+
+    @property
+    def intrinsics(self) -> Intrinsics:
+        """The perspective camera's K.
+
+        Raises
+        ------
+        ProjectionError
+            For a parallel lens, which has none.
+        """
+        if self.lens.parallel:
+            raise ProjectionError("kind", self.lens.kind, ONE_OF, "perspective, frustum")
+        width, height = self.image_size
+        left, right, bottom, top = self.window
+        near = self.lens.near
+        return Intrinsics(
+            width * near / (right - left),
+            height * near / (top - bottom),
+            -width * (left / (right - left)) - 0.5,
+            height * (top / (top - bottom)) - 0.5,
+        )
+
+    @property
+    def stretch(self) -> float:
+        """By how much the lens enlarges the rounding of view coordinates, in NDC.
+
+        A view coordinate is wrong by some 1e-16 of the point's distance from the eye; this is
+        that distance's largest ratio to the picture's half-width or half-height there, times
+        what the lens adds. About 4 for everyday lenses.
+        """
+        lens = self.lens
+        left, right, bottom, top = self.window
+        across, up = max(abs(left), abs(right)), max(abs(bottom), abs(top))
+        half_width, half_height = (right - left) / 2.0, (top - bottom) / 2.0
+        if not lens.parallel:
+            slant = math.hypot(across, up, lens.near) / lens.near
+            return slant * max((lens.near + across) / half_width, (lens.near + up) / half_height)
+        depth = max(abs(lens.near), abs(lens.far))
+        shear_x, shear_y = (abs(cot) for cot in self.shear)
+        extent = lens.far - lens.near
+        distance = math.hypot(across + shear_x * extent, up + shear_y * extent, depth)
+        return distance * max((1.0 + shear_x) / half_width, (1.0 + shear_y) / half_height)
+
+    @property
+    def shear(self) -> tuple[float, float]:
+        """``cot(alpha), cot(beta)`` of an oblique lens, 0 and 0 of the others."""
+        return self.lens.shear if isinstance(self.lens, Oblique) else (0.0, 0.0)
 
     # -- matrices
 
@@ -618,23 +932,33 @@ class Projection:
 
     @cached_property
     def clip_from_view(self) -> Array:
-        """The lens' matrix, (4, 4): lecture 000 (13) or glOrtho, for the chosen depth range."""
+        """The lens' matrix, (4, 4), for the chosen depth range.
+
+        Lecture 000 (13) for a perspective lens, glOrtho for the orthographic one, lecture 002's
+        ``P_obl = P_ort H`` for the oblique one.
+        """
         left, right, bottom, top = self.window
         near, far = self.lens.near, self.lens.far
-        a, b = self._depth_row
         matrix = np.zeros((4, 4))
-        if isinstance(self.lens, Perspective):
-            matrix[1, 1] = self.lens.cot_half_fov_y
-            matrix[0, 0] = matrix[1, 1] / self.aspect
-            matrix[2, 2:] = a, b
+        if not self.lens.parallel:
+            if isinstance(self.lens, Perspective):
+                matrix[1, 1] = self.lens.cot_half_fov_y
+                matrix[0, 0] = matrix[1, 1] / self.aspect
+            else:
+                matrix[0, 0], matrix[0, 2] = 2.0 * near / (right - left), _skew(left, right)
+                matrix[1, 1], matrix[1, 2] = 2.0 * near / (top - bottom), _skew(bottom, top)
+            matrix[2, 2:] = self._depth_row
             matrix[3, 2] = -1.0
         else:
-            matrix[0, 0], matrix[0, 3] = 2.0 / (right - left), -(right + left) / (right - left)
-            matrix[1, 1], matrix[1, 3] = 2.0 / (top - bottom), -(top + bottom) / (top - bottom)
             z_near, z_far = self.depth_range
+            matrix[0, 0], matrix[0, 3] = 2.0 / (right - left), -_skew(left, right)
+            matrix[1, 1], matrix[1, 3] = 2.0 / (top - bottom), -_skew(bottom, top)
             matrix[2, 2] = (z_near - z_far) / (far - near)
             matrix[2, 3] = (z_near * far - z_far * near) / (far - near)
             matrix[3, 3] = 1.0
+            for row, cot in enumerate(self.shear):
+                matrix[row, 2] = matrix[row, row] * cot
+                matrix[row, 3] += matrix[row, row] * (cot * near)
         return _read_only(matrix)
 
     @property
@@ -658,9 +982,14 @@ class Projection:
         near, far = self.lens.near, self.lens.far
         z_near, z_far = self.depth_range
         matrix = np.zeros((4, 4))
-        if isinstance(self.lens, Perspective):
-            matrix[0, 0] = self.aspect / self.lens.cot_half_fov_y
-            matrix[1, 1] = 1.0 / self.lens.cot_half_fov_y
+        if not self.lens.parallel:
+            if isinstance(self.lens, Perspective):
+                matrix[0, 0] = self.aspect / self.lens.cot_half_fov_y
+                matrix[1, 1] = 1.0 / self.lens.cot_half_fov_y
+            else:
+                matrix[0, 0], matrix[0, 3] = (right - left) / near, (right + left) / near
+                matrix[1, 1], matrix[1, 3] = (top - bottom) / near, (top + bottom) / near
+                matrix[:2] /= 2.0
             matrix[2, 3] = -1.0
             # 1/w is affine in z_ndc: 1/near on the near face, 1/far on the far one.
             step = (1.0 if far == math.inf else (far - near) / far) / near
@@ -675,6 +1004,10 @@ class Projection:
             matrix[2, 2] = (far - near) / (z_near - z_far)
             matrix[2, 3] = -(z_near * far - z_far * near) / (z_near - z_far)
             matrix[3, 3] = 1.0
+            # From the near plane the depth is (far - near) (z - z_near)/(z_near - z_far).
+            for row, cot in enumerate(self.shear):
+                matrix[row, 2] = -cot * matrix[2, 2]
+                matrix[row, 3] += cot * matrix[2, 2] * z_near
         return _read_only(matrix)
 
     @cached_property
@@ -717,17 +1050,80 @@ class Projection:
         matrix[:3, 3] = width / 2.0, height / 2.0, -z_low / (1.0 - z_low)
         return _read_only(matrix)
 
-    @property
+    @cached_property
     def stages(self) -> tuple[Stage, ...]:
-        """The pipeline's matrices in order; between clip and NDC comes the divide by w."""
+        """The pipeline in order; between clip and NDC comes the divide by w.
+
+        The canonical volumes and the matrices between them are those of lecture 001: for a
+        perspective lens the pyramid with its apex in the eye, x and y from -1 to 1 at z = -1, and
+        for every lens the box x, y from -1 to 1, z from 0 at near to -1 at far. `clip_from_view`
+        is the product of the four stages from view to clip.
+        """
+        z_near, z_far = self.depth_range
+        range_scale = np.diag([1.0, 1.0, z_near - z_far, 1.0])
+        range_shift = _translation((0.0, 0.0, z_near))
+        if self.lens.parallel:
+            to_parallel, normalise = self._parallel_stages, np.eye(4)
+        else:
+            to_parallel = self._perspective_stages
+            # Times far: w is the distance again, last row 0 0 -1 0 as the field writes it.
+            normalise = (self.lens.near if self.lens.far == math.inf else self.lens.far) * np.eye(4)
         return (
+            Stage("world_from_object", _read_only(np.eye(4)), note=NO_OBJECT_TRANSFORM),
             Stage(
                 "view_from_world",
                 self.view_from_world,
                 (("rotation", self.view_rotation), ("translation", self.view_translation)),
             ),
-            Stage("clip_from_view", self.clip_from_view, ()),
-            Stage("image_from_ndc", self.image_from_ndc, ()),
+            *to_parallel,
+            _stage(
+                "depth_range_from_canonical_parallel",
+                ("translation", range_shift), ("scale", range_scale),
+            ),
+            Stage("clip_from_depth_range", _read_only(normalise)),
+            Stage("image_from_ndc", self.image_from_ndc),
+        )  # fmt: skip
+
+    @property
+    def _perspective_stages(self) -> tuple[Stage, Stage]:
+        """From view space through the canonical pyramid to the canonical box (lecture 001)."""
+        near, far = self.lens.near, self.lens.far
+        reach = near if far == math.inf else far
+        note = SCALED_BY_NEAR if far == math.inf else ""
+        clip = self.clip_from_view
+        scale = ("scale", np.diag([clip[0, 0] / reach, clip[1, 1] / reach, 1.0 / reach, 1.0]))
+        left, right, bottom, top = self.window
+        shear = np.eye(4)  # H of lecture 002: the window's middle moves onto the axis
+        shear[:2, 2] = (right + left) / 2.0 / near, (top + bottom) / 2.0 / near
+        factors = (scale,) if self.lens.kind == "perspective" else (scale, ("shear", shear))
+        m_pp = np.eye(4)
+        m_pp[2:, 2:] = (1.0, 1.0), (-1.0, 0.0)
+        if far != math.inf:
+            m_pp[2, 2:] = far / (far - near), near / (far - near)
+        return (
+            _stage("canonical_perspective_from_view", *factors, note=note),
+            Stage("canonical_parallel_from_canonical_perspective", _read_only(m_pp), note=note),
+        )
+
+    @property
+    def _parallel_stages(self) -> tuple[Stage, Stage]:
+        """From view space to the canonical box (lecture 002: P_ort H, ours in 001's z range)."""
+        near, far = self.lens.near, self.lens.far
+        left, right, bottom, top = self.window
+        extents = right - left, top - bottom, 2.0 * (far - near)
+        scale = np.diag([*(2.0 / extent for extent in extents), 1.0])
+        middle = _translation((-(right + left) / 2.0, -(top + bottom) / 2.0, near))
+        factors = [("scale", scale), ("translation", middle)]
+        if self.lens.kind == "oblique":
+            shear = np.eye(4)
+            shear[:2, 2] = self.shear
+            shear[:2, 3] = near * shear[:2, 2]
+            factors.append(("shear", shear))
+        return (
+            _stage("canonical_parallel_from_view", *factors),
+            Stage(
+                "canonical_parallel_from_canonical_perspective", _read_only(np.eye(4)), note=NO_M_PP
+            ),
         )
 
     @cached_property
@@ -772,16 +1168,7 @@ class Projection:
         Depth is ``f/(f - n) * ((w - n)/w)``, not ``A + B/w``: the difference ``w - n`` keeps
         1.3e-16 where the sum of two large numbers keeps 6e-5 (near close to far).
         """
-        try:
-            given = np.asarray(points_world)
-        except ValueError:  # rows of different lengths
-            raise ProjectionError("points", points_world, THREE_NUMBERS) from None
-        if given.dtype.kind not in "iuf" or given.shape[-1:] != (3,):
-            raise ProjectionError("points", points_world, THREE_NUMBERS)
-        world = given.astype(np.float64)
-        wrong = ~np.isfinite(world).all(axis=-1) | (np.abs(world) > LARGEST).any(axis=-1)
-        if wrong.any():
-            raise ProjectionError("points", tuple(world[wrong][0].tolist()), THREE_NUMBERS)
+        world = checked_points(points_world)
         view = self._view(world)
         with np.errstate(divide="ignore", invalid="ignore", over="ignore", under="ignore"):
             return self._trace_view(world, view)
@@ -790,41 +1177,78 @@ class Projection:
         flat = world.reshape(-1, 3)
         view = np.empty_like(flat)
         rotation_t = self.camera.frame.T
+        plain = self.stretch <= _STRETCH
         for start in range(0, len(flat), _CHUNK):
             block = slice(start, start + _CHUNK)
-            np.matmul(flat[block] - self.camera.eye, rotation_t, out=view[block])
+            if plain:
+                np.matmul(flat[block] - self.camera.eye, rotation_t, out=view[block])
+            else:
+                for i, part in enumerate(self.view_double_double(flat[block])):
+                    view[block, i] = part.hi
         return view.reshape(world.shape)
+
+    def view_double_double(self, points_world: Array) -> tuple[DoubleDouble, ...]:
+        """View coordinates x, y, z with twice the digits of float64.
+
+        Parameters
+        ----------
+        points_world : (n, 3) array
+
+        Returns
+        -------
+        tuple of 3 DoubleDouble of (n,) arrays
+            Their errors are below ``3 double_double.RELATIVE_ERROR`` of the distance from the eye.
+        """
+        offsets = [dd.two_sum(points_world[:, i], -part) for i, part in enumerate(self.camera.eye)]
+        rows = []
+        for axis in self._frame_double_double:
+            x, y, z = (dd.multiply(part, o) for part, o in zip(axis, offsets, strict=True))
+            rows.append(dd.add(dd.add(x, y), z))
+        return tuple(rows)
+
+    @cached_property
+    def _frame_double_double(self) -> list[list[DoubleDouble]]:
+        return [
+            [DoubleDouble(*map(np.asarray, dd.from_exact(part))) for part in axis]
+            for axis in self.camera.exact_frame
+        ]
 
     def _trace_view(self, world: Array, view: Array) -> Trace:
         near, far = self.lens.near, self.lens.far
+        left, right, bottom, top = self.window
         x, y, distance = view[..., 0], view[..., 1], -view[..., 2]
-        if isinstance(self.lens, Perspective):
+        if self.lens.parallel:
+            w = np.ones_like(distance)
+            cot_alpha, cot_beta = self.shear
+            x_clip = _across(x + cot_alpha * (near - distance), left, right)
+            y_clip = _across(y + cot_beta * (near - distance), bottom, top)
+            x_ndc, y_ndc = x_clip, y_clip
+            from_plane = far - distance if self.depth == "reversed" else distance - near
+            numerator = depth = np.asarray(from_plane / (far - near))
+        else:
             w = distance
-            scale_y = self.lens.cot_half_fov_y
-            x_clip, y_clip = scale_y / self.aspect * x, scale_y * y
-            x_ndc, y_ndc = scale_y / self.aspect * (x / w), scale_y * (y / w)
+            if isinstance(self.lens, Perspective):
+                scale_y = self.lens.cot_half_fov_y
+                x_clip, y_clip = scale_y / self.aspect * x, scale_y * y
+                x_ndc, y_ndc = scale_y / self.aspect * (x / w), scale_y * (y / w)
+            else:
+                x_ndc = _across(near * (x / w), left, right)
+                y_ndc = _across(near * (y / w), bottom, top)
+                # Where w is 0 there is no quotient, but still a point in clip space.
+                x_clip = 2.0 * near / (right - left) * x - _skew(left, right) * w
+                y_clip = 2.0 * near / (top - bottom) * y - _skew(bottom, top) * w
             if self.depth == "reversed":
                 ratio = near / (far - near) if far != math.inf else 0.0
                 numerator = near + 0.0 * w if far == math.inf else ratio * (far - w)
             else:
                 numerator = (1.0 if far == math.inf else far / (far - near)) * (w - near)
             depth = np.asarray(numerator / w)
-        else:
-            left, right, bottom, top = self.window
-            w = np.ones_like(distance)
-            x_clip = ((x - left) - (right - x)) / (right - left)
-            y_clip = ((y - bottom) - (top - y)) / (top - bottom)
-            x_ndc, y_ndc = x_clip, y_clip
-            from_plane = far - distance if self.depth == "reversed" else distance - near
-            numerator = depth = np.asarray(from_plane / (far - near))
         opengl = self.depth == "opengl"
         z_clip = 2.0 * numerator - w if opengl else numerator
         clip = np.stack([x_clip, y_clip, z_clip, w], axis=-1)
         ndc = np.stack([x_ndc, y_ndc, 2.0 * depth - 1.0 if opengl else depth], axis=-1)
         width, height = self.image_size
-        image = np.stack(
-            [(x_ndc + 1.0) * (width / 2.0), (1.0 - y_ndc) * (height / 2.0)], axis=-1
-        )
+        image = np.stack([(x_ndc + 1.0) * (width / 2.0), (1.0 - y_ndc) * (height / 2.0)], axis=-1)
         in_front = (w > 0.0) & np.isfinite(ndc).all(axis=-1) & np.isfinite(image).all(axis=-1)
         for array in (ndc, image, depth):
             array[~in_front] = np.nan
@@ -834,14 +1258,79 @@ class Projection:
         )
         return Trace(world, view, clip, ndc, image, depth, in_front, outside)
 
-    # -- the same picture with another lens
-
-    def with_lens(self, kind: str) -> Projection:
-        """Change the kind of lens, keeping what lies at the target the same size.
+    def world_from_image(self, points_image: ArrayLike) -> Array:
+        """Un-project pixels with a depth.
 
         Parameters
         ----------
-        kind : {"perspective", "orthographic"}
+        points_image : (..., 3) array_like
+            x and y in pixels and depth in [0, 1], as `Trace.image` and `Trace.depth`.
+
+        Returns
+        -------
+        (..., 3) float64 array
+            World coordinates.
+
+        Raises
+        ------
+        ProjectionError
+            If a number is not finite, a depth is outside [0, 1], or one is that of a far plane
+            at infinity, where a pixel has a direction but no point.
+        """
+        points = checked_points(points_image)
+        depth = points[..., 2]
+        for wrong, bound, limit in ((depth < 0.0, AT_LEAST, 0), (depth > 1.0, AT_MOST, 1)):
+            if wrong.any():
+                raise ProjectionError("depth", float(depth[wrong][0]), bound, limit)
+        near, far = self.lens.near, self.lens.far
+        # From 0 at the near plane to 1 at the far one, and what is left of it, without a
+        # difference where the format has its digits.
+        gone, left_over = (1.0 - depth, depth) if self.depth == "reversed" else (depth, 1.0 - depth)
+        if self.lens.parallel:
+            distance = near * left_over + far * gone
+        elif far == math.inf:
+            if not left_over.all():
+                raise ProjectionError("depth", float(depth[left_over == 0.0][0]), NO_POINT)
+            distance = near / left_over
+        else:
+            distance = near / (left_over + near / far * gone)
+        width, height = self.image_size
+        left, right, bottom, top = self.window
+        part_x, part_y = points[..., 0] / width, points[..., 1] / height
+        x = left * (1.0 - part_x) + right * part_x
+        y = top * (1.0 - part_y) + bottom * part_y
+        if self.lens.parallel:
+            cot_alpha, cot_beta = self.shear
+            x, y = x + cot_alpha * (distance - near), y + cot_beta * (distance - near)
+        else:
+            x, y = x * (distance / near), y * (distance / near)
+        view = np.stack([x, y, -distance], axis=-1)
+        world: Array = view @ self.camera.frame + self.camera.eye
+        return world
+
+    # -- the same picture with another lens
+
+    @property
+    def _target_window(self) -> tuple[float, float, float, float]:
+        """Left, right, bottom, top of the picture in the plane through the target."""
+        left, right, bottom, top = self.window
+        distance, near = self.camera.distance, self.lens.near
+        if not self.lens.parallel:
+            k = distance / near
+            return k * left, k * right, k * bottom, k * top
+        x, y = (cot * (distance - near) for cot in self.shear)
+        return left + x, right + x, bottom + y, top + y
+
+    def with_lens(self, kind: str) -> Projection:
+        """Change the kind of lens, keeping the picture as alike as it can be.
+
+        Near, far and `keep` stay where the new lens can have them. Between the perspective lenses
+        the window on the near plane stays, and so does the whole picture; otherwise the picture
+        of the plane through the target stays.
+
+        Parameters
+        ----------
+        kind : {"perspective", "frustum", "orthographic", "oblique"}
 
         Raises
         ------
@@ -849,20 +1338,123 @@ class Projection:
             For another kind.
         """
         lens, distance = self.lens, self.camera.distance
+        if kind not in LENSES:
+            raise ProjectionError("kind", kind, ONE_OF, ", ".join(LENSES))
         if kind == lens.kind:
             return self
-        if isinstance(lens, Perspective) and kind == "orthographic":
-            half = distance / lens.cot_half_fov_y
-            far = lens.far if lens.far != math.inf else max(4.0 * distance, 2.0 * lens.near)
-            box = (-self.aspect * half, self.aspect * half, -half, half)
-            return replace(self, lens=Orthographic(*box, lens.near, far, "y"))
-        if isinstance(lens, Orthographic) and kind == "perspective":
-            _, _, bottom, top = self.window
-            fov_y_deg = 2.0 * math.degrees(math.atan2((top - bottom) / 2.0, distance))
-            near = lens.near if lens.near > 0.0 else min(distance, abs(lens.far)) / 1000.0
-            far = lens.far if lens.far > near else 2.0 * near
+        near, far = lens.near, lens.far
+        keep: Keep = "y" if isinstance(lens, Perspective) else lens.keep
+        if kind in ("perspective", "frustum"):
+            if near <= 0.0:
+                near = min(distance, abs(far)) / 1000.0
+            far = far if far > near else 2.0 * near
+            if lens.parallel:
+                window = tuple(near / distance * side for side in self._target_window)
+            else:
+                window = self.window
+            left, right, bottom, top = window
+            if kind == "frustum":
+                return replace(self, lens=Frustum(left, right, bottom, top, near, far, keep))
+            fov_y_deg = fov_y_from_window((top - bottom) / 2.0, near)
             return replace(self, lens=Perspective(fov_y_deg, near, far))
-        raise ProjectionError("kind", kind, ONE_OF, ", ".join(LENSES))
+        if far == math.inf:
+            far = max(4.0 * distance, 2.0 * near)
+        box = (*self._target_window, near, far, keep)
+        if kind == "orthographic":
+            return replace(self, lens=Orthographic(*box))
+        oblique = Oblique(*box)
+        x, y = (cot * (distance - near) for cot in oblique.shear)
+        left, right, bottom, top = self._target_window
+        shifted = replace(oblique, left=left - x, right=right - x, bottom=bottom - y, top=top - y)
+        return replace(self, lens=shifted)
+
+    def between(self, near: float, far: float) -> Projection:
+        """The same view volume, and so the same picture, cut by other near and far planes.
+
+        Parameters
+        ----------
+        near, far : float
+            Distances from the eye plane, in world units.
+
+        Raises
+        ------
+        ProjectionError
+            For planes that the lens cannot have.
+        """
+        lens = self.lens
+        left, right, bottom, top = self.window
+        if isinstance(lens, Frustum):  # its window is on the near plane, and moves with it
+            k = near / lens.near
+            window = {"left": k * left, "right": k * right, "bottom": k * bottom, "top": k * top}
+            return replace(self, lens=replace(lens, near=near, far=far, keep="stretch", **window))
+        if isinstance(lens, Oblique):
+            x, y = (cot * (near - lens.near) for cot in lens.shear)
+            window = {"left": left + x, "right": right + x, "bottom": bottom + y, "top": top + y}
+            return replace(self, lens=replace(lens, near=near, far=far, keep="stretch", **window))
+        return replace(self, lens=replace(lens, near=near, far=far))
+
+    def with_intrinsics(self, intrinsics: Intrinsics) -> Projection:
+        """The same camera with the lens of a calibrated one.
+
+        Parameters
+        ----------
+        intrinsics : Intrinsics
+            In pixels of this projection's image.
+
+        Returns
+        -------
+        Projection
+            With a `Perspective` lens if the pixels are square and the axis is in the middle of
+            the image, with a `Frustum` otherwise; near and far stay.
+
+        Raises
+        ------
+        ProjectionError
+            For a focal length that is not above 0 or a number that is not finite, and for a
+            window that a `Frustum` refuses.
+        """
+        fx, fy, cx, cy = (
+            _finite(name, value) for name, value in zip(Intrinsics._fields, intrinsics, strict=True)
+        )
+        for name, value in (("fx", fx), ("fy", fy)):
+            if value <= 0.0:
+                raise ProjectionError(name, value, ABOVE, 0)
+        width, height = self.image_size
+        lens = self.with_lens("frustum").lens
+        near, far = lens.near, lens.far
+        if fx == fy and cx == (width - 1) / 2.0 and cy == (height - 1) / 2.0:
+            fov_y_deg = fov_y_from_window(height / 2.0, fy)
+            return replace(self, lens=Perspective(fov_y_deg, near, far))
+        left, right = near * (-0.5 - cx) / fx, near * (width - 0.5 - cx) / fx
+        top, bottom = near * (cy + 0.5) / fy, near * (cy + 0.5 - height) / fy
+        return replace(self, lens=Frustum(left, right, bottom, top, near, far))
+
+
+def checked_points(points: ArrayLike) -> Array:
+    """Points as a float64 array of their own, (..., 3).
+
+    Raises
+    ------
+    ProjectionError
+        If they are not rows of three finite numbers up to `LARGEST`.
+    """
+    try:
+        given = np.asarray(points)
+    except ValueError:  # rows of different lengths
+        raise ProjectionError("points", points, THREE_NUMBERS) from None
+    if given.dtype.kind not in "iuf" or given.shape[-1:] != (3,):
+        raise ProjectionError("points", points, THREE_NUMBERS)
+    checked = given.astype(np.float64)
+    wrong = ~np.isfinite(checked).all(axis=-1) | (np.abs(checked) > LARGEST).any(axis=-1)
+    if wrong.any():
+        raise ProjectionError("points", tuple(checked[wrong][0].tolist()), THREE_NUMBERS)
+    return checked
+
+
+def _across(value: Array, low: float, high: float) -> Array:
+    """From -1 at low to 1 at high; each difference is rounded where it is small."""
+    across: Array = ((value - low) - (high - value)) / (high - low)
+    return across
 
 
 # --------------------------------------------------------------------------- field of view
@@ -877,6 +1469,45 @@ def fov_x_from_fov_y(fov_y_deg: float, aspect: float) -> float:
     sin_half = math.sin(math.radians(fov_y_deg / 2.0))
     cos_half = math.sin(math.radians(complement_deg))
     return math.degrees(2.0 * math.atan2(aspect * sin_half, cos_half))
+
+
+def fov_y_from_window(top: float, near: float) -> float:
+    """Vertical field of view in degrees of a symmetric window whose top edge is at `top`.
+
+    ``tan(fov_y/2) = top/near`` (lecture 003); the converse is `Perspective.window`.
+
+    Raises
+    ------
+    ProjectionError
+        If a number is not finite or not above 0.
+    """
+    top, near = _finite("top", top), _finite("near", near)
+    for name, value in (("top", top), ("near", near)):
+        if value <= 0.0:
+            raise ProjectionError(name, value, ABOVE, 0)
+    return math.degrees(2.0 * math.atan2(top, near))
+
+
+def focal_length_e(fov_y_deg: float, aspect: float) -> float:
+    """Lecture 003's focal length e: how far away a plane is seen from x = -1 to 1.
+
+    ``e = 1/tan(fov_x/2)``; its window on the near plane is n/e wide to each side.
+    """
+    return Perspective(fov_y_deg).cot_half_fov_y / aspect
+
+
+def fov_y_from_focal_length_e(e: float, aspect: float) -> float:
+    """Vertical field of view in degrees, the converse of `focal_length_e`.
+
+    Raises
+    ------
+    ProjectionError
+        If e is not a finite number above 0.
+    """
+    e = _finite("e", e)
+    if e <= 0.0:
+        raise ProjectionError("e", e, ABOVE, 0)
+    return math.degrees(2.0 * math.atan2(1.0, e * aspect))
 
 
 def focal_length_35mm(fov_y_deg: float, aspect: float) -> float:
