@@ -330,6 +330,22 @@ class Camera:
         backward, right = self._exact_axes
         return tuple(map(_unit, (right, _cross(backward, right), backward)))
 
+    def exact_view(self, point_world: Vector) -> tuple[Fraction, Fraction, Fraction]:
+        """View coordinates of a point to `double_double.BITS` bits, zero where they are zero.
+
+        Parameters
+        ----------
+        point_world : Vector
+        """
+        offset = [Fraction(p) - Fraction(e) for p, e in zip(point_world, self.eye, strict=True)]
+        backward, right = self._exact_axes
+        x, y, z = (
+            sum((c * o for c, o in zip(axis, offset, strict=True)), Fraction(0))
+            / dd.root(Fraction(_dot(axis, axis)))
+            for axis in (right, _cross(backward, right), backward)
+        )
+        return x, y, z
+
     @property
     def distance(self) -> float:
         """Distance from the eye to the target, in world units."""
@@ -712,6 +728,30 @@ def _skew(low: float, high: float) -> float:
     return (high + low) / (high - low)
 
 
+Rationals: TypeAlias = list[list[Fraction]]
+
+
+class ExactLens(NamedTuple):
+    """A lens in rationals, irrational numbers to `double_double.BITS` bits.
+
+    Attributes
+    ----------
+    scale, shift : (Fraction, Fraction)
+        ``x_clip = scale x + shift w`` with w the distance for a perspective lens, 1 otherwise.
+    shear : (Fraction, Fraction)
+        ``cot(alpha), cot(beta)`` of an oblique lens.
+    near : Fraction
+    far : Fraction or None
+        None at infinity.
+    """
+
+    scale: tuple[Fraction, Fraction]
+    shift: tuple[Fraction, Fraction]
+    shear: tuple[Fraction, Fraction]
+    near: Fraction
+    far: Fraction | None
+
+
 class Stage(NamedTuple):
     """One step of the pipeline.
 
@@ -719,17 +759,23 @@ class Stage(NamedTuple):
     ----------
     name : str
         ``target_from_source``.
-    matrix : (4, 4) float64 array
+    exact : 4 lists of 4 Fraction
+        The matrix before it is rounded.
     factors : tuple of (str, (4, 4) array)
-        Named factors whose product, in this order, is the matrix; empty if it has none.
+        Named factors whose product, in this order, is the matrix; empty for the identity.
     note : str
         What is special about it for this lens, one of `NOTES`; empty if nothing is.
     """
 
     name: str
-    matrix: Array
-    factors: tuple[tuple[str, Array], ...] = ()
-    note: str = ""
+    exact: Rationals
+    factors: tuple[tuple[str, Array], ...]
+    note: str
+
+    @property
+    def matrix(self) -> Array:
+        """The matrix, (4, 4), every number rounded once."""
+        return _rounded(self.exact)
 
 
 NO_OBJECT_TRANSFORM = "the scene's objects are given in world coordinates"
@@ -793,13 +839,34 @@ class Trace(NamedTuple):
     outside: NDArray[np.bool_]
 
 
-def _stage(name: str, *factors: tuple[str, Array], note: str = "") -> Stage:
+def _stage(name: str, *factors: tuple[str, Rationals], note: str = "") -> Stage:
     """A stage that is the product of its factors."""
-    matrix = np.eye(4)
+    product = _diagonal(1, 1, 1, 1)
     for _, factor in factors:
-        matrix = matrix @ factor
-    frozen = tuple((label, _read_only(factor)) for label, factor in factors)
-    return Stage(name, _read_only(matrix), frozen, note)
+        columns = list(zip(*factor, strict=True))
+        product = [
+            [
+                sum((a * b for a, b in zip(row, column, strict=True)), Fraction(0))
+                for column in columns
+            ]
+            for row in product
+        ]
+    return Stage(name, product, tuple((label, _rounded(f)) for label, f in factors), note)
+
+
+def _rounded(matrix: Rationals) -> Array:
+    return _read_only([[float(part) for part in row] for row in matrix])
+
+
+def _diagonal(*parts: Fraction | int) -> Rationals:
+    return [[Fraction(part if i == j else 0) for j in range(4)] for i, part in enumerate(parts)]
+
+
+def _shift(*offset: Fraction | int) -> Rationals:
+    matrix = _diagonal(1, 1, 1, 1)
+    for row, part in zip(matrix, offset, strict=False):
+        row[3] = Fraction(part)
+    return matrix
 
 
 @dataclass(frozen=True)
@@ -884,6 +951,11 @@ class Projection:
             -width * (left / (right - left)) - 0.5,
             height * (top / (top - bottom)) - 0.5,
         )
+
+    @property
+    def is_compensated(self) -> bool:
+        """Whether `trace` takes dot products with twice the digits: `stretch` asks for it."""
+        return self.stretch > _STRETCH
 
     @property
     def stretch(self) -> float:
@@ -1051,79 +1123,121 @@ class Projection:
         return _read_only(matrix)
 
     @cached_property
+    def exact_lens(self) -> ExactLens:
+        """The numbers that the lens is made of, without their rounding to float64."""
+        lens = self.lens
+        width, height = self.image_size
+        zero = Fraction(0)
+        shear, near = (zero, zero), Fraction(lens.near)
+        if isinstance(lens, Perspective):
+            cot = dd.cotangent_deg(Fraction(lens.fov_y_deg) / 2)
+            scale, shift = (cot * height / width, cot), (zero, zero)
+        else:
+            left, right, bottom, top = lens.exact_window(Fraction(width, height))
+            size = 2 if lens.parallel else 2 * near
+            scale = size / (right - left), size / (top - bottom)
+            shift = -(right + left) / (right - left), -(top + bottom) / (top - bottom)
+        if isinstance(lens, Oblique):
+            alpha, beta = Fraction(lens.alpha_deg), Fraction(lens.beta_deg)
+            shear = dd.cotangent_deg(alpha), dd.cotangent_deg(beta)
+        far = None if lens.far == math.inf else Fraction(lens.far)
+        return ExactLens(scale, shift, shear, near, far)
+
+    @cached_property
     def stages(self) -> tuple[Stage, ...]:
         """The pipeline in order; between clip and NDC comes the divide by w.
 
         The canonical volumes and the matrices between them are those of lecture 001: for a
         perspective lens the pyramid with its apex in the eye, x and y from -1 to 1 at z = -1, and
-        for every lens the box x, y from -1 to 1, z from 0 at near to -1 at far. `clip_from_view`
-        is the product of the four stages from view to clip.
+        for every lens the box x, y from -1 to 1, z from 0 at near to -1 at far.
+
+        These are the matrices to be read: every number is computed in rationals and rounded once.
         """
-        z_near, z_far = self.depth_range
-        range_scale = np.diag([1.0, 1.0, z_near - z_far, 1.0])
-        range_shift = _translation((0.0, 0.0, z_near))
+        z_near, z_far = (Fraction(z) for z in self.depth_range)
+        eye = [Fraction(-part) for part in self.camera.eye]
+        rotation = _diagonal(1, 1, 1, 1)
+        for row, axis in zip(rotation, self.camera.exact_frame, strict=False):
+            row[:3] = axis
+        view = _stage("view_from_world", ("rotation", rotation), ("translation", _shift(*eye)))
+        # The product's zeros cancel to the last of the frame's bits only.
+        for row, part in zip(view.exact, self.camera.exact_view((0.0, 0.0, 0.0)), strict=False):
+            row[3] = part
+        near, far = self.exact_lens.near, self.exact_lens.far
         if self.lens.parallel:
-            to_parallel, normalise = self._parallel_stages, np.eye(4)
+            to_parallel, normalise = self._parallel_stages, _diagonal(1, 1, 1, 1)
         else:
             to_parallel = self._perspective_stages
             # Times far: w is the distance again, last row 0 0 -1 0 as the field writes it.
-            normalise = (self.lens.near if self.lens.far == math.inf else self.lens.far) * np.eye(4)
+            reach = near if far is None else far
+            normalise = _diagonal(reach, reach, reach, reach)
+        width, height = self.image_size
+        z_low = min(z_near, z_far)
         return (
-            Stage("world_from_object", _read_only(np.eye(4)), note=NO_OBJECT_TRANSFORM),
-            Stage(
-                "view_from_world",
-                self.view_from_world,
-                (("rotation", self.view_rotation), ("translation", self.view_translation)),
-            ),
+            _stage("world_from_object", note=NO_OBJECT_TRANSFORM),
+            view,
             *to_parallel,
             _stage(
                 "depth_range_from_canonical_parallel",
-                ("translation", range_shift), ("scale", range_scale),
+                ("translation", _shift(0, 0, z_near)),
+                ("scale", _diagonal(1, 1, z_near - z_far, 1)),
             ),
-            Stage("clip_from_depth_range", _read_only(normalise)),
-            Stage("image_from_ndc", self.image_from_ndc),
-        )  # fmt: skip
+            _stage("clip_from_depth_range", ("scale", normalise)),
+            _stage(
+                "image_from_ndc",
+                ("scale", _diagonal(Fraction(width, 2), Fraction(-height, 2), 1 / (1 - z_low), 1)),
+                ("translation", _shift(1, -1, -z_low)),
+            ),
+        )
+
+    @cached_property
+    def direct_stages(self) -> tuple[Stage, Stage]:
+        """`clip_from_view` and `clip_from_world` as products of `stages`, rounded once."""
+        view, *lens = self.stages[1:-1]
+        return (
+            _stage("clip_from_view", *((stage.name, stage.exact) for stage in reversed(lens))),
+            _stage(
+                "clip_from_world",
+                *((stage.name, stage.exact) for stage in (*reversed(lens), view)),
+            ),
+        )
 
     @property
     def _perspective_stages(self) -> tuple[Stage, Stage]:
         """From view space through the canonical pyramid to the canonical box (lecture 001)."""
-        near, far = self.lens.near, self.lens.far
-        reach = near if far == math.inf else far
-        note = SCALED_BY_NEAR if far == math.inf else ""
-        clip = self.clip_from_view
-        scale = ("scale", np.diag([clip[0, 0] / reach, clip[1, 1] / reach, 1.0 / reach, 1.0]))
-        left, right, bottom, top = self.window
-        shear = np.eye(4)  # H of lecture 002: the window's middle moves onto the axis
-        shear[:2, 2] = (right + left) / 2.0 / near, (top + bottom) / 2.0 / near
-        factors = (scale,) if self.lens.kind == "perspective" else (scale, ("shear", shear))
-        m_pp = np.eye(4)
-        m_pp[2:, 2:] = (1.0, 1.0), (-1.0, 0.0)
-        if far != math.inf:
-            m_pp[2, 2:] = far / (far - near), near / (far - near)
+        (scale_x, scale_y), (shift_x, shift_y), _, near, far = self.exact_lens
+        reach, note = (near, SCALED_BY_NEAR) if far is None else (far, "")
+        factors = [("scale", _diagonal(scale_x / reach, scale_y / reach, 1 / reach, 1))]
+        if self.lens.kind == "frustum":  # H of lecture 002: the window's middle to the axis
+            shear = _diagonal(1, 1, 1, 1)
+            shear[0][2], shear[1][2] = -shift_x / scale_x, -shift_y / scale_y
+            factors.append(("shear", shear))
+        m_pp = _diagonal(1, 1, 1, 0)
+        m_pp[3][2] = Fraction(-1)
+        m_pp[2][3] = Fraction(1)
+        if far is not None:
+            m_pp[2][2:] = far / (far - near), near / (far - near)
         return (
             _stage("canonical_perspective_from_view", *factors, note=note),
-            Stage("canonical_parallel_from_canonical_perspective", _read_only(m_pp), note=note),
+            _stage("canonical_parallel_from_canonical_perspective", ("M_pp", m_pp), note=note),
         )
 
     @property
     def _parallel_stages(self) -> tuple[Stage, Stage]:
         """From view space to the canonical box (lecture 002: P_ort H, ours in 001's z range)."""
-        near, far = self.lens.near, self.lens.far
-        left, right, bottom, top = self.window
-        extents = right - left, top - bottom, 2.0 * (far - near)
-        scale = np.diag([*(2.0 / extent for extent in extents), 1.0])
-        middle = _translation((-(right + left) / 2.0, -(top + bottom) / 2.0, near))
-        factors = [("scale", scale), ("translation", middle)]
+        (scale_x, scale_y), (shift_x, shift_y), cots, near, far = self.exact_lens
+        assert far is not None
+        factors = [
+            ("scale", _diagonal(scale_x, scale_y, 1 / (far - near), 1)),
+            ("translation", _shift(shift_x / scale_x, shift_y / scale_y, near)),
+        ]
         if self.lens.kind == "oblique":
-            shear = np.eye(4)
-            shear[:2, 2] = self.shear
-            shear[:2, 3] = near * shear[:2, 2]
+            shear = _diagonal(1, 1, 1, 1)
+            for row, cot in enumerate(cots):
+                shear[row][2:] = cot, near * cot
             factors.append(("shear", shear))
         return (
             _stage("canonical_parallel_from_view", *factors),
-            Stage(
-                "canonical_parallel_from_canonical_perspective", _read_only(np.eye(4)), note=NO_M_PP
-            ),
+            _stage("canonical_parallel_from_canonical_perspective", note=NO_M_PP),
         )
 
     @cached_property
@@ -1177,14 +1291,14 @@ class Projection:
         flat = world.reshape(-1, 3)
         view = np.empty_like(flat)
         rotation_t = self.camera.frame.T
-        plain = self.stretch <= _STRETCH
+        compensated = self.is_compensated
         for start in range(0, len(flat), _CHUNK):
             block = slice(start, start + _CHUNK)
-            if plain:
-                np.matmul(flat[block] - self.camera.eye, rotation_t, out=view[block])
-            else:
+            if compensated:
                 for i, part in enumerate(self.view_double_double(flat[block])):
                     view[block, i] = part.hi
+            else:
+                np.matmul(flat[block] - self.camera.eye, rotation_t, out=view[block])
         return view.reshape(world.shape)
 
     def view_double_double(self, points_world: Array) -> tuple[DoubleDouble, ...]:
