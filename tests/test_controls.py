@@ -543,7 +543,7 @@ def test_an_impossible_place_of_the_slider_is_explained_and_left_on_release(
     assert controls.projection.lens.near == row.value() == kept == 20.0
     release(row.slider)
     assert start < row.slider.value() == row._scale.position_of(kept) < held
-    assert row.field.text() == "20"
+    assert row.field.text() == "20" and not row.error
     assert record.events == ["start", "edit", "finish"]
 
 
@@ -554,6 +554,29 @@ def test_dragging_back_to_a_possible_place_takes_the_sentence_away(controls: Con
     assert row.error
     drag(row.slider, row._scale.position_of(2.0))
     assert not row.error
+    release(row.slider)
+
+
+def test_a_refused_key_is_explained_until_the_next_change_of_any_kind(
+    controls: Controls, record: Record, qtbot: Any
+) -> None:
+    row = number(controls, "near")
+    row.slider.setFocus()
+    QTest.keyClick(row.slider, KEY.Key_End)
+    row.finish_gesture()  # 0.5 s later, too soon to have read it
+    assert "must be less than far" in row.error and row.value() == 1.0
+    enter(number(controls, "azimuth_deg"), "20")
+    assert not row.error and row.field.text() == "1"
+
+
+def test_a_refused_place_in_the_hand_is_explained_while_something_else_moves(
+    controls: Controls,
+) -> None:
+    row = number(controls, "near")
+    press(row.slider)
+    drag(row.slider, row.slider.maximum())
+    controls.show_projection(replace(START, camera=Camera((1.0, 2.0, 3.0))))
+    assert row.error
     release(row.slider)
 
 

@@ -424,6 +424,11 @@ class Row(QWidget):
         """The sentence shown below the row, or nothing."""
         return "" if self._error is None else self._error.text()
 
+    @property
+    def at_rest(self) -> bool:
+        """Whether the row shows its value, and nothing that was refused or is being chosen."""
+        return True
+
     def show_error(self, sentence: str) -> None:
         """Refuse what was just edited, and say why below the row."""
         if self._error is None:
@@ -538,7 +543,7 @@ class NumberRow(Row):
         self._quiet.timeout.connect(self.finish_gesture)
         self.slider.valueChanged.connect(self._slid)
         self.slider.sliderPressed.connect(self._pressed)
-        self.slider.sliderReleased.connect(self.finish_gesture)
+        self.slider.sliderReleased.connect(self._released)
         self.field.editingFinished.connect(self._typed)
         self.field.focused.connect(self._focused)
         self.field.touched.connect(self._touched)
@@ -576,6 +581,10 @@ class NumberRow(Row):
     def _pressed(self) -> None:
         self._quiet.stop()
         self._begin()
+
+    def _released(self) -> None:
+        self.finish_gesture()
+        self.clear_error()  # the hand rests on the value that holds
 
     def _begin(self) -> None:
         if not self._open:
@@ -665,6 +674,11 @@ class NumberRow(Row):
             super().keyPressEvent(event)
 
     # -- shown
+
+    @property
+    def at_rest(self) -> bool:
+        """Whether the row shows its value, and nothing that was refused or is being chosen."""
+        return not (self._open or self.field.refused or self.field.isModified())
 
     def clear_error(self) -> None:
         """Take the error away, and the refused text with it."""
