@@ -1026,6 +1026,36 @@ def test_shown_numbers_are_short_and_never_cut(value: float, text: str) -> None:
     assert len(text) <= 9
 
 
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (180.0 - 2.0**-45, "180-3e-14"),  # the largest float64 below
+        (179.99999999999, "180-1e-11"),
+        (179.99996, "180-4e-05"),
+        (179.9996, "179.9996"),
+        (120.0, "120"),
+        (1e-12, "1e-12"),
+        (5e-324, "5e-324"),
+        (179.5, "179.5"),
+    ],
+)
+def test_an_angle_never_shows_as_the_bound_that_it_cannot_reach(value: float, text: str) -> None:
+    assert short_text(value, below=180.0) == text
+    assert len(text) <= 9
+
+
+@pytest.mark.parametrize("key", ["fov_y_deg", "fov_x_deg"])
+def test_a_fov_of_almost_180_is_shown_as_less(controls: Controls, key: str) -> None:
+    enter(number(controls, "focal_length_mm"), "1e-12")
+    row = number(controls, key)
+    assert row.field.text().startswith("180-")
+    assert row.value() < 180.0
+    row.field.setFocus()
+    assert row.field.text().startswith("179.9999999999")  # whole, and a number to be edited
+    enter(row, "180")
+    assert row.error and row.value() < 180.0
+
+
 @pytest.mark.parametrize("value", [-123.456789, 1e-300, 6e9, -1.23456789e-12])
 def test_the_field_is_wide_enough_for_what_it_shows(controls: Controls, value: float) -> None:
     field = number(controls, "near").field
