@@ -740,6 +740,22 @@ def test_status_line_in_figures(make_window: Callable[..., MainWindow]) -> None:
     assert "far ∞" in " ".join(label.text() for label in window.statusBar().findChildren(QLabel))
 
 
+@pytest.mark.parametrize(
+    ("fov_y_deg", "text"),
+    [
+        (180.0 - 3e-12, "fov 180-3e-12° × 180-2e-12°"),
+        (179.97, "fov 179.97° × 179.983°"),
+        (1e-12, "fov 1e-12° × 1.778e-12°"),
+    ],
+)
+def test_the_status_line_shows_no_fov_that_no_lens_has(
+    make_window: Callable[..., MainWindow], fov_y_deg: float, text: str
+) -> None:
+    window = make_window(shown=False)
+    window.store.set_projection(seen(window, lens=Perspective(fov_y_deg, 1.0, 30.0)))
+    assert text in " ".join(label.text() for label in window.statusBar().findChildren(QLabel))
+
+
 # -- memory
 
 

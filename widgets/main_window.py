@@ -60,6 +60,7 @@ from widgets.message_bar import MessageBar
 from widgets.messages import sentence
 from widgets.pane import Pane
 from widgets.pictures import Pictures
+from widgets.rows import short_text
 
 PANE_WIDTHS = [400, 305, 330]
 """Of the panes in a window of 1366 pixels; the splitter keeps their proportion."""
@@ -68,6 +69,12 @@ DRAWINGS: dict[str, Callable[..., Any]] = {
     "ndc": NdcDrawing,
     "image": ImageDrawing,
 }
+
+
+def _angle_text(fov_deg: float) -> str:
+    """Four digits, or as many as tell the angle from 180, which no lens has."""
+    text = f"{fov_deg:.4g}"
+    return short_text(fov_deg, below=180.0) if text == "180" else text
 
 
 class MainWindow(QMainWindow):
@@ -416,8 +423,8 @@ class MainWindow(QMainWindow):
         lens, aspect = projection.lens, projection.aspect
         if isinstance(lens, Perspective):
             fov = self.tr("fov {0}° × {1}°, {2} mm").format(
-                f"{lens.fov_y_deg:.4g}",
-                f"{fov_x_from_fov_y(lens.fov_y_deg, aspect):.4g}",
+                _angle_text(lens.fov_y_deg),
+                _angle_text(fov_x_from_fov_y(lens.fov_y_deg, aspect)),
                 f"{focal_length_35mm(lens.fov_y_deg, aspect):.4g}",
             )
         else:
