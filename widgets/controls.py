@@ -207,7 +207,7 @@ class Controls(QScrollArea):
             part for part in PARTS if getattr(projection, part) != getattr(before, part)
         }
         for binding in self._bindings.values():
-            if binding.part in changed or binding.row.at_rest:
+            if binding.part in changed or (binding.row.error and binding.row.at_rest):
                 binding.row.clear_error()
         if projection.lens.kind != before.lens.kind:
             self._fit_lens_rows()
