@@ -17,7 +17,7 @@ import math
 import os
 import re
 import sys
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Container, Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
@@ -33,12 +33,17 @@ from app.document import (
     to_json,
 )
 from app.projection import (
+    BOTTOM_BEFORE_TOP,
     FINITE_NUMBER,
     LARGEST,
     LARGEST_IMAGE_PX,
+    LEFT_BEFORE_RIGHT,
+    NEAR_BEFORE_FAR,
+    NOT_THE_EYE,
     PLANES,
     WHOLE_PIXELS,
     Array,
+    Perspective,
     Projection,
     ProjectionError,
     Trace,
@@ -116,6 +121,8 @@ def _print(texts: Iterable[str]) -> None:
 def _run(arguments: Sequence[str]) -> int:
     if arguments and arguments[0] in COMMANDS:
         return COMMANDS[arguments[0]](arguments[1:])
+    if arguments:
+        _check_file(arguments[0])  # first: what follows a mistyped command is none of the window's
     return _window(arguments)
 
 
@@ -229,10 +236,53 @@ def _document(file: str | None, assignments: Sequence[str]) -> Document:
 
     Without a FILE, ``scene=NAME`` opens that scene as the menu does: seen with its own camera.
     """
-    if file is None:
-        names = [text.strip() for key, _, text in map(_split, assignments) if key == "scene"]
-        return set_values(_opened(names[-1]) if names else Document(), assignments)
-    return set_values(_open(file), assignments)
+    texts = {key: text.strip() for key, _, text in map(_split, assignments)}
+    if file is not None:
+        document = _open(file)
+    else:
+        document = _opened(texts["scene"]) if "scene" in texts else Document()
+    try:
+        return set_values(document, assignments)
+    except DocumentError as error:
+        kind = texts.get("lens.kind", document.projection.lens.kind)
+        raise _seen_from(texts, kind, error) from error
+
+
+_OTHER_SIDE = {
+    ("lens.near", NEAR_BEFORE_FAR): ("lens.far", "must be greater than near, which is {0}"),
+    ("lens.left", LEFT_BEFORE_RIGHT): ("lens.right", "must be greater than left, which is {0}"),
+    ("lens.bottom", BOTTOM_BEFORE_TOP): ("lens.top", "must be greater than bottom, which is {0}"),
+}
+
+
+def _seen_from(texts: Container[str], kind: str, error: DocumentError) -> DocumentError:
+    """Turn a complaint so that it speaks of what was set.
+
+    The model says "near must be less than far" whichever of the two was set.
+
+    Parameters
+    ----------
+    texts : container of str
+        The paths that were set.
+    kind : str
+        The lens, perhaps set as well.
+    error : DocumentError
+        What the document answered.
+    """
+    if error.field == "lens.far" and error.bound == FINITE_NUMBER and kind == Perspective.kind:
+        return DocumentError(f"{FINITE_NUMBER} or inf", field=error.field, value=error.value)
+    if error.field in texts:
+        return error
+    if error.bound == NOT_THE_EYE and "camera.eye" in texts:
+        bound = "must differ from the target, or the camera looks nowhere"
+        return DocumentError(bound, field="camera.eye", value=error.value)
+    other, bound = _OTHER_SIDE.get((error.field, error.bound), ("", ""))
+    if other in texts:
+        (refused,) = error.limits
+        return DocumentError(
+            bound, format_value(error.value), field=other, value=float(str(refused))
+        )
+    return error
 
 
 def _split(assignment: str) -> tuple[str, str, str]:
@@ -248,14 +298,19 @@ def _opened(scene: str) -> Document:
 def _open(file: str) -> Document:
     if is_mesh(file):
         return _opened(file)
-    if not os.path.lexists(file) and re.fullmatch(r"\w+", file):
-        if file in COMMANDS:
-            raise CliError(f"{file} is a command and must come first: python3 -m app {file} ...")
-        nearest = _nearest(file, COMMANDS)
-        raise CliError(
-            f"{file!r} is neither a file nor a command; the nearest command is {nearest}."
-        )
+    _check_file(file)
     return read(file)
+
+
+def _check_file(word: str) -> None:
+    """Take a word that is no file and looks like none for the command that it was to be."""
+    if os.path.lexists(word) or not re.fullmatch(r"\w[\w-]*", word):
+        return
+    if word in COMMANDS:
+        raise CliError(f"{word} is a command and must come first: python3 -m app {word} ...")
+    near = difflib.get_close_matches(word.lower(), COMMANDS, 1)
+    known = f"nearest command is {near[0]}" if near else f"commands are {', '.join(COMMANDS)}"
+    raise CliError(f"{word!r} is neither a file nor a command; the {known}.")
 
 
 @functools.cache

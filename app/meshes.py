@@ -115,6 +115,14 @@ GLTF_PART = "{0}: its part {1} cannot be read ({2}); keep the files of a glTF me
 GLTF_CUT_OFF = (
     "{0}: the file is cut off after {1} of {2} bytes of data; export or download the file again."
 )
+GLTF_DAMAGED_LINE = (
+    "{0}: its JSON part, which describes the mesh, is damaged in line {1}; "
+    "export or download the file again."
+)
+GLTF_DAMAGED = (
+    "{0}: its JSON part, which describes the mesh, is damaged; export or download the file again."
+)
+GLTF_LACKS = "{0}: its glTF description lacks “{1}”; export or download the file again."
 GLTF_VERSION = (
     "{0}: its glTF description is not valid (version {1}, not 2); "
     "export or download the file again."
@@ -131,13 +139,14 @@ GLTF_ACCESSOR = (
     "{0}: its glTF description is not valid (accessor {1} asks for more data than there are); "
     "export or download the file again."
 )
-NOT_GLTF = "{0}: its glTF description is not valid ({1}); export or download the file again."
+NOT_GLTF = "{0}: its glTF description is not valid; export or download the file again."
 SENTENCES = (
     NO_FILE, FOLDER, NO_PERMISSION, UNREADABLE, BAD_NAME, EMPTY, NO_VERTICES, ONE_VERTEX,
     ONLY_VERTICES, SMALL_FACE, SMALL_FACES, NO_SUCH_VERTEX, VERTEX_NOT_FINITE,
     VERTICES_NOT_FINITE, NOT_OBJ, NOT_STL, STL_CUT_OFF, STL_NUMBERS, STL_FACET_CUT_OFF, NOT_PLY,
     PLY_HEADER, PLY_NUMBERS, PLY_NO_XYZ, PLY_NO_CORNERS, PLY_CUT_OFF, NOT_GLB, GLTF_COMPRESSED,
-    GLTF_PART, GLTF_CUT_OFF, GLTF_VERSION, GLTF_CIRCLE, GLTF_SPARSE, GLTF_ACCESSOR, NOT_GLTF,
+    GLTF_PART, GLTF_CUT_OFF, GLTF_DAMAGED_LINE, GLTF_DAMAGED, GLTF_LACKS, GLTF_VERSION,
+    GLTF_CIRCLE, GLTF_SPARSE, GLTF_ACCESSOR, NOT_GLTF,
 )  # fmt: skip
 """Every sentence of a `SceneError` about a file, for translators."""
 
@@ -622,7 +631,7 @@ def _read_gltf(path: Path, progress: Progress | None) -> Mesh:
         data, body = data[20:text_end], data[text_end + 8 :]
     meshes = []
     try:
-        content = json.loads(data)
+        content = _gltf_content(path, data)
         version = str(content["asset"]["version"])
         if not version.startswith("2."):
             raise SceneError(GLTF_VERSION, path, version.replace("\n", " "))
@@ -641,8 +650,10 @@ def _read_gltf(path: Path, progress: Progress | None) -> Mesh:
     except SceneError:
         raise
     except (LookupError, AttributeError, TypeError, ValueError, RecursionError) as error:
-        reason = f"{type(error).__name__}: {error}".replace("\n", " ")
-        raise SceneError(NOT_GLTF, path, reason) from None
+        lacking = str(error.args[0]) if isinstance(error, KeyError) else ""
+        if lacking.isidentifier():  # a name of the format's, not one made up by the file
+            raise SceneError(GLTF_LACKS, path, lacking) from None
+        raise SceneError(NOT_GLTF, path) from None
     first_point = np.cumsum([0] + [len(mesh.points) for mesh in meshes])
     corners = [m.corners + at for m, at in zip(meshes, first_point[:-1], strict=True)]
     joined = np.concatenate([np.empty(0, dtype=np.int64), *corners])
@@ -656,6 +667,17 @@ def _read_gltf(path: Path, progress: Progress | None) -> Mesh:
         ),
         painted=all(mesh.painted for mesh in meshes),
     )
+
+
+def _gltf_content(path: Path, text: bytes) -> Any:
+    try:
+        return json.loads(text)
+    except json.JSONDecodeError as error:
+        if path.suffix.lower() == ".glb":  # nobody counts lines between bytes
+            raise SceneError(GLTF_DAMAGED, path) from None
+        raise SceneError(GLTF_DAMAGED_LINE, path, error.lineno) from None
+    except (UnicodeDecodeError, RecursionError):
+        raise SceneError(GLTF_DAMAGED, path) from None
 
 
 def _gltf_buffer(path: Path, buffer: dict[str, Any], body: bytes) -> bytes:
@@ -762,6 +784,8 @@ def _gltf_values(
     view = content["bufferViews"][accessor["bufferView"]]
     first = view.get("byteOffset", 0)
     data = memoryview(buffers[view["buffer"]])[first : first + view["byteLength"]]
+    if accessor["componentType"] not in _GLTF_TYPES or accessor["type"] not in _GLTF_PARTS:
+        raise SceneError(NOT_GLTF, path)
     kind = np.dtype(_GLTF_TYPES[accessor["componentType"]])
     parts, count = _GLTF_PARTS[accessor["type"]], accessor["count"]
     stride = view.get("byteStride", kind.itemsize * parts)

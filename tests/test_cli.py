@@ -519,6 +519,31 @@ def test_a_mistyped_command_names_the_nearest(word: str, nearest: str) -> None:
     )
 
 
+@pytest.mark.parametrize(
+    "rest", [["out.png"], ["--size=100x100", "out.png"], ["a.json", "points.csv"]], ids=" ".join
+)
+def test_a_mistyped_command_is_told_before_what_follows_it(rest: list[str]) -> None:
+    assert refused("exprot", *rest) == (
+        "'exprot' is neither a file nor a command; the nearest command is export.\n"
+    )
+
+
+def test_a_word_like_no_command_is_answered_with_all() -> None:
+    said = "is neither a file nor a command; the commands are export, project, matrices, doctor.\n"
+    assert refused("frobnicate") == f"'frobnicate' {said}"
+    assert refused("letter-f", "out.png") == f"'letter-f' {said}"
+
+
+def test_a_file_needs_no_ending_and_two_are_still_too_many(by_hand: Path, tmp_path: Path) -> None:
+    bare = by_hand.rename(tmp_path / "exprot")
+    done = subprocess.run(
+        [sys.executable, "-c", "from app.cli import main; main()", bare.name, "out.png"],
+        cwd=tmp_path, env={**os.environ, "PYTHONPATH": str(ROOT)}, capture_output=True, text=True,
+        check=False,
+    )  # fmt: skip
+    assert done.stderr == "The window takes [FILE], and 2 names were given.\n"
+
+
 def test_measure_is_not_offered_yet() -> None:
     assert "'measure' is neither a file nor a command" in refused("measure")
     assert "measure" not in run("--help").stdout
@@ -593,12 +618,16 @@ def test_set_without_a_value_is_refused() -> None:
         ("lens.near=-1", "lens.near = -1: must be greater than 0"),
         ("lens.near=30", "lens.near = 30: must be less than far, which is 30"),
         ("lens.near=nan", "lens.near = 'nan': must be a finite number"),
-        ("lens.far=1e400", "lens.far = '1e400': must be a finite number"),
+        ("lens.far=1e400", "lens.far = '1e400': must be a finite number or inf."),
+        ("lens.far=abc", "lens.far = 'abc': must be a finite number or inf."),
+        ("lens.far=0.5", "lens.far = 0.5: must be greater than near, which is 1."),
+        ("lens.near=abc", "lens.near = 'abc': must be a finite number."),
         ("lens.fov_y_deg=0", "lens.fov_y_deg = 0: must lie between 0 and 180"),
         ("lens.fov_y_deg=180", "lens.fov_y_deg = 180: must lie between 0 and 180"),
         ("lens.fov_y_deg=-1", "lens.fov_y_deg = -1: must lie between 0 and 180"),
         ("lens.fov_y_deg=200", "lens.fov_y_deg = 200: must lie between 0 and 180"),
-        ("camera.eye=0,2.2,0", "camera.target = (0, 2.2, 0): must differ from the eye"),
+        ("camera.eye=0,2.2,0", "camera.eye = (0, 2.2, 0): must differ from the target"),
+        ("camera.target=6,5,9", "camera.target = (6, 5, 9): must differ from the eye"),
         ("camera.up=0,0,0", "camera.up = (0, 0, 0): must not be the zero vector"),
         ("camera.up=6,2.8,9", "camera.up = (6, 2.8, 9): must not be parallel"),
         ("camera.eye=1,2", "camera.eye = '1,2': must be three finite numbers"),
@@ -612,6 +641,35 @@ def test_bad_value_is_refused_with_field_value_and_bound(value: str, words: str)
     said = refused("matrices", "--set", value)
     # Vectors are written with brackets of one kind or the other.
     assert words.replace("(", "[").replace(")", "]") in said.replace("(", "[").replace(")", "]")
+
+
+@pytest.mark.parametrize(
+    ("values", "words"),
+    [
+        ("lens.far=abc", "lens.far = 'abc': must be a finite number."),
+        ("lens.far=-5", "lens.far = -5: must be greater than near, which is 1."),
+        ("lens.right=-9", "lens.right = -9: must be greater than left, which is -4."),
+        ("lens.top=-9", "lens.top = -9: must be greater than bottom, which is -4."),
+        ("lens.left=9", "lens.left = 9: must be less than right, which is 4."),
+        ("lens.left=9 lens.right=8", "lens.left = 9: must be less than right, which is 8."),
+        ("lens.near=9 lens.far=8", "lens.near = 9: must be less than far, which is 8."),
+    ],
+)
+def test_what_was_set_is_blamed_and_not_its_neighbour(
+    tmp_path: Path, values: str, words: str
+) -> None:
+    box = tmp_path / "box.json"
+    write(Document("letter-f", Projection(lens=Orthographic())), box)
+    assert refused("matrices", box, *(f"--set={value}" for value in values.split())) == f"{words}\n"
+
+
+def test_a_lens_that_was_set_decides_whether_far_may_be_infinite(tmp_path: Path) -> None:
+    box = tmp_path / "box.json"
+    write(Document("letter-f", Projection(lens=Orthographic())), box)
+    far, kind = "--set=lens.far=1e", "--set=lens.kind="
+    bound = "lens.far = '1e': must be a finite number"
+    assert refused("matrices", box, far, kind + "perspective") == f"{bound} or inf.\n"
+    assert refused("matrices", far, kind + "orthographic") == f"{bound}.\n"
 
 
 def test_up_almost_along_the_view_direction_works() -> None:

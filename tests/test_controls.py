@@ -543,7 +543,7 @@ def test_an_impossible_place_of_the_slider_is_explained_and_left_on_release(
     assert controls.projection.lens.near == row.value() == kept == 20.0
     release(row.slider)
     assert start < row.slider.value() == row._scale.position_of(kept) < held
-    assert row.field.text() == "20"
+    assert row.field.text() == "20" and not row.error
     assert record.events == ["start", "edit", "finish"]
 
 
@@ -554,6 +554,29 @@ def test_dragging_back_to_a_possible_place_takes_the_sentence_away(controls: Con
     assert row.error
     drag(row.slider, row._scale.position_of(2.0))
     assert not row.error
+    release(row.slider)
+
+
+def test_a_refused_key_is_explained_until_the_next_change_of_any_kind(
+    controls: Controls, record: Record, qtbot: Any
+) -> None:
+    row = number(controls, "near")
+    row.slider.setFocus()
+    QTest.keyClick(row.slider, KEY.Key_End)
+    row.finish_gesture()  # 0.5 s later, too soon to have read it
+    assert "must be less than far" in row.error and row.value() == 1.0
+    enter(number(controls, "azimuth_deg"), "20")
+    assert not row.error and row.field.text() == "1"
+
+
+def test_a_refused_place_in_the_hand_is_explained_while_something_else_moves(
+    controls: Controls,
+) -> None:
+    row = number(controls, "near")
+    press(row.slider)
+    drag(row.slider, row.slider.maximum())
+    controls.show_projection(replace(START, camera=Camera((1.0, 2.0, 3.0))))
+    assert row.error
     release(row.slider)
 
 
@@ -1001,6 +1024,36 @@ def test_undo_in_a_field_without_own_history_is_the_windows(controls: Controls) 
 def test_shown_numbers_are_short_and_never_cut(value: float, text: str) -> None:
     assert short_text(value) == text
     assert len(text) <= 9
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (180.0 - 2.0**-45, "180-3e-14"),  # the largest float64 below
+        (179.99999999999, "180-1e-11"),
+        (179.99996, "180-4e-05"),
+        (179.9996, "179.9996"),
+        (120.0, "120"),
+        (1e-12, "1e-12"),
+        (5e-324, "5e-324"),
+        (179.5, "179.5"),
+    ],
+)
+def test_an_angle_never_shows_as_the_bound_that_it_cannot_reach(value: float, text: str) -> None:
+    assert short_text(value, below=180.0) == text
+    assert len(text) <= 9
+
+
+@pytest.mark.parametrize("key", ["fov_y_deg", "fov_x_deg"])
+def test_a_fov_of_almost_180_is_shown_as_less(controls: Controls, key: str) -> None:
+    enter(number(controls, "focal_length_mm"), "1e-12")
+    row = number(controls, key)
+    assert row.field.text().startswith("180-")
+    assert row.value() < 180.0
+    row.field.setFocus()
+    assert row.field.text().startswith("179.9999999999")  # whole, and a number to be edited
+    enter(row, "180")
+    assert row.error and row.value() < 180.0
 
 
 @pytest.mark.parametrize("value", [-123.456789, 1e-300, 6e9, -1.23456789e-12])

@@ -116,10 +116,19 @@ ROOMS = {
             *("widgets.message_bar", "widgets.messages"),
         ),
     ),
+    "widgets/pictures.py": Room(
+        QT,
+        (
+            *("app.document", "app.figures", "app.scene"),
+            *("widgets.export_dialog", "widgets.files", "widgets.message_bar"),
+            *("widgets.messages", "widgets.palette"),
+        ),
+    ),
+    "widgets/help.py": Room(QT),
     "widgets/main_window.py": Room(
         ("numpy", *QT),
         (
-            *("app.projection", "app.scene", "app.document", "app.drawings", "app.figures"),
+            *("app.projection", "app.scene", "app.document", "app.drawings"),
             *("app.store", "app.measure", "widgets"),
         ),
     ),

@@ -776,13 +776,16 @@ def bad_files(folder: Path) -> Iterator[tuple[str, str]]:
         ),
         "huge.obj": ("v 1e40 0 0\nv -1e308 0 0\nv 0 1e308 0\nf 1 2 3\n", "between 1e-30 and 1e30"),
         "tiny.obj": ("v 0 0 0\nv 1e-40 0 0\nv 0 1e-40 0\nf 1 2 3\n", "between 1e-30 and 1e30"),
-        "prose.gltf": ("Dear all\n", "not valid"),
+        "prose.gltf": ("Dear all\n", "JSON part, which describes the mesh, is damaged in line 1;"),
+        "comma.gltf": ('{"asset":\n{"version": "2.0"},\n,}', "is damaged in line 3;"),
+        "latin.gltf": ('{"asset": "caf\udce9"}', "which describes the mesh, is damaged;"),
         "prose.glb": ("Dear all\n", "not a GLB file"),
-        "list.gltf": ("[]", "not valid"),
-        "empty.gltf": ("{}", "not valid"),
+        "list.gltf": ("[]", "its glTF description is not valid;"),
+        "deep.gltf": ("[" * 100_000, "which describes the mesh, is damaged;"),
+        "empty.gltf": ("{}", "its glTF description lacks “asset”;"),
     }
     for name, (text, expected) in texts.items():
-        (folder / name).write_text(text)
+        (folder / name).write_bytes(text.encode(errors="surrogateescape"))
         yield name, expected
     for ending in ENDINGS:
         (folder / f"empty{ending}x").with_suffix(ending).write_bytes(b"")
@@ -804,6 +807,18 @@ def bad_files(folder: Path) -> Iterator[tuple[str, str]]:
     gltf_file(folder / "cut.glb", PYRAMID)
     (folder / "cut.glb").write_bytes(cut((folder / "cut.glb").read_bytes(), 20))
     yield "cut.glb", "cut off after"
+    whole = folder / "text.glb"
+    gltf_file(whole, PYRAMID)
+    whole.write_bytes(whole.read_bytes().replace(b'"asset"', b'"asset\n'))
+    yield "text.glb", "its JSON part, which describes the mesh, is damaged;"
+    content, body = gltf_parts(PYRAMID)
+    del content["accessors"][0]["componentType"]
+    write_gltf(folder / "kind.gltf", content, body)
+    yield "kind.gltf", "its glTF description lacks “componentType”;"
+    content, body = gltf_parts(PYRAMID)
+    content["accessors"][0]["type"] = "MAT4"
+    write_gltf(folder / "type.gltf", content, body)
+    yield "type.gltf", "its glTF description is not valid;"
     content, body = gltf_parts(PYRAMID)
     content["accessors"][0]["count"] = 3000
     write_gltf(folder / "count.gltf", content, body)

@@ -452,7 +452,8 @@ def test_an_exported_picture_brings_the_state_back(
     window.store.set_projection(seen(window, lens=Perspective(61.25, 0.5, math.inf)))
     wanted = window.store.document
     path = tmp_path / "figure.png"
-    assert window.export(path, ExportChoice(("world", "ndc", "image"), (900, 300), 1.0, False))
+    choice = ExportChoice(("world", "ndc", "image"), (900, 300), 1.0, False)
+    assert window.pictures.export(path, choice)
     picture = QImage(str(path))
     assert (picture.width(), picture.height()) == (900, 300)
     window.reset()
@@ -477,12 +478,12 @@ def test_a_picture_shows_the_panes_as_they_were_turned_and_so_does_its_document(
     window = make_window()
     straight, turned = tmp_path / "straight.png", tmp_path / "turned.png"
     choice = ExportChoice(("world", "ndc"), (800, 400), 1.0, False)
-    window.export(straight, choice)
+    window.pictures.export(straight, choice)
     for name in ("world", "ndc"):
         turn(window, name)
     assert not window.store.modified, "to look from elsewhere changes no document"
     before = {name: pixels(window, name) for name in ("world", "ndc")}
-    window.export(turned, choice)
+    window.pictures.export(turned, choice)
     picture = np.asarray(Image.open(turned))
     assert (picture != np.asarray(Image.open(straight))).mean() > 0.02
     document = read(turned)
@@ -518,7 +519,7 @@ def test_the_picture_on_the_clipboard_carries_the_document(
     make_window: Callable[..., MainWindow],
 ) -> None:
     window = make_window()
-    window.copy_picture()
+    window.pictures.copy()
     data = QApplication.clipboard().mimeData()
     assert data.hasImage()
     text = extract(bytes(data.data("image/png").data()))
@@ -529,7 +530,7 @@ def test_an_export_can_be_cancelled(
     make_window: Callable[..., MainWindow], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     window = make_window()
-    monkeypatch.setattr("widgets.main_window.SHOW_PROGRESS_AFTER_MS", 0)
+    monkeypatch.setattr("widgets.pictures.SHOW_PROGRESS_AFTER_MS", 0)
     seen_dialogs = []
 
     def cancel() -> None:
@@ -542,7 +543,8 @@ def test_an_export_can_be_cancelled(
     timer.timeout.connect(cancel)
     timer.start(0)
     path = tmp_path / "figure.png"
-    assert not window.export(path, ExportChoice(("world", "ndc", "image"), (900, 300), 1.0, False))
+    choice = ExportChoice(("world", "ndc", "image"), (900, 300), 1.0, False)
+    assert not window.pictures.export(path, choice)
     timer.stop()
     assert seen_dialogs
     assert not path.exists()
@@ -736,6 +738,22 @@ def test_status_line_in_figures(make_window: Callable[..., MainWindow]) -> None:
     assert "1 : 30" in texts
     window.store.set_projection(seen(window, lens=Perspective(45.0, 1.0, math.inf)))
     assert "far ∞" in " ".join(label.text() for label in window.statusBar().findChildren(QLabel))
+
+
+@pytest.mark.parametrize(
+    ("fov_y_deg", "text"),
+    [
+        (180.0 - 3e-12, "fov 180-3e-12° × 180-2e-12°"),
+        (179.97, "fov 179.97° × 179.983°"),
+        (1e-12, "fov 1e-12° × 1.778e-12°"),
+    ],
+)
+def test_the_status_line_shows_no_fov_that_no_lens_has(
+    make_window: Callable[..., MainWindow], fov_y_deg: float, text: str
+) -> None:
+    window = make_window(shown=False)
+    window.store.set_projection(seen(window, lens=Perspective(fov_y_deg, 1.0, 30.0)))
+    assert text in " ".join(label.text() for label in window.statusBar().findChildren(QLabel))
 
 
 # -- memory

@@ -207,7 +207,7 @@ class Controls(QScrollArea):
             part for part in PARTS if getattr(projection, part) != getattr(before, part)
         }
         for binding in self._bindings.values():
-            if binding.part in changed:
+            if binding.part in changed or (binding.row.error and binding.row.at_rest):
                 binding.row.clear_error()
         if projection.lens.kind != before.lens.kind:
             self._fit_lens_rows()
@@ -276,6 +276,7 @@ class Controls(QScrollArea):
                     " the vertical field of view and the aspect in one number."),
             fov, "°", degrees, _fov_x, _with_fov_x,
         )  # fmt: skip
+        self._number("fov_y_deg").below = self._number("fov_x_deg").below = 180.0
         self._row(
             section, "focal_length_mm", "lens",
             self.tr("Focal length of a 35 mm film camera (36 × 24 mm) with the same diagonal"
@@ -694,7 +695,9 @@ def _tidy(number: float) -> float:
 
 def _fov_x(projection: Projection) -> float:
     assert isinstance(projection.lens, Perspective)
-    return _tidy(fov_x_from_fov_y(projection.lens.fov_y_deg, projection.aspect))
+    fov_x_deg = fov_x_from_fov_y(projection.lens.fov_y_deg, projection.aspect)
+    tidy_deg = _tidy(fov_x_deg)
+    return tidy_deg if tidy_deg < 180.0 else fov_x_deg
 
 
 def _focal_length(projection: Projection) -> float:

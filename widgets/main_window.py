@@ -8,7 +8,6 @@
 
 from __future__ import annotations
 
-import logging
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
@@ -20,7 +19,6 @@ from PySide6.QtCore import (
     QDateTime,
     QEvent,
     QLocale,
-    QMimeData,
     QStandardPaths,
     Qt,
     QTimer,
@@ -32,52 +30,37 @@ from PySide6.QtGui import (
     QDragEnterEvent,
     QDropEvent,
     QGuiApplication,
-    QImage,
     QKeySequence,
-    QOpenGLContext,
 )
 from PySide6.QtWidgets import (
     QApplication,
     QComboBox,
-    QFileDialog,
     QLabel,
     QMainWindow,
-    QMessageBox,
-    QProgressDialog,
     QSplitter,
     QToolBar,
     QVBoxLayout,
     QWidget,
 )
 
-from app import __version__
-from app.document import Document, DocumentError, to_json
+from app.document import Document, DocumentError
 from app.drawings import WORDS
 from app.drawings.image import ImageDrawing
 from app.drawings.ndc import NdcDrawing
-from app.drawings.style import Style
 from app.drawings.world import WorldDrawing
-from app.figures import (
-    PANES,
-    FigureCancelled,
-    FigureError,
-    png_bytes,
-    render,
-    write_png,
-)
 from app.projection import Camera, Perspective, Projection, focal_length_35mm, fov_x_from_fov_y
 from app.scene import BUILT_IN, Scene
 from app.store import Store
 from widgets import palette
 from widgets.autosave import Autosave
 from widgets.controls import Controls
-from widgets.export_dialog import ExportChoice, ExportDialog
-from widgets.files import SHOW_PROGRESS_AFTER_MS, Files
+from widgets.files import Files
+from widgets.help import Help
 from widgets.message_bar import MessageBar
 from widgets.messages import sentence
 from widgets.pane import Pane
-
-log = logging.getLogger(__name__)
+from widgets.pictures import Pictures
+from widgets.rows import short_text
 
 PANE_WIDTHS = [400, 305, 330]
 """Of the panes in a window of 1366 pixels; the splitter keeps their proportion."""
@@ -86,6 +69,12 @@ DRAWINGS: dict[str, Callable[..., Any]] = {
     "ndc": NdcDrawing,
     "image": ImageDrawing,
 }
+
+
+def _angle_text(fov_deg: float) -> str:
+    """Four digits, or as many as tell the angle from 180, which no lens has."""
+    text = f"{fov_deg:.4g}"
+    return short_text(fov_deg, below=180.0) if text == "180" else text
 
 
 class MainWindow(QMainWindow):
@@ -135,12 +124,29 @@ class MainWindow(QMainWindow):
             "cube": self.tr("Unit cube"),
             "posts": self.tr("Row of posts"),
         }
+        # The drawings' words in the window's language; the letters are the lectures'.
+        self._words = {
+            **WORDS,
+            "near": self.tr("near"),
+            "far": self.tr("far"),
+            "eye": self.tr("eye"),
+            "target": self.tr("target"),
+        }
         self.store = Store(document, self)
         self.messages = MessageBar()
         self.files = Files(self, self.store, self.messages, settings.recent, self._with_views)
         self.files.path = path
         if scene is not None:
             self.files.keep(document.scene, scene)
+        self.pictures = Pictures(
+            self,
+            self.messages,
+            lambda: self._with_views(self.store.document),
+            self.files.scene,
+            self._titles,
+            self._words,
+        )
+        self.help = Help(self)
         self._scene: Scene | None = None
         self._views: dict[str, Camera] = {}
         data = QStandardPaths.writableLocation(QStandardPaths.StandardLocation.AppDataLocation)
@@ -226,11 +232,11 @@ class MainWindow(QMainWindow):
         self._save = self._action(self.tr("&Save"), self.files.save, keys.Save)
         save_as = self._action(self.tr("Save &as…"), self.files.save_as, "Ctrl+Shift+S")
         copy = self._action(
-            self.tr("&Copy picture"), self.copy_picture, "Ctrl+Shift+C",
+            self.tr("&Copy picture"), self.pictures.copy, "Ctrl+Shift+C",
             self.tr("Copy the three panes to the clipboard, with the document inside"),
         )  # fmt: skip
         export = self._action(
-            self.tr("&Export picture…"), self.export_dialog, "Ctrl+E",
+            self.tr("&Export picture…"), self.pictures.export_dialog, "Ctrl+E",
             self.tr("Export panes as a PNG picture that carries the document"),
         )  # fmt: skip
         menu.addAction(open_)
@@ -298,10 +304,10 @@ class MainWindow(QMainWindow):
         menu.addAction(self._action(self.tr("&Full screen"), self._toggle_full_screen, "F11"))
 
         menu = bar.addMenu(self.tr("&Help"))
-        help_ = self._action(self.tr("&Keys and mouse"), self._show_help, keys.HelpContents)
+        help_ = self._action(self.tr("&Keys and mouse"), self.help.show_keys, keys.HelpContents)
         menu.addAction(help_)
-        menu.addAction(self._action(self.tr("&Conventions"), self._show_conventions))
-        menu.addAction(self._action(self.tr("&About Frustum Lab"), self._show_about))
+        menu.addAction(self._action(self.tr("&Conventions"), self.help.show_conventions))
+        menu.addAction(self._action(self.tr("&About Frustum Lab"), self.help.show_about))
 
         self._play = self._action(
             self.tr("Play"), self.controls.animation.toggle, "Ctrl+Space",
@@ -397,9 +403,9 @@ class MainWindow(QMainWindow):
             projector=self.settings.projector,
             device_pixel_ratio=self.devicePixelRatioF(),
         )
-        projection, words = self.store.document.projection, self._words()
+        projection = self.store.document.projection
         for name, pane in self.panes.items():
-            pane.build(projection, views.get(name), self._scene, words, style)
+            pane.build(projection, views.get(name), self._scene, self._words, style)
 
     def _views_now(self) -> dict[str, Camera]:
         """From where the panes are looked at, of those that somebody turned."""
@@ -409,16 +415,6 @@ class MainWindow(QMainWindow):
     def _with_views(self, document: Document) -> Document:
         return replace(document, views=self._views_now())
 
-    def _words(self) -> dict[str, str]:
-        """The drawings' words in the window's language; the letters are the lectures'."""
-        return {
-            **WORDS,
-            "near": self.tr("near"),
-            "far": self.tr("far"),
-            "eye": self.tr("eye"),
-            "target": self.tr("target"),
-        }
-
     def _refine(self, smooth: bool) -> None:
         for pane in self.panes.values():
             pane.set_smooth(smooth)
@@ -427,8 +423,8 @@ class MainWindow(QMainWindow):
         lens, aspect = projection.lens, projection.aspect
         if isinstance(lens, Perspective):
             fov = self.tr("fov {0}° × {1}°, {2} mm").format(
-                f"{lens.fov_y_deg:.4g}",
-                f"{fov_x_from_fov_y(lens.fov_y_deg, aspect):.4g}",
+                _angle_text(lens.fov_y_deg),
+                _angle_text(fov_x_from_fov_y(lens.fov_y_deg, aspect)),
                 f"{focal_length_35mm(lens.fov_y_deg, aspect):.4g}",
             )
         else:
@@ -596,135 +592,6 @@ class MainWindow(QMainWindow):
 
     def _toggle_full_screen(self) -> None:
         self.setWindowState(self.windowState() ^ Qt.WindowState.WindowFullScreen)
-
-    # -- pictures
-
-    def _picture(self, choice: ExportChoice) -> Any:
-        style = palette.drawing_style(dark=False, projector=False, device_pixel_ratio=1.0)
-        current = QOpenGLContext.currentContext()
-        if current is not None:  # or VTK may take Qt's context for its own
-            current.doneCurrent()
-        dialog = QProgressDialog(
-            self.tr("Drawing the picture"), self.tr("Cancel"), 0, 100, self
-        )
-        dialog.setWindowModality(Qt.WindowModality.WindowModal)
-        dialog.setMinimumDuration(SHOW_PROGRESS_AFTER_MS)
-
-        def progress(fraction: float) -> bool:
-            dialog.setValue(round(99 * fraction))
-            return not dialog.wasCanceled()
-
-        try:
-            return self._drawn(choice, style, progress)
-        finally:
-            dialog.close()
-            dialog.deleteLater()
-
-    def _drawn(
-        self, choice: ExportChoice, style: Style, progress: Callable[[float], bool]
-    ) -> Any:
-        return render(
-            self.files.scene(self.store.document.scene),
-            self.store.document.projection,
-            views=self._views_now(),
-            panes=choice.panes,
-            size=choice.size,
-            scale=choice.scale,
-            transparent=choice.transparent,
-            style=style,
-            words=self._words(),
-            progress=progress,
-        )
-
-    def export_dialog(self) -> None:
-        """Ask what to export and where, and do it."""
-        dialog = ExportDialog(self._titles, self.store.document.projection.image_size, self)
-        if dialog.exec() != ExportDialog.DialogCode.Accepted:
-            return
-        path, _ = QFileDialog.getSaveFileName(
-            self, self.tr("Export a picture"), "frustum-lab.png", self.tr("PNG pictures (*.png)")
-        )
-        if path:
-            if not path.lower().endswith(".png"):
-                path += ".png"
-            self.export(Path(path), dialog.choice())
-
-    def export(self, path: Path, choice: ExportChoice) -> bool:
-        """Write a picture that carries the document; False if that failed."""
-        try:
-            document = self._with_views(self.store.document)
-            write_png(path, self._picture(choice), to_json(document, path.parent))
-        except FigureCancelled:
-            return False
-        except (FigureError, DocumentError) as error:
-            self.messages.say(sentence(error))
-            return False
-        self.messages.done()
-        self.statusBar().showMessage(self.tr("Exported {0}").format(path), 5000)
-        return True
-
-    def copy_picture(self) -> None:
-        """Put the three panes on the clipboard, as a picture that carries the document."""
-        try:
-            pixels = self._picture(ExportChoice(PANES, (1800, 600), 1.0, False))
-        except FigureCancelled:
-            return
-        data = QMimeData()
-        png = png_bytes(pixels, to_json(self._with_views(self.store.document)))
-        data.setImageData(QImage.fromData(png))
-        data.setData("image/png", QByteArray(png))
-        QGuiApplication.clipboard().setMimeData(data)
-        self.statusBar().showMessage(self.tr("Copied the picture"), 5000)
-
-    # -- help
-
-    def _show_help(self) -> None:
-        self._tell(
-            self.tr("Keys and mouse"),
-            self.tr(
-                "<p>Drag in the world or the NDC pane to turn that pane's own view, Shift-drag to"
-                " move it, wheel to zoom, double-click to put it back. The model is not"
-                " touched.</p>"
-                "<p>Double-click a pane's title to enlarge it (F6, F7, F8; F9 shows all).</p>"
-                "<p>Each control: drag the slider, or type a number and press Enter; Esc takes"
-                " back what you typed; double-click the name to reset it.</p>"
-                "<p>Ctrl+Space plays the orbit, Ctrl+Z undoes (a drag is one step), Ctrl+R resets"
-                " all, Ctrl+E exports, Ctrl+P is for the projector, F4 hides the controls.</p>"
-                "<p>Drop a document, a mesh (OBJ, STL, PLY, glTF) or an exported picture on the"
-                " window to open it.</p>"
-            ),
-        )
-
-    def _show_conventions(self) -> None:
-        self._tell(
-            self.tr("Conventions"),
-            self.tr(
-                "<p>Column vectors, <i>p' = M p</i>. World and view are right-handed with y up;"
-                " the camera looks along −z of view space.</p>"
-                "<p>Camera frame: <i>n</i> = (eye − target)/|·|, <i>u</i> = up × n/|·|,"
-                " <i>v</i> = n × u.</p>"
-                "<p>NDC is the OpenGL cube [−1, 1]³, near at −1 and far at +1; Direct3D has z in"
-                " [0, 1], reversed in [1, 0]. It is drawn with z mirrored so that the near face is"
-                " towards you.</p>"
-                "<p>Image: origin top left, x right, y down, in pixels; the first pixel's centre"
-                " is at 0.5.</p>"
-            ),
-        )
-
-    def _show_about(self) -> None:
-        self._tell(
-            self.tr("About Frustum Lab"),
-            self.tr(
-                "<p><b>Frustum Lab {0}</b></p><p>How a camera turns a 3-D scene into a picture:"
-                " the world, the NDC cube and the image, from one model.</p><p>MIT licence.</p>"
-            ).format(__version__),
-        )
-
-    def _tell(self, title: str, text: str) -> None:
-        box = QMessageBox(QMessageBox.Icon.NoIcon, title, text, parent=self)
-        box.setModal(False)
-        box.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        box.show()
 
     # -- events
 

@@ -199,6 +199,20 @@ SCENE_SENTENCES = (
     ),
     QT_TRANSLATE_NOOP(
         "SceneError",
+        "{0}: its JSON part, which describes the mesh, is damaged in line {1}; "
+        "export or download the file again.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "SceneError",
+        "{0}: its JSON part, which describes the mesh, is damaged; "
+        "export or download the file again.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "SceneError",
+        "{0}: its glTF description lacks “{1}”; export or download the file again.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "SceneError",
         "{0}: its glTF description is not valid (version {1}, not 2); "
         "export or download the file again.",
     ),
@@ -219,7 +233,7 @@ SCENE_SENTENCES = (
     ),
     QT_TRANSLATE_NOOP(
         "SceneError",
-        "{0}: its glTF description is not valid ({1}); export or download the file again.",
+        "{0}: its glTF description is not valid; export or download the file again.",
     ),
     QT_TRANSLATE_NOOP(
         "SceneError",

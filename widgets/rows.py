@@ -108,16 +108,19 @@ def parse_number(name: str, text: str, unit: str = "", *, infinite: bool = False
     return number
 
 
-def short_text(value: float) -> str:
+def short_text(value: float, below: float | None = None) -> str:
     """The number as it stands if it is short, otherwise rounded to about six digits.
 
-    What is shown is never cut off: a lost exponent would be another number.
+    What is shown is never cut off: a lost exponent would be another number. Nor is it rounded up
+    to a bound `below` which the number stays: then its distance is shown, as ``180-3e-12``.
     """
     text = number_text(value)
     for digits in (6, 5, 4, 3, 2, 1):
         if len(text.lstrip("-")) <= FIELD_CHARACTERS:
             break
         text = re.sub(r"e([+-])0*", r"e\1", f"{value:.{digits}g}").replace("e+", "e")
+    if below is not None and value < below <= float(text):
+        return f"{below:g}-{below - value:.0e}"
     return text
 
 
@@ -424,6 +427,11 @@ class Row(QWidget):
         """The sentence shown below the row, or nothing."""
         return "" if self._error is None else self._error.text()
 
+    @property
+    def at_rest(self) -> bool:
+        """Whether the row shows its value, and nothing that was refused or is being chosen."""
+        return True
+
     def show_error(self, sentence: str) -> None:
         """Refuse what was just edited, and say why below the row."""
         if self._error is None:
@@ -516,6 +524,8 @@ class NumberRow(Row):
         self._value: float = scale.value_at(0)
         self.limits: Callable[[], str] = str
         """Says what holds for any number here, for whoever typed none; set by the owner."""
+        self.below: float | None = None
+        """A bound that the number never reaches, and must not seem to; set by the owner."""
         self._open = False
         self._whole = False
         self._unit = unit
@@ -538,7 +548,7 @@ class NumberRow(Row):
         self._quiet.timeout.connect(self.finish_gesture)
         self.slider.valueChanged.connect(self._slid)
         self.slider.sliderPressed.connect(self._pressed)
-        self.slider.sliderReleased.connect(self.finish_gesture)
+        self.slider.sliderReleased.connect(self._released)
         self.field.editingFinished.connect(self._typed)
         self.field.focused.connect(self._focused)
         self.field.touched.connect(self._touched)
@@ -577,6 +587,10 @@ class NumberRow(Row):
         self._quiet.stop()
         self._begin()
 
+    def _released(self) -> None:
+        self.finish_gesture()
+        self.clear_error()  # the hand rests on the value that holds
+
     def _begin(self) -> None:
         if not self._open:
             self._open = True
@@ -597,7 +611,7 @@ class NumberRow(Row):
             self._quiet.start()
         self.clear_error()
         self._whole = False
-        self._set_text(short_text(value))
+        self._set_text(short_text(value, self.below))
         if value != self._value:
             self._attempt(value)
 
@@ -666,6 +680,11 @@ class NumberRow(Row):
 
     # -- shown
 
+    @property
+    def at_rest(self) -> bool:
+        """Whether the row shows its value, and nothing that was refused or is being chosen."""
+        return not (self._open or self.field.refused or self.field.isModified())
+
     def clear_error(self) -> None:
         """Take the error away, and the refused text with it."""
         self.field.refused = False
@@ -694,7 +713,8 @@ class NumberRow(Row):
     def _show_text(self) -> None:
         if self.field.refused or self.field.isModified():
             return
-        self._set_text(number_text(self._value) if self._whole else short_text(self._value))
+        short = short_text(self._value, self.below)
+        self._set_text(number_text(self._value) if self._whole else short)
 
     def _set_text(self, text: str) -> None:
         """Show a text from its start; what was selected as a whole stays so."""

@@ -1,0 +1,73 @@
+"""What the Help menu tells: short texts in boxes that do not stop the work."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QObject, Qt
+from PySide6.QtWidgets import QMessageBox, QWidget
+
+from app import __version__
+
+
+class Help(QObject):
+    """Shows the help texts for one window.
+
+    Parameters
+    ----------
+    window : QWidget
+        Parent of the boxes.
+    """
+
+    def __init__(self, window: QWidget) -> None:
+        super().__init__(window)
+        self._window = window
+
+    def show_keys(self) -> None:
+        """Say what keys and mouse do."""
+        self._tell(
+            self.tr("Keys and mouse"),
+            self.tr(
+                "<p>Drag in the world or the NDC pane to turn that pane's own view, Shift-drag to"
+                " move it, wheel to zoom, double-click to put it back. The model is not"
+                " touched.</p>"
+                "<p>Double-click a pane's title to enlarge it (F6, F7, F8; F9 shows all).</p>"
+                "<p>Each control: drag the slider, or type a number and press Enter; Esc takes"
+                " back what you typed; double-click the name to reset it.</p>"
+                "<p>Ctrl+Space plays the orbit, Ctrl+Z undoes (a drag is one step), Ctrl+R resets"
+                " all, Ctrl+E exports, Ctrl+P is for the projector, F4 hides the controls.</p>"
+                "<p>Drop a document, a mesh (OBJ, STL, PLY, glTF) or an exported picture on the"
+                " window to open it.</p>"
+            ),
+        )
+
+    def show_conventions(self) -> None:
+        """Say which way axes, depths and pixels run."""
+        self._tell(
+            self.tr("Conventions"),
+            self.tr(
+                "<p>Column vectors, <i>p' = M p</i>. World and view are right-handed with y up;"
+                " the camera looks along −z of view space.</p>"
+                "<p>Camera frame: <i>n</i> = (eye − target)/|·|, <i>u</i> = up × n/|·|,"
+                " <i>v</i> = n × u.</p>"
+                "<p>NDC is the OpenGL cube [−1, 1]³, near at −1 and far at +1; Direct3D has z in"
+                " [0, 1], reversed in [1, 0]. It is drawn with z mirrored so that the near face is"
+                " towards you.</p>"
+                "<p>Image: origin top left, x right, y down, in pixels; the first pixel's centre"
+                " is at 0.5.</p>"
+            ),
+        )
+
+    def show_about(self) -> None:
+        """Say what this program is, and its version."""
+        self._tell(
+            self.tr("About Frustum Lab"),
+            self.tr(
+                "<p><b>Frustum Lab {0}</b></p><p>How a camera turns a 3-D scene into a picture:"
+                " the world, the NDC cube and the image, from one model.</p><p>MIT licence.</p>"
+            ).format(__version__),
+        )
+
+    def _tell(self, title: str, text: str) -> None:
+        box = QMessageBox(QMessageBox.Icon.NoIcon, title, text, parent=self._window)
+        box.setModal(False)
+        box.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        box.show()

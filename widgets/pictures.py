@@ -1,0 +1,139 @@
+"""The pictures' work: what the panes show goes into a PNG file or on the clipboard."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+
+from PySide6.QtCore import QByteArray, QMimeData, QObject, Qt
+from PySide6.QtGui import QGuiApplication, QImage, QOpenGLContext
+from PySide6.QtWidgets import QFileDialog, QMainWindow, QProgressDialog
+
+from app.document import Document, DocumentError, to_json
+from app.figures import (
+    PANES,
+    FigureCancelled,
+    FigureError,
+    Pixels,
+    png_bytes,
+    render,
+    write_png,
+)
+from app.scene import Scene
+from widgets import palette
+from widgets.export_dialog import ExportChoice, ExportDialog
+from widgets.files import SHOW_PROGRESS_AFTER_MS
+from widgets.message_bar import MessageBar
+from widgets.messages import sentence
+
+
+class Pictures(QObject):
+    """Exports and copies pictures for one window.
+
+    Every picture carries the document that it shows. What cannot be drawn or written is told in
+    the message bar, in one sentence; what was done, in the status line.
+
+    Parameters
+    ----------
+    window : QMainWindow
+        Parent of the dialogs.
+    messages : MessageBar
+    seen : callable
+        The document as it is looked at just now: with the views of the panes.
+    scene : callable
+        The loaded scene of a name.
+    titles : dict
+        The panes' names as the window writes them.
+    words : mapping
+        The drawings' words in the window's language.
+    """
+
+    def __init__(
+        self,
+        window: QMainWindow,
+        messages: MessageBar,
+        seen: Callable[[], Document],
+        scene: Callable[[str], Scene],
+        titles: dict[str, str],
+        words: Mapping[str, str],
+    ) -> None:
+        super().__init__(window)
+        self._window, self._messages = window, messages
+        self._seen, self._scene = seen, scene
+        self._titles, self._words = titles, words
+
+    def export_dialog(self) -> None:
+        """Ask what to export and where, and do it."""
+        size = self._seen().projection.image_size
+        dialog = ExportDialog(self._titles, size, self._window)
+        if dialog.exec() != ExportDialog.DialogCode.Accepted:
+            return
+        path, _ = QFileDialog.getSaveFileName(
+            self._window,
+            self.tr("Export a picture"),
+            "frustum-lab.png",
+            self.tr("PNG pictures (*.png)"),
+        )
+        if path:
+            if not path.lower().endswith(".png"):
+                path += ".png"
+            self.export(Path(path), dialog.choice())
+
+    def export(self, path: Path, choice: ExportChoice) -> bool:
+        """Write a picture; False if that failed or the user stopped it."""
+        document = self._seen()
+        try:
+            write_png(path, self._draw(document, choice), to_json(document, path.parent))
+        except FigureCancelled:
+            return False
+        except (FigureError, DocumentError) as error:
+            self._messages.say(sentence(error))
+            return False
+        self._messages.done()
+        self._window.statusBar().showMessage(self.tr("Exported {0}").format(path), 5000)
+        return True
+
+    def copy(self) -> None:
+        """Put the three panes on the clipboard."""
+        document = self._seen()
+        try:
+            pixels = self._draw(document, ExportChoice(PANES, (1800, 600), 1.0, False))
+        except FigureCancelled:
+            return
+        data = QMimeData()
+        png = png_bytes(pixels, to_json(document))
+        data.setImageData(QImage.fromData(png))
+        data.setData("image/png", QByteArray(png))
+        QGuiApplication.clipboard().setMimeData(data)
+        self._window.statusBar().showMessage(self.tr("Copied the picture"), 5000)
+
+    def _draw(self, document: Document, choice: ExportChoice) -> Pixels:
+        current = QOpenGLContext.currentContext()
+        if current is not None:  # or VTK may take Qt's context for its own
+            current.doneCurrent()
+        dialog = QProgressDialog(
+            self.tr("Drawing the picture"), self.tr("Cancel"), 0, 100, self._window
+        )
+        dialog.setWindowModality(Qt.WindowModality.WindowModal)
+        dialog.setMinimumDuration(SHOW_PROGRESS_AFTER_MS)
+
+        def progress(fraction: float) -> bool:
+            dialog.setValue(round(99 * fraction))
+            return not dialog.wasCanceled()
+
+        try:
+            return render(
+                self._scene(document.scene),
+                document.projection,
+                views=document.views,
+                panes=choice.panes,
+                size=choice.size,
+                scale=choice.scale,
+                transparent=choice.transparent,
+                style=palette.drawing_style(dark=False, projector=False, device_pixel_ratio=1.0),
+                words=self._words,
+                progress=progress,
+            )
+        finally:
+            dialog.close()
+            dialog.deleteLater()
