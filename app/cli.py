@@ -19,7 +19,7 @@ import re
 import sys
 from collections.abc import Callable, Container, Iterable, Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NoReturn
+from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn
 
 from app import __version__, bootstrap
 from app.doctor import check_off_screen, examine
@@ -32,6 +32,7 @@ from app.document import (
     set_values,
     to_json,
 )
+from app.precision import RUNGS, Prediction, Rung, predict, rung_for_reading, trace
 from app.projection import (
     BOTTOM_BEFORE_TOP,
     FINITE_NUMBER,
@@ -46,6 +47,7 @@ from app.projection import (
     Perspective,
     Projection,
     ProjectionError,
+    Stage,
     Trace,
     format_value,
 )
@@ -458,14 +460,27 @@ def _project(arguments: Sequence[str]) -> int:
     )
     parser = _Parser("project", "[FILE] POINTS", text, _SUMMARIES["project"])
     parser.add_choice("--format", tuple(_PROJECT_FORMATS), "form of the output (table)", "table")
+    parser.add_choice("--rung", RUNGS, "arithmetic (float64, or exact where that is needed)")
     parser.add_set()
     found, (*file, source) = parser.read(arguments, 1, 2)
     if not file and source.lower().endswith((".json", *MESH_ENDINGS)):
         raise CliError(f"POINTS is missing: {source} is what the camera is read from.")
     projection = _document(file[0] if file else None, found.set).projection
-    trace = projection.trace(_read_points(source))
-    _print(_PROJECT_FORMATS[found.format](projection, trace))
+    points = _read_points(source)
+    predictions = predict(projection, points)
+    rung = found.rung or rung_for_reading(predictions)
+    answer = _Answer(projection, trace(projection, points, rung), rung, predictions)
+    _print(_PROJECT_FORMATS[found.format](answer))
     return 0
+
+
+class _Answer(NamedTuple):
+    """What `project` prints."""
+
+    projection: Projection
+    trace: Trace
+    rung: Rung
+    predictions: dict[Rung, Prediction] | None
 
 
 def _read_points(source: str) -> list[tuple[float, float, float]]:
@@ -562,14 +577,30 @@ def _plain(array: Array) -> list[Any]:
     return (array + 0.0).tolist()  # type: ignore[no-any-return]
 
 
-def _project_json(projection: Projection, trace: Trace) -> Iterator[str]:
+def _project_json(answer: _Answer) -> Iterator[str]:
     separator = '{"points": [\n'
-    for point in _points_of(trace):
+    for point in _points_of(answer.trace):
         yield separator + json.dumps(point, allow_nan=False)
         separator = ",\n"
     names = ("view_from_world", "clip_from_view", "clip_from_world")
-    matrices = {name: _plain(getattr(projection, name)) for name in names}
-    yield f'\n],\n"matrices": {json.dumps(matrices, allow_nan=False)}}}\n'
+    stages = (*answer.projection.stages, *answer.projection.direct_stages)
+    matrices = {stage.name: _plain(stage.matrix) for stage in stages if stage.name in names}
+    yield f'\n],\n"matrices": {json.dumps(matrices, allow_nan=False)},\n'
+    errors = {
+        rung: {"px": _finite_or_text(error.px), "depth": _finite_or_text(error.depth)}
+        for rung, error in (answer.predictions or {}).items()
+    }
+    chosen = {
+        "rung": answer.rung,
+        "predicted_error_px": errors[answer.rung]["px"] if errors else None,
+        "predictions": errors,
+    }
+    yield json.dumps(chosen, allow_nan=False)[1:] + "\n"
+
+
+def _finite_or_text(error: float) -> float | str:
+    """JSON has no infinity; the document writes it so, too."""
+    return error if math.isfinite(error) else "inf"
 
 
 _CSV_COLUMNS = (
@@ -582,10 +613,10 @@ _CSV_COLUMNS = (
 )
 
 
-def _project_csv(_projection: Projection, trace: Trace) -> Iterator[str]:
+def _project_csv(answer: _Answer) -> Iterator[str]:
     columns = [name for _, names in _CSV_COLUMNS for name in names]
     yield ",".join([*columns, "inside", "outside_of"]) + "\n"
-    for point in _points_of(trace):
+    for point in _points_of(answer.trace):
         cells = []
         for stage, names in _CSV_COLUMNS:
             values = point[stage]
@@ -597,12 +628,12 @@ def _project_csv(_projection: Projection, trace: Trace) -> Iterator[str]:
         yield ",".join(cells) + "\n"
 
 
-def _project_table(_projection: Projection, trace: Trace) -> Iterator[str]:
+def _project_table(answer: _Answer) -> Iterator[str]:
     labels = (
         ("world", "world"), ("view", "view"), ("clip", "clip"), ("ndc", "NDC"),
         ("image", "image px"), ("depth", "depth"),
     )  # fmt: skip
-    for number, point in enumerate(_points_of(trace), start=1):
+    for number, point in enumerate(_points_of(answer.trace), start=1):
         rows = [["x", "y", "z", "w"]]
         for stage, _ in labels:
             values = point[stage]
@@ -617,9 +648,12 @@ def _project_table(_projection: Projection, trace: Trace) -> Iterator[str]:
             yield f"{label:>10}  {none if point[stage] is None else line}\n"
         beyond = ", ".join(point["outside_of"])
         yield f"{'outside of' if beyond else 'inside':>10}  {beyond or 'the view volume'}\n"
+    if answer.predictions is not None:
+        errors = [f"{rung} {error.px:.1e} px" for rung, error in answer.predictions.items()]
+        yield f"\ncomputed in {answer.rung}; largest errors: {', '.join(errors)}\n"
 
 
-_PROJECT_FORMATS: dict[str, Callable[[Projection, Trace], Iterator[str]]] = {
+_PROJECT_FORMATS: dict[str, Callable[[_Answer], Iterator[str]]] = {
     "table": _project_table,
     "csv": _project_csv,
     "json": _project_json,
@@ -658,22 +692,28 @@ def _matrices(arguments: Sequence[str]) -> int:
     return 0
 
 
-def _all_matrices(projection: Projection) -> dict[str, tuple[Array, tuple[tuple[str, Array], ...]]]:
-    """Every stage's matrix and its factors, and the product of those before the divide."""
-    matrices = {stage.name: (stage.matrix, stage.factors) for stage in projection.stages}
-    names = ("clip_from_view", "view_from_world")
-    product = tuple((name, matrices[name][0]) for name in names)
-    last = matrices.popitem()
-    return matrices | {"clip_from_world": (projection.clip_from_world, product)} | dict([last])
+def _all_stages(projection: Projection) -> list[Stage]:
+    """Every stage, and the products of those before the divide where they end."""
+    *stages, last = projection.stages
+    return [*stages, *projection.direct_stages, last]
+
+
+def _factors(stage: Stage) -> tuple[tuple[str, Array], ...]:
+    """The factors that a reader has not seen as stages."""
+    return tuple(factor for factor in stage.factors if "_from_" not in factor[0])
 
 
 def _matrices_text(projection: Projection) -> str:
     blocks = []
-    for name, (matrix, factors) in _all_matrices(projection).items():
-        product = " = " + " ".join(factor for factor, _ in factors) if factors else ""
-        blocks.append(f"{name}{product}\n{_text(matrix)}")
-        if name == "view_from_world":
-            blocks += [f"{factor}\n{_text(values)}" for factor, values in factors]
+    for stage in _all_stages(projection):
+        product = f" = {' '.join(name for name, _ in stage.factors)}" if stage.factors else ""
+        note = f"  ({stage.note})\n" if stage.note else ""
+        blocks.append(f"{stage.name}{product}\n{note}{_text(stage.matrix)}")
+        factors = _factors(stage)
+        if len(factors) > 1:
+            blocks += [f"  {name}\n{_text(values)}" for name, values in factors]
+        if stage.name == "clip_from_world":
+            blocks.append("ndc_from_clip: x, y and z divided by w\n")
     return "\n".join(blocks)
 
 
@@ -684,20 +724,24 @@ def _text(matrix: Array) -> str:
 
 def _matrices_json(projection: Projection) -> str:
     lines = [
-        f"  {json.dumps(name)}: {json.dumps(_plain(matrix), allow_nan=False)}"
-        for name, (matrix, _) in _all_matrices(projection).items()
+        f"  {json.dumps(stage.name)}: {json.dumps(_plain(stage.matrix), allow_nan=False)}"
+        for stage in _all_stages(projection)
     ]
     return "{\n" + ",\n".join(lines) + "\n}\n"
 
 
 def _matrices_latex(projection: Projection) -> str:
     blocks = ["% needs \\usepackage{amsmath}\n"]
-    for name, (matrix, factors) in _all_matrices(projection).items():
-        target, _, source = name.partition("_from_")
+    for stage in _all_stages(projection):
+        target, _, source = (part.replace("_", " ") for part in stage.name.partition("_from_"))
         symbol = rf"M_{{\text{{{target}}}\leftarrow\text{{{source}}}}}"
-        shown = [values for _, values in factors if name == "view_from_world"]
-        equal = " = ".join("\n".join(map(_latex, group)) for group in (shown, [matrix]) if group)
-        blocks.append(f"\\[\n{symbol} = {equal}\n\\]\n")
+        factors = _factors(stage)
+        shown = [values for _, values in factors] if len(factors) > 1 else []
+        equal = " = ".join(
+            "\n".join(map(_latex, group)) for group in (shown, [stage.matrix]) if group
+        )
+        note = f"% {stage.note}\n" if stage.note else ""
+        blocks.append(f"{note}\\[\n{symbol} = {equal}\n\\]\n")
     return "\n".join(blocks)
 
 
