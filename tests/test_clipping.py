@@ -136,17 +136,21 @@ def test_what_is_visible_agrees_with_rationals(start: Array, end: Array, depth: 
 
 @settings(max_examples=300, deadline=None)
 @given(
-    start=st.one_of(points_of(WIDE), points_of(MODERATE)),
+    place=st.tuples(*[st.floats(-1.0, 1.0)] * 3),
+    exponent=st.integers(-300, 300),
     end=st.one_of(points_of(WIDE), points_of(MODERATE)),
     depth=DEPTHS,
 )
 def test_a_cut_end_lies_on_its_plane_and_on_the_segment(
-    start: Array, end: Array, depth: str
+    place: tuple[float, ...], exponent: int, end: Array, depth: str
 ) -> None:
-    """On its plane to the last bit; on the segment within 4 ulp of the larger end."""
+    """From inside: on its plane to the last bit, on the segment within 8 ulp of the larger end."""
+    x, y, z = place
+    w = 10.0**exponent
+    start = np.array([x, y, z if depth == "opengl" else abs(z), 1.0]) * w
     assume(not opposite(start, end))
     got = clip_segments(start, end, depth)
-    assume(bool(got.visible))
+    assert got.visible
     for point, plane, t in zip(got.points_clip, got.planes, got.t, strict=True):
         if plane == NOT_CUT:
             continue
