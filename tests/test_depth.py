@@ -34,7 +34,7 @@ RANGES = [
     (1e-6, 1e6),
     (1e-6, math.inf),
     (1e3, math.inf),
-    (1.0, 1.000001),
+    (3.0, 3.000003),
     (1e-205, 1e100),
     (3e99, 1e100),
 ]
@@ -212,6 +212,19 @@ def test_the_ends_are_the_first_and_the_last_code() -> None:
         assert back.tolist() == pytest.approx([buffer.near, buffer.far], rel=4 * EPS)
 
 
+@settings(max_examples=200, deadline=None)
+@given(st.floats(1e-9, 1e9), st.floats(1.0 + 1e-12, 1e12), st.booleans())
+def test_the_ends_stay_ends_whatever_they_are(near: float, ratio: float, parallel: bool) -> None:
+    """No rounding takes a depth past 1, or a decoded distance past a plane."""
+    for mapping in DEPTH_RANGES if parallel else MAPPINGS:
+        for name, kind in FORMATS.items():
+            buffer = DepthBuffer(name, mapping, near, near * ratio, parallel)
+            low, high = sorted(buffer.depth([buffer.near, buffer.far]).tolist())
+            assert low == 0.0 and 1.0 - 4 * EPS <= high <= 1.0
+            back = buffer.decode([0, 1, kind.largest - 1, kind.largest])
+            assert ((back >= buffer.near) & (back <= buffer.far)).all()
+
+
 def test_codes_are_of_the_smallest_type_and_keep_the_shape() -> None:
     w = np.linspace(1.0, 30.0, 6).reshape(2, 3)
     for name, kind in FORMATS.items():
@@ -313,6 +326,9 @@ def test_the_gap_of_float32_reversed_is_a_share_of_the_distance() -> None:
         z = near * np.geomspace(1.0, 1e30, 500)
         share = buffer.gap(z) / z
         assert (share >= 2.0**-24 * (1 - 1e-9)).all() and (share <= 2.0**-23 * (1 + 1e-6)).all()
+    # Just below a power of two what lies behind has the finer steps, and they are what counts.
+    below_half = DepthBuffer("float32", "reversed", 1.0, math.inf).gap(2.0 * (1.0 + 2.0**-26))
+    assert below_half == pytest.approx(2.0**-23, rel=1e-6)
     # Past float32's normal numbers the steps stay and the share grows, to nothing at all.
     z = 0.1 * np.array([1e40, 1e44, 1e46])
     beyond = DepthBuffer("float32", "reversed", 0.1, math.inf).gap(z)
@@ -401,8 +417,13 @@ def test_no_pairs_collapse_to_nothing() -> None:
     [*((name, False) for name in MAPPINGS), *((name, True) for name in DEPTH_RANGES)],
 )
 def test_float32_arithmetic_is_close_and_is_not_float64(mapping: str, parallel: bool) -> None:
-    buffer = DepthBuffer("float32", mapping, 1.0, 30.0, parallel)
-    w = distances(buffer, 500)
+    w = distances(DepthBuffer("float32", "opengl", 1.0, 30.0), 500)
+    infinite = not parallel and mapping != "logarithmic"
+    for far in (30.0, math.inf) if infinite else (30.0,):
+        check_float32(DepthBuffer("float32", mapping, 1.0, far, parallel), w)
+
+
+def check_float32(buffer: DepthBuffer, w: Array) -> None:
     error = np.abs(buffer.depth(w, "float32") - buffer.depth(w))
     assert 2.0**-30 < error.max() < 2.0**-21
     rounded = buffer.depth(w, "float32")
