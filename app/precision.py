@@ -43,6 +43,8 @@ RUNGS: tuple[Rung, ...] = ("float32", "float64", "exact")
 
 DRAWING_TOLERANCE_PX = 0.01
 """Error up to which `float32` may draw, unless another is set; else `float64` does."""
+LEAST_TOLERANCE_PX, LARGEST_TOLERANCE_PX = 1e-4, 100.0
+"""Between which it can be set: below, no drawing in pixels could hold it."""
 READING_TOLERANCE_PX = 1e-9
 """Error of float64 from which numbers are read from the exact rung."""
 READING_TOLERANCE_DEPTH = 1e-12
@@ -163,6 +165,17 @@ def drawing_bound_px(
     half_width, half_height = (side / 2.0 for side in projection.image_size)
     lost = max(half_width * (x + w), half_height * (y + w)) / least_w
     return float(_UNIT_32 * (6.0 * lost + 8.0 * max(half_width, half_height)))
+
+
+def rung_for_drawing(
+    projection: Projection,
+    corners_world: Array,
+    origin: Vector = (0.0, 0.0, 0.0),
+    tolerance_px: float = DRAWING_TOLERANCE_PX,
+) -> Rung:
+    """The cheaper of the two rungs that can be drawn, if what it can lose is below a tolerance."""
+    bound_px = drawing_bound_px(projection, corners_world, origin)
+    return "float32" if bound_px <= tolerance_px else "float64"
 
 
 def rung_for_reading(predictions: Mapping[Rung, Prediction] | None) -> Rung:

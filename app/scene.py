@@ -17,6 +17,7 @@ import difflib
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import Any, TypeAlias
 
@@ -42,7 +43,7 @@ from app.meshes import (
 )
 from app.meshes import SceneCancelled as SceneCancelled  # `load` raises both
 from app.meshes import SceneError as SceneError
-from app.projection import Camera, Perspective, Projection
+from app.projection import Array, Camera, Perspective, Projection
 
 Vector: TypeAlias = tuple[float, float, float]
 
@@ -56,6 +57,8 @@ SENTENCES = (WRONG_ENDING, NOT_A_SCENE, NEARLY_A_SCENE, ONE_POINT, WRONG_SIZE)
 
 FACES_WITH_EDGES = 5_000
 """Meshes of more faces get no edge lines: they would be denser than the pixels."""
+SAMPLE = 100_000
+"""Vertices of a larger mesh stand for all of them when errors are predicted."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -95,6 +98,26 @@ class Scene:
     def centre(self) -> Vector:
         """World point in the middle of the objects' bounds."""
         return _centre(self.lower, self.upper)
+
+    @cached_property
+    def corners(self) -> Array:
+        """World coordinates of the corners of a box round all that is drawn, (8, 3)."""
+        bounds = [m.bounds for m in (self.surface, self.lines) if m is not None]
+        low = np.min([b[::2] for b in bounds], axis=0)
+        high = np.max([b[1::2] for b in bounds], axis=0)
+        which = np.array([[i >> axis & 1 for axis in range(3)] for i in range(8)], dtype=bool)
+        corners: Array = np.where(which, high, low) + self.origin
+        return corners
+
+    @cached_property
+    def sample(self) -> Array:
+        """Vertices in world coordinates, (n, 3): all of them, or `SAMPLE` of a larger mesh."""
+        points = np.concatenate(
+            [mesh.points for mesh in (self.surface, self.lines) if mesh is not None]
+        )
+        step = max(1, -(-len(points) // SAMPLE))
+        sample: Array = points[::step].astype(np.float64) + self.origin
+        return sample
 
 
 def load(name_or_path: str, progress: Progress | None = None) -> Scene:

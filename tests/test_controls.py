@@ -24,7 +24,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app import document, figures, meshes, projection, scene
+from app import document, figures, health, meshes, projection, scene
 from app.document import DocumentError
 from app.figures import FigureError
 from app.projection import (
@@ -1377,8 +1377,9 @@ def test_a_slider_stays_long_enough_to_use_and_the_column_narrow(enlarged: Contr
         (messages.DOCUMENT_BOUNDS, document.BOUNDS, "DocumentError"),
         (messages.SCENE_SENTENCES, meshes.SENTENCES + scene.SENTENCES, "SceneError"),
         (messages.FIGURE_SENTENCES, figures.SENTENCES, "FigureError"),
+        (messages.HEALTH_SENTENCES, health.SENTENCES, "Health"),
     ],
-    ids=["projection", "document", "scene", "figure"],
+    ids=["projection", "document", "scene", "figure", "health"],
 )
 def test_translators_are_given_every_bound(
     listed: tuple[str, ...], core: tuple[str, ...], context: str

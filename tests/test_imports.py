@@ -59,10 +59,12 @@ ROOMS = {
     "app/__init__.py": Room(),
     "app/bootstrap.py": Room(),
     "app/__main__.py": Room(rooms=("app.bootstrap",), late=("app.cli",)),
-    "app/projection.py": CORE,
-    "app/precision.py": CORE,
+    "app/double_double.py": CORE,
+    "app/projection.py": Room(("numpy",), ("app.double_double",)),
+    "app/precision.py": Room(("numpy",), ("app.double_double", "app.projection")),
     "app/depth.py": Room(("numpy",), ("app.projection",)),
     "app/clipping.py": Room(("numpy",), ("app.projection",)),
+    "app/health.py": Room(rooms=("app.projection", "app.precision", "app.depth")),
     "app/meshes.py": Room(("numpy", *VTK)),
     "app/scene.py": Room(("numpy", *VTK), ("app.projection", "app.meshes")),
     "app/document.py": Room(rooms=("app.projection",)),
@@ -87,7 +89,7 @@ ROOMS = {
     # The command line starts with numbers only; pictures and windows come when they are asked for.
     "app/cli.py": Room(
         ("numpy",),
-        ("app.bootstrap", "app.projection", "app.document", "app.doctor"),
+        ("app.bootstrap", "app.projection", "app.precision", "app.document", "app.doctor"),
         late=(*VTK, *QT, "app", "widgets"),
     ),
     "app/doctor.py": Room(rooms=("app.bootstrap",), late=(*VTK, *QT, "app", "widgets")),
@@ -125,6 +127,13 @@ ROOMS = {
         ),
     ),
     "widgets/help.py": Room(QT),
+    "widgets/status_line.py": Room(
+        QT,
+        (
+            *("app.projection", "app.precision", "app.health", "app.scene"),
+            *("widgets.messages", "widgets.rows"),
+        ),
+    ),
     "widgets/main_window.py": Room(
         ("numpy", *QT),
         (
@@ -134,7 +143,9 @@ ROOMS = {
     ),
     # Starts and ends the program round the window.
     "widgets/application.py": Room(
-        QT, ("app.document", "widgets.opengl"), late=(*VTK, "app.scene", "widgets.main_window")
+        QT,
+        ("app.document", "app.precision", "widgets.opengl"),
+        late=(*VTK, "app.scene", "widgets.main_window"),
     ),
 }
 

@@ -67,6 +67,7 @@ from PySide6.QtWidgets import (
 
 from app import __version__
 from app.document import Document, write_bytes_atomically
+from app.precision import DRAWING_TOLERANCE_PX, LARGEST_TOLERANCE_PX, LEAST_TOLERANCE_PX
 from widgets import opengl
 
 if TYPE_CHECKING:
@@ -198,6 +199,15 @@ class Settings:
         self._write("language", language)
 
     @property
+    def tolerance_px(self) -> float:
+        """Error in pixels up to which a GPU's own arithmetic may draw."""
+        return self._read("tolerance", _tolerance, DRAWING_TOLERANCE_PX)
+
+    @tolerance_px.setter
+    def tolerance_px(self, tolerance_px: float) -> None:
+        self._write("tolerance", repr(tolerance_px))
+
+    @property
     def geometry(self) -> bytes | None:
         """The window's place as Qt wrote it, None before the first time."""
         return self._read("geometry", _bytes, None)
@@ -257,6 +267,13 @@ def _flag(text: str) -> bool:
     if text not in ("true", "false"):
         raise ValueError
     return text == "true"
+
+
+def _tolerance(text: str) -> float:
+    tolerance_px = float(text)
+    if not LEAST_TOLERANCE_PX <= tolerance_px <= LARGEST_TOLERANCE_PX:
+        raise ValueError
+    return tolerance_px
 
 
 def _language(text: str) -> str:

@@ -35,7 +35,6 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import (
     QApplication,
     QComboBox,
-    QLabel,
     QMainWindow,
     QSplitter,
     QToolBar,
@@ -48,7 +47,7 @@ from app.drawings import WORDS
 from app.drawings.image import ImageDrawing
 from app.drawings.ndc import NdcDrawing
 from app.drawings.world import WorldDrawing
-from app.projection import Camera, Perspective, Projection, focal_length_35mm, fov_x_from_fov_y
+from app.projection import Camera, Projection
 from app.scene import BUILT_IN, Scene
 from app.store import Store
 from widgets import palette
@@ -60,7 +59,7 @@ from widgets.message_bar import MessageBar
 from widgets.messages import sentence
 from widgets.pane import Pane
 from widgets.pictures import Pictures
-from widgets.rows import short_text
+from widgets.status_line import StatusLine
 
 PANE_WIDTHS = [400, 305, 330]
 """Of the panes in a window of 1366 pixels; the splitter keeps their proportion."""
@@ -69,12 +68,6 @@ DRAWINGS: dict[str, Callable[..., Any]] = {
     "ndc": NdcDrawing,
     "image": ImageDrawing,
 }
-
-
-def _angle_text(fov_deg: float) -> str:
-    """Four digits, or as many as tell the angle from 180, which no lens has."""
-    text = f"{fov_deg:.4g}"
-    return short_text(fov_deg, below=180.0) if text == "180" else text
 
 
 class MainWindow(QMainWindow):
@@ -349,19 +342,14 @@ class MainWindow(QMainWindow):
             action.setIconText(text)
 
     def _make_status_line(self) -> None:
-        self._status = {name: QLabel() for name in ("fov", "planes", "camera")}
-        for label, tip in zip(
-            self._status.values(),
-            (
-                self.tr("Field of view, vertical × horizontal, and 35-mm equivalent focal length"),
-                self.tr("Near plane : far plane, and their ratio"),
-                self.tr("Distance from the eye to the target, in world units"),
-            ),
-            strict=True,
-        ):
-            label.setToolTip(tip)
-            label.setContentsMargins(8, 0, 8, 0)
-            self.statusBar().addWidget(label)
+        self.status = StatusLine()
+        self.status.set_tolerance(self.settings.tolerance_px)
+        self.status.tolerance_edited.connect(self._set_tolerance)
+        self.setStatusBar(self.status)
+
+    def _set_tolerance(self, tolerance_px: float) -> None:
+        self.settings.tolerance_px = tolerance_px
+        self.status.set_tolerance(tolerance_px)
 
     def _wire(self) -> None:
         store, controls = self.store, self.controls
@@ -394,7 +382,7 @@ class MainWindow(QMainWindow):
         for pane in self.panes.values():
             pane.show_projection(document.projection)
         self.controls.show_projection(document.projection)
-        self._show_status(document.projection)
+        self._show_notes(document.projection, scene)
         self.autosave.schedule()
 
     def _build_drawings(self, views: dict[str, Camera]) -> None:
@@ -419,26 +407,8 @@ class MainWindow(QMainWindow):
         for pane in self.panes.values():
             pane.set_smooth(smooth)
 
-    def _show_status(self, projection: Projection) -> None:
-        lens, aspect = projection.lens, projection.aspect
-        if isinstance(lens, Perspective):
-            fov = self.tr("fov {0}° × {1}°, {2} mm").format(
-                _angle_text(lens.fov_y_deg),
-                _angle_text(fov_x_from_fov_y(lens.fov_y_deg, aspect)),
-                f"{focal_length_35mm(lens.fov_y_deg, aspect):.4g}",
-            )
-        else:
-            left, right, bottom, top = projection.window
-            fov = self.tr("window {0} × {1}").format(f"{right - left:.4g}", f"{top - bottom:.4g}")
-        self._status["fov"].setText(fov)
-        far = "∞" if lens.far == float("inf") else f"{lens.far:.4g}"
-        planes = self.tr("near {0} : far {1}").format(f"{lens.near:.4g}", far)
-        if isinstance(lens, Perspective) and lens.far != float("inf"):
-            planes += self.tr("  (1 : {0})").format(f"{lens.far / lens.near:.4g}")
-        self._status["planes"].setText(planes)
-        self._status["camera"].setText(
-            self.tr("eye to target {0}").format(f"{projection.camera.distance:.4g}")
-        )
+    def _show_notes(self, projection: Projection, scene: Scene) -> None:
+        self.status.show_projection(projection, scene)
         width, height = projection.image_size
         self.panes["image"].note.setText(f"{width} × {height}")
         z_near, z_far = projection.depth_range

@@ -275,6 +275,29 @@ FIGURE_SENTENCES = (
 )
 """Every `FigureError`: the members of `app.figures.SENTENCES`."""
 
+HEALTH_SENTENCES = (
+    QT_TRANSLATE_NOOP(
+        "Health", "At the target, a 24-bit depth buffer cannot tell any two surfaces apart"
+    ),
+    QT_TRANSLATE_NOOP(
+        "Health", "At the target, a 24-bit depth buffer tells surfaces apart only from {0} on"
+    ),
+    QT_TRANSLATE_NOOP(
+        "Health",
+        "In float64 only {0} decimals of a pixel and {1} of the depth would be certain: the "
+        "numbers are computed exactly",
+    ),
+    QT_TRANSLATE_NOOP(
+        "Health",
+        "A GPU's float32 would draw up to {0} px off: the picture is computed in float64",
+    ),
+    QT_TRANSLATE_NOOP("Health", "VTK's own camera would clamp the field of view to {0}°"),
+    QT_TRANSLATE_NOOP(
+        "Health", "The scene is {0} times as large as near: from 1e7 on VTK drops what is near"
+    ),
+)
+"""Every `app.health.Risk`: the members of `app.health.SENTENCES`."""
+
 _CONTEXTS = {
     template: context
     for context, templates in (
@@ -282,6 +305,7 @@ _CONTEXTS = {
         ("DocumentError", DOCUMENT_BOUNDS),
         ("SceneError", SCENE_SENTENCES),
         ("FigureError", FIGURE_SENTENCES),
+        ("Health", HEALTH_SENTENCES),
     )
     for template in templates
 }
@@ -344,7 +368,8 @@ def _value_text(value: object) -> str:
     return format_value(value)
 
 
-def _translated(template: str) -> str:
+def translated(template: str) -> str:
+    """A sentence of the core, of the lists above, in the window's language."""
     context = _CONTEXTS.get(template, "ProjectionError")  # or one that only a control can refuse
     return QCoreApplication.translate(context, template)
 
@@ -365,9 +390,9 @@ def sentence(error: Exception) -> str:
         One of the core's own is translated; any other speaks for itself.
     """
     if isinstance(error, _Translatable):
-        return error.sentence(_translated)
+        return error.sentence(translated)
     if isinstance(error, ProjectionError):
-        bound = _translated(error.bound).format(*error.limits)
+        bound = translated(error.bound).format(*error.limits)
         return f"{field_name(error.field)} = {_value_text(error.value)}: {bound}."
     return str(error)
 

@@ -1,0 +1,87 @@
+"""What the numbers in hand cost: the sentences of the health line.
+
+Each risk is a sentence with its figures; where nothing is at risk there is none.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from app.depth import DepthBuffer
+from app.precision import Prediction, Rung, rung_for_reading
+from app.projection import Perspective, Projection
+
+NO_GAP = "At the target, a 24-bit depth buffer cannot tell any two surfaces apart"
+WIDE_GAP = "At the target, a 24-bit depth buffer tells surfaces apart only from {0} on"
+FEW_DIGITS = (
+    "In float64 only {0} decimals of a pixel and {1} of the depth would be certain: the numbers "
+    "are computed exactly"
+)
+ROUGH_DRAWING = "A GPU's float32 would draw up to {0} px off: the picture is computed in float64"
+VTK_CLAMPS = "VTK's own camera would clamp the field of view to {0}°"
+VTK_DROPS = "The scene is {0} times as large as near: from 1e7 on VTK drops what is near"
+SENTENCES = (NO_GAP, WIDE_GAP, FEW_DIGITS, ROUGH_DRAWING, VTK_CLAMPS, VTK_DROPS)
+"""Every sentence of a `Risk`, for translators."""
+
+_GAP = 1e-3  # of the scene's size: surfaces nearer to each other than this are drawn
+_LARGEST_VTK_FOV_DEG, _SMALLEST_VTK_FOV_DEG = 179.0, 1e-8
+_VTK_DROPS_FROM = 1e6  # of extent over near: told before it happens
+
+
+class Risk(NamedTuple):
+    """One sentence: a template of `SENTENCES` and the figures in it."""
+
+    template: str
+    figures: tuple[str, ...] = ()
+
+    def __str__(self) -> str:
+        return f"{self.template.format(*self.figures)}."
+
+
+def risks(
+    projection: Projection,
+    size: float,
+    drawn: Rung,
+    predictions: Mapping[Rung, Prediction] | None,
+) -> list[Risk]:
+    """Name what the numbers in hand put at risk, the worst first.
+
+    Parameters
+    ----------
+    projection : Projection
+    size : float
+        The scene's, in world units.
+    drawn : {"float32", "float64"}
+        The rung that the panes are drawn with.
+    predictions : dict from rung to Prediction, or None
+        As `precision.predict` gives them for the scene's vertices.
+    """
+    found = []
+    lens, distance = projection.lens, projection.camera.distance
+    if lens.near <= distance <= lens.far:
+        buffer = DepthBuffer("fixed24", projection.depth, lens.near, lens.far, lens.parallel)
+        gap = float(buffer.gap(distance))
+        if gap > _GAP * size:
+            found.append(Risk(WIDE_GAP, (f"{gap:.2g}",)) if gap < math.inf else Risk(NO_GAP))
+    if predictions is not None:
+        if drawn != "float32":
+            found.append(Risk(ROUGH_DRAWING, (f"{predictions['float32'].px:.2g}",)))
+        if rung_for_reading(predictions) == "exact":
+            found.append(Risk(FEW_DIGITS, tuple(map(_decimals, predictions["float64"]))))
+    if isinstance(lens, Perspective):
+        if lens.fov_y_deg > _LARGEST_VTK_FOV_DEG:
+            found.append(Risk(VTK_CLAMPS, (f"{_LARGEST_VTK_FOV_DEG:g}",)))
+        elif lens.fov_y_deg < _SMALLEST_VTK_FOV_DEG:
+            found.append(Risk(VTK_CLAMPS, (f"{_SMALLEST_VTK_FOV_DEG:g}",)))
+    if not lens.parallel and size / lens.near >= _VTK_DROPS_FROM:
+        found.append(Risk(VTK_DROPS, (f"{size / lens.near:.2g}",)))
+    return found
+
+
+def _decimals(error: float) -> str:
+    """How many decimals of a number with this error are certain."""
+    if error == math.inf:
+        return "0"
+    return str(max(0, math.floor(-math.log10(2.0 * error))))

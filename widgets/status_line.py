@@ -1,0 +1,212 @@
+"""The status line: the lens in figures, how exactly the picture and its numbers are computed, and
+what is at risk.
+
+Predicting errors takes some milliseconds; it waits until the hand rests, and is not done at all
+while nobody can see it.
+"""
+
+from __future__ import annotations
+
+import math
+
+from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QInputDialog, QLabel, QMenu, QSizePolicy, QStatusBar, QToolButton
+
+from app.health import risks
+from app.precision import (
+    DRAWING_TOLERANCE_PX,
+    LARGEST_TOLERANCE_PX,
+    LEAST_TOLERANCE_PX,
+    Prediction,
+    Rung,
+    predict,
+    rung_for_drawing,
+    rung_for_reading,
+)
+from app.projection import Perspective, Projection, focal_length_35mm, fov_x_from_fov_y
+from app.scene import Scene
+from widgets.messages import translated
+from widgets.rows import short_text
+
+RESTS_AFTER_MS = 150
+"""How long nothing must change until errors are predicted."""
+
+
+class StatusLine(QStatusBar):
+    """Figures of the projection at the bottom of the window.
+
+    Attributes
+    ----------
+    tolerance_edited : Signal(float)
+        The error in pixels up to which a GPU's own arithmetic may draw, set by the user.
+    """
+
+    tolerance_edited = Signal(float)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._projection: Projection | None = None
+        self._scene: Scene | None = None
+        self.tolerance_px = DRAWING_TOLERANCE_PX
+        self._predictions: dict[Rung, Prediction] | None = None
+        self._drawn: Rung = "float32"
+        self.labels = {name: QLabel() for name in ("fov", "planes", "camera")}
+        self.health = _Elided()
+        self.health.setAccessibleName(self.tr("Numerical health"))
+        for name, tip in (
+            ("fov", self.tr("Field of view, vertical × horizontal, and 35-mm equivalent")),
+            ("planes", self.tr("Near plane : far plane, and their ratio")),
+            ("camera", self.tr("Distance from the eye to the target, in world units")),
+        ):
+            self.labels[name].setToolTip(tip)
+            self.labels[name].setContentsMargins(8, 0, 8, 0)
+            self.addWidget(self.labels[name])
+        self.rung = QToolButton()
+        self.rung.setAutoRaise(True)
+        self.rung.setAccessibleName(self.tr("Arithmetic"))
+        self.rung.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        self.rung.setMenu(QMenu(self.rung))
+        self.addWidget(self.rung)
+        self.rung.setToolTip(
+            self.tr(
+                "With how many digits the picture is drawn and its numbers are computed, and the "
+                "largest error predicted for this scene and camera; click for the alternatives"
+            )
+        )
+        self.rung.menu().aboutToShow.connect(self._fill_menu)
+        self.addWidget(self.health, 1)
+        self._rest = QTimer(self)
+        self._rest.setSingleShot(True)
+        self._rest.setInterval(RESTS_AFTER_MS)
+        self._rest.timeout.connect(self._predict)
+
+    def show_projection(self, projection: Projection, scene: Scene) -> None:
+        """Take over the model and what it looks at.
+
+        Parameters
+        ----------
+        projection : Projection
+        scene : Scene
+        """
+        self._projection, self._scene = projection, scene
+        self._show_lens(projection)
+        self._rest.start()
+
+    def set_tolerance(self, tolerance_px: float) -> None:
+        """Set up to which error in pixels a GPU's own arithmetic may draw."""
+        self.tolerance_px = tolerance_px
+        self._rest.start()
+
+    def _show_lens(self, projection: Projection) -> None:
+        lens, aspect = projection.lens, projection.aspect
+        if isinstance(lens, Perspective):
+            fov = self.tr("fov {0}° × {1}°, {2} mm").format(
+                _angle_text(lens.fov_y_deg),
+                _angle_text(fov_x_from_fov_y(lens.fov_y_deg, aspect)),
+                f"{focal_length_35mm(lens.fov_y_deg, aspect):.4g}",
+            )
+        else:
+            left, right, bottom, top = projection.window
+            fov = self.tr("window {0} × {1}").format(f"{right - left:.4g}", f"{top - bottom:.4g}")
+        self.labels["fov"].setText(fov)
+        far = "∞" if lens.far == math.inf else f"{lens.far:.4g}"
+        planes = self.tr("near {0} : far {1}").format(f"{lens.near:.4g}", far)
+        if not lens.parallel and lens.far != math.inf:
+            planes += self.tr("  (1 : {0})").format(f"{lens.far / lens.near:.4g}")
+        self.labels["planes"].setText(planes)
+        self.labels["camera"].setText(
+            self.tr("eye to target {0}").format(f"{projection.camera.distance:.4g}")
+        )
+
+    def _predict(self) -> None:
+        if self._projection is None or self._scene is None or not self.isVisible():
+            return
+        projection, scene = self._projection, self._scene
+        self._predictions = predict(projection, scene.sample, scene.origin)
+        self._drawn = rung_for_drawing(projection, scene.corners, scene.origin, self.tolerance_px)
+        self._show_rungs(self._drawn, self._predictions)
+        self.health.show_sentences(
+            [
+                f"{translated(risk.template).format(*risk.figures)}."
+                for risk in risks(projection, scene.size, self._drawn, self._predictions)
+            ]
+        )
+
+    def _show_rungs(self, drawn: Rung, predictions: dict[Rung, Prediction] | None) -> None:
+        read = rung_for_reading(predictions)
+        if predictions is None:
+            text = self.tr("drawn {0}, read {1}").format(drawn, read)
+        else:
+            text = self.tr("drawn {0} ±{1} px, read {2} ±{3} px").format(
+                drawn, f"{predictions[drawn].px:.1g}", read, f"{predictions[read].px:.1g}"
+            )
+        self.rung.setText(text)
+
+    def _fill_menu(self) -> None:
+        menu = self.rung.menu()
+        menu.clear()
+        read = rung_for_reading(self._predictions)
+        for rung, (px, depth) in (self._predictions or {}).items():
+            line = self.tr("{0}: up to {1} px, {2} in depth").format(
+                rung, f"{px:.2g}", f"{depth:.2g}"
+            )
+            uses = [
+                use
+                for use, chosen in ((self.tr("drawn"), self._drawn), (self.tr("read"), read))
+                if chosen == rung
+            ]
+            menu.addAction(f"{line}  ({', '.join(uses)})" if uses else line).setEnabled(False)
+        menu.addSeparator()
+        text = self.tr("Drawing tolerance {0} px…").format(f"{self.tolerance_px:g}")
+        menu.addAction(text).triggered.connect(self._ask_tolerance)
+
+    def _ask_tolerance(self) -> None:
+        tolerance_px, is_set = QInputDialog.getDouble(
+            self,
+            self.tr("Drawing tolerance"),
+            self.tr("A GPU's own arithmetic (float32) may draw up to this many pixels off:"),
+            self.tolerance_px,
+            LEAST_TOLERANCE_PX,
+            LARGEST_TOLERANCE_PX,
+            4,
+        )
+        if is_set:
+            self.tolerance_edited.emit(tolerance_px)
+
+
+class _Elided(QLabel):
+    """As much of the worst sentence as there is room for; all of them as its tooltip."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("health")
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self._sentence = ""
+
+    def show_sentences(self, sentences: list[str]) -> None:
+        """Show the first, or nothing if there is none."""
+        self._sentence = ""
+        if sentences:
+            more = f" (+{len(sentences) - 1})" if sentences[1:] else ""
+            self._sentence = f"⚠ {sentences[0]}{more}"
+        self.setToolTip("\n".join(sentences))
+        self.setAccessibleDescription(" ".join(sentences))
+        self._elide()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._elide()
+
+    def _elide(self) -> None:
+        text = self.fontMetrics().elidedText(
+            self._sentence, Qt.TextElideMode.ElideRight, self.width() - 4
+        )
+        if text != self.text():
+            self.setText(text)
+
+
+def _angle_text(fov_deg: float) -> str:
+    """Four digits, or as many as tell the angle from 180, which no lens has."""
+    text = f"{fov_deg:.4g}"
+    return short_text(fov_deg, below=180.0) if text == "180" else text
