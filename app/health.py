@@ -26,6 +26,7 @@ SENTENCES = (NO_GAP, WIDE_GAP, FEW_DIGITS, ROUGH_DRAWING, VTK_CLAMPS, VTK_DROPS)
 """Every sentence of a `Risk`, for translators."""
 
 _GAP = 1e-3  # of the scene's size: surfaces nearer to each other than this are drawn
+_SEEN_PX = 0.5  # an error that lights another pixel
 _LARGEST_VTK_FOV_DEG, _SMALLEST_VTK_FOV_DEG = 179.0, 1e-8
 _VTK_DROPS_FROM = 1e6  # of extent over near: told before it happens
 
@@ -66,7 +67,7 @@ def risks(
         if gap > _GAP * size:
             found.append(Risk(WIDE_GAP, (f"{gap:.2g}",)) if gap < math.inf else Risk(NO_GAP))
     if predictions is not None:
-        if drawn != "float32":
+        if drawn != "float32" and predictions["float32"].px >= _SEEN_PX:
             found.append(Risk(ROUGH_DRAWING, (f"{predictions['float32'].px:.2g}",)))
         if rung_for_reading(predictions) == "exact":
             found.append(Risk(FEW_DIGITS, tuple(map(_decimals, predictions["float64"]))))

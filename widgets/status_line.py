@@ -138,8 +138,13 @@ class StatusLine(QStatusBar):
         if predictions is None:
             text = self.tr("drawn {0}, read {1}").format(drawn, read)
         else:
+            # Whatever computed it, a rasteriser is handed float32 in the end.
+            at_least_px = max(self._projection.image_size) * 2.0**-24 if self._projection else 0.0
             text = self.tr("drawn {0} ±{1} px, read {2} ±{3} px").format(
-                drawn, f"{predictions[drawn].px:.1g}", read, f"{predictions[read].px:.1g}"
+                drawn,
+                f"{max(predictions[drawn].px, at_least_px):.1g}",
+                read,
+                f"{predictions[read].px:.1g}",
             )
         self.rung.setText(text)
 

@@ -1,0 +1,95 @@
+"""The health line: silent in everyday cameras, and naming each risk with its figure."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import pytest
+
+from app.health import (
+    FEW_DIGITS,
+    NO_GAP,
+    ROUGH_DRAWING,
+    SENTENCES,
+    VTK_CLAMPS,
+    VTK_DROPS,
+    WIDE_GAP,
+    Risk,
+    risks,
+)
+from app.precision import predict, rung_for_drawing
+from app.projection import Camera, Lens, Orthographic, Perspective, Projection
+from app.scene import BUILT_IN, load
+
+EVERYDAY = Projection(Camera(), Perspective(45.0, 1.0, 30.0))
+
+
+def found(projection: Projection, size: float = 6.0) -> dict[str, tuple[str, ...]]:
+    """The risks' figures by template, with letter F's vertices."""
+    scene = load("letter-f")
+    predictions = predict(projection, scene.sample, scene.origin)
+    drawn = rung_for_drawing(projection, scene.corners, scene.origin)
+    told = risks(projection, size, drawn, predictions)
+    assert {risk.template for risk in told} <= set(SENTENCES)
+    return {risk.template: risk.figures for risk in told}
+
+
+@pytest.mark.parametrize("name", BUILT_IN)
+def test_a_scene_as_it_opens_is_healthy(name: str) -> None:
+    scene = load(name)
+    predictions = predict(scene.start, scene.sample, scene.origin)
+    drawn = rung_for_drawing(scene.start, scene.corners, scene.origin)
+    assert risks(scene.start, scene.size, drawn, predictions) == []
+
+
+def test_the_gap_at_the_target_is_that_of_a_24_bit_buffer() -> None:
+    # distance^2 / (near 2^24), Akeley and Su: 124.84 / (1e-5 x 16777216) = 0.744
+    told = found(replace(EVERYDAY, lens=Perspective(45.0, 1e-5, math.inf)))
+    distance = EVERYDAY.camera.distance
+    gap = distance**2 / (1e-5 * 2**24)
+    assert float(told[WIDE_GAP][0]) == pytest.approx(gap, rel=0.15)  # it adds a code's width
+    assert NO_GAP in found(replace(EVERYDAY, lens=Perspective(45.0, 1e-9, math.inf)))
+
+
+@pytest.mark.parametrize("lens", [Perspective(45.0, 15.0, 30.0), Perspective(45.0, 1e-6, 5.0)])
+def test_of_a_target_outside_the_planes_no_gap_is_told(lens: Lens) -> None:
+    assert not {WIDE_GAP, NO_GAP} & set(found(replace(EVERYDAY, lens=lens)))
+
+
+def test_a_parallel_lens_has_one_gap_everywhere() -> None:
+    # 4e6 / 2^24 = 0.238 between codes; as wide again to be sure.
+    told = found(replace(EVERYDAY, lens=Orthographic(-4, 4, -4, 4, 1.0, 4e6)))
+    assert 0.23 < float(told[WIDE_GAP][0]) < 0.49
+
+
+def test_what_vtk_would_do_is_told() -> None:
+    assert found(replace(EVERYDAY, lens=Perspective(179.5)))[VTK_CLAMPS] == ("179",)
+    assert found(replace(EVERYDAY, lens=Perspective(1e-9)))[VTK_CLAMPS] == ("1e-08",)
+    assert VTK_CLAMPS not in found(replace(EVERYDAY, lens=Perspective(179.0)))
+    near = replace(EVERYDAY, lens=Perspective(45.0, 1e-6, math.inf))
+    assert found(near, size=6.0)[VTK_DROPS] == ("6e+06",)
+    assert VTK_DROPS not in found(near, size=0.9)
+
+
+def test_lost_digits_are_counted() -> None:
+    # Near and far 1e-9 apart: off the axis the depth keeps 7 decimals or so in float64.
+    narrow = Projection(Camera((0.1, 0.3, 11.0)), Perspective(45.0, 9.0, 9.0 * (1 + 1e-9)))
+    told = found(narrow)
+    assert float(told[FEW_DIGITS][1]) <= 8
+    far_away = Camera((1e9 + 6.0, 5.0, 9.0), (1e9, 2.2, 0.0))
+    rough = risks(
+        replace(EVERYDAY, camera=far_away),
+        6.0,
+        "float64",
+        predict(replace(EVERYDAY, camera=far_away), [(1e9, 1.0, 0.5)]),
+    )
+    assert ROUGH_DRAWING in {risk.template for risk in rough}
+
+
+def test_a_risk_is_a_sentence() -> None:
+    assert str(Risk(VTK_CLAMPS, ("179",))) == (
+        "VTK's own camera would clamp the field of view to 179°."
+    )
+    for template in SENTENCES:
+        assert str(Risk(template, ("1", "2"))).count("{") == 0
