@@ -19,8 +19,9 @@ from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkTextActor
 
 from app.drawings import WORDS
+from app.drawings.labels import _SAMPLES, _Layout
 from app.drawings.style import DARK, LIGHT, Style, rgb
-from app.drawings.world import _SAMPLES, SLAB, WorldDrawing, _Layout, flatten
+from app.drawings.world import SLAB, WorldDrawing, flatten
 from app.projection import (
     DEPTH_RANGES,
     PLANES,
@@ -598,7 +599,7 @@ def test_a_planes_label_is_at_its_plane_or_joined_to_it(
         face, box = planes[name], boxes[name]
         assert min(from_box(spot, box) for spot in planes[other]) > 2.0 * em, name
         anchors = [*face, *((face + np.roll(face, -1, axis=0)) / 2.0)]
-        leader = view.drawing._leaders[name].actor
+        leader = view.drawing._labels._leaders[name].actor
         if min(from_box(spot, box) for spot in anchors) > 1.8 * em:  # diagonally, and roughly
             assert leader.GetVisibility(), name
         if leader.GetVisibility():
@@ -610,7 +611,7 @@ def test_a_planes_label_is_at_its_plane_or_joined_to_it(
 
 def test_a_leader_lights_its_pixels_and_goes_when_it_is_not_needed(make_view: MakeView) -> None:
     view = make_view("letter-f", 412, 670)
-    line = view.drawing._leaders["near"].actor
+    line = view.drawing._labels._leaders["near"].actor
     for projection in (CROWDED[8], with_lens(near=1.0, far=1.0 + 1e-12)):
         view.drawing.show_projection(projection)
         view.drawing.reset_view()
