@@ -8,9 +8,10 @@ to something else.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
-from itertools import islice
-from typing import Any, NamedTuple
+from collections.abc import Iterable, Mapping, Sequence
+from functools import partial
+from itertools import product
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 from vtkmodules.vtkCommonCore import vtkPoints
@@ -24,12 +25,17 @@ from app.projection import Array
 AXES = ("v", "n", "u")
 """The camera's axes, in the order in which they are written."""
 
-# Where the planes' labels can be, best first: of a face's corners and then its edges' middles.
-_NEAR_LABEL_AT = (0, 3, 1, 2, 4, 7, 6, 5)
-_FAR_LABEL_AT = (3, 2, 0, 1, 6, 7, 5, 4)
+# Where the planes' labels can be, best first, as parts of the corners that `Named` has: corners,
+# then middles of edges; of the near face, then of the far one.
+_CORNERS = np.eye(4)
+_EDGES = (_CORNERS + np.roll(_CORNERS, -1, axis=0)) / 2.0
+_PLANES_FROM_CORNERS = np.kron(np.eye(2), np.vstack([_CORNERS, _EDGES]))[
+    [0, 3, 1, 2, 4, 7, 6, 5, *(8 + i for i in (3, 2, 0, 1, 6, 7, 5, 4))]
+]
 
 # Where in the pane a plane is looked for, from -1 to 1; what is near the bottom left first.
-_SAMPLES = np.array([(x, y) for y in range(-4, 5) for x in range(-4, 5)]) * (2.0 / 9.0)
+_ACROSS = 9
+_SAMPLES = np.array([(x, y) for y in range(-4, 5) for x in range(-4, 5)]) * (2.0 / _ACROSS)
 _ONES = np.ones(len(_SAMPLES))
 _YZX, _ZXY = [1, 2, 0], [2, 0, 1]
 
@@ -45,10 +51,16 @@ _ABOVE_PLANE = tuple((x, -y) for x, y in (_BELOW_PLANE[1:3] + _BELOW_PLANE[:1] +
 _GAPS_EM = (0.5, 1.6, 3.0, 5.0, 8.0, 12.0)  # between a label and its point, best first
 _LEADER_FROM_EM = 1.2  # a label as far from its point is joined to it by a line
 _OTHER_PLANE_EM = 2.0  # as far is each plane's label from the other one's corners
+_STAYS_WITHIN_EM = 3.0  # a label as near to its point stays where it is while something moves
+
+Spot: TypeAlias = tuple[float, float, float]
+"""Pixels from the pane's left and bottom, and depth: negative behind the pane's camera."""
+_Candidate: TypeAlias = tuple[float, int, tuple[float, float]]
+"""Where a label could be: how far in em, from which of its points, on which side of it."""
 
 
 class PaneView(NamedTuple):
-    """The pane's own camera.
+    """The pane's own camera and size.
 
     Attributes
     ----------
@@ -58,11 +70,57 @@ class PaneView(NamedTuple):
         Rows: right, up and toward what it looks at.
     slope : float
         Tangent of half the vertical angle of view.
+    size_px : (int, int)
     """
 
     eye: Array
     axes: Array
     slope: float
+    size_px: tuple[int, int]
+
+    def seen(self, points: Array) -> list[Spot]:
+        """Where scene-local points, (n, 3), are in the pane."""
+        width_px, height_px = self.size_px
+        x, y, depth = self.axes @ (points - self.eye).T
+        in_front = np.where(depth > 0.0, depth, np.inf)
+        px = height_px / (2.0 * self.slope * in_front)
+        spots = zip(
+            (width_px / 2.0 + px * x).tolist(),
+            (height_px / 2.0 + px * y).tolist(),
+            depth.tolist(),
+            strict=True,
+        )
+        return list(spots)
+
+    def covered(self, face: Array) -> list[Spot]:
+        """At which of evenly spread places a parallelogram, (4, 3), is in front of the pane."""
+        middle = (face[0] + face[2]) / 2.0 - self.eye
+        across, up = (face[1] - face[0]) / 2.0, (face[3] - face[0]) / 2.0
+        width_px, height_px = self.size_px
+        rays = np.column_stack([_SAMPLES * (self.slope * width_px / height_px, self.slope), _ONES])
+        # Cramer's rule for depth * ray = middle + s across + t up.
+        spanned = np.stack([middle, across, up]) @ self.axes.T
+        # Row i is the cross product of the other two; much faster than numpy's own of one pair.
+        after, before = spanned[_YZX], spanned[_ZXY]
+        adjugate = after[:, _YZX] * before[:, _ZXY] - after[:, _ZXY] * before[:, _YZX]
+        volume = float(spanned[0] @ adjugate[0])
+        facing, s, t = adjugate @ rays.T
+        largest = np.abs(facing)
+        on = (facing * volume > 0.0) & (np.abs(s) <= largest) & (np.abs(t) <= largest)
+        px = (_SAMPLES[on] + 1.0) / 2.0 * self.size_px
+        return list(map(tuple, np.column_stack([px, volume / facing[on]]).tolist()))
+
+    def part_covered(self, face: Array, least: float) -> float:
+        """How much of the pane a parallelogram, (4, 3), covers, 0..1; 0 if less than `least`."""
+        x, y, depth = zip(*self.seen(face), strict=True)
+        if min(depth) > 0.0:
+            sides = zip((x, y), self.size_px, strict=True)
+            # One sample more than fits, at most, in either direction.
+            most = math.prod((max(s) - min(s)) / side_px + 1.0 / _ACROSS for s, side_px in sides)
+            if most < least:
+                return 0.0
+        part = len(self.covered(face)) / len(_SAMPLES)
+        return part if part >= least else 0.0
 
 
 class Named(NamedTuple):
@@ -104,7 +162,7 @@ class Labels:
 
     def __init__(self, canvas: Canvas, words: Mapping[str, str]) -> None:
         self._canvas, self._words = canvas, words
-        style, label = canvas.style, canvas.label
+        style, label = canvas.style, partial(canvas.label, in_pixels=True)
         # The leaders before all labels, whose plates hide the ends.
         self._leaders = {
             name: _Leader(getattr(style, name), style.line_width)
@@ -116,124 +174,112 @@ class Labels:
         self._target = label(words["target"], plate=style.target)
         self._near = label("", plate=style.near)
         self._far = label("", plate=style.far)
+        self._kept: Mapping[Label, _Candidate] = {}
 
-    def lay_out(self, pane: PaneView, named: Named) -> tuple[float, float]:
+    def lay_out(self, pane: PaneView, named: Named, *, afresh: bool) -> bool:
         """Put each label where it hides no other one, at its first place if that is free.
 
         Parameters
         ----------
         pane : PaneView
         named : Named
+        afresh : bool
+            Whether the places depend on nothing but `pane` and `named`. If not, a label that is
+            right next to one of its points stays on its side of it as long as it can: words that
+            jump while a control is dragged draw the eye away from what moves.
 
         Returns
         -------
-        near, far : float
-            How much of the pane each plane covers, 0..1.
+        bool
+            Whether a label has changed sides.
         """
-        words, leaders, layout = self._words, self._leaders, _Layout(self._canvas, pane)
-        near, far = (f"{words[name]} {_distance(getattr(named, name))}" for name in ("near", "far"))
-        self._near.set_text(near)
-        self._far.set_text(far)
-        faces = named.corners[:4], named.corners[4:]
-        (eye, target, *axes), body, *planes = layout.seen(
-            np.vstack([named.eye, named.target, named.tips]),
-            named.body,
-            *(np.vstack([f, (f + np.roll(f, -1, axis=0)) / 2.0]) for f in faces),
-        )
+        words, leaders = self._words, self._leaders
+        before = self._kept
+        layout = _Layout(pane.size_px, self._canvas.style.font_size, {} if afresh else before)
+        texts = [f"{words[name]} {_distance(getattr(named, name))}" for name in ("near", "far")]
+        self._near.set_text(texts[0])
+        self._far.set_text(texts[1])
+        points = [[named.eye], [named.target], named.tips, named.body]
+        seen = pane.seen(np.concatenate([*points, _PLANES_FROM_CORNERS @ named.corners]))
+        eye, target, *spots = seen
+        planes = spots[-16:-8], spots[-8:]
         layout.keep_free([eye, target])
         for i, (name, label) in enumerate(zip(AXES, self._axes, strict=True)):
-            layout.place(label, words[name], axes[i::3], _ON, gaps=1)
+            layout.place(label, words[name], spots[i : len(named.tips) : 3], _ON, gaps=1)
         layout.place(
             self._target, words["target"], [target], _RIGHT_BELOW, leaders["target"], gaps=3
         )
         layout.place(self._eye, words["eye"], [eye], _BELOW, leaders["eye"], gaps=3)
-        layout.keep_free_box(body)
-        on_near, on_far = (layout.covered(face) for face in faces)
-        near_seen = [planes[0][i] for i in _NEAR_LABEL_AT]
-        far_seen = [planes[1][i] for i in _FAR_LABEL_AT]
-        for label, text, seen, sides, leader, others, inside in (
-            (self._near, near, near_seen, _BELOW_PLANE, leaders["near"], far_seen, on_near),
-            (self._far, far, far_seen, _ABOVE_PLANE, leaders["far"], near_seen, on_far[::-1]),
+        layout.keep_free_box(spots[len(named.tips) : -16])
+        for i, (label, sides, leader) in enumerate(
+            (
+                (self._near, _BELOW_PLANE, leaders["near"]),
+                (self._far, _ABOVE_PLANE, leaders["far"]),
+            )
         ):
-            others = others[:4]
-            if not layout.place(label, text, seen, sides, leader, apart_from=others):
-                layout.place(label, text, inside, _ON[:1], gaps=1, apart_from=others)
-        return len(on_near) / len(_SAMPLES), len(on_far) / len(_SAMPLES)
+            others = planes[1 - i][:4]
+            if not layout.place(label, texts[i], planes[i], sides, leader, apart_from=others):
+                inside = pane.covered(named.corners[4 * i : 4 * i + 4])[:: 1 - 2 * i]
+                layout.place(label, texts[i], inside, _ON[:1], gaps=1, apart_from=others)
+        self._kept = layout.settled
+        return self._kept != before
 
 
 class _Layout:
-    """Finds free places for labels in the pane, one after the other."""
+    """Finds free places for labels in the pane, one after the other.
 
-    def __init__(self, canvas: Canvas, pane: PaneView) -> None:
-        width_px, height_px = canvas.window.GetSize()
-        self._size_px = max(1, width_px), max(1, height_px)
-        self._em = canvas.style.font_size
-        self._pane = pane
-        self._taken: list[tuple[float, float, float, float]] = []
+    In plain floats: a label that stays asks about one candidate, where numpy would do them all.
 
-    def seen(self, *groups: Array) -> list[list[tuple[float, float, float]]]:
-        """Pixels from the left and from the bottom, and depth, of local points, groups (n, 3)."""
-        width_px, height_px = self._size_px
-        x, y, depth = self._pane.axes @ (np.concatenate(groups) - self._pane.eye).T
-        in_front = np.where(depth > 0.0, depth, np.inf)
-        px = height_px / (2.0 * self._pane.slope * in_front)
-        seen = np.stack([width_px / 2.0 + px * x, height_px / 2.0 + px * y, depth], axis=1)
-        found, rows = [], iter(map(tuple, seen.tolist()))
-        for group in groups:
-            found.append(list(islice(rows, len(group))))
-        return found
+    Parameters
+    ----------
+    size_px : (int, int)
+        Of the pane.
+    em : float
+        Height of the labels' font, pixels.
+    kept : mapping of Label to _Candidate
+        Where labels are to stay if they still can.
+    """
 
-    def covered(self, face: Array) -> list[tuple[float, float, float]]:
-        """At which of `_SAMPLES` a parallelogram, (4, 3), is in front of the pane, as `seen`."""
-        middle = (face[0] + face[2]) / 2.0 - self._pane.eye
-        across, up = (face[1] - face[0]) / 2.0, (face[3] - face[0]) / 2.0
-        width_px, height_px = self._size_px
-        slope = self._pane.slope
-        rays = np.column_stack([_SAMPLES * (slope * width_px / height_px, slope), _ONES])
-        # Cramer's rule for depth * ray = middle + s across + t up.
-        spanned = np.stack([middle, across, up]) @ self._pane.axes.T
-        # Row i is the cross product of the other two; much faster than numpy's own of one pair.
-        after, before = spanned[_YZX], spanned[_ZXY]
-        adjugate = after[:, _YZX] * before[:, _ZXY] - after[:, _ZXY] * before[:, _YZX]
-        volume = float(spanned[0] @ adjugate[0])
-        facing, s, t = adjugate @ rays.T
-        largest = np.abs(facing)
-        on = (facing * volume > 0.0) & (np.abs(s) <= largest) & (np.abs(t) <= largest)
-        px = (_SAMPLES[on] + 1.0) / 2.0 * self._size_px
-        return list(map(tuple, np.column_stack([px, volume / facing[on]]).tolist()))
+    def __init__(
+        self, size_px: tuple[int, int], em: float, kept: Mapping[Label, _Candidate]
+    ) -> None:
+        self._size_px, self._em, self._kept = size_px, em, kept
+        self._taken: list[_Box] = []
+        self.settled: dict[Label, _Candidate] = {}
+        """Which labels were put right next to their points, and where."""
 
-    def keep_free(self, points: Sequence[tuple[float, float, float]]) -> None:
-        """Let no label hide what is drawn at these `seen` points."""
+    def keep_free(self, points: Sequence[Spot]) -> None:
+        """Let no label hide what is drawn at these points."""
         half = 0.4 * self._em
-        self._taken += [(x - half, y - half, x + half, y + half) for x, y, _ in points]
+        self._taken += [_Box(x - half, y - half, x + half, y + half) for x, y, _ in points]
 
-    def keep_free_box(self, points: Sequence[tuple[float, float, float]]) -> None:
-        """Let no label hide what is drawn between these `seen` points."""
+    def keep_free_box(self, points: Sequence[Spot]) -> None:
+        """Let no label hide what is drawn between these points."""
         x, y, depth = zip(*points, strict=True)
         if min(depth) > 0.0:
-            self._taken.append((min(x), min(y), max(x), max(y)))
+            self._taken.append(_Box(min(x), min(y), max(x), max(y)))
 
     def place(
         self,
         label: Label,
         text: str,
-        points: Sequence[tuple[float, float, float]],
+        points: Sequence[Spot],
         sides: Sequence[tuple[float, float]],
         leader: _Leader | None = None,
         *,
         gaps: int = len(_GAPS_EM),
-        apart_from: Sequence[tuple[float, float, float]] = (),
+        apart_from: Sequence[Spot] = (),
     ) -> bool:
         """Put a label as near as can be to one of these points, where it hides no other one.
 
         Parameters
         ----------
         label : Label
-            Anchored at its centre. Hidden if none of the points is in the pane.
+            Anchored at its centre, in pixels. Hidden if none of the points is in the pane.
         text : str
             What is written on it.
-        points : sequence of (float, float, float)
-            As `seen`, best first.
+        points : sequence of Spot
+            Best first.
         sides : sequence of (float, float)
             Where the label's box is from the point, best first: -1 to the left of or below, 1 to
             the right of or above, 0 on it.
@@ -241,69 +287,130 @@ class _Layout:
             Joins the label to its point if they are far apart.
         gaps : int
             How many of `_GAPS_EM` to try.
-        apart_from : sequence of (float, float, float)
-            What the label must not seem to belong to, as `seen`.
+        apart_from : sequence of Spot
+            What the label must not seem to belong to.
 
         Returns
         -------
         bool
             Whether there was a place for it.
         """
-        em = self._em
-        half = em * np.array([0.26 * (len(text) + 2) + 0.15, 0.72])  # as DejaVu Sans is wide
-        at = np.array([p for p in points if p[2] > 0.0], dtype=np.float64).reshape(-1, 3)
-        if leader is not None:  # which must not point out of the pane
-            at = at[((at[:, :2] >= 0.0) & (at[:, :2] <= self._size_px)).all(axis=1)]
-        taken = np.array(self._taken).reshape(-1, 4)
-        others = np.array([p[:2] for p in apart_from if p[2] > 0.0]).reshape(-1, 2)
-        second_best: tuple[Array, Array] | None = None
-        for gap in _GAPS_EM[:gaps] if len(at) else ():
-            centres = (at[:, None, :2] + np.array(sides) * (half + gap * em)).reshape(-1, 2)
-            anchors = np.repeat(at, len(sides), axis=0)
-            low, high = centres - half, centres + half
-            possible: Any = ((low >= 0.0) & (high <= self._size_px)).all(axis=1)
-            if len(others):
-                nearest = np.clip(others, low[:, None], high[:, None]) - others
-                apart = np.hypot(nearest[..., 0], nearest[..., 1]).min(axis=1)
-                possible &= apart >= _OTHER_PLANE_EM * em
-            hidden = (low[:, None] < taken[:, 2:]) & (high[:, None] > taken[:, :2])
-            free: Any = possible & ~np.logical_or.reduce(hidden.all(axis=2), axis=1)
-            if leader is not None and gap > _LEADER_FROM_EM:  # it must not seem another's
-                starts = anchors[:, :2]
-                ends = np.clip(starts, low, high)
-                on = (starts + np.array([[[0.4]], [[0.7]]]) * (ends - starts))[:, :, None]
-                crossing = ((on > taken[:, :2]) & (on < taken[:, 2:])).all(axis=3)
-                free &= ~np.logical_or.reduce(crossing, axis=(0, 2))
-            best = int(free.argmax())
-            if free[best]:
-                self._taken.append((*low[best].tolist(), *high[best].tolist()))
-                self._put(label, leader, anchors[best], centres[best], half)
+        width_px, height_px = self._size_px
+        # As wide as DejaVu Sans, and a line high.
+        half = self._em * (0.26 * (len(text) + 2) + 0.15), self._em * 0.72
+        usable = [
+            i
+            for i, (x, y, depth) in enumerate(points)
+            # A leader must not point out of the pane.
+            if depth > 0.0 and (leader is None or (0.0 <= x <= width_px and 0.0 <= y <= height_px))
+        ]
+        others = [(x, y) for x, y, depth in apart_from if depth > 0.0]
+        search = partial(self._search, points, half, others, leader is not None)
+        kept, found = self._kept.get(label), None
+        if kept is not None and leader is not None and kept[1] in usable:
+            found = search([kept])
+        if found is None or not found[2]:
+            found = search(product(_GAPS_EM[:gaps], usable, sides))
+        if found is None:
+            label.set_visible(False)
+            if leader is not None:
+                leader.actor.SetVisibility(False)
+            return False
+        candidate, box, free = found
+        if free:
+            self._taken.append(box)
+            if leader is not None and candidate[0] <= _STAYS_WITHIN_EM:
+                self.settled[label] = candidate
+        self._put(label, leader, points[candidate[1]][:2], box)
+        return True
+
+    def _search(
+        self,
+        points: Sequence[Spot],
+        half: tuple[float, float],
+        others: Sequence[tuple[float, float]],
+        has_leader: bool,
+        candidates: Iterable[_Candidate],
+    ) -> tuple[_Candidate, _Box, bool] | None:
+        """The first candidate that hides nothing, or else the first that is in the pane at all.
+
+        Returns
+        -------
+        candidate : _Candidate
+        box : _Box
+            Where the label is then.
+        free : bool
+            Whether it hides nothing.
+        """
+        em, (width_px, height_px), taken = self._em, self._size_px, self._taken
+        half_width, half_height = half
+        least = _OTHER_PLANE_EM * em
+        second_best: tuple[_Candidate, _Box] | None = None
+        for candidate in candidates:
+            gap, i, (to_right, to_top) = candidate
+            x, y, _ = points[i]
+            centre_x = x + to_right * (half_width + gap * em)
+            centre_y = y + to_top * (half_height + gap * em)
+            left, right = centre_x - half_width, centre_x + half_width
+            bottom, top = centre_y - half_height, centre_y + half_height
+            if left < 0.0 or bottom < 0.0 or right > width_px or top > height_px:
+                continue
+            for x, y in others:
+                away_x, away_y = max(left - x, 0.0, x - right), max(bottom - y, 0.0, y - top)
+                if math.hypot(away_x, away_y) < least:
+                    break
+            else:
+                if second_best is None:
+                    second_best = candidate, _Box(left, bottom, right, top)
+                for t_left, t_bottom, t_right, t_top in taken:
+                    if left < t_right and right > t_left and bottom < t_top and top > t_bottom:
+                        break
+                else:
+                    box = _Box(left, bottom, right, top)
+                    joined = has_leader and gap > _LEADER_FROM_EM
+                    if not (joined and self._crosses(points[i], box)):
+                        return candidate, box, True
+        return None if second_best is None else (*second_best, False)
+
+    def _crosses(self, anchor: Spot, box: _Box) -> bool:
+        """Whether a line from a point to a label would seem to be another label's."""
+        x, y, _ = anchor
+        end_x, end_y = box.nearest((x, y))
+        for part in (0.4, 0.7):
+            on_x, on_y = x + part * (end_x - x), y + part * (end_y - y)
+            if any(t.left < on_x < t.right and t.bottom < on_y < t.top for t in self._taken):
                 return True
-            first = int(possible.argmax())
-            if second_best is None and possible[first]:
-                second_best = anchors[first], centres[first]
-        if second_best is not None:
-            self._put(label, leader, *second_best, half)
-            return True
-        label.set_visible(False)
-        if leader is not None:
-            leader.actor.SetVisibility(False)
         return False
 
     def _put(
-        self, label: Label, leader: _Leader | None, anchor: Array, centre: Array, half: Array
+        self, label: Label, leader: _Leader | None, anchor: tuple[float, float], box: _Box
     ) -> None:
-        (width_px, height_px), depth = self._size_px, float(anchor[2])
-        unit = 2.0 * self._pane.slope * depth / height_px
-        across, up = (centre - (width_px / 2.0, height_px / 2.0)) * unit
-        label.set_position(self._pane.eye + np.array([across, up, depth]) @ self._pane.axes)
+        x, y = (box.left + box.right) / 2.0, (box.bottom + box.top) / 2.0
+        label.set_position((x, y, 0.0))
         label.set_visible(True)
         if leader is not None:
-            end = np.clip(anchor[:2], centre - half, centre + half)
-            apart = math.dist(end, anchor[:2]) > _LEADER_FROM_EM * self._em
+            end = box.nearest(anchor)
+            apart = math.dist(end, anchor) > _LEADER_FROM_EM * self._em
             leader.actor.SetVisibility(apart)
             if apart:  # the plate is a little smaller than the box that is kept free for it
-                leader.join(anchor, np.clip(end, centre - 0.7 * half, centre + 0.7 * half))
+                plate = _Box(
+                    *(c + 0.7 * (side - c) for c, side in zip((x, y, x, y), box, strict=True))
+                )
+                leader.join(anchor, plate.nearest(end))
+
+
+class _Box(NamedTuple):
+    """A rectangle in the pane, pixels from its left and bottom."""
+
+    left: float
+    bottom: float
+    right: float
+    top: float
+
+    def nearest(self, spot: tuple[float, float]) -> tuple[float, float]:
+        """The point of the box that is nearest to a spot."""
+        x, y = spot
+        return min(max(x, self.left), self.right), min(max(y, self.bottom), self.top)
 
 
 class _Leader:
@@ -333,9 +440,9 @@ class _Leader:
         self.actor.GetProperty().SetLineWidth(width)
         self.actor.SetVisibility(False)
 
-    def join(self, start_px: Array, end_px: Array) -> None:
+    def join(self, start_px: tuple[float, float], end_px: tuple[float, float]) -> None:
         """Draw it between two pixels, counted from the left and from the bottom."""
-        for i, (x, y) in enumerate((start_px[:2], end_px[:2])):
+        for i, (x, y) in enumerate((start_px, end_px)):
             self._points.SetPoint(i, x, y, 0.0)
         self._points.Modified()
 

@@ -271,7 +271,7 @@ class WorldDrawing:
             if reach.near_break is not None:
                 base = self._local_from_cube(*reach.near_break)
             self._apex_space.set(base @ _CUBE_FROM_PYRAMID)
-        self._follow_pane()
+        self._follow_pane(afresh=False)
 
     def _reach_of(self, lens: Lens, objects_depth: float) -> _Reach:
         size, extent = self._scene.size, self._extent
@@ -301,14 +301,18 @@ class WorldDrawing:
         part = replace(self._projection, lens=lens, depth="reversed")
         return _normalised(self._local_from_view @ part.view_from_clip)
 
-    def _place_labels(self) -> None:
-        """The labels, and the planes' tints, which fade where they would flood the pane."""
+    def _place_labels(self, *, afresh: bool) -> bool:
+        """The labels, and whether one has changed sides; see `Labels.lay_out`."""
         camera, lens = self._projection.camera, self._projection.lens
         tips = self._eye + (_TIPS * self._body_size) @ camera.frame
         body = _applied(self._local_from_body, _BODY_BOX)
         named = Named(self._eye, self._target, tips, body, self._corners, lens.near, lens.far)
-        parts = self._labels.lay_out(self._pane, named)
-        for (tint, opacity), part in zip(self._tints, parts, strict=True):
+        return self._labels.lay_out(self._pane, named, afresh=afresh)
+
+    def _tint_planes(self) -> None:
+        """The planes' tints, which fade where they would flood the pane."""
+        for (tint, opacity), face in zip(self._tints, np.split(self._corners, 2), strict=True):
+            part = self._pane.part_covered(face, _FADE_FROM)
             flood = (part - _FADE_FROM) / (1.0 - _FADE_FROM)
             tint.GetProperty().SetOpacity(opacity * (1.0 - (1.0 - _FADED) * max(0.0, flood)))
 
@@ -319,8 +323,7 @@ class WorldDrawing:
         away = pane.eye - self._eye
         from_eye_side = float(away @ self._projection.camera.frame[2]) > -reach.near
         left_bottom, right_top = self._corners[0], self._corners[2]
-        _, height_px = self._canvas.window.GetSize()
-        px = math.dist(pane.eye, left_bottom) * 2.0 * pane.slope / max(1, height_px)
+        px = math.dist(pane.eye, left_bottom) * 2.0 * pane.slope / pane.size_px[1]
         depths = float(self._depths.min()), float(self._depths.max())
         lens = self._projection.lens
         seen = (
@@ -343,7 +346,7 @@ class WorldDrawing:
     def _place_breaks(self) -> None:
         """Turn the strokes of each broken edge until they cross it in the plane of the screen."""
         pane, em = self._pane, self._canvas.style.font_size
-        height_px = max(1, self._canvas.window.GetSize()[1])
+        height_px = pane.size_px[1]
         for name, ends in self._break_ends.items():
             starts, along = ends[:4], ends[4:] - ends[:4]
             x, y, depth = pane.axes @ (starts + _STROKES_AT * along - pane.eye).T
@@ -390,15 +393,17 @@ class WorldDrawing:
         """Fit a view that nobody has moved, if what it framed has left it or nearly vanished.
 
         The direction of looking stays. To be called when a gesture ends, never during one: while
-        a control is dragged the pane stands still, so that the model is what is seen moving.
+        a control is dragged the pane stands still, so that the model is what is seen moving. The
+        labels, which stay on their sides as long as they can, are placed afresh: at rest the
+        picture depends on nothing that was before.
 
         Returns
         -------
         bool
-            Whether the view was changed, and so has to be painted again.
+            Whether anything was changed, and so has to be painted again.
         """
         if self._was_moved():
-            return False
+            return self._place_labels(afresh=True)
         framed = self._points_to_frame()
         x, y, depth = self._pane.axes @ (framed - self._pane.eye).T
         width_px, height_px = (max(1, side) for side in self._canvas.window.GetSize())
@@ -409,7 +414,7 @@ class WorldDrawing:
             largest = max(float(np.ptp(across)), float(np.ptp(up))) / 2.0
             inside = max(float(np.abs(across).max()), float(np.abs(up).max())) <= 1.0
             if inside and largest >= _SHRUNK:
-                return False
+                return self._place_labels(afresh=True)
         self._framed = framed
         self._place_view(width_px, height_px)
         return True
@@ -478,7 +483,7 @@ class WorldDrawing:
     def _lay_out(self, width_px: int, height_px: int) -> None:
         """Fit a view that nobody has moved into a window of another size."""
         if self._was_moved():
-            self._follow_pane()
+            self.reset_clipping_range()
         else:
             self._place_view(width_px, height_px)
 
@@ -489,7 +494,7 @@ class WorldDrawing:
         lift[:3, :3] *= 1.0 - _LINES_LIFT
         lift[:3, 3] = _LINES_LIFT * self._pane.eye
         self._lines_space.set(lift)
-        self._follow_pane()
+        self._follow_pane(afresh=True)
 
     def _look_from_pane(self) -> None:
         camera = self._own_camera
@@ -498,11 +503,14 @@ class WorldDrawing:
         right /= np.linalg.norm(right)
         axes = np.stack([right, np.cross(right, toward), toward])
         slope = math.tan(math.radians(camera.GetViewAngle()) / 2.0)
-        self._pane = PaneView(np.array(camera.GetPosition()), axes, slope)
+        width_px, height_px = self._canvas.window.GetSize()
+        size_px = max(1, width_px), max(1, height_px)
+        self._pane = PaneView(np.array(camera.GetPosition()), axes, slope, size_px)
 
-    def _follow_pane(self) -> None:
+    def _follow_pane(self, *, afresh: bool) -> None:
         """All that depends on the model and on where the pane's camera stands."""
-        self._place_labels()
+        self._place_labels(afresh=afresh)
+        self._tint_planes()
         self._place_picture()
         self._place_breaks()
         camera, toward = self._own_camera, self._pane.axes[2]
