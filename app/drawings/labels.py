@@ -110,17 +110,26 @@ class PaneView(NamedTuple):
         px = (_SAMPLES[on] + 1.0) / 2.0 * self.size_px
         return list(map(tuple, np.column_stack([px, volume / facing[on]]).tolist()))
 
-    def part_covered(self, face: Array, least: float) -> float:
-        """How much of the pane a parallelogram, (4, 3), covers, 0..1; 0 if less than `least`."""
-        x, y, depth = zip(*self.seen(face), strict=True)
-        if min(depth) > 0.0:
+    def parts_covered(self, faces: Array, least: float) -> list[float]:
+        """How much of the pane parallelograms cover, 0..1 each; 0 where less than `least`.
+
+        Parameters
+        ----------
+        faces : (4 n, 3) array
+        least : float
+            What matters to the caller: below it most faces are told at a glance.
+        """
+        parts, seen = [], self.seen(faces)
+        for first in range(0, len(faces), 4):
+            x, y, depth = zip(*seen[first : first + 4], strict=True)
             sides = zip((x, y), self.size_px, strict=True)
             # One sample more than fits, at most, in either direction.
             most = math.prod((max(s) - min(s)) / side_px + 1.0 / _ACROSS for s, side_px in sides)
-            if most < least:
-                return 0.0
-        part = len(self.covered(face)) / len(_SAMPLES)
-        return part if part >= least else 0.0
+            part = 0.0
+            if min(depth) <= 0.0 or most >= least:
+                part = len(self.covered(faces[first : first + 4])) / len(_SAMPLES)
+            parts.append(part if part >= least else 0.0)
+        return parts
 
 
 class Named(NamedTuple):

@@ -67,6 +67,8 @@ _CUBE = actors.CUBE_CORNERS * (1.0, 1.0, -0.5) + (0.0, 0.0, 0.5)
 _NEAR_FACE, _FAR_FACE = (0, 1, 2, 3), (4, 5, 6, 7)
 _SIDES = tuple((i, (i + 1) % 4, (i + 1) % 4 + 4, i + 4) for i in range(4))
 
+_SIX_WAYS = np.vstack([np.eye(3), -np.eye(3)])
+
 # The axes' tips in view space, in sizes of the body; their letters stand beyond them.
 _AXES = {"v": (0.0, 1.7, 0.0), "n": (0.0, 0.0, 2.5), "u": (1.7, 0.0, 0.0)}
 _TIPS = np.concatenate(
@@ -251,25 +253,26 @@ class WorldDrawing:
         self._camera_space.set(self._local_from_body)
         self._sight_space.set(_scaled(self._local_from_view, camera.distance))
 
-        frustum = self._local_from_cube(reach.near, reach.far)
-        self._frustum = frustum
+        view_from_cube = self._view_from_cube(reach.near, reach.far)
+        frustum = _normalised(self._local_from_view @ view_from_cube)
         self._corners = _applied(frustum, _CUBE)
         self._frustum_space.set(frustum)
         start, end = reach.body
         self._body.SetVisibility(start < end)
         if start < end:
-            self._body_space.set(self._local_from_cube(start, end))
+            self._body_space.set(frustum @ _cube_from_part(view_from_cube, start, end))
         for name, broken in (("near", reach.near_break), ("far", reach.far_break)):
             for _, edge in self._breaks[name]:
                 edge.SetVisibility(broken is not None)
             self._break_ends.pop(name, None)
             if broken is not None:
-                self._break_ends[name] = _applied(self._local_from_cube(*broken), _CUBE)
+                part = _cube_from_part(view_from_cube, *broken)
+                self._break_ends[name] = _applied(frustum @ part, _CUBE)
         self._apex.SetVisibility(lens.kind == "perspective")
         if lens.kind == "perspective":
             base = frustum
             if reach.near_break is not None:
-                base = self._local_from_cube(*reach.near_break)
+                base = _normalised(self._local_from_view @ self._view_from_cube(*reach.near_break))
             self._apex_space.set(base @ _CUBE_FROM_PYRAMID)
         self._follow_pane(afresh=False)
 
@@ -295,11 +298,11 @@ class WorldDrawing:
         far = max(far, near + 1e-9 * (high - low))
         return _Reach(low, high, near, far, near_break, far_break)
 
-    def _local_from_cube(self, near: float, far: float) -> Array:
-        """`Projection.world_from_clip` for a part of the view volume, scene-local, (4, 4)."""
+    def _view_from_cube(self, near: float, far: float) -> Array:
+        """`Projection.view_from_clip` for a part of the view volume, (4, 4)."""
         lens = replace(self._projection.lens, near=near, far=far)
         part = replace(self._projection, lens=lens, depth="reversed")
-        return _normalised(self._local_from_view @ part.view_from_clip)
+        return part.view_from_clip
 
     def _place_labels(self, *, afresh: bool) -> bool:
         """The labels, and whether one has changed sides; see `Labels.lay_out`."""
@@ -311,8 +314,8 @@ class WorldDrawing:
 
     def _tint_planes(self) -> None:
         """The planes' tints, which fade where they would flood the pane."""
-        for (tint, opacity), face in zip(self._tints, np.split(self._corners, 2), strict=True):
-            part = self._pane.part_covered(face, _FADE_FROM)
+        parts = self._pane.parts_covered(self._corners, _FADE_FROM)
+        for (tint, opacity), part in zip(self._tints, parts, strict=True):
             flood = (part - _FADE_FROM) / (1.0 - _FADE_FROM)
             tint.GetProperty().SetOpacity(opacity * (1.0 - (1.0 - _FADED) * max(0.0, flood)))
 
@@ -528,8 +531,9 @@ class WorldDrawing:
             (self._target_space, self._target, 1.02),
             (self._rim_space, self._target, 1.03),
         ):
-            shrink = self._toward_pane(point, on_top * nearest)
-            space.set(shrink @ _translation(point))
+            matrix = self._toward_pane(point, on_top * nearest)
+            matrix[:3, 3] += matrix[0, 0] * point
+            space.set(matrix)
         before_body = max(nearest, eye_depth - 2.0 * self._body_size)
         in_front_of_body = self._toward_pane(self._eye, before_body)
         self._axes_space.set(in_front_of_body @ self._local_from_body)
@@ -547,7 +551,7 @@ class WorldDrawing:
         return matrix
 
     def _around_body(self) -> Array:
-        return self._eye + 3.0 * self._body_size * np.vstack([np.eye(3), -np.eye(3)])
+        return self._eye + 3.0 * self._body_size * _SIX_WAYS
 
 
 class Film(NamedTuple):
@@ -645,9 +649,16 @@ def _view(projection: Projection, origin: Array) -> tuple[Array, Array]:
     return view_from_local, local_from_view
 
 
-def _translation(offset: Array) -> Array:
-    matrix = np.eye(4)
-    matrix[:3, 3] = offset
+def _cube_from_part(view_from_cube: Array, near: float, far: float) -> Array:
+    """From the cube of a part of a view volume to that of the whole, (4, 4).
+
+    The distance from the eye plane is ``-(A z + B) / (C z + D)`` with the rows (A, B) and (C, D)
+    of `view_from_cube` that make z and w; solved for z at both distances.
+    """
+    (a, b), (c, d) = view_from_cube[2:, 2:].tolist()
+    at_near, at_far = (-(b + distance * d) / (a + distance * c) for distance in (near, far))
+    matrix = np.identity(4)
+    matrix[2, 2], matrix[2, 3] = at_near - at_far, at_far
     return matrix
 
 
