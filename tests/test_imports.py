@@ -71,6 +71,7 @@ ROOMS = {
     "app/drawings/__init__.py": DRAWING,
     "app/drawings/actors.py": DRAWING,
     "app/drawings/style.py": DRAWING,
+    "app/drawings/labels.py": DRAWING,
     "app/drawings/world.py": DRAWING,
     "app/drawings/ndc.py": DRAWING,
     "app/drawings/image.py": DRAWING,

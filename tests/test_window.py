@@ -120,7 +120,8 @@ def test_a_gpu_smooths_during_a_drag_too(make_window: Callable[..., MainWindow])
     settle(window)
     with counted_repaints(window) as counts:
         window.store.begin_gesture()
-        window.store.set_projection(seen(window, lens=Perspective(50.0, 1.0, 30.0)))
+        # Nothing that moves a label, which the end of a gesture would place afresh.
+        window.store.set_projection(seen(window, depth="direct3d"))
         settle(window)
         window.store.end_gesture()
         settle(window)
@@ -146,6 +147,28 @@ def test_a_hidden_pane_neither_computes_nor_draws_and_catches_up(
     window.enlarge("world")
     settle(window)
     assert asked == [window.store.document.projection]
+
+
+def test_a_pane_that_appears_again_is_as_if_it_had_been_there(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    """The end of a gesture, which fits its view and places its labels, may have passed it by."""
+    window, pictures = make_window(), []
+    start = window.store.document.projection
+    for hidden in (False, True):
+        window.store.set_projection(start)
+        window.reset_views()
+        settle(window)
+        if hidden:
+            window.enlarge("image")
+            settle(window)
+        window.store.set_projection(seen(window, lens=Perspective(100.0, 1.0, 30.0)))
+        settle(window)
+        if hidden:
+            window.enlarge("image")
+            settle(window)
+        pictures.append(pixels(window, "world"))
+    assert pictures[0].shape == pictures[1].shape and (pictures[0] == pictures[1]).all()
 
 
 def test_idle_draws_nothing(make_window: Callable[..., MainWindow], qtbot: Any) -> None:

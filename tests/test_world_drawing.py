@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import itertools
 import math
 import weakref
 from collections.abc import Callable, Iterator
@@ -19,8 +20,9 @@ from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkTextActor
 
 from app.drawings import WORDS
+from app.drawings.labels import _SAMPLES
 from app.drawings.style import DARK, LIGHT, Style, rgb
-from app.drawings.world import _SAMPLES, SLAB, WorldDrawing, _Layout, flatten
+from app.drawings.world import SLAB, WorldDrawing, flatten
 from app.projection import (
     DEPTH_RANGES,
     PLANES,
@@ -598,7 +600,7 @@ def test_a_planes_label_is_at_its_plane_or_joined_to_it(
         face, box = planes[name], boxes[name]
         assert min(from_box(spot, box) for spot in planes[other]) > 2.0 * em, name
         anchors = [*face, *((face + np.roll(face, -1, axis=0)) / 2.0)]
-        leader = view.drawing._leaders[name].actor
+        leader = view.drawing._labels._leaders[name].actor
         if min(from_box(spot, box) for spot in anchors) > 1.8 * em:  # diagonally, and roughly
             assert leader.GetVisibility(), name
         if leader.GetVisibility():
@@ -610,7 +612,7 @@ def test_a_planes_label_is_at_its_plane_or_joined_to_it(
 
 def test_a_leader_lights_its_pixels_and_goes_when_it_is_not_needed(make_view: MakeView) -> None:
     view = make_view("letter-f", 412, 670)
-    line = view.drawing._leaders["near"].actor
+    line = view.drawing._labels._leaders["near"].actor
     for projection in (CROWDED[8], with_lens(near=1.0, far=1.0 + 1e-12)):
         view.drawing.show_projection(projection)
         view.drawing.reset_view()
@@ -631,6 +633,84 @@ def test_a_leader_lights_its_pixels_and_goes_when_it_is_not_needed(make_view: Ma
     view.drawing.show_projection(with_lens(near=4.0))
     view.drawing.reset_view()
     assert not line.GetVisibility()
+
+
+def history() -> Iterator[Projection]:
+    """What a hand might drag through: the near plane and the camera, to and fro."""
+    for step in (*range(60), *range(60, 20, -1)):
+        orbit = START.camera.orbit._replace(azimuth_deg=4.0 * step)
+        camera = Camera.from_orbit(START.camera.target, orbit)
+        yield replace(with_lens(near=0.5 * 1.05**step), camera=camera)
+
+
+def test_labels_stay_on_their_sides_while_something_moves(make_view: MakeView) -> None:
+    """They change sides more seldom than when each step is laid out afresh."""
+    view = make_view("letter-f", 430, 620)
+    labels = view.drawing._labels
+    changes = {True: 0, False: 0}
+    for afresh in changes:
+        view.drawing.reset_view()
+        before = dict(labels._kept)
+        for projection in history():
+            view.drawing.show_projection(projection)
+            if afresh:
+                view.drawing._place_labels(afresh=True)
+            changes[afresh] += sum(labels._kept.get(name) != side for name, side in before.items())
+            before = dict(labels._kept)
+            boxes = list(view.label_boxes().values())
+            for one, other in itertools.combinations(boxes, 2):
+                assert (
+                    one[2] <= other[0]
+                    or other[2] <= one[0]
+                    or (one[3] <= other[1] or other[3] <= one[1])
+                ), projection
+    assert 0 < changes[False] <= 0.7 * changes[True]
+
+
+def test_at_rest_the_picture_does_not_depend_on_what_was_before(make_view: MakeView) -> None:
+    """When a gesture ends, `refit` gives the very pixels of a new drawing; it says so, too."""
+    eye, target = np.array((14.0, 9.0, 20.0)), np.array((2.0, 2.0, 4.0))
+    projections = list(history())[8::8]
+    expected = []
+    for projection in projections:
+        view = make_view("letter-f", 430, 620)
+        view.drawing.show_projection(projection)
+        view.stand(eye, target)
+        expected.append(view.pixels())
+        assert not view.drawing.refit()
+    view = make_view("letter-f", 430, 620)
+    view.stand(eye, target)
+    stuck = 0
+    for projection in history():
+        view.drawing.show_projection(projection)
+        if projection not in projections:
+            continue
+        wanted = expected[projections.index(projection)]
+        differed = bool((view.pixels() != wanted).any())
+        assert view.drawing.refit() or not differed
+        assert (view.pixels() == wanted).all()
+        stuck += differed
+    assert stuck > 0  # or there was nothing to put right
+
+
+@pytest.mark.parametrize("end", ["reset_view", "show_view", "resized"])
+def test_a_figure_does_not_depend_on_what_was_before(make_view: MakeView, end: str) -> None:
+    """Nor does what is seen after the pane's own camera was moved."""
+    images, last = [], list(history())[-1]
+    away = Camera((14.0, 9.0, 20.0), (2.0, 2.0, 4.0))
+    for steps in (history(), [last]):
+        view = make_view("letter-f", 430, 620)
+        view.drawing.show_view(away)
+        for projection in steps:
+            view.drawing.show_projection(projection)
+        if end == "reset_view":
+            view.drawing.reset_view()
+        elif end == "show_view":
+            view.drawing.show_view(away)
+        else:
+            view.window.SetSize(600, 500)
+        images.append(view.pixels())
+    assert (images[0] == images[1]).all()
 
 
 @pytest.mark.parametrize("style", [LIGHT, DARK])
@@ -663,8 +743,7 @@ def test_what_a_plane_covers_of_the_pane_is_what_is_painted(make_view: MakeView)
         pane = view.drawing._pane
         turned_away = pane._replace(axes=pane.axes * [[-1.0], [1.0], [-1.0]])
         for corners in np.split(view.drawing._corners, 2):
-            assert _Layout(view.drawing._canvas, turned_away).covered(corners) == []
-        layout = _Layout(view.drawing._canvas, pane)
+            assert turned_away.covered(corners) == []
         for tint, corners in zip(
             view.drawing._tints, np.split(view.drawing._corners, 2), strict=True
         ):
@@ -672,7 +751,7 @@ def test_what_a_plane_covers_of_the_pane_is_what_is_painted(make_view: MakeView)
                 actor.SetVisibility(actor is tint[0])
             tint[0].GetProperty().SetOpacity(1.0)
             painted = (view.pixels() != to_bytes(LIGHT.background)).any(axis=-1)
-            covered = {(round(x), round(y)) for x, y, _ in layout.covered(corners)}
+            covered = {(round(x), round(y)) for x, y, _ in pane.covered(corners)}
             for x, y in (_SAMPLES + 1.0) / 2.0 * (400, 300):
                 column, row = int(x), int(300 - y)
                 around = painted[max(0, row - 2) : row + 3, max(0, column - 2) : column + 3]
@@ -824,11 +903,13 @@ def test_refit_leaves_alone_what_is_in_the_picture_or_was_moved(make_view: MakeV
     place = view.camera.GetPosition()
     for projection in (START, with_lens(fov_y_deg=30.0), with_lens(near=5.0)):
         view.drawing.show_projection(projection)
+        view.drawing.refit()  # may put a label elsewhere, once
         assert not view.drawing.refit() and view.camera.GetPosition() == place
     view.camera.Azimuth(20.0)
     view.drawing.reset_clipping_range()
     place = view.camera.GetPosition()
     view.drawing.show_projection(with_lens(fov_y_deg=100.0))
+    view.drawing.refit()
     assert not view.drawing.refit() and view.camera.GetPosition() == place
 
 

@@ -371,6 +371,7 @@ class Pane(QFrame):
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         self._refresh()
+        self.refit()  # gestures may have ended while nobody looked
 
     def closeEvent(self, event: QCloseEvent) -> None:
         if self.isWindow():  # floating: its close button docks it again

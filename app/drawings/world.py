@@ -23,19 +23,18 @@ lies beyond is drawn at the limit, behind a visible break, with its true distanc
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import replace
-from itertools import islice
 from typing import Any, NamedTuple
 
 import numpy as np
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPlane, vtkPolyData
-from vtkmodules.vtkRenderingCore import vtkActor, vtkActor2D, vtkPolyDataMapper2D
+from vtkmodules.vtkCommonDataModel import vtkPlane
+from vtkmodules.vtkRenderingCore import vtkActor
 
 from app.drawings import actors
-from app.drawings.actors import Canvas, Label, Space
-from app.drawings.style import Style, rgb
+from app.drawings.actors import Canvas, Space
+from app.drawings.labels import AXES, Labels, Named, PaneView
+from app.drawings.style import Style
 from app.projection import Array, Camera, Lens, Perspective, Projection
 from app.scene import Scene
 
@@ -68,35 +67,13 @@ _CUBE = actors.CUBE_CORNERS * (1.0, 1.0, -0.5) + (0.0, 0.0, 0.5)
 _NEAR_FACE, _FAR_FACE = (0, 1, 2, 3), (4, 5, 6, 7)
 _SIDES = tuple((i, (i + 1) % 4, (i + 1) % 4 + 4, i + 4) for i in range(4))
 
-# Where the planes' labels can be, best first: corners, then middles of edges.
-_NEAR_LABEL_AT = np.array(
-    [(x, y, 1) for x, y in ((-1, -1), (-1, 1), (1, -1), (1, 1), (0, -1), (-1, 0), (0, 1), (1, 0))]
-)
-_FAR_LABEL_AT = np.array(
-    [(x, y, 0) for x, y in ((-1, 1), (1, 1), (-1, -1), (1, -1), (0, 1), (-1, 0), (1, 0), (0, -1))]
-)
-
-# Where in the pane a plane is looked for, from -1 to 1; what is near the bottom left first.
-_SAMPLES = np.array([(x, y) for y in range(-4, 5) for x in range(-4, 5)]) * (2.0 / 9.0)
-_ONES = np.ones(len(_SAMPLES))
-_YZX, _ZXY = [1, 2, 0], [2, 0, 1]
-
-# On which sides of their points labels can be, best first: right and up, in half labels.
-_ON = ((0.0, 0.0), (0.0, 1.0), (0.0, -1.0), (1.0, 0.0), (-1.0, 0.0))
-_BELOW = ((0.3, -1.0), (1.0, -1.0), (-1.0, -1.0), (0.0, 1.0), (1.0, 1.0), (-1.0, 1.0))
-_RIGHT_BELOW = ((1.0, -0.6), (-1.0, -0.6), (0.0, -1.0), (0.0, 1.0), (1.0, 1.0), (-1.0, 1.0))
-_BELOW_PLANE = (
-    (-1.0, -1.0), (0.0, -1.0), (1.0, -1.0), (-1.0, 0.0), (1.0, 0.0), (-1.0, 1.0), (0.0, 1.0),
-    (1.0, 1.0),
-)  # fmt: skip
-_ABOVE_PLANE = tuple((x, -y) for x, y in (_BELOW_PLANE[1:3] + _BELOW_PLANE[:1] + _BELOW_PLANE[3:]))
-_GAPS_EM = (0.5, 1.6, 3.0, 5.0, 8.0, 12.0)  # between a label and its point, best first
-_LEADER_FROM_EM = 1.2  # a label as far from its point is joined to it by a line
-_OTHER_PLANE_EM = 2.0  # as far is each plane's label from the other one's corners
+_SIX_WAYS = np.vstack([np.eye(3), -np.eye(3)])
 
 # The axes' tips in view space, in sizes of the body; their letters stand beyond them.
 _AXES = {"v": (0.0, 1.7, 0.0), "n": (0.0, 0.0, 2.5), "u": (1.7, 0.0, 0.0)}
-_TIPS = np.concatenate([stretch * np.array(list(_AXES.values())) for stretch in (1.2, 1.5, 1.9)])
+_TIPS = np.concatenate(
+    [stretch * np.array([_AXES[name] for name in AXES]) for stretch in (1.2, 1.5, 1.9)]
+)
 
 # The eye is where the cube's z axis meets infinity: a pyramid with its apex at the origin and its
 # base at z = 1 becomes the eye's pyramid to the near face when z and w change places.
@@ -149,7 +126,7 @@ class WorldDrawing:
     """
 
     def __init__(self, plotter: Any, scene: Scene, words: Mapping[str, str], style: Style) -> None:
-        self._scene, self._words, self._style = scene, words, style
+        self._scene, self._style = scene, style
         self._origin = np.array(scene.origin, dtype=np.float64)
         self._objects = _box_corners(scene.lower, scene.upper) - self._origin
         meshes = [mesh for mesh in (scene.surface, scene.lines) if mesh is not None]
@@ -162,6 +139,7 @@ class WorldDrawing:
         self._build_scene()
         self._build_camera()
         self._build_frustum()
+        self._labels = Labels(self._canvas, words)
         self._placed: tuple[float, ...] | None = None
         self._framed = self._objects
         self._look_from_pane()
@@ -188,13 +166,8 @@ class WorldDrawing:
         self._canvas.add(*(a for a in (surface, lines) if a is not None), *self._picture)
 
     def _build_camera(self) -> None:
-        style, words, add = self._style, self._words, self._canvas.add
+        style, add = self._style, self._canvas.add
         width = style.line_width
-        # The leaders before all labels, whose plates hide the ends.
-        self._leaders = {
-            name: _Leader(getattr(style, name), width) for name in ("eye", "target", "near", "far")
-        }
-        add(*(leader.actor for leader in self._leaders.values()))
         self._camera_space, self._axes_space, self._sight_space = Space(), Space(), Space()
         self._eye_space, self._target_space, self._rim_space = Space(), Space(), Space()
 
@@ -212,15 +185,10 @@ class WorldDrawing:
         self._rim_space.add(rim)
         add(sight, body, wire, eye, rim, target)
 
-        self._axis_labels = []
         for axis, tip in _AXES.items():
-            colour = getattr(style, axis)
-            shaft, head = _arrow(np.array(tip), colour, 2.0 * width)
+            shaft, head = _arrow(np.array(tip), getattr(style, axis), 2.0 * width)
             self._axes_space.add(shaft, head)
             add(shaft, head)
-            self._axis_labels.append(self._canvas.label(words[axis], plate=colour, bold=True))
-        self._eye_label = self._canvas.label(words["eye"], plate=style.eye)
-        self._target_label = self._canvas.label(words["target"], plate=style.target)
 
     def _build_frustum(self) -> None:
         style = self._style
@@ -256,8 +224,6 @@ class WorldDrawing:
             near_line, far_line, self._body, self._apex, *broken,
             far_face, sides, near_face,
         )  # fmt: skip
-        self._near_label = self._canvas.label("", plate=style.near)
-        self._far_label = self._canvas.label("", plate=style.far)
 
     def remove(self) -> None:
         """Take everything out of the plotter again."""
@@ -287,27 +253,28 @@ class WorldDrawing:
         self._camera_space.set(self._local_from_body)
         self._sight_space.set(_scaled(self._local_from_view, camera.distance))
 
-        frustum = self._local_from_cube(reach.near, reach.far)
-        self._frustum = frustum
+        view_from_cube = self._view_from_cube(reach.near, reach.far)
+        frustum = _normalised(self._local_from_view @ view_from_cube)
         self._corners = _applied(frustum, _CUBE)
         self._frustum_space.set(frustum)
         start, end = reach.body
         self._body.SetVisibility(start < end)
         if start < end:
-            self._body_space.set(self._local_from_cube(start, end))
+            self._body_space.set(frustum @ _cube_from_part(view_from_cube, start, end))
         for name, broken in (("near", reach.near_break), ("far", reach.far_break)):
             for _, edge in self._breaks[name]:
                 edge.SetVisibility(broken is not None)
             self._break_ends.pop(name, None)
             if broken is not None:
-                self._break_ends[name] = _applied(self._local_from_cube(*broken), _CUBE)
+                part = _cube_from_part(view_from_cube, *broken)
+                self._break_ends[name] = _applied(frustum @ part, _CUBE)
         self._apex.SetVisibility(lens.kind == "perspective")
         if lens.kind == "perspective":
             base = frustum
             if reach.near_break is not None:
-                base = self._local_from_cube(*reach.near_break)
+                base = _normalised(self._local_from_view @ self._view_from_cube(*reach.near_break))
             self._apex_space.set(base @ _CUBE_FROM_PYRAMID)
-        self._follow_pane()
+        self._follow_pane(afresh=False)
 
     def _reach_of(self, lens: Lens, objects_depth: float) -> _Reach:
         size, extent = self._scene.size, self._extent
@@ -331,48 +298,26 @@ class WorldDrawing:
         far = max(far, near + 1e-9 * (high - low))
         return _Reach(low, high, near, far, near_break, far_break)
 
-    def _local_from_cube(self, near: float, far: float) -> Array:
-        """`Projection.world_from_clip` for a part of the view volume, scene-local, (4, 4)."""
+    def _view_from_cube(self, near: float, far: float) -> Array:
+        """`Projection.view_from_clip` for a part of the view volume, (4, 4)."""
         lens = replace(self._projection.lens, near=near, far=far)
         part = replace(self._projection, lens=lens, depth="reversed")
-        return _normalised(self._local_from_view @ part.view_from_clip)
+        return part.view_from_clip
 
-    def _place_labels(self) -> None:
-        """Put each label where it hides no other one, at its first place if that is free."""
-        lens, words = self._projection.lens, self._words
-        near = f"{words['near']} {_distance(lens.near)}"
-        far = f"{words['far']} {_distance(lens.far)}"
-        self._near_label.set_text(near)
-        self._far_label.set_text(far)
-        frame = self._projection.camera.frame
-        tips = self._eye + (_TIPS * self._body_size) @ frame
+    def _place_labels(self, *, afresh: bool) -> bool:
+        """The labels, and whether one has changed sides; see `Labels.lay_out`."""
+        camera, lens = self._projection.camera, self._projection.lens
+        tips = self._eye + (_TIPS * self._body_size) @ camera.frame
         body = _applied(self._local_from_body, _BODY_BOX)
-        layout, leaders = _Layout(self._canvas, self._pane), self._leaders
-        (eye, target, *axes), body_seen, near_seen, far_seen = layout.seen(
-            np.concatenate([[self._eye, self._target], tips]),
-            body,
-            _applied(self._frustum, _NEAR_LABEL_AT),
-            _applied(self._frustum, _FAR_LABEL_AT),
-        )
-        layout.keep_free([eye, target])
-        for i, (name, label) in enumerate(zip(_AXES, self._axis_labels, strict=True)):
-            layout.place(label, words[name], axes[i::3], _ON, gaps=1)
-        layout.place(
-            self._target_label, words["target"], [target], _RIGHT_BELOW, leaders["target"], gaps=3
-        )
-        layout.place(self._eye_label, words["eye"], [eye], _BELOW, leaders["eye"], gaps=3)
-        layout.keep_free_box(body_seen)
-        on_near, on_far = (layout.covered(face) for face in (self._corners[:4], self._corners[4:]))
-        for (tint, opacity), points in zip(self._tints, (on_near, on_far), strict=True):
-            flood = (len(points) / len(_SAMPLES) - _FADE_FROM) / (1.0 - _FADE_FROM)
+        named = Named(self._eye, self._target, tips, body, self._corners, lens.near, lens.far)
+        return self._labels.lay_out(self._pane, named, afresh=afresh)
+
+    def _tint_planes(self) -> None:
+        """The planes' tints, which fade where they would flood the pane."""
+        parts = self._pane.parts_covered(self._corners, _FADE_FROM)
+        for (tint, opacity), part in zip(self._tints, parts, strict=True):
+            flood = (part - _FADE_FROM) / (1.0 - _FADE_FROM)
             tint.GetProperty().SetOpacity(opacity * (1.0 - (1.0 - _FADED) * max(0.0, flood)))
-        for label, text, seen, sides, leader, others, inside in (
-            (self._near_label, near, near_seen, _BELOW_PLANE, leaders["near"], far_seen, on_near),
-            (self._far_label, far, far_seen, _ABOVE_PLANE, leaders["far"], near_seen, on_far[::-1]),
-        ):
-            others = others[:4]
-            if not layout.place(label, text, seen, sides, leader, apart_from=others):
-                layout.place(label, text, inside, _ON[:1], gaps=1, apart_from=others)
 
     def _place_picture(self) -> None:
         """The scene, flattened onto the near plane, and the planes of the picture's window."""
@@ -381,8 +326,7 @@ class WorldDrawing:
         away = pane.eye - self._eye
         from_eye_side = float(away @ self._projection.camera.frame[2]) > -reach.near
         left_bottom, right_top = self._corners[0], self._corners[2]
-        _, height_px = self._canvas.window.GetSize()
-        px = math.dist(pane.eye, left_bottom) * 2.0 * pane.slope / max(1, height_px)
+        px = math.dist(pane.eye, left_bottom) * 2.0 * pane.slope / pane.size_px[1]
         depths = float(self._depths.min()), float(self._depths.max())
         lens = self._projection.lens
         seen = (
@@ -405,7 +349,7 @@ class WorldDrawing:
     def _place_breaks(self) -> None:
         """Turn the strokes of each broken edge until they cross it in the plane of the screen."""
         pane, em = self._pane, self._canvas.style.font_size
-        height_px = max(1, self._canvas.window.GetSize()[1])
+        height_px = pane.size_px[1]
         for name, ends in self._break_ends.items():
             starts, along = ends[:4], ends[4:] - ends[:4]
             x, y, depth = pane.axes @ (starts + _STROKES_AT * along - pane.eye).T
@@ -452,15 +396,17 @@ class WorldDrawing:
         """Fit a view that nobody has moved, if what it framed has left it or nearly vanished.
 
         The direction of looking stays. To be called when a gesture ends, never during one: while
-        a control is dragged the pane stands still, so that the model is what is seen moving.
+        a control is dragged the pane stands still, so that the model is what is seen moving. The
+        labels, which stay on their sides as long as they can, are placed afresh: at rest the
+        picture depends on nothing that was before.
 
         Returns
         -------
         bool
-            Whether the view was changed, and so has to be painted again.
+            Whether anything was changed, and so has to be painted again.
         """
         if self._was_moved():
-            return False
+            return self._place_labels(afresh=True)
         framed = self._points_to_frame()
         x, y, depth = self._pane.axes @ (framed - self._pane.eye).T
         width_px, height_px = (max(1, side) for side in self._canvas.window.GetSize())
@@ -471,7 +417,7 @@ class WorldDrawing:
             largest = max(float(np.ptp(across)), float(np.ptp(up))) / 2.0
             inside = max(float(np.abs(across).max()), float(np.abs(up).max())) <= 1.0
             if inside and largest >= _SHRUNK:
-                return False
+                return self._place_labels(afresh=True)
         self._framed = framed
         self._place_view(width_px, height_px)
         return True
@@ -540,7 +486,7 @@ class WorldDrawing:
     def _lay_out(self, width_px: int, height_px: int) -> None:
         """Fit a view that nobody has moved into a window of another size."""
         if self._was_moved():
-            self._follow_pane()
+            self.reset_clipping_range()
         else:
             self._place_view(width_px, height_px)
 
@@ -551,7 +497,7 @@ class WorldDrawing:
         lift[:3, :3] *= 1.0 - _LINES_LIFT
         lift[:3, 3] = _LINES_LIFT * self._pane.eye
         self._lines_space.set(lift)
-        self._follow_pane()
+        self._follow_pane(afresh=True)
 
     def _look_from_pane(self) -> None:
         camera = self._own_camera
@@ -560,11 +506,14 @@ class WorldDrawing:
         right /= np.linalg.norm(right)
         axes = np.stack([right, np.cross(right, toward), toward])
         slope = math.tan(math.radians(camera.GetViewAngle()) / 2.0)
-        self._pane = _PaneView(np.array(camera.GetPosition()), axes, slope)
+        width_px, height_px = self._canvas.window.GetSize()
+        size_px = max(1, width_px), max(1, height_px)
+        self._pane = PaneView(np.array(camera.GetPosition()), axes, slope, size_px)
 
-    def _follow_pane(self) -> None:
+    def _follow_pane(self, *, afresh: bool) -> None:
         """All that depends on the model and on where the pane's camera stands."""
-        self._place_labels()
+        self._place_labels(afresh=afresh)
+        self._tint_planes()
         self._place_picture()
         self._place_breaks()
         camera, toward = self._own_camera, self._pane.axes[2]
@@ -582,8 +531,9 @@ class WorldDrawing:
             (self._target_space, self._target, 1.02),
             (self._rim_space, self._target, 1.03),
         ):
-            shrink = self._toward_pane(point, on_top * nearest)
-            space.set(shrink @ _translation(point))
+            matrix = self._toward_pane(point, on_top * nearest)
+            matrix[:3, 3] += matrix[0, 0] * point
+            space.set(matrix)
         before_body = max(nearest, eye_depth - 2.0 * self._body_size)
         in_front_of_body = self._toward_pane(self._eye, before_body)
         self._axes_space.set(in_front_of_body @ self._local_from_body)
@@ -601,204 +551,7 @@ class WorldDrawing:
         return matrix
 
     def _around_body(self) -> Array:
-        return self._eye + 3.0 * self._body_size * np.vstack([np.eye(3), -np.eye(3)])
-
-
-class _PaneView(NamedTuple):
-    """The pane's own camera.
-
-    Attributes
-    ----------
-    eye : (3,) array
-        Scene-local.
-    axes : (3, 3) array
-        Rows: right, up and toward what it looks at.
-    slope : float
-        Tangent of half the vertical angle of view.
-    """
-
-    eye: Array
-    axes: Array
-    slope: float
-
-
-class _Layout:
-    """Finds free places for labels in the pane, one after the other."""
-
-    def __init__(self, canvas: Canvas, pane: _PaneView) -> None:
-        width_px, height_px = canvas.window.GetSize()
-        self._size_px = max(1, width_px), max(1, height_px)
-        self._em = canvas.style.font_size
-        self._pane = pane
-        self._taken: list[tuple[float, float, float, float]] = []
-
-    def seen(self, *groups: Array) -> list[list[tuple[float, float, float]]]:
-        """Pixels from the left and from the bottom, and depth, of local points, groups (n, 3)."""
-        width_px, height_px = self._size_px
-        x, y, depth = self._pane.axes @ (np.concatenate(groups) - self._pane.eye).T
-        in_front = np.where(depth > 0.0, depth, np.inf)
-        px = height_px / (2.0 * self._pane.slope * in_front)
-        seen = np.stack([width_px / 2.0 + px * x, height_px / 2.0 + px * y, depth], axis=1)
-        found, rows = [], iter(map(tuple, seen.tolist()))
-        for group in groups:
-            found.append(list(islice(rows, len(group))))
-        return found
-
-    def covered(self, face: Array) -> list[tuple[float, float, float]]:
-        """At which of `_SAMPLES` a parallelogram, (4, 3), is in front of the pane, as `seen`."""
-        middle = (face[0] + face[2]) / 2.0 - self._pane.eye
-        across, up = (face[1] - face[0]) / 2.0, (face[3] - face[0]) / 2.0
-        width_px, height_px = self._size_px
-        slope = self._pane.slope
-        rays = np.column_stack([_SAMPLES * (slope * width_px / height_px, slope), _ONES])
-        # Cramer's rule for depth * ray = middle + s across + t up.
-        spanned = np.stack([middle, across, up]) @ self._pane.axes.T
-        # Row i is the cross product of the other two; much faster than numpy's own of one pair.
-        after, before = spanned[_YZX], spanned[_ZXY]
-        adjugate = after[:, _YZX] * before[:, _ZXY] - after[:, _ZXY] * before[:, _YZX]
-        volume = float(spanned[0] @ adjugate[0])
-        facing, s, t = adjugate @ rays.T
-        largest = np.abs(facing)
-        on = (facing * volume > 0.0) & (np.abs(s) <= largest) & (np.abs(t) <= largest)
-        px = (_SAMPLES[on] + 1.0) / 2.0 * self._size_px
-        return list(map(tuple, np.column_stack([px, volume / facing[on]]).tolist()))
-
-    def keep_free(self, points: Sequence[tuple[float, float, float]]) -> None:
-        """Let no label hide what is drawn at these `seen` points."""
-        half = 0.4 * self._em
-        self._taken += [(x - half, y - half, x + half, y + half) for x, y, _ in points]
-
-    def keep_free_box(self, points: Sequence[tuple[float, float, float]]) -> None:
-        """Let no label hide what is drawn between these `seen` points."""
-        x, y, depth = zip(*points, strict=True)
-        if min(depth) > 0.0:
-            self._taken.append((min(x), min(y), max(x), max(y)))
-
-    def place(
-        self,
-        label: Label,
-        text: str,
-        points: Sequence[tuple[float, float, float]],
-        sides: Sequence[tuple[float, float]],
-        leader: _Leader | None = None,
-        *,
-        gaps: int = len(_GAPS_EM),
-        apart_from: Sequence[tuple[float, float, float]] = (),
-    ) -> bool:
-        """Put a label as near as can be to one of these points, where it hides no other one.
-
-        Parameters
-        ----------
-        label : Label
-            Anchored at its centre. Hidden if none of the points is in the pane.
-        text : str
-            What is written on it.
-        points : sequence of (float, float, float)
-            As `seen`, best first.
-        sides : sequence of (float, float)
-            Where the label's box is from the point, best first: -1 to the left of or below, 1 to
-            the right of or above, 0 on it.
-        leader : _Leader, optional
-            Joins the label to its point if they are far apart.
-        gaps : int
-            How many of `_GAPS_EM` to try.
-        apart_from : sequence of (float, float, float)
-            What the label must not seem to belong to, as `seen`.
-
-        Returns
-        -------
-        bool
-            Whether there was a place for it.
-        """
-        em = self._em
-        half = em * np.array([0.26 * (len(text) + 2) + 0.15, 0.72])  # as DejaVu Sans is wide
-        at = np.array([p for p in points if p[2] > 0.0], dtype=np.float64).reshape(-1, 3)
-        if leader is not None:  # which must not point out of the pane
-            at = at[((at[:, :2] >= 0.0) & (at[:, :2] <= self._size_px)).all(axis=1)]
-        taken = np.array(self._taken).reshape(-1, 4)
-        others = np.array([p[:2] for p in apart_from if p[2] > 0.0]).reshape(-1, 2)
-        second_best: tuple[Array, Array] | None = None
-        for gap in _GAPS_EM[:gaps] if len(at) else ():
-            centres = (at[:, None, :2] + np.array(sides) * (half + gap * em)).reshape(-1, 2)
-            anchors = np.repeat(at, len(sides), axis=0)
-            low, high = centres - half, centres + half
-            possible: Any = ((low >= 0.0) & (high <= self._size_px)).all(axis=1)
-            if len(others):
-                nearest = np.clip(others, low[:, None], high[:, None]) - others
-                apart = np.hypot(nearest[..., 0], nearest[..., 1]).min(axis=1)
-                possible &= apart >= _OTHER_PLANE_EM * em
-            hidden = (low[:, None] < taken[:, 2:]) & (high[:, None] > taken[:, :2])
-            free: Any = possible & ~np.logical_or.reduce(hidden.all(axis=2), axis=1)
-            if leader is not None and gap > _LEADER_FROM_EM:  # it must not seem another's
-                starts = anchors[:, :2]
-                ends = np.clip(starts, low, high)
-                on = (starts + np.array([[[0.4]], [[0.7]]]) * (ends - starts))[:, :, None]
-                crossing = ((on > taken[:, :2]) & (on < taken[:, 2:])).all(axis=3)
-                free &= ~np.logical_or.reduce(crossing, axis=(0, 2))
-            best = int(free.argmax())
-            if free[best]:
-                self._taken.append((*low[best].tolist(), *high[best].tolist()))
-                self._put(label, leader, anchors[best], centres[best], half)
-                return True
-            first = int(possible.argmax())
-            if second_best is None and possible[first]:
-                second_best = anchors[first], centres[first]
-        if second_best is not None:
-            self._put(label, leader, *second_best, half)
-            return True
-        label.set_visible(False)
-        if leader is not None:
-            leader.actor.SetVisibility(False)
-        return False
-
-    def _put(
-        self, label: Label, leader: _Leader | None, anchor: Array, centre: Array, half: Array
-    ) -> None:
-        (width_px, height_px), depth = self._size_px, float(anchor[2])
-        unit = 2.0 * self._pane.slope * depth / height_px
-        across, up = (centre - (width_px / 2.0, height_px / 2.0)) * unit
-        label.set_position(self._pane.eye + np.array([across, up, depth]) @ self._pane.axes)
-        label.set_visible(True)
-        if leader is not None:
-            end = np.clip(anchor[:2], centre - half, centre + half)
-            apart = math.dist(end, anchor[:2]) > _LEADER_FROM_EM * self._em
-            leader.actor.SetVisibility(apart)
-            if apart:  # the plate is a little smaller than the box that is kept free for it
-                leader.join(anchor, np.clip(end, centre - 0.7 * half, centre + 0.7 * half))
-
-
-class _Leader:
-    """A thin line in the plane of the screen, from a label to what it names.
-
-    Parameters
-    ----------
-    colour : str
-        Of the label's plate.
-    width : float
-        Pixels.
-    """
-
-    def __init__(self, colour: str, width: float) -> None:
-        self._points = vtkPoints()
-        self._points.SetNumberOfPoints(2)
-        cells = vtkCellArray()
-        cells.InsertNextCell(2, (0, 1))
-        line = vtkPolyData()
-        line.SetPoints(self._points)
-        line.SetLines(cells)
-        mapper = vtkPolyDataMapper2D()
-        mapper.SetInputData(line)
-        self.actor = vtkActor2D()
-        self.actor.SetMapper(mapper)
-        self.actor.GetProperty().SetColor(*rgb(colour))
-        self.actor.GetProperty().SetLineWidth(width)
-        self.actor.SetVisibility(False)
-
-    def join(self, start_px: Array, end_px: Array) -> None:
-        """Draw it between two pixels, counted from the left and from the bottom."""
-        for i, (x, y) in enumerate((start_px[:2], end_px[:2])):
-            self._points.SetPoint(i, x, y, 0.0)
-        self._points.Modified()
+        return self._eye + 3.0 * self._body_size * _SIX_WAYS
 
 
 class Film(NamedTuple):
@@ -896,9 +649,16 @@ def _view(projection: Projection, origin: Array) -> tuple[Array, Array]:
     return view_from_local, local_from_view
 
 
-def _translation(offset: Array) -> Array:
-    matrix = np.eye(4)
-    matrix[:3, 3] = offset
+def _cube_from_part(view_from_cube: Array, near: float, far: float) -> Array:
+    """From the cube of a part of a view volume to that of the whole, (4, 4).
+
+    The distance from the eye plane is ``-(A z + B) / (C z + D)`` with the rows (A, B) and (C, D)
+    of `view_from_cube` that make z and w; solved for z at both distances.
+    """
+    (a, b), (c, d) = view_from_cube[2:, 2:].tolist()
+    at_near, at_far = (-(b + distance * d) / (a + distance * c) for distance in (near, far))
+    matrix = np.identity(4)
+    matrix[2, 2], matrix[2, 3] = at_near - at_far, at_far
     return matrix
 
 
@@ -992,10 +752,3 @@ def _broken_edge() -> tuple[Array, list[tuple[int, ...]]]:
     pieces = [((0.0, 0.0, 0.0), (at, 0.0, -gap)), *strokes, *dashes]
     points = np.array([end for piece in pieces for end in piece])
     return points, [(i, i + 1) for i in range(0, len(points), 2)]
-
-
-def _distance(value: float) -> str:
-    """A distance as a label says it: 1, 0.025, 1e+06, the sign for infinity."""
-    if math.isinf(value):
-        return "\N{INFINITY}"
-    return f"{value:.0f}" if 1e4 <= abs(value) < 1e6 else f"{value:.4g}"

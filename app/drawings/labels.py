@@ -1,0 +1,463 @@
+"""The words of the world pane: where there is room for them, and lines to what they name.
+
+`Labels` owns every label of the pane. One `lay_out` finds a place for each, one after the other,
+best first: where it is in the pane, hides nothing that must be seen, and does not seem to belong
+to something else.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from functools import partial
+from itertools import product
+from typing import NamedTuple, TypeAlias
+
+import numpy as np
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkRenderingCore import vtkActor2D, vtkPolyDataMapper2D
+
+from app.drawings.actors import Canvas, Label
+from app.drawings.style import rgb
+from app.projection import Array
+
+AXES = ("v", "n", "u")
+"""The camera's axes, in the order in which they are written."""
+
+# Where the planes' labels can be, best first, as parts of the corners that `Named` has: corners,
+# then middles of edges; of the near face, then of the far one.
+_CORNERS = np.eye(4)
+_EDGES = (_CORNERS + np.roll(_CORNERS, -1, axis=0)) / 2.0
+_PLANES_FROM_CORNERS = np.kron(np.eye(2), np.vstack([_CORNERS, _EDGES]))[
+    [0, 3, 1, 2, 4, 7, 6, 5, *(8 + i for i in (3, 2, 0, 1, 6, 7, 5, 4))]
+]
+
+# Where in the pane a plane is looked for, from -1 to 1; what is near the bottom left first.
+_ACROSS = 9
+_SAMPLES = np.array([(x, y) for y in range(-4, 5) for x in range(-4, 5)]) * (2.0 / _ACROSS)
+_ONES = np.ones(len(_SAMPLES))
+_YZX, _ZXY = [1, 2, 0], [2, 0, 1]
+
+# On which sides of their points labels can be, best first: right and up, in half labels.
+_ON = ((0.0, 0.0), (0.0, 1.0), (0.0, -1.0), (1.0, 0.0), (-1.0, 0.0))
+_BELOW = ((0.3, -1.0), (1.0, -1.0), (-1.0, -1.0), (0.0, 1.0), (1.0, 1.0), (-1.0, 1.0))
+_RIGHT_BELOW = ((1.0, -0.6), (-1.0, -0.6), (0.0, -1.0), (0.0, 1.0), (1.0, 1.0), (-1.0, 1.0))
+_BELOW_PLANE = (
+    (-1.0, -1.0), (0.0, -1.0), (1.0, -1.0), (-1.0, 0.0), (1.0, 0.0), (-1.0, 1.0), (0.0, 1.0),
+    (1.0, 1.0),
+)  # fmt: skip
+_ABOVE_PLANE = tuple((x, -y) for x, y in (_BELOW_PLANE[1:3] + _BELOW_PLANE[:1] + _BELOW_PLANE[3:]))
+_GAPS_EM = (0.5, 1.6, 3.0, 5.0, 8.0, 12.0)  # between a label and its point, best first
+_LEADER_FROM_EM = 1.2  # a label as far from its point is joined to it by a line
+_OTHER_PLANE_EM = 2.0  # as far is each plane's label from the other one's corners
+_STAYS_WITHIN_EM = 3.0  # a label as near to its point stays where it is while something moves
+
+Spot: TypeAlias = tuple[float, float, float]
+"""Pixels from the pane's left and bottom, and depth: negative behind the pane's camera."""
+_Candidate: TypeAlias = tuple[float, int, tuple[float, float]]
+"""Where a label could be: how far in em, from which of its points, on which side of it."""
+
+
+class PaneView(NamedTuple):
+    """The pane's own camera and size.
+
+    Attributes
+    ----------
+    eye : (3,) array
+        Scene-local.
+    axes : (3, 3) array
+        Rows: right, up and toward what it looks at.
+    slope : float
+        Tangent of half the vertical angle of view.
+    size_px : (int, int)
+    """
+
+    eye: Array
+    axes: Array
+    slope: float
+    size_px: tuple[int, int]
+
+    def seen(self, points: Array) -> list[Spot]:
+        """Where scene-local points, (n, 3), are in the pane."""
+        width_px, height_px = self.size_px
+        x, y, depth = self.axes @ (points - self.eye).T
+        in_front = np.where(depth > 0.0, depth, np.inf)
+        px = height_px / (2.0 * self.slope * in_front)
+        spots = zip(
+            (width_px / 2.0 + px * x).tolist(),
+            (height_px / 2.0 + px * y).tolist(),
+            depth.tolist(),
+            strict=True,
+        )
+        return list(spots)
+
+    def covered(self, face: Array) -> list[Spot]:
+        """At which of evenly spread places a parallelogram, (4, 3), is in front of the pane."""
+        middle = (face[0] + face[2]) / 2.0 - self.eye
+        across, up = (face[1] - face[0]) / 2.0, (face[3] - face[0]) / 2.0
+        width_px, height_px = self.size_px
+        rays = np.column_stack([_SAMPLES * (self.slope * width_px / height_px, self.slope), _ONES])
+        # Cramer's rule for depth * ray = middle + s across + t up.
+        spanned = np.stack([middle, across, up]) @ self.axes.T
+        # Row i is the cross product of the other two; much faster than numpy's own of one pair.
+        after, before = spanned[_YZX], spanned[_ZXY]
+        adjugate = after[:, _YZX] * before[:, _ZXY] - after[:, _ZXY] * before[:, _YZX]
+        volume = float(spanned[0] @ adjugate[0])
+        facing, s, t = adjugate @ rays.T
+        largest = np.abs(facing)
+        on = (facing * volume > 0.0) & (np.abs(s) <= largest) & (np.abs(t) <= largest)
+        px = (_SAMPLES[on] + 1.0) / 2.0 * self.size_px
+        return list(map(tuple, np.column_stack([px, volume / facing[on]]).tolist()))
+
+    def parts_covered(self, faces: Array, least: float) -> list[float]:
+        """How much of the pane parallelograms cover, 0..1 each; 0 where less than `least`.
+
+        Parameters
+        ----------
+        faces : (4 n, 3) array
+        least : float
+            What matters to the caller: below it most faces are told at a glance.
+        """
+        parts, seen = [], self.seen(faces)
+        for first in range(0, len(faces), 4):
+            x, y, depth = zip(*seen[first : first + 4], strict=True)
+            sides = zip((x, y), self.size_px, strict=True)
+            # One sample more than fits, at most, in either direction.
+            most = math.prod((max(s) - min(s)) / side_px + 1.0 / _ACROSS for s, side_px in sides)
+            part = 0.0
+            if min(depth) <= 0.0 or most >= least:
+                part = len(self.covered(faces[first : first + 4])) / len(_SAMPLES)
+            parts.append(part if part >= least else 0.0)
+        return parts
+
+
+class Named(NamedTuple):
+    """What the words name, scene-local.
+
+    Attributes
+    ----------
+    eye, target : (3,) array
+    tips : (3 k, 3) array
+        Where the letters of `AXES` can be, all three of them k times, best first.
+    body : (n, 3) array
+        What the camera's body lies between; the planes' labels keep off it.
+    corners : (8, 3) array
+        Of the frustum as it is drawn: left-bottom, right-bottom, right-top, left-top of the near
+        face, then of the far face.
+    near, far : float
+        The planes' distances, to be written.
+    """
+
+    eye: Array
+    target: Array
+    tips: Array
+    body: Array
+    corners: Array
+    near: float
+    far: float
+
+
+class Labels:
+    """Every label of the world pane.
+
+    Parameters
+    ----------
+    canvas : Canvas
+        Where they are added.
+    words : Mapping[str, str]
+        `app.drawings.WORDS` or a translation.
+    """
+
+    def __init__(self, canvas: Canvas, words: Mapping[str, str]) -> None:
+        self._canvas, self._words = canvas, words
+        style, label = canvas.style, partial(canvas.label, in_pixels=True)
+        # The leaders before all labels, whose plates hide the ends.
+        self._leaders = {
+            name: _Leader(getattr(style, name), style.line_width)
+            for name in ("eye", "target", "near", "far")
+        }
+        canvas.add(*(leader.actor for leader in self._leaders.values()))
+        self._axes = [label(words[a], plate=getattr(style, a), bold=True) for a in AXES]
+        self._eye = label(words["eye"], plate=style.eye)
+        self._target = label(words["target"], plate=style.target)
+        self._near = label("", plate=style.near)
+        self._far = label("", plate=style.far)
+        self._kept: Mapping[Label, _Candidate] = {}
+
+    def lay_out(self, pane: PaneView, named: Named, *, afresh: bool) -> bool:
+        """Put each label where it hides no other one, at its first place if that is free.
+
+        Parameters
+        ----------
+        pane : PaneView
+        named : Named
+        afresh : bool
+            Whether the places depend on nothing but `pane` and `named`. If not, a label that is
+            right next to one of its points stays on its side of it as long as it can: words that
+            jump while a control is dragged draw the eye away from what moves.
+
+        Returns
+        -------
+        bool
+            Whether a label has changed sides.
+        """
+        words, leaders = self._words, self._leaders
+        before = self._kept
+        layout = _Layout(pane.size_px, self._canvas.style.font_size, {} if afresh else before)
+        texts = [f"{words[name]} {_distance(getattr(named, name))}" for name in ("near", "far")]
+        self._near.set_text(texts[0])
+        self._far.set_text(texts[1])
+        points = [[named.eye], [named.target], named.tips, named.body]
+        seen = pane.seen(np.concatenate([*points, _PLANES_FROM_CORNERS @ named.corners]))
+        eye, target, *spots = seen
+        planes = spots[-16:-8], spots[-8:]
+        layout.keep_free([eye, target])
+        for i, (name, label) in enumerate(zip(AXES, self._axes, strict=True)):
+            layout.place(label, words[name], spots[i : len(named.tips) : 3], _ON, gaps=1)
+        layout.place(
+            self._target, words["target"], [target], _RIGHT_BELOW, leaders["target"], gaps=3
+        )
+        layout.place(self._eye, words["eye"], [eye], _BELOW, leaders["eye"], gaps=3)
+        layout.keep_free_box(spots[len(named.tips) : -16])
+        for i, (label, sides, leader) in enumerate(
+            (
+                (self._near, _BELOW_PLANE, leaders["near"]),
+                (self._far, _ABOVE_PLANE, leaders["far"]),
+            )
+        ):
+            others = planes[1 - i][:4]
+            if not layout.place(label, texts[i], planes[i], sides, leader, apart_from=others):
+                inside = pane.covered(named.corners[4 * i : 4 * i + 4])[:: 1 - 2 * i]
+                layout.place(label, texts[i], inside, _ON[:1], gaps=1, apart_from=others)
+        self._kept = layout.settled
+        return self._kept != before
+
+
+class _Layout:
+    """Finds free places for labels in the pane, one after the other.
+
+    In plain floats: a label that stays asks about one candidate, where numpy would do them all.
+
+    Parameters
+    ----------
+    size_px : (int, int)
+        Of the pane.
+    em : float
+        Height of the labels' font, pixels.
+    kept : mapping of Label to _Candidate
+        Where labels are to stay if they still can.
+    """
+
+    def __init__(
+        self, size_px: tuple[int, int], em: float, kept: Mapping[Label, _Candidate]
+    ) -> None:
+        self._size_px, self._em, self._kept = size_px, em, kept
+        self._taken: list[_Box] = []
+        self.settled: dict[Label, _Candidate] = {}
+        """Which labels were put right next to their points, and where."""
+
+    def keep_free(self, points: Sequence[Spot]) -> None:
+        """Let no label hide what is drawn at these points."""
+        half = 0.4 * self._em
+        self._taken += [_Box(x - half, y - half, x + half, y + half) for x, y, _ in points]
+
+    def keep_free_box(self, points: Sequence[Spot]) -> None:
+        """Let no label hide what is drawn between these points."""
+        x, y, depth = zip(*points, strict=True)
+        if min(depth) > 0.0:
+            self._taken.append(_Box(min(x), min(y), max(x), max(y)))
+
+    def place(
+        self,
+        label: Label,
+        text: str,
+        points: Sequence[Spot],
+        sides: Sequence[tuple[float, float]],
+        leader: _Leader | None = None,
+        *,
+        gaps: int = len(_GAPS_EM),
+        apart_from: Sequence[Spot] = (),
+    ) -> bool:
+        """Put a label as near as can be to one of these points, where it hides no other one.
+
+        Parameters
+        ----------
+        label : Label
+            Anchored at its centre, in pixels. Hidden if none of the points is in the pane.
+        text : str
+            What is written on it.
+        points : sequence of Spot
+            Best first.
+        sides : sequence of (float, float)
+            Where the label's box is from the point, best first: -1 to the left of or below, 1 to
+            the right of or above, 0 on it.
+        leader : _Leader, optional
+            Joins the label to its point if they are far apart.
+        gaps : int
+            How many of `_GAPS_EM` to try.
+        apart_from : sequence of Spot
+            What the label must not seem to belong to.
+
+        Returns
+        -------
+        bool
+            Whether there was a place for it.
+        """
+        width_px, height_px = self._size_px
+        # As wide as DejaVu Sans, and a line high.
+        half = self._em * (0.26 * (len(text) + 2) + 0.15), self._em * 0.72
+        usable = [
+            i
+            for i, (x, y, depth) in enumerate(points)
+            # A leader must not point out of the pane.
+            if depth > 0.0 and (leader is None or (0.0 <= x <= width_px and 0.0 <= y <= height_px))
+        ]
+        others = [(x, y) for x, y, depth in apart_from if depth > 0.0]
+        search = partial(self._search, points, half, others, leader is not None)
+        kept, found = self._kept.get(label), None
+        if kept is not None and leader is not None and kept[1] in usable:
+            found = search([kept])
+        if found is None or not found[2]:
+            found = search(product(_GAPS_EM[:gaps], usable, sides))
+        if found is None:
+            label.set_visible(False)
+            if leader is not None:
+                leader.actor.SetVisibility(False)
+            return False
+        candidate, box, free = found
+        if free:
+            self._taken.append(box)
+            if leader is not None and candidate[0] <= _STAYS_WITHIN_EM:
+                self.settled[label] = candidate
+        self._put(label, leader, points[candidate[1]][:2], box)
+        return True
+
+    def _search(
+        self,
+        points: Sequence[Spot],
+        half: tuple[float, float],
+        others: Sequence[tuple[float, float]],
+        has_leader: bool,
+        candidates: Iterable[_Candidate],
+    ) -> tuple[_Candidate, _Box, bool] | None:
+        """The first candidate that hides nothing, or else the first that is in the pane at all.
+
+        Returns
+        -------
+        candidate : _Candidate
+        box : _Box
+            Where the label is then.
+        free : bool
+            Whether it hides nothing.
+        """
+        em, (width_px, height_px), taken = self._em, self._size_px, self._taken
+        half_width, half_height = half
+        least = _OTHER_PLANE_EM * em
+        second_best: tuple[_Candidate, _Box] | None = None
+        for candidate in candidates:
+            gap, i, (to_right, to_top) = candidate
+            x, y, _ = points[i]
+            centre_x = x + to_right * (half_width + gap * em)
+            centre_y = y + to_top * (half_height + gap * em)
+            left, right = centre_x - half_width, centre_x + half_width
+            bottom, top = centre_y - half_height, centre_y + half_height
+            if left < 0.0 or bottom < 0.0 or right > width_px or top > height_px:
+                continue
+            for x, y in others:
+                away_x, away_y = max(left - x, 0.0, x - right), max(bottom - y, 0.0, y - top)
+                if math.hypot(away_x, away_y) < least:
+                    break
+            else:
+                if second_best is None:
+                    second_best = candidate, _Box(left, bottom, right, top)
+                for t_left, t_bottom, t_right, t_top in taken:
+                    if left < t_right and right > t_left and bottom < t_top and top > t_bottom:
+                        break
+                else:
+                    box = _Box(left, bottom, right, top)
+                    joined = has_leader and gap > _LEADER_FROM_EM
+                    if not (joined and self._crosses(points[i], box)):
+                        return candidate, box, True
+        return None if second_best is None else (*second_best, False)
+
+    def _crosses(self, anchor: Spot, box: _Box) -> bool:
+        """Whether a line from a point to a label would seem to be another label's."""
+        x, y, _ = anchor
+        end_x, end_y = box.nearest((x, y))
+        for part in (0.4, 0.7):
+            on_x, on_y = x + part * (end_x - x), y + part * (end_y - y)
+            if any(t.left < on_x < t.right and t.bottom < on_y < t.top for t in self._taken):
+                return True
+        return False
+
+    def _put(
+        self, label: Label, leader: _Leader | None, anchor: tuple[float, float], box: _Box
+    ) -> None:
+        x, y = (box.left + box.right) / 2.0, (box.bottom + box.top) / 2.0
+        label.set_position((x, y, 0.0))
+        label.set_visible(True)
+        if leader is not None:
+            end = box.nearest(anchor)
+            apart = math.dist(end, anchor) > _LEADER_FROM_EM * self._em
+            leader.actor.SetVisibility(apart)
+            if apart:  # the plate is a little smaller than the box that is kept free for it
+                plate = _Box(
+                    *(c + 0.7 * (side - c) for c, side in zip((x, y, x, y), box, strict=True))
+                )
+                leader.join(anchor, plate.nearest(end))
+
+
+class _Box(NamedTuple):
+    """A rectangle in the pane, pixels from its left and bottom."""
+
+    left: float
+    bottom: float
+    right: float
+    top: float
+
+    def nearest(self, spot: tuple[float, float]) -> tuple[float, float]:
+        """The point of the box that is nearest to a spot."""
+        x, y = spot
+        return min(max(x, self.left), self.right), min(max(y, self.bottom), self.top)
+
+
+class _Leader:
+    """A thin line in the plane of the screen, from a label to what it names.
+
+    Parameters
+    ----------
+    colour : str
+        Of the label's plate.
+    width : float
+        Pixels.
+    """
+
+    def __init__(self, colour: str, width: float) -> None:
+        self._points = vtkPoints()
+        self._points.SetNumberOfPoints(2)
+        cells = vtkCellArray()
+        cells.InsertNextCell(2, (0, 1))
+        line = vtkPolyData()
+        line.SetPoints(self._points)
+        line.SetLines(cells)
+        mapper = vtkPolyDataMapper2D()
+        mapper.SetInputData(line)
+        self.actor = vtkActor2D()
+        self.actor.SetMapper(mapper)
+        self.actor.GetProperty().SetColor(*rgb(colour))
+        self.actor.GetProperty().SetLineWidth(width)
+        self.actor.SetVisibility(False)
+
+    def join(self, start_px: tuple[float, float], end_px: tuple[float, float]) -> None:
+        """Draw it between two pixels, counted from the left and from the bottom."""
+        for i, (x, y) in enumerate((start_px, end_px)):
+            self._points.SetPoint(i, x, y, 0.0)
+        self._points.Modified()
+
+
+def _distance(value: float) -> str:
+    """A distance as a label says it: 1, 0.025, 1e+06, the sign for infinity."""
+    if math.isinf(value):
+        return "\N{INFINITY}"
+    return f"{value:.0f}" if 1e4 <= abs(value) < 1e6 else f"{value:.4g}"
