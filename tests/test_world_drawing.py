@@ -523,7 +523,7 @@ def ray_cast(scene: Scene, projection: Projection, pixels: Array) -> tuple[Array
         replace(START, lens=Frustum(-1.9, 0.7, -1.2, 0.8, 3.0, math.inf, "x"), depth="direct3d"),
         oblique(near=7.0, left=-4.0, right=5.0, bottom=-1.0, top=6.0),
         replace(
-            oblique("cavalier-30", near=7.0, left=0.5, right=8.5, bottom=0.0, top=5.0, keep="x"),
+            oblique("cavalier-30", near=7.0, left=-1.5, right=10.5, bottom=0.0, top=5.0, keep="x"),
             depth="reversed",
         ),
     ],
