@@ -21,8 +21,11 @@ from app.drawings.ndc import NdcDrawing
 from app.drawings.style import DARK, LIGHT, Style, contrast, rgb
 from app.projection import (
     DEPTH_RANGES,
+    LENSES,
     Camera,
+    Frustum,
     Lens,
+    Oblique,
     Orthographic,
     Perspective,
     Projection,
@@ -112,15 +115,25 @@ def random_projection(
         target = random.uniform((-2.0, 0.0, -2.0), (2.0, 4.0, 2.0))
         up = random.normal(size=3)
         near = 10.0 ** random.uniform(-3, 0)
+        far = near + 10.0 ** random.uniform(1, 3)
+        kind = list(LENSES)[number % 4]
+        keep = random.choice(["stretch", "x", "y"])
+        low, high = random.uniform(-8.0, -0.5, 2), random.uniform(0.5, 8.0, 2)
         lens: Lens
-        if number % 2:
-            left, bottom = random.uniform(-8.0, -0.5, 2)
-            right, top = random.uniform(0.5, 8.0, 2)
-            keep = random.choice(["stretch", "x", "y"])
-            lens = Orthographic(left, right, bottom, top, near, near + 60.0, keep)
-        else:
-            far = math.inf if number % 4 else near + 10.0 ** random.uniform(1, 3)
+        if kind == "perspective":
+            far = math.inf if number % 5 == 0 else far
             lens = Perspective(random.uniform(10.0, 150.0), near, far)
+        elif kind == "frustum":
+            far = math.inf if number % 5 == 0 else far
+            off_axis = 0.5 * low[0] * (number % 8 // 4)
+            sides = np.array([low[0], high[0], low[1], high[1]]) + off_axis
+            lens = Frustum(*(0.2 * near * sides), near, far, keep)
+        else:
+            box = (low[0], high[0], low[1], high[1], near, near + 60.0)
+            if kind == "orthographic":
+                lens = Orthographic(*box, keep)
+            else:
+                lens = Oblique(*box, keep, *random.uniform(20.0, 160.0, 2))
         try:
             return Projection(Camera(tuple(eye), tuple(target), tuple(up)), lens, size, depth)
         except ProjectionError:  # up happened to be parallel: draw another one
@@ -149,7 +162,7 @@ def test_a_vertex_lights_the_pixel_that_the_model_says(
         actor.GetProperty().SetPointSize(3.0)
 
     random = np.random.default_rng(20)
-    checked, worst = 0, 0.0
+    checked, worst = dict.fromkeys(LENSES, 0), 0.0
     for number in range(200):
         projection = random_projection(random, number, size)
         drawing.show_projection(projection)
@@ -168,8 +181,8 @@ def test_a_vertex_lights_the_pixel_that_the_model_says(
                 off_x = (columns[lit].mean() + 0.5) / 2.0 - x
                 off_y = (rows[lit].mean() + 0.5) / 2.0 - y
                 worst = max(worst, abs(off_x), abs(off_y))
-                checked += 1
-    assert checked > 1500
+                checked[projection.lens.kind] += 1
+    assert min(checked.values()) > 200, checked
     assert worst <= 0.26
 
 
@@ -238,15 +251,26 @@ def test_what_is_in_front_stays_in_front_in_every_depth_range(
         for depth in DEPTH_RANGES:
             screen = off_screen(300, 300)
             drawing = kind(screen.plotter, scene, WORDS, LIGHT)
-            for lens in (Perspective(60, 1, 30), Orthographic(-3, 3, -3, 3, 1, 30)):
+            for lens in (
+                Perspective(60, 1, 30),
+                Frustum(-0.8, 0.4, -0.5, 0.6, 1, 30),
+                Orthographic(-3, 3, -3, 3, 1, 30),
+                Oblique(-4, 2, -3, 3, 1, 30, alpha_deg=80, beta_deg=95),
+            ):
                 drawing.show_projection(
                     Projection(Camera((0, 0, 5), (0, 0, 0)), lens, (300, 300), depth)
                 )
                 image = screen.pixels()
                 assert drawn(image, near).sum() > 1000
                 hidden_share = drawn(image, far).sum() / drawn(image, near).sum()
-                # The NDC pane looks from the side and sees some of it, the picture none.
-                assert hidden_share == 0.0 if kind is ImageDrawing else hidden_share < 0.9
+                # The NDC pane looks from the side and sees some of it, the picture none, but for
+                # what an oblique lens shifts: 2 cot(80) of 2 across, 2 cot(95) of 2 up.
+                if kind is NdcDrawing:
+                    assert hidden_share < 0.95
+                elif lens.kind == "oblique":
+                    assert hidden_share == pytest.approx(1.0 - 0.8237 * 0.9125, abs=0.02)
+                else:
+                    assert hidden_share == 0.0
 
 
 def test_only_what_is_before_the_eye_is_drawn(off_screen: Callable[[int, int], OffScreen]) -> None:
@@ -301,7 +325,12 @@ def test_ndc_clips_the_scene_at_the_cube(off_screen: Callable[[int, int], OffScr
     tilted = big[:, [0, 2, 1]] + [0.0, -0.5, 0.0]
     scene = scene_of(np.vstack([big, tilted]), [(0, 1, 2, 3), (4, 5, 6, 7)], [red, red])
     for depth in DEPTH_RANGES:
-        for lens in (Perspective(50, 1, 10), Orthographic(-2, 2, -2, 2, 1, 10)):
+        for lens in (
+            Perspective(50, 1, 10),
+            Frustum(-0.1, 0.8, -0.5, 0.3, 1, 10),
+            Orthographic(-2, 2, -2, 2, 1, 10),
+            Oblique(-2, 2, -2, 2, 1, 10),
+        ):
             screen = off_screen(400, 400)
             drawing = NdcDrawing(screen.plotter, scene, WORDS, LIGHT)
             drawing.show_projection(Projection(Camera((0, 2, 5), (0, 0, 0)), lens, depth=depth))
@@ -479,7 +508,9 @@ def test_edges_are_not_eaten_by_faces_nor_seen_through_them(
     lenses = (
         Perspective(45, 1, 30),
         Perspective(45, 1e-3, math.inf),
+        Frustum(-0.7, 0.3, -0.4, 0.5, 1, 30),
         Orthographic(-3, 3, -3, 3, 1, 30),
+        Oblique(-4, 3, -3, 4, 4, 12, alpha_deg=95, beta_deg=80),
     )
     screen = off_screen(*size)
     drawing = ImageDrawing(screen.plotter, scene, WORDS, LIGHT, framed=False)
@@ -635,7 +666,11 @@ def test_extreme_projections_draw_without_a_word(
         Perspective(1e-6, 1, 30),
         Perspective(45, 1e-205, 1e100),
         Perspective(45, 1, 1 + 1e-12),
+        Frustum(1e-7, 1e9, -1e9, -1e-7, 1e-7, math.inf),
+        Frustum(-0.7, 0.7, -0.4, 0.4, 1e-200, 30.0),
+        Frustum(-1e-100, 1e-100, 1.0, 2.0, 1.0, 2.0),
         Orthographic(-1e-9, 1e-9, -1e9, 1e9, -1e9, 1e9),
+        Oblique(-1e-9, 1e-9, -1e9, 1e9, -1e9, 1e9, alpha_deg=1e-4, beta_deg=179.9999),
     )
     for kind in (NdcDrawing, ImageDrawing):
         screen = off_screen(120, 90)

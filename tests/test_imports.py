@@ -52,6 +52,8 @@ PANEL = Room(
         "widgets.messages",
         "widgets.palette",
         "widgets.rows",
+        "widgets.section",
+        "widgets.lens_controls",
     ),
 )
 
@@ -100,6 +102,8 @@ ROOMS = {
     "widgets/message_bar.py": PANEL,
     "widgets/rows.py": PANEL,
     "widgets/controls.py": PANEL,
+    "widgets/section.py": PANEL,
+    "widgets/lens_controls.py": PANEL,
     "widgets/animation.py": PANEL,
     "widgets/matrix_panel.py": PANEL,
     "widgets/probe_panel.py": PANEL,

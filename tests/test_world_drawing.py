@@ -22,12 +22,17 @@ from vtkmodules.vtkRenderingCore import vtkCamera, vtkTextActor
 from app.drawings import WORDS
 from app.drawings.labels import _SAMPLES
 from app.drawings.style import DARK, LIGHT, Style, rgb
-from app.drawings.world import SLAB, WorldDrawing, flatten
+from app.drawings.world import SLAB, WorldDrawing, _part, flatten
 from app.projection import (
     DEPTH_RANGES,
+    LENSES,
+    OBLIQUE_PRESETS,
     PLANES,
     Array,
     Camera,
+    Frustum,
+    Lens,
+    Oblique,
     Orthographic,
     Perspective,
     Projection,
@@ -153,6 +158,16 @@ def orthographic(**values: Any) -> Projection:
     return replace(projection, lens=replace(projection.lens, **values))
 
 
+def frustum(**values: Any) -> Projection:
+    return replace(START, lens=Frustum(**values))
+
+
+def oblique(preset: str = "cabinet-63.4", **values: Any) -> Projection:
+    alpha_deg, beta_deg = OBLIQUE_PRESETS[preset]
+    lens = Oblique(alpha_deg=alpha_deg, beta_deg=beta_deg, **values)
+    return replace(START, lens=lens)
+
+
 def random_projections(count: int, seed: int = 0) -> Iterator[Projection]:
     """Cameras round the letter F; every lens and depth range has its turn."""
     random = np.random.default_rng(seed)
@@ -162,13 +177,23 @@ def random_projections(count: int, seed: int = 0) -> Iterator[Projection]:
         target, up = random.uniform((-1, 1, -1), (1, 3, 1)), random.normal(size=3)
         near = 10.0 ** random.uniform(-4.0, 0.0)
         far = near + 10.0 ** random.uniform(-2.0, 6.0)
-        lens: Perspective | Orthographic
-        if number % 2:
-            low, high = random.uniform(-8.0, -0.5, 2), random.uniform(0.5, 8.0, 2)
-            lens = Orthographic(low[0], high[0], low[1], high[1], near - 1.0, far)
+        kind = list(LENSES)[number % 4]
+        low, high = random.uniform(-8.0, -0.5, 2), random.uniform(0.5, 8.0, 2)
+        keep = random.choice(["stretch", "x", "y"])
+        lens: Lens
+        if kind == "perspective":
+            lens = Perspective(
+                10.0 ** random.uniform(0.0, 2.2), near, math.inf if number % 5 == 0 else far
+            )
+        elif kind == "frustum":
+            sides = 0.2 * near * np.array([low[0], high[0], low[1], high[1]])
+            sides += 0.1 * near * (number % 3) * low[0]  # the axis may be outside the picture
+            lens = Frustum(*sides, near, math.inf if number % 5 == 0 else far, keep)
+        elif kind == "orthographic":
+            lens = Orthographic(low[0], high[0], low[1], high[1], near - 1.0, far, keep)
         else:
-            far = math.inf if number % 5 == 0 else far
-            lens = Perspective(10.0 ** random.uniform(0.0, 2.2), near, far)
+            angles = random.uniform(25.0, 155.0, 2)
+            lens = Oblique(low[0], high[0], low[1], high[1], near - 1.0, far, keep, *angles)
         camera = Camera(tuple(eye), tuple(target), tuple(up))
         depth = list(DEPTH_RANGES)[number % 3]
         yield Projection(camera, lens, (640, 480), depth)  # type: ignore[arg-type]
@@ -189,7 +214,7 @@ def test_the_frustum_is_the_unprojected_cube(make_view: MakeView) -> None:
             continue
         if reach.far_break is not None:  # what is drawn is the frustum of a nearer far plane
             assert projection.lens.far > reach.high == reach.far
-            projection = replace(projection, lens=replace(projection.lens, far=reach.far))
+            projection = projection.between(projection.lens.near, reach.far)
             cut += 1
         else:
             whole += 1
@@ -203,13 +228,29 @@ def test_the_frustum_is_the_unprojected_cube(make_view: MakeView) -> None:
 def test_the_eye_lines_run_from_the_eye_to_the_near_corners(make_view: MakeView) -> None:
     view = make_view()
     for projection in random_projections(20):
-        if projection.lens.kind == "orthographic":
-            continue
         view.drawing.show_projection(projection)
+        assert view.drawing._apex.GetVisibility() == (not projection.lens.parallel)
+        if projection.lens.parallel:
+            continue
         matrix = to_array(view.drawing._apex_space.matrix)
         ends = applied(matrix, np.array([(0.0, 0.0, 0.0), *CUBE[:4]]))
         expected = [projection.camera.eye, *projection.frustum_corners_world[:4, :3]]
         assert np.allclose(ends, expected, rtol=0, atol=1e-9)
+
+
+def test_a_part_of_the_view_volume_is_what_the_model_says() -> None:
+    random = np.random.default_rng(6)
+    for projection in random_projections(60, seed=7):
+        near = max(projection.lens.near, 0.01) * random.uniform(0.5, 3.0)
+        far = near + 10.0 ** random.uniform(-1.0, 3.0)
+        part = replace(projection.between(near, far), depth="reversed")
+        clip_from_view, view_from_clip = _part(projection, near, far)
+        for found, expected in (
+            (applied(view_from_clip, CUBE), applied(part.view_from_clip, CUBE)),
+            (clip_from_view, part.clip_from_view),
+            (applied(clip_from_view, applied(view_from_clip, CUBE)), CUBE),
+        ):
+            assert np.abs(found - expected).max() < 1e-9 * np.abs(expected).max(), projection
 
 
 @pytest.mark.parametrize("toward_eye", [True, False])
@@ -233,7 +274,7 @@ def test_flattened_points_keep_their_ray_and_their_order(toward_eye: bool) -> No
         again = projection.trace(flat)
         assert np.allclose(again.image, trace.image[inside], rtol=0, atol=1e-5)
         flat_depths = (np.array(camera.eye) - flat) @ camera.frame[2]
-        thick = SLAB * (lens.near if lens.kind == "perspective" else 10.0)
+        thick = SLAB * (10.0 if lens.parallel else lens.near)
         above = (lens.near - flat_depths) * (1.0 if toward_eye else -1.0)
         rounding = 1e-9 * (thick + abs(lens.near))
         assert above.min() >= -rounding and above.max() <= 1.02 * thick + rounding
@@ -455,7 +496,9 @@ def ray_cast(scene: Scene, projection: Projection, pixels: Array) -> tuple[Array
     triangles = surface.points[surface.regular_faces].astype(float) + scene.origin
     rgb_of = surface.cell_data["rgb"]
     for point in points:
-        along = point - camera.eye if lens.kind == "perspective" else -n
+        along = point - camera.eye
+        if lens.parallel:
+            along = projection.shear[0] * u + projection.shear[1] * v - n
         along = along / np.linalg.norm(along)
         a, b, c = triangles[:, 0], triangles[:, 1], triangles[:, 2]
         normal = np.cross(b - a, c - a)
@@ -479,6 +522,12 @@ def ray_cast(scene: Scene, projection: Projection, pixels: Array) -> tuple[Array
         with_lens(near=3.0, fov_y_deg=38.0),
         replace(with_lens(near=3.0, far=math.inf), depth="direct3d"),
         replace(orthographic(near=3.0, left=-4.0, right=4.0, bottom=-4, top=4), depth="reversed"),
+        replace(START, lens=Frustum(-1.9, 0.7, -1.2, 0.8, 3.0, math.inf, "x"), depth="direct3d"),
+        oblique(near=7.0, left=-4.0, right=5.0, bottom=-1.0, top=6.0),
+        replace(
+            oblique("cavalier-30", near=7.0, left=-1.5, right=10.5, bottom=0.0, top=5.0, keep="x"),
+            depth="reversed",
+        ),
     ],
 )
 def test_the_picture_on_the_near_plane_is_the_image(
@@ -492,8 +541,10 @@ def test_the_picture_on_the_near_plane_is_the_image(
     random = np.random.default_rng(5)
     pixels = random.uniform((0.25 * width, 0.1 * height), (0.75 * width, 0.9 * height), (250, 2))
     points, colours = ray_cast(scene, projection, pixels)
+    # Slanted rays cross the slab slantwise: up to its thickness, 13 px here, beside the plane.
+    far = 20 if projection.lens.kind == "oblique" else 9
     seen = np.stack([np.array(ray_cast(scene, projection, pixels + step)[1], dtype=object)
-                     for step in ((9, 0), (-9, 0), (0, 9), (0, -9))])  # fmt: skip
+                     for step in ((far, 0), (-far, 0), (0, far), (0, -far))])  # fmt: skip
     camera, near = projection.camera, projection.lens.near
     centre = points.mean(axis=0)
     u, v, n = camera.frame
@@ -503,6 +554,9 @@ def test_the_picture_on_the_near_plane_is_the_image(
         centre + (toward * n + 0.35 * u + 0.25 * v) * min(0.8 * size, 0.8 * near), centre, 90
     )
     view.hide_labels()
+    if projection.lens.kind == "oblique":  # the box, the scene and the target are in the way
+        for actor in view.plotter.renderer.GetActors():
+            actor.SetVisibility(actor in view.drawing._picture)
     image = view.pixels()
     spots = view.pixel_of(points)
     hits = 0
@@ -995,6 +1049,13 @@ def test_scenes_far_away_tiny_or_huge_look_the_same(
         orthographic(near=-1e12, far=1e12),
         orthographic(left=-1e-6, right=1e-6),
         orthographic(left=-1e9, right=1e9, bottom=-1e9, top=1e9),
+        frustum(near=1e-200),
+        frustum(left=-1e-100, right=1e-100),
+        frustum(left=1e5, right=1e5 + 1.0, far=math.inf),
+        frustum(left=-1e9, right=1e9, bottom=-1e-9, top=1e9),
+        oblique(near=-1e12, far=1e12),
+        oblique(left=-1e-190, right=1e-190),
+        replace(START, lens=Oblique(alpha_deg=1e-4, beta_deg=179.9999)),
         replace(START, camera=Camera((0.0, 30.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, -1.0))),
         replace(START, camera=Camera((0.0, 2.2, 0.3), (0.0, 2.2, 0.0), (1.0, 1.0, 0.0))),
         replace(START, camera=Camera((6.0, 5.0, 9.0), (12.0, 8.0, 18.0))),

@@ -17,6 +17,7 @@ from PySide6.QtCore import QCoreApplication
 
 from app.projection import (
     BOTTOM_BEFORE_TOP,
+    FAR_BEYOND_NEAR,
     FINITE_NUMBER,
     LEFT_BEFORE_RIGHT,
     NEAR_BEFORE_FAR,
@@ -44,7 +45,14 @@ PROJECTION_BOUNDS = (
     QT_TRANSLATE_NOOP("ProjectionError", "must not be parallel to the view direction"),
     QT_TRANSLATE_NOOP("ProjectionError", "must be a whole number of pixels from 1 to {0}"),
     QT_TRANSLATE_NOOP("ProjectionError", "must be one of {0}"),
+    QT_TRANSLATE_NOOP("ProjectionError", "must be greater than near, which is {0}"),
     QT_TRANSLATE_NOOP("ProjectionError", "is too close to {0} for float64 to tell apart"),
+    QT_TRANSLATE_NOOP(
+        "ProjectionError", "is too close to {0} for a plane as far from the eye as near is"
+    ),
+    QT_TRANSLATE_NOOP(
+        "ProjectionError", "is at infinity, where there is no point but a direction"
+    ),
 )
 """Every bound of a `ProjectionError`: the members of `app.projection.BOUNDS`."""
 
@@ -314,7 +322,6 @@ _CONTEXTS = {
 # seen from the other side (far dragged below near is far's fault in the reader's eyes).
 A_NUMBER = QT_TRANSLATE_NOOP("ProjectionError", "must be a number, such as 0.5 or 2e-3")
 A_NUMBER_OR_INFINITY = QT_TRANSLATE_NOOP("ProjectionError", "must be a number, or inf for ∞")
-FAR_BEYOND_NEAR = QT_TRANSLATE_NOOP("ProjectionError", "must be greater than near, which is {0}")
 RIGHT_OF_LEFT = QT_TRANSLATE_NOOP("ProjectionError", "must be greater than left, which is {0}")
 TOP_ABOVE_BOTTOM = QT_TRANSLATE_NOOP("ProjectionError", "must be greater than bottom, which is {0}")
 NOT_THE_TARGET = QT_TRANSLATE_NOOP(
@@ -327,6 +334,14 @@ FIELDS = {
     "fov_y_deg": QT_TRANSLATE_NOOP("Field", "Vertical fov"),
     "fov_x_deg": QT_TRANSLATE_NOOP("Field", "Horizontal fov"),
     "focal_length_mm": QT_TRANSLATE_NOOP("Field", "Focal length"),
+    "e": QT_TRANSLATE_NOOP("Field", "Focal length e"),
+    "window_right": QT_TRANSLATE_NOOP("Field", "Half-width"),
+    "window_top": QT_TRANSLATE_NOOP("Field", "Half-height"),
+    "preset": QT_TRANSLATE_NOOP("Field", "Drawing"),
+    "alpha_deg": QT_TRANSLATE_NOOP("Field", "Alpha"),
+    "beta_deg": QT_TRANSLATE_NOOP("Field", "Beta"),
+    "receding": QT_TRANSLATE_NOOP("Field", "Receding"),
+    "receding_deg": QT_TRANSLATE_NOOP("Field", "Direction"),
     "left": QT_TRANSLATE_NOOP("Field", "Left"),
     "right": QT_TRANSLATE_NOOP("Field", "Right"),
     "bottom": QT_TRANSLATE_NOOP("Field", "Bottom"),

@@ -752,7 +752,9 @@ class ChoiceRow(Row):
         As in `Row`.
     choices : sequence of Choice
     buttons : bool
-        Buttons instead of a combo box: one click instead of two. They may show nothing chosen.
+        Buttons instead of a combo box: one click instead of two.
+    none : str
+        What a combo box says while none of them is chosen.
     """
 
     def __init__(
@@ -762,6 +764,7 @@ class ChoiceRow(Row):
         choices: Sequence[Choice],
         *,
         buttons: bool = False,
+        none: str = "",
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(name, tip, parent)
@@ -772,12 +775,13 @@ class ChoiceRow(Row):
         if buttons:
             self.widgets: list[QWidget] = self._make_buttons(choices)
         else:
-            self.widgets = [self._make_combo(choices)]
+            self.widgets = [self._make_combo(choices, none)]
         self.name_label.setBuddy(self.widgets[0])
         self._show_value()
 
-    def _make_combo(self, choices: Sequence[Choice]) -> QComboBox:
+    def _make_combo(self, choices: Sequence[Choice], none: str) -> QComboBox:
         self._combo = combo = _Combo()
+        combo.setPlaceholderText(none)
         for index, choice in enumerate(choices):
             combo.addItem(choice.text)
             combo.setItemData(index, _rich(choice.tip), Qt.ItemDataRole.ToolTipRole)

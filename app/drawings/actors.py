@@ -470,7 +470,7 @@ def lifted(
     """
     lens = projection.clip_from_view
     distance = math.dist(projection.camera.eye, scene.centre)
-    if projection.lens.kind == "perspective":
+    if not projection.lens.parallel:
         # z_clip = a w + b, so that b / (1 - step) in place of b is the depth at w (1 - step).
         nearer = lens[2, 3] * _LIFT * (min(1.0, scene.size / distance) if distance > 0.0 else 1.0)
     else:

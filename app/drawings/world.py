@@ -24,7 +24,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -35,7 +34,7 @@ from app.drawings import actors
 from app.drawings.actors import Canvas, Space
 from app.drawings.labels import AXES, Labels, Named, PaneView
 from app.drawings.style import Style
-from app.projection import Array, Camera, Lens, Perspective, Projection
+from app.projection import Array, Camera, Lens, Orthographic, Perspective, Projection
 from app.scene import Scene
 
 SLAB = 0.005
@@ -57,6 +56,7 @@ _NEAREST = 0.02  # of the pane camera's focal distance: what is nearer is cut
 _LEAST_PICTURE_PX = 1.5
 _NEAR_TINT, _FAR_TINT = 0.3, 0.16  # opacities
 _FADE_FROM, _FADED = 0.6, 0.15  # of the pane under a plane; of the tint when it is all of it
+_STEEPEST = 1e16  # edge of a frustum, sideways per distance: a plane, and its square is finite
 _BODY = 0.065  # size of the camera's body, of the scene's size and distance
 
 # The corners of a box round the camera's body, in view space and sizes of the body.
@@ -268,8 +268,8 @@ class WorldDrawing:
             if broken is not None:
                 part = _cube_from_part(view_from_cube, *broken)
                 self._break_ends[name] = _applied(frustum @ part, _CUBE)
-        self._apex.SetVisibility(lens.kind == "perspective")
-        if lens.kind == "perspective":
+        self._apex.SetVisibility(not lens.parallel)
+        if not lens.parallel:
             base = frustum
             if reach.near_break is not None:
                 base = _normalised(self._local_from_view @ self._view_from_cube(*reach.near_break))
@@ -281,7 +281,7 @@ class WorldDrawing:
         nearby_target = min(self._projection.camera.distance, 2.0 * extent)
         high = _BEYOND * max(objects_depth, nearby_target, 0.5 * size)
         near, far = lens.near, lens.far
-        if isinstance(lens, Perspective):
+        if not lens.parallel:
             low = 0.0
             near = max(near, 1e-12 * high)  # nobody sees the difference; float32 does
         else:
@@ -300,9 +300,7 @@ class WorldDrawing:
 
     def _view_from_cube(self, near: float, far: float) -> Array:
         """`Projection.view_from_clip` for a part of the view volume, (4, 4)."""
-        lens = replace(self._projection.lens, near=near, far=far)
-        part = replace(self._projection, lens=lens, depth="reversed")
-        return part.view_from_clip
+        return _part(self._projection, near, far)[1]
 
     def _place_labels(self, *, afresh: bool) -> bool:
         """The labels, and whether one has changed sides; see `Labels.lay_out`."""
@@ -610,15 +608,10 @@ def flatten(
     free = max(_MARGIN * (depths[1] - depths[0]), 1e-6 * reach)  # flat scenes have no depth
     start = max(near, depths[0] - free)
     end = max(min(far, depths[1] + free), start + 1e-6 * reach)
-    shallow = replace(projection, lens=replace(lens, near=start, far=end), depth="reversed")
     view_from_local, local_from_view = _view(projection, origin)
-    clip_from_local = shallow.clip_from_view @ view_from_local
-    perspective = isinstance(lens, Perspective)
-    beyond = math.inf if perspective else near + reach
-    film_lens = replace(lens, near=near, far=beyond)
-    film = replace(projection, lens=film_lens, depth="reversed")
-    local_from_film = local_from_view @ film.view_from_clip
-    film_from_local = film.clip_from_view @ view_from_local
+    clip_from_local = _part(projection, start, end)[0] @ view_from_local
+    film = _part(projection, near, near + reach if lens.parallel else math.inf)
+    film_from_local, local_from_film = film[0] @ view_from_local, local_from_view @ film[1]
     slab = SLAB if toward_eye else -SLAB
 
     squeeze = np.eye(4)
@@ -628,6 +621,7 @@ def flatten(
     x, y, z, w = film_from_local
     side = 1.0 if toward_eye else -1.0
     planes = np.array([w + x, w - x, w + y, w - y, SLAB * w - side * (z - w), side * (z - w)])
+    planes /= np.abs(planes).max(axis=1, keepdims=True)  # or the squares may overflow
     planes /= np.linalg.norm(planes[:, :3], axis=1, keepdims=True)
     return Film(
         _normalised(local_from_film @ squeeze @ clip_from_local),
@@ -660,6 +654,40 @@ def _cube_from_part(view_from_cube: Array, near: float, far: float) -> Array:
     matrix = np.identity(4)
     matrix[2, 2], matrix[2, 3] = at_near - at_far, at_far
     return matrix
+
+
+def _part(projection: Projection, near: float, far: float) -> tuple[Array, Array]:
+    """`clip_from_view` and its inverse for a part of the view volume, in the reversed range.
+
+    As `projection.between` has them; but only what belongs to depth is exchanged, so that there
+    is no window to overflow, or to vanish beside its shift, for a lens at the end of its range.
+
+    Parameters
+    ----------
+    projection : Projection
+    near, far : float
+        Where the part begins and ends; distances from the eye plane in world units.
+
+    Returns
+    -------
+    clip_from_view, view_from_clip : (4, 4) float64 arrays
+    """
+    clip_from_view, view_from_clip = projection.clip_from_view.copy(), np.zeros((4, 4))
+    if projection.lens.parallel:
+        cut = Projection(lens=Orthographic(near=near, far=far), depth="reversed")
+        left, right, bottom, top = projection.window
+        for row, (low, high) in enumerate(((left, right), (bottom, top))):
+            cot = projection.shear[row]
+            view_from_clip[row, row] = (high - low) / 2.0
+            view_from_clip[row, 2] = -cot * (far - near)
+            view_from_clip[row, 3] = (low + high) / 2.0 + cot * (far - projection.lens.near)
+        view_from_clip[2:] = cut.view_from_clip[2:]
+    else:
+        cut = Projection(lens=Perspective(near=near, far=far), depth="reversed")
+        view_from_clip[:3] = np.clip(projection.view_from_clip[:3], -_STEEPEST, _STEEPEST)
+        view_from_clip[3] = cut.view_from_clip[3]
+    clip_from_view[2] = cut.clip_from_view[2]
+    return clip_from_view, view_from_clip
 
 
 def _scaled(local_from_view: Array, size: float) -> Array:
