@@ -161,6 +161,8 @@ def drawing_bound_px(
     least_w = 1.0
     if not projection.lens.parallel:
         depths = (corners_world - projection.camera.eye) @ -projection.camera.frame[2]
+        if depths.max() < projection.lens.near:  # nothing of it is seen
+            return 0.0
         least_w = max(projection.lens.near, float(depths.min()))
     half_width, half_height = (side / 2.0 for side in projection.image_size)
     lost = max(half_width * (x + w), half_height * (y + w)) / least_w

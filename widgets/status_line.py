@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 
 from PySide6.QtCore import Qt, QTimer, Signal
-from PySide6.QtGui import QResizeEvent
+from PySide6.QtGui import QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QInputDialog, QLabel, QMenu, QSizePolicy, QStatusBar, QToolButton
 
 from app.health import risks
@@ -64,6 +64,7 @@ class StatusLine(QStatusBar):
             self.addWidget(self.labels[name])
         self.rung = QToolButton()
         self.rung.setAutoRaise(True)
+        self.rung.setText(self.tr("drawn {0}, read {1}").format("float32", "float64"))
         self.rung.setAccessibleName(self.tr("Arithmetic"))
         self.rung.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         self.rung.setMenu(QMenu(self.rung))
@@ -91,12 +92,20 @@ class StatusLine(QStatusBar):
         """
         self._projection, self._scene = projection, scene
         self._show_lens(projection)
-        self._rest.start()
+        self._wait_for_rest()
 
     def set_tolerance(self, tolerance_px: float) -> None:
         """Set up to which error in pixels a GPU's own arithmetic may draw."""
         self.tolerance_px = tolerance_px
-        self._rest.start()
+        self._wait_for_rest()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self._wait_for_rest()
+
+    def _wait_for_rest(self) -> None:
+        if self.isVisible():
+            self._rest.start()
 
     def _show_lens(self, projection: Projection) -> None:
         lens, aspect = projection.lens, projection.aspect
@@ -120,7 +129,7 @@ class StatusLine(QStatusBar):
         )
 
     def _predict(self) -> None:
-        if self._projection is None or self._scene is None or not self.isVisible():
+        if self._projection is None or self._scene is None:
             return
         projection, scene = self._projection, self._scene
         self._predictions = predict(projection, scene.sample, scene.origin)
@@ -186,7 +195,8 @@ class _Elided(QLabel):
     def __init__(self) -> None:
         super().__init__()
         self.setObjectName("health")
-        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        # Neither a long sentence nor its sign, which another font has, may resize the panes.
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Ignored)
         self._sentence = ""
 
     def show_sentences(self, sentences: list[str]) -> None:

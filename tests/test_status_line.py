@@ -1,0 +1,147 @@
+"""The status line: figures at once, predictions when the hand rests, silence when all is well."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+import pytest
+from PySide6.QtCore import QTimer
+from pytestqt.qtbot import QtBot
+
+from app.document import Document
+from app.precision import predict
+from app.projection import Camera, Orthographic, Perspective, Projection
+from app.scene import Scene, load
+from widgets import status_line
+from widgets.status_line import StatusLine
+
+EVERYDAY = Projection(Camera(), Perspective(45.0, 1.0, 30.0))
+
+
+@pytest.fixture
+def scene() -> Scene:
+    return load("letter-f")
+
+
+@pytest.fixture
+def line(qtbot: QtBot) -> StatusLine:
+    line = StatusLine()
+    line.resize(1600, 24)
+    qtbot.addWidget(line)
+    line.show()
+    qtbot.waitExposed(line)
+    return line
+
+
+def rested(qtbot: QtBot, line: StatusLine, projection: Projection, scene: Scene) -> None:
+    """Show a projection and let the hand rest."""
+    line.rung.setText("")
+    line.show_projection(projection, scene)
+    qtbot.waitUntil(lambda: line.rung.text() != "")
+
+
+def test_the_lens_is_in_figures_at_once(line: StatusLine, scene: Scene) -> None:
+    line.show_projection(EVERYDAY, scene)
+    assert line.labels["fov"].text() == "fov 45° × 72.73°, 25.61 mm"
+    assert line.labels["planes"].text() == "near 1 : far 30  (1 : 30)"
+    assert line.labels["camera"].text() == "eye to target 11.17"
+    box = Orthographic(-4, 4, -3, 3, -2, 30)
+    line.show_projection(replace(EVERYDAY, lens=box), scene)
+    assert line.labels["fov"].text() == "window 8 × 6"
+    assert line.labels["planes"].text() == "near -2 : far 30"
+    line.show_projection(replace(EVERYDAY, lens=Perspective(180 - 3e-12, 1, math.inf)), scene)
+    assert line.labels["fov"].text().startswith("fov 180-3e-12°")
+    assert line.labels["planes"].text() == "near 1 : far ∞"
+
+
+def test_rungs_are_predicted_when_the_hand_rests(
+    qtbot: QtBot, line: StatusLine, scene: Scene
+) -> None:
+    rested(qtbot, line, EVERYDAY, scene)
+    predictions = predict(EVERYDAY, scene.sample, scene.origin)
+    assert predictions is not None
+    drawn, read = predictions["float32"].px, predictions["float64"].px
+    assert line.rung.text() == f"drawn float32 ±{drawn:.1g} px, read float64 ±{read:.1g} px"
+    assert line.health.text() == "" and line.health.toolTip() == ""
+    line.rung.menu().aboutToShow.emit()
+    texts = [action.text() for action in line.rung.menu().actions()]
+    assert [text.split(":")[0] for text in texts[:3]] == ["float32", "float64", "exact"]
+    assert texts[0].endswith("(drawn)") and texts[1].endswith("(read)")
+    assert f"{drawn:.2g} px" in texts[0]
+    assert texts[-1] == "Drawing tolerance 0.01 px…"
+
+
+def test_while_it_moves_nothing_is_predicted(
+    qtbot: QtBot, line: StatusLine, scene: Scene, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    calls: list[Projection] = []
+
+    def counting(projection: Projection, *rest: Any) -> Any:
+        calls.append(projection)
+        return predict(projection, *rest)
+
+    monkeypatch.setattr(status_line, "predict", counting)
+    moved = [replace(EVERYDAY, lens=Perspective(45.0 + i, 1.0, 30.0)) for i in range(20)]
+    for projection in moved:
+        line.show_projection(projection, scene)
+    assert calls == []
+    qtbot.waitUntil(lambda: calls != [])
+    assert calls == moved[-1:]
+
+
+def test_what_is_hidden_is_predicted_when_it_appears(
+    qtbot: QtBot, line: StatusLine, scene: Scene
+) -> None:
+    line.hide()
+    line.rung.setText("")
+    line.show_projection(EVERYDAY, scene)
+    assert not line.findChild(QTimer).isActive()
+    line.show()
+    qtbot.waitUntil(lambda: line.rung.text() != "")
+
+
+def test_a_risk_is_told_and_goes_again(qtbot: QtBot, line: StatusLine, scene: Scene) -> None:
+    risky = replace(EVERYDAY, lens=Perspective(179.5, 1e-6, math.inf))
+    rested(qtbot, line, risky, scene)
+    assert line.health.text().startswith("⚠ At the target, a 24-bit depth buffer")
+    assert "clamp the field of view to 179°" in line.health.toolTip()
+    assert line.health.accessibleDescription() == line.health.toolTip().replace("\n", " ")
+    line.resize(900, 24)
+    qtbot.waitUntil(lambda: line.health.text().endswith("…"))
+    rested(qtbot, line, EVERYDAY, scene)
+    assert line.health.text() == "" and line.health.toolTip() == ""
+
+
+def test_numbers_of_a_narrow_slab_are_read_exactly(
+    qtbot: QtBot, line: StatusLine, scene: Scene
+) -> None:
+    slab = replace(EVERYDAY, lens=Perspective(45.0, 9.0, 9.0 * (1 + 1e-9)))
+    rested(qtbot, line, slab, scene)
+    assert "read exact" in line.rung.text()
+    assert "computed exactly" in line.health.toolTip()
+
+
+def test_the_tolerance_decides_what_draws(qtbot: QtBot, line: StatusLine, scene: Scene) -> None:
+    rested(qtbot, line, EVERYDAY, scene)
+    line.rung.setText("")
+    line.set_tolerance(1e-4)
+    qtbot.waitUntil(lambda: line.rung.text() != "")
+    assert line.rung.text().startswith("drawn float64")
+
+
+def test_the_tolerance_is_kept_in_the_settings(make_window: Callable[..., Any]) -> None:
+    window = make_window(Document())
+    window.status.tolerance_edited.emit(0.5)
+    assert window.settings.tolerance_px == 0.5
+    assert window.status.tolerance_px == 0.5
+
+
+def test_points_behind_the_camera_have_no_prediction(
+    qtbot: QtBot, line: StatusLine, scene: Scene
+) -> None:
+    away = replace(EVERYDAY, camera=Camera((0.0, 2.0, 100.0), (0.0, 2.0, 200.0)))
+    rested(qtbot, line, away, scene)
+    assert line.rung.text() == "drawn float32, read float64"
