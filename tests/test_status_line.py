@@ -8,7 +8,6 @@ from dataclasses import replace
 from typing import Any
 
 import pytest
-from PySide6.QtCore import QTimer
 from pytestqt.qtbot import QtBot
 
 from app.document import Document
@@ -98,7 +97,7 @@ def test_what_is_hidden_is_predicted_when_it_appears(
     line.hide()
     line.rung.setText("")
     line.show_projection(EVERYDAY, scene)
-    assert not line.findChild(QTimer).isActive()
+    assert not line._rest.isActive()
     line.show()
     qtbot.waitUntil(lambda: line.rung.text() != "")
 
