@@ -284,9 +284,10 @@ BAD_VALUES: list[tuple[str, object, str]] = [
     ("lens.fov_y_deg", 180, "lens.fov_y_deg = 180: must lie between 0 and 180, both excluded."),
     ("lens.fov_y_deg", -1, "lens.fov_y_deg = -1: must lie between 0 and 180, both excluded."),
     ("lens.fov_y_deg", 200, "lens.fov_y_deg = 200: must lie between 0 and 180, both excluded."),
-    ("lens.kind", "fisheye", "lens.kind = 'fisheye': must be one of perspective, orthographic."),
+    ("lens.kind", "fisheye",
+     "lens.kind = 'fisheye': must be one of perspective, frustum, orthographic, oblique."),
     ("lens.kind", ["perspective"],
-     "lens.kind = ['perspective']: must be one of perspective, orthographic."),
+     "lens.kind = ['perspective']: must be one of perspective, frustum, orthographic, oblique."),
     ("camera.eye", [0, 2.2, 0],
      "camera.target = [0, 2.2, 0]: must differ from the eye, or the camera looks nowhere."),
     ("camera.eye", [1, 2], "camera.eye = [1, 2]: must be three finite numbers x, y, z."),
@@ -522,11 +523,15 @@ BAD_SETTINGS = [
     ("dept=opengl", "dept is not known; the nearest name is depth."),
     ("version=2", None),
     ("=1", None),
-    ("lens.left=1", "lens.left belongs to another lens: set lens.kind=orthographic as well."),
-    ("keep=x", "keep belongs to another lens: set lens.kind=orthographic as well."),
+    ("lens.left=1", "lens.left belongs to another lens: set lens.kind as well "
+     "(frustum, orthographic, oblique)."),
+    ("keep=x", "keep belongs to another lens: set lens.kind as well "
+     "(frustum, orthographic, oblique)."),
+    ("lens.beta_deg=40", "lens.beta_deg belongs to another lens: set lens.kind as well (oblique)."),
     ("lens.near", "lens.near must be written as NAME=VALUE."),
     ("", "'' must be written as NAME=VALUE."),
-    ("lens.kind=frustrum", "lens.kind = 'frustrum': must be one of perspective, orthographic."),
+    ("lens.kind=frustrum", "lens.kind = 'frustrum': must be one of perspective, frustum, "
+     "orthographic, oblique."),
     ("depth=gl", "depth = 'gl': must be one of opengl, direct3d, reversed."),
     ("scene=", "scene = '': must be the name of a scene or of a mesh file."),
     ("lens.near=", "lens.near = '': must be a finite number."),
@@ -543,6 +548,7 @@ BAD_SETTINGS = [
     ("lens.near=-1", "lens.near = -1: must be greater than 0."),
     ("lens.near=1e-400", "lens.near = 0: must be greater than 0."),
     ("lens.near=50", "lens.near = 50: must be less than far, which is 30."),
+    ("lens.far=0.5", "lens.far = 0.5: must be greater than near, which is 1."),
     ("camera.eye=1,2", "camera.eye = '1,2': must be three finite numbers x, y, z."),
     ("camera.eye=1,2,3,4", "camera.eye = '1,2,3,4': must be three finite numbers x, y, z."),
     ("camera.eye=1,2,inf", "camera.eye = '1,2,inf': must be three finite numbers x, y, z."),
@@ -560,6 +566,22 @@ BAD_SETTINGS = [
 def test_a_wrong_setting_is_refused(assignment: str, expected: str | None) -> None:
     found = sentence(lambda: set_values(parse(DESIGN), [assignment]))
     assert expected is None or found == expected
+
+
+@pytest.mark.parametrize(
+    ("assignments", "expected"),
+    [
+        (["lens.far=-2"], "lens.far = -2: must be greater than near, which is -1."),
+        (["lens.right=-4"], "lens.right = -4: must be greater than left, which is -4."),
+        (["lens.top=-5"], "lens.top = -5: must be greater than bottom, which is -3."),
+        (["lens.near=40"], "lens.near = 40: must be less than far, which is 30."),
+        (["lens.near=9", "lens.far=8"], "lens.near = 9: must be less than far, which is 8."),
+        (["lens.right=-4", "lens.far=-2"], "lens.far = -2: must be greater than near, which is -1."),
+    ],
+)
+def test_a_refused_setting_is_the_one_that_was_made(assignments: list[str], expected: str) -> None:
+    """A lens names the lower of two; who set the upper one reads of that."""
+    assert sentence(lambda: set_values(PARALLEL, assignments)) == expected
 
 
 @given(st.text(), st.text())

@@ -33,28 +33,42 @@ from app.projection import (
     LARGEST,
     LARGEST_IMAGE_PX,
     LEFT_BEFORE_RIGHT,
+    NO_POINT,
+    NOTES,
     NEAR_BEFORE_FAR,
     NOT_PARALLEL,
     NOT_THE_EYE,
     NOT_ZERO,
+    OBLIQUE_PRESETS,
     ONE_OF,
+    OTHER_SIDE,
     PLANES,
     SMALLEST,
     THREE_NUMBERS,
     WHOLE_PIXELS,
+    WIDER,
     Array,
     Camera,
+    Frustum,
+    Intrinsics,
     Lens,
+    Oblique,
     Orbit,
     Orthographic,
     Perspective,
     Projection,
     ProjectionError,
     focal_length_35mm,
+    focal_length_e,
     fov_x_from_fov_y,
     fov_y_from_focal_length_35mm,
+    fov_y_from_focal_length_e,
+    fov_y_from_window,
+    oblique_angles,
+    receding_of,
 )
 from tests.oracles import exact
+from widgets import messages
 
 EPS = float(np.finfo(np.float64).eps)
 QUICK = settings(max_examples=60, deadline=None)
@@ -974,6 +988,18 @@ def orthographic_with(**changes: object) -> Callable[[], object]:
     return lambda: Orthographic(**changes)
 
 
+def frustum_with(**changes: object) -> Callable[[], object]:
+    return lambda: Frustum(**changes)
+
+
+def oblique_with(**changes: object) -> Callable[[], object]:
+    return lambda: Oblique(**changes)
+
+
+def unprojecting(points: object, far: float = 30.0) -> Callable[[], object]:
+    return lambda: Projection(lens=Perspective(far=far)).world_from_image(points)
+
+
 def projection_with(**changes: object) -> Callable[[], object]:
     return lambda: Projection(**changes)
 
@@ -1041,6 +1067,37 @@ REFUSED: list[tuple[Callable[[], object], str, str, str]] = [
     (projection_with(lens=Orthographic(0, 1e-3, 1e16, 1e16 + 100, keep="x")), "bottom", DISTINCT,
      "bottom = 10000000000000050.0: is too close to 10000000000000050.0 for float64 to tell "
      "apart.".replace("10000000000000050.0", "1.000000000000005e+16")),
+    # frusta
+    (frustum_with(near=0), "near", ABOVE, "near = 0: must be greater than 0."),
+    (frustum_with(right=-0.7), "left", LEFT_BEFORE_RIGHT,
+     "left = -0.7: must be less than right, which is -0.7."),
+    (frustum_with(bottom=0, top=1e-111), "bottom", WIDER,
+     "bottom = 0: is too close to 1e-111 for a plane as far from the eye as near is."),
+    (frustum_with(right=2e99, near=1e-2), "right", AT_MOST, "right = 2e+99: must be at most 1e+98."),
+    (frustum_with(left=-2e99, near=1e-2), "left", AT_LEAST,
+     "left = -2e+99: must be at least -1e+98."),
+    (frustum_with(keep="both"), "keep", ONE_OF, "keep = 'both': must be one of stretch, x, y."),
+    (lambda: Projection(lens=Frustum(1.0, 1.0 + 1e-15, 1.0, 2.0, keep="x"), image_size=(9, 1)),
+     "bottom", DISTINCT, "bottom = 1.5: is too close to 1.5 for float64 to tell apart."),
+    # oblique lenses
+    (oblique_with(alpha_deg=0), "alpha_deg", BETWEEN,
+     "alpha_deg = 0: must lie between 0 and 180, both excluded."),
+    (oblique_with(beta_deg=180), "beta_deg", BETWEEN,
+     "beta_deg = 180: must lie between 0 and 180, both excluded."),
+    (oblique_with(beta_deg=NAN), "beta_deg", FINITE_NUMBER,
+     "beta_deg = nan: must be a finite number."),
+    (oblique_with(alpha_deg=1e-5), "alpha_deg", AT_LEAST,
+     "alpha_deg = 1e-05: must be at least 5.729577951308233e-05."),
+    (oblique_with(alpha_deg=179.99999), "alpha_deg", AT_MOST,
+     "alpha_deg = 179.99999: must be at most 179.9999427042205."),
+    (oblique_with(far=INF), "far", FINITE_NUMBER, "far = inf: must be a finite number."),
+    (oblique_with(left=0, right=1e-195), "left", DISTINCT,
+     "left = 0: is too close to 1e-195 for float64 to tell apart."),
+    (lambda: oblique_angles(-1.0, 45.0), "receding", AT_LEAST, "receding = -1: must be at least 0."),
+    (lambda: oblique_angles(2e6, 0.0), "receding", AT_MOST,
+     "receding = 2000000: must be at most 1000000."),
+    (lambda: oblique_angles(1.0, INF), "receding_deg", FINITE_NUMBER,
+     "receding_deg = inf: must be a finite number."),
     # cameras
     (camera_with(eye=(0, 2, 0)), "target", NOT_THE_EYE,
      "target = (0, 2, 0): must differ from the eye, or the camera looks nowhere."),
@@ -1109,7 +1166,7 @@ REFUSED: list[tuple[Callable[[], object], str, str, str]] = [
     (projection_with(depth=[]), "depth", ONE_OF,
      "depth = (): must be one of opengl, direct3d, reversed."),
     (lambda: Projection().with_lens("fisheye"), "kind", ONE_OF,
-     "kind = 'fisheye': must be one of perspective, orthographic."),
+     "kind = 'fisheye': must be one of perspective, frustum, orthographic, oblique."),
     (lambda: Projection(DISTANT, Perspective(45, 1, INF)).with_lens("orthographic"), "far",
      AT_MOST, "far = 4e+100: must be at most 1e+100."),
     # points
@@ -1129,6 +1186,32 @@ REFUSED: list[tuple[Callable[[], object], str, str, str]] = [
      "points = (1e400, 0, 0): must be three finite numbers x, y, z."),
     (tracing([1e101, 0, 0]), "points", THREE_NUMBERS,
      "points = (1e+101, 0, 0): must be three finite numbers x, y, z."),
+    # pixels
+    (unprojecting((1, 2)), "points", THREE_NUMBERS,
+     "points = (1, 2): must be three finite numbers x, y, z."),
+    (unprojecting((1, 2, 1.5)), "depth", AT_MOST, "depth = 1.5: must be at most 1."),
+    (unprojecting((1, 2, -0.5)), "depth", AT_LEAST, "depth = -0.5: must be at least 0."),
+    (unprojecting([(1, 2, 0.5), (1, 2, 1)], far=INF), "depth", NO_POINT,
+     "depth = 1: is at infinity, where there is no point but a direction."),
+    # planes, focal lengths and intrinsics
+    (lambda: Projection(lens=Frustum()).between(0, 5), "near", ABOVE,
+     "near = 0: must be greater than 0."),
+    (lambda: Projection(lens=Frustum()).between(5, 5), "near", NEAR_BEFORE_FAR,
+     "near = 5: must be less than far, which is 5."),
+    (lambda: Projection(lens=Frustum()).between("5", 5), "near", FINITE_NUMBER,
+     "near = '5': must be a finite number."),
+    (lambda: Projection(lens=Oblique()).intrinsics, "kind", ONE_OF,
+     "kind = 'oblique': must be one of perspective, frustum."),
+    (lambda: Projection().with_intrinsics((0, 1, 2, 3)), "fx", ABOVE,
+     "fx = 0: must be greater than 0."),
+    (lambda: Projection().with_intrinsics((1, -1, 2, 3)), "fy", ABOVE,
+     "fy = -1: must be greater than 0."),
+    (lambda: Projection().with_intrinsics((1, 1, NAN, 3)), "cx", FINITE_NUMBER,
+     "cx = nan: must be a finite number."),
+    (lambda: fov_y_from_window(0, 1), "top", ABOVE, "top = 0: must be greater than 0."),
+    (lambda: fov_y_from_window(1, INF), "near", FINITE_NUMBER,
+     "near = inf: must be a finite number."),
+    (lambda: fov_y_from_focal_length_e(-2, 1), "e", ABOVE, "e = -2: must be greater than 0."),
     (lambda: fov_y_from_focal_length_35mm(0, 1.5), "focal_length_mm", ABOVE,
      "focal_length_mm = 0: must be greater than 0."),
     (lambda: fov_y_from_focal_length_35mm(NAN, 1.5), "focal_length_mm", FINITE_NUMBER,
@@ -1148,7 +1231,11 @@ def test_refused(make: Callable[[], object], field: str, bound: str, sentence: s
 
 
 def test_every_bound_is_known_to_translators_and_to_the_table_above() -> None:
-    assert {bound for _, _, bound, _ in REFUSED} == set(BOUNDS)
+    # What an upper bound says of a lower one is said by `document.set_values` and the controls.
+    other_side = {bound for _, bound in OTHER_SIDE.values()}
+    assert {bound for _, _, bound, _ in REFUSED} | other_side == set(BOUNDS)
+    assert set(messages.PROJECTION_BOUNDS) == set(BOUNDS)
+    assert set(messages.STAGE_NOTES) == set(NOTES)
 
 
 def test_the_refused_value_is_kept_and_its_sentence_stays_short() -> None:
