@@ -576,7 +576,10 @@ def test_a_wrong_setting_is_refused(assignment: str, expected: str | None) -> No
         (["lens.top=-5"], "lens.top = -5: must be greater than bottom, which is -3."),
         (["lens.near=40"], "lens.near = 40: must be less than far, which is 30."),
         (["lens.near=9", "lens.far=8"], "lens.near = 9: must be less than far, which is 8."),
-        (["lens.right=-4", "lens.far=-2"], "lens.far = -2: must be greater than near, which is -1."),
+        (
+            ["lens.right=-4", "lens.far=-2"],
+            "lens.far = -2: must be greater than near, which is -1.",
+        ),
     ],
 )
 def test_a_refused_setting_is_the_one_that_was_made(assignments: list[str], expected: str) -> None:
