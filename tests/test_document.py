@@ -435,12 +435,29 @@ def a_size(rng: random.Random) -> float:
     """A number from one end of float64 to the other, everyday ones most often."""
     if rng.random() < 0.1:
         return rng.choice(ENDS)
+    if rng.random() < 0.05:
+        return rng.choice((1e-204, 1.1e-200, 1e-193, 1e99, 9.9e99))  # just allowed
     reach = rng.choice((1.0, 1.0, 3.0, 12.0, 100.0, 210.0))
     return float(10.0 ** rng.uniform(-reach, min(reach, 100.0)))
 
 
 def a_number(rng: random.Random) -> float:
     return rng.choice((-1.0, 1.0)) * a_size(rng)
+
+
+def at_the_ends(rng: random.Random) -> dict[str, Any]:
+    """A lens of which every number is among the smallest or largest that one may have."""
+    kind = rng.choice(("frustum", "orthographic", "oblique"))
+    small = {"frustum": (1e-290, 1e-204), "orthographic": (1.1e-200,), "oblique": (1.1e-194,)}
+    lens: dict[str, Any] = {"kind": kind, "keep": rng.choice(("stretch", "x", "y"))}
+    lens["near"] = rng.choice((1e-205, 1e-100, 1e90)) if kind == "frustum" else -1e100
+    lens["far"] = rng.choice((1e100, lens["near"] + 2e-205, lens["near"] * 1.5))
+    for low, high in (("left", "right"), ("bottom", "top")):
+        lens[high] = rng.choice((1e-190, 1e-105, 1e-5, 1e90, 1e100, *small[kind]))
+        lens[low] = rng.choice((-lens[high], 0.0, lens[high] * (1.0 - 1e-15)))
+    if kind == "oblique":
+        lens["alpha_deg"], lens["beta_deg"] = rng.choice((1e-4, 90.0, 179.9999)), 6e-5
+    return lens
 
 
 def an_interval(rng: random.Random, low: float) -> tuple[float, object]:
@@ -473,8 +490,12 @@ def a_tree(rng: random.Random) -> dict[str, Any]:
     if kind == "oblique":
         for name in ("alpha_deg", "beta_deg"):
             lens[name] = rng.choice((rng.uniform(0, 180), a_size(rng), 180.0 - a_size(rng), 90.0))
+    if rng.random() < 0.2:
+        lens = at_the_ends(rng)
     vectors = {key: [a_number(rng) for _ in range(3)] for key in ("eye", "target", "up")}
-    if rng.random() < 0.3:
+    if rng.random() < 0.1:
+        vectors["eye"] = [rng.choice((-1e100, 1e100)) for _ in range(3)]
+    elif rng.random() < 0.3:
         vectors["eye"] = [0.0, 0.0, a_size(rng)]
     if rng.random() < 0.7:
         vectors["up"] = [rng.uniform(-1.0, 1.0) for _ in range(3)]
@@ -536,7 +557,8 @@ def outcome(rng: random.Random) -> str:
     points = np.array([
         eye, target, (0.0, 0.0, 0.0), [a_number(rng) for _ in range(3)],
         eye - projection.camera.frame[2] * projection.lens.near,
-        eye + projection.camera.frame[2] * window, eye + a_number(rng),
+        eye + projection.camera.frame[2] * window, eye + a_number(rng), -eye,
+        [rng.choice((-1e100, 1e100)) for _ in range(3)],
     ])  # fmt: skip
     assert_whole(projection, np.clip(points, -1e100, 1e100))
     for change in (
