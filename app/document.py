@@ -30,6 +30,7 @@ from app.projection import (
     LARGEST_IMAGE_PX,
     LENSES,
     ONE_OF,
+    OTHER_SIDE,
     THREE_NUMBERS,
     WHOLE_PIXELS,
     Camera,
@@ -82,7 +83,7 @@ BROKEN_PICTURE = "is not a whole PNG picture: it is broken or cut short"
 NEITHER = "is neither a document (.json), an exported picture (.png) nor a mesh ({0})"
 PLAIN_PICTURE = "is a picture without a Frustum Lab document in it"
 UNKNOWN = "is not known; the nearest name is {0}"
-OTHER_LENS = "belongs to another lens: set lens.kind={0} as well"
+OTHER_LENS = "belongs to another lens: set lens.kind as well ({0})"
 NO_EQUALS = "must be written as NAME=VALUE"
 THE_DOCUMENT = "The document"
 BOUNDS = (
@@ -576,7 +577,15 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
         if path not in paths:
             raise _unknown_path(path, paths)
         (tree[section] if section else tree)[key] = _read_text(path, text)
-    return _document(tree)
+    try:
+        return _document(tree)
+    except DocumentError as error:
+        side, bound = OTHER_SIDE.get(error.bound, ("", ""))
+        if f"lens.{side}" not in texts or error.field in texts:
+            raise
+        # What was set is the other of the two.
+        limit, value = format_value(error.value), tree["lens"][side]
+        raise DocumentError(bound, limit, field=f"lens.{side}", value=value) from error
 
 
 def _read_text(path: str, text: str) -> Any:
@@ -598,9 +607,9 @@ def _read_text(path: str, text: str) -> Any:
 def _unknown_path(path: str, paths: list[str]) -> DocumentError:
     shown = _printable(path[:_LONGEST_SHOWN])
     section, _, key = path.rpartition(".")
-    for kind, names in _LENS.items():
-        if section in ("lens", "") and key in names and f"lens.{key}" not in paths:
-            return DocumentError(OTHER_LENS, kind, field=shown)
+    kinds = [kind for kind, names in _LENS.items() if key in names]
+    if section in ("lens", "") and kinds and f"lens.{key}" not in paths:
+        return DocumentError(OTHER_LENS, ", ".join(kinds), field=shown)
 
     def likeness(known: str) -> float:
         whole = difflib.SequenceMatcher(None, shown, known).ratio()

@@ -59,11 +59,15 @@ PLANES = ("near", "far", "left", "right", "bottom", "top")
 LARGEST = 1e100
 """Largest coordinate or distance; with `SMALLEST`, no matrix overflows float64 (2e205 * 1e100)."""
 SMALLEST = 1e-205
-"""Smallest near distance, and smallest extent of a window or a depth range."""
+"""Smallest near distance, and smallest depth range of a parallel lens."""
+SMALLEST_WINDOW = 1e-200
+"""Smallest side of a parallel lens' window: a point beside it has pixels below 1e305."""
 LARGEST_IMAGE_PX = 16384
 """Largest image side, the texture limit that every current OpenGL driver offers."""
 SMALLEST_FIELD = 1e-100
-"""Smallest field of view in degrees, and smallest window in units of its distance."""
+"""Smallest field of view in degrees; its inverse is the steepest ray to a window's edge."""
+SMALLEST_OPENING = 1e-110
+"""Smallest side of a frustum's window in units of near: that of the smallest field, and less."""
 LARGEST_SHEAR = 1e6
 """Largest cotangent of an oblique lens' angles; theirs start at 5.8e-5 degrees."""
 SMALLEST_UP_ANGLE = 1e-15
@@ -76,6 +80,7 @@ the frame would be made of their rounding errors.
 _SHOWN = 100
 _FULL_FRAME_DIAGONAL_MM = math.hypot(36.0, 24.0)
 _STRETCH = 8.0  # `Projection.stretch` up to which plain dot products keep 2e-12 px of 1920
+_BEYOND = 1e250  # where double-double products would overflow
 _CHUNK = 16384  # larger blocks wake OpenBLAS's second thread, which fights a software renderer
 
 
@@ -115,15 +120,26 @@ NOT_PARALLEL = "must not be parallel to the view direction"
 WHOLE_PIXELS = "must be a whole number of pixels from 1 to {0}"
 ONE_OF = "must be one of {0}"
 FAR_BEYOND_NEAR = "must be greater than near, which is {0}"
+RIGHT_OF_LEFT = "must be greater than left, which is {0}"
+TOP_ABOVE_BOTTOM = "must be greater than bottom, which is {0}"
 DISTINCT = "is too close to {0} for float64 to tell apart"
 WIDER = "is too close to {0} for a plane as far from the eye as near is"
 NO_POINT = "is at infinity, where there is no point but a direction"
 BOUNDS = (
     FINITE_NUMBER, ABOVE, AT_LEAST, AT_MOST, BETWEEN, NEAR_BEFORE_FAR, LEFT_BEFORE_RIGHT,
     BOTTOM_BEFORE_TOP, THREE_NUMBERS, NOT_THE_EYE, NOT_ZERO, NOT_PARALLEL, WHOLE_PIXELS, ONE_OF,
-    FAR_BEYOND_NEAR, DISTINCT, WIDER, NO_POINT,
+    FAR_BEYOND_NEAR, RIGHT_OF_LEFT, TOP_ABOVE_BOTTOM, DISTINCT, WIDER, NO_POINT,
 )  # fmt: skip
 """Every sentence a `ProjectionError` can end with, for translators."""
+OTHER_SIDE = {
+    NEAR_BEFORE_FAR: ("far", FAR_BEYOND_NEAR),
+    LEFT_BEFORE_RIGHT: ("right", RIGHT_OF_LEFT),
+    BOTTOM_BEFORE_TOP: ("top", TOP_ABOVE_BOTTOM),
+}
+"""The field on the other side of a bound, and the bound as seen from there.
+
+A lens cannot know which of the two was changed; who knows it says it with these.
+"""
 
 
 def format_value(value: object) -> str:
@@ -432,22 +448,9 @@ def _check_planes(near: Any, far: Any, *, parallel: bool) -> tuple[float, float]
         far = _finite("far", far)
     if near >= far:
         raise ProjectionError("near", near, NEAR_BEFORE_FAR, format_value(far))
-    if far - near < SMALLEST:
+    if parallel and far - near < SMALLEST:  # where only their ratio counts, it may be less
         raise ProjectionError("near", near, DISTINCT, format_value(far))
     return near, far
-
-
-def _check_window(left: float, right: float, bottom: float, top: float, lens: _Windowed) -> None:
-    """Refuse a window without an extent, or with one too small for this lens' matrices."""
-    for name, low, high, bound in (
-        ("left", left, right, LEFT_BEFORE_RIGHT),
-        ("bottom", bottom, top, BOTTOM_BEFORE_TOP),
-    ):
-        if low >= high:
-            raise ProjectionError(name, low, bound, format_value(high))
-        if high - low < lens.least_window:
-            bound = DISTINCT if lens.parallel else WIDER
-            raise ProjectionError(name, low, bound, format_value(high))
 
 
 @dataclass(frozen=True)
@@ -515,14 +518,33 @@ class _Windowed:
         left, right, bottom, top = (_finite(n, getattr(self, n)) for n in names)
         near, far = _check_planes(self.near, self.far, parallel=self.parallel)
         _set(self, left=left, right=right, bottom=bottom, top=top, near=near, far=far)
-        _check_window(left, right, bottom, top, self)
+        for name, low, high, bound in (
+            ("left", left, right, LEFT_BEFORE_RIGHT),
+            ("bottom", bottom, top, BOTTOM_BEFORE_TOP),
+        ):
+            if low >= high:
+                raise ProjectionError(name, low, bound, format_value(high))
+        self.check_window(left, right, bottom, top)
         if self.keep not in ("stretch", "x", "y"):
             raise ProjectionError("keep", self.keep, ONE_OF, "stretch, x, y")
 
     @property
     def least_window(self) -> float:
         """The least width and height of the window, in world units."""
-        return SMALLEST
+        return SMALLEST_WINDOW
+
+    def check_window(self, left: float, right: float, bottom: float, top: float) -> None:
+        """Refuse a window that is too small for this lens, as typed or after `keep`.
+
+        Raises
+        ------
+        ProjectionError
+            If a side is shorter than `least_window` or not even a digit of its place.
+        """
+        for name, low, high in (("left", left, right), ("bottom", bottom, top)):
+            if low >= high or high - low < self.least_window:
+                bound = DISTINCT if self.parallel or low >= high else WIDER
+                raise ProjectionError(name, low, bound, format_value(high))
 
     def exact_window(self, aspect: Fraction) -> tuple[Fraction, Fraction, Fraction, Fraction]:
         """`window` without rounding, (left, right, bottom, top)."""
@@ -576,7 +598,17 @@ class Frustum(_Windowed):
     def least_window(self) -> float:
         """The least width and height of the window, in world units; near divided by it is left
         room for."""
-        return max(SMALLEST, SMALLEST_FIELD * self.near)
+        return max(1e-290, SMALLEST_OPENING * self.near)
+
+    def check_window(self, left: float, right: float, bottom: float, top: float) -> None:
+        """Refuse also a window so far off or so large that the far plane's is infinite."""
+        super().check_window(left, right, bottom, top)
+        limit = self.near / SMALLEST_FIELD
+        sides = {"left": left, "right": right, "bottom": bottom, "top": top}
+        for name, side in sides.items():
+            if abs(side) > limit:
+                bound, signed = (AT_MOST, limit) if side > 0.0 else (AT_LEAST, -limit)
+                raise ProjectionError(name, side, bound, format_value(signed))
 
 
 @dataclass(frozen=True)
@@ -654,7 +686,7 @@ class Oblique(_Windowed):
     @property
     def least_window(self) -> float:
         """The least width and height of the window, in world units; the shear is left room for."""
-        return SMALLEST * LARGEST_SHEAR
+        return SMALLEST_WINDOW * LARGEST_SHEAR
 
     @property
     def shear(self) -> tuple[float, float]:
@@ -683,11 +715,21 @@ def oblique_angles(receding: float, receding_deg: float) -> tuple[float, float]:
     -------
     alpha_deg, beta_deg : float
 
+    Raises
+    ------
+    ProjectionError
+        For a length below 0 or above `LARGEST_SHEAR`, or a number that is not finite.
+
     Notes
     -----
     A unit into the picture moves a point by ``(-cot(alpha), -cot(beta))`` (lecture 002, H).
     """
     receding, receding_deg = _finite("receding", receding), _finite("receding_deg", receding_deg)
+    for wrong, bound, limit in (
+        (receding < 0.0, AT_LEAST, 0), (receding > LARGEST_SHEAR, AT_MOST, int(LARGEST_SHEAR)),
+    ):  # fmt: skip
+        if wrong:
+            raise ProjectionError("receding", receding, bound, limit)
     cos, sin = _cos_sin_deg(receding_deg)
     return (
         math.degrees(math.atan2(1.0, -receding * cos)),
@@ -723,9 +765,9 @@ LENSES: dict[str, type[Perspective] | type[Frustum] | type[Orthographic] | type[
 # --------------------------------------------------------------------------- projection
 
 
-def _skew(low: float, high: float) -> float:
-    """``(high + low)/(high - low)``: how far an interval's middle is from 0, in halves of it."""
-    return (high + low) / (high - low)
+def _skew(low: float, high: float, extent: float) -> float:
+    """``(high + low)/extent``: how far an interval's middle is from 0, in halves of it."""
+    return (high + low) / extent
 
 
 Rationals: TypeAlias = list[list[Fraction]]
@@ -818,13 +860,14 @@ class Trace(NamedTuple):
         Homogeneous, before the divide; w is the distance from the eye plane (1 for a parallel
         lens).
     ndc : (..., 3) float64
-        After the divide; NaN where w <= 0: a point behind the eye has no picture.
+        After the divide; NaN where w <= 0: a point behind the eye has no picture. Nor has one so
+        close to the eye plane that its picture is beyond float64's 1e308.
     image : (..., 2) float64
-        Pixels, origin top-left; NaN where w <= 0.
+        Pixels, origin top-left; NaN where `ndc` is.
     depth : (...) float64
-        What a depth buffer in [0, 1] would hold before quantising; NaN where w <= 0.
+        What a depth buffer in [0, 1] would hold before quantising; NaN where `ndc` is.
     in_front : (...) bool
-        Where w > 0.
+        Where there is a picture: w > 0.
     outside : (..., 6) bool
         Which of `PLANES` the point lies beyond.
     """
@@ -912,7 +955,7 @@ class Projection:
             raise ProjectionError("depth", self.depth, ONE_OF, ", ".join(DEPTH_RANGES))
         _set(self, image_size=(int(size[0]), int(size[1])))
         if isinstance(self.lens, _Windowed):  # `keep` can shrink it to nothing, far from the axis
-            _check_window(*self.window, self.lens)
+            self.lens.check_window(*self.window)
 
     # -- plain figures
 
@@ -931,6 +974,24 @@ class Projection:
         """Left, right, bottom, top of the picture on the near plane, in world units."""
         return self.lens.window(Fraction(*self.image_size))
 
+    @cached_property
+    def _axes(self) -> tuple[tuple[float, float, float], tuple[float, float, float]]:
+        """Low and high end and extent of the picture in x and in y, as exact as they can be used.
+
+        `keep` moves both ends by the same, so that a coordinate's place between them depends on
+        the ends as typed and on the extent: rounding the ends that it leads to would lose the
+        digits of a window far from the axis.
+        """
+        lens = self.lens
+        left, right, bottom, top = self.window
+        if isinstance(lens, Perspective):
+            return (left, right, right - left), (bottom, top, top - bottom)
+        exact = lens.exact_window(Fraction(*self.image_size))
+        return (
+            (lens.left, lens.right, float(exact[1] - exact[0])),
+            (lens.bottom, lens.top, float(exact[3] - exact[2])),
+        )
+
     @property
     def intrinsics(self) -> Intrinsics:
         """The perspective camera's K.
@@ -943,13 +1004,16 @@ class Projection:
         if self.lens.parallel:
             raise ProjectionError("kind", self.lens.kind, ONE_OF, "perspective, frustum")
         width, height = self.image_size
-        left, right, bottom, top = self.window
+        if isinstance(self.lens, Perspective):  # square pixels, and the axis in the middle
+            focal = height / 2.0 * self.lens.cot_half_fov_y
+            return Intrinsics(focal, focal, (width - 1) / 2.0, (height - 1) / 2.0)
+        (left, right, across), (bottom, top, up) = self._axes
         near = self.lens.near
         return Intrinsics(
-            width * near / (right - left),
-            height * near / (top - bottom),
-            -width * (left / (right - left)) - 0.5,
-            height * (top / (top - bottom)) - 0.5,
+            width * near / across,
+            height * near / up,
+            (width - 1) / 2.0 - width / 2.0 * _skew(left, right, across),
+            (height - 1) / 2.0 + height / 2.0 * _skew(bottom, top, up),
         )
 
     @property
@@ -1009,22 +1073,21 @@ class Projection:
         Lecture 000 (13) for a perspective lens, glOrtho for the orthographic one, lecture 002's
         ``P_obl = P_ort H`` for the oblique one.
         """
-        left, right, bottom, top = self.window
         near, far = self.lens.near, self.lens.far
         matrix = np.zeros((4, 4))
+        if isinstance(self.lens, Perspective):
+            matrix[1, 1] = self.lens.cot_half_fov_y
+            matrix[0, 0] = matrix[1, 1] / self.aspect
+        else:
+            for row, (low, high, extent) in enumerate(self._axes):
+                matrix[row, row] = 2.0 / extent if self.lens.parallel else 2.0 * near / extent
+                matrix[row, 3 if self.lens.parallel else 2] = _skew(low, high, extent)
         if not self.lens.parallel:
-            if isinstance(self.lens, Perspective):
-                matrix[1, 1] = self.lens.cot_half_fov_y
-                matrix[0, 0] = matrix[1, 1] / self.aspect
-            else:
-                matrix[0, 0], matrix[0, 2] = 2.0 * near / (right - left), _skew(left, right)
-                matrix[1, 1], matrix[1, 2] = 2.0 * near / (top - bottom), _skew(bottom, top)
             matrix[2, 2:] = self._depth_row
             matrix[3, 2] = -1.0
         else:
             z_near, z_far = self.depth_range
-            matrix[0, 0], matrix[0, 3] = 2.0 / (right - left), -_skew(left, right)
-            matrix[1, 1], matrix[1, 3] = 2.0 / (top - bottom), -_skew(bottom, top)
+            matrix[:2, 3] *= -1.0
             matrix[2, 2] = (z_near - z_far) / (far - near)
             matrix[2, 3] = (z_near * far - z_far * near) / (far - near)
             matrix[3, 3] = 1.0
@@ -1050,18 +1113,18 @@ class Projection:
     @cached_property
     def view_from_clip(self) -> Array:
         """The inverse of `clip_from_view` in closed form, (4, 4); also for far = inf."""
-        left, right, bottom, top = self.window
         near, far = self.lens.near, self.lens.far
         z_near, z_far = self.depth_range
         matrix = np.zeros((4, 4))
+        if isinstance(self.lens, Perspective):
+            matrix[0, 0] = self.aspect / self.lens.cot_half_fov_y
+            matrix[1, 1] = 1.0 / self.lens.cot_half_fov_y
+        else:
+            unit = 1.0 if self.lens.parallel else near
+            for row, (low, high, extent) in enumerate(self._axes):
+                matrix[row, row] = extent / 2.0 / unit
+                matrix[row, 3] = (low + high) / 2.0 / unit
         if not self.lens.parallel:
-            if isinstance(self.lens, Perspective):
-                matrix[0, 0] = self.aspect / self.lens.cot_half_fov_y
-                matrix[1, 1] = 1.0 / self.lens.cot_half_fov_y
-            else:
-                matrix[0, 0], matrix[0, 3] = (right - left) / near, (right + left) / near
-                matrix[1, 1], matrix[1, 3] = (top - bottom) / near, (top + bottom) / near
-                matrix[:2] /= 2.0
             matrix[2, 3] = -1.0
             # 1/w is affine in z_ndc: 1/near on the near face, 1/far on the far one.
             step = (1.0 if far == math.inf else (far - near) / far) / near
@@ -1071,8 +1134,6 @@ class Projection:
             else:
                 matrix[3, 3] = (z_near / far - z_far / near) / (z_near - z_far)
         else:
-            matrix[0, 0], matrix[0, 3] = (right - left) / 2.0, (right + left) / 2.0
-            matrix[1, 1], matrix[1, 3] = (top - bottom) / 2.0, (top + bottom) / 2.0
             matrix[2, 2] = (far - near) / (z_near - z_far)
             matrix[2, 3] = -(z_near * far - z_far * near) / (z_near - z_far)
             matrix[3, 3] = 1.0
@@ -1329,13 +1390,13 @@ class Projection:
 
     def _trace_view(self, world: Array, view: Array) -> Trace:
         near, far = self.lens.near, self.lens.far
-        left, right, bottom, top = self.window
+        x_axis, y_axis = self._axes
         x, y, distance = view[..., 0], view[..., 1], -view[..., 2]
         if self.lens.parallel:
             w = np.ones_like(distance)
             cot_alpha, cot_beta = self.shear
-            x_clip = _across(x + cot_alpha * (near - distance), left, right)
-            y_clip = _across(y + cot_beta * (near - distance), bottom, top)
+            x_clip = _across(x + cot_alpha * (near - distance), *x_axis)
+            y_clip = _across(y + cot_beta * (near - distance), *y_axis)
             x_ndc, y_ndc = x_clip, y_clip
             from_plane = far - distance if self.depth == "reversed" else distance - near
             numerator = depth = np.asarray(from_plane / (far - near))
@@ -1346,14 +1407,14 @@ class Projection:
                 x_clip, y_clip = scale_y / self.aspect * x, scale_y * y
                 x_ndc, y_ndc = scale_y / self.aspect * (x / w), scale_y * (y / w)
             else:
-                x_ndc = _across(near * (x / w), left, right)
-                y_ndc = _across(near * (y / w), bottom, top)
+                x_ndc = _across(near * (x / w), *x_axis)
+                y_ndc = _across(near * (y / w), *y_axis)
                 # Where w is 0 there is no quotient, but still a point in clip space.
-                x_clip = 2.0 * near / (right - left) * x - _skew(left, right) * w
-                y_clip = 2.0 * near / (top - bottom) * y - _skew(bottom, top) * w
+                x_clip = 2.0 * near / x_axis[2] * x - _skew(*x_axis) * w
+                y_clip = 2.0 * near / y_axis[2] * y - _skew(*y_axis) * w
             if self.depth == "reversed":
-                ratio = near / (far - near) if far != math.inf else 0.0
-                numerator = near + 0.0 * w if far == math.inf else ratio * (far - w)
+                # The ratio is rounded once: four roundings in all, 4e-16 of w that depth implies.
+                numerator = near + 0.0 * w if far == math.inf else self._near_ratio * (far - w)
             else:
                 numerator = (1.0 if far == math.inf else far / (far - near)) * (w - near)
             depth = np.asarray(numerator / w)
@@ -1372,6 +1433,12 @@ class Projection:
         )
         return Trace(world, view, clip, ndc, image, depth, in_front, outside)
 
+    @cached_property
+    def _near_ratio(self) -> float:
+        """``n/(f - n)`` of a finite lens, rounded once."""
+        near, far = Fraction(self.lens.near), Fraction(self.lens.far)
+        return float(near / (far - near))
+
     def world_from_image(self, points_image: ArrayLike) -> Array:
         """Un-project pixels with a depth.
 
@@ -1389,7 +1456,7 @@ class Projection:
         ------
         ProjectionError
             If a number is not finite, a depth is outside [0, 1], or one is that of a far plane
-            at infinity, where a pixel has a direction but no point.
+            at infinity (or farther than 1e250), where a pixel has a direction but no point.
         """
         points = checked_points(points_image)
         depth = points[..., 2]
@@ -1403,23 +1470,32 @@ class Projection:
         if self.lens.parallel:
             distance = near * left_over + far * gone
         elif far == math.inf:
-            if not left_over.all():
-                raise ProjectionError("depth", float(depth[left_over == 0.0][0]), NO_POINT)
-            distance = near / left_over
+            with np.errstate(divide="ignore", over="ignore"):
+                distance = near / left_over
         else:
             distance = near / (left_over + near / far * gone)
         width, height = self.image_size
-        left, right, bottom, top = self.window
-        part_x, part_y = points[..., 0] / width, points[..., 1] / height
-        x = left * (1.0 - part_x) + right * part_x
-        y = top * (1.0 - part_y) + bottom * part_y
+        (left, right, across), (bottom, top, up) = self._axes
+        # From the picture's middle, which most windows have on or near the axis.
+        x = (left + right) / 2.0 + across * ((points[..., 0] - width / 2.0) / width)
+        y = (bottom + top) / 2.0 - up * ((points[..., 1] - height / 2.0) / height)
         if self.lens.parallel:
             cot_alpha, cot_beta = self.shear
             x, y = x + cot_alpha * (distance - near), y + cot_beta * (distance - near)
         else:
-            x, y = x * (distance / near), y * (distance / near)
-        view = np.stack([x, y, -distance], axis=-1)
-        world: Array = view @ self.camera.frame + self.camera.eye
+            with np.errstate(over="ignore", invalid="ignore"):
+                x, y = x * (distance / near), y * (distance / near)
+        nowhere = ~(np.abs(x) + np.abs(y) + np.abs(distance) < _BEYOND)
+        if nowhere.any():
+            raise ProjectionError("depth", float(depth[nowhere][0]), NO_POINT)
+        # With twice the digits, so that there and back together stay within 1e-15 of w.
+        view = [DoubleDouble(part, np.zeros_like(part)) for part in (x, y, -distance)]
+        world = np.empty_like(points)
+        for column, eye in enumerate(self.camera.eye):
+            total = DoubleDouble(np.asarray(eye), np.zeros(()))
+            for axis, part in zip(self._frame_double_double, view, strict=True):
+                total = dd.add(total, dd.multiply(axis[column], part))
+            world[..., column] = total.hi
         return world
 
     # -- the same picture with another lens
@@ -1460,8 +1536,9 @@ class Projection:
         keep: Keep = "y" if isinstance(lens, Perspective) else lens.keep
         if kind in ("perspective", "frustum"):
             if near <= 0.0:
-                near = min(distance, abs(far)) / 1000.0
-            far = far if far > near else 2.0 * near
+                near = (min(distance, far) if far > 0.0 else distance) / 1000.0
+            if far <= near:  # the volume is behind the eye; the target shall be in the new one
+                far = 2.0 * distance
             if lens.parallel:
                 window = tuple(near / distance * side for side in self._target_window)
             else:
@@ -1496,6 +1573,7 @@ class Projection:
             For planes that the lens cannot have.
         """
         lens = self.lens
+        near, far = _check_planes(near, far, parallel=lens.parallel)
         left, right, bottom, top = self.window
         if isinstance(lens, Frustum):  # its window is on the near plane, and moves with it
             k = near / lens.near
@@ -1565,9 +1643,9 @@ def checked_points(points: ArrayLike) -> Array:
     return checked
 
 
-def _across(value: Array, low: float, high: float) -> Array:
-    """From -1 at low to 1 at high; each difference is rounded where it is small."""
-    across: Array = ((value - low) - (high - value)) / (high - low)
+def _across(value: Array, low: float, high: float, extent: float) -> Array:
+    """Place about the middle of low and high, in halves of extent; differences stay small."""
+    across: Array = ((value - low) - (high - value)) / extent
     return across
 
 

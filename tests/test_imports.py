@@ -247,6 +247,7 @@ def test_a_room_imports_only_what_the_table_allows(path: str) -> None:
     [
         ("app/projection.py", "import scipy", "scipy"),
         ("app/projection.py", "from app import scene", "app.scene"),
+        ("app/double_double.py", "from app import projection", "app.projection"),
         ("app/projection.py", "from . import scene", "app.scene"),
         ("app/projection.py", "from .scene import load", "app.scene.load"),
         ("app/projection.py", "def f():\n    import pyvista", "pyvista"),

@@ -16,12 +16,9 @@ from PySide6 import QtCore
 from PySide6.QtCore import QCoreApplication
 
 from app.projection import (
-    BOTTOM_BEFORE_TOP,
-    FAR_BEYOND_NEAR,
     FINITE_NUMBER,
-    LEFT_BEFORE_RIGHT,
-    NEAR_BEFORE_FAR,
     NOT_THE_EYE,
+    OTHER_SIDE,
     THREE_NUMBERS,
     ProjectionError,
     format_value,
@@ -29,6 +26,15 @@ from app.projection import (
 
 # PySide6 declares that it takes and gives objects.
 QT_TRANSLATE_NOOP = cast("Callable[[str, str], str]", QtCore.QT_TRANSLATE_NOOP)
+
+STAGE_NOTES = (
+    QT_TRANSLATE_NOOP("Stage", "the scene's objects are given in world coordinates"),
+    QT_TRANSLATE_NOOP("Stage", "a parallel lens has no M_pp: this is the identity"),
+    QT_TRANSLATE_NOOP(
+        "Stage", "far is infinite: the canonical pyramid is scaled by near, which is at z = -1"
+    ),
+)
+"""Every note of a `Stage`: the members of `app.projection.NOTES`."""
 
 PROJECTION_BOUNDS = (
     QT_TRANSLATE_NOOP("ProjectionError", "must be a finite number"),
@@ -46,6 +52,8 @@ PROJECTION_BOUNDS = (
     QT_TRANSLATE_NOOP("ProjectionError", "must be a whole number of pixels from 1 to {0}"),
     QT_TRANSLATE_NOOP("ProjectionError", "must be one of {0}"),
     QT_TRANSLATE_NOOP("ProjectionError", "must be greater than near, which is {0}"),
+    QT_TRANSLATE_NOOP("ProjectionError", "must be greater than left, which is {0}"),
+    QT_TRANSLATE_NOOP("ProjectionError", "must be greater than bottom, which is {0}"),
     QT_TRANSLATE_NOOP("ProjectionError", "is too close to {0} for float64 to tell apart"),
     QT_TRANSLATE_NOOP(
         "ProjectionError", "is too close to {0} for a plane as far from the eye as near is"
@@ -88,7 +96,7 @@ DOCUMENT_BOUNDS = (
     ),
     QT_TRANSLATE_NOOP("DocumentError", "is a picture without a Frustum Lab document in it"),
     QT_TRANSLATE_NOOP("DocumentError", "is not known; the nearest name is {0}"),
-    QT_TRANSLATE_NOOP("DocumentError", "belongs to another lens: set lens.kind={0} as well"),
+    QT_TRANSLATE_NOOP("DocumentError", "belongs to another lens: set lens.kind as well ({0})"),
     QT_TRANSLATE_NOOP("DocumentError", "must be written as NAME=VALUE"),
     QT_TRANSLATE_NOOP("DocumentError", "The document"),
 )
@@ -318,12 +326,10 @@ _CONTEXTS = {
     for template in templates
 }
 
-# What only a control can refuse: text that is no number, and the core's one-sided bounds as
-# seen from the other side (far dragged below near is far's fault in the reader's eyes).
+# What only a control can refuse: text that is no number, and what the core says of the target
+# as seen from the eye.
 A_NUMBER = QT_TRANSLATE_NOOP("ProjectionError", "must be a number, such as 0.5 or 2e-3")
 A_NUMBER_OR_INFINITY = QT_TRANSLATE_NOOP("ProjectionError", "must be a number, or inf for ∞")
-RIGHT_OF_LEFT = QT_TRANSLATE_NOOP("ProjectionError", "must be greater than left, which is {0}")
-TOP_ABOVE_BOTTOM = QT_TRANSLATE_NOOP("ProjectionError", "must be greater than bottom, which is {0}")
 NOT_THE_TARGET = QT_TRANSLATE_NOOP(
     "ProjectionError", "must differ from the target, or the camera looks nowhere"
 )
@@ -412,13 +418,6 @@ def sentence(error: Exception) -> str:
     return str(error)
 
 
-_OTHER_SIDE = {
-    ("far", NEAR_BEFORE_FAR): FAR_BEYOND_NEAR,
-    ("right", LEFT_BEFORE_RIGHT): RIGHT_OF_LEFT,
-    ("top", BOTTOM_BEFORE_TOP): TOP_ABOVE_BOTTOM,
-}
-
-
 def seen_from(field: str, name: str, value: float, error: ProjectionError) -> ProjectionError:
     """Turn an error so that it speaks of what was edited.
 
@@ -434,9 +433,9 @@ def seen_from(field: str, name: str, value: float, error: ProjectionError) -> Pr
     error : ProjectionError
         What the core answered.
     """
-    if (field, error.bound) in _OTHER_SIDE:
-        lower = _value_text(error.value)
-        return ProjectionError(field, value, _OTHER_SIDE[field, error.bound], lower)
+    side, bound = OTHER_SIDE.get(error.bound, ("", ""))
+    if field == side:
+        return ProjectionError(field, value, bound, _value_text(error.value))
     if field == "eye" and error.bound == NOT_THE_EYE:
         return ProjectionError("eye", error.value, NOT_THE_TARGET)
     if error.bound == THREE_NUMBERS:

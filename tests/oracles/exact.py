@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 import mpmath
 
-from app.projection import Orthographic, Projection
+from app.projection import Perspective, Projection
 
 mp = mpmath.mp.clone()
 mp.dps = 80
@@ -62,6 +62,11 @@ def frame(eye: Sequence[float], target: Sequence[float], up: Sequence[float]) ->
     return [u, cross(n, u), n]
 
 
+def cotangent_deg(angle_deg: float) -> Any:
+    """The cotangent of an angle in degrees."""
+    return mp.cot(mp.mpf(angle_deg) * mp.pi / 180)
+
+
 class Exact:
     """A projection's answers at 80 digits; the frame is worked out once."""
 
@@ -77,32 +82,43 @@ class Exact:
             "reversed": (mp.mpf(1), mp.mpf(0)),
         }[projection.depth]
 
+    def window(self) -> Numbers:
+        """Left, right, bottom, top after `keep` (lecture 000, variants X and Y)."""
+        lens = self.projection.lens
+        if isinstance(lens, Perspective):
+            top = mp.mpf(lens.near) * mp.tan(mp.mpf(lens.fov_y_deg) * mp.pi / 360)
+            right = top * self.width / self.height
+            return [-right, right, -top, top]
+        left, right = mp.mpf(lens.left), mp.mpf(lens.right)
+        bottom, top = mp.mpf(lens.bottom), mp.mpf(lens.top)
+        if lens.keep == "x":  # about its centre until the aspect is the image's
+            middle, half = (bottom + top) / 2, (right - left) * self.height / self.width / 2
+            bottom, top = middle - half, middle + half
+        elif lens.keep == "y":
+            middle, half = (left + right) / 2, (top - bottom) * self.width / self.height / 2
+            left, right = middle - half, middle + half
+        return [left, right, bottom, top]
+
     def __call__(self, point: Sequence[float]) -> Answer:
         lens = self.projection.lens
         offset = minus(vector(point), vector(self.projection.camera.eye))
         x, y, z = view = [dot(row, offset) for row in self.frame]
         near, far = mp.mpf(lens.near), mp.mpf(lens.far)
-        if isinstance(lens, Orthographic):
-            left, right = mp.mpf(lens.left), mp.mpf(lens.right)
-            bottom, top = mp.mpf(lens.bottom), mp.mpf(lens.top)
-            if lens.keep == "x":  # about its centre until the aspect is the image's
-                middle, half = (bottom + top) / 2, (right - left) * self.height / self.width / 2
-                bottom, top = middle - half, middle + half
-            elif lens.keep == "y":
-                middle, half = (left + right) / 2, (top - bottom) * self.width / self.height / 2
-                left, right = middle - half, middle + half
+        left, right, bottom, top = self.window()
+        if lens.kind in ("orthographic", "oblique"):
             w = mp.mpf(1)
             part = (-z - near) / (far - near)  # of the way from near to far
-            x_ndc = 2 * (x - left) / (right - left) - 1
-            y_ndc = 2 * (y - bottom) / (top - bottom) - 1
+            if lens.kind == "oblique":  # lecture 002's H, whose z_n is -near
+                x = x - (-near - z) * cotangent_deg(lens.alpha_deg)
+                y = y - (-near - z) * cotangent_deg(lens.beta_deg)
         else:
             w = -z
-            y_ndc = y / w * mp.cot(mp.mpf(lens.fov_y_deg) * mp.pi / 360)
-            x_ndc = x / w * mp.cot(mp.mpf(lens.fov_y_deg) * mp.pi / 360)
-            x_ndc = x_ndc * self.height / self.width
+            x, y = near * x / w, near * y / w  # lecture 000 (4)
             # 1/w runs evenly from 1/near to 1/far over the depth range.
             one_over_far = 0 if mp.isinf(far) else 1 / far
             part = (1 / near - 1 / w) / (1 / near - one_over_far)
+        x_ndc = 2 * (x - left) / (right - left) - 1
+        y_ndc = 2 * (y - bottom) / (top - bottom) - 1
         z_ndc = self.z_near + part * (self.z_far - self.z_near)
         low, high = min(self.z_near, self.z_far), max(self.z_near, self.z_far)
         return Answer(
