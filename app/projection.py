@@ -64,7 +64,7 @@ SMALLEST_WINDOW = 1e-200
 """Smallest side of a parallel lens' window: a point beside it has pixels below 1e305."""
 LARGEST_IMAGE_PX = 16384
 """Largest image side, the texture limit that every current OpenGL driver offers."""
-SMALLEST_FIELD = 1e-100
+SMALLEST_FIELD = 1e-90
 """Smallest field of view in degrees; its inverse is the steepest ray to a window's edge."""
 SMALLEST_OPENING = 1e-110
 """Smallest side of a frustum's window in units of near: that of the smallest field, and less."""

@@ -171,7 +171,7 @@ def documents(draw: st.DrawFn) -> Document:
     if draw(st.booleans()):
         near, far = ordered(1e-205, 1e100)
         far = draw(st.sampled_from([far, math.inf]))
-        fov_y_deg = draw(st.floats(1e-100, 180.0, exclude_max=True))
+        fov_y_deg = draw(st.floats(1e-90, 180.0, exclude_max=True))
         lens: app.projection.Lens = Perspective(fov_y_deg, near, far)
     else:
         left, right = ordered(-1e100, 1e100)
@@ -450,7 +450,7 @@ def at_the_ends(rng: random.Random) -> dict[str, Any]:
     kind = rng.choice(("frustum", "orthographic", "oblique"))
     small = {"frustum": (1e-290, 1e-204), "orthographic": (1.1e-200,), "oblique": (1.1e-194,)}
     lens: dict[str, Any] = {"kind": kind, "keep": rng.choice(("stretch", "x", "y"))}
-    lens["near"] = rng.choice((1e-205, 1e-100, 1e90)) if kind == "frustum" else -1e100
+    lens["near"] = rng.choice((1e-205, 1e-90, 1e90)) if kind == "frustum" else -1e100
     lens["far"] = rng.choice((1e100, lens["near"] + 2e-205, lens["near"] * 1.5))
     for low, high in (("left", "right"), ("bottom", "top")):
         lens[high] = rng.choice((1e-190, 1e-105, 1e-5, 1e90, 1e100, *small[kind]))
