@@ -66,7 +66,7 @@ LARGEST_IMAGE_PX = 16384
 """Largest image side, the texture limit that every current OpenGL driver offers."""
 SMALLEST_FIELD = 1e-90
 """Smallest field of view in degrees; its inverse is the steepest ray to a window's edge."""
-SMALLEST_OPENING = 1e-110
+SMALLEST_OPENING = 1e-98
 """Smallest side of a frustum's window in units of near: that of the smallest field, and less."""
 LARGEST_SHEAR = 1e6
 """Largest cotangent of an oblique lens' angles; theirs start at 5.8e-5 degrees."""
