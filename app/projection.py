@@ -1438,7 +1438,7 @@ class Projection:
         near, far = lens.near, lens.far
         keep: Keep = "y" if isinstance(lens, Perspective) else lens.keep
         if kind in ("perspective", "frustum"):
-            if near <= 0.0:
+            if near < SMALLEST:
                 near = (min(distance, far) if far > 0.0 else distance) / 1000.0
             if far <= near:  # the volume is behind the eye; the target shall be in the new one
                 far = 2.0 * distance

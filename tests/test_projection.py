@@ -113,7 +113,7 @@ def at_distance(
     lens, (left, right, bottom, top) = projection.lens, projection.window
     x, y = left + across * (right - left), bottom + along * (top - bottom)
     if not lens.parallel:
-        return x * distance / lens.near, y * distance / lens.near, -distance
+        return x * (distance / lens.near), y * (distance / lens.near), -distance
     if isinstance(lens, Oblique):  # its projectors lean: (-cot a, -cot b, -1) into the picture
         x += (distance - lens.near) * cot_deg(lens.alpha_deg)
         y += (distance - lens.near) * cot_deg(lens.beta_deg)
@@ -315,7 +315,7 @@ UP_TO_180 = math.nextafter(180.0, 0.0)
 
 @st.composite
 def planes(draw: st.DrawFn, *, wild: bool, finite: bool = False) -> tuple[float, float]:
-    ends = (1e-205, 1e-30, 1e30, 1e60) if wild else (1e-3, 1e3)
+    ends = (1e-180, 1e-30, 1e30, 1e60) if wild else (1e-3, 1e3)
     near = draw(mostly(logarithmic(1e-3, 1e3), *ends))
     usual = logarithmic(1.01, 1e6)
     far = near * draw(mostly(usual, 1.0 + 1e-12, 1e9)) if wild else near * draw(usual)
@@ -421,6 +421,7 @@ def rounding_ndc(projection: Projection) -> float:
     if lens.parallel:
         size += max(abs(lens.near), abs(lens.far)) * (1.0 + max(map(abs, shear)))
     leaning = 1.0 + max(map(abs, shear))
+    off += projection.stretch
     return EPS * off + EPS * float(size * leaning * (1.0 / width + 1.0 / height + 1.0 / depth))
 
 
@@ -491,9 +492,9 @@ def test_along_a_ray_through_the_eye_the_picture_is_the_same(
     (point,) = points_in_view(projection, np.array([part]))
     moved = eye + factor * (point - eye)
     # What rounding the moved point to float64 turns the ray by.
-    turn = EPS * (1.0 + np.abs(eye).max() / np.linalg.norm(moved - eye)) * projection.stretch
-    if projection.camera == AXIS:
-        turn = 0.0  # each coordinate keeps its own digits
+    turn = 0.0  # on an axis each coordinate keeps its own digits
+    if projection.camera != AXIS:
+        turn = EPS * (1.0 + np.abs(eye).max() / np.linalg.norm(moved - eye)) * projection.stretch
     tolerance = 1e-11 + 10.0 * turn + 100.0 * rounding_ndc(projection)
     here, there = projection.trace([point, moved]).ndc[:, :2]
     np.testing.assert_allclose(there, here, rtol=0.0, atol=tolerance)
@@ -655,7 +656,9 @@ def test_with_lens_always_gives_a_lens_that_works() -> None:
         assert math.isfinite(flat.lens.far)
         assert flat.lens.far > infinite.camera.distance  # the target is still in it
     assert infinite.with_lens("frustum").lens.far == math.inf
-    for near, far in ((-5.0, 20.0), (-5.0, -3.0), (0.0, 20.0), (-1e-3, 0.0), (-5.0, 0.0)):
+    for near, far in (
+        (-5.0, 20.0), (-5.0, -3.0), (0.0, 20.0), (-1e-3, 0.0), (-5.0, 0.0), (1e-290, 20.0),
+    ):  # fmt: skip
         for flat in (Orthographic(near=near, far=far), Oblique(near=near, far=far)):
             for kind in ("perspective", "frustum"):
                 changed = Projection(lens=flat).with_lens(kind)
@@ -764,7 +767,8 @@ def test_intrinsics_are_k_of_opencv(projection: Projection, parts: list) -> None
         assert projection.camera == AXIS
         return
     assert again.lens.near == projection.lens.near
-    np.testing.assert_allclose(again.intrinsics, intrinsics, rtol=1e-9, atol=1e-9 * size.max())
+    rtol = 1e-9 + 1e2 * rounding_ndc(projection)  # a window's sides are float64, as they are typed
+    np.testing.assert_allclose(again.intrinsics, intrinsics, rtol=rtol, atol=rtol * size.max())
     if isinstance(projection.lens, Perspective):
         assert isinstance(again.lens, Perspective)
         assert again.lens.fov_y_deg == pytest.approx(projection.lens.fov_y_deg, rel=1e-13)
