@@ -539,11 +539,11 @@ class _Windowed:
         Raises
         ------
         ProjectionError
-            If a side is shorter than `least_window` or not even a digit of its place.
+            If a side is shorter than `least_window`.
         """
         for name, low, high in (("left", left, right), ("bottom", bottom, top)):
-            if low >= high or high - low < self.least_window:
-                bound = DISTINCT if self.parallel or low >= high else WIDER
+            if high - low < self.least_window:
+                bound = DISTINCT if self.parallel else WIDER
                 raise ProjectionError(name, low, bound, format_value(high))
 
     def exact_window(self, aspect: Fraction) -> tuple[Fraction, Fraction, Fraction, Fraction]:
@@ -765,9 +765,29 @@ LENSES: dict[str, type[Perspective] | type[Frustum] | type[Orthographic] | type[
 # --------------------------------------------------------------------------- projection
 
 
-def _skew(low: float, high: float, extent: float) -> float:
-    """``(high + low)/extent``: how far an interval's middle is from 0, in halves of it."""
-    return (high + low) / extent
+class _Axis(NamedTuple):
+    """One side of the picture: its middle, what is left of that beyond float64, its extent."""
+
+    middle: float
+    rest: float
+    extent: float
+
+    @property
+    def skew(self) -> float:
+        """How far the middle is from 0, in halves of the extent: ``(r + l)/(r - l)``."""
+        return self.middle / (self.extent / 2.0)
+
+    def across(self, value: Array) -> Array:
+        """From -1 at the low end to 1 at the high one; the difference is rounded where small."""
+        offset = value - self.middle
+        if self.rest:
+            offset = offset - self.rest
+        across: Array = offset / (self.extent / 2.0)
+        return across
+
+
+def _axis(low: Fraction, high: Fraction) -> _Axis:
+    return _Axis(*dd.from_exact((low + high) / 2), float(high - low))
 
 
 Rationals: TypeAlias = list[list[Fraction]]
@@ -955,7 +975,15 @@ class Projection:
             raise ProjectionError("depth", self.depth, ONE_OF, ", ".join(DEPTH_RANGES))
         _set(self, image_size=(int(size[0]), int(size[1])))
         if isinstance(self.lens, _Windowed):  # `keep` can shrink it to nothing, far from the axis
-            self.lens.check_window(*self.window)
+            left, right, bottom, top = self.window
+            x_axis, y_axis = self._axes
+            for name, low, high, axis in (
+                ("left", left, right, x_axis),
+                ("bottom", bottom, top, y_axis),
+            ):
+                if abs(high - low - axis.extent) > axis.extent / 2.0:
+                    raise ProjectionError(name, low, DISTINCT, format_value(high))
+            self.lens.check_window(left, right, bottom, top)
 
     # -- plain figures
 
@@ -975,22 +1003,14 @@ class Projection:
         return self.lens.window(Fraction(*self.image_size))
 
     @cached_property
-    def _axes(self) -> tuple[tuple[float, float, float], tuple[float, float, float]]:
-        """Low and high end and extent of the picture in x and in y, as exact as they can be used.
-
-        `keep` moves both ends by the same, so that a coordinate's place between them depends on
-        the ends as typed and on the extent: rounding the ends that it leads to would lose the
-        digits of a window far from the axis.
-        """
+    def _axes(self) -> tuple[_Axis, _Axis]:
+        """The picture's x and y range on the near plane, after `keep`, without its rounding."""
         lens = self.lens
-        left, right, bottom, top = self.window
         if isinstance(lens, Perspective):
-            return (left, right, right - left), (bottom, top, top - bottom)
+            _, right, _, top = self.window
+            return _Axis(0.0, 0.0, 2.0 * right), _Axis(0.0, 0.0, 2.0 * top)
         exact = lens.exact_window(Fraction(*self.image_size))
-        return (
-            (lens.left, lens.right, float(exact[1] - exact[0])),
-            (lens.bottom, lens.top, float(exact[3] - exact[2])),
-        )
+        return _axis(*exact[:2]), _axis(*exact[2:])
 
     @property
     def intrinsics(self) -> Intrinsics:
@@ -1007,13 +1027,13 @@ class Projection:
         if isinstance(self.lens, Perspective):  # square pixels, and the axis in the middle
             focal = height / 2.0 * self.lens.cot_half_fov_y
             return Intrinsics(focal, focal, (width - 1) / 2.0, (height - 1) / 2.0)
-        (left, right, across), (bottom, top, up) = self._axes
+        x_axis, y_axis = self._axes
         near = self.lens.near
         return Intrinsics(
-            width * near / across,
-            height * near / up,
-            (width - 1) / 2.0 - width / 2.0 * _skew(left, right, across),
-            (height - 1) / 2.0 + height / 2.0 * _skew(bottom, top, up),
+            width * near / x_axis.extent,
+            height * near / y_axis.extent,
+            (width - 1) / 2.0 - width / 2.0 * x_axis.skew,
+            (height - 1) / 2.0 + height / 2.0 * y_axis.skew,
         )
 
     @property
@@ -1079,9 +1099,10 @@ class Projection:
             matrix[1, 1] = self.lens.cot_half_fov_y
             matrix[0, 0] = matrix[1, 1] / self.aspect
         else:
-            for row, (low, high, extent) in enumerate(self._axes):
-                matrix[row, row] = 2.0 / extent if self.lens.parallel else 2.0 * near / extent
-                matrix[row, 3 if self.lens.parallel else 2] = _skew(low, high, extent)
+            unit = 1.0 if self.lens.parallel else near
+            for row, axis in enumerate(self._axes):
+                matrix[row, row] = 2.0 * unit / axis.extent
+                matrix[row, 3 if self.lens.parallel else 2] = axis.skew
         if not self.lens.parallel:
             matrix[2, 2:] = self._depth_row
             matrix[3, 2] = -1.0
@@ -1121,9 +1142,9 @@ class Projection:
             matrix[1, 1] = 1.0 / self.lens.cot_half_fov_y
         else:
             unit = 1.0 if self.lens.parallel else near
-            for row, (low, high, extent) in enumerate(self._axes):
-                matrix[row, row] = extent / 2.0 / unit
-                matrix[row, 3] = (low + high) / 2.0 / unit
+            for row, axis in enumerate(self._axes):
+                matrix[row, row] = axis.extent / 2.0 / unit
+                matrix[row, 3] = axis.middle / unit
         if not self.lens.parallel:
             matrix[2, 3] = -1.0
             # 1/w is affine in z_ndc: 1/near on the near face, 1/far on the far one.
@@ -1395,8 +1416,8 @@ class Projection:
         if self.lens.parallel:
             w = np.ones_like(distance)
             cot_alpha, cot_beta = self.shear
-            x_clip = _across(x + cot_alpha * (near - distance), *x_axis)
-            y_clip = _across(y + cot_beta * (near - distance), *y_axis)
+            x_clip = x_axis.across(x + cot_alpha * (near - distance))
+            y_clip = y_axis.across(y + cot_beta * (near - distance))
             x_ndc, y_ndc = x_clip, y_clip
             from_plane = far - distance if self.depth == "reversed" else distance - near
             numerator = depth = np.asarray(from_plane / (far - near))
@@ -1407,11 +1428,10 @@ class Projection:
                 x_clip, y_clip = scale_y / self.aspect * x, scale_y * y
                 x_ndc, y_ndc = scale_y / self.aspect * (x / w), scale_y * (y / w)
             else:
-                x_ndc = _across(near * (x / w), *x_axis)
-                y_ndc = _across(near * (y / w), *y_axis)
+                x_ndc, y_ndc = x_axis.across(near * (x / w)), y_axis.across(near * (y / w))
                 # Where w is 0 there is no quotient, but still a point in clip space.
-                x_clip = 2.0 * near / x_axis[2] * x - _skew(*x_axis) * w
-                y_clip = 2.0 * near / y_axis[2] * y - _skew(*y_axis) * w
+                x_clip = 2.0 * near / x_axis.extent * x - x_axis.skew * w
+                y_clip = 2.0 * near / y_axis.extent * y - y_axis.skew * w
             if self.depth == "reversed":
                 # The ratio is rounded once: four roundings in all, 4e-16 of w that depth implies.
                 numerator = near + 0.0 * w if far == math.inf else self._near_ratio * (far - w)
@@ -1475,10 +1495,9 @@ class Projection:
         else:
             distance = near / (left_over + near / far * gone)
         width, height = self.image_size
-        (left, right, across), (bottom, top, up) = self._axes
-        # From the picture's middle, which most windows have on or near the axis.
-        x = (left + right) / 2.0 + across * ((points[..., 0] - width / 2.0) / width)
-        y = (bottom + top) / 2.0 - up * ((points[..., 1] - height / 2.0) / height)
+        x_axis, y_axis = self._axes
+        x = x_axis.middle + x_axis.extent * ((points[..., 0] - width / 2.0) / width)
+        y = y_axis.middle - y_axis.extent * ((points[..., 1] - height / 2.0) / height)
         if self.lens.parallel:
             cot_alpha, cot_beta = self.shear
             x, y = x + cot_alpha * (distance - near), y + cot_beta * (distance - near)
@@ -1535,7 +1554,7 @@ class Projection:
         near, far = lens.near, lens.far
         keep: Keep = "y" if isinstance(lens, Perspective) else lens.keep
         if kind in ("perspective", "frustum"):
-            if near <= 0.0:
+            if near < SMALLEST:
                 near = (min(distance, far) if far > 0.0 else distance) / 1000.0
             if far <= near:  # the volume is behind the eye; the target shall be in the new one
                 far = 2.0 * distance
@@ -1641,12 +1660,6 @@ def checked_points(points: ArrayLike) -> Array:
     if wrong.any():
         raise ProjectionError("points", tuple(checked[wrong][0].tolist()), THREE_NUMBERS)
     return checked
-
-
-def _across(value: Array, low: float, high: float, extent: float) -> Array:
-    """Place about the middle of low and high, in halves of extent; differences stay small."""
-    across: Array = ((value - low) - (high - value)) / extent
-    return across
 
 
 # --------------------------------------------------------------------------- field of view

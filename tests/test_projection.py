@@ -39,6 +39,7 @@ from app.projection import (
     NOT_THE_EYE,
     NOT_ZERO,
     NOTES,
+    OBLIQUE_PRESETS,
     ONE_OF,
     OTHER_SIDE,
     PLANES,
@@ -49,6 +50,7 @@ from app.projection import (
     Array,
     Camera,
     Frustum,
+    Intrinsics,
     Lens,
     Oblique,
     Orbit,
@@ -62,6 +64,7 @@ from app.projection import (
     fov_y_from_focal_length_e,
     fov_y_from_window,
     oblique_angles,
+    receding_of,
 )
 from tests.oracles import exact
 from widgets import messages
@@ -99,6 +102,10 @@ def homogeneous(points: Array) -> Array:
     return np.column_stack([points, np.ones(len(points))])
 
 
+def cot_deg(angle_deg: float) -> float:
+    return float(exact.cotangent_deg(angle_deg))
+
+
 def at_distance(
     projection: Projection, distance: float, across: float = 0.5, along: float = 0.5
 ) -> tuple[float, float, float]:
@@ -106,10 +113,10 @@ def at_distance(
     lens, (left, right, bottom, top) = projection.lens, projection.window
     x, y = left + across * (right - left), bottom + along * (top - bottom)
     if not lens.parallel:
-        return x * distance / lens.near, y * distance / lens.near, -distance
+        return x * (distance / lens.near), y * (distance / lens.near), -distance
     if isinstance(lens, Oblique):  # its projectors lean: (-cot a, -cot b, -1) into the picture
-        x += (distance - lens.near) / math.tan(math.radians(lens.alpha_deg))
-        y += (distance - lens.near) / math.tan(math.radians(lens.beta_deg))
+        x += (distance - lens.near) * cot_deg(lens.alpha_deg)
+        y += (distance - lens.near) * cot_deg(lens.beta_deg)
     return x, y, -distance
 
 
@@ -308,7 +315,7 @@ UP_TO_180 = math.nextafter(180.0, 0.0)
 
 @st.composite
 def planes(draw: st.DrawFn, *, wild: bool, finite: bool = False) -> tuple[float, float]:
-    ends = (1e-205, 1e-30, 1e30, 1e60) if wild else (1e-3, 1e3)
+    ends = (1e-180, 1e-30, 1e30, 1e60) if wild else (1e-3, 1e3)
     near = draw(mostly(logarithmic(1e-3, 1e3), *ends))
     usual = logarithmic(1.01, 1e6)
     far = near * draw(mostly(usual, 1.0 + 1e-12, 1e9)) if wild else near * draw(usual)
@@ -414,6 +421,7 @@ def rounding_ndc(projection: Projection) -> float:
     if lens.parallel:
         size += max(abs(lens.near), abs(lens.far)) * (1.0 + max(map(abs, shear)))
     leaning = 1.0 + max(map(abs, shear))
+    off += projection.stretch
     return EPS * off + EPS * float(size * leaning * (1.0 / width + 1.0 / height + 1.0 / depth))
 
 
@@ -452,7 +460,8 @@ def test_points_come_back_from_their_picture(projection: Projection, parts: list
     world = points_in_view(projection, np.array(parts))
     trace = projection.trace(world)
     assert trace.in_front.all()
-    assert not trace.outside.any()
+    if rounding_ndc(projection) < 1e-3:  # or no point can be told from its neighbours outside
+        assert not trace.outside.any()
     eye = projection.camera.eye
     back = homogeneous(trace.ndc) @ projection.world_from_clip_at(eye).T
     back = back[:, :3] / back[:, 3:]
@@ -483,9 +492,9 @@ def test_along_a_ray_through_the_eye_the_picture_is_the_same(
     (point,) = points_in_view(projection, np.array([part]))
     moved = eye + factor * (point - eye)
     # What rounding the moved point to float64 turns the ray by.
-    turn = EPS * (1.0 + np.abs(eye).max() / np.linalg.norm(moved - eye)) * projection.stretch
-    if projection.camera == AXIS:
-        turn = 0.0  # each coordinate keeps its own digits
+    turn = 0.0  # on an axis each coordinate keeps its own digits
+    if projection.camera != AXIS:
+        turn = EPS * (1.0 + np.abs(eye).max() / np.linalg.norm(moved - eye)) * projection.stretch
     tolerance = 1e-11 + 10.0 * turn + 100.0 * rounding_ndc(projection)
     here, there = projection.trace([point, moved]).ndc[:, :2]
     np.testing.assert_allclose(there, here, rtol=0.0, atol=tolerance)
@@ -499,8 +508,7 @@ def test_along_the_projectors_a_parallel_picture_is_the_same(
     """Lecture 002's projectors: a step (-cot(alpha), -cot(beta), 1), and (0, 0, 1) if upright."""
     lens, projector = projection.lens, np.array([0.0, 0.0, 1.0])
     if isinstance(lens, Oblique):
-        angles = np.radians([lens.alpha_deg, lens.beta_deg])
-        projector[:2] = -np.cos(angles) / np.sin(angles)
+        projector[:2] = -cot_deg(lens.alpha_deg), -cot_deg(lens.beta_deg)
     (point,) = points_in_view(projection, np.array([part]))
     moved = point + step * (lens.far - lens.near) * projector @ projection.camera.frame
     here, there = projection.trace([point, moved]).ndc[:, :2]
@@ -643,15 +651,185 @@ def test_with_lens_keeps_the_size_of_what_is_at_the_target(
 
 def test_with_lens_always_gives_a_lens_that_works() -> None:
     infinite = Projection(lens=Perspective(45.0, 1.0, math.inf))
-    flat = infinite.with_lens("orthographic")
-    assert math.isfinite(flat.lens.far)
-    assert flat.lens.far > infinite.camera.distance  # the target is still in it
-    for near, far in ((-5.0, 20.0), (-5.0, -3.0), (0.0, 20.0), (-1e-3, 0.0)):
-        if far != 0.0:
-            lens = Projection(lens=Orthographic(near=near, far=far)).with_lens("perspective").lens
-            assert 0.0 < lens.near < lens.far
+    for kind in ("orthographic", "oblique"):
+        flat = infinite.with_lens(kind)
+        assert math.isfinite(flat.lens.far)
+        assert flat.lens.far > infinite.camera.distance  # the target is still in it
+    assert infinite.with_lens("frustum").lens.far == math.inf
+    for near, far in (
+        (-5.0, 20.0), (-5.0, -3.0), (0.0, 20.0), (-1e-3, 0.0), (-5.0, 0.0), (1e-290, 20.0),
+    ):  # fmt: skip
+        for flat in (Orthographic(near=near, far=far), Oblique(near=near, far=far)):
+            for kind in ("perspective", "frustum"):
+                changed = Projection(lens=flat).with_lens(kind)
+                assert 0.0 < changed.lens.near < changed.lens.far
+                seen = changed.trace(changed.camera.target)
+                assert far < changed.camera.distance or not seen.outside[:2].any()
     same = Projection()
     assert same.with_lens("perspective") is same
+
+
+@given(
+    projections(wild=False),
+    st.sampled_from(sorted(app.projection.LENSES)),
+    st.lists(PARTS, max_size=4),
+)
+@QUICK
+def test_with_lens_keeps_the_picture_of_the_plane_through_the_target(
+    projection: Projection, kind: str, parts: list
+) -> None:
+    """For every pair of lenses, and all of the picture between two perspective ones."""
+    lens, distance = projection.lens, projection.camera.distance
+    changed = projection.with_lens(kind)
+    assert changed.lens.kind == kind
+    assert (changed.camera, changed.image_size) == (projection.camera, projection.image_size)
+    if kind == "perspective" and lens.kind != "perspective":
+        # It has no window off the axis, and none of another shape: only the height is kept.
+        (_, _, bottom, top), (_, _, low, high) = projection.window, changed.window
+        scale = 1.0 if not lens.parallel else distance / changed.lens.near
+        assert (high - low) * scale == pytest.approx(top - bottom, rel=1e-9)
+        return
+    there = [at_distance(projection, distance, x, y) for x, y, _ in parts]
+    if not (lens.parallel or changed.lens.parallel):
+        there += [at_distance(projection, 1.5 * lens.near * z, x, y) for x, y, z in parts]
+    before = projection.trace(in_world(projection, (0.0, 0.0, -distance), *there))
+    after = changed.trace(before.world)
+    tolerance = 1e-9 + 1e3 * (rounding_ndc(projection) + rounding_ndc(changed))
+    np.testing.assert_allclose(after.ndc[:, :2], before.ndc[:, :2], rtol=0.0, atol=tolerance)
+    if (lens.near, lens.far) == (changed.lens.near, changed.lens.far) and len(there) > len(parts):
+        np.testing.assert_allclose(after.depth, before.depth, rtol=1e-12, atol=1e-12)
+
+
+@given(st.floats(1.0, 179.0), st.sampled_from(sorted(DEPTH_RANGES)), st.lists(PARTS, min_size=1))
+@QUICK
+def test_perspective_and_symmetric_frustum_are_the_same_picture(
+    fov_y_deg: float, depth: str, parts: list
+) -> None:
+    projection = Projection(SLANTED, Perspective(fov_y_deg, 0.5, 40.0), (1920, 1080), depth)
+    frustum = projection.with_lens("frustum")
+    points = points_in_view(projection, np.array(parts))
+    for a, b in zip(projection.trace(points), frustum.trace(points), strict=True):
+        np.testing.assert_allclose(b, a, rtol=1e-11, atol=1e-11)
+    back = frustum.with_lens("perspective").lens
+    assert isinstance(back, Perspective)
+    assert back.fov_y_deg == pytest.approx(fov_y_deg, rel=1e-13)
+
+
+@given(projections(), st.sampled_from(sorted(app.projection.LENSES)))
+@QUICK
+def test_with_lens_gives_a_lens_or_a_reason(projection: Projection, kind: str) -> None:
+    """Only at the ends of what is allowed is there none; then the field is named."""
+    try:
+        changed = projection.with_lens(kind)
+    except ProjectionError as error:
+        assert projection.camera == AXIS, error  # never in an everyday world
+    else:
+        assert changed.lens.kind == kind
+
+
+@given(projections(), st.floats(0.1, 3.0), logarithmic(1.1, 100.0), PARTS)
+@QUICK
+def test_between_other_planes_the_picture_is_the_same(
+    projection: Projection, factor: float, ratio: float, part: tuple
+) -> None:
+    lens = projection.lens
+    if lens.parallel:
+        near = lens.near + (factor - 1.0) * (lens.far - lens.near)
+        far = near + ratio * (lens.far - lens.near)
+    else:
+        near, far = factor * lens.near, ratio * factor * lens.near
+    other = projection.between(near, far)
+    assert (other.lens.near, other.lens.far, other.lens.kind) == (near, far, lens.kind)
+    points = points_in_view(projection, np.array([part]))
+    tolerance = 1e-11 + 1e3 * (rounding_ndc(projection) + rounding_ndc(other))
+    before, after = projection.trace(points).ndc[:, :2], other.trace(points).ndc[:, :2]
+    np.testing.assert_allclose(after, before, rtol=0.0, atol=tolerance)
+
+
+# --------------------------------------------------------------------------- intrinsics, presets
+
+
+@given(projections(perspectives, frusta), st.lists(PARTS, min_size=1, max_size=4))
+@QUICK
+def test_intrinsics_are_k_of_opencv(projection: Projection, parts: list) -> None:
+    """K [X Y Z]/Z with x right, y down, z forward; its first pixel's centre is 0, ours is 0.5."""
+    fx, fy, cx, cy = intrinsics = projection.intrinsics
+    trace = projection.trace(points_in_view(projection, np.array(parts)))
+    x, y, z = (trace.view * (1.0, -1.0, -1.0)).T
+    plain = np.column_stack([fx * x / z + cx, fy * y / z + cy]) + 0.5
+    size = np.array(projection.image_size) * (1.0 + 1e4 * rounding_ndc(projection))
+    size = size + np.abs([cx, cy])
+    assert (np.abs(plain - trace.image) <= 1e-11 * size).all()
+    # Typed in again, it is the same lens.
+    try:
+        again = projection.with_intrinsics(intrinsics)
+    except ProjectionError:
+        assert projection.camera == AXIS
+        return
+    assert again.lens.near == projection.lens.near
+    rtol = 1e-9 + 1e2 * rounding_ndc(projection)  # a window's sides are float64, as they are typed
+    np.testing.assert_allclose(again.intrinsics, intrinsics, rtol=rtol, atol=rtol * size.max())
+    if isinstance(projection.lens, Perspective):
+        assert isinstance(again.lens, Perspective)
+        assert again.lens.fov_y_deg == pytest.approx(projection.lens.fov_y_deg, rel=1e-13)
+
+
+def test_intrinsics_of_a_calibrated_camera() -> None:
+    # 640 x 480, 500 pixels of focal length: a point 1 right, 0.5 down, 2 away is seen at
+    # u = 500 * 1/2 + 310.25 = 560.25, v = 510 * 0.5/2 + 250.5 = 378, from the first pixel's
+    # centre; half a pixel more from its corner.
+    given_k = Intrinsics(500.0, 510.0, 310.25, 250.5)
+    projection = Projection(AXIS, image_size=(640, 480)).with_intrinsics(given_k)
+    assert isinstance(projection.lens, Frustum)
+    image = projection.trace((1.0, -0.5, -2.0)).image
+    np.testing.assert_allclose(image, [560.75, 378.5], atol=1e-11)
+    np.testing.assert_allclose(projection.intrinsics, given_k, rtol=1e-14)
+    # Square pixels and the axis in the middle, (640 - 1)/2: the symmetric lens.
+    centred = projection.with_intrinsics(Intrinsics(480.0, 480.0, 319.5, 239.5))
+    assert isinstance(centred.lens, Perspective)
+    assert centred.lens.fov_y_deg == pytest.approx(math.degrees(2 * math.atan(0.5)), rel=1e-15)
+    assert centred.intrinsics == pytest.approx((480.0, 480.0, 319.5, 239.5), rel=1e-15)
+    # A parallel lens gets a near plane before the eye.
+    flat = Projection(AXIS, Orthographic(near=-3.0, far=9.0)).with_intrinsics(given_k)
+    assert 0.0 < flat.lens.near < flat.lens.far == 9.0
+
+
+@pytest.mark.parametrize("name", OBLIQUE_PRESETS)
+def test_presets_draw_receding_edges_as_they_say(name: str) -> None:
+    """A cavalier drawing keeps their length, a cabinet drawing halves it."""
+    kind, _, label = name.partition("-")
+    alpha_deg, beta_deg = OBLIQUE_PRESETS[name]
+    lens = Oblique(alpha_deg=alpha_deg, beta_deg=beta_deg)
+    projection = Projection(AXIS, lens, (800, 800))  # of a window of 8 by 8: 100 px a unit
+    near, far = projection.trace([(0.0, 0.0, -2.0), (0.0, 0.0, -3.0)]).image
+    across, up = far[0] - near[0], near[1] - far[1]
+    length = {"cavalier": 100.0, "cabinet": 50.0}[kind]
+    assert math.hypot(across, up) == pytest.approx(length, rel=1e-12)
+    assert math.degrees(math.atan2(up, across)) == pytest.approx(float(label), abs=0.05)
+    receding, receding_deg = receding_of(lens)
+    assert receding == pytest.approx(length / 100.0, rel=1e-14)
+    assert receding_deg == pytest.approx(float(label), abs=0.05)
+
+
+@given(logarithmic(1e-3, 1e3), st.floats(-180.0, 180.0))
+@QUICK
+def test_oblique_angles_come_back(receding: float, receding_deg: float) -> None:
+    alpha_deg, beta_deg = oblique_angles(receding, receding_deg)
+    found = receding_of(Oblique(alpha_deg=alpha_deg, beta_deg=beta_deg))
+    assert found[0] == pytest.approx(receding, rel=1e-10)
+    assert math.remainder(found[1] - receding_deg, 360.0) == pytest.approx(0.0, abs=1e-9)
+
+
+def test_an_upright_oblique_lens_is_the_orthographic_one() -> None:
+    assert oblique_angles(0.0, 30.0) == (90.0, 90.0)
+    upright = Oblique(*BOX_SIDES, alpha_deg=90.0, beta_deg=90.0)
+    ortho = Projection(SLANTED, Orthographic(*BOX_SIDES))
+    same = Projection(SLANTED, upright)
+    np.testing.assert_array_equal(same.clip_from_world, ortho.clip_from_world)
+    assert receding_of(upright) == (0.0, 0.0)
+
+
+BOX_SIDES = (-4.0, 4.0, -3.0, 3.0, 1.0, 30.0)
 
 
 @pytest.mark.parametrize("lens", ["perspective", "orthographic"])
@@ -678,7 +856,7 @@ def test_a_world_of_another_size_has_the_same_picture(lens: str, power: int) -> 
 # --------------------------------------------------------------------------- 80 digits
 
 
-def at_offset(rng: np.random.Generator, offset: float, fov_y_deg: float, far: float) -> Projection:
+def camera_at(rng: np.random.Generator, offset: float) -> Camera:
     """A camera anywhere round a place far from the origin, looking anywhere."""
 
     def direction() -> Array:
@@ -686,53 +864,156 @@ def at_offset(rng: np.random.Generator, offset: float, fov_y_deg: float, far: fl
         return vector / np.linalg.norm(vector)
 
     eye = offset * direction() + 5.0 * rng.normal(size=3)
-    camera = Camera(eye, eye + 8.0 * direction(), direction())
-    depth = rng.choice(sorted(DEPTH_RANGES))
-    return Projection(camera, Perspective(fov_y_deg, 1.0, far), (1920, 1080), str(depth))
+    return Camera(eye, eye + 8.0 * direction(), direction())
 
 
 def worst_px(projection: Projection, points: Array) -> float:
-    """The largest error in pixels, of the points that are in the picture."""
-    image, oracle = projection.trace(points).image, exact.Exact(projection)
+    """The largest error in pixels, of the points that are in the view volume."""
+    image, oracle, (width, height) = (
+        projection.trace(points).image, exact.Exact(projection), projection.image_size,
+    )  # fmt: skip
     errors = [0.0]
     for point, found in zip(points, image, strict=True):
-        expected = oracle(point).image
-        if 0 <= expected[0] <= 1920 and 0 <= expected[1] <= 1080:
-            errors += [abs(float(e - float(f))) for e, f in zip(expected, found, strict=True)]
+        expected = oracle(point)
+        x, y = expected.image
+        deep = projection.lens.near <= -expected.view[2] <= projection.lens.far
+        if deep and 0 <= x <= width and 0 <= y <= height:
+            errors += [abs(float(e - float(f))) for e, f in zip((x, y), found, strict=True)]
     assert len(errors) > 1
     return max(errors)
 
 
-@pytest.mark.parametrize("offset", [0.0, 1e3, 1e6, 1e9])
-@pytest.mark.parametrize("fov_y_deg", [1, 2, 10, 45, 90, 90.001, 120, 170, 179, 179.9, 179.99])
+OFFSETS = [0.0, 1e3, 1e6, 1e9]
+FARS = [10.0, 1e3, 1e9, math.inf]
+
+
+@pytest.mark.parametrize("offset", OFFSETS)
+@pytest.mark.parametrize(
+    "fov_y_deg",
+    [1e-4, 0.01, 1, 2, 10, 20, 45, 90, 90.001, 120, 150, 170, 179, 179.9, 179.99],
+)
 def test_pixels_against_80_digits(offset: float, fov_y_deg: float) -> None:
-    rng = np.random.default_rng([int(offset), int(fov_y_deg * 1000)])
-    for far in (10.0, 1e3, 1e9, math.inf):
-        projection = at_offset(rng, offset, fov_y_deg, far)
-        parts = rng.uniform(0.0, 1.0, (8, 3))
-        # Above 170 and below 2 degrees a radian is so many pixels, in the corner or in the
-        # middle, that the frame's own rounding to float64, 1e-16 rad, shows.
-        t = math.tan(math.radians(fov_y_deg / 2.0))
-        corner = t * math.hypot(1.0, 16.0 / 9.0)
-        px_per_rad = 540.0 / t * (1.0 + corner * corner)
-        bound = 5e-12 if 2 <= fov_y_deg <= 170 else 2.0 * EPS * px_per_rad
-        assert worst_px(projection, points_in_view(projection, parts)) < bound
+    """5e-12 px, also where a radian is 3e8 pixels: there the digits are doubled."""
+    rng = np.random.default_rng([int(offset), int(fov_y_deg * 1e4)])
+    for far in FARS:
+        projection = Projection(
+            camera_at(rng, offset),
+            Perspective(fov_y_deg, 1.0, far),
+            (1920, 1080),
+            str(rng.choice(sorted(DEPTH_RANGES))),
+        )
+        points = points_in_view(projection, rng.uniform(0.0, 1.0, (8, 3)))
+        assert worst_px(projection, points) < 5e-12
 
 
-@pytest.mark.parametrize("keep", ["stretch", "x", "y"])
-@pytest.mark.parametrize("offset", [0.0, 1e9])
-def test_orthographic_pixels_against_80_digits(offset: float, keep: str) -> None:
-    rng = np.random.default_rng(int(offset))
-    camera = at_offset(rng, offset, 45.0, 10.0).camera
-    lens = Orthographic(-3.0, 5.0, -2.0, 4.0, -1.0, 9.0, keep)
-    projection = Projection(camera, lens, (1920, 1080))
-    assert worst_px(projection, points_in_view(projection, rng.uniform(0, 1, (30, 3)))) < 5e-12
+@pytest.mark.parametrize("offset", OFFSETS)
+@pytest.mark.parametrize("aspect", [1e-6, 1e-3, 1.0, 1e3, 1e6])
+def test_pixels_of_a_frustum_against_80_digits(offset: float, aspect: float) -> None:
+    """5e-12 px about the axis at any aspect: stretched windows, and images of 1 x 16384 pixels."""
+    rng = np.random.default_rng([int(offset), int(math.log10(aspect)) + 9])
+    for size in (0.4, 10.0):
+        right, top = size * min(aspect, 1.0), size * min(1.0 / aspect, 1.0)
+        lens = Frustum(-right, right, -top, top, 1.0, float(rng.choice(FARS)))
+        points = rng.uniform(0.0, 1.0, (8, 3))
+        projection = Projection(camera_at(rng, offset), lens, (1920, 1080))
+        assert worst_px(projection, points_in_view(projection, points)) < 5e-12
+        if offset > 1e3:  # where points cannot be told apart across such pictures
+            continue
+        for image_size, keep in (((LARGEST_IMAGE_PX, 1), "x"), ((1, LARGEST_IMAGE_PX), "y")):
+            projection = replace(projection, lens=replace(lens, keep=keep), image_size=image_size)
+            error = worst_px(projection, points_in_view(projection, points))
+            assert error < 5e-12 * LARGEST_IMAGE_PX / 1920
+
+
+@pytest.mark.parametrize("kind", ["frustum", "orthographic", "oblique"])
+@pytest.mark.parametrize("offset", OFFSETS)
+@pytest.mark.parametrize("off_axis", [0.5, 10.0, 1e3, 1e6])
+def test_pixels_off_the_axis_against_80_digits(kind: str, offset: float, off_axis: float) -> None:
+    """1e-12 px times how far the window is from the axis, in units of its own width.
+
+    A point's place is compared with the window's sides, as far from the axis as they are, so that
+    it is rounded in units of their distance: a window a million widths off has lost 6 of 16 digits
+    (3.5e-7 px). `keep` moves both sides alike, and loses none.
+    """
+    rng = np.random.default_rng([int(offset), int(off_axis), len(kind)])
+    width, height = rng.uniform(0.5, 2.0, 2)
+    sides = width * (off_axis - 0.5), width * (off_axis + 0.5), -0.3 * height, 0.7 * height
+    for keep in ("stretch", "x", "y"):
+        for far in (10.0, 1e3):
+            lens: Lens = {
+                "frustum": Frustum(*sides, 1.0, far, keep),
+                "orthographic": Orthographic(*sides, -3.0, far, keep),
+                "oblique": Oblique(*sides, -3.0, far, keep, 89.9, 90.1),
+            }[kind]
+            projection = Projection(camera_at(rng, offset), lens, (1920, 1080))
+            left, right, bottom, top = projection.window
+            loss = max(off_axis * width / (right - left), 1.0 / (top - bottom), 1.0)
+            points = points_in_view(projection, rng.uniform(0, 1, (6, 3)))
+            assert worst_px(projection, points) < 1e-12 * (loss + 0.01 * far)
+
+
+@pytest.mark.parametrize("offset", OFFSETS)
+@pytest.mark.parametrize("size", [1e-6, 1e-3, 1.0, 1e3, 1e9])
+def test_pixels_of_a_parallel_lens_against_80_digits(offset: float, size: float) -> None:
+    """5e-12 px about the axis, whatever the window's size and however deep the box."""
+    rng = np.random.default_rng([int(offset), int(size * 1e6)])
+    for near, far in ((1.0, 30.0), (-1e3, 1e9)):
+        lens = Orthographic(-size, size, -size, size, near, far)
+        projection = Projection(camera_at(rng, offset), lens, (1920, 1080))
+        points = points_in_view(projection, rng.uniform(0, 1, (8, 3)))
+        assert worst_px(projection, points) < 5e-12
+
+
+@pytest.mark.parametrize("offset", OFFSETS)
+@pytest.mark.parametrize("alpha_deg", [1e-4, 0.01, 1.0, 20.0, 45.0, 109.47, 170.0, 179.999])
+def test_pixels_of_an_oblique_lens_against_80_digits(offset: float, alpha_deg: float) -> None:
+    """1e-12 px times the shear of the whole depth, in units of the window.
+
+    A point and its shear are each as far from the window as the shear is long, and are rounded in
+    units of that before they meet: 2e-12 px for a cavalier box 4 windows deep, 1e-2 px where the
+    projectors lean by 2e12 windows.
+    """
+    rng = np.random.default_rng([int(offset), int(alpha_deg * 1e4)])
+    for far in (9.0, 30.0, 1e6):
+        lens = Oblique(-4.0, 4.0, -3.0, 3.0, 1.0, far, "stretch", alpha_deg, 60.0)
+        projection = Projection(camera_at(rng, offset), lens, (1920, 1080))
+        cot_alpha, cot_beta = map(abs, lens.shear)
+        shear = 1.0 + max(cot_alpha / 8.0, cot_beta / 6.0) * far
+        points = points_in_view(projection, rng.uniform(0.1, 0.9, (8, 3)))
+        if shear < 1e11:  # or rounding the points to float64 moves them out of the picture
+            assert worst_px(projection, points) < 1e-12 * shear
+
+
+@given(projections(), st.lists(PARTS, min_size=1, max_size=3))
+@QUICK
+def test_pixels_of_any_projection_against_80_digits(projection: Projection, parts: list) -> None:
+    """Over the whole range of every parameter, by the two rules above."""
+    (left, right, bottom, top), lens = projection.window, projection.lens
+    points = points_in_view(projection, np.array(parts))
+    image, oracle = projection.trace(points).image, exact.Exact(projection)
+    depth = max(abs(lens.far - lens.near), abs(lens.near)) if lens.parallel else 0.0
+    loss = [
+        2.0 + min(projection.stretch, 8.0)
+        + (abs(low) + abs(high) + abs(cot) * depth) / (high - low)
+        for low, high, cot in (
+            (left, right, projection.shear[0]), (bottom, top, projection.shear[1]),
+        )
+    ]  # fmt: skip
+    for point, found in zip(points, image, strict=True):
+        expected = oracle(point).image
+        for part, value, lost, side in zip(
+            found, expected, loss, projection.image_size, strict=True
+        ):
+            # Outside the picture, where rounding has put a point beside a tiny one, relative.
+            size = max(1.0, abs(float(value)) / side)
+            assert abs(float(value - float(part))) <= 6.0 * EPS * side * lost * size
 
 
 def test_the_matrix_for_a_far_scene_keeps_its_digits() -> None:
     # A scene at 1e9 from the origin; its points are known from there. What a GPU is given.
     rng = np.random.default_rng(3)
-    projection = at_offset(rng, 1e9, 45.0, 1e3)
+    lens = Perspective(45.0, 1.0, 1e3)
+    projection = Projection(camera_at(rng, 1e9), lens, (1920, 1080))
     origin = np.round(projection.camera.eye)
     local = points_in_view(projection, rng.uniform(0.0, 1.0, (20, 3))) - origin
     clip = homogeneous(local) @ projection.clip_from_world_at(origin).T
@@ -764,6 +1045,66 @@ def test_depth_against_80_digits(depth: str, ratio: float) -> None:
             assert abs(float(float(depth_found) / expected.depth - 1)) <= 4e-16
 
 
+def implied_distance(lens: Lens, depth: float) -> exact.Any:
+    """The distance from the eye plane that a reversed depth stands for: 1/w is affine in it."""
+    far_inverse = 0 if lens.far == math.inf else 1 / exact.mp.mpf(lens.far)
+    d = exact.mp.mpf(depth)
+    return 1 / (d / exact.mp.mpf(lens.near) + (1 - d) * far_inverse)
+
+
+@pytest.mark.parametrize("kind", ["perspective", "frustum"])
+@pytest.mark.parametrize("ratio", [1e1, 1e2, 1e3, 1e6, 1e9, 1e12, 1e15, math.inf])
+def test_distance_implied_by_reversed_depth(kind: str, ratio: float) -> None:
+    """4e-16 of the distance along the axis; on any camera, 4e-16 more of the look-at's own."""
+    rng = np.random.default_rng([5, int(min(ratio, 1e16))])
+    for _ in range(5):
+        near = float(10.0 ** rng.uniform(-2.0, 2.0))
+        sides = np.array([-0.3, 0.9, -0.7, 0.2]) * near
+        lens: Lens = Perspective(45.0, near, near * ratio)
+        if kind == "frustum":
+            lens = Frustum(*sides, near, near * ratio)
+        for camera, bound in ((AXIS, 4e-16), (camera_at(rng, 0.0), 8e-16)):
+            projection = Projection(camera, lens, (1920, 1080), "reversed")
+            points = points_in_view(projection, rng.uniform(0.0, 1.0, (20, 3)))
+            oracle = exact.Exact(projection)
+            for point, depth in zip(points, projection.trace(points).depth, strict=True):
+                w = oracle(point).w
+                if lens.near <= w <= lens.far:
+                    assert abs(float(implied_distance(lens, depth) / w - 1)) <= bound
+
+
+@pytest.mark.parametrize("depth", DEPTH_RANGES)
+@pytest.mark.parametrize("extent", [1e-12, 1e-9, 1e-6, 1e-3])
+def test_depth_between_planes_that_almost_meet(depth: str, extent: float) -> None:
+    for near in (0.75, 1.0, 3.3):
+        lens = Perspective(45.0, near, near * (1.0 + extent))
+        projection = Projection(AXIS, lens, (1920, 1080), depth)
+        distance = near + (lens.far - near) * np.random.default_rng(6).uniform(0.0, 1.0, 60)
+        points = np.column_stack([0.0 * distance, 0.0 * distance, -distance])
+        oracle = exact.Exact(projection)
+        for point, found in zip(points, projection.trace(points).depth, strict=True):
+            assert abs(float(oracle(point).depth - float(found))) <= 2.3e-16
+
+
+@pytest.mark.parametrize("ratio", [1e1, 1e3, 1e6, 1e9])
+@pytest.mark.parametrize("lens", ["perspective", "frustum", "orthographic", "oblique"])
+def test_projected_and_un_projected(lens: str, ratio: float) -> None:
+    """1e-15 of w there and back with a reversed depth; of the box's size for a parallel lens."""
+    rng = np.random.default_rng([7, int(ratio)])
+    for _ in range(10):
+        near = float(10.0 ** rng.uniform(-2.0, 2.0))
+        kept = Projection(
+            camera_at(rng, 0.0), Perspective(45.0, near, near * ratio), (1920, 1080), "reversed"
+        ).with_lens(lens)
+        points = points_in_view(kept, rng.uniform(0.01, 0.99, (40, 3)))
+        trace = kept.trace(points)
+        back = kept.world_from_image(np.column_stack([trace.image, trace.depth]))
+        size = -trace.view[:, 2]
+        if kept.lens.parallel:
+            size = max(kept.lens.far, *map(abs, kept.window))
+        assert (np.linalg.norm(back - points, axis=1) <= 1e-15 * size).all()
+
+
 @pytest.mark.parametrize("angle", [1.0, 1e-3, 1e-6, 1e-9, 1e-12])
 def test_frame_with_up_close_to_the_view_direction(angle: float) -> None:
     rng = np.random.default_rng(5)
@@ -779,11 +1120,18 @@ def test_frame_with_up_close_to_the_view_direction(angle: float) -> None:
             assert max(errors) < 5e-16
 
 
-def test_pixels_with_up_a_millionth_of_a_millionth_from_the_view_direction() -> None:
-    camera = Camera((0, 0, 0), (0, 0, -8), (1e-12, 0, 1))  # up x n = (0, -1e-12.., 0): v is x
-    projection = Projection(camera, Perspective(45, 1, 100), (1920, 1080))
-    points = points_in_view(projection, np.random.default_rng(6).uniform(0, 1, (40, 3)))
-    assert worst_px(projection, points) < 5e-12
+@pytest.mark.parametrize("angle", [1e-3, 1e-6, 1e-9, 1e-12])
+def test_pixels_with_up_close_to_the_view_direction(angle: float) -> None:
+    rng = np.random.default_rng(8)
+    for offset in OFFSETS:
+        base = camera_at(rng, offset)
+        n = base.frame[2]
+        camera = Camera(base.eye, base.target, n + angle * base.frame[1])
+        projection = Projection(camera, Perspective(45, 1, 100), (1920, 1080))
+        points = points_in_view(projection, rng.uniform(0, 1, (10, 3)))
+        assert worst_px(projection, points) < 5e-12
+    # up x n = (0, -1e-12.., 0): v is x
+    camera = Camera((0, 0, 0), (0, 0, -8), (angle, 0, 1))
     np.testing.assert_allclose(camera.frame, [(0, -1, 0), (1, 0, 0), (0, 0, 1)], atol=1e-15)
 
 
@@ -829,8 +1177,9 @@ def test_matrices_are_those_of_vtk_camera(projection: Projection) -> None:
         fov_y_deg = math.degrees(2.0 * math.atan2(height / 2.0, lens.near))
         assume(fov_y_deg < 179.0)  # it takes no more
         other.SetViewAngle(fov_y_deg)
-    if isinstance(lens, Oblique):  # about the plane z = -near, in units of the eye's distance
-        other.SetViewShear(*projection.shear, lens.near / camera.distance)
+    if isinstance(lens, Oblique):  # per distance, not z; from near on, in units of the target's
+        cot_alpha, cot_beta = projection.shear
+        other.SetViewShear(-cot_alpha, -cot_beta, lens.near / camera.distance)
     z_near, z_far = projection.depth_range
     found = from_vtk(other.GetProjectionTransformMatrix(width / height, z_near, z_far))
     assume(other.GetClippingRange() == (lens.near, lens.far))  # it moves a near of 0 or less

@@ -64,7 +64,7 @@ def frame(eye: Sequence[float], target: Sequence[float], up: Sequence[float]) ->
 
 def cotangent_deg(angle_deg: float) -> Any:
     """The cotangent of an angle in degrees."""
-    return mp.cot(mp.mpf(angle_deg) * mp.pi / 180)
+    return mp.mpf(0) if angle_deg == 90 else mp.cot(mp.mpf(angle_deg) * mp.pi / 180)
 
 
 class Exact:
