@@ -738,7 +738,11 @@ def test_between_other_planes_the_picture_is_the_same(
         far = near + ratio * (lens.far - lens.near)
     else:
         near, far = factor * lens.near, ratio * factor * lens.near
-    other = projection.between(near, far)
+    try:
+        other = projection.between(near, far)
+    except ProjectionError:  # sheared so far off that its window is lost in the digits there
+        assert rounding_ndc(projection) > 1e-3
+        return
     assert (other.lens.near, other.lens.far, other.lens.kind) == (near, far, lens.kind)
     points = points_in_view(projection, np.array([part]))
     tolerance = 1e-11 + 1e3 * (rounding_ndc(projection) + rounding_ndc(other))
