@@ -1069,7 +1069,7 @@ def test_distance_implied_by_reversed_depth(kind: str, ratio: float) -> None:
             lens = Frustum(*sides, near, near * ratio)
         for camera, bound in ((AXIS, 4e-16), (camera_at(rng, 0.0), 8e-16)):
             projection = Projection(camera, lens, (1920, 1080), "reversed")
-            points = points_in_view(projection, rng.uniform(0.0, 1.0, (20, 3)))
+            points = points_in_view(projection, rng.uniform(0.0, 1.0, (100, 3)))
             oracle = exact.Exact(projection)
             for point, depth in zip(points, projection.trace(points).depth, strict=True):
                 w = oracle(point).w
