@@ -766,10 +766,9 @@ LENSES: dict[str, type[Perspective] | type[Frustum] | type[Orthographic] | type[
 
 
 class _Axis(NamedTuple):
-    """One side of the picture: its middle, what is left of that beyond float64, its extent."""
+    """One side of the picture: its middle and its extent."""
 
     middle: float
-    rest: float
     extent: float
 
     @property
@@ -779,15 +778,12 @@ class _Axis(NamedTuple):
 
     def across(self, value: Array) -> Array:
         """From -1 at the low end to 1 at the high one; the difference is rounded where small."""
-        offset = value - self.middle
-        if self.rest:
-            offset = offset - self.rest
-        across: Array = offset / (self.extent / 2.0)
+        across: Array = (value - self.middle) / (self.extent / 2.0)
         return across
 
 
 def _axis(low: Fraction, high: Fraction) -> _Axis:
-    return _Axis(*dd.from_exact((low + high) / 2), float(high - low))
+    return _Axis(float((low + high) / 2), float(high - low))
 
 
 Rationals: TypeAlias = list[list[Fraction]]
@@ -1008,7 +1004,7 @@ class Projection:
         lens = self.lens
         if isinstance(lens, Perspective):
             _, right, _, top = self.window
-            return _Axis(0.0, 0.0, 2.0 * right), _Axis(0.0, 0.0, 2.0 * top)
+            return _Axis(0.0, 2.0 * right), _Axis(0.0, 2.0 * top)
         exact = lens.exact_window(Fraction(*self.image_size))
         return _axis(*exact[:2]), _axis(*exact[2:])
 

@@ -738,7 +738,11 @@ def test_between_other_planes_the_picture_is_the_same(
         far = near + ratio * (lens.far - lens.near)
     else:
         near, far = factor * lens.near, ratio * factor * lens.near
-    other = projection.between(near, far)
+    try:
+        other = projection.between(near, far)
+    except ProjectionError:  # sheared so far off that its window is lost in the digits there
+        assert rounding_ndc(projection) > 1e-3
+        return
     assert (other.lens.near, other.lens.far, other.lens.kind) == (near, far, lens.kind)
     points = points_in_view(projection, np.array([part]))
     tolerance = 1e-11 + 1e3 * (rounding_ndc(projection) + rounding_ndc(other))
@@ -1065,7 +1069,7 @@ def test_distance_implied_by_reversed_depth(kind: str, ratio: float) -> None:
             lens = Frustum(*sides, near, near * ratio)
         for camera, bound in ((AXIS, 4e-16), (camera_at(rng, 0.0), 8e-16)):
             projection = Projection(camera, lens, (1920, 1080), "reversed")
-            points = points_in_view(projection, rng.uniform(0.0, 1.0, (20, 3)))
+            points = points_in_view(projection, rng.uniform(0.0, 1.0, (100, 3)))
             oracle = exact.Exact(projection)
             for point, depth in zip(points, projection.trace(points).depth, strict=True):
                 w = oracle(point).w

@@ -58,9 +58,7 @@ PROJECTION_BOUNDS = (
     QT_TRANSLATE_NOOP(
         "ProjectionError", "is too close to {0} for a plane as far from the eye as near is"
     ),
-    QT_TRANSLATE_NOOP(
-        "ProjectionError", "is at infinity, where there is no point but a direction"
-    ),
+    QT_TRANSLATE_NOOP("ProjectionError", "is at infinity, where there is no point but a direction"),
 )
 """Every bound of a `ProjectionError`: the members of `app.projection.BOUNDS`."""
 
