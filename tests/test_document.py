@@ -575,13 +575,18 @@ def outcome(rng: random.Random) -> str:
     return "valid"
 
 
-@pytest.mark.parametrize("seed", range(4))
+@given(st.integers(0, 2**64 - 1))
+@settings(max_examples=20_000, deadline=None)
 def test_20_000_random_documents_give_no_silent_nan(seed: int) -> None:
     """Each is refused with a sentence, or all its numbers are numbers; warnings are errors."""
-    rng = random.Random(seed)
-    found = [outcome(rng) for _ in range(5_000)]
-    assert found.count("valid") > 1_000
-    assert len(set(found)) > 10  # and they were refused for many reasons
+    outcome(random.Random(seed))
+
+
+def test_random_documents_are_valid_and_refused_for_many_reasons() -> None:
+    rng = random.Random(1)
+    found = [outcome(rng) for _ in range(500)]
+    assert found.count("valid") > 100
+    assert len(set(found)) > 10
 
 
 @given(st.randoms(use_true_random=False))
