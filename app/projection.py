@@ -1389,7 +1389,7 @@ class Projection:
         return least
 
     @cached_property
-    def _image_steps(self) -> tuple[Array, Array, Array, float] | None:
+    def _image_steps(self) -> tuple[Array, Array, Array | float, float] | None:
         """What `image_rows` computes with, in order, None where `trace` has to do it.
 
         Returns
@@ -1431,7 +1431,7 @@ class Projection:
         eye = _read_only(self.camera.eye).reshape(3, 1)
         if parallel:
             return eye, matrix[:3], shift[:3], factor
-        return eye, matrix, shift[2, 0], factor
+        return eye, matrix, float(shift[2, 0]), factor
 
     def _view(self, world: Array) -> Array:
         flat = world.reshape(-1, 3)
