@@ -77,7 +77,8 @@ _SHOWN = 100
 _FULL_FRAME_DIAGONAL_MM = math.hypot(36.0, 24.0)
 _STRETCH = 8.0  # `Projection.stretch` up to which plain dot products keep 2e-12 px of 1920
 _CHUNK = 16384  # larger blocks wake OpenBLAS's second thread, which fights a software renderer
-_ROWS = 8192  # points of which `image_rows` works in the second-level cache
+_ROWS = 10_240  # points of which `image_rows` works in the second-level cache
+_NAN_BITS = np.int64(0x7FF8 << 48)
 
 
 class ProjectionError(ValueError):
@@ -1316,9 +1317,10 @@ class Projection:
         -----
         Eye first as in `trace`, but the rotation, the lens and the viewport are one matrix and
         one division serves all three rows: within `trace`'s bounds, not the same to the last bit.
-        The least w is looked for in every block, which tells a NaN as well; an infinity and a
-        w = 0 raise the processor's own flags. That costs about a fifteenth, and a block with
-        points behind the eye a quarter more. Compensated projections are as slow as `trace`.
+        No pass over the points is made to check them: the least w of each block tells a NaN as
+        well, and infinities raise the processor's own flags. That costs 4 % of the time, and
+        points behind the eye up to a fifth in their block. A compensated projection takes as long
+        as `trace`, 25 times as long as the others.
         """
         points = np.asarray(points_world)
         if points.ndim != 2 or points.shape[0] != 3 or points.dtype.kind not in "iuf":
@@ -1350,43 +1352,40 @@ class Projection:
             out[:2], out[2] = trace.image.T, trace.depth
             return
         try:
-            least = self._write_image(points, out, rows)
-        except FloatingPointError:  # w = 0, an overflow, or the difference of two infinities
-            least = math.nan
-        if least > 0.0:
-            return
-        if least < 0.0:
-            np.copyto(out, np.nan, where=rows[3] < 0.0)
-            return
+            if self._write_image(points, out, rows):
+                return
+        except FloatingPointError:  # an overflow, or a product or difference of infinities
+            pass
         checked_points(points.T)
         with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
             self._write_image(points, out, rows)
-        shown = np.isfinite(out).all(axis=0)
-        out[:, ~(shown if self.lens.parallel else shown & (rows[3] > 0.0))] = np.nan
+        out[:, ~np.isfinite(out).all(axis=0)] = np.nan
 
-    def _write_image(self, points: NDArray[Any], out: Array, rows: Array) -> float:
-        """The arithmetic of `image_rows`: the least w, NaN where a point is not finite.
-
-        A parallel lens answers 1; of the others, ``1/w`` is left in the last of the `rows`.
-        """
+    def _write_image(self, points: NDArray[Any], out: Array, rows: Array) -> bool:
+        """The arithmetic of `image_rows`; False where a point is not finite."""
         assert self._image_steps is not None
         eye, matrix, shift, factor = self._image_steps
         np.subtract(points, eye, out=out)
         if self.lens.parallel:
             np.matmul(matrix, out, out=rows[:3])
             np.add(rows[:3], shift, out=out)
-            depth = out[2]
-            least = 1.0 if math.isfinite(np.add.reduce(depth)) else math.nan
+            finite = math.isfinite(np.add.reduce(out[2]))
         else:
             np.matmul(matrix, out, out=rows)
             depth, w = rows[2], rows[3]
-            least = w[w.argmin()] if len(w) else 1.0
+            least = w[w.argmin()] if len(w) else 1.0  # the first NaN, if there is one
+            finite = least > -math.inf
+            if least <= 0.0:
+                # Their bits made those of a NaN: to choose costs ten times as much where the
+                # processor cannot guess which point lies behind.
+                bits = w.view(np.int64)
+                np.bitwise_or(bits, np.multiply(w <= 0.0, _NAN_BITS), out=bits)
             np.add(depth, shift, out=depth)
             np.divide(1.0, w, out=w)
             np.multiply(rows[:3], w, out=out)
         if factor != 1.0:
             np.multiply(out[2], factor, out=out[2])
-        return least
+        return bool(finite)
 
     @cached_property
     def _image_steps(self) -> tuple[Array, Array, Array | float, float] | None:

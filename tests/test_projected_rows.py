@@ -188,7 +188,7 @@ def test_numbers_that_are_not_finite_are_refused(
     rows = np.zeros((3, 20))
     rows[2, 5] = 8.0  # behind one of the cameras, and not the error
     rows[row, 13] = wrong
-    with pytest.raises(ProjectionError, match="points = .*three finite numbers"):
+    with pytest.raises(ProjectionError, match=r"points = .*three finite numbers"):
         projection.image_rows(rows)
 
 
@@ -196,7 +196,7 @@ def test_numbers_that_are_not_finite_are_refused(
 def test_numbers_too_large_for_a_picture_are_refused(name: str) -> None:
     rows = np.full((3, 2), 1e308)
     rows[:, 0] = 0.0
-    with pytest.raises(ProjectionError, match="points = .*1e\\+308"):
+    with pytest.raises(ProjectionError, match=r"points = .*1e\+308"):
         Projection(SLANTED, LENSES[name]).image_rows(rows)
     assert np.isfinite(Projection(SLANTED, LENSES["orthographic"]).image_rows(rows / 1e208)).all()
     assert rows.max() > LARGEST
@@ -211,7 +211,7 @@ def test_numbers_too_large_for_a_picture_are_refused(name: str) -> None:
     ids=lambda wrong: str(getattr(wrong, "shape", wrong)),
 )  # fmt: skip
 def test_what_is_not_three_rows_is_refused(wrong: object) -> None:
-    with pytest.raises(ProjectionError, match="points = .*three finite numbers"):
+    with pytest.raises(ProjectionError, match=r"points = .*three finite numbers"):
         Projection().image_rows(wrong)  # type: ignore[arg-type]
 
 
