@@ -1322,7 +1322,10 @@ class Projection:
         points behind the eye up to a fifth in their block. A compensated projection takes as long
         as `trace`, 25 times as long as the others.
         """
-        points = np.asarray(points_world)
+        try:
+            points = np.asarray(points_world)
+        except ValueError:  # rows of different lengths
+            raise ProjectionError("points", points_world, THREE_NUMBERS) from None
         if points.ndim != 2 or points.shape[0] != 3 or points.dtype.kind not in "iuf":
             raise ProjectionError("points", points_world, THREE_NUMBERS)
         count = points.shape[1]

@@ -162,7 +162,8 @@ def test_points_in_or_behind_the_eye_plane_have_no_picture(
     monkeypatch.setattr(room, "_ROWS", 4)
     camera = Camera((0, 0, 5), (0, 0, 0))
     projection = Projection(camera, LENSES[name], (1920, 1080), depth)
-    z = [0, 1, 2, 3, 0, 9, 1, 6, 5, 1, 2, 3, 5, 9, 8, 7, 4, 5, 4]  # by fours; 5 is the eye plane
+    # By fours; 5 is the eye plane.
+    z = [0, 1, 2, 3, 0, 9, 1, 6, 5, 1, 2, 3, 0, 5.5, 1, 2, 5, 9, 8, 7, 4, 5, 4]
     rows = np.array([np.zeros(len(z)), np.full(len(z), 1e-7), z])
     found = projection.image_rows(rows)
     assert_alike(found, traced(projection, rows))
@@ -207,6 +208,7 @@ def test_numbers_too_large_for_a_picture_are_refused(name: str) -> None:
     [
         np.zeros(3), np.zeros((2, 5)), np.zeros((4, 5)), np.zeros((5, 3)), np.zeros((1, 3, 5)),
         np.zeros((3, 2), dtype=complex), np.zeros((3, 2), dtype=bool), "abc",
+        [[1.0, 2.0], [3.0], [4.0, 5.0]],
     ],
     ids=lambda wrong: str(getattr(wrong, "shape", wrong)),
 )  # fmt: skip
