@@ -21,7 +21,7 @@ import weakref
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from app import bootstrap
 
@@ -40,7 +40,9 @@ def main() -> int:
     if options.inside:
         print(json.dumps(PARTS[options.inside](0.1 if options.quick else 1.0)))
         return 0
-    bootstrap.start("tests", extras=("test",))
+    # The libraries that the points are compared with are wanted for that only.
+    extras = ("test", "bench") if options.only in (None, "points") else ("test",)
+    bootstrap.start("tests", extras=extras)
     from tests.__main__ import screen
 
     figures: dict[str, Any] = {}
@@ -355,6 +357,204 @@ def imports(scale: float) -> dict[str, Any]:
     return {"app.projection imports of Qt, VTK and the like": sorted(heavy)}
 
 
+# --------------------------------------------------------------------------- projecting points
+
+SIZES = (8, 1000, 1_000_000)
+
+
+def points(scale: float) -> dict[str, Any]:
+    """Projecting points against copying them and against other libraries, and beside a renderer.
+
+    Each library is given the points in the layout it likes best and the picture's matrix ready
+    made, and what it answers is checked.
+    """
+    import numpy as np
+
+    from app.projection import Projection
+
+    projection = Projection()
+    figures: dict[str, Any] = {}
+    for size in SIZES:
+        world = np.random.default_rng(1).uniform(-2.0, 2.0, (3, size))
+        out = np.empty_like(world)
+        runs: dict[str, Callable[[], Any]] = {
+            "memcpy": lambda out=out, world=world: np.copyto(out, world),
+            "ours": lambda out=out, world=world: projection.image_rows(world, out),
+        }
+        peers, missing = peers_projecting(projection, world)
+        calls = max(1, 20_000 // size)
+        turns = max(5, round(scale * (60 if size == 1_000_000 else 200)))
+        times = in_turn(runs | peers, calls, turns)
+        medians = {name: statistics.median(seconds.wall) for name, seconds in times.items()}
+        ours = medians["ours"]
+        # The second figure leaves out what other programs took from the longer one.
+        figures[f"{size} points: ours / memcpy (medians: clock, processor)"] = [
+            round(ours / medians["memcpy"], 2),
+            round(
+                statistics.median(times["ours"].processor)
+                / statistics.median(times["memcpy"].processor),
+                2,
+            ),
+        ]
+        for name in peers:
+            figures[f"{size} points: {name} / ours"] = round(medians[name] / ours, 2)
+        figures[f"{size} points: ours (us, median)"] = round(1e6 * ours, 2)
+    if missing:
+        figures["not installed"] = f"{', '.join(missing)}; pip install '.[bench]' brings them"
+    return figures | beside_a_renderer(projection, max(100, round(2000 * scale)))
+
+
+class Times(NamedTuple):
+    """Seconds a call, on the clock and of this thread's processor."""
+
+    wall: list[float]
+    processor: list[float]
+
+
+def in_turn(runs: dict[str, Callable[[], Any]], calls: int, turns: int) -> dict[str, Times]:
+    """Time each, one after the other, turn after turn."""
+    times = {name: Times([], []) for name in runs}
+    for turn in range(turns + 2):
+        for name, run in runs.items():
+            began, thread_began = time.perf_counter(), time.thread_time()
+            for _ in range(calls):
+                run()
+            seconds, thread_seconds = time.perf_counter() - began, time.thread_time() - thread_began
+            if turn >= 2:
+                times[name].wall.append(seconds / calls)
+                times[name].processor.append(thread_seconds / calls)
+    return times
+
+
+def peers_projecting(projection: Any, world: Any) -> tuple[dict[str, Callable[[], Any]], list[str]]:
+    """Other libraries projecting the same points to pixels, and the names of those not there."""
+    import numpy as np
+    from mpl_toolkits.mplot3d import proj3d
+    from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+    from vtkmodules.vtkCommonCore import vtkPoints
+    from vtkmodules.vtkCommonMath import vtkMatrix4x4
+    from vtkmodules.vtkCommonTransforms import vtkPerspectiveTransform
+
+    matrix = np.array(projection.image_from_ndc @ projection.clip_from_world)
+    rows = np.ascontiguousarray(world.T)
+    expected = projection.image_rows(world)
+
+    def textbook() -> Any:
+        clip = np.hstack([rows, np.ones((len(rows), 1))]) @ matrix.T
+        return clip[:, :3] / clip[:, 3:]
+
+    transform = vtkPerspectiveTransform()
+    elements = vtkMatrix4x4()
+    elements.DeepCopy(matrix.ravel())
+    transform.SetMatrix(elements)
+    source, target = vtkPoints(), vtkPoints()
+    source.SetData(numpy_to_vtk(rows))
+    target.SetDataTypeToDouble()
+
+    def vtk() -> Any:
+        target.Reset()
+        transform.TransformPoints(source, target)
+        return target
+
+    runs: dict[str, Callable[[], Any]] = {
+        "hstack, multiply, divide": textbook,
+        "vtkPerspectiveTransform": vtk,
+        "matplotlib proj3d": lambda: proj3d.proj_transform(*world, matrix),
+    }
+    answers = {"vtkPerspectiveTransform": lambda: vtk_to_numpy(vtk().GetData()).T}
+    answers["hstack, multiply, divide"] = lambda: textbook().T
+    missing = []
+    try:
+        import pylinalg
+
+        runs["pylinalg"] = lambda: pylinalg.vec_transform(rows, matrix)
+        answers["pylinalg"] = lambda: runs["pylinalg"]().T
+    except ImportError:
+        missing.append("pylinalg")
+    try:
+        from pyglm import glm
+
+        view = glm.dmat4(*projection.view_from_world.T.ravel().tolist())
+        lens = glm.dmat4(*projection.clip_from_view.T.ravel().tolist())
+        width, height = projection.image_size
+        # glm's pixels count from the bottom.
+        viewport = glm.dvec4(0.0, height, width, -height)
+        vectors = [glm.dvec3(*row) for row in rows.tolist()]
+        project = glm.project
+        runs["PyGLM"] = lambda: [project(v, view, lens, viewport) for v in vectors]
+        answers["PyGLM"] = lambda: np.array([tuple(v) for v in runs["PyGLM"]()]).T
+        if len(rows) == SIZES[0]:  # long runs of it leave the others a cold cache
+
+            def from_array_to_array() -> Any:
+                vectors = map(glm.dvec3, rows)
+                return np.array([project(v, view, lens, viewport) for v in vectors])
+
+            runs["PyGLM, from array to array"] = from_array_to_array
+            answers["PyGLM, from array to array"] = lambda: from_array_to_array().T
+    except ImportError:
+        missing.append("PyGLM")
+    for name, run in runs.items():
+        np.testing.assert_allclose(answers.get(name, run)(), expected, rtol=1e-9, err_msg=name)
+    return runs, missing
+
+
+def beside_a_renderer(projection: Any, calls: int) -> dict[str, Any]:
+    """How far single calls on 100 000 points lie above their median, without and with a renderer.
+
+    A loop that does nothing else for as long shows what the scheduler does to everybody.
+    """
+    import numpy as np
+
+    world = np.random.default_rng(1).uniform(-2.0, 2.0, (3, 100_000))
+    out = np.empty_like(world)
+
+    def idle_loop(seconds: float) -> None:
+        until = time.perf_counter() + seconds
+        while time.perf_counter() < until:
+            pass
+
+    figures = {}
+    for beside in ("nothing", "a software renderer"):
+        renderer = None
+        if beside != "nothing":
+            renderer = subprocess.Popen(
+                [sys.executable, "-c", RENDERER], cwd=bootstrap.ROOT, stdout=subprocess.PIPE
+            )
+            assert renderer.stdout is not None and renderer.stdout.readline() == b"drawn\n"
+        try:
+            projection.image_rows(world, out)
+            began = time.perf_counter()
+            projection.image_rows(world, out)
+            length = time.perf_counter() - began
+            runs = {
+                "ours": lambda: projection.image_rows(world, out),
+                "an empty loop as long": lambda length=length: idle_loop(length),
+            }
+            for name, (times, _) in in_turn(runs, 1, calls).items():
+                median = statistics.median(times)
+                p99 = statistics.quantiles(times, n=100)[-1]
+                figures[f"100000 points beside {beside}, {name}: median, p99, max (ms)"] = [
+                    rounded(median), rounded(p99), rounded(max(times)),
+                ]  # fmt: skip
+        finally:
+            if renderer is not None:
+                renderer.kill()
+                renderer.wait()
+    return figures
+
+
+RENDERER = """
+import pyvista as pv
+plotter = pv.Plotter(off_screen=True, window_size=(1600, 900))
+plotter.add_mesh(pv.Sphere(theta_resolution=300, phi_resolution=300))
+plotter.show(auto_close=False)
+print("drawn", flush=True)
+while True:
+    plotter.camera.azimuth += 1.0
+    plotter.render()
+"""
+
+
 PARTS: dict[str, Callable[[float], dict[str, Any]]] = {
     "step": step_over_repaint,
     "repaints": repaints,
@@ -362,6 +562,7 @@ PARTS: dict[str, Callable[[float], dict[str, Any]]] = {
     "cycles": open_and_close,
     "changes": random_changes,
     "imports": imports,
+    "points": points,
 }
 
 
