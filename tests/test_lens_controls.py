@@ -394,7 +394,12 @@ def test_a_calibrated_camera_is_typed_in_one_number_after_the_other(
     """A camera of 640 x 480 as OpenCV's calibration samples find it."""
     column.show_projection(replace(START, image_size=(640, 480)))
     record = Record(column)
-    typed = {"fx": 536.07345, "fy": 536.01636, "cx": 342.37046, "cy": 235.53687}
+    typed = {
+        "fx": 536.0734536715783,
+        "fy": 536.0163645962017,
+        "cx": 342.3704616528871,
+        "cy": 235.5368772063594,
+    }
     for count, (key, value) in enumerate(typed.items(), 1):
         row = number(column, key)
         enter(row, repr(value))
@@ -457,12 +462,32 @@ def test_the_row_in_hand_keeps_its_place_when_the_lens_becomes_another(
 
     before = place()
     assert column.verticalScrollBar().value() > 60
-    enter(row, "300")
-    assert column.projection.lens.kind == "frustum"
-    qtbot.waitUntil(lambda: number(column, "left").isVisible() and place() == before, timeout=2000)
-    assert row.field.hasFocus()
-    enter(row, "359.5")
-    qtbot.waitUntil(lambda: number(column, "e").isVisible() and place() == before, timeout=2000)
+    for text, kind in (("300", "frustum"), ("359.5", "perspective")):
+        in_column = row.mapTo(column.widget(), QPoint()).y()
+        enter(row, text)
+        assert column.projection.lens.kind == kind
+        qtbot.waitUntil(
+            lambda was=in_column: (
+                row.mapTo(column.widget(), QPoint()).y() != was and place() == before
+            ),
+            timeout=2000,
+        )
+        assert row.field.hasFocus()
+
+
+@pytest.mark.parametrize("kind", ["frustum", "oblique"])
+def test_a_reset_goes_back_to_how_the_scene_opens_with_this_lens(
+    column: Controls, kind: str
+) -> None:
+    column.show_projection(SHOWN[kind])
+    alike = START.with_lens(kind)
+    for key, row in lens_rows(column).items():
+        column.show_projection(SHOWN[kind])
+        QTest.mouseDClick(row.name_label, Qt.MouseButton.LeftButton)
+        assert row.error == "", key
+        if not row.isHidden():
+            read = column._bindings[key].read
+            assert read(column.projection) == pytest.approx(read(alike)), key
 
 
 def test_a_drag_of_k_turns_the_lens_and_is_one_gesture(column: Controls) -> None:
