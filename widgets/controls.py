@@ -117,9 +117,7 @@ class Controls(QScrollArea):
         if projection is before or projection == before:
             return
         self._projection = projection
-        changed = {
-            part for part in PARTS if getattr(projection, part) != getattr(before, part)
-        }
+        changed = {part for part in PARTS if getattr(projection, part) != getattr(before, part)}
         for binding in self._bindings.values():
             if binding.part in changed or (binding.row.error and binding.row.at_rest):
                 binding.row.clear_error()
