@@ -509,6 +509,7 @@ def test_edges_are_not_eaten_by_faces_nor_seen_through_them(
         Perspective(45, 1, 30),
         Perspective(45, 1e-3, math.inf),
         Frustum(-0.7, 0.3, -0.4, 0.5, 1, 30),
+        Frustum(-7e-4, 3e-4, -4e-4, 5e-4, 1e-3, math.inf),
         Orthographic(-3, 3, -3, 3, 1, 30),
         Oblique(-4, 3, -3, 4, 4, 12, alpha_deg=95, beta_deg=80),
     )
