@@ -1053,6 +1053,7 @@ def test_scenes_far_away_tiny_or_huge_look_the_same(
         frustum(left=-1e-90, right=1e-90),
         frustum(left=1e5, right=1e5 + 1.0, far=math.inf),
         frustum(left=-1e9, right=1e9, bottom=-1e-9, top=1e9),
+        frustum(left=-1e80, bottom=1e20, top=1e30),
         oblique(near=-1e12, far=1e12),
         oblique(left=-1e-190, right=1e-190),
         replace(START, lens=Oblique(alpha_deg=1e-4, beta_deg=179.9999)),

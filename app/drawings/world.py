@@ -618,9 +618,10 @@ def flatten(
     squeeze[2] = 0.0, 0.0, slab, 1.0
     lifted = squeeze.copy()
     lifted[2, 3] += slab * _LINES_IN_FRONT
-    x, y, z, w = film_from_local
+    z, w = film_from_local[2:]
     side = 1.0 if toward_eye else -1.0
-    planes = np.array([w + x, w - x, w + y, w - y, SLAB * w - side * (z - w), side * (z - w)])
+    slab_planes = np.array([SLAB * w - side * (z - w), side * (z - w)])
+    planes = np.vstack([_side_planes(projection) @ view_from_local, slab_planes])
     planes /= np.abs(planes).max(axis=1, keepdims=True)  # or the squares may overflow
     planes /= np.linalg.norm(planes[:, :3], axis=1, keepdims=True)
     return Film(
@@ -631,6 +632,26 @@ def flatten(
 
 
 # --------------------------------------------------------------------------- matrices
+
+
+def _side_planes(projection: Projection) -> Array:
+    """Left, right, bottom and top of the view volume in view space, positive inside, (4, 4).
+
+    Clip space has them as w + x and so on, which cancel for a window far off the axis.
+    """
+    left, right, bottom, top = projection.window
+    near = projection.lens.near
+    planes = np.zeros((4, 4))
+    for row, (axis, edge, sign) in enumerate(
+        ((0, left, 1.0), (0, right, -1.0), (1, bottom, 1.0), (1, top, -1.0))
+    ):
+        planes[row, axis] = sign
+        if projection.lens.parallel:
+            cot = projection.shear[axis]
+            planes[row, 2:] = sign * cot, sign * (cot * near - edge)
+        else:
+            planes[row, 2] = sign * (edge / near)
+    return planes
 
 
 def _view(projection: Projection, origin: Array) -> tuple[Array, Array]:
