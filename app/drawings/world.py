@@ -57,6 +57,7 @@ _LEAST_PICTURE_PX = 1.5
 _NEAR_TINT, _FAR_TINT = 0.3, 0.16  # opacities
 _FADE_FROM, _FADED = 0.6, 0.15  # of the pane under a plane; of the tint when it is all of it
 _STEEPEST = 1e16  # edge of a frustum, sideways per distance: a plane, and its square is finite
+_WIDEST = 1e35  # edge of a box: larger than any scene, and a float32
 _BODY = 0.065  # size of the camera's body, of the scene's size and distance
 
 # The corners of a box round the camera's body, in view space and sizes of the body.
@@ -702,6 +703,7 @@ def _part(projection: Projection, near: float, far: float) -> tuple[Array, Array
             view_from_clip[row, row] = (high - low) / 2.0
             view_from_clip[row, 2] = -cot * (far - near)
             view_from_clip[row, 3] = (low + high) / 2.0 + cot * (far - projection.lens.near)
+        view_from_clip[:2] = np.clip(view_from_clip[:2], -_WIDEST, _WIDEST)
         view_from_clip[2:] = cut.view_from_clip[2:]
     else:
         cut = Projection(lens=Perspective(near=near, far=far), depth="reversed")
