@@ -32,7 +32,10 @@ from app.projection import (
     AT_MOST,
     DISTINCT,
     LARGEST,
+    OBLIQUE_PRESETS,
     Camera,
+    Frustum,
+    Oblique,
     Orbit,
     Orthographic,
     Perspective,
@@ -48,6 +51,9 @@ from widgets.rows import ChoiceRow, Linear, Log, NumberRow, parse_number, short_
 
 START = Projection(Camera((6.0, 5.0, 9.0), (0.0, 2.0, 0.0)), Perspective(45.0, 1.0, 30.0))
 BOX = replace(START, lens=Orthographic(-4.0, 4.0, -3.0, 3.0, 1.0, 30.0))
+SLANTED = replace(START, lens=Oblique(near=2.0))
+"""Cabinet, rising at 45 degrees."""
+OFF_AXIS = replace(START, lens=Frustum(-0.25, 0.75, -0.5, 1.5, 1.0, 30.0))
 KEY = Qt.Key
 
 
@@ -140,9 +146,13 @@ def release(slider: QSlider) -> None:
 
 
 def in_mode(controls: Controls, key: str) -> None:
-    """Bring the row into view: the right lens and the right camera mode."""
+    """Bring the row into view: the right lens, section and camera mode."""
     if key in ("left", "right", "bottom", "top", "keep"):
         controls.show_projection(BOX)
+    if key in ("preset", "receding", "receding_deg", "alpha_deg", "beta_deg"):
+        controls.show_projection(SLANTED)
+    if key in ("fx", "fy", "cx", "cy"):
+        controls.sections["calibrated"].set_open(True)
     if key[-2:] in ("_x", "_y", "_z"):
         choice(controls, "camera_mode").choose("vectors")
 
@@ -204,6 +214,70 @@ NUMBERS: dict[str, tuple[str, Any, Projection, str]] = {
         replace(BOX, lens=replace(BOX.lens, top=1.5)),
         "1.5",
     ),
+    "e": (
+        "2",
+        # e = 1/tan(fov_x/2), tan(fov_y/2) = tan(fov_x/2)/aspect
+        lambda p: math.isclose(math.tan(math.radians(p.lens.fov_y_deg / 2)), 0.5 * 9 / 16),
+        replace(START, lens=Perspective(90.0, 1.0, 30.0)),
+        "0.5625",
+    ),
+    "window_right": (
+        "3.2",
+        lambda p: p.window == pytest.approx((-3.2, 3.2, -1.8, 1.8)) and p.lens.near == 1.0,
+        replace(START, lens=Perspective(90.0, 2.25, 30.0)),
+        "4",
+    ),
+    "window_top": (
+        "1",
+        lambda p: p.lens.fov_y_deg == pytest.approx(90.0),
+        replace(START, lens=Perspective(90.0, 2.25, 30.0)),
+        "2.25",
+    ),
+    "fx": (
+        "900",
+        lambda p: p.lens.kind == "frustum" and p.intrinsics.fx == pytest.approx(900.0),
+        replace(START, lens=Perspective(90.0, 1.0, 30.0)),
+        "360",  # half of the height
+    ),
+    "fy": (
+        "900",
+        lambda p: p.lens.kind == "frustum" and p.intrinsics.fy == pytest.approx(900.0),
+        OFF_AXIS,
+        "360",  # 720 px for 2 units at a distance of 1
+    ),
+    "cx": (
+        "100",
+        lambda p: p.lens.kind == "frustum" and p.intrinsics.cx == pytest.approx(100.0),
+        OFF_AXIS,
+        "319.5",  # a quarter of 1280 px from the left, less half a pixel
+    ),
+    "cy": (
+        "100",
+        lambda p: p.lens.kind == "frustum" and p.intrinsics.cy == pytest.approx(100.0),
+        OFF_AXIS,
+        "539.5",  # three quarters of 720 px from the top
+    ),
+    "receding": (
+        "1",
+        lambda p: (p.lens.alpha_deg, p.lens.beta_deg) == OBLIQUE_PRESETS["cavalier-45"],
+        replace(SLANTED, lens=Oblique(alpha_deg=90.0, beta_deg=135.0)),
+        "1",
+    ),
+    "receding_deg": (
+        "30",
+        lambda p: (p.lens.alpha_deg, p.lens.beta_deg) == OBLIQUE_PRESETS["cabinet-30"],
+        replace(SLANTED, lens=Oblique(alpha_deg=90.0, beta_deg=45.0)),
+        "-90",
+    ),
+    **{
+        f"{letter}_deg": (
+            "60",
+            lambda p, field=f"{letter}_deg": p.lens == replace(SLANTED.lens, **{field: 60.0}),
+            replace(SLANTED, lens=Oblique(alpha_deg=70.5, beta_deg=70.5)),
+            "70.5",
+        )
+        for letter in ("alpha", "beta")
+    },
     "azimuth_deg": (
         "90",  # the +x side, at the same height and distance
         lambda p: (
@@ -262,6 +336,11 @@ NUMBERS: dict[str, tuple[str, Any, Projection, str]] = {
 CHOICES: dict[str, tuple[str, Any, Projection]] = {
     "kind": ("orthographic", lambda p: p.lens.kind == "orthographic", BOX),
     "keep": ("x", lambda p: p.lens.keep == "x", replace(BOX, lens=replace(BOX.lens, keep="x"))),
+    "preset": (
+        "cavalier-30",
+        lambda p: (p.lens.alpha_deg, p.lens.beta_deg) == OBLIQUE_PRESETS["cavalier-30"],
+        replace(SLANTED, lens=Oblique(-4, 4, -4, 4, 1, 30, "x", *OBLIQUE_PRESETS["cavalier-30"])),
+    ),
     "aspect": ("4:3", lambda p: p.image_size == (960, 720), replace(START, image_size=(96, 72))),
     "depth": ("reversed", lambda p: p.depth == "reversed", replace(START, depth="reversed")),
 }
@@ -310,8 +389,9 @@ def test_a_chosen_thing_is_one_edit(controls: Controls, key: str) -> None:
     widget = row.widgets[0]
     if isinstance(widget, QComboBox):
         widget.setFocus()
+        ahead = row._keys.index(wanted) > widget.currentIndex()
         while row._keys[widget.currentIndex()] != wanted:
-            QTest.keyClick(widget, KEY.Key_Down)
+            QTest.keyClick(widget, KEY.Key_Down if ahead else KEY.Key_Up)
         assert record.edits and record.events[-3:] == ["start", "edit", "finish"]
     else:
         QTest.mouseClick(row.widgets[row._keys.index(wanted)], Qt.MouseButton.LeftButton)
@@ -1099,9 +1179,11 @@ def test_a_double_click_on_the_name_resets(controls: Controls, key: str) -> None
     changed = replace(
         controls.projection,
         camera=Camera((1.0, 2.5, 3.0), (-1.0, 0.5, -3.0), (0.5, 0.6, 0.7)),
-        lens=Perspective(70.0, 0.5, 70.0)
-        if controls.projection.lens.kind == "perspective"
-        else Orthographic(-1.0, 1.0, -1.0, 1.0, -1.0, 70.0),
+        lens={
+            "perspective": Perspective(70.0, 0.5, 70.0),
+            "orthographic": Orthographic(-1.0, 1.0, -1.0, 1.0, -1.0, 70.0),
+            "oblique": Oblique(-1.0, 1.0, -1.0, 1.0, -1.0, 70.0, "stretch", 50.0, 60.0),
+        }[controls.projection.lens.kind],
         image_size=(99, 88),
     )
     controls.show_projection(changed)
@@ -1185,7 +1267,9 @@ def test_what_is_folded_is_shown_when_it_opens(controls: Controls, record: Recor
 
 
 def test_sections_fold_by_the_keyboard_and_stay_so(controls: Controls, record: Record) -> None:
+    assert not controls.sections["calibrated"].is_open
     for section in controls.sections.values():
+        section.set_open(True)
         heading = section.heading
         heading.setFocus(Qt.FocusReason.TabFocusReason)
         assert heading.hasFocus() and heading.focusPolicy() & Qt.FocusPolicy.TabFocus
@@ -1232,18 +1316,27 @@ def test_a_section_that_opens_below_the_fold_comes_into_view(
     qtbot.waitUntil(in_view, timeout=2000)
 
 
+OWN_ROWS = {
+    "perspective": {"fov_y_deg", "fov_x_deg", "focal_length_mm", "e", "window_right", "window_top"},
+    "frustum": {"left", "right", "bottom", "top", "keep"},
+    "orthographic": {"left", "right", "bottom", "top", "keep"},
+    "oblique": {
+        *("left", "right", "bottom", "top", "keep"),
+        *("preset", "receding", "receding_deg", "alpha_deg", "beta_deg"),
+    },
+}
+
+
 def test_the_lens_shows_only_its_own_rows(controls: Controls) -> None:
-    perspective = {"fov_y_deg", "fov_x_deg", "focal_length_mm"}
-    box = {"left", "right", "bottom", "top", "keep"}
-
-    def shown() -> set[str]:
-        return {key for key in perspective | box if controls.rows[key].isVisible()}
-
-    assert shown() == perspective
-    controls.show_projection(BOX)
-    assert shown() == box
-    controls.show_projection(START)
-    assert shown() == perspective
+    others = set().union(*OWN_ROWS.values())
+    for kind in (*OWN_ROWS, *reversed(OWN_ROWS)):
+        choice(controls, "kind").choose(kind)
+        assert controls.projection.lens.kind == kind
+        assert {key for key in others if controls.rows[key].isVisible()} == OWN_ROWS[kind]
+        has_k = kind in ("perspective", "frustum")
+        assert controls.sections["calibrated"].isVisible() == has_k
+        for key in ("near", "far"):
+            assert number(controls, key).value() == getattr(controls.projection.lens, key)
 
 
 # -- for everyone

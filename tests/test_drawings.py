@@ -509,6 +509,7 @@ def test_edges_are_not_eaten_by_faces_nor_seen_through_them(
         Perspective(45, 1, 30),
         Perspective(45, 1e-3, math.inf),
         Frustum(-0.7, 0.3, -0.4, 0.5, 1, 30),
+        Frustum(-7e-4, 3e-4, -4e-4, 5e-4, 1e-3, math.inf),
         Orthographic(-3, 3, -3, 3, 1, 30),
         Oblique(-4, 3, -3, 4, 4, 12, alpha_deg=95, beta_deg=80),
     )
@@ -667,7 +668,7 @@ def test_extreme_projections_draw_without_a_word(
         Perspective(45, 1e-205, 1e100),
         Perspective(45, 1, 1 + 1e-12),
         Frustum(1e-7, 1e9, -1e9, -1e-7, 1e-7, math.inf),
-        Frustum(-0.7, 0.7, -0.4, 0.4, 1e-200, 30.0),
+        Frustum(-0.7, 0.7, -0.4, 0.4, 1e-89, 30.0),
         Frustum(-1e-90, 1e-90, 1.0, 2.0, 1.0, 2.0),
         Orthographic(-1e-9, 1e-9, -1e9, 1e9, -1e9, 1e9),
         Oblique(-1e-9, 1e-9, -1e9, 1e9, -1e9, 1e9, alpha_deg=1e-4, beta_deg=179.9999),

@@ -117,9 +117,7 @@ class Controls(QScrollArea):
         if projection is before or projection == before:
             return
         self._projection = projection
-        changed = {
-            part for part in PARTS if getattr(projection, part) != getattr(before, part)
-        }
+        changed = {part for part in PARTS if getattr(projection, part) != getattr(before, part)}
         for binding in self._bindings.values():
             if binding.part in changed or (binding.row.error and binding.row.at_rest):
                 binding.row.clear_error()
@@ -279,7 +277,7 @@ class Controls(QScrollArea):
 
     def _bring_into_view(self, section: Section) -> None:
         if section.is_open and section.isVisible():
-            QApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest)
+            _lay_out()
             self.ensureWidgetVisible(section, 0, 0)
             self.ensureWidgetVisible(section.heading, 0, 0)
 
@@ -320,7 +318,7 @@ class Controls(QScrollArea):
     def _hold(self, row: Row, place: QPoint) -> None:
         """Scroll a row back to its place, after the rows of another lens have moved it."""
         if row.isVisible():
-            QApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest)
+            _lay_out()
             moved = row.mapTo(self.viewport(), QPoint()) - place
             bar = self.verticalScrollBar()
             bar.setValue(bar.value() + moved.y())
@@ -423,6 +421,12 @@ class Controls(QScrollArea):
 
 
 # --------------------------------------------------------------------------- reading and writing
+
+
+def _lay_out() -> None:
+    """Let all layouts take their new sizes now: rows, sections, column, scroll area."""
+    for _ in range(4):  # each tells only the one around it
+        QApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest)
 
 
 def _as_shown(error: ProjectionError, value: Any) -> ProjectionError:

@@ -346,7 +346,7 @@ class LensControls(QObject):
 
     def _set_scales(self, scales: dict[str, Linear | Log]) -> None:
         for key, scale in scales.items():
-            if self._scaled_for.get(key) != scale and self._row(key).at_rest:
+            if self._scaled_for.get(key) != scale:
                 self._scaled_for[key] = scale
                 self._row(key).setScale(scale)
 

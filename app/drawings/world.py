@@ -57,6 +57,7 @@ _LEAST_PICTURE_PX = 1.5
 _NEAR_TINT, _FAR_TINT = 0.3, 0.16  # opacities
 _FADE_FROM, _FADED = 0.6, 0.15  # of the pane under a plane; of the tint when it is all of it
 _STEEPEST = 1e16  # edge of a frustum, sideways per distance: a plane, and its square is finite
+_WIDEST = 1e35  # edge of a box: larger than any scene, and a float32
 _BODY = 0.065  # size of the camera's body, of the scene's size and distance
 
 # The corners of a box round the camera's body, in view space and sizes of the body.
@@ -618,9 +619,10 @@ def flatten(
     squeeze[2] = 0.0, 0.0, slab, 1.0
     lifted = squeeze.copy()
     lifted[2, 3] += slab * _LINES_IN_FRONT
-    x, y, z, w = film_from_local
+    z, w = film_from_local[2:]
     side = 1.0 if toward_eye else -1.0
-    planes = np.array([w + x, w - x, w + y, w - y, SLAB * w - side * (z - w), side * (z - w)])
+    slab_planes = np.array([SLAB * w - side * (z - w), side * (z - w)])
+    planes = np.vstack([_side_planes(projection) @ view_from_local, slab_planes])
     planes /= np.abs(planes).max(axis=1, keepdims=True)  # or the squares may overflow
     planes /= np.linalg.norm(planes[:, :3], axis=1, keepdims=True)
     return Film(
@@ -631,6 +633,26 @@ def flatten(
 
 
 # --------------------------------------------------------------------------- matrices
+
+
+def _side_planes(projection: Projection) -> Array:
+    """Left, right, bottom and top of the view volume in view space, positive inside, (4, 4).
+
+    Clip space has them as w + x and so on, which cancel for a window far off the axis.
+    """
+    left, right, bottom, top = projection.window
+    near = projection.lens.near
+    planes = np.zeros((4, 4))
+    for row, (axis, edge, sign) in enumerate(
+        ((0, left, 1.0), (0, right, -1.0), (1, bottom, 1.0), (1, top, -1.0))
+    ):
+        planes[row, axis] = sign
+        if projection.lens.parallel:
+            cot = projection.shear[axis]
+            planes[row, 2:] = sign * cot, sign * (cot * near - edge)
+        else:
+            planes[row, 2] = sign * (edge / near)
+    return planes
 
 
 def _view(projection: Projection, origin: Array) -> tuple[Array, Array]:
@@ -681,6 +703,7 @@ def _part(projection: Projection, near: float, far: float) -> tuple[Array, Array
             view_from_clip[row, row] = (high - low) / 2.0
             view_from_clip[row, 2] = -cot * (far - near)
             view_from_clip[row, 3] = (low + high) / 2.0 + cot * (far - projection.lens.near)
+        view_from_clip[:2] = np.clip(view_from_clip[:2], -_WIDEST, _WIDEST)
         view_from_clip[2:] = cut.view_from_clip[2:]
     else:
         cut = Projection(lens=Perspective(near=near, far=far), depth="reversed")
