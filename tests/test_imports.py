@@ -132,6 +132,7 @@ ROOMS = {
         ),
     ),
     "widgets/help.py": Room(QT),
+    "widgets/panels.py": Room(QT),
     "widgets/status_line.py": Room(
         QT,
         (

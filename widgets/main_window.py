@@ -58,6 +58,7 @@ from widgets.help import Help
 from widgets.message_bar import MessageBar
 from widgets.messages import sentence
 from widgets.pane import Pane
+from widgets.panels import Panels
 from widgets.pictures import Pictures
 from widgets.status_line import StatusLine
 
@@ -154,6 +155,7 @@ class MainWindow(QMainWindow):
             for name, title in self._titles.items()
         }
         self.controls = Controls()
+        self.panels = Panels()
         self._lay_out()
         self._make_actions()
         self._make_status_line()
@@ -182,12 +184,32 @@ class MainWindow(QMainWindow):
         self._split.setStretchFactor(1, 0)
         self._split.setSizes([1040, 320])
         self._pane_row.setSizes(PANE_WIDTHS)
+        # Panels open below, and take no more than they were given last.
+        self._column = QSplitter(Qt.Orientation.Vertical)
+        self._column.addWidget(self._split)
+        self._column.addWidget(self.panels)
+        self._column.setStretchFactor(0, 1)
+        self._column.setStretchFactor(1, 0)
+        self._column.setCollapsible(0, False)
+        self._column.setCollapsible(1, False)
+        self.panels.opened.connect(self._panel_opened)
         body = QWidget()
         layout = QVBoxLayout(body)
         layout.setContentsMargins(4, 4, 4, 0)
         layout.addWidget(self.messages)
-        layout.addWidget(self._split, 1)
+        layout.addWidget(self._column, 1)
         self.setCentralWidget(body)
+
+    def _panel_opened(self) -> None:
+        """Give an opened panel its height, and a folded row of names no more than it needs."""
+        height = sum(self._column.sizes())
+        names = self.panels.minimumSizeHint().height()
+        if self.panels.open_panel is None:
+            self.panels.setMaximumHeight(names)
+        else:
+            self.panels.setMaximumHeight(16777215)  # QWIDGETSIZE_MAX: as much as there is
+            wanted = max(names, self.panels.sizeHint().height())
+            self._column.setSizes([height - wanted, wanted])
 
     def _action(
         self,
