@@ -55,6 +55,7 @@ LOOKED_AT = 4096
 _UNIT_32 = 2.0**-24
 _CHUNK = 8192
 _CERTAIN = 2.0**-16  # of an ulp: a bound below it leaves no doubt worth a rational
+_ROUNDED_UP = 1.0 + 2.0**-50  # for the roundings of the prediction itself
 _UNDERFLOW = 1e-300  # what products near the smallest float64 may lose, and some
 
 
@@ -122,7 +123,7 @@ def predict(
             np.abs(done.depth - exact.depth) + rounding[1],
         )
         px, depth = (
-            math.inf if np.isnan(values).any() else safety * float(values.max())
+            math.inf if np.isnan(values).any() else safety * _ROUNDED_UP * float(values.max())
             for values in errors
         )
         predictions[rung] = Prediction(px, depth)
