@@ -10,7 +10,7 @@ exact       double-double with a running error bound, rounded once; where the bo
 A rung's error depends on how the camera, the lens and the very points cancel: textbook bounds of
 it (Higham, Accuracy and Stability of Numerical Algorithms, 3.1) are up to a hundred times too
 large. So the two cheap rungs are run on the points at risk and compared with the exact one, whose
-own error is known beforehand; the sum is a bound that is never too small and hardly too large.
+own error is known to some digits; that is never too small and hardly too large.
 """
 
 from __future__ import annotations
@@ -111,20 +111,22 @@ def predict(
         )
         even = np.linspace(0, len(world) - 1, half).astype(int)
         world, safety = world[np.concatenate([nearest[:half], even])], 2.0
-    exact = trace(projection, world, "exact")
-    rounding = [
-        (0.5 + _CERTAIN) * np.spacing(np.abs(values)) for values in (exact.image, exact.depth)
-    ]
+    with np.errstate(all="ignore"):
+        numbers, rests, _ = _exact_numbers(projection, world)
+    numbers[numbers[:, 6] <= 0.0] = np.nan  # where float64 alone sees a picture
+    unknown = _CERTAIN * np.spacing(np.abs(numbers[:, 10:]))
     predictions: dict[Rung, Prediction] = {}
     for rung in RUNGS:
-        done = exact if rung == "exact" else trace(projection, world, rung, origin)
-        errors = (
-            np.abs(done.image - exact.image) + rounding[0],
-            np.abs(done.depth - exact.depth) + rounding[1],
-        )
+        if rung == "exact":
+            done = numbers[:, 10:]
+        else:
+            traced = trace(projection, world, rung, origin)
+            done = np.column_stack([traced.image, traced.depth])
+        # The true value is the exact rung's number and the rest that its rounding cut off.
+        errors = np.abs((done - numbers[:, 10:]) - rests) + unknown
         px, depth = (
             math.inf if np.isnan(values).any() else safety * _ROUNDED_UP * float(values.max())
-            for values in errors
+            for values in (errors[:, :2], errors[:, 2])
         )
         predictions[rung] = Prediction(px, depth)
     return predictions
@@ -363,8 +365,16 @@ def _bounded(number: Any) -> _Bounded:
 
 
 def _trace_exact(projection: Projection, world: Array) -> tuple[Any, ...]:
+    numbers, _, outside = _exact_numbers(projection, world)
+    view, clip, ndc, image, depth = np.split(numbers, (3, 7, 10, 12), axis=1)
+    in_front = (clip[:, 3] > 0.0) & np.isfinite(numbers[:, 7:]).all(axis=1)
+    return _finish(view, clip, ndc, image, depth[:, 0], in_front, outside)
+
+
+def _exact_numbers(projection: Projection, world: Array) -> tuple[Array, Array, Any]:
+    """View 3, clip 4, NDC 3, image 2 and depth; what rounding cut off the last 3; outside 6."""
     n = projection.exact_lens
-    numbers = np.empty((len(world), 13))  # view 3, clip 4, NDC 3, image 2, depth
+    numbers, rests = np.empty((len(world), 13)), np.empty((len(world), 3))
     outside = np.empty((len(world), 6), dtype=bool)
     for start in range(0, len(world), _CHUNK):
         block = slice(start, start + _CHUNK)
@@ -378,27 +388,31 @@ def _trace_exact(projection: Projection, world: Array) -> tuple[Any, ...]:
         doubtful = np.zeros(len(points), dtype=bool)
         for column, number in enumerate(first[:7] + _divide(projection, first[3:7])):
             numbers[block, column] = number.value.hi
+            if column >= 10:
+                rests[block, column - 10] = number.value.lo
             doubtful |= ~(number.error <= _CERTAIN * np.spacing(np.abs(number.value.hi)))
         for plane, number in enumerate(first[7:]):
             outside[block, plane] = number.value.hi < 0.0
             doubtful |= ~(number.error < np.abs(number.value.hi))
         for i in start + np.flatnonzero(doubtful):
-            numbers[i], outside[i] = _trace_rational(projection, n, world[i].tolist())
-    view, clip, ndc, image, depth = np.split(numbers, (3, 7, 10, 12), axis=1)
-    in_front = (clip[:, 3] > 0.0) & np.isfinite(numbers[:, 7:]).all(axis=1)
-    return _finish(view, clip, ndc, image, depth[:, 0], in_front, outside)
+            numbers[i], rests[i], outside[i] = _trace_rational(projection, n, world[i].tolist())
+    return numbers, rests, outside
 
 
 def _trace_rational(
     projection: Projection, n: ExactLens, point: Sequence[float]
-) -> tuple[list[float], list[bool]]:
-    """One point in rationals, each number rounded once."""
+) -> tuple[list[float], list[float], list[bool]]:
+    """One point of `_exact_numbers` in rationals, each number rounded once."""
     x, y, z = projection.camera.exact_view((point[0], point[1], point[2]))
     first = _clip(projection, n, x, y, -z)
     w = first[6]
     quotients = _divide(projection, first[3:7]) if w != 0 else [math.nan] * 6
     numbers = [_rounded(number) for number in (*first[:7], *quotients)]
-    return numbers, [number < 0 for number in first[7:]]
+    rests = [
+        float(true - Fraction(number)) if math.isfinite(number) else math.nan
+        for true, number in zip(quotients[3:], numbers[10:], strict=True)
+    ]
+    return numbers, rests, [number < 0 for number in first[7:]]
 
 
 def _rounded(number: Any) -> float:

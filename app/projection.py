@@ -381,6 +381,11 @@ class Camera:
         u_length = dd.root(Fraction(u_squared))
         return u_length, u_length * n_length, n_length
 
+    @property
+    def distance(self) -> float:
+        """Distance from the eye to the target, in world units."""
+        return math.dist(self.eye, self.target)
+
     @classmethod
     def from_orbit(cls, target: Vector, orbit: Orbit) -> Camera:
         """Place the camera about a target.
