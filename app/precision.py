@@ -53,6 +53,7 @@ LOOKED_AT = 4096
 """As many points are compared with the exact rung; more than that are sampled."""
 
 _UNIT_32 = 2.0**-24
+_LARGEST_32, _LEAST_32 = 2.0**127, 2.0**-126  # the largest with room for a sum
 _CHUNK = 8192
 _CERTAIN = 2.0**-16  # of an ulp: a bound below it leaves no doubt worth a rational
 _ROUNDED_UP = 1.0 + 2.0**-50  # for the roundings of the prediction itself
@@ -156,11 +157,16 @@ def drawing_bound_px(
     -----
     A clip coordinate is a sum of four products: 2 u from the rounded factors, 1 from the product
     and 3 from the sums, each of the sum of the products' sizes; where it is seen, no NDC
-    coordinate is larger than 1, so that x and w count alike.
+    coordinate is larger than 1, so that x and w count alike. What is below float32's least number
+    may be lost whole.
     """
     matrix = np.abs(projection.clip_from_world_at(origin))
     largest = np.abs(corners_world - origin).max(axis=0)
-    x, y, _, w = matrix[:, :3] @ largest + matrix[:, 3]
+    sizes = matrix[:, :3] @ largest + matrix[:, 3]
+    if not max(sizes.max(), matrix.max(), largest.max()) < _LARGEST_32:
+        return math.inf
+    sizes += _LEAST_32 / _UNIT_32 * (matrix.sum(axis=1) + largest.sum() + 4.0)
+    x, y, _, w = sizes
     least_w = 1.0
     if not projection.lens.parallel:
         depths = (corners_world - projection.camera.eye) @ -projection.camera.frame[2]
@@ -231,7 +237,7 @@ def trace(
             parts = _trace_float32(projection, flat, origin)
         else:
             parts = _trace_exact(projection, flat)
-    return Trace(world, *(part.reshape(*world.shape[:-1], *part.shape[1:]) for part in parts))
+    return Trace(world, *(part.reshape(world.shape[:-1] + part.shape[1:]) for part in parts))
 
 
 def _trace_float32(projection: Projection, world: Array, origin: Vector) -> tuple[Any, ...]:
