@@ -160,8 +160,10 @@ def drawing_bound_px(
     coordinate is larger than 1, so that x and w count alike. What is below float32's least number
     may be lost whole.
     """
-    matrix = np.abs(projection.clip_from_world_at(origin))
-    largest = np.abs(corners_world - origin).max(axis=0)
+    clip_from_local = projection.clip_from_world_at(origin)
+    matrix = np.abs(clip_from_local)
+    local = corners_world - origin
+    largest = np.abs(local).max(axis=0)
     sizes = matrix[:, :3] @ largest + matrix[:, 3]
     if not max(sizes.max(), matrix.max(), largest.max()) < _LARGEST_32:
         return math.inf
@@ -169,13 +171,37 @@ def drawing_bound_px(
     x, y, _, w = sizes
     least_w = 1.0
     if not projection.lens.parallel:
-        depths = (corners_world - projection.camera.eye) @ -projection.camera.frame[2]
-        if depths.max() < projection.lens.near:  # nothing of it is seen
+        clip = local @ clip_from_local[:, :3].T + clip_from_local[:, 3]
+        least_w = max(projection.lens.near, _least_w_seen(clip, sizes))
+        if least_w == math.inf or clip[:, 3].max() < projection.lens.near:  # nothing of it is seen
             return 0.0
-        least_w = max(projection.lens.near, float(depths.min()))
     half_width, half_height = (side / 2.0 for side in projection.image_size)
     lost = max(half_width * (x + w), half_height * (y + w)) / least_w
     return float(_UNIT_32 * (6.0 * lost + 8.0 * max(half_width, half_height)))
+
+
+def _least_w_seen(clip: Array, sizes: Array) -> float:
+    """The least w of what is in view of a box, or less; infinite if nothing is.
+
+    The box is cut with each side plane of the view volume alone: where it lies beside the eye, w
+    is much larger in view than at its nearest corner.
+
+    Parameters
+    ----------
+    clip : (8, 4) array
+        Its corners.
+    sizes : (4,) array
+        Of the terms that clip coordinates are sums of, for their rounding.
+    """
+    x, y, _, w = clip.T
+    beyond = 1e-14 * (sizes[[0, 0, 1, 1]] + sizes[3])
+    inside = np.stack([w + x, w - x, w + y, w - y]) + beyond[:, None]
+    # All pairs of corners: the edges and diagonals, whose cuts are in the box too.
+    a, b = inside[:, :, None], inside[:, None, :]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        cut = w[:, None] + a / (a - b) * (w - w[:, None])
+    cut = np.where((a >= 0.0) & (b < 0.0), cut, np.where(a >= 0.0, w[:, None], np.inf))
+    return float(cut.min(axis=(1, 2)).max())
 
 
 def rung_for_drawing(
