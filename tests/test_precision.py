@@ -29,6 +29,8 @@ from app.projection import (
     LENSES,
     PLANES,
     SMALLEST,
+    SMALLEST_FIELD,
+    SMALLEST_WINDOW,
     Array,
     Camera,
     DepthRange,
@@ -248,10 +250,10 @@ def test_exact_is_rounded_once_where_double_double_overflows(
 ) -> None:
     needed = count_rationals(monkeypatch)
     lenses = [
-        Perspective(1e-100, SMALLEST, 1.0),
+        Perspective(SMALLEST_FIELD, SMALLEST, 1.0),
         Perspective(60.0, 1e-205, LARGEST),
         Frustum(-1e-206, 1e-207, -1e-205, 1e-208, SMALLEST, math.inf),
-        Orthographic(-1e-200, 1e-200, -1.0, 1e100, -1e100, 1e100),
+        Orthographic(-SMALLEST_WINDOW, SMALLEST_WINDOW, -1.0, 1e100, -1e100, 1e100),
         Oblique(-1e-194, 1e-194, -1.0, 1e100, 1.0, 1e100, alpha_deg=6e-5, beta_deg=91.0),
     ]
     camera = Camera((1e100, -3e99, 7e98), (-1e100, 2e95, -1e99), (0.3, 1.0, -0.2))
