@@ -494,7 +494,7 @@ def test_along_a_ray_through_the_eye_the_picture_is_the_same(
     # What rounding the moved point to float64 turns the ray by.
     turn = 0.0  # on an axis each coordinate keeps its own digits
     if projection.camera != AXIS:
-        turn = EPS * (1.0 + np.abs(eye).max() / np.linalg.norm(moved - eye)) * projection.stretch
+        turn = EPS * (1.0 + np.abs(eye).max() / math.hypot(*(moved - eye))) * projection.stretch
     tolerance = 1e-11 + 10.0 * turn + 100.0 * rounding_ndc(projection)
     here, there = projection.trace([point, moved]).ndc[:, :2]
     np.testing.assert_allclose(there, here, rtol=0.0, atol=tolerance)
