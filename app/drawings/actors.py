@@ -73,6 +73,13 @@ class Space:
         """Write another matrix, (4, 4) for column vectors, in place."""
         self.matrix.DeepCopy(matrix.ravel().tolist())
 
+    def set_projective(self, matrix: NDArray[np.float64]) -> None:
+        """Write a matrix of homogeneous coordinates, where a common factor changes nothing.
+
+        It is taken out as far as it could keep the matrix from fitting into float32.
+        """
+        self.set(matrix * 2.0 ** -math.frexp(float(np.abs(matrix).max()))[1])
+
 
 class Canvas:
     """A drawing's props in one render window, added together and taken out together.
