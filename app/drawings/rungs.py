@@ -19,7 +19,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -119,8 +119,8 @@ class _Made:
     """
 
     def __init__(self, actor: vtkActor) -> None:
-        self._mapper = actor.GetMapper()
-        self._mesh = self._mapper.GetInput()
+        self._mapper: Any = actor.GetMapper()
+        self._mesh: vtkPolyData = self._mapper.GetInput()
         self._projected = vtkPolyData()
         self._kind = next(
             (kind for kind in ("Verts", "Polys") if _cells(self._mesh, kind).GetNumberOfCells()),
@@ -159,7 +159,10 @@ class _Made:
             flat = numpy_to_vtk(part.cells.astype(np.int64).ravel(), deep=True)  # type: ignore[no-untyped-call]
             cells.SetData(part.cells.shape[1], flat)
             getattr(made, f"Set{self._kind}")(cells)
-            for data, chosen in ((made.GetPointData(), part.vertex), (made.GetCellData(), part.cell)):
+            for data, chosen in (
+                (made.GetPointData(), part.vertex),
+                (made.GetCellData(), part.cell),
+            ):
                 colours = data.GetArray("rgb")
                 if colours is not None:
                     left = numpy_to_vtk(vtk_to_numpy(colours)[chosen], deep=True)  # type: ignore[no-untyped-call]
@@ -220,21 +223,21 @@ def _cut(clip: Array, cells: NDArray[np.integer], planes: tuple[Array, Array]) -
     """Leave of points, segments or triangles what lies within planes."""
     out = np.zeros(len(clip), dtype=np.uint8)
     for bit, (normal, offset) in enumerate(zip(*planes, strict=True)):
-        out |= (clip @ normal + offset < 0.0).astype(np.uint8) << np.uint8(bit)
+        out |= (clip @ normal + offset < 0.0).astype(np.uint8) * np.uint8(1 << bit)
     if not out.any():
         return _Part(clip, cells, None, None)
     corners = out[cells]
     whole = ~corners.any(axis=1)
     crossing = np.flatnonzero(~whole & (np.bitwise_and.reduce(corners, axis=1) == 0))
-    pieces, owner = clip[cells[crossing]], crossing
+    pieces, owner = clip[cells[crossing]], crossing.astype(cells.dtype)
     for normal, offset in zip(*planes, strict=True):
         pieces, owner = _cut_at(pieces, owner, normal, offset)
     kept = np.flatnonzero(whole)
     count, size = cells.shape[1], len(clip)
-    clip = np.where(out[:, None] == 0, clip, 0.0)  # nobody needs the others any more
+    needed = np.where(out[:, None] == 0, clip, 0.0)  # what is outside may not fit into float32
     return _Part(
-        np.concatenate([clip, pieces.reshape(-1, 4)]),
-        np.concatenate([cells[kept], size + np.arange(pieces.shape[0] * count).reshape(-1, count)]),
+        np.concatenate([needed, pieces.reshape(-1, 4)]),
+        np.concatenate([cells[kept], size + np.arange(len(pieces) * count).reshape(-1, count)]),
         # A triangle's last corner carries its colour; its other corners' are never looked at.
         np.concatenate([np.arange(size), np.repeat(cells[owner, -1], count)]),
         np.concatenate([kept, owner]),
@@ -255,21 +258,25 @@ def _cut_at(
         # The corner that is alone, or a segment's inside one, comes first.
         alone = np.argmax(inside[which] == (held == 1), axis=1)
         order = (alone[:, None] + np.arange(corners)) % corners
-        p = np.take_along_axis(pieces[which], order[:, :, None], axis=1)
-        v = np.take_along_axis(values[which], order, axis=1)
-
-        # From the inside outwards, so that neighbours find the same point on their common edge.
-        def between(i: int, o: int, p: Array = p, v: Array = v) -> Array:
-            return p[:, i] + (v[:, i] / (v[:, i] - v[:, o]))[:, None] * (p[:, o] - p[:, i])
-
-        if corners == 2:
-            new = [(p[:, 0], between(0, 1))]
-        elif held == 1:
-            new = [(p[:, 0], between(0, 1), between(0, 2))]
-        else:
-            one, two = between(1, 0), between(2, 0)
-            new = [(one, p[:, 1], p[:, 2]), (one, p[:, 2], two)]
+        p = list(pieces[which[:, None], order].swapaxes(0, 1))
+        v = list(values[which[:, None], order].T)
+        if held == 1:
+            first = [_between(p[0], p[i], v[0], v[i]) for i in range(1, corners)]
+            new = [[p[0], *first]]
+        else:  # a triangle's quadrangle, cut in two
+            one, two = (_between(p[i], p[0], v[i], v[0]) for i in (1, 2))
+            new = [[one, p[1], p[2]], [one, p[2], two]]
         for piece in new:
             left.append(np.stack(piece, axis=1))
             owners.append(owner[which])
     return np.concatenate(left), np.concatenate(owners)
+
+
+def _between(inside: Array, outside: Array, value_inside: Array, value_outside: Array) -> Array:
+    """Where edges (m, 4) meet the plane, on which the values (m,) are 0.
+
+    Always from the inside outwards, so that neighbours find the same point on a common edge.
+    """
+    part = value_inside / (value_inside - value_outside)
+    met: Array = inside + part[:, None] * (outside - inside)
+    return met
