@@ -292,6 +292,33 @@ def test_triangles_are_cut_where_the_model_says(
     assert seen > 120 and behind > 25, (seen, behind)
 
 
+@pytest.mark.parametrize("thickness", [1e-5, 3e-6])
+def test_a_thin_slab_is_cut_where_the_model_says(
+    thickness: float, off_screen: Callable[[int, int], OffScreen]
+) -> None:
+    """Near and far hardly differ: their planes cross the picture, a third of it apart."""
+    near = 12.0
+    projection = Projection(
+        Camera((6, 5, 9), (0, 2.2, 0)), Perspective(45, near, near + thickness), SIZE
+    )
+    places = [(x, y, near + (0.5 + x) * thickness) for x, y in INSIDE]
+    origin = np.array(projection.camera.eye) - near * projection.camera.frame[2]
+    origin = origin.astype(np.float32).astype(float)
+    points = triangle_at(projection, places, origin)
+    wrong = {}
+    for tolerance_px in (math.inf, 0.0):
+        screen = off_screen(*SIZE)
+        scene = scene_at(points, origin)
+        drawing = ImageDrawing(screen.plotter, scene, WORDS, LIGHT, tolerance_px, framed=False)
+        drawing.show_projection(projection)
+        lit = drawn(screen.pixels(), RED)
+        must, must_not = expected(projection, points.astype(float) + origin, SIZE, 0.02)
+        assert must.sum() > 2000 and must_not.sum() > 2000
+        wrong[drawing.rung] = int((must & ~lit).sum() + (must_not & lit).sum())
+    assert wrong["float64"] == 0
+    assert wrong["float32"] > 20
+
+
 def test_lines_are_cut_where_the_model_says(
     off_screen: Callable[[int, int], OffScreen],
 ) -> None:
