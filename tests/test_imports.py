@@ -42,9 +42,7 @@ class Room:
 
 
 CORE = Room(("numpy",))
-DRAWING = Room(
-    ("numpy", *VTK), ("app.projection", "app.precision", "app.scene", "app.drawings")
-)
+DRAWING = Room(("numpy", *VTK), ("app.projection", "app.precision", "app.scene", "app.drawings"))
 #: Widgets know the model's values and each other's words, not the store: the window connects them.
 PANEL = Room(
     ("numpy", *QT),

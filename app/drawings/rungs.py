@@ -10,9 +10,13 @@ float64     here, eye first, by `Projection.trace`; the GPU is handed the result
 In the second the price is paid per vertex and step. A vertex handed over has three coordinates,
 and they are x, y, z of clip space: w is ``(z - b)/a`` with lecture 000's ``z = a w + b``, or 1
 for a parallel lens, so that a matrix of a handful of numbers restores it. Rounding these to
-float32 costs 2e-4 px of 1280 at most, for the one more reason that what does not fit into a wide
-cone about the picture is cut off beforehand: an edge that ends 1e5 pictures away is drawn 1e5
-times as inexactly as one that ends here.
+float32 costs 2e-4 px of 1280 at most. For edges to be as exact as their ends, what lies outside a
+cone somewhat wider than the picture, before near or beyond far is cut off beforehand: an edge
+that ends 1e5 pictures away would be drawn 1e5 times as inexactly as one that ends here.
+
+The world pane does without: its own camera is never at an extreme, and the picture on the near
+plane is too small to see wherever float32 is not enough for it (of 1086 random extreme cameras,
+one was off by more than half a pixel, at a field of view of 179.998 degrees).
 """
 
 from __future__ import annotations
