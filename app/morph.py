@@ -296,7 +296,7 @@ class Morph:
 
     @cached_property
     def _pyramid_from_box(self) -> Array:
-        """``M_pp^-1`` from the box, without the difference of 1 and near/far, and times near/far."""
+        """``near/far M_pp^-1`` from the box, without the difference of 1 and near/far."""
         lens = self.projection.lens
         if lens.parallel:
             return _CUBE_BOX
@@ -338,7 +338,6 @@ class Morph:
         Left, right, bottom, top, far, near: unit normals inwards, and offsets: inside,
         ``normal . point + offset >= 0``. All open up to the view stop, closed from `CLOSED_AT` on.
         """
-        stop, _ = _between(position)
         box_planes = np.array(
             [[1, 0, 0, 1], [-1, 0, 0, 1], [0, 1, 0, 1], [0, -1, 0, 1], [0, 0, 1, 0], [0, 0, -1, 1]],
             dtype=np.float64,

@@ -76,7 +76,7 @@ def euclid(points: Array) -> Array:
 @pytest.mark.parametrize("lens", LENSES.values(), ids=LENSES)
 def test_a_stop_is_the_product_of_the_pipelines_own_stages(lens: Lens, depth: str) -> None:
     strip = morph(lens, depth)
-    _, view, first, m_pp, *_, image = strip.projection.stages
+    _, _, first, m_pp, *_, image = strip.projection.stages
     product = np.eye(4)
     wanted = {WORLD: product}
     wanted[VIEW] = strip.projection.view_from_world

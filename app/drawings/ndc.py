@@ -12,6 +12,11 @@ the near face looks at the reader, x runs right, and the cube's front is the pic
 reversed range, where z grows towards the reader, there is nothing to mirror. The cube is centred
 where the pane's camera looks. That camera is a parallel one: all foreshortening that is to be
 seen is the projection's own.
+
+That is the pane at the NDC stop of its stage strip, and as it is exported. At any other position
+(`NdcDrawing.show_stage`) the scene and the view volume, which is the cube's own edges and faces,
+stand under the matrices of `app.morph` instead, and the words are those of the nearest stop. A
+step of the strip sets these matrices and nothing else.
 """
 
 from __future__ import annotations
@@ -37,7 +42,17 @@ from app.drawings.actors import (
     unlit_actor,
 )
 from app.drawings.style import Style, rgb
-from app.projection import DEPTH_RANGES, Camera, Projection
+from app.morph import (
+    CANONICAL_PARALLEL,
+    CANONICAL_PERSPECTIVE,
+    IMAGE,
+    NDC,
+    RADIUS,
+    VIEW,
+    WORLD,
+    Morph,
+)
+from app.projection import DEPTH_RANGES, Array, Camera, Projection
 from app.scene import Scene
 
 VIEW_AZIMUTH_DEG, VIEW_ELEVATION_DEG = 27.0, 18.0
@@ -47,6 +62,18 @@ _DISTANCE = 10.0  # of the pane's camera; parallel, so that only its clipping ra
 _REACH = 2.5  # everything drawn lies within this of the cube's centre, at any orbit
 _OVERSHOOT = 0.28  # of the axes beyond the cube
 _TINT = 0.16
+
+_BEHIND_DEG, _WORLD_ELEVATION_DEG = 55.0, 25.0  # of the world stop, from the scene's own camera
+_LOOKED_FROM_DEG = {
+    VIEW: (60.0, 20.0),
+    CANONICAL_PERSPECTIVE: (40.0, 18.0),
+    CANONICAL_PARALLEL: (VIEW_AZIMUTH_DEG, VIEW_ELEVATION_DEG),
+    NDC: (VIEW_AZIMUTH_DEG, VIEW_ELEVATION_DEG),
+    IMAGE: (0.0, 0.0),
+}
+_TRIAD = 0.45  # length of the axes at the world and view stops
+_BOX = CUBE_CORNERS * (1.0, 1.0, 0.5) + (0.0, 0.0, 0.5)  # `Morph`'s: z is 1 at near, 0 at far
+_BOX_FROM_CUBE = np.array([[1.0, 0, 0, 0], [0, 1, 0, 0], [0, 0, 0.5, 0.5], [0, 0, 0, 1]])
 
 
 class NdcDrawing:
@@ -70,43 +97,64 @@ class NdcDrawing:
         self._half_depth = 1.0
         self._display_from_ndc: NDArray[np.float64] = np.eye(4)
         self._model, self._box, self._z_axis = Space(), Space(), Space()
+        self._volume = Space()
+        self._projection = scene.start
+        self._position = float(NDC)
+        self._named: int | None = None
+        self._morph: Morph | None = None
         self._planes = self._cube_planes()
         self._add_scene(style)
         self._add_cube(style)
+        self._add_triad(style)
+        self._words = words
         self._add_words(words, style)
         self._set_depth("opengl")
         self.reset_view()
 
     def show_projection(self, projection: Projection) -> None:
         """Take the model's matrices over; draws nothing yet."""
+        self._projection, self._morph = projection, None
+        if self._position != NDC:
+            self._depth = projection.depth
+            self._show_moment()
+            return
         if projection.depth != self._depth:
             self._set_depth(projection.depth)
         self._model.set(self._display_from_ndc @ projection.clip_from_world_at(self._scene.origin))
 
+    def show_stage(self, position: float) -> None:
+        """Move to a position of the stage strip; draws nothing yet.
+
+        Parameters
+        ----------
+        position : float
+            0 to 5; whole at `morph.STOPS`. The NDC stop is what the pane shows at first.
+        """
+        if position == self._position:
+            return
+        moved = self._current_view() != self._view
+        self._position = position
+        if position == NDC:
+            self._name_stop(NDC)
+            self._set_depth(self._projection.depth)
+            self.show_projection(self._projection)
+        else:
+            self._show_moment()
+        if not moved:
+            self.reset_view()
+
     def reset_view(self) -> None:
-        """Look at the near face from the right and above, the whole cube in the pane."""
-        width_px, height_px = (max(1, side) for side in self._canvas.window.GetSize())
-        azimuth, elevation = math.radians(VIEW_AZIMUTH_DEG), math.radians(VIEW_ELEVATION_DEG)
-        right = np.array([math.cos(azimuth), 0.0, -math.sin(azimuth)])
-        toward = np.array(
-            [
-                math.sin(azimuth) * math.cos(elevation),
-                math.sin(elevation),
-                math.cos(azimuth) * math.cos(elevation),
-            ]
-        )
-        up = np.cross(toward, right)
-        ends = [(1.0 + _OVERSHOOT, -1.0, 1.0), (-1.0, 1.0 + _OVERSHOOT, 1.0)]
-        ends += [(1.0, 1.0, sign * (1.0 + _OVERSHOOT)) for sign in (-1.0, 1.0)]
-        drawn = np.vstack([CUBE_CORNERS, ends])
-        margin_px = 2.6 * self._canvas.style.font_size
-        centre = np.zeros(3)
-        scale = 0.0
-        for axis, side_px in ((right, width_px), (up, height_px)):
-            low, high = (drawn @ axis).min(), (drawn @ axis).max()
-            centre += (low + high) / 2.0 * axis
-            room_px = max(side_px - 2.0 * margin_px, side_px / 2.0)
-            scale = max(scale, (high - low) / 2.0 * height_px / room_px)
+        """Look at the near face from the right and above, the whole cube in the pane.
+
+        Between two stops of the strip, from between the places that suit them.
+        """
+        stop = min(int(self._position), IMAGE)
+        part = self._position - stop
+        framing = self._framing(stop)
+        if part > 0.0:
+            framing = (1.0 - part) * framing + part * self._framing(stop + 1)
+        centre, scale = framing[:3], float(framing[3])
+        _, _, toward = _axes_from(*framing[4:])
         camera = self._camera
         camera.ParallelProjectionOn()
         camera.SetFocalPoint(*centre)
@@ -115,6 +163,39 @@ class NdcDrawing:
         camera.SetParallelScale(scale)
         self._view = self._current_view()
         self.reset_clipping_range()
+
+    def _looked_from(self, stop: int) -> tuple[float, float]:
+        """Azimuth and elevation of the pane's camera at a stop, degrees."""
+        if stop != WORLD:
+            return _LOOKED_FROM_DEG[stop]
+        # From beside the scene's own camera, and by the shorter way to the next stop's place.
+        after = _LOOKED_FROM_DEG[VIEW][0]
+        azimuth = self._scene.start.camera.orbit.azimuth_deg + _BEHIND_DEG
+        return after + math.remainder(azimuth - after, 360.0), _WORLD_ELEVATION_DEG
+
+    def _framing(self, stop: int) -> Array:
+        """Where a stop is seen from: centre x, y, z, parallel scale, azimuth, elevation."""
+        width_px, height_px = (max(1, side) for side in self._canvas.window.GetSize())
+        looked_from = self._looked_from(stop)
+        right, up, _ = _axes_from(*looked_from)
+        if stop <= VIEW:
+            drawn = RADIUS * np.array([right, -right, up, -up])
+        elif stop == IMAGE:
+            sides = np.array([*self._projection.image_size, 0.0])
+            drawn = CUBE_CORNERS * (sides / sides.max())
+        else:
+            ends = [(1.0 + _OVERSHOOT, -1.0, 1.0), (-1.0, 1.0 + _OVERSHOOT, 1.0)]
+            ends += [(1.0, 1.0, sign * (1.0 + _OVERSHOOT)) for sign in (-1.0, 1.0)]
+            drawn = np.vstack([CUBE_CORNERS, ends])
+        margin_px = 2.6 * self._canvas.style.font_size
+        centre = np.zeros(3)
+        scale = 0.0
+        for axis, side_px in ((right, width_px), (up, height_px)):
+            low, high = (drawn @ axis).min(), (drawn @ axis).max()
+            centre += (low + high) / 2.0 * axis
+            room_px = max(side_px - 2.0 * margin_px, side_px / 2.0)
+            scale = max(scale, (high - low) / 2.0 * height_px / room_px)
+        return np.array([*centre, scale, *looked_from])
 
     def refit(self) -> bool:
         """Nothing leaves the cube: no other view is needed."""
@@ -160,16 +241,7 @@ class NdcDrawing:
 
     def _cube_planes(self) -> list[vtkPlane]:
         """Left, right, bottom, top, far, near of the displayed cube, normals inwards."""
-        planes = []
-        for axis in range(3):
-            for inward in (1.0, -1.0):
-                plane = vtkPlane()
-                normal = [0.0, 0.0, 0.0]
-                normal[axis] = inward
-                plane.SetNormal(*normal)
-                plane.SetOrigin(*(-part for part in normal))
-                planes.append(plane)
-        return planes
+        return [vtkPlane() for _ in range(6)]  # placed by `_set_depth`
 
     def _add_scene(self, style: Style) -> None:
         surface, lines = scene_actors(self._scene, style, self._planes)
@@ -186,24 +258,27 @@ class NdcDrawing:
         between = [(0, 4), (1, 5), (2, 6), (3, 7)]
         width = style.line_width
         edges = [
-            line_actor(CUBE_CORNERS, between, style.frustum, width),
-            line_actor(CUBE_CORNERS, [(*far, far[0])], style.far, 1.7 * width),
-            line_actor(CUBE_CORNERS, [(*near, near[0])], style.near, 1.7 * width),
+            line_actor(_BOX, between, style.frustum, width),
+            line_actor(_BOX, [(*far, far[0])], style.far, 1.7 * width),
+            line_actor(_BOX, [(*near, near[0])], style.near, 1.7 * width),
         ]
-        middle = [(axis * sign) for axis in np.eye(3) for sign in (-1.0, 1.0)]
+        middle = np.array([(axis * sign) for axis in np.eye(3) for sign in (-1.0, 1.0)])
+        middle = middle * (1.0, 1.0, 0.5) + (0.0, 0.0, 0.5)
         cross = line_actor(middle, [(0, 1), (2, 3), (4, 5)], style.muted, 0.7 * width)
         faces = [
-            face_actor(CUBE_CORNERS, [far], style.far, _TINT),
-            face_actor(CUBE_CORNERS, [near], style.near, _TINT),
+            face_actor(_BOX, [far], style.far, _TINT),
+            face_actor(_BOX, [near], style.near, _TINT),
         ]
+        self._cross = cross
         for actor in (*edges, cross, *faces):
-            self._box.add(actor)
+            self._volume.add(actor)
             self._canvas.add(actor)
         for edge in edges:
             lift_lines(edge, 2)
         for face in faces:
             put_behind(face)
         right, up, along = np.eye(3)
+        self._arrows: list[Any] = []
         self._add_arrow(self._box, CUBE_CORNERS[4], right, style.u, width)
         self._add_arrow(self._box, CUBE_CORNERS[4], up, style.v, width)
         self._add_arrow(self._z_axis, CUBE_CORNERS[2], along, style.n, width)
@@ -227,6 +302,22 @@ class NdcDrawing:
         for actor in (shaft, head):
             space.add(actor)
             self._canvas.add(actor)
+            self._arrows.append(actor)
+
+    def _add_triad(self, style: Style) -> None:
+        """The axes of the other stops: shafts of length 1 and their heads, along x."""
+        self._triad: list[tuple[Space, Space, Any, Any]] = []
+        for colour in (style.u, style.v, style.n):
+            shaft = line_actor([(0, 0, 0), (1, 0, 0)], [(0, 1)], colour, 1.7 * style.line_width)
+            head = unlit_actor(pv.Cone(direction=(1, 0, 0), height=0.14, radius=0.045))
+            head.GetProperty().SetColor(*rgb(colour))
+            lift_lines(shaft, 3)
+            spaces = Space(), Space()
+            for space, actor in zip(spaces, (shaft, head), strict=True):
+                space.add(actor)
+                actor.SetVisibility(False)
+                self._canvas.add(actor)
+            self._triad.append((*spaces, shaft, head))
 
     def _add_words(self, words: Mapping[str, str], style: Style) -> None:
         label = self._canvas.label
@@ -264,7 +355,15 @@ class NdcDrawing:
         self._display_from_ndc = np.diag([1.0, 1.0, toward_reader, 1.0])
         self._display_from_ndc[2, 3] = -toward_reader * (z_near + z_far) / 2.0
         self._box.set(np.diag([1.0, 1.0, half, 1.0]))
+        volume = np.diag([1.0, 1.0, 2.0 * half, 1.0])
+        volume[2, 3] = -half
+        self._volume.set(volume)
         self._z_axis.set(np.diag([1.0, 1.0, toward_reader * half, 1.0]))
+        for axis, (positive, negative) in enumerate(zip(*[iter(self._planes)] * 2, strict=True)):
+            for plane, inward in ((positive, 1.0), (negative, -1.0)):
+                normal = inward * np.eye(3)[axis]
+                plane.SetNormal(*normal)
+                plane.SetOrigin(*-normal)
         self._planes[4].SetOrigin(0.0, 0.0, -half)
         self._planes[5].SetOrigin(0.0, 0.0, half)
         self._near.set_position((-1.0, 1.0, half))
@@ -281,6 +380,134 @@ class NdcDrawing:
             number.set_text(f"{z:.0f}".replace("-", "−"))
             number.set_position((1.0, 1.0, side))
 
+    # -- the other stops of the strip
+
+    def _show_moment(self) -> None:
+        """Set the matrices, planes and words of a position that is not the NDC stop."""
+        if self._morph is None:
+            scene = self._scene
+            self._morph = Morph(self._projection, scene.origin, scene.corners)
+        morph, position = self._morph, self._position
+        self._model.set(_fitting(morph.display_from_local(position)))
+        box = _fitting(morph.display_from_box(position))
+        self._volume.set(box)
+        for plane, (*normal, offset) in zip(
+            self._planes, morph.planes_display(position).tolist(), strict=True
+        ):
+            plane.SetNormal(*normal)
+            plane.SetOrigin(*(-offset * part for part in normal))
+        stop = int(position + 0.5)
+        self._name_stop(stop)
+        self._place_axes(stop, morph, box)
+        self._place_words(stop, box)
+
+    def _name_stop(self, stop: int) -> None:
+        """Show the axes, letters and numbers that a stop has."""
+        if stop == NDC:
+            for name in "xy":
+                for number, text in zip(self._numbers[name], ("−1", "1"), strict=True):
+                    number.set_text(text)
+        if stop == self._named:
+            return
+        self._named = stop
+        self._cross.SetVisibility(stop in (CANONICAL_PARALLEL, NDC))
+        for actor in self._arrows:
+            actor.SetVisibility(stop == NDC)
+        for i, (_, _, shaft, head) in enumerate(self._triad):
+            for actor in (shaft, head):
+                actor.SetVisibility(stop != NDC and not (stop == IMAGE and i == 2))
+        letters = "uvn" if stop == VIEW else "xyz"
+        for letter, name in zip(self._letters.values(), letters, strict=True):
+            letter.set_text(self._words[name])
+        self._letters["z"].set_visible(stop != IMAGE)
+        for name, numbers in self._numbers.items():
+            for number in numbers:
+                number.set_visible(stop >= CANONICAL_PERSPECTIVE and (stop != IMAGE or name != "z"))
+
+    def _place_axes(self, stop: int, morph: Morph, box: Array) -> None:
+        """Put axes and letters where the nearest stop has them."""
+        if stop == NDC:
+            cube = box @ _BOX_FROM_CUBE
+            toward_reader = 1.0 if self._projection.depth == "reversed" else -1.0
+            z_axis = cube @ np.diag([1.0, 1.0, toward_reader, 1.0])
+            self._box.set(cube)
+            self._z_axis.set(z_axis)
+            end = 1.0 + _OVERSHOOT
+            for letter, matrix, point in (
+                ("x", cube, (end, -1.0, 1.0, 1.0)),
+                ("y", cube, (-1.0, end, 1.0, 1.0)),
+                ("z", z_axis, (1.0, 1.0, end, 1.0)),
+            ):
+                place = matrix @ point
+                self._letters[letter].set_position(place[:3] / place[3])
+            return
+        axes, lengths = np.eye(3), np.full(3, _TRIAD)
+        if stop <= VIEW:
+            matrix = morph.display_from_local(self._position)
+            camera = self._projection.camera
+            at = (0.0, 0.0, 0.0) if stop == WORLD else camera.eye
+            seen = matrix @ [*(np.array(at) - self._scene.origin), 1.0]
+            start = seen[:3] / seen[3]
+            away = math.hypot(*start)
+            if away > RADIUS:  # an origin that is far from the scene: at the border toward it
+                start *= RADIUS / away
+            axes = matrix[:3, :3] @ (axes if stop == WORLD else camera.frame.T)
+            axes = (axes / np.linalg.norm(axes, axis=0)).T
+        elif stop == IMAGE:
+            start = (box @ (-1.0, 1.0, 1.0, 1.0))[:3] / (box @ (-1.0, 1.0, 1.0, 1.0))[3]
+            corner = (box @ (1.0, -1.0, 1.0, 1.0))[:3] / (box @ (1.0, -1.0, 1.0, 1.0))[3]
+            lengths = np.abs(corner - start) + _OVERSHOOT / 2.0
+            axes[1] = -axes[1]
+        else:
+            start = np.array([0.0, 0.0, 0.5])
+            lengths[:2] = 1.0 + _OVERSHOOT
+        for (shaft, head, *_), axis, length, letter in zip(
+            self._triad, axes, lengths, self._letters.values(), strict=True
+        ):
+            tip = start + length * axis
+            along = _along(axis)
+            along[:3, 3] = tip
+            head.set(along)
+            along = along @ np.diag([length, 1.0, 1.0, 1.0])
+            along[:3, 3] = start
+            shaft.set(along)
+            letter.set_position(tip)
+
+    def _place_words(self, stop: int, box: Array) -> None:
+        """Put near, far and the ends of the axes at the corners of the view volume."""
+        if stop <= VIEW:
+            limit = RADIUS
+        else:
+            limit = 2.0
+        near, far = (_edge(box, -1.0, 1.0, limit, z) for z in (1.0, 0.0))
+        self._near.set_position(near)
+        self._far.set_position(far)
+        if stop <= VIEW:
+            return
+        lens, (width, height) = self._projection.lens, self._projection.image_size
+        x, y = ("−1", "1"), ("−1", "1")
+        ends, z = (1.0, 1.0), ("0", "−1")
+        if stop == CANONICAL_PERSPECTIVE and not lens.parallel:
+            # The sides are 1 where z is -1: at far, and at near if far is infinite.
+            infinite = lens.far == math.inf
+            ends = (1.0, 1.0) if infinite else (0.0, 0.0)
+            z = ("−1", "−∞") if infinite else (_number(-lens.near / lens.far), "−1")
+        elif stop == NDC:
+            z_near, z_far = self._projection.depth_range
+            z = (_number(z_near), _number(z_far))
+        elif stop == IMAGE:
+            x, y = ("0", str(width)), (str(height), "0")
+        for name, texts, corners in (
+            ("x", x, ((-1.0, -1.0, ends[0]), (1.0, -1.0, ends[0]))),
+            ("y", y, ((-1.0, -1.0, ends[1]), (-1.0, 1.0, ends[1]))),
+            ("z", z, ((1.0, 1.0, 1.0), (1.0, 1.0, 0.0))),
+        ):
+            for number, text, (across, up, along) in zip(
+                self._numbers[name], texts, corners, strict=True
+            ):
+                number.set_text(text)
+                number.set_position(_edge(box, across, up, limit, along))
+
     def _layout(self, _width_px: int, _height_px: int) -> None:
         if self._current_view() == self._view:  # nobody has turned it since: keep it whole
             self.reset_view()
@@ -288,3 +515,56 @@ class NdcDrawing:
     def _current_view(self) -> tuple[float, ...]:
         camera = self._camera
         return (*camera.GetPosition(), *camera.GetFocalPoint(), camera.GetParallelScale())
+
+
+def _axes_from(azimuth_deg: float, elevation_deg: float) -> tuple[Array, Array, Array]:
+    """Right, up and toward the reader of a camera at these angles."""
+    azimuth, elevation = math.radians(azimuth_deg), math.radians(elevation_deg)
+    right = np.array([math.cos(azimuth), 0.0, -math.sin(azimuth)])
+    toward = np.array(
+        [
+            math.sin(azimuth) * math.cos(elevation),
+            math.sin(elevation),
+            math.cos(azimuth) * math.cos(elevation),
+        ]
+    )
+    return right, np.cross(toward, right), toward
+
+
+def _fitting(matrix: Array) -> Array:
+    """A homogeneous matrix without a common factor that could keep it from float32."""
+    fitting: Array = matrix * 2.0 ** -math.frexp(float(np.abs(matrix).max()))[1]
+    return fitting
+
+
+def _along(axis: Array) -> Array:
+    """A rotation that takes x to a direction, (4, 4)."""
+    other = np.eye(3)[int(np.abs(axis).argmin())]
+    side = np.cross(axis, other)
+    side /= math.hypot(*side)
+    matrix = np.eye(4)
+    matrix[:3, :3] = np.column_stack([axis, side, np.cross(axis, side)])
+    return matrix
+
+
+def _edge(box: Array, across: float, up: float, limit: float, z: float) -> Array:
+    """Where the corner of the view volume is shown, or its edge leaves the ball that is framed."""
+    near, far = (box @ (across, up, end, 1.0) for end in (1.0, 0.0))
+    start: Array = near[:3] / near[3]
+    if z == 1.0 or math.hypot(*start) >= limit:
+        return start
+    along = far[:3] - far[3] * start
+    length = math.hypot(*along)
+    if length == 0.0:
+        return start
+    along /= length
+    # From inside the ball: the positive root of |start + s along| = limit.
+    middle = float(start @ along)
+    leaves = -middle + math.sqrt(middle**2 + limit**2 - float(start @ start))
+    if far[3] * leaves >= length:  # the corner itself is inside
+        return start + along * (length / far[3])
+    return start + along * leaves
+
+
+def _number(value: float) -> str:
+    return f"{value:.3g}".replace("-", "−")
