@@ -433,13 +433,13 @@ class NdcDrawing:
             self._box.set(cube)
             self._z_axis.set(z_axis)
             end = 1.0 + _OVERSHOOT
-            for letter, matrix, point in (
+            for name, matrix, point in (
                 ("x", cube, (end, -1.0, 1.0, 1.0)),
                 ("y", cube, (-1.0, end, 1.0, 1.0)),
                 ("z", z_axis, (1.0, 1.0, end, 1.0)),
             ):
                 place = matrix @ point
-                self._letters[letter].set_position(place[:3] / place[3])
+                self._letters[name].set_position(place[:3] / place[3])
             return
         axes, lengths = np.eye(3), np.full(3, _TRIAD)
         if stop <= VIEW:
@@ -475,10 +475,7 @@ class NdcDrawing:
 
     def _place_words(self, stop: int, box: Array) -> None:
         """Put near, far and the ends of the axes at the corners of the view volume."""
-        if stop <= VIEW:
-            limit = RADIUS
-        else:
-            limit = 2.0
+        limit = RADIUS if stop <= VIEW else 2.0
         near, far = (_edge(box, -1.0, 1.0, limit, z) for z in (1.0, 0.0))
         self._near.set_position(near)
         self._far.set_position(far)
@@ -561,9 +558,9 @@ def _edge(box: Array, across: float, up: float, limit: float, z: float) -> Array
     # From inside the ball: the positive root of |start + s along| = limit.
     middle = float(start @ along)
     leaves = -middle + math.sqrt(middle**2 + limit**2 - float(start @ start))
-    if far[3] * leaves >= length:  # the corner itself is inside
-        return start + along * (length / far[3])
-    return start + along * leaves
+    inside = far[3] * leaves >= length  # the corner itself is
+    shown: Array = start + along * (length / far[3] if inside else leaves)
+    return shown
 
 
 def _number(value: float) -> str:
