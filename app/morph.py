@@ -49,7 +49,7 @@ CLOSED_AT = VIEW + 0.5
 
 _OPEN = 1.5 * RADIUS  # a plane as far outside the middle cuts nothing
 _FARTHEST = 1e6  # an offset that stands for infinity
-_SHOWN_DEPTHS = 4.0  # a frustum is framed to this many times the depth of the scene
+_SHOWN_DEPTHS = 2.5  # a frustum is framed to this many times the depth of the scene
 _FLAT = 0.1  # depth of the picture to that of NDC: seen from the front it does not show
 _CUBE_BOX = np.array([[1.0, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, -1], [0, 0, 0, 1]])
 """The canonical parallel volume from the box with z = 1 at near and 0 at far."""

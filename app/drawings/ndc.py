@@ -419,7 +419,8 @@ class NdcDrawing:
         letters = "uvn" if stop == VIEW else "xyz"
         for letter, name in zip(self._letters.values(), letters, strict=True):
             letter.set_text(self._words[name])
-        self._letters["z"].set_visible(stop != IMAGE)
+        for label in (self._letters["z"], self._near, self._far):
+            label.set_visible(stop != IMAGE)
         for name, numbers in self._numbers.items():
             for number in numbers:
                 number.set_visible(stop >= CANONICAL_PERSPECTIVE and (stop != IMAGE or name != "z"))
