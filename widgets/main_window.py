@@ -446,7 +446,9 @@ class MainWindow(QMainWindow):
         """Title, axes and limits of what the NDC pane shows."""
         pane = self.panes["ndc"]
         pane.set_title(self.strip.title())
-        pane.note.setText(self.strip.note(projection))
+        note = self.strip.note(projection)
+        pane.note.setText(note)
+        pane.note.setToolTip(note)  # the pane can be narrower
 
     def _show_notes(self, projection: Projection, scene: Scene) -> None:
         self.status.show_projection(projection, scene)

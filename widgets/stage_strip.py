@@ -10,6 +10,7 @@ import math
 from PySide6.QtCore import QElapsedTimer, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QHideEvent, QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import (
+    QGridLayout,
     QHBoxLayout,
     QSizePolicy,
     QSlider,
@@ -27,6 +28,8 @@ CATCH = 12
 """Within as many steps of a stop a drag is at the stop."""
 STEP_S, REST_S = 2.0, 0.8
 """Seconds that playing takes from one stop to the next, and stands at each."""
+
+_HALF_COLUMNS = 2 * len(STOPS) + 1  # a name takes three of them
 
 FRAME_MS = 16
 LONGEST_FRAME_S = 0.25
@@ -116,7 +119,8 @@ class StageStrip(QWidget):
         self.stops: list[QToolButton] = []
         self._ends = QHBoxLayout()
         self._ends.addWidget(self.slider)
-        names = QHBoxLayout()
+        # Every other name a row lower, so that each can be wider than the way between two stops.
+        names = QGridLayout()
         names.setSpacing(0)
         names.setContentsMargins(0, 0, 0, 0)
         for stop, (name, tip) in enumerate(self._names):
@@ -124,8 +128,10 @@ class StageStrip(QWidget):
             button.setToolTip(tip)
             button.setCheckable(True)
             button.clicked.connect(lambda _checked=False, stop=stop: self.go_to(float(stop)))
-            names.addWidget(button, 1)
+            names.addWidget(button, stop % 2, 2 * stop, 1, 3)
             self.stops.append(button)
+        for column in range(_HALF_COLUMNS):
+            names.setColumnStretch(column, 1)
         self._columns = QVBoxLayout()
         self._columns.setSpacing(0)
         self._columns.addLayout(self._ends)
@@ -167,8 +173,8 @@ class StageStrip(QWidget):
         titles = (
             self.tr("World"),
             self.tr("View"),
-            self.tr("Canonical perspective volume"),
-            self.tr("Canonical parallel volume"),
+            self.tr("Canonical perspective"),
+            self.tr("Canonical parallel"),
             self.tr("NDC cube"),
             self.tr("Image"),
         )
@@ -310,12 +316,22 @@ class StageStrip(QWidget):
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         # The slider's ends over the middles of the first and the last name.
-        half = self._columns.geometry().width() // (2 * len(STOPS))
+        name_width = 3 * self._columns.geometry().width() // _HALF_COLUMNS
         handle = self.slider.style().pixelMetric(
             self.slider.style().PixelMetric.PM_SliderLength, None, self.slider
         )
-        margin = max(0, half - handle // 2)
+        margin = max(0, (name_width - handle) // 2)
         self._ends.setContentsMargins(margin, 0, margin, 0)
+        self._fit_names(name_width)
+
+    def _fit_names(self, width: int) -> None:
+        """Write the names as large as the widest of them allows."""
+        font = self.font()
+        widest = max(self.fontMetrics().horizontalAdvance(name) for name, _ in self._names)
+        pixels = self.fontInfo().pixelSize()
+        font.setPixelSize(max(8, min(pixels, (width - 6) * pixels // max(1, widest))))
+        for button in self.stops:
+            button.setFont(font)
 
     def hideEvent(self, event: QHideEvent) -> None:
         super().hideEvent(event)
@@ -330,6 +346,7 @@ class _Narrow(QToolButton):
         self.setText(text)
         self.setAutoRaise(True)
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self.setStyleSheet("padding: 1px 0px")
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # the slider's arrow keys reach them all
 
     def minimumSizeHint(self) -> QSize:

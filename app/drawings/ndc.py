@@ -71,7 +71,11 @@ _LOOKED_FROM_DEG = {
     NDC: (VIEW_AZIMUTH_DEG, VIEW_ELEVATION_DEG),
     IMAGE: (0.0, 0.0),
 }
+_FILLED = 0.85  # of the ball that holds the frustum: its corners alone touch the ball
 _TRIAD = 0.45  # length of the axes at the world and view stops
+_CANONICAL_TRIAD = 0.75  # of x and y in the canonical volumes, short of the sides' words
+_BESIDE = np.array([-0.5, -0.36])  # right and up of a pyramid's small near face: its plate
+_BESIDE_PYRAMID = np.array([-1.35, 0.2])
 _BOX = CUBE_CORNERS * (1.0, 1.0, 0.5) + (0.0, 0.0, 0.5)  # `Morph`'s: z is 1 at near, 0 at far
 _BOX_FROM_CUBE = np.array([[1.0, 0, 0, 0], [0, 1, 0, 0], [0, 0, 0.5, 0.5], [0, 0, 0, 1]])
 
@@ -100,7 +104,7 @@ class NdcDrawing:
         self._volume = Space()
         self._projection = scene.start
         self._position = float(NDC)
-        self._named: int | None = None
+        self._named: tuple[int, bool] | None = None
         self._morph: Morph | None = None
         self._planes = self._cube_planes()
         self._add_scene(style)
@@ -115,8 +119,11 @@ class NdcDrawing:
         """Take the model's matrices over; draws nothing yet."""
         self._projection, self._morph = projection, None
         if self._position != NDC:
+            moved = self._current_view() != self._view
             self._depth = projection.depth
             self._show_moment()
+            if not moved:  # the picture may have another shape
+                self.reset_view()
             return
         if projection.depth != self._depth:
             self._set_depth(projection.depth)
@@ -179,10 +186,12 @@ class NdcDrawing:
         looked_from = self._looked_from(stop)
         right, up, _ = _axes_from(*looked_from)
         if stop <= VIEW:
-            drawn = RADIUS * np.array([right, -right, up, -up])
+            drawn = _FILLED * RADIUS * np.array([right, -right, up, -up])
         elif stop == IMAGE:
             sides = np.array([*self._projection.image_size, 0.0])
-            drawn = CUBE_CORNERS * (sides / sides.max())
+            across, down, _ = sides / sides.max()
+            drawn = CUBE_CORNERS * (across, down, 0.0)
+            drawn = np.vstack([drawn, [across + _OVERSHOOT, -down - _OVERSHOOT, 0.0]])
         else:
             ends = [(1.0 + _OVERSHOOT, -1.0, 1.0), (-1.0, 1.0 + _OVERSHOOT, 1.0)]
             ends += [(1.0, 1.0, sign * (1.0 + _OVERSHOOT)) for sign in (-1.0, 1.0)]
@@ -407,15 +416,16 @@ class NdcDrawing:
             for name in "xy":
                 for number, text in zip(self._numbers[name], ("−1", "1"), strict=True):
                     number.set_text(text)
-        if stop == self._named:
+        if (stop, self._projection.lens.parallel) == self._named:
             return
-        self._named = stop
+        self._named = stop, self._projection.lens.parallel
         self._cross.SetVisibility(stop in (CANONICAL_PARALLEL, NDC))
         for actor in self._arrows:
             actor.SetVisibility(stop == NDC)
         for i, (_, _, shaft, head) in enumerate(self._triad):
             for actor in (shaft, head):
                 actor.SetVisibility(stop != NDC and not (stop == IMAGE and i == 2))
+        self._near.set_text(self._words["near"])
         letters = "uvn" if stop == VIEW else "xyz"
         for letter, name in zip(self._letters.values(), letters, strict=True):
             letter.set_text(self._words[name])
@@ -424,6 +434,8 @@ class NdcDrawing:
         for name, numbers in self._numbers.items():
             for number in numbers:
                 number.set_visible(stop >= CANONICAL_PERSPECTIVE and (stop != IMAGE or name != "z"))
+        if stop == CANONICAL_PERSPECTIVE and not self._projection.lens.parallel:
+            self._numbers["z"][0].set_visible(False)  # on the plate of near, which is small here
 
     def _place_axes(self, stop: int, morph: Morph, box: Array) -> None:
         """Put axes and letters where the nearest stop has them."""
@@ -457,11 +469,11 @@ class NdcDrawing:
         elif stop == IMAGE:
             start = (box @ (-1.0, 1.0, 1.0, 1.0))[:3] / (box @ (-1.0, 1.0, 1.0, 1.0))[3]
             corner = (box @ (1.0, -1.0, 1.0, 1.0))[:3] / (box @ (1.0, -1.0, 1.0, 1.0))[3]
-            lengths = np.abs(corner - start) + _OVERSHOOT / 2.0
+            lengths = np.abs(corner - start) + _OVERSHOOT
             axes[1] = -axes[1]
         else:
             start = np.array([0.0, 0.0, 0.5])
-            lengths[:2] = 1.0 + _OVERSHOOT
+            lengths[:2] = _CANONICAL_TRIAD
         for (shaft, head, *_), axis, length, letter in zip(
             self._triad, axes, lengths, self._letters.values(), strict=True
         ):
@@ -478,18 +490,24 @@ class NdcDrawing:
         """Put near, far and the ends of the axes at the corners of the view volume."""
         limit = RADIUS if stop <= VIEW else 2.0
         near, far = (_edge(box, -1.0, 1.0, limit, z) for z in (1.0, 0.0))
+        lens = self._projection.lens
+        if stop <= CANONICAL_PERSPECTIVE and not lens.parallel:
+            aside = _BESIDE if stop <= VIEW else _BESIDE_PYRAMID
+            near = near + aside @ np.array(_axes_from(*self._looked_from(stop))[:2])
         self._near.set_position(near)
         self._far.set_position(far)
         if stop <= VIEW:
             return
-        lens, (width, height) = self._projection.lens, self._projection.image_size
+        (width, height) = self._projection.image_size
         x, y = ("−1", "1"), ("−1", "1")
         ends, z = (1.0, 1.0), ("0", "−1")
         if stop == CANONICAL_PERSPECTIVE and not lens.parallel:
             # The sides are 1 where z is -1: at far, and at near if far is infinite.
             infinite = lens.far == math.inf
             ends = (1.0, 1.0) if infinite else (0.0, 0.0)
-            z = ("−1", "−∞") if infinite else (_number(-lens.near / lens.far), "−1")
+            z = ("", "−∞" if infinite else "−1")
+            at = -1.0 if infinite else -lens.near / lens.far
+            self._near.set_text(f"{self._words['near']} {_number(at)}")
         elif stop == NDC:
             z_near, z_far = self._projection.depth_range
             z = (_number(z_near), _number(z_far))
