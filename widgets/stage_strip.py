@@ -36,7 +36,7 @@ LONGEST_FRAME_S = 0.25
 
 
 class _StopsSlider(QSlider):
-    """A slider whose arrow keys go from stop to stop, and whose drags are caught by them."""
+    """A slider whose arrow keys go from stop to stop."""
 
     def __init__(self) -> None:
         super().__init__(Qt.Orientation.Horizontal)
@@ -54,14 +54,6 @@ class _StopsSlider(QSlider):
             self.setValue((-(-self.value() // STEPS) - 1) * STEPS)
         else:
             super().keyPressEvent(event)
-
-    def sliderChange(self, change: QSlider.SliderChange) -> None:
-        if change == QSlider.SliderChange.SliderValueChange and self.isSliderDown():
-            stop = round(self.value() / STEPS) * STEPS
-            if 0 < abs(self.value() - stop) <= CATCH:
-                self.setValue(stop)
-                return
-        super().sliderChange(change)
 
 
 class StageStrip(QWidget):
@@ -289,6 +281,10 @@ class StageStrip(QWidget):
 
     def _slid(self, value: int) -> None:
         self.pause()
+        stop = round(value / STEPS) * STEPS
+        if self.slider.isSliderDown() and 0 < abs(value - stop) <= CATCH:
+            self.slider.setValue(stop)  # and here again
+            return
         if value != self._at * STEPS:
             self._at = value / STEPS
             self._show_stop()
