@@ -1,4 +1,4 @@
-"""The stage strip: its slider, keys and play in the real window, and what it draws at every stop."""
+"""The stage strip: slider, keys and play in the real window, and what is drawn at every stop."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
+from vtkmodules.vtkRenderingCore import vtkTextActor
 
 import app.drawings.ndc as ndc_drawing
 from app.drawings import WORDS
@@ -140,7 +141,7 @@ def test_the_scene_is_whole_until_the_volume_closes(shown: Callable[..., Shown])
     screen.drawing.show_projection(away)
 
     def letter(position: float) -> int:
-        return int(lit(screen.pixels(position), "#56b4e9").sum())
+        return int(lit(screen.pixels(position), "#e69f00").sum())
 
     assert letter(WORLD) > 20
     assert letter(VIEW) > 20
@@ -180,11 +181,10 @@ def test_letters_and_limits_are_the_stops_own(
     for start in (0.0, 1.0, 2.0, 3.0, 4.0, 5.0):
         screen.drawing.show_stage(start)
         screen.drawing.show_stage(float(stop))
-        actors = screen.plotter.renderer.GetActors2D()
         written = {
-            actor.GetInput().strip()
-            for actor in (actors.GetItemAsObject(i) for i in range(actors.GetNumberOfItems()))
-            if actor.GetVisibility() and actor.GetInput()
+            prop.GetInput().strip()
+            for prop in screen.plotter.renderer.GetViewProps()
+            if isinstance(prop, vtkTextActor) and prop.GetVisibility()
         }
         assert written == texts, start
 
@@ -354,11 +354,14 @@ def test_a_hidden_pane_takes_the_stage_when_it_appears(
 
 def test_a_new_drawing_stands_where_the_strip_is(make_window: Callable[..., MainWindow]) -> None:
     window = make_window()
+    window.set_theme("light")
     window.strip.go_to(5.0)
     settle()
     light = window.panes["ndc"].canvas.grabFramebuffer()
-    window.set_projector(True)
-    window.set_projector(False)
+    window.set_theme("dark")
+    settle()
+    assert window.panes["ndc"].canvas.grabFramebuffer() != light
+    window.set_theme("light")
     settle()
     assert window.panes["ndc"].canvas.grabFramebuffer() == light
 
