@@ -136,7 +136,7 @@ def test_at_the_image_stop_the_cube_is_the_picture(shown: Callable[..., Shown]) 
 
 def test_the_scene_is_whole_until_the_volume_closes(shown: Callable[..., Shown]) -> None:
     """A frustum that holds nothing of the letter: all of it is seen, then none."""
-    screen = shown()
+    screen = shown((600, 600))
     away = replace(screen.scene.start, lens=Perspective(45.0, 25.0, 30.0))
     screen.drawing.show_projection(away)
 

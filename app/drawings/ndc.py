@@ -71,8 +71,8 @@ _LOOKED_FROM_DEG = {
     NDC: (VIEW_AZIMUTH_DEG, VIEW_ELEVATION_DEG),
     IMAGE: (0.0, 0.0),
 }
-_FILLED = 0.85  # of the ball that holds the frustum: its corners alone touch the ball
-_TRIAD = 0.45  # length of the axes at the world and view stops
+_FILLED = 0.9  # of the ball that holds the frustum: its corners alone touch the ball
+_TRIAD = 0.35  # length of the axes at the world and view stops
 _CANONICAL_TRIAD = 0.75  # of x and y in the canonical volumes, short of the sides' words
 _BESIDE = np.array([-0.3, -0.42])  # right and up of a pyramid's small near face: its plate
 _BESIDE_PYRAMID = np.array([-1.35, 0.2])
