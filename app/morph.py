@@ -347,7 +347,8 @@ class Morph:
             opened[4:] = (0.0, 0.0, 1.0, 0.0), (0.0, 0.0, -1.0, 0.0)
             opened[:, 3] = _FARTHEST
             return opened
-        planes = box_planes @ _positive_inverse(self.display_from_box(position))
+        box = self.display_from_box(position)
+        planes = box_planes @ _positive_inverse(box / np.abs(box).max())  # or |det| underflows
         open_part = max(0.0, (CLOSED_AT - position) / (CLOSED_AT - VIEW))
         for i, plane in enumerate(planes):
             plane /= np.abs(plane).max()

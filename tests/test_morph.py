@@ -275,3 +275,16 @@ def test_a_far_scene_keeps_its_digits() -> None:
     for position in MOMENTS:
         one, other = (euclid(points @ m.display_from_local(position).T) for m in (here, there))
         assert np.abs(one - other).max() < 1e-5 * np.abs(one).max()
+
+
+@pytest.mark.parametrize("lens", {**LENSES, **EXTREME}.values(), ids={**LENSES, **EXTREME})
+def test_a_box_is_cut_at_its_six_faces(lens: Lens) -> None:
+    """Left, right, bottom, top, far, near of the stops whose volume is a box, by hand."""
+    strip = morph(lens)
+    for stop, half in ((CANONICAL_PARALLEL, 0.5), (NDC, 1.0), (IMAGE, 0.05)):
+        up = 720.0 / 1280.0 if stop == IMAGE else 1.0
+        by_hand = [
+            *((1, 0, 0, 1), (-1, 0, 0, 1), (0, 1, 0, up), (0, -1, 0, up)),
+            *((0, 0, 1, half), (0, 0, -1, half)),
+        ]
+        assert np.abs(strip.planes_display(float(stop)) - by_hand).max() < 1e-12
