@@ -181,6 +181,52 @@ def step_over_repaint(scale: float) -> dict[str, Any]:
     return figures
 
 
+def strip_step(scale: float) -> dict[str, Any]:
+    """A step of the stage strip against the bare repaint of its pane at the same position.
+
+    What is drawn differs from position to position, so that each is repainted where it stepped to:
+    bare, and with the slider, which any step has to repaint.
+    """
+    figures: dict[str, Any] = {}
+    for vertices in VERTICES:
+        window = open_window(sphere(vertices))
+        app = application()
+        pane, slider = window.panes["ndc"], window.strip.slider
+        window.strip.gesture_started.emit()  # antialiasing waits, as in a drag
+        turns = max(12, round(scale * (240 if vertices < 1_000_000 else 60)))
+        stride = slider.maximum() // turns
+        bare, with_slider, step = [], [], []
+        slider.setValue(0)
+        settle(app)
+        for turn in range(turns):
+            began = time.perf_counter()
+            slider.setValue((turn + 1) * stride)
+            app.processEvents()
+            middle = time.perf_counter()
+            pane.request_repaint()
+            app.processEvents()
+            later = time.perf_counter()
+            pane.request_repaint()
+            slider.update()
+            app.processEvents()
+            ended = time.perf_counter()
+            if turn >= 3:
+                step.append(middle - began)
+                bare.append(later - middle)
+                with_slider.append(ended - later)
+        for name, other in (("bare repaint", bare), ("repaint with the slider", with_slider)):
+            ratios = [mine / theirs for mine, theirs in zip(step, other, strict=True)]
+            figures[f"{vertices} vertices: step / {name}, medians and median of pairs"] = [
+                round(statistics.median(step) / statistics.median(other), 3),
+                round(statistics.median(ratios), 3),
+            ]
+        figures[f"{vertices} vertices: bare, with slider, step (ms, medians)"] = [
+            rounded(statistics.median(times)) for times in (bare, with_slider, step)
+        ]
+        close_window(window)
+    return figures
+
+
 def percentile95(values: list[float]) -> float:
     return statistics.quantiles(values, n=20)[-1]
 
@@ -557,6 +603,7 @@ while True:
 
 PARTS: dict[str, Callable[[float], dict[str, Any]]] = {
     "step": step_over_repaint,
+    "strip": strip_step,
     "repaints": repaints,
     "first-frame": first_frame,
     "cycles": open_and_close,

@@ -42,7 +42,10 @@ class Room:
 
 
 CORE = Room(("numpy",))
-DRAWING = Room(("numpy", *VTK), ("app.projection", "app.precision", "app.scene", "app.drawings"))
+DRAWING = Room(
+    ("numpy", *VTK),
+    ("app.projection", "app.precision", "app.morph", "app.scene", "app.drawings"),
+)
 #: Widgets know the model's values and each other's words, not the store: the window connects them.
 PANEL = Room(
     ("numpy", *QT),
@@ -66,6 +69,7 @@ ROOMS = {
     "app/precision.py": Room(("numpy",), ("app.double_double", "app.projection")),
     "app/depth.py": Room(("numpy",), ("app.projection",)),
     "app/clipping.py": Room(("numpy",), ("app.projection",)),
+    "app/morph.py": Room(("numpy",), ("app.projection",)),
     "app/health.py": Room(rooms=("app.projection", "app.precision", "app.depth")),
     "app/meshes.py": Room(("numpy", *VTK)),
     "app/scene.py": Room(("numpy", *VTK), ("app.projection", "app.meshes")),
@@ -134,6 +138,7 @@ ROOMS = {
     ),
     "widgets/help.py": Room(QT),
     "widgets/panels.py": Room(QT),
+    "widgets/stage_strip.py": Room(QT, ("app.projection", "app.morph")),
     "widgets/status_line.py": Room(
         QT,
         (
@@ -144,7 +149,7 @@ ROOMS = {
     "widgets/main_window.py": Room(
         ("numpy", *QT),
         (
-            *("app.projection", "app.scene", "app.document", "app.drawings"),
+            *("app.projection", "app.morph", "app.scene", "app.document", "app.drawings"),
             *("app.store", "app.measure", "widgets"),
         ),
     ),

@@ -60,6 +60,7 @@ from widgets.messages import sentence
 from widgets.pane import Pane
 from widgets.panels import Panels
 from widgets.pictures import Pictures
+from widgets.stage_strip import StageStrip
 from widgets.status_line import StatusLine
 
 PANE_WIDTHS = [400, 305, 330]
@@ -154,6 +155,8 @@ class MainWindow(QMainWindow):
             name: Pane(title, DRAWINGS[name], orbits=name != "image")
             for name, title in self._titles.items()
         }
+        self.strip = StageStrip()
+        self.panes["ndc"].add_below(self.strip)
         self.controls = Controls()
         self.panels = Panels()
         self._lay_out()
@@ -383,6 +386,9 @@ class MainWindow(QMainWindow):
             source.gesture_started.connect(store.begin_gesture)
             source.gesture_finished.connect(store.end_gesture)
         controls.animation.playing_changed.connect(self._playing_changed)
+        self.strip.moved.connect(self._stage_moved)
+        self.strip.gesture_started.connect(partial(self._refine_ndc, False))
+        self.strip.gesture_finished.connect(partial(self._refine_ndc, True))
         self.files.path_changed.connect(self._path_changed)
         self.files.recent_changed.connect(self._recent_changed)
         self._recent_changed()
@@ -432,12 +438,26 @@ class MainWindow(QMainWindow):
         for pane in self.panes.values():
             pane.set_smooth(smooth)
 
+    def _refine_ndc(self, smooth: bool) -> None:
+        self.panes["ndc"].set_smooth(smooth or not self._software_rendering)
+
+    def _stage_moved(self, position: float) -> None:
+        self.panes["ndc"].show_stage(position)
+        self._name_stage(self.store.document.projection)
+
+    def _name_stage(self, projection: Projection) -> None:
+        """Title, axes and limits of what the NDC pane shows."""
+        pane = self.panes["ndc"]
+        pane.set_title(self.strip.title())
+        note = self.strip.note(projection)
+        pane.note.setText(note)
+        pane.note.setToolTip(note)  # the pane can be narrower
+
     def _show_notes(self, projection: Projection, scene: Scene) -> None:
         self.status.show_projection(projection, scene)
         width, height = projection.image_size
         self.panes["image"].note.setText(f"{width} × {height}")
-        z_near, z_far = projection.depth_range
-        self.panes["ndc"].note.setText(f"z {z_near:g} … {z_far:g}".replace("-", "−"))
+        self._name_stage(projection)
 
     def _list_scenes(self) -> None:
         name = self.store.document.scene
@@ -612,6 +632,7 @@ class MainWindow(QMainWindow):
             event.ignore()
             return
         self.controls.animation.pause()
+        self.strip.pause()
         self.settings.geometry = bytes(self.saveGeometry().data())
         self.autosave.close()
         for pane in self.panes.values():

@@ -17,7 +17,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import Any, Protocol
+from typing import Any, Protocol, cast
 
 from PySide6.QtCore import QPointF, Qt, Signal
 from PySide6.QtGui import QCloseEvent, QMouseEvent, QShowEvent, QWheelEvent
@@ -63,6 +63,13 @@ class Drawing(Protocol):
 
     def remove(self) -> None:
         """Take everything out of the plotter again."""
+
+
+class StagedDrawing(Drawing, Protocol):
+    """A drawing that can show other stages of the pipeline than its own."""
+
+    def show_stage(self, position: float) -> None:
+        """Move to a position of the stage strip; draw nothing yet."""
 
 
 class _Canvas(QtInteractor):
@@ -215,6 +222,8 @@ class Pane(QFrame):
         self._projection: Projection | None = None
         self._to_build: tuple[object, ...] | None = None
         self._view: Camera | None = None
+        self._stage: float | None = None
+        self._stage_is_stale = False
         self._stale = False
         self._smooth = False
 
@@ -246,11 +255,11 @@ class Pane(QFrame):
             self.canvas.setToolTip(
                 self.tr("Drag to turn, Shift-drag to move, wheel to zoom, double-click to reset")
             )
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(0)
-        layout.addWidget(self.header)
-        layout.addWidget(self.canvas, 1)
+        self._column = QVBoxLayout(self)
+        self._column.setContentsMargins(0, 0, 0, 0)
+        self._column.setSpacing(0)
+        self._column.addWidget(self.header)
+        self._column.addWidget(self.canvas, 1)
 
     def _button(self, text: str, tip: str) -> QToolButton:
         button = QToolButton()
@@ -292,6 +301,17 @@ class Pane(QFrame):
         if self.isVisible():
             self._refresh()
 
+    def show_stage(self, position: float) -> None:
+        """Show a `StagedDrawing` at a position of its strip: at once if visible, or on appearing.
+
+        Parameters
+        ----------
+        position : float
+        """
+        self._stage, self._stage_is_stale = position, True
+        if self.isVisible():
+            self._refresh()
+
     def _refresh(self) -> None:
         """Bring the drawing up to what was asked for while nobody looked."""
         if self._projection is None:
@@ -303,13 +323,29 @@ class Pane(QFrame):
             self._to_build = None
             self._apply_smoothing()
             self.drawing.show_projection(self._projection)
+            self._take_stage(self.drawing)
             self.drawing.reset_view()
             if self._view is not None:
                 self.drawing.show_view(self._view)
         elif self._stale and self.drawing is not None:
             self.drawing.show_projection(self._projection)
+        if self._stage_is_stale and self.drawing is not None:
+            self._take_stage(self.drawing)
         self._stale = False
         self.request_repaint()
+
+    def _take_stage(self, drawing: Drawing) -> None:
+        if self._stage is not None:
+            cast(StagedDrawing, drawing).show_stage(self._stage)
+        self._stage_is_stale = False
+
+    def add_below(self, widget: QWidget) -> None:
+        """Put a widget under the canvas: it is hidden, enlarged and floated with the pane."""
+        self._column.addWidget(widget)
+
+    def set_title(self, title: str) -> None:
+        """Name what the pane shows now; its own name, for screen readers, stays."""
+        self.title.setText(title)
 
     def set_smooth(self, smooth: bool) -> None:
         """Switch antialiasing; the next repaint shows it."""

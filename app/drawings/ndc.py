@@ -12,6 +12,11 @@ the near face looks at the reader, x runs right, and the cube's front is the pic
 reversed range, where z grows towards the reader, there is nothing to mirror. The cube is centred
 where the pane's camera looks. That camera is a parallel one: all foreshortening that is to be
 seen is the projection's own.
+
+That is the pane at the NDC stop of its stage strip, and as it is exported. At any other position
+(`NdcDrawing.show_stage`) the scene and the view volume, which is the cube's own edges and faces,
+stand under the matrices of `app.morph` instead, and the words are those of the nearest stop. A
+step of the strip sets these matrices and nothing else.
 """
 
 from __future__ import annotations
@@ -38,8 +43,18 @@ from app.drawings.actors import (
 )
 from app.drawings.rungs import ModelActors
 from app.drawings.style import Style, rgb
+from app.morph import (
+    CANONICAL_PARALLEL,
+    CANONICAL_PERSPECTIVE,
+    IMAGE,
+    NDC,
+    RADIUS,
+    VIEW,
+    WORLD,
+    Morph,
+)
 from app.precision import DRAWING_TOLERANCE_PX, Rung
-from app.projection import DEPTH_RANGES, Camera, Projection
+from app.projection import DEPTH_RANGES, Array, Camera, Projection
 from app.scene import Scene
 
 VIEW_AZIMUTH_DEG, VIEW_ELEVATION_DEG = 27.0, 18.0
@@ -49,6 +64,22 @@ _DISTANCE = 10.0  # of the pane's camera; parallel, so that only its clipping ra
 _REACH = 2.5  # everything drawn lies within this of the cube's centre, at any orbit
 _OVERSHOOT = 0.28  # of the axes beyond the cube
 _TINT = 0.16
+
+_BEHIND_DEG, _WORLD_ELEVATION_DEG = 55.0, 25.0  # of the world stop, from the scene's own camera
+_LOOKED_FROM_DEG = {
+    VIEW: (60.0, 20.0),
+    CANONICAL_PERSPECTIVE: (40.0, 18.0),
+    CANONICAL_PARALLEL: (VIEW_AZIMUTH_DEG, VIEW_ELEVATION_DEG),
+    NDC: (VIEW_AZIMUTH_DEG, VIEW_ELEVATION_DEG),
+    IMAGE: (0.0, 0.0),
+}
+_FILLED = 0.9  # of the ball that holds the frustum: its corners alone touch the ball
+_TRIAD = 0.35  # length of the axes at the world and view stops
+_CANONICAL_TRIAD = 0.75  # of x and y in the canonical volumes, short of the sides' words
+_BESIDE = np.array([-0.3, -0.42])  # right and up of a pyramid's small near face: its plate
+_BESIDE_PYRAMID = np.array([-1.35, 0.2])
+_BOX = CUBE_CORNERS * (1.0, 1.0, 0.5) + (0.0, 0.0, 0.5)  # `Morph`'s: z is 1 at near, 0 at far
+_BOX_FROM_CUBE = np.array([[1.0, 0, 0, 0], [0, 1, 0, 0], [0, 0, 0.5, 0.5], [0, 0, 0, 1]])
 
 
 class NdcDrawing:
@@ -73,16 +104,24 @@ class NdcDrawing:
         style: Style,
         tolerance_px: float = DRAWING_TOLERANCE_PX,
     ) -> None:
+        self._scene = scene
         self._canvas = Canvas(plotter, style, self._layout)
         self._camera = self._canvas.renderer.GetActiveCamera()
         self._view: tuple[float, ...] = ()
         self._depth = ""
         self._half_depth = 1.0
         self._space, self._box, self._z_axis = Space(), Space(), Space()
+        self._volume = Space()
+        self._projection = scene.start
+        self._position = float(NDC)
+        self._named: tuple[int, bool] | None = None
+        self._morph: Morph | None = None
         self._planes = self._cube_planes()
         self._model = ModelActors(scene, style, tolerance_px, self._planes)
         self._add_scene()
         self._add_cube(style)
+        self._add_triad(style)
+        self._words = words
         self._add_words(words, style)
         self._set_depth("opengl")
         self.reset_view()
@@ -94,6 +133,14 @@ class NdcDrawing:
 
     def show_projection(self, projection: Projection) -> None:
         """Take the model's matrices over; draws nothing yet."""
+        self._projection, self._morph = projection, None
+        if self._position != NDC:
+            moved = self._current_view() != self._view
+            self._depth = projection.depth
+            self._show_moment()
+            if not moved:  # the picture may have another shape
+                self.reset_view()
+            return
         if projection.depth != self._depth:
             self._set_depth(projection.depth)
         # In OpenGL's range, whatever the model's: the displayed cube differs by its depth only.
@@ -101,30 +148,39 @@ class NdcDrawing:
         display_from_ndc = np.diag([1.0, 1.0, -self._half_depth, 1.0])
         self._space.set_projective(display_from_ndc @ self._model.show_projection(seen))
 
+    def show_stage(self, position: float) -> None:
+        """Move to a position of the stage strip; draws nothing yet.
+
+        Parameters
+        ----------
+        position : float
+            0 to 5; whole at `morph.STOPS`. The NDC stop is what the pane shows at first.
+        """
+        if position == self._position:
+            return
+        moved = self._current_view() != self._view
+        self._position = position
+        if position == NDC:
+            self._name_stop(NDC)
+            self._set_depth(self._projection.depth)
+            self.show_projection(self._projection)
+        else:
+            self._show_moment()
+        if not moved:
+            self.reset_view()
+
     def reset_view(self) -> None:
-        """Look at the near face from the right and above, the whole cube in the pane."""
-        width_px, height_px = (max(1, side) for side in self._canvas.window.GetSize())
-        azimuth, elevation = math.radians(VIEW_AZIMUTH_DEG), math.radians(VIEW_ELEVATION_DEG)
-        right = np.array([math.cos(azimuth), 0.0, -math.sin(azimuth)])
-        toward = np.array(
-            [
-                math.sin(azimuth) * math.cos(elevation),
-                math.sin(elevation),
-                math.cos(azimuth) * math.cos(elevation),
-            ]
-        )
-        up = np.cross(toward, right)
-        ends = [(1.0 + _OVERSHOOT, -1.0, 1.0), (-1.0, 1.0 + _OVERSHOOT, 1.0)]
-        ends += [(1.0, 1.0, sign * (1.0 + _OVERSHOOT)) for sign in (-1.0, 1.0)]
-        drawn = np.vstack([CUBE_CORNERS, ends])
-        margin_px = 2.6 * self._canvas.style.font_size
-        centre = np.zeros(3)
-        scale = 0.0
-        for axis, side_px in ((right, width_px), (up, height_px)):
-            low, high = (drawn @ axis).min(), (drawn @ axis).max()
-            centre += (low + high) / 2.0 * axis
-            room_px = max(side_px - 2.0 * margin_px, side_px / 2.0)
-            scale = max(scale, (high - low) / 2.0 * height_px / room_px)
+        """Look at the near face from the right and above, the whole cube in the pane.
+
+        Between two stops of the strip, from between the places that suit them.
+        """
+        stop = min(int(self._position), IMAGE)
+        part = self._position - stop
+        framing = self._framing(stop)
+        if part > 0.0:
+            framing = (1.0 - part) * framing + part * self._framing(stop + 1)
+        centre, scale = framing[:3], float(framing[3])
+        _, _, toward = _axes_from(*framing[4:])
         camera = self._camera
         camera.ParallelProjectionOn()
         camera.SetFocalPoint(*centre)
@@ -133,6 +189,41 @@ class NdcDrawing:
         camera.SetParallelScale(scale)
         self._view = self._current_view()
         self.reset_clipping_range()
+
+    def _looked_from(self, stop: int) -> tuple[float, float]:
+        """Azimuth and elevation of the pane's camera at a stop, degrees."""
+        if stop != WORLD:
+            return _LOOKED_FROM_DEG[stop]
+        # From beside the scene's own camera, and by the shorter way to the next stop's place.
+        after = _LOOKED_FROM_DEG[VIEW][0]
+        azimuth = self._scene.start.camera.orbit.azimuth_deg + _BEHIND_DEG
+        return after + math.remainder(azimuth - after, 360.0), _WORLD_ELEVATION_DEG
+
+    def _framing(self, stop: int) -> Array:
+        """Where a stop is seen from: centre x, y, z, parallel scale, azimuth, elevation."""
+        width_px, height_px = (max(1, side) for side in self._canvas.window.GetSize())
+        looked_from = self._looked_from(stop)
+        right, up, _ = _axes_from(*looked_from)
+        if stop <= VIEW:
+            drawn = _FILLED * RADIUS * np.array([right, -right, up, -up])
+        elif stop == IMAGE:
+            sides = np.array([*self._projection.image_size, 0.0])
+            across, down, _ = sides / sides.max()
+            drawn = CUBE_CORNERS * (across, down, 0.0)
+            drawn = np.vstack([drawn, [across + _OVERSHOOT, -down - _OVERSHOOT, 0.0]])
+        else:
+            ends = [(1.0 + _OVERSHOOT, -1.0, 1.0), (-1.0, 1.0 + _OVERSHOOT, 1.0)]
+            ends += [(1.0, 1.0, sign * (1.0 + _OVERSHOOT)) for sign in (-1.0, 1.0)]
+            drawn = np.vstack([CUBE_CORNERS, ends])
+        margin_px = 2.6 * self._canvas.style.font_size
+        centre = np.zeros(3)
+        scale = 0.0
+        for axis, side_px in ((right, width_px), (up, height_px)):
+            low, high = (drawn @ axis).min(), (drawn @ axis).max()
+            centre += (low + high) / 2.0 * axis
+            room_px = max(side_px - 2.0 * margin_px, side_px / 2.0)
+            scale = max(scale, (high - low) / 2.0 * height_px / room_px)
+        return np.array([*centre, scale, *looked_from])
 
     def refit(self) -> bool:
         """Nothing leaves the cube: no other view is needed."""
@@ -178,16 +269,7 @@ class NdcDrawing:
 
     def _cube_planes(self) -> list[vtkPlane]:
         """Left, right, bottom, top, far, near of the displayed cube, normals inwards."""
-        planes = []
-        for axis in range(3):
-            for inward in (1.0, -1.0):
-                plane = vtkPlane()
-                normal = [0.0, 0.0, 0.0]
-                normal[axis] = inward
-                plane.SetNormal(*normal)
-                plane.SetOrigin(*(-part for part in normal))
-                planes.append(plane)
-        return planes
+        return [vtkPlane() for _ in range(6)]  # placed by `_set_depth`
 
     def _add_scene(self) -> None:
         if self._model.lines is not None:
@@ -203,24 +285,27 @@ class NdcDrawing:
         between = [(0, 4), (1, 5), (2, 6), (3, 7)]
         width = style.line_width
         edges = [
-            line_actor(CUBE_CORNERS, between, style.frustum, width),
-            line_actor(CUBE_CORNERS, [(*far, far[0])], style.far, 1.7 * width),
-            line_actor(CUBE_CORNERS, [(*near, near[0])], style.near, 1.7 * width),
+            line_actor(_BOX, between, style.frustum, width),
+            line_actor(_BOX, [(*far, far[0])], style.far, 1.7 * width),
+            line_actor(_BOX, [(*near, near[0])], style.near, 1.7 * width),
         ]
-        middle = [(axis * sign) for axis in np.eye(3) for sign in (-1.0, 1.0)]
+        middle = np.array([(axis * sign) for axis in np.eye(3) for sign in (-1.0, 1.0)])
+        middle = middle * (1.0, 1.0, 0.5) + (0.0, 0.0, 0.5)
         cross = line_actor(middle, [(0, 1), (2, 3), (4, 5)], style.muted, 0.7 * width)
         faces = [
-            face_actor(CUBE_CORNERS, [far], style.far, _TINT),
-            face_actor(CUBE_CORNERS, [near], style.near, _TINT),
+            face_actor(_BOX, [far], style.far, _TINT),
+            face_actor(_BOX, [near], style.near, _TINT),
         ]
+        self._cross = cross
         for actor in (*edges, cross, *faces):
-            self._box.add(actor)
+            self._volume.add(actor)
             self._canvas.add(actor)
         for edge in edges:
             lift_lines(edge, 2)
         for face in faces:
             put_behind(face)
         right, up, along = np.eye(3)
+        self._arrows: list[Any] = []
         self._add_arrow(self._box, CUBE_CORNERS[4], right, style.u, width)
         self._add_arrow(self._box, CUBE_CORNERS[4], up, style.v, width)
         self._add_arrow(self._z_axis, CUBE_CORNERS[2], along, style.n, width)
@@ -244,6 +329,22 @@ class NdcDrawing:
         for actor in (shaft, head):
             space.add(actor)
             self._canvas.add(actor)
+            self._arrows.append(actor)
+
+    def _add_triad(self, style: Style) -> None:
+        """The axes of the other stops: shafts of length 1 and their heads, along x."""
+        self._triad: list[tuple[Space, Space, Any, Any]] = []
+        for colour in (style.u, style.v, style.n):
+            shaft = line_actor([(0, 0, 0), (1, 0, 0)], [(0, 1)], colour, 1.7 * style.line_width)
+            head = unlit_actor(pv.Cone(direction=(1, 0, 0), height=0.14, radius=0.045))
+            head.GetProperty().SetColor(*rgb(colour))
+            lift_lines(shaft, 3)
+            spaces = Space(), Space()
+            for space, actor in zip(spaces, (shaft, head), strict=True):
+                space.add(actor)
+                actor.SetVisibility(False)
+                self._canvas.add(actor)
+            self._triad.append((*spaces, shaft, head))
 
     def _add_words(self, words: Mapping[str, str], style: Style) -> None:
         label = self._canvas.label
@@ -279,7 +380,15 @@ class NdcDrawing:
         toward_reader = 1.0 if z_near > z_far else -1.0
         self._half_depth = half
         self._box.set(np.diag([1.0, 1.0, half, 1.0]))
+        volume = np.diag([1.0, 1.0, 2.0 * half, 1.0])
+        volume[2, 3] = -half
+        self._volume.set(volume)
         self._z_axis.set(np.diag([1.0, 1.0, toward_reader * half, 1.0]))
+        for axis, (positive, negative) in enumerate(zip(*[iter(self._planes)] * 2, strict=True)):
+            for plane, inward in ((positive, 1.0), (negative, -1.0)):
+                normal = inward * np.eye(3)[axis]
+                plane.SetNormal(*normal)
+                plane.SetOrigin(*-normal)
         self._planes[4].SetOrigin(0.0, 0.0, -half)
         self._planes[5].SetOrigin(0.0, 0.0, half)
         self._near.set_position((-1.0, 1.0, half))
@@ -296,6 +405,142 @@ class NdcDrawing:
             number.set_text(f"{z:.0f}".replace("-", "−"))
             number.set_position((1.0, 1.0, side))
 
+    # -- the other stops of the strip
+
+    def _show_moment(self) -> None:
+        """Set the matrices, planes and words of a position that is not the NDC stop."""
+        if self._morph is None:
+            scene = self._scene
+            self._morph = Morph(self._projection, scene.origin, scene.corners)
+        morph, position = self._morph, self._position
+        self._model.show_local()
+        self._space.set(_fitting(morph.display_from_local(position)))
+        box = _fitting(morph.display_from_box(position))
+        self._volume.set(box)
+        for plane, (*normal, offset) in zip(
+            self._planes, morph.planes_display(position).tolist(), strict=True
+        ):
+            plane.SetNormal(*normal)
+            plane.SetOrigin(*(-offset * part for part in normal))
+        stop = int(position + 0.5)
+        self._name_stop(stop)
+        self._place_axes(stop, morph, box)
+        self._place_words(stop, box)
+
+    def _name_stop(self, stop: int) -> None:
+        """Show the axes, letters and numbers that a stop has."""
+        if stop == NDC:
+            for name in "xy":
+                for number, text in zip(self._numbers[name], ("−1", "1"), strict=True):
+                    number.set_text(text)
+        if (stop, self._projection.lens.parallel) == self._named:
+            return
+        self._named = stop, self._projection.lens.parallel
+        self._cross.SetVisibility(stop in (CANONICAL_PARALLEL, NDC))
+        for actor in self._arrows:
+            actor.SetVisibility(stop == NDC)
+        for i, (_, _, shaft, head) in enumerate(self._triad):
+            for actor in (shaft, head):
+                actor.SetVisibility(stop != NDC and not (stop == IMAGE and i == 2))
+        self._near.set_text(self._words["near"])
+        letters = "uvn" if stop == VIEW else "xyz"
+        for letter, name in zip(self._letters.values(), letters, strict=True):
+            letter.set_text(self._words[name])
+        for label in (self._letters["z"], self._near, self._far):
+            label.set_visible(stop != IMAGE)
+        for name, numbers in self._numbers.items():
+            for number in numbers:
+                number.set_visible(stop >= CANONICAL_PERSPECTIVE and (stop != IMAGE or name != "z"))
+        if stop == CANONICAL_PERSPECTIVE and not self._projection.lens.parallel:
+            self._numbers["z"][0].set_visible(False)  # on the plate of near, which is small here
+
+    def _place_axes(self, stop: int, morph: Morph, box: Array) -> None:
+        """Put axes and letters where the nearest stop has them."""
+        if stop == NDC:
+            cube = box @ _BOX_FROM_CUBE
+            toward_reader = 1.0 if self._projection.depth == "reversed" else -1.0
+            z_axis = cube @ np.diag([1.0, 1.0, toward_reader, 1.0])
+            self._box.set(cube)
+            self._z_axis.set(z_axis)
+            end = 1.0 + _OVERSHOOT
+            for name, matrix, point in (
+                ("x", cube, (end, -1.0, 1.0, 1.0)),
+                ("y", cube, (-1.0, end, 1.0, 1.0)),
+                ("z", z_axis, (1.0, 1.0, end, 1.0)),
+            ):
+                place = matrix @ point
+                self._letters[name].set_position(place[:3] / place[3])
+            return
+        axes, lengths = np.eye(3), np.full(3, _TRIAD)
+        if stop <= VIEW:
+            matrix = morph.display_from_local(self._position)
+            camera = self._projection.camera
+            at = (0.0, 0.0, 0.0) if stop == WORLD else camera.eye
+            seen = matrix @ [*(np.array(at) - self._scene.origin), 1.0]
+            start = seen[:3] / seen[3]
+            away = math.hypot(*start)
+            if away > RADIUS:  # an origin that is far from the scene: at the border toward it
+                start *= RADIUS / away
+            axes = matrix[:3, :3] @ (axes if stop == WORLD else camera.frame.T)
+            axes = (axes / np.linalg.norm(axes, axis=0)).T
+        elif stop == IMAGE:
+            start = (box @ (-1.0, 1.0, 1.0, 1.0))[:3] / (box @ (-1.0, 1.0, 1.0, 1.0))[3]
+            corner = (box @ (1.0, -1.0, 1.0, 1.0))[:3] / (box @ (1.0, -1.0, 1.0, 1.0))[3]
+            lengths = np.abs(corner - start) + _OVERSHOOT
+            axes[1] = -axes[1]
+        else:
+            start = np.array([0.0, 0.0, 0.5])
+            lengths[:2] = _CANONICAL_TRIAD
+        for (shaft, head, *_), axis, length, letter in zip(
+            self._triad, axes, lengths, self._letters.values(), strict=True
+        ):
+            tip = start + length * axis
+            along = _along(axis)
+            along[:3, 3] = tip
+            head.set(along)
+            along = along @ np.diag([length, 1.0, 1.0, 1.0])
+            along[:3, 3] = start
+            shaft.set(along)
+            letter.set_position(tip)
+
+    def _place_words(self, stop: int, box: Array) -> None:
+        """Put near, far and the ends of the axes at the corners of the view volume."""
+        limit = RADIUS if stop <= VIEW else 2.0
+        near, far = (_edge(box, -1.0, 1.0, limit, z) for z in (1.0, 0.0))
+        lens = self._projection.lens
+        if stop <= CANONICAL_PERSPECTIVE and not lens.parallel:
+            aside = _BESIDE if stop <= VIEW else _BESIDE_PYRAMID
+            near = near + aside @ np.array(_axes_from(*self._looked_from(stop))[:2])
+        self._near.set_position(near)
+        self._far.set_position(far)
+        if stop <= VIEW:
+            return
+        (width, height) = self._projection.image_size
+        x, y = ("−1", "1"), ("−1", "1")
+        ends, z = (1.0, 1.0), ("0", "−1")
+        if stop == CANONICAL_PERSPECTIVE and not lens.parallel:
+            # The sides are 1 where z is -1: at far, and at near if far is infinite.
+            infinite = lens.far == math.inf
+            ends = (1.0, 1.0) if infinite else (0.0, 0.0)
+            z = ("", "−∞" if infinite else "−1")
+            at = -1.0 if infinite else -lens.near / lens.far
+            self._near.set_text(f"{self._words['near']} {_number(at)}")
+        elif stop == NDC:
+            z_near, z_far = self._projection.depth_range
+            z = (_number(z_near), _number(z_far))
+        elif stop == IMAGE:
+            x, y = ("0", str(width)), (str(height), "0")
+        for name, texts, corners in (
+            ("x", x, ((-1.0, -1.0, ends[0]), (1.0, -1.0, ends[0]))),
+            ("y", y, ((-1.0, -1.0, ends[1]), (-1.0, 1.0, ends[1]))),
+            ("z", z, ((1.0, 1.0, 1.0), (1.0, 1.0, 0.0))),
+        ):
+            for number, text, (across, up, along) in zip(
+                self._numbers[name], texts, corners, strict=True
+            ):
+                number.set_text(text)
+                number.set_position(_edge(box, across, up, limit, along))
+
     def _layout(self, _width_px: int, _height_px: int) -> None:
         if self._current_view() == self._view:  # nobody has turned it since: keep it whole
             self.reset_view()
@@ -303,3 +548,63 @@ class NdcDrawing:
     def _current_view(self) -> tuple[float, ...]:
         camera = self._camera
         return (*camera.GetPosition(), *camera.GetFocalPoint(), camera.GetParallelScale())
+
+
+def _axes_from(azimuth_deg: float, elevation_deg: float) -> tuple[Array, Array, Array]:
+    """Right, up and toward the reader of a camera at these angles."""
+    azimuth, elevation = math.radians(azimuth_deg), math.radians(elevation_deg)
+    right = np.array([math.cos(azimuth), 0.0, -math.sin(azimuth)])
+    toward = np.array(
+        [
+            math.sin(azimuth) * math.cos(elevation),
+            math.sin(elevation),
+            math.cos(azimuth) * math.cos(elevation),
+        ]
+    )
+    return right, _cross(toward, right), toward
+
+
+def _cross(one: Array, other: Array) -> Array:
+    """The cross product of two vectors, in a tenth of the time that numpy's own takes for one."""
+    a, b, c = one.tolist()
+    x, y, z = other.tolist()
+    return np.array([b * z - c * y, c * x - a * z, a * y - b * x])
+
+
+def _fitting(matrix: Array) -> Array:
+    """A homogeneous matrix without a common factor that could keep it from float32."""
+    fitting: Array = matrix * 2.0 ** -math.frexp(float(np.abs(matrix).max()))[1]
+    return fitting
+
+
+def _along(axis: Array) -> Array:
+    """A rotation that takes x to a direction, (4, 4)."""
+    other = np.eye(3)[int(np.abs(axis).argmin())]
+    side = _cross(axis, other)
+    side /= math.hypot(*side)
+    matrix = np.eye(4)
+    matrix[:3, :3] = np.column_stack([axis, side, _cross(axis, side)])
+    return matrix
+
+
+def _edge(box: Array, across: float, up: float, limit: float, z: float) -> Array:
+    """Where the corner of the view volume is shown, or its edge leaves the ball that is framed."""
+    near, far = (box @ (across, up, end, 1.0) for end in (1.0, 0.0))
+    start: Array = near[:3] / near[3]
+    if z == 1.0 or math.hypot(*start) >= limit:
+        return start
+    along = far[:3] - far[3] * start
+    length = math.hypot(*along)
+    if length == 0.0:
+        return start
+    along /= length
+    # From inside the ball: the positive root of |start + s along| = limit.
+    middle = float(start @ along)
+    leaves = -middle + math.sqrt(middle**2 + limit**2 - float(start @ start))
+    inside = far[3] * leaves >= length  # the corner itself is
+    shown: Array = start + along * (length / far[3] if inside else leaves)
+    return shown
+
+
+def _number(value: float) -> str:
+    return f"{value:.3g}".replace("-", "−")

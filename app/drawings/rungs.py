@@ -83,18 +83,21 @@ class ModelActors:
         (4, 4) float64 array
             Clip from vertex coordinates, for the actors to stand under.
         """
-        scene, before = self._scene, self.rung
-        self.rung = "float32"
-        if self._made:
-            self.rung = rung_for_drawing(
-                projection, scene.corners, scene.origin, self._tolerance_px
-            )
-        if self.rung == "float64":
+        scene = self._scene
+        if self._made and rung_for_drawing(
+            projection, scene.corners, scene.origin, self._tolerance_px
+        ) == "float64":
+            self.rung = "float64"
             return self._project(projection)
-        if before != "float32":
+        self.show_local()
+        return projection.clip_from_world_at(scene.origin)
+
+    def show_local(self) -> None:
+        """Give the actors the scene's own vertices, scene-local, whatever they stand under."""
+        if self.rung != "float32":
+            self.rung = "float32"
             for made in self._made:
                 made.restore()
-        return projection.clip_from_world_at(scene.origin)
 
     def _project(self, projection: Projection) -> Array:
         planes = _planes(projection)
