@@ -19,7 +19,6 @@ from typing import Any, Literal, NamedTuple, TypeAlias
 from app.projection import (
     DEPTH_RANGES,
     Array,
-    Frustum,
     Oblique,
     Perspective,
     Projection,
@@ -38,7 +37,7 @@ LETTERS: tuple[Letters, ...] = ("uvn", "000", "001", "002", "003")
 """The program's own (u v n of lecture 004, n f l r b t of 003), and those of four lectures."""
 
 _OURS = {
-    "fov": "fov", "aspect": "aspect", "W": "w", "H": "h", "alpha": "α", "beta": "β",
+    "fov": "fov", "aspect": "aspect", "W": "w", "H": "h", "alpha": "\u03b1", "beta": "β",
     "axis_u": "u", "axis_v": "v", "axis_n": "n", "eye": "e",
     "eye_x": "e_x", "eye_y": "e_y", "eye_z": "e_z", "theta_h": "θ_h", "theta_v": "θ_v",
 }  # fmt: skip
@@ -47,13 +46,13 @@ _SYMBOLS: dict[str, dict[str, str]] = {
     "uvn": _OURS,
     "000": {
         **_OURS,
-        **{"l": "x_min", "r": "x_max", "b": "y_min", "t": "y_max", "n": "z_min", "f": "z_max"},
+        "l": "x_min", "r": "x_max", "b": "y_min", "t": "y_max", "n": "z_min", "f": "z_max",
     },
     "001": {
         **_OURS, **_EYE_P, "axis_n": "w", "n_x": "w_x", "n_y": "w_y", "n_z": "w_z",
     },
     "002": {
-        **_OURS, **{"l": "x_l", "r": "x_r", "b": "y_b", "t": "y_t", "n": "z_n", "f": "z_f"},
+        **_OURS, "l": "x_l", "r": "x_r", "b": "y_b", "t": "y_t", "n": "z_n", "f": "z_f",
     },
     "003": {**_OURS, **_EYE_P},  # e is its focal length
 }  # fmt: skip
@@ -233,7 +232,9 @@ def _turned(formula: str) -> str:
 @cache
 def _spelled(formula: str, lens: Formulas) -> str:
     """A formula with the cells of P written out."""
-    return re.sub(r"p_(.)(.)", lambda cell: f"({lens[int(cell[1]) - 1][int(cell[2]) - 1]})", formula)
+    return re.sub(
+        r"p_(.)(.)", lambda cell: f"({lens[int(cell[1]) - 1][int(cell[2]) - 1]})", formula
+    )
 
 
 @cache
@@ -412,11 +413,7 @@ def _add_perspective(
     stage = "canonical_perspective_from_view"
     if lens == "frustum":
         scales = ("2*n/(r - l)", "2*n/(t - b)")
-        parts = (
-            ("2/(r - l)", "2/(t - b)")
-            if infinite
-            else ("2*n/(f*(r - l))", "2*n/(f*(t - b))")
-        )
+        parts = ("2/(r - l)", "2/(t - b)") if infinite else ("2*n/(f*(r - l))", "2*n/(f*(t - b))")
         table[f"{stage}/shear"] = _with(
             _IDENTITY, r0c2=f"{minus}(r + l)/(2*n)", r1c2=f"{minus}(t + b)/(2*n)"
         )
@@ -440,6 +437,23 @@ def _add_perspective(
         r2c2="1" if infinite else "f/(f - n)", r2c3="1" if infinite else "n/(f - n)",
     )  # fmt: skip
     table["clip_from_depth_range"] = _diagonal(reach, reach, reach, reach)
+    table["canonical_parallel_from_view"] = _with(
+        table[stage], r3c2=f"{'' if signed else '-'}1/{reach}", r3c3="0",
+        r2c2=f"{minus}1/n" if infinite else f"1/({'n - f' if signed else 'f - n'})",
+        r2c3="1" if infinite else "n/(f - n)",
+    )  # fmt: skip
+    a, b = {
+        (-1, 1): ("-(f + n)/(f*(f - n))", "-2*n/(f - n)"),
+        (1, -1): ("-(f + n)/(f*(f - n))", "2*n/(f - n)"),
+        (0, 1): (f"{'' if signed else '-'}1/(f - n)", "-n/(f - n)"),
+        (1, 0): (f"{minus}n/(f*(f - n))", "n/(f - n)"),
+    }[depth]
+    if infinite:
+        a, b = {
+            (-1, 1): ("-1/n", "-2"), (1, -1): ("-1/n", "2"),
+            (0, 1): (f"{'' if signed else '-'}1/n", "-1"), (1, 0): ("0", "1"),
+        }[depth]  # fmt: skip
+    table["depth_range_from_view"] = _with(table["canonical_parallel_from_view"], r2c2=a, r2c3=b)
     a, b = {
         (-1, 1): ("-(f + n)/(f - n)", "-2*f*n/(f - n)"),
         (1, -1): ("-(f + n)/(f - n)", "2*n*f/(f - n)"),
@@ -460,16 +474,16 @@ def _add_perspective(
 
 
 def _add_products(table: _Table, parallel: bool) -> None:
+    """The running products with the view matrix."""
     view = table["view_from_world"]
-    product = view
-    start = "canonical_parallel" if parallel else "canonical_perspective"
-    steps = [f"{start}_from_view"]
-    if not parallel:
-        steps.append("canonical_parallel_from_canonical_perspective")
-    steps.append("depth_range_from_canonical_parallel")
-    for step in steps:
-        product = _product(table[step], product)
-        table[f"{step.partition('_from_')[0]}_from_world"] = product
+    if parallel:
+        steps = {"canonical_parallel": "canonical_parallel_from_view",
+                 "depth_range": "clip_from_view"}  # fmt: skip
+    else:
+        targets = ("canonical_perspective", "canonical_parallel", "depth_range")
+        steps = {target: f"{target}_from_view" for target in targets}
+    for target, step in steps.items():
+        table[f"{target}_from_world"] = _product(table[step], view)
     # The whole formula is too long for a cell: P is clip_from_view, p_ij its cells.
     lens = tuple(
         tuple(cell if cell in ("0", "1", "-1") else f"p_{i}{j}" for j, cell in enumerate(row, 1))
@@ -489,23 +503,32 @@ def _product(left: Formulas, right: Formulas) -> Formulas:
 def _sum(terms: Sequence[tuple[str, str]]) -> str:
     """A sum of products without the factors 1."""
     text = ""
-    for a, b in terms:
+    for pair in terms:
         negative = False
-        parts = []
-        for part in (a, b):
+        above, below = [], ""
+        for part in pair:
             tree = ast.parse(part, mode="eval").body
-            if isinstance(tree, ast.UnaryOp) and isinstance(tree.op, ast.USub):
-                negative = not negative
-                tree = tree.operand
-            plain = ast.unparse(tree)
-            if isinstance(tree, ast.BinOp) and isinstance(tree.op, ast.Add | ast.Sub):
-                plain = f"({plain})"
-            if plain != "1":
-                parts.append(plain)
-        term = "*".join(parts) or "1"
+            if isinstance(tree, ast.BinOp) and isinstance(tree.op, ast.Div):
+                below += f"/{_in_brackets(tree.right, ast.BinOp)}"
+                tree = tree.left
+            part = _in_brackets(tree, ast.BinOp) if _is_sum(tree) else ast.unparse(tree)
+            if part.startswith("-"):  # the sign of a product's first factor is the product's
+                negative, part = not negative, part[1:]
+            if part != "1":
+                above.append(part)
+        term = ("*".join(above) or "1") + below
         text = (f"{text} {'-' if negative else '+'} {term}" if text
                 else f"{'-' if negative else ''}{term}")  # fmt: skip
     return text or "0"
+
+
+def _is_sum(tree: ast.expr) -> bool:
+    return isinstance(tree, ast.BinOp) and isinstance(tree.op, ast.Add | ast.Sub)
+
+
+def _in_brackets(tree: ast.expr, kind: type[ast.expr]) -> str:
+    text = ast.unparse(tree)
+    return f"({text})" if isinstance(tree, kind) else text
 
 
 def letter_values(projection: Projection, letters: Letters = "uvn") -> dict[str, Any]:
@@ -605,7 +628,7 @@ class _Plain:
         return f"({text})" if outer > 2 else text
 
 
-_GREEK = {"α": r"\alpha", "β": r"\beta", "θ": r"\theta"}
+_GREEK = {"\u03b1": r"\alpha", "β": r"\beta", "θ": r"\theta"}
 
 
 class _Latex(_Plain):
