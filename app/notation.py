@@ -183,8 +183,8 @@ def _matrix(
     if len(inner) > 1:
         for label, array in inner.items():
             factors.append(_one(label, f"{stage.name}/{label}", array, signs,
-                                projection.depth, by_depth, rows, ()))  # fmt: skip
-    whole = _one(stage.name, stage.name, stage.matrix, signs, projection.depth, by_depth, rows,
+                                projection, by_depth, rows, ()))  # fmt: skip
+    whole = _one(stage.name, stage.name, stage.matrix, signs, projection, by_depth, rows,
                  tuple(factors))  # fmt: skip
     if rows:
         product = product[::-1]
@@ -196,7 +196,7 @@ def _one(
     key: str,
     array: Array,
     signs: Callable[[str, int, int], int],
-    depth: str,
+    projection: Projection,
     by_depth: dict[str, _Table],
     rows: bool,
     factors: tuple[Matrix, ...],
@@ -205,6 +205,7 @@ def _one(
         tuple(signs(key, i, j) * value + 0.0 for j, value in enumerate(row))
         for i, row in enumerate(array.tolist())
     )
+    depth, keep = projection.depth, getattr(projection.lens, "keep", "stretch")
     formulas = by_depth[depth][key]
     fields = tuple(
         tuple(_fields(*(_spelled(table[key][i][j], table["clip_from_view"])
@@ -238,7 +239,7 @@ def _spelled(formula: str, lens: Formulas) -> str:
 
 
 @cache
-def _fields(formula: str, *in_other_ranges: str) -> tuple[str, ...]:
+def _fields(keep: str, formula: str, *in_other_ranges: str) -> tuple[str, ...]:
     found: dict[str, None] = {}
     for name in _names(formula):
         if name.startswith("eye"):
@@ -246,6 +247,8 @@ def _fields(formula: str, *in_other_ranges: str) -> tuple[str, ...]:
         elif len(name) == 3 and name[0] in "uvn" and name[1] == "_":
             name = f"axis_{name[0]}"
         found.update(dict.fromkeys(_FIELDS.get(name, ())))
+        if name in {"x": "bt", "y": "lr"}.get(keep, ""):  # fitted to the image
+            found.update(dict.fromkeys(("left", "right", "bottom", "top", "image", "keep")))
     if any(other != formula for other in in_other_ranges):
         found["depth"] = None
     return tuple(found)

@@ -106,7 +106,13 @@ ROOMS = {
     "widgets/section.py": PANEL,
     "widgets/lens_controls.py": PANEL,
     "widgets/animation.py": PANEL,
-    "widgets/matrix_panel.py": PANEL,
+    "widgets/matrix_panel.py": Room(
+        QT,
+        (
+            *("app.notation", "app.projection", "app.drawings.style"),
+            *("widgets.messages", "widgets.rows"),
+        ),
+    ),
     "widgets/probe_panel.py": PANEL,
     "widgets/export_dialog.py": Room(QT, ("app.figures", "widgets.messages")),
     # One pane hosts any drawing, so it knows the drawings' values and none of them.

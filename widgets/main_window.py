@@ -55,6 +55,7 @@ from widgets.autosave import Autosave
 from widgets.controls import Controls
 from widgets.files import Files
 from widgets.help import Help
+from widgets.matrix_panel import MatrixPanel
 from widgets.message_bar import MessageBar
 from widgets.messages import sentence
 from widgets.pane import Pane
@@ -155,7 +156,12 @@ class MainWindow(QMainWindow):
             for name, title in self._titles.items()
         }
         self.controls = Controls()
+        self.matrices = MatrixPanel()
         self.panels = Panels()
+        self.panels.add(
+            self.tr("Matrices"), self.matrices,
+            self.tr("Every stage's matrix: numbers, formulas, factors and products"),
+        )  # fmt: skip
         self._lay_out()
         self._make_actions()
         self._make_status_line()
@@ -381,6 +387,8 @@ class MainWindow(QMainWindow):
         for source in (controls, controls.animation):
             source.gesture_started.connect(store.begin_gesture)
             source.gesture_finished.connect(store.end_gesture)
+            source.gesture_started.connect(self.matrices.begin_gesture)
+            source.gesture_finished.connect(self.matrices.end_gesture)
         controls.animation.playing_changed.connect(self._playing_changed)
         self.files.path_changed.connect(self._path_changed)
         self.files.recent_changed.connect(self._recent_changed)
@@ -404,6 +412,7 @@ class MainWindow(QMainWindow):
         for pane in self.panes.values():
             pane.show_projection(document.projection)
         self.controls.show_projection(document.projection)
+        self.matrices.show_projection(document.projection)
         self._show_notes(document.projection, scene)
         self.autosave.schedule()
 
@@ -414,6 +423,7 @@ class MainWindow(QMainWindow):
             device_pixel_ratio=self.devicePixelRatioF(),
         )
         projection = self.store.document.projection
+        self.matrices.set_style(style)
         for name, pane in self.panes.items():
             pane.build(projection, views.get(name), self._scene, self._words, style)
 
