@@ -208,8 +208,9 @@ def _one(
     depth, keep = projection.depth, getattr(projection.lens, "keep", "stretch")
     formulas = by_depth[depth][key]
     fields = tuple(
-        tuple(_fields(*(_spelled(table[key][i][j], table["clip_from_view"])
-                        for table in (by_depth[depth], *by_depth.values()))) for j in range(4))
+        tuple(_fields(keep, *(_spelled(table[key][i][j], table["clip_from_view"])
+                              for table in (by_depth[depth], *by_depth.values())))
+              for j in range(4))
         for i in range(4)
     )  # fmt: skip
     if rows:

@@ -11,6 +11,7 @@ drag counts as one change) are lit, and their digits from the first other one on
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Callable, Sequence
 from functools import partial
 from typing import cast
@@ -64,6 +65,8 @@ from widgets.rows import short_text
 
 _AXES = ("u", "v", "n")
 _VIEW = ("view_from_world", "rotation")
+_NOTE_CHARACTERS = 36
+"""Characters in a line of a note, which shall not be wider than its matrix."""
 _WIDEST = 16
 """Width in ems after which a formula is cut; its tooltip has all of it."""
 
@@ -615,12 +618,16 @@ class MatrixPanel(QWidget):
             self._refresh()
 
     def sizeHint(self) -> QSize:
-        hint = super().sizeHint()
-        needed = (
-            self._content.sizeHint().height()
-            + self._scroll.horizontalScrollBar().sizeHint().height()
+        # Folded, there is no matrix yet to be measured: a title, axes, four rows, a note.
+        matrices_height = max(
+            8 * self.fontMetrics().height() + 24, self._content.sizeHint().height()
         )
-        return QSize(hint.width(), hint.height() - self._scroll.sizeHint().height() + needed)
+        around = (
+            self.copy.sizeHint().height(),
+            self._scroll.horizontalScrollBar().sizeHint().height(),
+            self.explanation.minimumHeight(),
+        )
+        return QSize(super().sizeHint().width(), matrices_height + sum(around) + 6)
 
     @property
     def shown(self) -> tuple[Matrix, ...]:
@@ -657,7 +664,9 @@ class MatrixPanel(QWidget):
             box.title.setText(_title(matrix))
             box.title.setToolTip(" = ".join([matrix.name, " · ".join(matrix.product)])
                                  if matrix.product else matrix.name)  # fmt: skip
-            box.note.setText(self._note(matrix))
+            note = self._note(matrix)
+            box.note.setText(textwrap.fill(note, _NOTE_CHARACTERS))
+            box.note.setVisible(bool(note))
             old = before.get(matrix.name)
             box.view.show_matrix(matrix, old, **settings)
             factors = old.factors if old and len(old.factors) == len(matrix.factors) else None
@@ -690,7 +699,7 @@ class MatrixPanel(QWidget):
             box.fold.toggled.connect(partial(self._folded, box, matrix.name))
             self._set_arrow(box)
             self._boxes.append(box)
-            self._row.insertWidget(place, box)
+            self._row.insertWidget(place, box, 0, Qt.AlignmentFlag.AlignTop)
 
     def _folded(self, box: _Box, name: str, unfolded: bool) -> None:
         (self._unfolded.add if unfolded else self._unfolded.discard)(name)
@@ -703,17 +712,19 @@ class MatrixPanel(QWidget):
 
     def _note(self, matrix: Matrix) -> str:
         if matrix.note:
-            return translated(matrix.note).replace(": ", ":\n", 1)
+            return translated(matrix.note)
         if matrix.name == "clip_from_world":
             return self.tr("then x, y and z are divided by w")
-        if matrix.name == "clip_from_view" and self._projection is not None:
-            if has_own_signs(self._projection, self._letters):
-                return (
-                    self.tr("with lecture 002's signs:\nw = z, and z runs from 1 at near to −1")
-                    if self._projection.depth == "opengl"
-                    else self.tr("with lecture 002's sign: w = z")
-                )
-        return ""
+        projection = self._projection
+        if matrix.name != "clip_from_view" or projection is None:
+            return ""
+        if not has_own_signs(projection, self._letters):
+            return ""
+        if projection.depth != "opengl":
+            return self.tr("with lecture 002's sign: w = z")
+        if projection.lens.parallel:
+            return self.tr("with lecture 002's sign: z runs from 1 at near to −1")
+        return self.tr("with lecture 002's signs: w = z, and z runs from 1 at near to −1")
 
     # -- words
 
