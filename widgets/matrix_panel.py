@@ -376,9 +376,10 @@ class MatrixView(QWidget):
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         menu = QMenu(self)
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         for form, text in self._forms():
             menu.addAction(text, partial(self.copied.emit, form, self._matrix))
-        menu.exec(event.globalPos())
+        menu.popup(event.globalPos())
 
     def _forms(self) -> Sequence[tuple[str, str]]:
         return (
