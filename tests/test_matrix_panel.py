@@ -44,7 +44,7 @@ def moved(projection: Projection, **fields: Any) -> Projection:
 
 def shown_after(panel: MatrixPanel, qtbot: QtBot, projection: Projection) -> None:
     panel.show_projection(projection)
-    qtbot.waitUntil(lambda: not panel._soon.isActive())
+    qtbot.waitUntil(lambda: not panel._pending)
 
 
 def choose(box: Any, value: str) -> None:
@@ -86,7 +86,7 @@ def test_folded_computes_nothing(
     qtbot.waitExposed(panel)
     assert calls == [moved(OFF_AXIS, near=1.5)]
     assert not any(view.lit for view in panel.views.values())
-    for near in (1.0, 1.25, 2.0):  # one update for one turn of the event loop
+    for near in (1.0, 1.25, 2.0):  # one update for many steps
         panel.show_projection(moved(OFF_AXIS, near=near))
     assert len(calls) == 1
     qtbot.waitUntil(lambda: len(calls) > 1)
@@ -260,7 +260,7 @@ def test_factors_unfold_and_stay_so(panel: MatrixPanel, qtbot: QtBot) -> None:
     qtbot.mouseClick(box.fold, Qt.MouseButton.LeftButton)
     assert view.isVisible()
     shown_after(panel, qtbot, OFF_AXIS.with_lens("oblique"))
-    assert panel.views["view_from_world/rotation"].isVisible()
+    qtbot.waitUntil(panel.views["view_from_world/rotation"].isVisible)
     assert not panel.views["canonical_parallel_from_view/shear"].isVisible()
 
 
@@ -268,7 +268,7 @@ def test_factors_unfold_and_stay_so(panel: MatrixPanel, qtbot: QtBot) -> None:
 def test_notes_are_shown(panel: MatrixPanel, qtbot: QtBot, lens: Any) -> None:
     projection = replace(OFF_AXIS, lens=lens)
     shown_after(panel, qtbot, projection)
-    notes = {box.note.text().replace("\n", " ") for box in panel._boxes if box.note.isVisible()}
+    notes = {box.note.text().replace("\n", " ") for box in panel._boxes if not box.note.isHidden()}
     assert {stage.note for stage in projection.stages if stage.note} <= notes
 
 
@@ -287,7 +287,7 @@ def test_the_window_shows_the_current_value_when_the_panel_opens(
     window.controls.gesture_started.emit()
     for near in (1.25, 1.5):
         window.store.set_projection(moved(start, near=near))
-    qtbot.waitUntil(lambda: not panel._soon.isActive())
+    qtbot.waitUntil(lambda: not panel._pending)
     assert panel.views["clip_from_view"].lit == {(2, 2), (2, 3)}
     window.controls.gesture_finished.emit()
     assert all(isinstance(view, MatrixView) for view in panel.views.values())

@@ -2,7 +2,7 @@
 
 ::
 
-    MatrixPanel.show_projection --once per turn of the event loop--> app.notation.matrices
+    MatrixPanel.show_projection --at most every 100 ms, and at rest--> app.notation.matrices
                                 --what changed--> MatrixView, one for each matrix and factor
 
 Nothing is computed while the panel is folded. Cells that differ from before the last change (a
@@ -16,7 +16,17 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from typing import cast
 
-from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import (
+    QCoreApplication,
+    QElapsedTimer,
+    QEvent,
+    QPointF,
+    QRectF,
+    QSize,
+    Qt,
+    QTimer,
+    Signal,
+)
 from PySide6.QtGui import (
     QColor,
     QContextMenuEvent,
@@ -65,6 +75,9 @@ from widgets.rows import short_text
 
 _AXES = ("u", "v", "n")
 _VIEW = ("view_from_world", "rotation")
+READ_MS = 100
+"""While values run they are shown as often as digits can be read, and once the hand rests."""
+_SHOW = QEvent.Type(QEvent.registerEventType())
 _NOTE_CHARACTERS = 36
 """Characters in a line of a note, which shall not be wider than its matrix."""
 _WIDEST = 16
@@ -469,7 +482,8 @@ class _Box(QWidget):
 class MatrixPanel(QWidget):
     """Every matrix between the object and its picture.
 
-    A change is shown once per turn of the event loop, and only while the panel is visible.
+    A change is shown while the panel is visible, and at most every `READ_MS`: a drag costs little
+    more than without the panel, and ends with the value it ends with.
     """
 
     def __init__(self) -> None:
@@ -483,10 +497,13 @@ class MatrixPanel(QWidget):
         self._boxes: list[_Box] = []
         self._plan: object = None
         self._unfolded: set[str] = set()
-        self._soon = QTimer(self)
-        self._soon.setSingleShot(True)
-        self._soon.setInterval(0)
-        self._soon.timeout.connect(self._refresh)
+        self._pending = self._posted = False
+        self._clock = QElapsedTimer()
+        self._rest = QTimer(self)
+        self._rest.setSingleShot(True)
+        self._rest.setInterval(READ_MS)
+        self._rest.timeout.connect(self._refresh)
+        self._earlier: tuple[object, tuple[Matrix, ...]] = (None, ())
         self._lay_out()
 
     def _lay_out(self) -> None:
@@ -597,10 +614,22 @@ class MatrixPanel(QWidget):
         if not self._gestures:
             self._before = self._projection
         self._projection = projection
-        if self.isVisible():
-            self._soon.start()
-        else:
+        if not self.isVisible():
             self._before = None
+            return
+        self._pending = True
+        if self._clock.hasExpired(READ_MS):
+            if not self._posted:  # before the panes are drawn, so that the window is drawn once
+                self._posted = True
+                QCoreApplication.postEvent(self, QEvent(_SHOW))
+        else:
+            self._rest.start()
+
+    def event(self, event: QEvent) -> bool:
+        if event.type() == _SHOW:
+            self._refresh()
+            return True
+        return super().event(event)
 
     def set_style(self, style: Style) -> None:
         """Take over the colours of the drawings."""
@@ -646,13 +675,18 @@ class MatrixPanel(QWidget):
         return views
 
     def _refresh(self) -> None:
-        self._soon.stop()
+        self._rest.stop()
+        self._pending = self._posted = False
         if self._projection is None or not self.isVisible():
             return
+        self._clock.start()
         self._shown = self._matrices(self._projection)
         before: dict[str, Matrix] = {}
         if self._before is not None:
-            before = {matrix.name: matrix for matrix in self._matrices(self._before)}
+            key = (self._before, self._letters, self._rows, self.running.isChecked())
+            if self._earlier[0] != key:
+                self._earlier = (key, self._matrices(self._before))
+            before = {matrix.name: matrix for matrix in self._earlier[1]}
         plan = [(matrix.name, [f.name for f in matrix.factors]) for matrix in self._shown]
         if plan != self._plan:
             self._build()
