@@ -93,7 +93,10 @@ ROOMS = {
     # The command line starts with numbers only; pictures and windows come when they are asked for.
     "app/cli.py": Room(
         ("numpy",),
-        ("app.bootstrap", "app.projection", "app.precision", "app.document", "app.doctor"),
+        (
+            *("app.bootstrap", "app.projection", "app.precision", "app.notation"),
+            *("app.document", "app.doctor"),
+        ),
         late=(*VTK, *QT, "app", "widgets"),
     ),
     "app/doctor.py": Room(rooms=("app.bootstrap",), late=(*VTK, *QT, "app", "widgets")),
