@@ -16,7 +16,7 @@ from PySide6.QtWidgets import QMenu
 from pytestqt.qtbot import QtBot
 
 from app import cli, notation
-from app.drawings.style import LIGHT
+from app.drawings.style import DARK, LIGHT
 from app.projection import Camera, Frustum, Oblique, Perspective, Projection
 from widgets import matrix_panel
 from widgets.matrix_panel import MatrixPanel, MatrixView, first_change
@@ -81,6 +81,8 @@ def test_folded_computes_nothing(
     for near in (1.0, 1.25, 1.5):
         panel.show_projection(moved(OFF_AXIS, near=near))
         display.processEvents()
+    panel.set_style(DARK)
+    panel.running.setChecked(True)
     assert not calls
     panel.show()
     qtbot.waitExposed(panel)
