@@ -34,6 +34,7 @@ from app.document import (
     set_values,
     to_json,
 )
+from app.notation import latex_name, latex_number
 from app.precision import RUNGS, Prediction, Rung, predict, rung_for_reading, trace
 from app.projection import (
     BOTTOM_BEFORE_TOP,
@@ -740,26 +741,19 @@ def _matrices_json(projection: Projection) -> str:
 def _matrices_latex(projection: Projection) -> str:
     blocks = ["% needs \\usepackage{amsmath}\n"]
     for stage in _all_stages(projection):
-        target, _, source = (part.replace("_", " ") for part in stage.name.partition("_from_"))
-        symbol = rf"M_{{\text{{{target}}}\leftarrow\text{{{source}}}}}"
         factors = _factors(stage)
         shown = [values for _, values in factors] if len(factors) > 1 else []
         equal = " = ".join(
             "\n".join(map(_latex, group)) for group in (shown, [stage.matrix]) if group
         )
         note = f"% {stage.note}\n" if stage.note else ""
-        blocks.append(f"{note}\\[\n{symbol} = {equal}\n\\]\n")
+        blocks.append(f"{note}\\[\n{latex_name(stage.name)} = {equal}\n\\]\n")
     return "\n".join(blocks)
 
 
 def _latex(matrix: Array) -> str:
-    rows = [" & ".join(map(_latex_number, row)) for row in _plain(matrix)]
+    rows = [" & ".join(map(latex_number, row)) for row in _plain(matrix)]
     return "\\begin{pmatrix}\n" + " \\\\\n".join(rows) + "\n\\end{pmatrix}"
-
-
-def _latex_number(value: float) -> str:
-    mantissa, e, exponent = format_value(value).partition("e")
-    return rf"{mantissa} \cdot 10^{{{int(exponent)}}}" if e else mantissa
 
 
 _MATRIX_FORMATS: dict[str, Callable[[Projection], str]] = {

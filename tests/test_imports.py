@@ -69,7 +69,11 @@ ROOMS = {
     "app/precision.py": Room(("numpy",), ("app.double_double", "app.projection")),
     "app/depth.py": Room(("numpy",), ("app.projection",)),
     "app/clipping.py": Room(("numpy",), ("app.projection",)),
+<<<<<<< HEAD
     "app/morph.py": Room(("numpy",), ("app.projection",)),
+=======
+    "app/notation.py": Room(rooms=("app.projection",)),
+>>>>>>> helper-p
     "app/health.py": Room(rooms=("app.projection", "app.precision", "app.depth")),
     "app/meshes.py": Room(("numpy", *VTK)),
     "app/scene.py": Room(("numpy", *VTK), ("app.projection", "app.meshes")),
@@ -97,7 +101,10 @@ ROOMS = {
     # The command line starts with numbers only; pictures and windows come when they are asked for.
     "app/cli.py": Room(
         ("numpy",),
-        ("app.bootstrap", "app.projection", "app.precision", "app.document", "app.doctor"),
+        (
+            *("app.bootstrap", "app.projection", "app.precision", "app.notation"),
+            *("app.document", "app.doctor"),
+        ),
         late=(*VTK, *QT, "app", "widgets"),
     ),
     "app/doctor.py": Room(rooms=("app.bootstrap",), late=(*VTK, *QT, "app", "widgets")),
@@ -110,7 +117,13 @@ ROOMS = {
     "widgets/section.py": PANEL,
     "widgets/lens_controls.py": PANEL,
     "widgets/animation.py": PANEL,
-    "widgets/matrix_panel.py": PANEL,
+    "widgets/matrix_panel.py": Room(
+        QT,
+        (
+            *("app.notation", "app.projection", "app.drawings.style"),
+            *("widgets.messages", "widgets.rows"),
+        ),
+    ),
     "widgets/probe_panel.py": PANEL,
     "widgets/export_dialog.py": Room(QT, ("app.figures", "widgets.messages")),
     # One pane hosts any drawing, so it knows the drawings' values and none of them.

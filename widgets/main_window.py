@@ -55,6 +55,7 @@ from widgets.autosave import Autosave
 from widgets.controls import Controls
 from widgets.files import Files
 from widgets.help import Help
+from widgets.matrix_panel import MatrixPanel
 from widgets.message_bar import MessageBar
 from widgets.messages import sentence
 from widgets.pane import Pane
@@ -158,7 +159,12 @@ class MainWindow(QMainWindow):
         self.strip = StageStrip()
         self.panes["ndc"].add_below(self.strip)
         self.controls = Controls()
+        self.matrices = MatrixPanel()
         self.panels = Panels()
+        self.panels.add(
+            self.tr("Matrices"), self.matrices,
+            self.tr("Every stage's matrix: numbers, formulas, factors and products"),
+        )  # fmt: skip
         self._lay_out()
         self._make_actions()
         self._make_status_line()
@@ -385,6 +391,8 @@ class MainWindow(QMainWindow):
         for source in (controls, controls.animation):
             source.gesture_started.connect(store.begin_gesture)
             source.gesture_finished.connect(store.end_gesture)
+            source.gesture_started.connect(self.matrices.begin_gesture)
+            source.gesture_finished.connect(self.matrices.end_gesture)
         controls.animation.playing_changed.connect(self._playing_changed)
         self.strip.moved.connect(self._stage_moved)
         self.strip.gesture_started.connect(partial(self._refine_ndc, False))
@@ -411,6 +419,7 @@ class MainWindow(QMainWindow):
         for pane in self.panes.values():
             pane.show_projection(document.projection)
         self.controls.show_projection(document.projection)
+        self.matrices.show_projection(document.projection)
         self._show_notes(document.projection, scene)
         self.autosave.schedule()
 
@@ -421,6 +430,7 @@ class MainWindow(QMainWindow):
             device_pixel_ratio=self.devicePixelRatioF(),
         )
         projection = self.store.document.projection
+        self.matrices.set_style(style)
         for name, pane in self.panes.items():
             # The world pane is looked at by a camera of its own, which is never at an extreme.
             tolerance = () if name == "world" else (self.settings.tolerance_px,)

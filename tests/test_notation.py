@@ -1,0 +1,224 @@
+"""Every formula against its number, every number against the command's, and what is copied."""
+
+from __future__ import annotations
+
+import json
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from app import cli, notation
+from app.notation import LETTERS, Letters, Matrix, matrices
+from app.projection import (
+    Camera,
+    Frustum,
+    Lens,
+    Oblique,
+    Orthographic,
+    Perspective,
+    Projection,
+)
+
+BOX = (-3.0, 4.5, -2.0, 3.25)
+LENSES: dict[str, Lens] = {
+    "perspective": Perspective(50.0, 1.5, 40.0),
+    "wide": Perspective(120.0, 0.5, 20.0),
+    "perspective-inf": Perspective(50.0, 1.5, math.inf),
+    "frustum": Frustum(-0.7, 0.9, -0.4, 0.65, 1.5, 40.0),
+    "frustum-keep": Frustum(-0.7, 0.9, -0.4, 0.65, 1.5, 40.0, "x"),
+    "frustum-inf": Frustum(-0.7, 0.9, -0.4, 0.65, 1.5, math.inf),
+    "orthographic": Orthographic(*BOX, 1.5, 40.0),
+    "behind": Orthographic(*BOX, -3.0, 40.0, "y"),
+    "oblique": Oblique(*BOX, 1.5, 40.0, keep="stretch", alpha_deg=60.0, beta_deg=115.0),
+}
+DEPTHS = ("opengl", "direct3d", "reversed")
+CAMERA = Camera((6.0, 5.0, 9.0), (0.5, 2.0, -0.25), (0.1, 1.0, 0.2))
+
+
+def projection_of(lens: str, depth: Any = "opengl") -> Projection:
+    return Projection(CAMERA, LENSES[lens], (1280, 720), depth)
+
+
+def evaluated(matrix: Matrix, values: dict[str, Any]) -> list[list[float]]:
+    return [[eval(cell, {"__builtins__": {}}, values) for cell in row] for row in matrix.formulas]
+
+
+@pytest.mark.parametrize("lens", LENSES)
+@pytest.mark.parametrize("depth", DEPTHS)
+@pytest.mark.parametrize("letters", LETTERS)
+@pytest.mark.parametrize("rows", [False, True])
+def test_every_formula_is_its_number(lens: str, depth: str, letters: Letters, rows: bool) -> None:
+    projection = projection_of(lens, depth)
+    shown = matrices(projection, letters, rows=rows, running=True)
+    values = notation.letter_values(projection, letters)
+    (lens_matrix,) = (m for m in shown if m.name == "clip_from_view")
+    for i, row in enumerate(lens_matrix.values, 1):
+        values |= {f"p_{i}{j}": value for j, value in enumerate(row, 1)}
+    assert len(shown) >= 13 - 2 * projection.lens.parallel
+    for matrix in shown:
+        for part in (matrix, *matrix.factors):
+            size = max(1.0, np.abs(part.values).max())
+            assert np.allclose(evaluated(part, values), part.values, rtol=1e-12, atol=1e-14 * size)
+
+
+@pytest.mark.parametrize("lens", LENSES)
+@pytest.mark.parametrize("letters", LETTERS)
+@pytest.mark.parametrize("rows", [False, True])
+@pytest.mark.parametrize("depth", DEPTHS)
+def test_products_are_products(lens: str, letters: Letters, rows: bool, depth: str) -> None:
+    shown = matrices(projection_of(lens, depth), letters, rows=rows, running=True)
+    by_name = {matrix.name: np.array(matrix.values) for matrix in shown}
+    checked = 0
+    for matrix in shown:
+        parts = [by_name[name] for name in matrix.product] or [
+            np.array(factor.values) for factor in matrix.factors
+        ]
+        if parts:
+            product = np.linalg.multi_dot(parts)
+            assert np.allclose(product, matrix.values, rtol=1e-12, atol=1e-12)
+            checked += 1
+    assert checked >= 6
+    inverse = by_name["world_from_view"] @ by_name["view_from_world"]
+    assert np.allclose(inverse, np.eye(4), rtol=0.0, atol=1e-14)
+
+
+@pytest.mark.parametrize("lens", LENSES)
+@pytest.mark.parametrize("depth", DEPTHS)
+def test_numbers_are_the_commands(
+    lens: str, depth: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    projection = projection_of(lens, depth)
+    told = json.loads(cli._matrices_json(projection))
+    text = cli._matrices_text(projection)
+    shown = matrices(projection)
+    assert list(told) == [matrix.name for matrix in shown]
+    for matrix in shown:
+        assert list(map(list, matrix.values)) == told[matrix.name]
+        for factor in matrix.factors:
+            for row in factor.values:
+                assert all(notation.cell_text(value) in text for value in row)
+        words = text.split()
+        assert all(notation.cell_text(value) in words for row in matrix.values for value in row)
+
+
+@pytest.mark.parametrize("running", [False, True])
+def test_running_products_end_in_the_commands_matrix(running: bool) -> None:
+    shown = matrices(projection_of("frustum"), running=running)
+    names = [matrix.name for matrix in shown]
+    extra = {"canonical_perspective_from_world", "canonical_parallel_from_world"}
+    assert (extra <= set(names)) is running
+
+
+def test_the_letters_of_each_lecture() -> None:
+    def lens_cell(letters: Letters, lens: str, row: int, column: int) -> str:
+        shown = matrices(projection_of(lens), letters)
+        (matrix,) = (m for m in shown if m.name == "clip_from_view")
+        return notation.written(matrix.formulas[row][column], letters)
+
+    thin = "\u2009"
+    assert lens_cell("uvn", "perspective", 0, 0) == "cot(fov/2)/aspect"
+    assert lens_cell("uvn", "frustum", 0, 0) == "2n/(r − l)"
+    assert lens_cell("uvn", "frustum", 2, 2) == "−(f + n)/(f − n)"
+    assert lens_cell("000", "frustum", 0, 2) == "(x_max + x_min)/(x_max − x_min)"
+    assert lens_cell("003", "perspective", 1, 1) == "e/a"
+    # Lecture 002, P_persp and P_ort.
+    assert lens_cell("002", "frustum", 0, 0) == "2z_n/(x_r − x_l)"
+    assert lens_cell("002", "frustum", 2, 2) == "−(z_f + z_n)/(z_f − z_n)"
+    assert lens_cell("002", "frustum", 2, 3) == f"2z_n{thin}z_f/(z_f − z_n)"
+    assert lens_cell("002", "frustum", 3, 2) == "1"
+    assert lens_cell("002", "orthographic", 2, 2) == "2/(z_n − z_f)"
+    assert lens_cell("002", "orthographic", 2, 3) == "−(z_n + z_f)/(z_n − z_f)"
+    view = matrices(projection_of("frustum"), "001")[1]
+    assert [notation.written(cell, "001") for cell in view.formulas[2]] == [
+        "w_x", "w_y", "w_z", "−w·P",
+    ]  # fmt: skip
+    # Lecture 001's M_persp, first factor.
+    scale = matrices(projection_of("perspective"), "001")[2].formulas
+    assert notation.written(scale[0][0], "001") == f"1/(f{thin}tan(θ_h/2))"
+
+
+def test_lecture_002_maps_near_to_one_and_has_z_for_w() -> None:
+    """z' = 1 at z = z_n and -1 at z = z_f, and w' = z."""
+    shown = matrices(projection_of("perspective"), "002")
+    matrix = np.array(next(m.values for m in shown if m.name == "clip_from_view"))
+    for z, expected in ((-1.5, 1.0), (-40.0, -1.0)):
+        _, _, z_clip, w = matrix @ (0.0, 0.0, z, 1.0)
+        assert w == z
+        assert math.isclose(z_clip / w, expected, rel_tol=1e-14)
+
+
+def test_row_vectors_turn_matrices_and_products() -> None:
+    projection = projection_of("frustum", "reversed")
+    columns, rows = matrices(projection), matrices(projection, rows=True)
+    for column, row in zip(columns, rows, strict=True):
+        assert np.array_equal(np.transpose(column.values), row.values)
+        assert column.product == row.product[::-1]
+        assert [f.name for f in column.factors] == [f.name for f in row.factors][::-1]
+    point = np.array([1.0, 2.0, -3.0, 1.0])
+    by_name = {matrix.name: np.array(matrix.values) for matrix in rows}
+    there = point @ by_name["view_from_world"] @ by_name["clip_from_view"]
+    assert np.allclose(there, projection.clip_from_world @ point, rtol=1e-13, atol=1e-13)
+
+
+def test_a_cell_names_the_fields_it_depends_on() -> None:
+    def fields(lens: str, name: str, row: int, column: int) -> set[str]:
+        shown = matrices(projection_of(lens))
+        (matrix,) = (m for m in shown if m.name == name)
+        return set(matrix.fields[row][column])
+
+    assert fields("perspective", "clip_from_view", 0, 0) == {"fov_y_deg", "image"}
+    assert fields("frustum", "clip_from_view", 0, 0) == {"near", "left", "right"}
+    assert fields("frustum", "clip_from_view", 2, 2) == {"near", "far", "depth"}
+    assert fields("frustum", "clip_from_view", 3, 2) == set()
+    assert fields("frustum", "view_from_world", 2, 0) == {"eye", "target"}
+    assert fields("frustum", "view_from_world", 0, 3) == {"eye", "target", "up"}
+    assert fields("oblique", "clip_from_view", 1, 2) == {"beta_deg", "bottom", "top"}
+    assert fields("frustum", "image_from_ndc", 0, 0) == {"image"}
+    assert fields("frustum", "depth_range_from_canonical_parallel", 2, 3) == {"depth"}
+    assert "near" in fields("frustum", "clip_from_world", 0, 0)
+
+
+@pytest.mark.parametrize("lens", LENSES)
+def test_a_field_that_a_cell_does_not_name_does_not_change_it(lens: str) -> None:
+    projection = projection_of(lens)
+    edits: dict[str, Any] = {
+        "near": lambda p: replace(p, lens=replace(p.lens, near=p.lens.near + 0.125)),
+        "eye": lambda p: replace(p, camera=replace(p.camera, eye=(5.0, 6.0, 8.0))),
+        "up": lambda p: replace(p, camera=replace(p.camera, up=(0.0, 1.0, 0.0))),
+        "depth": lambda p: replace(p, depth="reversed"),
+        "image": lambda p: replace(p, image_size=(640, 480)),
+    }
+    if projection.lens.far != math.inf:
+        edits["far"] = lambda p: replace(p, lens=replace(p.lens, far=50.0))
+    for field, edit in edits.items():
+        changed = matrices(edit(projection), running=True)
+        for before, after in zip(matrices(projection, running=True), changed, strict=True):
+            for i, row in enumerate(before.values):
+                for j, value in enumerate(row):
+                    if field not in before.fields[i][j]:
+                        assert value == after.values[i][j], (field, before.name, i, j)
+
+
+def test_copies() -> None:
+    projection = projection_of("frustum")
+    matrix = next(m for m in matrices(projection) if m.name == "clip_from_view")
+    numbers: dict[str, Any] = {"np": np}
+    exec(notation.as_numpy(matrix), numbers)
+    assert np.array_equal(numbers["clip_from_view"], matrix.values)
+    lines = notation.as_text(matrix).splitlines()
+    assert lines[0].startswith("clip_from_view = clip_from_depth_range depth_range_from")
+    assert [[float(word) for word in line.split()] for line in lines[1:]] == [
+        list(row) for row in matrix.values
+    ]
+    latex = notation.as_latex(matrix, "uvn", formulas=True)
+    assert r"\frac{2n}{r - l} & 0 & \frac{r + l}{r - l} & 0 \\" in latex
+    assert latex.startswith(
+        r"M_{\text{clip}\leftarrow\text{view}} = \begin{pmatrix}"
+    ) and latex.endswith("\\end{pmatrix}\n")
+    assert r"z_{\mathrm{min}}" in notation.as_latex(matrix, "000", formulas=True)
+    assert notation.latex_number(-1.5e-9) == r"-1.5 \cdot 10^{-9}"
+    numbers_only = notation.as_latex(matrix, "uvn")
+    assert notation.cell_text(matrix.values[2][2]) in numbers_only and "frac" not in numbers_only

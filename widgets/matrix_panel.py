@@ -1,0 +1,858 @@
+"""The matrices panel: every stage's matrix in a row, as numbers or formulas, to read and copy.
+
+::
+
+    MatrixPanel.show_projection --at most every 100 ms, and at rest--> app.notation.matrices
+                                --what changed--> MatrixView, one for each matrix and factor
+
+Nothing is computed while the panel is folded. Cells that differ from before the last change (a
+drag counts as one change) are lit, and their digits from the first other one on underlined.
+"""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Callable, Sequence
+from functools import partial
+from typing import cast
+
+from PySide6.QtCore import (
+    QCoreApplication,
+    QElapsedTimer,
+    QEvent,
+    QPointF,
+    QRectF,
+    QSize,
+    Qt,
+    QTimer,
+    Signal,
+)
+from PySide6.QtGui import (
+    QColor,
+    QContextMenuEvent,
+    QFocusEvent,
+    QFont,
+    QFontMetricsF,
+    QGuiApplication,
+    QHelpEvent,
+    QKeyEvent,
+    QKeySequence,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPen,
+    QShowEvent,
+)
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QHBoxLayout,
+    QLabel,
+    QMenu,
+    QScrollArea,
+    QSizePolicy,
+    QToolButton,
+    QToolTip,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.drawings.style import LIGHT, Style
+from app.notation import (
+    Letters,
+    Matrix,
+    as_latex,
+    as_numpy,
+    as_text,
+    cell_text,
+    has_own_signs,
+    matrices,
+    written,
+)
+from app.projection import Projection
+from widgets.messages import field_name, translated
+from widgets.rows import short_text
+
+_AXES = ("u", "v", "n")
+_VIEW = ("view_from_world", "rotation")
+READ_MS = 100
+"""While values run they are shown as often as digits can be read, and once the hand rests."""
+_SHOW = QEvent.Type(QEvent.registerEventType())
+_NOTE_CHARACTERS = 36
+"""Characters in a line of a note, which shall not be wider than its matrix."""
+_WIDEST = 16
+"""Width in ems after which a formula is cut; its tooltip has all of it."""
+
+
+def first_change(before: str, after: str) -> int | None:
+    """Where the digits of a number begin to differ; None if the texts are alike.
+
+    With another count of digits before the point every digit has another place: all differ.
+    """
+    if before == after:
+        return None
+    places = [len(text.partition("e")[0].partition(".")[0]) for text in (before, after)]
+    exponents = [text.partition("e")[2] for text in (before, after)]
+    if places[0] != places[1] or exponents[0] != exponents[1]:
+        return 0
+    pairs = enumerate(zip(before, after, strict=False))
+    return next((i for i, (a, b) in pairs if a != b), min(len(before), len(after)))
+
+
+class MatrixView(QWidget):
+    """One 4x4 matrix, read-only; its cells are pointed at with the mouse or the arrow keys.
+
+    Parameters
+    ----------
+    explain : callable
+        The sentence about a cell: ``(matrix, row, column) -> str``.
+
+    Attributes
+    ----------
+    pointed : Signal(str)
+        The sentence about the cell under the mouse or the cursor.
+    copied : Signal(str, object)
+        A format (``"text"``, ``"numpy"``, ``"latex"``) and the matrix to be copied in it.
+    """
+
+    pointed = Signal(str)
+    copied = Signal(str, object)
+
+    def __init__(self, explain: Callable[[Matrix, int, int], str]) -> None:
+        super().__init__()
+        self._explain = explain
+        self._matrix: Matrix | None = None
+        self._texts: list[list[str]] = []
+        self._marks: list[list[int | None]] = []
+        self._lit: set[tuple[int, int]] = set()
+        self._columns: list[float] = [0.0] * 4
+        self._letters: Letters = "uvn"
+        self._rows = self._formulas = False
+        self._style = LIGHT
+        self._cursor = (0, 0)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setMouseTracking(True)
+        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+
+    def show_matrix(
+        self,
+        matrix: Matrix,
+        before: Matrix | None,
+        *,
+        letters: Letters,
+        rows: bool,
+        formulas: bool,
+        style: Style,
+    ) -> None:
+        """Show a matrix, and what differs in it from another.
+
+        Parameters
+        ----------
+        matrix : Matrix
+        before : Matrix or None
+            What it was before the last change.
+        letters : Letters
+        rows : bool
+            Whether vectors are rows, so that the axes are too.
+        formulas : bool
+            Formulas instead of numbers.
+        style : Style
+            The colours of the axes.
+        """
+        dressed = (letters, rows, formulas, style)
+        anew = dressed != (self._letters, self._rows, self._formulas, self._style)
+        self._letters, self._rows, self._formulas, self._style = dressed
+        old, self._matrix = self._matrix, matrix
+        lit = set()
+        marks: list[list[int | None]] = [[None] * 4 for _ in range(4)]
+        for i, row in enumerate(matrix.values):
+            for j, value in enumerate(row):
+                if before is not None and before.values[i][j] != value:
+                    lit.add((i, j))
+                    if not formulas:
+                        texts = short_text(before.values[i][j]), short_text(value)
+                        marks[i][j] = first_change(*texts)
+        if not anew and old == matrix and (lit, marks) == (self._lit, self._marks):
+            return
+        self._lit, self._marks = lit, marks
+        if formulas:
+            self._texts = [[written(cell, letters) for cell in row] for row in matrix.formulas]
+        else:
+            self._texts = [[short_text(value) for value in row] for row in matrix.values]
+        self._measure(anew or old is None or old.name != matrix.name)
+        self.setAccessibleName(matrix.name)
+        if self.hasFocus():
+            self._say()
+        self.update()
+
+    @property
+    def texts(self) -> list[list[str]]:
+        """What the cells show."""
+        return self._texts
+
+    @property
+    def lit(self) -> set[tuple[int, int]]:
+        """Row and column of the cells that the last change changed."""
+        return self._lit
+
+    @property
+    def marks(self) -> list[list[int | None]]:
+        """From which character on each cell's digits have changed."""
+        return self._marks
+
+    # -- places
+
+    def _small(self) -> QFont:
+        font = QFont(self.font())
+        font.setPointSizeF(font.pointSizeF() * 0.75)
+        return font
+
+    def _measure(self, anew: bool) -> None:
+        metrics, small = QFontMetricsF(self.font()), QFontMetricsF(self._small())
+        widths = [
+            min(
+                max(_width(row[j], metrics, small) for row in self._texts),
+                _WIDEST * metrics.height(),
+            )
+            + 0.8 * metrics.height()
+            for j in range(4)
+        ]
+        # While numbers run, columns only grow: a row that jumps to and fro cannot be read.
+        self._columns = widths if anew else list(map(max, self._columns, widths))
+        size = self._wanted()
+        if size != self.minimumSize():
+            self.setFixedSize(size)
+
+    @property
+    def _line(self) -> float:
+        return QFontMetricsF(self.font()).height() + 3.0
+
+    @property
+    def _margin(self) -> tuple[float, float]:
+        """Left and top of the first cell: room for the axes' letters and the bracket."""
+        plate = QFontMetricsF(self._small()).height() + 2.0
+        return (plate + 8.0, 2.0) if self._axes_are_rows else (8.0, plate + 2.0)
+
+    @property
+    def _axes_are_rows(self) -> bool:
+        return (self._matrix is not None and self._matrix.name in _VIEW) is not self._rows
+
+    def _wanted(self) -> QSize:
+        left, top = self._margin
+        return QSize(int(left + sum(self._columns) + 8.0), int(top + 4 * self._line + 4.0))
+
+    def sizeHint(self) -> QSize:
+        return self._wanted()
+
+    def _cell_rect(self, row: int, column: int) -> QRectF:
+        left, top = self._margin
+        return QRectF(
+            left + sum(self._columns[:column]), top + row * self._line,
+            self._columns[column], self._line,
+        )  # fmt: skip
+
+    def cell_at(self, place: QPointF) -> tuple[int, int] | None:
+        """Row and column of the cell at a place in the widget."""
+        cells = ((i, j) for i in range(4) for j in range(4))
+        return next((cell for cell in cells if self._cell_rect(*cell).contains(place)), None)
+
+    # -- painting
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        if self._matrix is None:
+            return
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        ink = self.palette().windowText().color()
+        self._paint_axes(painter)
+        self._paint_brackets(painter, ink)
+        for i, row in enumerate(self._texts):
+            for j, text in enumerate(row):
+                rect = self._cell_rect(i, j)
+                if (i, j) in self._lit:
+                    light = QColor(self._style.accent)
+                    painter.fillRect(rect.adjusted(1, 1, -1, -1), _faded(light, 0.3))
+                    painter.setPen(QPen(light, 1.0))
+                    painter.drawRect(rect.adjusted(1.5, 1.5, -1.5, -1.5))
+                painter.setPen(_faded(ink, 0.45) if text == "0" else ink)
+                self._paint_text(painter, rect, text, self._marks[i][j])
+        if self.hasFocus():
+            painter.setPen(QPen(self.palette().highlight().color(), 2.0))
+            painter.drawRect(self._cell_rect(*self._cursor).adjusted(1, 1, -1, -1))
+        painter.end()
+
+    def _paint_axes(self, painter: QPainter) -> None:
+        left, top = self._margin
+        painter.setFont(self._small())
+        plate = QFontMetricsF(self._small()).height()
+        assert self._matrix is not None
+        camera = self._matrix.name in (*_VIEW, "world_from_view")
+        third = written("axis_n", self._letters)
+        names = ("u", "v", third) if camera else ("x", "y", "z")
+        for k, (axis, name) in enumerate(zip(_AXES, names, strict=True)):
+            colour = QColor(getattr(self._style, axis))
+            if self._axes_are_rows:
+                rect = QRectF(0.0, top + k * self._line + 1.0, plate, self._line - 2.0)
+                band = QRectF(left, top + k * self._line, sum(self._columns), self._line)
+            else:
+                cell = self._cell_rect(0, k)
+                rect = QRectF(cell.left() + 2.0, 0.0, cell.width() - 4.0, plate)
+                band = QRectF(cell.left(), top, cell.width(), 4 * self._line)
+            painter.fillRect(band, _faded(colour, 0.12))
+            painter.fillRect(rect, colour)
+            painter.setPen(QColor(self._style.text_on(colour.name())))
+            painter.drawText(rect, Qt.AlignmentFlag.AlignCenter, name)
+        painter.setFont(self.font())
+
+    def _paint_brackets(self, painter: QPainter, ink: QColor) -> None:
+        left, top = self._margin
+        bottom, width = top + 4 * self._line, sum(self._columns)
+        painter.setPen(QPen(ink, 1.2))
+        for x, inward in ((left - 2.0, 4.0), (left + width + 2.0, -4.0)):
+            painter.drawPolyline(
+                [
+                    QPointF(x + inward, top), QPointF(x, top),
+                    QPointF(x, bottom), QPointF(x + inward, bottom),
+                ]
+            )  # fmt: skip
+
+    def _paint_text(self, painter: QPainter, rect: QRectF, text: str, mark: int | None) -> None:
+        font, small = self.font(), self._small()
+        metrics, small_metrics = QFontMetricsF(font), QFontMetricsF(small)
+        pad = 0.4 * metrics.height()
+        if _width(text, metrics, small_metrics) > rect.width() - 1.5 * pad:
+            text = metrics.elidedText(text, Qt.TextElideMode.ElideRight, rect.width() - 1.5 * pad)
+        x = rect.right() - pad - _width(text, metrics, small_metrics)
+        base = rect.center().y() + (metrics.ascent() - metrics.descent()) / 2.0
+        for run, below in _runs(text):
+            painter.setFont(small if below else font)
+            painter.drawText(QPointF(x, base + (0.2 * metrics.height() if below else 0.0)), run)
+            x += (small_metrics if below else metrics).horizontalAdvance(run)
+        painter.setFont(font)
+        if mark is not None:
+            end = rect.right() - pad
+            start = end - metrics.horizontalAdvance(text[mark:] or text[-1:])
+            painter.setPen(QPen(painter.pen().color(), 2.0))
+            painter.drawLine(QPointF(start, base + 3.0), QPointF(end, base + 3.0))
+
+    # -- pointing
+
+    def _say(self) -> None:
+        if self._matrix is not None:
+            sentence = self._explain(self._matrix, *self._cursor)
+            self.setAccessibleDescription(sentence)
+            self.pointed.emit(sentence)
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        cell = self.cell_at(event.position())
+        if cell is not None and self._matrix is not None:
+            self.pointed.emit(self._explain(self._matrix, *cell))
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        self._cursor = self.cell_at(event.position()) or self._cursor
+        self._say()
+        self.update()
+        super().mousePressEvent(event)
+
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        super().focusInEvent(event)
+        self._say()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        steps = {
+            Qt.Key.Key_Left: (0, -1), Qt.Key.Key_Right: (0, 1),
+            Qt.Key.Key_Up: (-1, 0), Qt.Key.Key_Down: (1, 0),
+        }  # fmt: skip
+        if event.matches(QKeySequence.StandardKey.Copy):
+            self.copied.emit("text", self._matrix)
+        elif event.key() in steps:
+            row, column = steps[Qt.Key(event.key())]
+            self._cursor = (
+                min(max(self._cursor[0] + row, 0), 3), min(max(self._cursor[1] + column, 0), 3),
+            )  # fmt: skip
+            self._say()
+            self.update()
+        else:
+            super().keyPressEvent(event)
+
+    def event(self, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.ToolTip and self._matrix is not None:
+            help_event = cast(QHelpEvent, event)
+            cell = self.cell_at(QPointF(help_event.pos()))
+            if cell is not None:
+                tip = self._explain(self._matrix, *cell)
+                QToolTip.showText(
+                    help_event.globalPos(), f"<p>{tip.replace('<', '&lt;')}</p>", self
+                )
+                return True
+        return super().event(event)
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        menu = QMenu(self)
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        for form, text in self._forms():
+            menu.addAction(text, partial(self.copied.emit, form, self._matrix))
+        menu.popup(event.globalPos())
+
+    def _forms(self) -> Sequence[tuple[str, str]]:
+        return (
+            ("text", self.tr("Copy as text")),
+            ("numpy", self.tr("Copy for NumPy")),
+            ("latex", self.tr("Copy for LaTeX")),
+        )
+
+
+def _faded(colour: QColor, alpha: float) -> QColor:
+    faded = QColor(colour)
+    faded.setAlphaF(alpha)
+    return faded
+
+
+def _runs(text: str) -> list[tuple[str, bool]]:
+    """A text in pieces, each with whether it is a subscript: what follows ``_``."""
+    runs: list[tuple[str, bool]] = []
+    for number, part in enumerate(text.split("_")):
+        end = 0
+        if number:
+            while end < len(part) and part[end].isalnum():
+                end += 1
+            runs.append((part[:end], True))
+        if part[end:]:
+            runs.append((part[end:], False))
+    return runs
+
+
+def _width(text: str, metrics: QFontMetricsF, small: QFontMetricsF) -> float:
+    return sum((small if below else metrics).horizontalAdvance(run) for run, below in _runs(text))
+
+
+class _Box(QWidget):
+    """A matrix under its name, with its factors beside it, folded until they are asked for."""
+
+    def __init__(self, panel: MatrixPanel, matrix: Matrix, unfolded: bool) -> None:
+        super().__init__()
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 6, 0)
+        layout.setSpacing(1)
+        title = QHBoxLayout()
+        title.setSpacing(4)
+        self.title = QLabel()
+        self.title.setObjectName("paneTitle")
+        title.addWidget(self.title)
+        self.fold = QToolButton()
+        self.fold.setAutoRaise(True)
+        self.fold.setCheckable(True)
+        self.fold.setChecked(unfolded)
+        self.fold.setVisible(bool(matrix.factors))
+        self.fold.setAccessibleName(self.tr("Factors of {0}").format(matrix.name))
+        self.fold.setToolTip(self.tr("Show the factors that this matrix is the product of"))
+        title.addWidget(self.fold)
+        title.addStretch(1)
+        layout.addLayout(title)
+        row = QHBoxLayout()
+        row.setSpacing(4)
+        self.view = panel.new_view()
+        row.addWidget(self.view, 0, Qt.AlignmentFlag.AlignBottom)
+        self.factors = QWidget()
+        self.factors.setVisible(unfolded and bool(matrix.factors))
+        self.fold.toggled.connect(self.factors.setVisible)
+        inner = QHBoxLayout(self.factors)
+        inner.setContentsMargins(0, 0, 0, 0)
+        inner.setSpacing(4)
+        self.factor_views: list[MatrixView] = []
+        for number, factor in enumerate(matrix.factors):
+            inner.addWidget(QLabel("·" if number else "="))
+            column = QVBoxLayout()
+            column.setSpacing(1)
+            column.addStretch(1)
+            column.addWidget(QLabel(factor.name))
+            view = panel.new_view()
+            self.factor_views.append(view)
+            column.addWidget(view)
+            inner.addLayout(column)
+        row.addWidget(self.factors)
+        row.addStretch(1)
+        layout.addLayout(row)
+        self.note = QLabel()
+        self.note.setObjectName("paneNote")
+        layout.addWidget(self.note)
+        layout.addStretch(1)
+
+
+class MatrixPanel(QWidget):
+    """Every matrix between the object and its picture.
+
+    A change is shown while the panel is visible, and at most every `READ_MS`: a drag costs little
+    more than without the panel, and ends with the value it ends with.
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setAccessibleName(self.tr("Matrices"))
+        self._projection: Projection | None = None
+        self._before: Projection | None = None
+        self._gestures = 0
+        self._style = LIGHT
+        self._shown: tuple[Matrix, ...] = ()
+        self._boxes: list[_Box] = []
+        self._plan: object = None
+        self._unfolded: set[str] = set()
+        self._pending = self._posted = False
+        self._clock = QElapsedTimer()
+        self._rest = QTimer(self)
+        self._rest.setSingleShot(True)
+        self._rest.setInterval(READ_MS)
+        self._rest.timeout.connect(self._refresh)
+        self._earlier: tuple[object, tuple[Matrix, ...]] = (None, ())
+        self._lay_out()
+
+    def _lay_out(self) -> None:
+        self.cells = self._choice(
+            self.tr("Cells"), self.tr("What each cell shows"),
+            (("numbers", self.tr("Numbers")), ("formulas", self.tr("Formulas"))),
+        )  # fmt: skip
+        self.vectors = self._choice(
+            self.tr("Vectors"),
+            self.tr("Points as columns, right of the matrix, or as rows, left of it: then every "
+                    "matrix is transposed and every product turned round"),
+            (("columns", self.tr("Column vectors")), ("rows", self.tr("Row vectors"))),
+        )  # fmt: skip
+        self.letters = self._choice(
+            self.tr("Letters"),
+            self.tr("Whose letters the formulas are written in; lecture 002 has its own signs too"),
+            (
+                ("uvn", self.tr("u v n, n f, fov (003, 004)")),
+                ("000", self.tr("z_min z_max (lecture 000)")),
+                ("001", self.tr("u v w, θ (lecture 001)")),
+                ("002", self.tr("z_n z_f and signs (lecture 002)")),
+                ("003", self.tr("e, n f (lecture 003)")),
+            ),
+        )  # fmt: skip
+        self.running = QCheckBox(self.tr("Running products"))
+        self.running.setToolTip(
+            self.tr("Also the product of all stages so far, and the view matrix's inverse, whose "
+                    "columns are the camera's axes and the eye")
+        )  # fmt: skip
+        self.running.toggled.connect(self._refresh)
+        self.copy = QToolButton()
+        self.copy.setText(self.tr("Copy all"))
+        self.copy.setAccessibleName(self.tr("Copy all matrices"))
+        self.copy.setToolTip(self.tr("Copy every matrix shown, in the order of the stages"))
+        self.copy.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        menu = QMenu(self.copy)
+        for form, text in (
+            ("text", self.tr("As text")),
+            ("numpy", self.tr("For NumPy")),
+            ("latex", self.tr("For LaTeX")),
+        ):
+            menu.addAction(text, partial(self._copy_all, form))
+        self.copy.setMenu(menu)
+        bar = QHBoxLayout()
+        for widget in (self.cells, self.vectors, self.letters, self.running):
+            bar.addWidget(widget)
+        bar.addStretch(1)
+        bar.addWidget(self.copy)
+
+        self._content = QWidget()
+        self._row = QHBoxLayout(self._content)
+        self._row.setContentsMargins(2, 0, 2, 0)
+        self._row.setSpacing(6)
+        self._row.addStretch(1)
+        self._scroll = QScrollArea()
+        self._scroll.setWidgetResizable(True)
+        self._scroll.setWidget(self._content)
+        self._scroll.setFrameShape(QScrollArea.Shape.NoFrame)
+        self.explanation = QLabel()
+        self.explanation.setWordWrap(True)
+        self.explanation.setAccessibleName(self.tr("About the cell"))
+        self.explanation.setMinimumHeight(2 * self.fontMetrics().height())
+        self.explanation.setAlignment(Qt.AlignmentFlag.AlignTop)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(2, 0, 2, 2)
+        layout.setSpacing(2)
+        layout.addLayout(bar)
+        layout.addWidget(self._scroll, 1)
+        layout.addWidget(self.explanation)
+
+    def _choice(self, name: str, tip: str, choices: Sequence[tuple[str, str]]) -> QComboBox:
+        box = QComboBox()
+        box.setAccessibleName(name)
+        box.setToolTip(tip)
+        for value, text in choices:
+            box.addItem(text, value)
+        box.currentIndexChanged.connect(self._refresh)
+        return box
+
+    def new_view(self) -> MatrixView:
+        """A view of one matrix, wired to the explanation and the clipboard."""
+        view = MatrixView(self.sentence)
+        view.pointed.connect(self.explanation.setText)
+        view.copied.connect(self._copy_one)
+        return view
+
+    # -- the model
+
+    def begin_gesture(self) -> None:
+        """Until `end_gesture`, changes are marked against what is shown now."""
+        if not self._gestures:
+            self._before = self._projection
+        self._gestures += 1
+
+    def end_gesture(self) -> None:
+        """End the gesture that `begin_gesture` began."""
+        self._gestures = max(self._gestures - 1, 0)
+
+    def show_projection(self, projection: Projection) -> None:
+        """Take over the model.
+
+        Parameters
+        ----------
+        projection : Projection
+        """
+        if projection == self._projection:
+            return
+        if not self._gestures:
+            self._before = self._projection
+        self._projection = projection
+        if not self.isVisible():
+            self._before = None
+            return
+        self._pending = True
+        if self._clock.hasExpired(READ_MS):
+            if not self._posted:  # before the panes are drawn, so that the window is drawn once
+                self._posted = True
+                QCoreApplication.postEvent(self, QEvent(_SHOW))
+        else:
+            self._rest.start()
+
+    def event(self, event: QEvent) -> bool:
+        if event.type() == _SHOW:
+            self._refresh()
+            return True
+        return super().event(event)
+
+    def set_style(self, style: Style) -> None:
+        """Take over the colours of the drawings."""
+        self._style = style
+        self.explanation.setMinimumHeight(2 * self.fontMetrics().height())
+        self._refresh()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self._refresh()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self._plan = None  # widths are measured anew
+            self._refresh()
+
+    def sizeHint(self) -> QSize:
+        # Folded, there is no matrix yet to be measured: a title, axes, four rows, a note.
+        matrices_height = max(
+            8 * self.fontMetrics().height() + 24, self._content.sizeHint().height()
+        )
+        around = (
+            self.copy.sizeHint().height(),
+            self._scroll.horizontalScrollBar().sizeHint().height(),
+            self.explanation.minimumHeight(),
+        )
+        return QSize(super().sizeHint().width(), matrices_height + sum(around) + 6)
+
+    @property
+    def shown(self) -> tuple[Matrix, ...]:
+        """The matrices that are shown."""
+        return self._shown
+
+    @property
+    def views(self) -> dict[str, MatrixView]:
+        """The view of each matrix by its name, factors as ``stage/factor``."""
+        views = {}
+        for matrix, box in zip(self._shown, self._boxes, strict=True):
+            views[matrix.name] = box.view
+            for factor, view in zip(matrix.factors, box.factor_views, strict=True):
+                views[f"{matrix.name}/{factor.name}"] = view
+        return views
+
+    def _refresh(self) -> None:
+        self._rest.stop()
+        self._pending = self._posted = False
+        if self._projection is None or not self.isVisible():
+            return
+        self._clock.start()
+        self._shown = self._matrices(self._projection)
+        before: dict[str, Matrix] = {}
+        if self._before is not None:
+            key = (self._before, self._letters, self._rows, self.running.isChecked())
+            if self._earlier[0] != key:
+                self._earlier = (key, self._matrices(self._before))
+            before = {matrix.name: matrix for matrix in self._earlier[1]}
+        plan = [(matrix.name, [f.name for f in matrix.factors]) for matrix in self._shown]
+        if plan != self._plan:
+            self._build()
+            self._plan = plan
+        settings = {
+            "letters": self._letters, "rows": self._rows,
+            "formulas": self.cells.currentData() == "formulas", "style": self._style,
+        }  # fmt: skip
+        for matrix, box in zip(self._shown, self._boxes, strict=True):
+            box.title.setText(_title(matrix))
+            box.title.setToolTip(" = ".join([matrix.name, " · ".join(matrix.product)])
+                                 if matrix.product else matrix.name)  # fmt: skip
+            note = self._note(matrix)
+            box.note.setText(textwrap.fill(note, _NOTE_CHARACTERS))
+            box.note.setVisible(bool(note))
+            old = before.get(matrix.name)
+            box.view.show_matrix(matrix, old, **settings)
+            factors = old.factors if old and len(old.factors) == len(matrix.factors) else None
+            for number, view in enumerate(box.factor_views):
+                view.show_matrix(
+                    matrix.factors[number], factors[number] if factors else None, **settings
+                )
+
+    @property
+    def _letters(self) -> Letters:
+        return cast(Letters, self.letters.currentData())
+
+    @property
+    def _rows(self) -> bool:
+        return bool(self.vectors.currentData() == "rows")
+
+    def _matrices(self, projection: Projection) -> tuple[Matrix, ...]:
+        return matrices(
+            projection, self._letters, rows=self._rows, running=self.running.isChecked()
+        )
+
+    def _build(self) -> None:
+        for box in self._boxes:
+            self._row.removeWidget(box)
+            box.hide()
+            box.deleteLater()
+        self._boxes = []
+        for place, matrix in enumerate(self._shown):
+            box = _Box(self, matrix, matrix.name in self._unfolded)
+            box.fold.toggled.connect(partial(self._folded, box, matrix.name))
+            self._set_arrow(box)
+            self._boxes.append(box)
+            self._row.insertWidget(place, box, 0, Qt.AlignmentFlag.AlignTop)
+
+    def _folded(self, box: _Box, name: str, unfolded: bool) -> None:
+        (self._unfolded.add if unfolded else self._unfolded.discard)(name)
+        self._set_arrow(box)
+
+    def _set_arrow(self, box: _Box) -> None:
+        box.fold.setArrowType(
+            Qt.ArrowType.LeftArrow if box.fold.isChecked() else Qt.ArrowType.RightArrow
+        )
+
+    def _note(self, matrix: Matrix) -> str:
+        if matrix.note:
+            return translated(matrix.note)
+        if matrix.name == "clip_from_world":
+            return self.tr("then x, y and z are divided by w")
+        projection = self._projection
+        if matrix.name != "clip_from_view" or projection is None:
+            return ""
+        if not has_own_signs(projection, self._letters):
+            return ""
+        if projection.depth != "opengl":
+            return self.tr("with lecture 002's sign: w = z")
+        if projection.lens.parallel:
+            return self.tr("with lecture 002's sign: z runs from 1 at near to −1")
+        return self.tr("with lecture 002's signs: w = z, and z runs from 1 at near to −1")
+
+    # -- words
+
+    def sentence(self, matrix: Matrix, row: int, column: int) -> str:
+        """What a cell is, does and depends on."""
+        value, formula = matrix.values[row][column], matrix.formulas[row][column]
+        text = written(formula, self._letters)
+        number = cell_text(value)
+        cell = number if text.replace("−", "-") == number else f"{text} = {number}"
+        fields = matrix.fields[row][column]
+        if fields:
+            depends = self.tr("It depends on: {0}.").format(", ".join(map(field_name, fields)))
+        else:
+            depends = self.tr("It depends on no control.")
+        into, of = (column, row) if self._rows else (row, column)
+        place = self.tr("row {0}, column {1}").format(row + 1, column + 1)
+        does = self._does(matrix, into, of, value)
+        return f"{matrix.name}, {place}: {cell}. {does} {depends}"
+
+    def _does(self, matrix: Matrix, into: int, of: int, value: float) -> str:
+        target, source, number = "xyzw"[into], "xyzw"[of], cell_text(value)
+        axes = ("u", "v", written("axis_n", self._letters))
+        if into < 3 and of < 3 and matrix.name in _VIEW:
+            text = self.tr(
+                "The world's {1} component of the camera's axis {0}: it adds {3} times {1} to {2}."
+            )
+            return text.format(axes[into], source, target, number)
+        if into < 3 and matrix.name == "world_from_view":
+            if of == 3:
+                return self.tr("The {0} of the eye, where view space has its origin.").format(
+                    target
+                )
+            return self.tr("The world's {1} component of the camera's axis {0}.").format(
+                axes[of], target
+            )
+        if into == 3:
+            return self._does_to_w(source, value, number)
+        if into == of:
+            if value == 1.0:
+                return self.tr("It leaves the scale of {0} as it is.").format(target)
+            if value < 0.0:
+                return self.tr("It scales {0} by {1}, and so turns it round.").format(
+                    target, number
+                )
+            return self.tr("It scales {0} by {1}.").format(target, number)
+        if value == 0.0:
+            if of == 3:
+                return self.tr("It does not shift {0}.").format(target)
+            return self.tr("{1} has no part in {0}.").format(target, source)
+        if of == 3:
+            if any(
+                line != end
+                for line, end in zip(self._w_row(matrix), (0.0, 0.0, 0.0, 1.0), strict=True)
+            ):
+                return self.tr(
+                    "It adds {1} to {0} before the divide, and so {1}/w to the quotient."
+                ).format(target, number)
+            return self.tr("It shifts {0} by {1}.").format(target, number)
+        return self.tr("It adds {2} times {1} to {0}: a shear.").format(target, source, number)
+
+    def _does_to_w(self, source: str, value: float, number: str) -> str:
+        if value == 0.0:
+            return self.tr("{0} has no part in w.").format(source)
+        if source == "w":
+            if value == 1.0:
+                return self.tr("It keeps w.")
+            return self.tr("It adds {0} to w, by which all is divided.").format(number)
+        if source == "z" and value == -1.0:
+            return self.tr("It makes w the distance −z, by which all is divided: perspective.")
+        return self.tr("It adds {1} times {0} to w, by which all is divided.").format(
+            source, number
+        )
+
+    def _w_row(self, matrix: Matrix) -> tuple[float, ...]:
+        return tuple(row[3] for row in matrix.values) if self._rows else matrix.values[3]
+
+    # -- copying
+
+    def _copy_one(self, form: str, matrix: Matrix) -> None:
+        QGuiApplication.clipboard().setText(self._written_out(form, matrix))
+
+    def _copy_all(self, form: str) -> None:
+        text = "\n".join(self._written_out(form, matrix) for matrix in self._shown)
+        QGuiApplication.clipboard().setText(text)
+
+    def _written_out(self, form: str, matrix: Matrix) -> str:
+        if form == "latex":
+            formulas = self.cells.currentData() == "formulas"
+            return as_latex(matrix, self._letters, formulas=formulas)
+        return as_numpy(matrix) if form == "numpy" else as_text(matrix)
+
+
+def _title(matrix: Matrix) -> str:
+    """``clip_from_view`` as a reader says it: clip ← view."""
+    target, _, source = matrix.name.replace("_", " ").partition(" from ")
+    return f"{target} ← {source}"
