@@ -139,7 +139,7 @@ def projector(projection: Projection, probe: Probe, distances: ArrayLike) -> Arr
         away = -float(camera.frame[2] @ offset)
         return eye + depths[:, None] * (offset / away) if away > 0.0 else None
     sight = Sight.of(projection)
-    x_px, y_px = probe.pixel if probe.pixel is not None else sight.seen([probe.point])[0]
+    x_px, y_px = probe.pixel or sight.seen(np.array([probe.point]))[0]
     x, y, _, w = sight.rows
     across, down = x - x_px * w, y - y_px * w
     system = np.array([across[:3], down[:3], -camera.frame[2]])
@@ -168,7 +168,9 @@ class Surface:
         self._origin = np.array(origin, dtype=np.float64)
         low, high = np.zeros(3), np.zeros(3)
         if len(points):
-            low, high = (side.astype(np.float64) for side in (points.min(axis=0), points.max(axis=0)))
+            low, high = (
+                side.astype(np.float64) for side in (points.min(axis=0), points.max(axis=0))
+            )
         cells = int(np.clip(np.sqrt(len(triangles) / _PER_CELL), 1, _CELLS))
         scale = cells * 0.999 / np.maximum(high - low, np.finfo(np.float32).tiny)
         first = ((points - low) * scale).astype(np.uint16)

@@ -107,9 +107,7 @@ class Files(QObject):
             self._window,
             self.tr("Open a document, a mesh or an exported picture"),
             str(self.path.parent) if self.path else "",
-            self.tr("All that can be opened ({0});;All files (*)").format(
-                f"*.json {meshes} *.png"
-            ),
+            self.tr("All that can be opened ({0});;All files (*)").format(f"*.json {meshes} *.png"),
         )
         if path:
             self.open(path)

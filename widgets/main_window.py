@@ -19,6 +19,7 @@ from PySide6.QtCore import (
     QDateTime,
     QEvent,
     QLocale,
+    QPointF,
     QStandardPaths,
     Qt,
     QTimer,
@@ -46,7 +47,9 @@ from app.document import Document, DocumentError
 from app.drawings import WORDS
 from app.drawings.image import ImageDrawing
 from app.drawings.ndc import NdcDrawing
+from app.drawings.probes import surface_of
 from app.drawings.world import WorldDrawing
+from app.picking import VERTEX_WITHIN_PX
 from app.projection import Camera, Projection
 from app.scene import BUILT_IN, Scene
 from app.store import Store
@@ -60,6 +63,7 @@ from widgets.messages import sentence
 from widgets.pane import Pane
 from widgets.panels import Panels
 from widgets.pictures import Pictures
+from widgets.probe_panel import ProbePanel
 from widgets.status_line import StatusLine
 
 PANE_WIDTHS = [400, 305, 330]
@@ -156,6 +160,10 @@ class MainWindow(QMainWindow):
         }
         self.controls = Controls()
         self.panels = Panels()
+        self.probe_panel = ProbePanel()
+        self.panels.add(
+            self.tr("Probe"), self.probe_panel, self.tr("Follow points through every stage")
+        )
         self._lay_out()
         self._make_actions()
         self._make_status_line()
@@ -273,6 +281,13 @@ class MainWindow(QMainWindow):
         menu.addActions([self._undo, self._redo])
         menu.addSeparator()
         menu.addAction(reset)
+        self._remove_probe = self._action(
+            self.tr("Remove the &probe"), self.probe_panel.remove, "Esc",
+            self.tr("Remove the chosen probe from the panes"),
+        )  # fmt: skip
+        self._remove_probe.setEnabled(False)
+        menu.addSeparator()
+        menu.addAction(self._remove_probe)
 
         menu = bar.addMenu(self.tr("&Scenes"))
         self._scene_group = QActionGroup(self)
@@ -388,6 +403,9 @@ class MainWindow(QMainWindow):
         for name, pane in self.panes.items():
             pane.enlarge_requested.connect(partial(self.enlarge, name))
             pane.float_requested.connect(partial(self.toggle_float, name))
+            pane.clicked.connect(partial(self._follow, name))
+        self.probe_panel.changed.connect(self._show_probes)
+        self.probe_panel.refused.connect(self.messages.say)
         QGuiApplication.styleHints().colorSchemeChanged.connect(self._scheme_changed)
 
     # -- showing the document
@@ -395,6 +413,8 @@ class MainWindow(QMainWindow):
     def _show_document(self, document: Document) -> None:
         scene = self.files.scene(document.scene)
         # An edit shares its views with the document before; another document brings its own.
+        if scene is not self._scene:
+            self.probe_panel.clear()
         if scene is not self._scene or document.views is not self._views:
             self._scene, self._views = scene, document.views
             self.controls.set_scene(scene.size, scene.start)
@@ -404,6 +424,7 @@ class MainWindow(QMainWindow):
         for pane in self.panes.values():
             pane.show_projection(document.projection)
         self.controls.show_projection(document.projection)
+        self.probe_panel.show_projection(document.projection)
         self._show_notes(document.projection, scene)
         self.autosave.schedule()
 
@@ -454,6 +475,30 @@ class MainWindow(QMainWindow):
     def reset(self) -> None:
         """Put the projection back to how the scene opens, as an edit that can be undone."""
         self.store.set_projection(self.files.scene(self.store.document.scene).start)
+
+    # -- probes
+
+    def _follow(self, name: str, place: QPointF) -> None:
+        """Follow what was clicked in a pane: a point, or a pixel's ray where there is none."""
+        drawing = self.panes[name].drawing
+        assert drawing is not None and self._scene is not None
+        x_px, y_px = place.x(), place.y()
+        pixel = None
+        if isinstance(drawing, ImageDrawing):
+            pixel = drawing.image_pixel(x_px, y_px)
+            if pixel is None:  # beside the picture
+                return
+        vertex_px = VERTEX_WITHIN_PX * self.panes[name].devicePixelRatioF()
+        hit = surface_of(self._scene).pick(drawing.sight, (x_px, y_px), vertex_px)
+        if hit is not None:
+            self.probe_panel.follow(point=hit.point)
+        elif pixel is not None:
+            self.probe_panel.follow(pixel=pixel)
+
+    def _show_probes(self) -> None:
+        self._remove_probe.setEnabled(bool(self.probe_panel.probes))
+        for pane in self.panes.values():
+            pane.show_probes(self.probe_panel.probes)
 
     # -- history, title, recent files
 

@@ -16,12 +16,13 @@ drag, and bind plain keys to changes of the scene.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, Protocol
 
 from PySide6.QtCore import QPointF, Qt, Signal
 from PySide6.QtGui import QCloseEvent, QMouseEvent, QShowEvent, QWheelEvent
 from PySide6.QtWidgets import (
+    QApplication,
     QFrame,
     QHBoxLayout,
     QLabel,
@@ -32,6 +33,7 @@ from PySide6.QtWidgets import (
 )
 from pyvistaqt import QtInteractor
 
+from app.picking import Probe, Sight
 from app.projection import Camera, Projection
 
 ORBIT_DEG_PER_PX = 0.4
@@ -61,6 +63,13 @@ class Drawing(Protocol):
     def show_view(self, view: Camera) -> None:
         """Move the pane's own camera there."""
 
+    def show_probes(self, probes: Sequence[Probe]) -> None:
+        """Mark these probes, and no others; draw nothing yet."""
+
+    @property
+    def sight(self) -> Sight:
+        """How the pane looks at the world just now."""
+
     def remove(self) -> None:
         """Take everything out of the plotter again."""
 
@@ -69,6 +78,8 @@ class _Canvas(QtInteractor):
     """The VTK surface; turns the mouse into moves of its own camera, and nothing else."""
 
     moved = Signal()
+    clicked = Signal(QPointF)
+    """Pressed and released in one place: the middle of that pixel, in device pixels."""
 
     def __init__(self, parent: QWidget, *, orbits: bool) -> None:
         super().__init__(parent, auto_update=False, multi_samples=0)
@@ -77,6 +88,8 @@ class _Canvas(QtInteractor):
         self.setMinimumSize(120, 120)
         self._orbits = orbits
         self._last: QPointF | None = None
+        self._pressed: QPointF | None = None
+        """Where the left button went down, as long as it may be a click."""
 
     def keyPressEvent(self, event: Any) -> None:
         event.ignore()
@@ -92,17 +105,30 @@ class _Canvas(QtInteractor):
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         self._last = event.position()
+        plain = event.modifiers() == Qt.KeyboardModifier.NoModifier
+        is_left = event.button() == Qt.MouseButton.LeftButton
+        self._pressed = event.position() if plain and is_left else None
         event.accept()
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         self._last = None
         event.accept()
+        if self._pressed is not None and event.button() == Qt.MouseButton.LeftButton:
+            middle = self._pressed + QPointF(0.5, 0.5)
+            self._pressed = None
+            self.clicked.emit(middle * self.devicePixelRatioF())
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        self._pressed = None
         event.ignore()  # the pane resets the view
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         event.accept()
+        if self._pressed is not None:
+            moved = (event.position() - self._pressed).manhattanLength()
+            if moved < QApplication.startDragDistance():  # a hand that trembles turns nothing
+                return
+            self._pressed = None
         if self._last is None or not self._orbits:
             return
         step = event.position() - self._last
@@ -196,6 +222,8 @@ class Pane(QFrame):
 
     enlarge_requested = Signal()
     """The title was double-clicked."""
+    clicked = Signal(QPointF)
+    """A place in the canvas, in device pixels from its top left."""
     float_requested = Signal()
     """The pane shall get, or leave, a window of its own."""
 
@@ -215,7 +243,9 @@ class Pane(QFrame):
         self._projection: Projection | None = None
         self._to_build: tuple[object, ...] | None = None
         self._view: Camera | None = None
+        self._probes: Sequence[Probe] = ()
         self._stale = False
+        self._probes_stale = False
         self._smooth = False
 
         self.title = QLabel(title)
@@ -242,9 +272,13 @@ class Pane(QFrame):
         self.canvas = _Canvas(self, orbits=orbits)
         self.canvas.setAccessibleName(title)
         self.canvas.moved.connect(self._view_moved)
+        self.canvas.clicked.connect(self.clicked)
         if orbits:
             self.canvas.setToolTip(
-                self.tr("Drag to turn, Shift-drag to move, wheel to zoom, double-click to reset")
+                self.tr(
+                    "Click to follow a point; drag to turn, Shift-drag to move, wheel to zoom, "
+                    "double-click to reset"
+                )
             )
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -292,6 +326,14 @@ class Pane(QFrame):
         if self.isVisible():
             self._refresh()
 
+    def show_probes(self, probes: Sequence[Probe]) -> None:
+        """Mark these probes, and no others: at once if visible, else on appearing."""
+        if probes != self._probes:
+            self._probes = probes
+            self._probes_stale = True
+            if self.isVisible():
+                self._refresh()
+
     def _refresh(self) -> None:
         """Bring the drawing up to what was asked for while nobody looked."""
         if self._projection is None:
@@ -306,9 +348,13 @@ class Pane(QFrame):
             self.drawing.reset_view()
             if self._view is not None:
                 self.drawing.show_view(self._view)
-        elif self._stale and self.drawing is not None:
-            self.drawing.show_projection(self._projection)
-        self._stale = False
+            self.drawing.show_probes(self._probes)
+        elif self.drawing is not None:
+            if self._stale:
+                self.drawing.show_projection(self._projection)
+            if self._probes_stale:
+                self.drawing.show_probes(self._probes)
+        self._stale = self._probes_stale = False
         self.request_repaint()
 
     def set_smooth(self, smooth: bool) -> None:

@@ -17,7 +17,7 @@ seen is the projection's own.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -36,7 +36,9 @@ from app.drawings.actors import (
     scene_actors,
     unlit_actor,
 )
+from app.drawings.probes import Mark, Probes
 from app.drawings.style import Style, rgb
+from app.picking import Probe, Sight
 from app.projection import DEPTH_RANGES, Camera, Projection
 from app.scene import Scene
 
@@ -74,6 +76,8 @@ class NdcDrawing:
         self._add_scene(style)
         self._add_cube(style)
         self._add_words(words, style)
+        self._probes = Probes(self._canvas, style)
+        self._projection = scene.start
         self._set_depth("opengl")
         self.reset_view()
 
@@ -82,6 +86,8 @@ class NdcDrawing:
         if projection.depth != self._depth:
             self._set_depth(projection.depth)
         self._model.set(self._display_from_ndc @ projection.clip_from_world_at(self._scene.origin))
+        self._projection = projection
+        self._place_probes()
 
     def reset_view(self) -> None:
         """Look at the near face from the right and above, the whole cube in the pane."""
@@ -128,6 +134,45 @@ class NdcDrawing:
         if not camera.GetParallelProjection():
             near = max(near, distance / 1000.0, 1e-3)
         camera.SetClippingRange(near, max(near, distance) + _REACH)
+        self._place_probes()
+
+    def show_probes(self, probes: Sequence[Probe]) -> None:
+        """Mark these probes, and no others."""
+        self._probes.probes = probes
+        self._place_probes()
+
+    @property
+    def sight(self) -> Sight:
+        """How this pane looks at the world just now, by way of the displayed cube."""
+        projection, camera = self._projection, self._camera
+        width_px, height_px = (max(1, side) for side in self._canvas.window.GetSize())
+        toward = np.array(camera.GetDirectionOfProjection())
+        right = np.cross(toward, camera.GetViewUp())
+        right /= np.linalg.norm(right)
+        up = np.cross(right, toward)
+        px = height_px / (2.0 * camera.GetParallelScale())
+        position = np.array(camera.GetPosition())
+        pane = np.zeros((4, 4))
+        for row, axis, middle in ((0, px * right, width_px), (1, -px * up, height_px)):
+            pane[row] = *axis, middle / 2.0 - axis @ position
+        pane[2] = *toward, -toward @ position
+        pane[3, 3] = 1.0
+        clip = projection.clip_from_view @ projection.view_rotation
+        displayed = self._display_from_ndc @ clip
+        low, high = -np.array([1.0, 1.0, self._half_depth]), np.array([1.0, 1.0, self._half_depth])
+        limits = np.concatenate(
+            [
+                displayed[:3] - low[:, None] * displayed[3],
+                high[:, None] * displayed[3] - displayed[:3],
+            ]
+        )
+        return Sight(np.array(projection.camera.eye), pane @ displayed, limits)
+
+    def _place_probes(self) -> None:
+        marks: Sequence[Mark] = ()
+        if self._probes.probes:
+            marks = self._probes.in_ndc(self._projection, self._display_from_ndc, self.sight)
+        self._probes.show(marks, self._canvas.window.GetSize()[1])
 
     @property
     def view(self) -> Camera | None:

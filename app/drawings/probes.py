@@ -144,11 +144,12 @@ class Probes:
         matrix = np.asarray(pane_from_image, dtype=np.float64)
         marks = []
         for probe in self.probes:
-            spot, solid = probe.pixel, True
-            if probe.point is not None:
+            if probe.point is None:
+                spot, solid = np.array(probe.pixel), True
+            else:
                 trace = projection.trace(probe.point)
                 spot, solid = trace.image, not trace.outside.any()
-            marks.append(Mark(probe.number, matrix[:2] @ (*spot, 1.0), solid))  # type: ignore[misc]
+            marks.append(Mark(probe.number, matrix[:2] @ (*spot.tolist(), 1.0), solid))
         return marks
 
 
@@ -159,7 +160,9 @@ class _Slot:
         em = style.font_size
         self._canvas, self._style, self._number = canvas, style, 0
         self._space = Space()
-        self._line = line_actor([(0, 0, 0), (0, 0, 1)], [(0, 1)], style.accent, 2 * style.line_width)
+        self._line = line_actor(
+            [(0, 0, 0), (0, 0, 1)], [(0, 1)], style.accent, 2 * style.line_width
+        )
         lift_lines(self._line, 4)
         self._space.add(self._line)
         self._rim = _disc(_RIM_EM * em, style.ink)
