@@ -15,6 +15,7 @@ from PySide6.QtCore import (
     QEvent,
     QModelIndex,
     QPersistentModelIndex,
+    QSize,
     Qt,
     Signal,
 )
@@ -76,6 +77,7 @@ class ProbePanel(QWidget):
         self._pinned: set[int] = set()
         self._chosen = 0  # number of the probe that is edited; 0 for none
         self._projection: Projection | None = None
+        self._spans: list[tuple[int, int]] = []
 
         self.choice = QComboBox()
         self.choice.setAccessibleName(self.tr("Probe"))
@@ -114,7 +116,10 @@ class ProbePanel(QWidget):
         self.table.setAlternatingRowColors(True)
         self.table.setHorizontalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
         self.table.horizontalHeader().setHighlightSections(False)
-        self.table.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
+        rows = self.table.verticalHeader()
+        rows.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
+        rows.setMinimumSectionSize(0)
+        rows.setDefaultSectionSize(self.fontMetrics().height() + 4)
         self._lay_out()
         self._show_choice()
 
@@ -138,6 +143,13 @@ class ProbePanel(QWidget):
         layout.addWidget(self.error)
         layout.addWidget(self._hint)
         layout.addWidget(self.table, 1)
+
+    def sizeHint(self) -> QSize:
+        """High enough for every line of the table, with or without a probe in it."""
+        line = self.table.verticalHeader().defaultSectionSize()
+        head = self.choice.sizeHint().height() + self.table.horizontalHeader().sizeHint().height()
+        bar = self.table.horizontalScrollBar().sizeHint().height()
+        return QSize(super().sizeHint().width(), head + bar + 9 * line + 12)
 
     # -- the probes
 
@@ -300,16 +312,25 @@ class ProbePanel(QWidget):
     def _widen(self, columns: list[list[list[str]]], anew: bool) -> None:
         """Let every number be seen whole: one without its last digits would be another."""
         if anew:
-            self.table.clearSpans()
             self.table.resizeColumnToContents(0)
+            self._spans = []
         digit = self.table.fontMetrics().horizontalAdvance("0")
+        # Words, where there are no numbers, are said across all four columns.
+        spans = [
+            (row, 1 + _PARTS * i)
+            for i, lines in enumerate(columns)
+            for row in (0, 4, len(lines) - 1)
+            if len(lines[row]) == 1
+        ]
+        if spans != self._spans:
+            self.table.clearSpans()
+            for row, column in spans:
+                self.table.setSpan(row, column, 1, _PARTS)
+            self._spans = spans
         for i, lines in enumerate(columns):
-            if anew:  # what is inside or outside is said across all four
-                self.table.setSpan(len(lines) - 1, 1 + _PARTS * i, 1, _PARTS)
+            numbers = [line for row, line in enumerate(lines) if (row, 1 + _PARTS * i) not in spans]
             for part in range(_PARTS):
-                longest = max(
-                    len(line[part]) for line in [*lines[:-1], ["0"] * 4] if part < len(line)
-                )
+                longest = max([len(line[part]) for line in numbers if part < len(line)], default=4)
                 column = 1 + _PARTS * i + part
                 width = digit * (longest + 2)
                 if anew or width > self.table.columnWidth(column):

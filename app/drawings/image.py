@@ -130,7 +130,7 @@ class ImageDrawing:
         rectangle = self.picture_rectangle_px
         if self._probes.probes:
             marks = self._probes.in_image(self._projection, self._scaled(rectangle))
-        self._probes.show(marks, rectangle.height)
+        self._probes.show(marks, (rectangle.width, rectangle.height))
 
     def reset_view(self) -> None:
         """Do nothing: the view of this pane is the model's."""

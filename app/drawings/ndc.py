@@ -172,7 +172,7 @@ class NdcDrawing:
         marks: Sequence[Mark] = ()
         if self._probes.probes:
             marks = self._probes.in_ndc(self._projection, self._display_from_ndc, self.sight)
-        self._probes.show(marks, self._canvas.window.GetSize()[1])
+        self._probes.show(marks, self._canvas.window.GetSize())
 
     @property
     def view(self) -> Camera | None:

@@ -68,19 +68,19 @@ class Probes:
         self._slots: list[_Slot] = []
         self.probes: Sequence[Probe] = ()
 
-    def show(self, marks: Sequence[Mark], height_px: int) -> None:
+    def show(self, marks: Sequence[Mark], size_px: tuple[int, int]) -> None:
         """Draw these marks, and no others.
 
         Parameters
         ----------
         marks : sequence of Mark
-        height_px : int
+        size_px : (int, int)
             Of the renderer, whose pixels count from below.
         """
         while len(self._slots) < len(marks):
             self._slots.append(_Slot(self._canvas, self._style, self._renderer))
         for i, slot in enumerate(self._slots):
-            slot.show(marks[i] if i < len(marks) else None, height_px)
+            slot.show(marks[i] if i < len(marks) else None, size_px)
 
     def in_world(
         self, projection: Projection, origin: Array, drawn: tuple[float, float], sight: Sight
@@ -172,14 +172,14 @@ class _Slot:
             _disc(0.66 * _CROSSING_EM * em, style.near, 4),
         )
         self._label = Label(
-            "", style, plate=style.accent, in_pixels=True, offset_em=(0.6, 0.5), anchor=(-1, -1),
-            bold=True,
+            "", style, plate=style.accent, in_pixels=True, bold=True
         )  # fmt: skip
         canvas.add(
             self._line, *self._crossing, self._rim, self._fill, self._label.actor, renderer=renderer
         )
 
-    def show(self, mark: Mark | None, height_px: int) -> None:
+    def show(self, mark: Mark | None, size_px: tuple[int, int]) -> None:
+        height_px = size_px[1]
         line = None if mark is None else mark.line
         self._line.SetVisibility(line is not None)
         if line is not None:
@@ -196,7 +196,11 @@ class _Slot:
             self._fill.GetProperty().SetColor(*rgb(colour))
             self._label.set_dpi(self._canvas.window.GetDPI())
             self._label.set_text(str(mark.number))
-            self._label.set_position((*spot, 0.0))
+            # Above and to the right, but not out of the picture.
+            em, (x, y) = self._style.font_size, spot
+            to_right = 1.0 if x + 2.2 * em < size_px[0] else -1.0
+            to_top = 1.0 if y + 2.0 * em < height_px else -1.0
+            self._label.set_position((x + 1.3 * em * to_right, y + 1.2 * em * to_top, 0.0))
         crossing = _place(None if mark is None else mark.crossing_px, height_px)
         for actor in self._crossing:
             actor.SetVisibility(crossing is not None)

@@ -566,9 +566,9 @@ class WorldDrawing:
         if self._probes.probes:
             drawn = reach.near, reach.far
             marks = self._probes.in_world(self._projection, self._origin, drawn, self.sight)
-            self._probes.show(marks, self._pane.size_px[1])
+            self._probes.show(marks, self._pane.size_px)
         else:
-            self._probes.show((), 0)
+            self._probes.show((), self._pane.size_px)
 
     def _toward_pane(self, point: Array, depth: float) -> Array:
         """Shrink everything towards the pane's camera until `point` is at `depth`, (4, 4).
