@@ -144,6 +144,9 @@ class ProbePanel(QWidget):
         layout.addWidget(self._hint)
         layout.addWidget(self.table, 1)
 
+    def hasHeightForWidth(self) -> bool:
+        return False  # the sentences wrap, but it is the table that wants height
+
     def sizeHint(self) -> QSize:
         """High enough for every line of the table, with or without a probe in it."""
         line = self.table.verticalHeader().defaultSectionSize()
