@@ -19,7 +19,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from app.projection import Array, Projection, Vector
+from app.projection import LARGEST, Array, Projection, Vector
 
 VERTEX_WITHIN_PX = 6.0
 """A vertex that is seen so close to the pixel is what was meant, not the face beside it."""
@@ -146,6 +146,49 @@ def projector(projection: Projection, probe: Probe, distances: ArrayLike) -> Arr
     fixed = np.full(len(depths), -across[3]), np.full(len(depths), -down[3]), depths
     points: Array = eye + np.linalg.solve(system, np.array(fixed)).T
     return points
+
+
+def dragged(
+    projection: Projection, point: Vector, shift_px: tuple[float, float], *, along_ray: bool
+) -> Vector | None:
+    """Where a point goes when its picture is dragged.
+
+    Parameters
+    ----------
+    projection : Projection
+    point : Vector
+        World coordinates.
+    shift_px : (float, float)
+        Right and down, in the image's pixels.
+    along_ray : bool
+        Leave the picture where it is and move the point away (up) or nearer (down): by as much as
+        a pixel is wide for a parallel lens, in proportion to the distance for the others, so that
+        it never reaches the eye. Otherwise it stays in its plane parallel to the image.
+
+    Returns
+    -------
+    Vector or None
+        None for a point without a picture, and for one that would be too far away for one.
+    """
+    trace = projection.trace(point)
+    if not trace.in_front:
+        return None
+    right_px, down_px = shift_px
+    distance = -float(trace.view[2])
+    held = Probe(0, point)
+    if not along_ray:
+        x_px, y_px = trace.image.tolist()
+        held = Probe(0, pixel=(x_px + right_px, y_px + down_px))
+    elif projection.lens.parallel:
+        _, _, bottom, top = projection.window
+        distance -= (top - bottom) * down_px / projection.image_size[1]
+    else:
+        with np.errstate(over="ignore", under="ignore"):
+            distance *= float(np.exp2(-4.0 * down_px / projection.image_size[1]))
+        if not 0.0 < distance < LARGEST:
+            return None
+    line = projector(projection, held, [distance])
+    return None if line is None or not np.abs(line).max() <= LARGEST else _vector(line[0])
 
 
 class Surface:

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from app.drawings.probes import surface_of
-from app.picking import Probe, Sight, Surface, projector
+from app.picking import Probe, Sight, Surface, dragged, projector
 from app.projection import (
     Array,
     Camera,
@@ -175,3 +175,31 @@ def test_a_point_behind_the_eye_has_no_projector() -> None:
     projection = Projection(CAMERA, LENSES["perspective"], (1280, 720))
     assert projector(projection, Probe(1, (12.0, 8.0, 18.0)), [1.0]) is None
     assert projector(projection, Probe(1, CAMERA.eye), [1.0]) is None
+
+
+@pytest.mark.parametrize("lens", LENSES.values(), ids=LENSES)
+def test_a_dragged_point_stays_in_its_plane_or_on_its_ray(lens: Lens) -> None:
+    projection = Projection(CAMERA, lens, (1280, 720))
+    point = (1.0, 2.0, 0.5)
+    before = projection.trace(point)
+    moved = dragged(projection, point, (31.0, -17.0), along_ray=False)
+    assert moved is not None
+    after = projection.trace(moved)
+    assert after.image - before.image == pytest.approx([31.0, -17.0], abs=1e-9)
+    assert after.view[2] == pytest.approx(before.view[2], rel=1e-12)
+    moved = dragged(projection, point, (5.0, -90.0), along_ray=True)
+    assert moved is not None
+    after = projection.trace(moved)
+    assert after.image == pytest.approx(before.image, abs=1e-9)
+    # 90 px up: 90/180 of a doubling of the distance, or as far as 90 px are wide.
+    far = -before.view[2]
+    farther = far * math.sqrt(2.0) if not lens.parallel else far + 6.0 * 90.0 / 720.0
+    assert -after.view[2] == pytest.approx(farther, rel=1e-12)
+    for down in (-1e9, 1e9):
+        moved = dragged(projection, point, (0.0, down), along_ray=True)
+        assert moved is None if not lens.parallel else moved is not None
+
+
+def test_a_point_without_a_picture_cannot_be_dragged() -> None:
+    projection = Projection(CAMERA, LENSES["perspective"], (1280, 720))
+    assert dragged(projection, (12.0, 8.0, 18.0), (3.0, 0.0), along_ray=False) is None

@@ -11,8 +11,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QImage
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QImage, QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
@@ -124,6 +124,47 @@ def test_a_drag_makes_no_probe(make_window: Callable[..., MainWindow]) -> None:
     assert window.probe_panel.probes == ()
     QTest.mouseClick(canvas, Qt.MouseButton.RightButton, pos=QPoint(150, 200))
     assert window.probe_panel.probes == ()
+
+
+def test_a_mark_is_dragged_in_the_image_in_its_plane_or_along_its_ray(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window()
+    window.probe_panel.follow(point=CORNER)
+    window.probe_panel.pin.click()
+    window.probe_panel.follow(point=(0.0, 0.5, 0.5))
+    canvas = window.panes["image"].canvas
+    before = start().trace(CORNER)
+
+    def drag(place: tuple[float, float], right: int, down: int, key: Any) -> Any:
+        x, y = (math.floor(part) for part in place)
+        QTest.mousePress(canvas, Qt.MouseButton.LeftButton, key, pos=QPoint(x, y))
+        for part in (1, 2):
+            away = QPoint(right * part // 2, down * part // 2)
+            event = QMouseEvent(
+                QEvent.Type.MouseMove, QPointF(QPoint(x, y) + away),
+                canvas.mapToGlobal(QPointF(QPoint(x, y) + away)), Qt.MouseButton.NoButton,
+                Qt.MouseButton.LeftButton, key,
+            )  # fmt: skip
+            QApplication.sendEvent(canvas, event)
+        end = QPoint(x + right, y + down)
+        QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, key, pos=end)
+        return window.probe_panel.probes[0].point
+
+    none, shift = Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ShiftModifier
+    moved = start().trace(drag(place_in(window, "image", CORNER), 20, 12, none))
+    scale = 1280 / window.panes["image"].drawing.picture_rectangle_px.width  # type: ignore
+    assert moved.image - before.image == pytest.approx([20 * scale, 12 * scale], rel=0.02)
+    assert moved.view[2] == pytest.approx(before.view[2], rel=1e-12)
+    place = place_in(window, "image", window.probe_panel.probes[0].point)
+    farther = start().trace(drag(place, 0, -20, shift))
+    assert farther.image == pytest.approx(moved.image, abs=1e-9)
+    assert farther.view[2] < 1.1 * moved.view[2]
+    beside = place[0] - 40, place[1] - 40
+    drag(beside, 20, 20, none)  # it starts on no mark
+    assert start().trace(window.probe_panel.probes[0].point).view == pytest.approx(farther.view)
+    assert window.probe_panel.probes[1].point == (0.0, 0.5, 0.5)
+    assert not window.store.modified
 
 
 def test_a_hand_that_trembles_still_clicks_and_turns_nothing(

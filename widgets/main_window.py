@@ -8,6 +8,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
@@ -49,7 +50,7 @@ from app.drawings.image import ImageDrawing
 from app.drawings.ndc import NdcDrawing
 from app.drawings.probes import surface_of
 from app.drawings.world import WorldDrawing
-from app.picking import VERTEX_WITHIN_PX
+from app.picking import VERTEX_WITHIN_PX, Probe, dragged
 from app.projection import Camera, Projection
 from app.scene import BUILT_IN, Scene
 from app.store import Store
@@ -66,6 +67,8 @@ from widgets.pictures import Pictures
 from widgets.probe_panel import ProbePanel
 from widgets.status_line import StatusLine
 
+HOLD_WITHIN_PX = 9.0
+"""So near to a probe's mark a drag in the image takes hold of it."""
 PANE_WIDTHS = [400, 305, 330]
 """Of the panes in a window of 1366 pixels; the splitter keeps their proportion."""
 DRAWINGS: dict[str, Callable[..., Any]] = {
@@ -147,6 +150,8 @@ class MainWindow(QMainWindow):
         self.help = Help(self)
         self._scene: Scene | None = None
         self._views: dict[str, Camera] = {}
+        self._held: Probe | None = None
+        """The probe that is being dragged in the image, as it was before."""
         data = QStandardPaths.writableLocation(QStandardPaths.StandardLocation.AppDataLocation)
         self.autosave = Autosave(
             Path(data),
@@ -404,6 +409,10 @@ class MainWindow(QMainWindow):
             pane.enlarge_requested.connect(partial(self.enlarge, name))
             pane.float_requested.connect(partial(self.toggle_float, name))
             pane.clicked.connect(partial(self._follow, name))
+        canvas = self.panes["image"].canvas
+        canvas.drag_started.connect(self._hold_probe)
+        canvas.dragged.connect(self._drag_probe)
+        canvas.drag_ended.connect(self._let_probe_go)
         self.probe_panel.changed.connect(self._show_probes)
         self.probe_panel.refused.connect(self.messages.say)
         QGuiApplication.styleHints().colorSchemeChanged.connect(self._scheme_changed)
@@ -494,6 +503,39 @@ class MainWindow(QMainWindow):
             self.probe_panel.follow(point=hit.point)
         elif pixel is not None:
             self.probe_panel.follow(pixel=pixel)
+
+    def _hold_probe(self, place: QPointF) -> None:
+        """Take hold of the mark in the image that a drag starts on."""
+        drawing = self.panes["image"].drawing
+        if drawing is None:
+            return
+        nearest = HOLD_WITHIN_PX * self.panes["image"].devicePixelRatioF()
+        for probe in self.probe_panel.probes:
+            if probe.point is None:
+                continue
+            ((x_px, y_px),) = drawing.sight.seen([list(probe.point)]).tolist()
+            away = math.hypot(x_px - place.x(), y_px - place.y())
+            if away <= nearest:  # never for NaN, which has no picture
+                nearest, self._held = away, probe
+        if self._held is not None:
+            self.probe_panel.choose(self._held.number)
+
+    def _drag_probe(self, away: QPointF, along_ray: bool) -> None:
+        drawing = self.panes["image"].drawing
+        if self._held is None or self._held.point is None or not isinstance(drawing, ImageDrawing):
+            return
+        projection = self.store.document.projection
+        rectangle = drawing.picture_rectangle_px
+        shift_px = (
+            away.x() * projection.image_size[0] / rectangle.width,
+            away.y() * projection.image_size[1] / rectangle.height,
+        )
+        point = dragged(projection, self._held.point, shift_px, along_ray=along_ray)
+        if point is not None:
+            self.probe_panel.put(self._held.number, point)
+
+    def _let_probe_go(self) -> None:
+        self._held = None
 
     def _show_probes(self) -> None:
         self._remove_probe.setEnabled(bool(self.probe_panel.probes))

@@ -80,6 +80,11 @@ class _Canvas(QtInteractor):
     moved = Signal()
     clicked = Signal(QPointF)
     """Pressed and released in one place: the middle of that pixel, in device pixels."""
+    drag_started = Signal(QPointF)
+    """The left button has left the place, in device pixels, where it was pressed."""
+    dragged = Signal(QPointF, bool)
+    """How far it is from there, in device pixels, and whether Shift is held."""
+    drag_ended = Signal()
 
     def __init__(self, parent: QWidget, *, orbits: bool) -> None:
         super().__init__(parent, auto_update=False, multi_samples=0)
@@ -90,6 +95,7 @@ class _Canvas(QtInteractor):
         self._last: QPointF | None = None
         self._pressed: QPointF | None = None
         """Where the left button went down, as long as it may be a click."""
+        self._dragged_from: QPointF | None = None
 
     def keyPressEvent(self, event: Any) -> None:
         event.ignore()
@@ -105,14 +111,16 @@ class _Canvas(QtInteractor):
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         self._last = event.position()
-        plain = event.modifiers() == Qt.KeyboardModifier.NoModifier
         is_left = event.button() == Qt.MouseButton.LeftButton
-        self._pressed = event.position() if plain and is_left else None
+        self._pressed = event.position() if is_left else None
         event.accept()
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         self._last = None
         event.accept()
+        if self._dragged_from is not None and event.button() == Qt.MouseButton.LeftButton:
+            self._dragged_from = None
+            self.drag_ended.emit()
         if self._pressed is not None and event.button() == Qt.MouseButton.LeftButton:
             middle = self._pressed + QPointF(0.5, 0.5)
             self._pressed = None
@@ -128,7 +136,12 @@ class _Canvas(QtInteractor):
             moved = (event.position() - self._pressed).manhattanLength()
             if moved < QApplication.startDragDistance():  # a hand that trembles turns nothing
                 return
-            self._pressed = None
+            self._dragged_from, self._pressed = self._pressed, None
+            self.drag_started.emit(self._dragged_from * self.devicePixelRatioF())
+        if self._dragged_from is not None:
+            shift = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
+            away = (event.position() - self._dragged_from) * self.devicePixelRatioF()
+            self.dragged.emit(away, shift)
         if self._last is None or not self._orbits:
             return
         step = event.position() - self._last

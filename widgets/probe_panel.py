@@ -187,6 +187,10 @@ class ProbePanel(QWidget):
         self._chosen = number
         self._put(Probe(number, point, pixel))
 
+    def put(self, number: int, point: Vector) -> None:
+        """Put a probe elsewhere, pinned or not."""
+        self._put(Probe(number, point))
+
     def choose(self, number: int) -> None:
         """Let the fields and buttons be about another probe."""
         self._chosen = number
