@@ -105,7 +105,11 @@ def test_a_triangle_that_crosses_the_eye_plane_is_hit_in_front_only() -> None:
     # 45 degrees below the horizon is the picture's lower edge, where the floor is 1 away.
     hit = surface.pick(sight, (width / 2.0, float(height)))
     assert hit is not None and hit.point == pytest.approx((0.0, 0.0, -1.0), abs=1e-12)
-    assert surface.pick(sight, (width / 2.0, 0.0)) is None  # nor mirrored above it
+    above = width / 2.0, 0.0
+    assert surface.pick(sight, above) is None  # nor mirrored there,
+    assert surface.pick(sight._replace(limits=np.empty((0, 4))), above) is None  # near plane or not
+    lens = Perspective(90.0, 2.0, 500.0)  # cuts away what is 1 away
+    assert surface.pick(Sight.of(replace(projection, lens=lens)), (width / 2.0, height)) is None
 
 
 def test_what_is_nearer_than_near_or_beyond_far_is_not_seen() -> None:
