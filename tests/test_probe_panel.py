@@ -375,6 +375,16 @@ def test_no_number_is_cut(panel: ProbePanel) -> None:
             assert metrics.horizontalAdvance(text) + 6 <= panel.table.columnWidth(column), text
 
 
+def test_lines_and_numbers_grow_with_the_font(panel: ProbePanel) -> None:
+    panel.follow(point=(1 / 3, 2 / 3, -1 / 7))
+    table = panel.table
+    height, width = table.rowHeight(2), table.columnWidth(1)
+    font = panel.font()
+    font.setPointSizeF(2.0 * font.pointSizeF())
+    panel.setFont(font)
+    assert table.rowHeight(2) > 1.5 * height and table.columnWidth(1) > 1.5 * width
+
+
 def test_a_folded_panel_fills_no_table_and_shows_the_value_when_it_opens(
     panel: ProbePanel, qtbot: QtBot
 ) -> None:

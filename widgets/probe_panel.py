@@ -119,8 +119,8 @@ class ProbePanel(QWidget):
         rows = self.table.verticalHeader()
         rows.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         rows.setMinimumSectionSize(0)
-        rows.setDefaultSectionSize(self.fontMetrics().height() + 4)
         self._lay_out()
+        self._fit_rows()
         self._show_choice()
 
     def _lay_out(self) -> None:
@@ -286,6 +286,16 @@ class ProbePanel(QWidget):
 
     # -- the table
 
+    def _fit_rows(self) -> None:
+        height = self.fontMetrics().height() + 4
+        self.table.verticalHeader().setDefaultSectionSize(height)
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:  # projector mode
+            self._fit_rows()
+            self._fill()
+
     def show_projection(self, projection: Projection) -> None:
         """Show the numbers under the model's new value: at once if visible, else on appearing."""
         if projection != self._projection:
@@ -321,7 +331,7 @@ class ProbePanel(QWidget):
         if anew:
             self.table.resizeColumnToContents(0)
             self._spans = []
-        digit = self.table.fontMetrics().horizontalAdvance("0")
+        digit = self.fontMetrics().horizontalAdvance("0")
         # Words, where there are no numbers, are said across all four columns.
         spans = [
             (row, 1 + _PARTS * i)
