@@ -21,6 +21,8 @@ from collections.abc import Callable, Container, Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn
 
+import numpy as np
+
 from app import __version__, bootstrap
 from app.doctor import check_off_screen, examine
 from app.document import (
@@ -469,7 +471,12 @@ def _project(arguments: Sequence[str]) -> int:
     points = _read_points(source)
     predictions = predict(projection, points)
     rung = found.rung or rung_for_reading(predictions)
-    answer = _Answer(projection, trace(projection, points, rung), rung, predictions)
+    traced = trace(projection, points, rung)
+    beyond = ~np.isfinite(np.column_stack([traced.view, traced.clip])).all(axis=1)
+    if beyond.any():  # float32 ends at 3e38, a document and its points do not
+        number = int(beyond.argmax()) + 1
+        raise CliError(f"--rung = {rung!r}: point {number} leads to numbers that it cannot hold.")
+    answer = _Answer(projection, traced, rung, predictions)
     _print(_PROJECT_FORMATS[found.format](answer))
     return 0
 

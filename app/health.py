@@ -21,7 +21,7 @@ FEW_DIGITS = (
 )
 ROUGH_DRAWING = "A GPU's float32 would draw up to {0} px off: the picture is computed in float64"
 VTK_CLAMPS = "VTK's own camera would clamp the field of view to {0}°"
-VTK_DROPS = "The scene is {0} times as large as near: from 1e7 on VTK drops what is near"
+VTK_DROPS = "The scene is {0} times as large as near: VTK by itself drops what is near from 1e7 on"
 SENTENCES = (NO_GAP, WIDE_GAP, FEW_DIGITS, ROUGH_DRAWING, VTK_CLAMPS, VTK_DROPS)
 """Every sentence of a `Risk`, for translators."""
 

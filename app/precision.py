@@ -10,7 +10,7 @@ exact       double-double with a running error bound, rounded once; where the bo
 A rung's error depends on how the camera, the lens and the very points cancel: textbook bounds of
 it (Higham, Accuracy and Stability of Numerical Algorithms, 3.1) are up to a hundred times too
 large. So the two cheap rungs are run on the points at risk and compared with the exact one, whose
-own error is known beforehand; the sum is a bound that is never too small and hardly too large.
+own error is known to some digits; that is never too small and hardly too large.
 """
 
 from __future__ import annotations
@@ -53,8 +53,10 @@ LOOKED_AT = 4096
 """As many points are compared with the exact rung; more than that are sampled."""
 
 _UNIT_32 = 2.0**-24
+_LARGEST_32, _LEAST_32 = 2.0**127, 2.0**-126  # the largest with room for a sum
 _CHUNK = 8192
 _CERTAIN = 2.0**-16  # of an ulp: a bound below it leaves no doubt worth a rational
+_ROUNDED_UP = 1.0 + 2.0**-50  # for the roundings of the prediction itself
 _UNDERFLOW = 1e-300  # what products near the smallest float64 may lose, and some
 
 
@@ -110,20 +112,22 @@ def predict(
         )
         even = np.linspace(0, len(world) - 1, half).astype(int)
         world, safety = world[np.concatenate([nearest[:half], even])], 2.0
-    exact = trace(projection, world, "exact")
-    rounding = [
-        (0.5 + _CERTAIN) * np.spacing(np.abs(values)) for values in (exact.image, exact.depth)
-    ]
+    with np.errstate(all="ignore"):
+        numbers, rests, _ = _exact_numbers(projection, world)
+    numbers[numbers[:, 6] <= 0.0] = np.nan  # where float64 alone sees a picture
+    unknown = _CERTAIN * np.spacing(np.abs(numbers[:, 10:]))
     predictions: dict[Rung, Prediction] = {}
     for rung in RUNGS:
-        done = exact if rung == "exact" else trace(projection, world, rung, origin)
-        errors = (
-            np.abs(done.image - exact.image) + rounding[0],
-            np.abs(done.depth - exact.depth) + rounding[1],
-        )
+        if rung == "exact":
+            done = numbers[:, 10:]
+        else:
+            traced = trace(projection, world, rung, origin)
+            done = np.column_stack([traced.image, traced.depth])
+        # The true value is the exact rung's number and the rest that its rounding cut off.
+        errors = np.abs((done - numbers[:, 10:]) - rests) + unknown
         px, depth = (
-            math.inf if np.isnan(values).any() else safety * float(values.max())
-            for values in errors
+            math.inf if np.isnan(values).any() else safety * _ROUNDED_UP * float(values.max())
+            for values in (errors[:, :2], errors[:, 2])
         )
         predictions[rung] = Prediction(px, depth)
     return predictions
@@ -153,20 +157,51 @@ def drawing_bound_px(
     -----
     A clip coordinate is a sum of four products: 2 u from the rounded factors, 1 from the product
     and 3 from the sums, each of the sum of the products' sizes; where it is seen, no NDC
-    coordinate is larger than 1, so that x and w count alike.
+    coordinate is larger than 1, so that x and w count alike. What is below float32's least number
+    may be lost whole.
     """
-    matrix = np.abs(projection.clip_from_world_at(origin))
-    largest = np.abs(corners_world - origin).max(axis=0)
-    x, y, _, w = matrix[:, :3] @ largest + matrix[:, 3]
+    clip_from_local = projection.clip_from_world_at(origin)
+    matrix = np.abs(clip_from_local)
+    local = corners_world - origin
+    largest = np.abs(local).max(axis=0)
+    sizes = matrix[:, :3] @ largest + matrix[:, 3]
+    if not max(sizes.max(), matrix.max(), largest.max()) < _LARGEST_32:
+        return math.inf
+    sizes += _LEAST_32 / _UNIT_32 * (matrix.sum(axis=1) + largest.sum() + 4.0)
+    x, y, _, w = sizes
     least_w = 1.0
     if not projection.lens.parallel:
-        depths = (corners_world - projection.camera.eye) @ -projection.camera.frame[2]
-        if depths.max() < projection.lens.near:  # nothing of it is seen
+        clip = local @ clip_from_local[:, :3].T + clip_from_local[:, 3]
+        least_w = max(projection.lens.near, _least_w_seen(clip, sizes))
+        if least_w == math.inf or clip[:, 3].max() < projection.lens.near:  # nothing of it is seen
             return 0.0
-        least_w = max(projection.lens.near, float(depths.min()))
     half_width, half_height = (side / 2.0 for side in projection.image_size)
     lost = max(half_width * (x + w), half_height * (y + w)) / least_w
     return float(_UNIT_32 * (6.0 * lost + 8.0 * max(half_width, half_height)))
+
+
+def _least_w_seen(clip: Array, sizes: Array) -> float:
+    """The least w of what is in view of a box, or less; infinite if nothing is.
+
+    The box is cut with each side plane of the view volume alone: where it lies beside the eye, w
+    is much larger in view than at its nearest corner.
+
+    Parameters
+    ----------
+    clip : (8, 4) array
+        Its corners.
+    sizes : (4,) array
+        Of the terms that clip coordinates are sums of, for their rounding.
+    """
+    x, y, _, w = clip.T
+    beyond = 1e-14 * (sizes[[0, 0, 1, 1]] + sizes[3])
+    inside = np.stack([w + x, w - x, w + y, w - y]) + beyond[:, None]
+    # All pairs of corners: the edges and diagonals, whose cuts are in the box too.
+    a, b = inside[:, :, None], inside[:, None, :]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        cut = w[:, None] + a / (a - b) * (w - w[:, None])
+    cut = np.where((a >= 0.0) & (b < 0.0), cut, np.where(a >= 0.0, w[:, None], np.inf))
+    return float(cut.min(axis=(1, 2)).max())
 
 
 def rung_for_drawing(
@@ -228,7 +263,7 @@ def trace(
             parts = _trace_float32(projection, flat, origin)
         else:
             parts = _trace_exact(projection, flat)
-    return Trace(world, *(part.reshape(*world.shape[:-1], *part.shape[1:]) for part in parts))
+    return Trace(world, *(part.reshape(world.shape[:-1] + part.shape[1:]) for part in parts))
 
 
 def _trace_float32(projection: Projection, world: Array, origin: Vector) -> tuple[Any, ...]:
@@ -362,8 +397,16 @@ def _bounded(number: Any) -> _Bounded:
 
 
 def _trace_exact(projection: Projection, world: Array) -> tuple[Any, ...]:
+    numbers, _, outside = _exact_numbers(projection, world)
+    view, clip, ndc, image, depth = np.split(numbers, (3, 7, 10, 12), axis=1)
+    in_front = (clip[:, 3] > 0.0) & np.isfinite(numbers[:, 7:]).all(axis=1)
+    return _finish(view, clip, ndc, image, depth[:, 0], in_front, outside)
+
+
+def _exact_numbers(projection: Projection, world: Array) -> tuple[Array, Array, Any]:
+    """View 3, clip 4, NDC 3, image 2 and depth; what rounding cut off the last 3; outside 6."""
     n = projection.exact_lens
-    numbers = np.empty((len(world), 13))  # view 3, clip 4, NDC 3, image 2, depth
+    numbers, rests = np.empty((len(world), 13)), np.empty((len(world), 3))
     outside = np.empty((len(world), 6), dtype=bool)
     for start in range(0, len(world), _CHUNK):
         block = slice(start, start + _CHUNK)
@@ -377,27 +420,31 @@ def _trace_exact(projection: Projection, world: Array) -> tuple[Any, ...]:
         doubtful = np.zeros(len(points), dtype=bool)
         for column, number in enumerate(first[:7] + _divide(projection, first[3:7])):
             numbers[block, column] = number.value.hi
+            if column >= 10:
+                rests[block, column - 10] = number.value.lo
             doubtful |= ~(number.error <= _CERTAIN * np.spacing(np.abs(number.value.hi)))
         for plane, number in enumerate(first[7:]):
             outside[block, plane] = number.value.hi < 0.0
             doubtful |= ~(number.error < np.abs(number.value.hi))
         for i in start + np.flatnonzero(doubtful):
-            numbers[i], outside[i] = _trace_rational(projection, n, world[i].tolist())
-    view, clip, ndc, image, depth = np.split(numbers, (3, 7, 10, 12), axis=1)
-    in_front = (clip[:, 3] > 0.0) & np.isfinite(numbers[:, 7:]).all(axis=1)
-    return _finish(view, clip, ndc, image, depth[:, 0], in_front, outside)
+            numbers[i], rests[i], outside[i] = _trace_rational(projection, n, world[i].tolist())
+    return numbers, rests, outside
 
 
 def _trace_rational(
     projection: Projection, n: ExactLens, point: Sequence[float]
-) -> tuple[list[float], list[bool]]:
-    """One point in rationals, each number rounded once."""
+) -> tuple[list[float], list[float], list[bool]]:
+    """One point of `_exact_numbers` in rationals, each number rounded once."""
     x, y, z = projection.camera.exact_view((point[0], point[1], point[2]))
     first = _clip(projection, n, x, y, -z)
     w = first[6]
     quotients = _divide(projection, first[3:7]) if w != 0 else [math.nan] * 6
     numbers = [_rounded(number) for number in (*first[:7], *quotients)]
-    return numbers, [number < 0 for number in first[7:]]
+    rests = [
+        float(true - Fraction(number)) if math.isfinite(number) else math.nan
+        for true, number in zip(quotients[3:], numbers[10:], strict=True)
+    ]
+    return numbers, rests, [number < 0 for number in first[7:]]
 
 
 def _rounded(number: Any) -> float:

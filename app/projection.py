@@ -358,11 +358,28 @@ class Camera:
         offset = [Fraction(p) - Fraction(e) for p, e in zip(point_world, self.eye, strict=True)]
         backward, right = self._exact_axes
         x, y, z = (
-            sum((c * o for c, o in zip(axis, offset, strict=True)), Fraction(0))
-            / dd.root(Fraction(_dot(axis, axis)))
-            for axis in (right, _cross(backward, right), backward)
+            sum((c * o for c, o in zip(axis, offset, strict=True)), Fraction(0)) / length
+            for axis, length in zip(
+                (right, _cross(backward, right), backward), self._exact_lengths, strict=True
+            )
         )
         return x, y, z
+
+    @cached_property
+    def _exact_lengths(self) -> tuple[Fraction, Fraction, Fraction]:
+        """Lengths of U, V = N x U and N, to `double_double.BITS` bits.
+
+        Where their ratio is rational it is so to the last bit: a point on a plane of the view
+        volume, where coordinates cancel, is found there.
+        """
+        backward, right = self._exact_axes
+        n_squared, u_squared = _dot(backward, backward), _dot(right, right)
+        n_length = dd.root(Fraction(n_squared))
+        product = math.isqrt(n_squared * u_squared)
+        if product * product == n_squared * u_squared:
+            return n_length * Fraction(product, n_squared), Fraction(product), n_length
+        u_length = dd.root(Fraction(u_squared))
+        return u_length, u_length * n_length, n_length
 
     @property
     def distance(self) -> float:

@@ -20,8 +20,22 @@ import pytest
 
 from app import cli
 from app.document import Document, embed, read, set_values, to_json, write
-from app.projection import LARGEST, SMALLEST, Camera, Orthographic, Perspective, Projection
+from app.precision import RUNGS, Rung, predict, trace
+from app.projection import (
+    LARGEST,
+    SMALLEST_WINDOW,
+    Camera,
+    DepthRange,
+    Frustum,
+    Lens,
+    Oblique,
+    Orthographic,
+    Perspective,
+    Projection,
+    Stage,
+)
 from app.scene import load
+from tests.oracles import exact
 
 ROOT = Path(__file__).parent.parent
 
@@ -172,21 +186,105 @@ def test_json_is_exactly_the_trace_of_the_model(by_hand: Path) -> None:
     text = "".join(f"{x!r},{y!r},{z!r}\n" for x, y, z in points.tolist())
     done = run("project", by_hand, "-", "--format=json", text=text)
     answer = json.loads(done.stdout)
-    trace = projection.trace(points)
-    assert list(answer) == ["points", "matrices"]
-    for name in ("view_from_world", "clip_from_view", "clip_from_world"):
-        assert np.array_equal(answer["matrices"][name], getattr(projection, name))
+    traced = projection.trace(points)
+    assert list(answer) == ["points", "matrices", "rung", "predicted_error_px", "predictions"]
+    assert list(answer["matrices"]) == ["view_from_world", "clip_from_view", "clip_from_world"]
+    for name, matrix in answer["matrices"].items():
+        assert np.array_equal(matrix, stage_of(projection, name).matrix)
     keys = ["world", "view", "clip", "ndc", "image", "depth", "inside", "outside_of"]
     for i, point in enumerate(answer["points"]):
         assert list(point) == keys
         for name in ("world", "view", "clip"):
-            assert point[name] == getattr(trace, name)[i].tolist()
+            assert point[name] == getattr(traced, name)[i].tolist()
         for name in ("ndc", "image", "depth"):
-            value = getattr(trace, name)[i].tolist() if trace.in_front[i] else None
+            value = getattr(traced, name)[i].tolist() if traced.in_front[i] else None
             assert point[name] == value
-        assert point["inside"] == (trace.in_front[i] and not trace.outside[i].any())
+        assert point["inside"] == (traced.in_front[i] and not traced.outside[i].any())
     assert {point["inside"] for point in answer["points"]} == {True, False}
     assert any(point["ndc"] is None for point in answer["points"])
+    predictions = predict(projection, points)
+    assert predictions is not None and answer["rung"] == "float64"
+    assert answer["predictions"] == {rung: p._asdict() for rung, p in predictions.items()}
+    assert answer["predicted_error_px"] == predictions["float64"].px
+
+
+# Near is so close to far that float64 loses the depth of what is off the axis: 5.6e-11 of 1.
+NEAR_NEXT_TO_FAR = ("--set=lens.near=1", "--set=lens.far=1.000000000001")
+OFF_AXIS = "0.3,0.2,3.9999999999995\n"
+
+
+def stage_of(projection: Projection, name: str) -> Stage:
+    (stage,) = (s for s in (*projection.stages, *projection.direct_stages) if s.name == name)
+    return stage
+
+
+@pytest.mark.parametrize("rung", RUNGS)
+def test_a_forced_rung_computes_the_numbers(by_hand: Path, rung: Rung) -> None:
+    done = run("project", by_hand, "-", "--format=json", f"--rung={rung}", text="0.1,0.7,-1e-3\n")
+    answer = json.loads(done.stdout)
+    points = np.array([[0.1, 0.7, -1e-3]])
+    predictions = predict(BY_HAND.projection, points)
+    assert predictions is not None
+    assert (answer["rung"], answer["predicted_error_px"]) == (rung, predictions[rung].px)
+    (point,), traced = answer["points"], trace(BY_HAND.projection, points, rung)
+    for name in ("view", "clip", "ndc", "image"):
+        assert point[name] == getattr(traced, name)[0].tolist()
+    assert point["depth"] == traced.depth[0]
+    true = exact.Exact(BY_HAND.projection)(points[0])
+    error = max(abs(float(a - b)) for a, b in zip(point["image"], true.image, strict=True))
+    low, high = {"float32": (1e-7, 1e-4), "float64": (0.0, 1e-13), "exact": (0.0, 1e-14)}[rung]
+    assert low <= error <= predictions[rung].px <= high
+    table = run("project", by_hand, "-", f"--rung={rung}", text="0.1,0.7,-1e-3\n").stdout
+    assert f"\ncomputed in {rung}; largest errors: float32 " in table
+
+
+def test_a_rung_that_is_none_is_refused(by_hand: Path) -> None:
+    assert refused("project", by_hand, "-", "--rung", "float16", text="0,0,0") == (
+        "--rung = 'float16': must be one of float32, float64, exact.\n"
+    )
+
+
+def test_numbers_are_exact_where_float64_would_lose_too_many_digits(by_hand: Path) -> None:
+    command = ("project", by_hand, "-", "--format=json", *NEAR_NEXT_TO_FAR)
+    slanted = "--set=camera.target=0.1,-0.2,0.3"
+    # Where the camera looks along an axis nothing is lost, and nothing is changed.
+    assert json.loads(run(*command, text=OFF_AXIS).stdout)["rung"] == "float64"
+    projection = set_values(
+        BY_HAND, [word.removeprefix("--set=") for word in (*NEAR_NEXT_TO_FAR, slanted)]
+    ).projection
+    camera = projection.camera
+    inside = camera.eye + np.array([0.3, 0.2, -1.0000000000005]) @ camera.frame
+    text = ",".join(map(repr, inside.tolist()))
+    answer = json.loads(run(*command, slanted, text=text).stdout)
+    assert answer["rung"] == "exact"
+    true = float(exact.Exact(projection)(inside).depth)
+    assert answer["points"][0]["depth"] == pytest.approx(true, rel=2.0**-52)
+    worse = json.loads(run(*command, slanted, "--rung=float64", text=text).stdout)
+    assert worse["predictions"] == answer["predictions"]
+    assert worse["predictions"]["float64"]["depth"] > 1e-12
+    assert abs(worse["points"][0]["depth"] - true) > 1e-12
+
+
+def test_points_without_a_picture_have_no_error_and_an_infinite_one_is_written_in_words(
+    by_hand: Path,
+) -> None:
+    done = run("project", by_hand, "-", "--format=json", text="2,1,6\n2,1,5\n")
+    answer = json.loads(done.stdout)
+    expected = {"rung": "float64", "predicted_error_px": None, "predictions": {}}
+    assert {name: answer[name] for name in expected} == expected
+    assert "computed" not in run("project", by_hand, "-", text="2,1,6\n").stdout
+    # float32 ends at 3e38.
+    answer = json.loads(run("project", by_hand, "-", "--format=json", text="0,1e39,-1e40").stdout)
+    assert answer["predictions"]["float32"] == {"px": "inf", "depth": "inf"}
+    assert (answer["rung"], answer["points"][0]["view"]) == ("float64", [0.0, 1e39, -1e40])
+
+
+@pytest.mark.parametrize("form", ["table", "csv", "json"])
+def test_a_point_beyond_the_numbers_of_a_forced_rung_is_refused(by_hand: Path, form: str) -> None:
+    arguments = ("project", by_hand, "-", "--rung=float32", f"--format={form}")
+    assert refused(*arguments, text="x,y,z\n0,0,0\n0,1e39,-1e40\n") == (
+        "--rung = 'float32': point 2 leads to numbers that it cannot hold.\n"
+    )
 
 
 def test_csv_has_the_same_numbers_as_json_and_empty_cells_for_null(by_hand: Path) -> None:
@@ -208,6 +306,13 @@ def test_csv_has_the_same_numbers_as_json_and_empty_cells_for_null(by_hand: Path
 def test_table_has_a_block_for_each_point_with_the_numbers_aligned(by_hand: Path) -> None:
     # One unit behind the eye: w = -1 and z_clip = -1.25*1 - 2.25.
     done = run("project", by_hand, "-", text="0,0,6\n0,0,0\n")
+    errors = r"float32 (\S+) px, float64 (\S+) px, exact (\S+) px"
+    last = re.fullmatch(
+        f"computed in float64; largest errors: {errors}", done.stdout.split("\n")[-2]
+    )
+    assert last is not None
+    # Every rung finds the middle of the picture, (100, 50): what is left is far below an ulp of it.
+    assert max(float(error) for error in last.groups()) < 1e-18
     assert done.stdout.splitlines()[:9] == [
         "point 1     x  y   z     w",
         "     world  0  0   6",
@@ -222,7 +327,7 @@ def test_table_has_a_block_for_each_point_with_the_numbers_aligned(by_hand: Path
     # Parallel rays, the window 4 wide and 2 high, at distance 4: z = 2*(4-1)/(9-1) - 1 = -0.25.
     sets = ["kind=orthographic", "left=-2", "right=2", "bottom=-1", "top=1"]
     arguments = [f"--set=lens.{value}" for value in sets]
-    assert run("project", by_hand, "-", *arguments, text="1,0.5,1\n").stdout.splitlines() == [
+    assert run("project", by_hand, "-", *arguments, text="1,0.5,1\n").stdout.splitlines()[:-2] == [
         "point 1       x       y     z     w",
         "     world    1       0.5   1",
         "      view    1       0.5  -4",
@@ -377,44 +482,199 @@ def matrices(*arguments: str | Path) -> dict[str, Any]:
     return found
 
 
+PERSPECTIVE_STAGES = [
+    "world_from_object",
+    "view_from_world",
+    "canonical_perspective_from_view",
+    "canonical_parallel_from_canonical_perspective",
+    "depth_range_from_canonical_parallel",
+    "clip_from_depth_range",
+    "clip_from_view",
+    "clip_from_world",
+    "image_from_ndc",
+]
+PARALLEL_STAGES = [
+    *PERSPECTIVE_STAGES[:2],
+    "canonical_parallel_from_view",
+    *PERSPECTIVE_STAGES[3:],
+]
+
+
 def test_matrices_as_json_hold_every_stage_to_the_last_bit(by_hand: Path) -> None:
     found = matrices(by_hand)
-    assert list(found) == ["view_from_world", "clip_from_view", "clip_from_world", "image_from_ndc"]
+    assert list(found) == PERSPECTIVE_STAGES
     for name, matrix in found.items():
-        assert np.array_equal(matrix, getattr(BY_HAND.projection, name))
+        assert np.array_equal(matrix, stage_of(BY_HAND.projection, name).matrix)
+    # By hand: to the pyramid x and y by cot/(aspect far) and cot/far, z by 1/far; M_pp of lecture
+    # 001 with z_min = -near/far = -1/9; the range 0..-1 to -1..1; and w is the distance again.
+    ninth = 1.0 / 9.0
+    pyramid = np.diag([ninth / 2.0, ninth, ninth, 1.0])
+    assert np.array_equal(found["canonical_perspective_from_view"], pyramid)
+    m_pp = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1.125, 0.125], [0, 0, -1, 0]]
+    assert found["canonical_parallel_from_canonical_perspective"] == m_pp
+    to_opengl = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, -2, -1], [0, 0, 0, 1]]
+    assert found["depth_range_from_canonical_parallel"] == to_opengl
+    assert found["clip_from_depth_range"] == np.diag([9.0] * 4).tolist()
+    lens = [[0.5, 0, 0, 0], [0, 1, 0, 0], [0, 0, -1.25, -2.25], [0, 0, -1, 0]]
+    assert found["clip_from_view"] == lens
+    world = [[0.5, 0, 0, 0], [0, 1, 0, 0], [0, 0, -1.25, 4], [0, 0, -1, 5]]
+    assert found["clip_from_world"] == world
+
+
+SLANTED_AT_1E9 = Camera((1e9 + 6.1, 5.3e8, -9e8), (1e9, 5.3e8 + 2.2, -9e8 + 7.3), (0.3, 1.0, -0.2))
+
+
+@pytest.mark.parametrize("depth", ["opengl", "direct3d", "reversed"])
+@pytest.mark.parametrize(
+    "lens",
+    [
+        Perspective(37.0, 0.01, 1e7),
+        Perspective(120.0, 0.3, np.inf),
+        Frustum(-0.1, 0.7, 0.2, 0.9, 0.7, 31.0, "x"),
+        Orthographic(-4.1, 7.3, -3.3, 3.1, -1.7, 30.1, "y"),
+        Oblique(-4.1, 7.3, -3.3, 3.1, 1.7, 30.1, alpha_deg=63.4, beta_deg=150.0),
+    ],
+    ids=["perspective", "infinite", "frustum", "orthographic", "oblique"],
+)
+def test_matrices_of_a_slanted_camera_at_1e9_are_right_to_the_last_digit(
+    tmp_path: Path, lens: Lens, depth: DepthRange
+) -> None:
+    """Against 80 digits: the last column is a sum of products that cancels 16 of float64's."""
+    projection = Projection(SLANTED_AT_1E9, lens, (1366, 768), depth)
+    path = tmp_path / "far away.json"
+    write(Document("letter-f", projection), path)
+    found = matrices(path)
+    true = exact_matrices(projection)
+    for name in ("view_from_world", "clip_from_view", "clip_from_world"):
+        for value, row in zip(np.ravel(found[name]).tolist(), flat(true[name]), strict=True):
+            within = 0.5001 * np.spacing(abs(value)) if abs(row) > 1e-60 else 0.0
+            assert abs(value - row) <= within, (name, value, row)
+    # The stages multiply to the whole up to the rounding of each.
+    names = PARALLEL_STAGES if lens.parallel else PERSPECTIVE_STAGES
+    assert list(found) == names
+    product, sizes = np.eye(4), np.eye(4)
+    for name in names[2:6]:
+        product, sizes = found[name] @ product, np.abs(found[name]) @ sizes
+    assert (np.abs(product - found["clip_from_view"]) <= 2e-15 * sizes).all()
+
+
+def flat(matrix: list[list[Any]]) -> list[Any]:
+    return [value for row in matrix for value in row]
+
+
+def exact_matrices(projection: Projection) -> dict[str, list[list[Any]]]:
+    """The matrices at 80 digits, found from the pictures of points: they are linear."""
+    mp, answers = exact.mp, exact.Exact(projection)
+    lens, camera = projection.lens, projection.camera
+    zero, one = mp.mpf(0), mp.mpf(1)
+    view = [[*axis, -exact.dot(axis, exact.vector(camera.eye))] for axis in answers.frame]
+    left, right, bottom, top = answers.window()
+    near, z_near, z_far = mp.mpf(lens.near), answers.z_near, answers.z_far
+    # n f/(f - n) and f/(f - n), also with far = inf, whose reciprocal is 0.
+    per_far = zero if lens.far == np.inf else 1 / mp.mpf(lens.far)
+    part, whole = 1 / (1 / near - per_far), 1 / (1 - near * per_far)
+    width, height = right - left, top - bottom
+    across, up = (right + left) / width, (top + bottom) / height
+    if lens.parallel:  # glOrtho after lecture 002's H
+        far = mp.mpf(lens.far)
+        oblique = isinstance(lens, Oblique)
+        cots = [exact.cotangent_deg(a) if oblique and a != 90.0 else zero for a in angles(lens)]
+        scale = (z_near - z_far) / (far - near)
+        clip = [
+            [2 / width, zero, 2 / width * cots[0], 2 / width * cots[0] * near - across],
+            [zero, 2 / height, 2 / height * cots[1], 2 / height * cots[1] * near - up],
+            [zero, zero, scale, z_near + scale * near],
+            [zero, zero, zero, one],
+        ]
+    else:  # glFrustum; z_clip = a z + b has z_near w at near and z_far w at far
+        b = part * (z_near - z_far)
+        a = b / near - z_near
+        assert abs(a + z_near - whole * (z_near - z_far)) < mp.mpf(10) ** -70
+        clip = [
+            [2 * near / width, zero, across, zero],
+            [zero, 2 * near / height, up, zero],
+            [zero, zero, a, b],
+            [zero, zero, -one, zero],
+        ]
+    view = [*view, [zero, zero, zero, one]]
+    columns = list(zip(*view, strict=True))
+    world = [[exact.dot(row, column) for column in columns] for row in clip]
+    return {"view_from_world": view, "clip_from_view": clip, "clip_from_world": world}
+
+
+def angles(lens: Lens) -> tuple[float, float]:
+    return (lens.alpha_deg, lens.beta_deg) if isinstance(lens, Oblique) else (90.0, 90.0)
+
+
+@pytest.mark.parametrize(
+    ("sets", "stage", "note"),
+    [
+        ([], "world_from_object", "the scene's objects are given in world coordinates"),
+        (
+            ["lens.kind=orthographic"],
+            "canonical_parallel_from_canonical_perspective",
+            "a parallel lens has no M_pp: this is the identity",
+        ),
+        (
+            ["lens.far=inf"],
+            "canonical_perspective_from_view = scale",
+            "far is infinite: the canonical pyramid is scaled by near, which is at z = -1",
+        ),
+    ],
+)
+def test_what_is_special_about_a_stage_is_said(sets: list[str], stage: str, note: str) -> None:
+    arguments = [f"--set={value}" for value in sets]
+    assert f"\n{stage}\n  ({note})\n" in "\n" + run("matrices", *arguments).stdout
+    assert f"% {note}\n\\[\n" in run("matrices", *arguments, "--format=latex").stdout
 
 
 def test_perspective_matrix_has_the_last_row_of_the_field(by_hand: Path) -> None:
     assert matrices(by_hand)["clip_from_view"][3] == [0, 0, -1, 0]
     text = run("matrices", by_hand).stdout
-    assert re.search(r"clip_from_view\n(.*\n){3}  0 +0 +-1 +0\n", text)
+    assert re.search(r"\nclip_from_view = .*\n(.*\n){3}  0 +0 +-1 +0\n", text)
 
 
 def test_text_shows_a_factored_view_matrix_with_aligned_columns(by_hand: Path) -> None:
     # eye (0, 0, 5) looking along -z: nothing is rotated, the eye moves to the origin.
     assert run("matrices", by_hand).stdout.startswith(
         """\
+world_from_object
+  (the scene's objects are given in world coordinates)
+  1  0  0  0
+  0  1  0  0
+  0  0  1  0
+  0  0  0  1
+
 view_from_world = rotation translation
   1  0  0   0
   0  1  0   0
   0  0  1  -5
   0  0  0   1
 
-rotation
+  rotation
   1  0  0  0
   0  1  0  0
   0  0  1  0
   0  0  0  1
 
-translation
+  translation
   1  0  0   0
   0  1  0   0
   0  0  1  -5
   0  0  0   1
 
-clip_from_view
+canonical_perspective_from_view = scale
 """
     )
+
+
+def test_text_shows_the_divide_between_clip_and_ndc(by_hand: Path) -> None:
+    blocks = run("matrices", by_hand).stdout.split("\n\n")
+    heads = [block.split()[0] for block in blocks if not block.startswith("  ")]
+    after = PERSPECTIVE_STAGES.index("clip_from_world") + 1
+    expected = [*PERSPECTIVE_STAGES[:after], "ndc_from_clip:", *PERSPECTIVE_STAGES[after:]]
+    assert heads == expected
+    assert "ndc_from_clip: x, y and z divided by w" in blocks
 
 
 def test_no_matrix_shows_a_minus_zero() -> None:
@@ -428,20 +688,23 @@ def test_latex_is_pmatrix_with_powers_of_ten_written_out() -> None:
     done = run("matrices", "--format", "latex", "--set", "lens.near=1e-7")
     blocks = re.findall(r"\\begin\{pmatrix\}\n(.*?)\n\\end\{pmatrix\}", done.stdout, re.DOTALL)
     rows = [[row.split(" & ") for row in block.split(" \\\\\n")] for block in blocks]
-    assert len(rows) == 6  # the view matrix with its two factors, and three more
     assert all(len(matrix) == 4 and all(len(row) == 4 for row in matrix) for matrix in rows)
 
     def value(cell: str) -> float:
         return float(re.sub(r" \\cdot 10\^\{(-?\d+)\}", r"e\1", cell))
 
-    near = Projection(lens=Perspective(45.0, 1e-7, 30.0))
     shown = [[[value(cell) for cell in row] for row in matrix] for matrix in rows]
-    assert shown[0] == near.view_rotation.tolist()
-    assert shown[1] == near.view_translation.tolist()
-    assert shown[2] == near.view_from_world.tolist()
-    assert shown[3] == near.clip_from_view.tolist()
-    assert shown[4] == near.clip_from_world.tolist()
-    assert shown[5] == near.image_from_ndc.tolist()
+    projection = Projection(lens=Perspective(45.0, 1e-7, 30.0))
+    *stages, last = projection.stages
+    expected = []
+    for stage in (*stages, *projection.direct_stages, last):
+        own = [factor for name, factor in stage.factors if "_from_" not in name]
+        expected += [*(own if len(own) > 1 else []), stage.matrix]
+    assert len(expected) == 9 + 6  # view, depth range and viewport have two factors
+    assert shown == [matrix.tolist() for matrix in expected]
+    symbols = re.findall(r"^M_\{\\text\{(.*?)\}\\leftarrow\\text\{(.*?)\}\} = ", done.stdout, re.M)
+    names = ["_from_".join(symbol).replace(" ", "_") for symbol in symbols]
+    assert names == PERSPECTIVE_STAGES
     assert "e-" not in done.stdout
 
 
@@ -450,7 +713,9 @@ def test_set_speaks_the_language_of_the_document(by_hand: Path) -> None:
     found = matrices(by_hand, *(f"--set={value}" for value in sets))
     projection = set_values(BY_HAND, sets).projection
     assert isinstance(projection.lens, Orthographic)
-    assert found["clip_from_world"] == projection.clip_from_world.tolist()
+    world = stage_of(projection, "clip_from_world").matrix
+    assert found["clip_from_world"] == world.tolist()
+    np.testing.assert_allclose(world, projection.clip_from_world, rtol=1e-15, atol=1e-15)
     assert found["clip_from_view"][3] == [0, 0, 0, 1]
 
 
@@ -499,8 +764,8 @@ def test_numbers_are_written_the_same_in_every_locale(
 
 def test_the_largest_numbers_that_are_taken_are_numbers_in_json_too(by_hand: Path) -> None:
     # JSON has no word for infinity: the narrowest window and the farthest points must not need one.
-    sets = ["lens.kind=orthographic", "lens.keep=stretch", f"lens.left={-SMALLEST}"]
-    arguments = [f"--set={value}" for value in [*sets, f"lens.right={SMALLEST}"]]
+    sets = ["lens.kind=orthographic", "lens.keep=stretch", f"lens.left={-SMALLEST_WINDOW}"]
+    arguments = [f"--set={value}" for value in [*sets, f"lens.right={SMALLEST_WINDOW}"]]
     points = project(by_hand, *arguments, points=f"{LARGEST},0,0\n{-LARGEST},0,{LARGEST}\n")
     assert [point["outside_of"] for point in points] == [["right"], ["near", "left"]]
 
@@ -556,7 +821,7 @@ def test_a_command_wins_over_a_file_of_its_name(tmp_path: Path) -> None:
         cwd=tmp_path, env={**os.environ, "PYTHONPATH": str(ROOT)}, capture_output=True, text=True,
         check=False,
     )  # fmt: skip
-    assert done.stdout.startswith("view_from_world")
+    assert done.stdout.startswith("world_from_object")
     # The letter F's matrices: the file of that name was not read.
     assert done.stdout == run("matrices").stdout != run("matrices", tmp_path / "matrices").stdout
 
@@ -633,7 +898,10 @@ def test_set_without_a_value_is_refused() -> None:
         ("camera.eye=1,2", "camera.eye = '1,2': must be three finite numbers"),
         ("image.width=0", "image.width = 0: must be a whole number of pixels from 1 to 16384"),
         ("image.height=100000", "image.height = 100000: must be a whole number of pixels"),
-        ("lens.kind=fisheye", "lens.kind = 'fisheye': must be one of perspective, orthographic"),
+        (
+            "lens.kind=fisheye",
+            "lens.kind = 'fisheye': must be one of perspective, frustum, orthographic, obl",
+        ),
         ("depth=metal", "depth = 'metal': must be one of opengl, direct3d, reversed"),
     ],
 )
@@ -911,10 +1179,11 @@ def test_a_scene_alone_is_seen_with_its_own_camera_and_in_a_document_with_the_do
 ) -> None:
     own = matrices("--set", "scene=posts")
     start = load("posts").start
-    assert own["view_from_world"] == start.view_from_world.tolist()
+    assert own["view_from_world"] == stage_of(start, "view_from_world").matrix.tolist()
+    np.testing.assert_allclose(own["view_from_world"], start.view_from_world, rtol=1e-15, atol=0)
     write(BY_HAND, tmp_path / "seen.json")
     kept = matrices(tmp_path / "seen.json", "--set", "scene=posts")
-    assert kept["view_from_world"] == BY_HAND.projection.view_from_world.tolist()
+    assert kept["view_from_world"] == BY_HAND.projection.view_from_world.tolist()  # whole numbers
 
 
 def test_a_scene_that_is_not_there_names_the_nearest() -> None:

@@ -42,7 +42,10 @@ class Room:
 
 
 CORE = Room(("numpy",))
-DRAWING = Room(("numpy", *VTK), ("app.projection", "app.picking", "app.scene", "app.drawings"))
+DRAWING = Room(
+    ("numpy", *VTK),
+    ("app.projection", "app.precision", "app.picking", "app.scene", "app.drawings"),
+)
 #: Widgets know the model's values and each other's words, not the store: the window connects them.
 PANEL = Room(
     ("numpy", *QT),
@@ -73,6 +76,7 @@ ROOMS = {
     "app/document.py": Room(rooms=("app.projection",)),
     "app/drawings/__init__.py": DRAWING,
     "app/drawings/actors.py": DRAWING,
+    "app/drawings/rungs.py": DRAWING,
     "app/drawings/style.py": DRAWING,
     "app/drawings/labels.py": DRAWING,
     "app/drawings/probes.py": DRAWING,

@@ -95,6 +95,7 @@ def test_what_is_hidden_is_predicted_when_it_appears(
     qtbot: QtBot, line: StatusLine, scene: Scene
 ) -> None:
     line.hide()
+    line._rest.stop()
     line.rung.setText("")
     line.show_projection(EVERYDAY, scene)
     assert not line._rest.isActive()

@@ -392,6 +392,7 @@ class MainWindow(QMainWindow):
     def _set_tolerance(self, tolerance_px: float) -> None:
         self.settings.tolerance_px = tolerance_px
         self.status.set_tolerance(tolerance_px)
+        self._build_drawings(self._views_now())
 
     def _wire(self) -> None:
         store, controls = self.store, self.controls
@@ -445,7 +446,9 @@ class MainWindow(QMainWindow):
         )
         projection = self.store.document.projection
         for name, pane in self.panes.items():
-            pane.build(projection, views.get(name), self._scene, self._words, style)
+            # The world pane is looked at by a camera of its own, which is never at an extreme.
+            tolerance = () if name == "world" else (self.settings.tolerance_px,)
+            pane.build(projection, views.get(name), self._scene, self._words, style, *tolerance)
 
     def _views_now(self) -> dict[str, Camera]:
         """From where the panes are looked at, of those that somebody turned."""

@@ -307,7 +307,8 @@ HEALTH_SENTENCES = (
     ),
     QT_TRANSLATE_NOOP("Health", "VTK's own camera would clamp the field of view to {0}°"),
     QT_TRANSLATE_NOOP(
-        "Health", "The scene is {0} times as large as near: from 1e7 on VTK drops what is near"
+        "Health",
+        "The scene is {0} times as large as near: VTK by itself drops what is near from 1e7 on",
     ),
 )
 """Every `app.health.Risk`: the members of `app.health.SENTENCES`."""

@@ -5,6 +5,8 @@ How a slider step reaches the screen without any work per vertex::
     Space.set(matrix)  writes 16 numbers into a vtkMatrix4x4 that all its actors hold
                        as their user matrix; the GPU divides by w
 
+(`rungs` has the other way, for pictures that float32 cannot draw.)
+
 Such a matrix is projective, so that what VTK computes from bounds is useless: the actors give
 no bounds, the renderer has no cullers, and the drawings set their cameras' clipping ranges.
 """
@@ -72,6 +74,13 @@ class Space:
     def set(self, matrix: NDArray[np.float64]) -> None:
         """Write another matrix, (4, 4) for column vectors, in place."""
         self.matrix.DeepCopy(matrix.ravel().tolist())
+
+    def set_projective(self, matrix: NDArray[np.float64]) -> None:
+        """Write a matrix of homogeneous coordinates, where a common factor changes nothing.
+
+        It is taken out as far as it could keep the matrix from fitting into float32.
+        """
+        self.set(matrix * 2.0 ** -math.frexp(float(np.abs(matrix).max()))[1])
 
 
 class Canvas:

@@ -1,6 +1,7 @@
 """The image pane: exactly the picture, as large as the pane allows, and its pixel axes.
 
 The scene stands under ``clip_from_world`` and nothing else: this pane's camera is the identity.
+Where float32 cannot hold that, its vertices are clip coordinates already (`rungs`).
 The picture does not depend on the depth range, and so it is always drawn with OpenGL's, which is
 what the depth buffer here takes.
 """
@@ -16,10 +17,12 @@ from numpy.typing import NDArray
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderer
 
-from app.drawings.actors import Canvas, Space, face_actor, lifted, scene_actors
+from app.drawings.actors import Canvas, Space, face_actor, lifted
 from app.drawings.probes import Mark, Probes
+from app.drawings.rungs import ModelActors
 from app.drawings.style import Style, rgb
 from app.picking import Probe, Sight
+from app.precision import DRAWING_TOLERANCE_PX, Rung
 from app.projection import Camera, Projection
 from app.scene import Scene
 
@@ -46,6 +49,8 @@ class ImageDrawing:
     words : mapping
         The words written here: ``x``, ``y``.
     style : Style
+    tolerance_px : float
+        Error up to which the GPU's own float32 may draw.
     framed : bool
         Draw frame, axes and margins round the picture. Without them it fills the pane as far as
         its aspect allows: wholly, if the pane has the image's size.
@@ -57,10 +62,12 @@ class ImageDrawing:
         scene: Scene,
         words: Mapping[str, str],
         style: Style,
+        tolerance_px: float = DRAWING_TOLERANCE_PX,
         *,
         framed: bool = True,
     ) -> None:
         self._scene = scene
+        self._model = ModelActors(scene, style, tolerance_px)
         self._style = style
         self._framed = framed
         self._canvas = Canvas(plotter, style, self._layout)
@@ -86,15 +93,20 @@ class ImageDrawing:
         """Where the picture lies in the pane of its present size."""
         return self._fit(*self._canvas.window.GetSize())
 
+    @property
+    def rung(self) -> Rung:
+        """The arithmetic that the picture is drawn with."""
+        return self._model.rung
+
     def show_projection(self, projection: Projection) -> None:
         """Take the model's matrices over; draws nothing yet."""
         if projection.image_size != self._image_size:
             self._image_size = projection.image_size
             self._canvas.relayout()
         seen = projection if projection.depth == "opengl" else replace(projection, depth="opengl")
-        clip_from_local = seen.clip_from_world_at(self._scene.origin)
-        self._surface_space.set(clip_from_local)
-        self._line_space.set(lifted(clip_from_local, seen, self._scene))
+        clip_from_vertex = self._model.show_projection(seen)
+        self._surface_space.set_projective(clip_from_vertex)
+        self._line_space.set_projective(lifted(clip_from_vertex, seen, self._scene))
         self._projection = projection
         self._place_probes()
 
@@ -169,8 +181,11 @@ class ImageDrawing:
         self._layers = self._canvas.window.GetNumberOfLayers()
         self._canvas.window.SetNumberOfLayers(max(2, self._layers))
         self._canvas.window.AddRenderer(picture)
-        surface, lines = scene_actors(self._scene, self._style)
-        for actor, space in ((surface, self._surface_space), (lines, self._line_space)):
+        model = self._model
+        for actor, space in (
+            (model.surface, self._surface_space),
+            (model.lines, self._line_space),
+        ):
             if actor is not None:
                 space.add(actor)
                 self._canvas.add(actor, renderer=picture)

@@ -18,6 +18,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -33,12 +34,13 @@ from app.drawings.actors import (
     lift_lines,
     line_actor,
     put_behind,
-    scene_actors,
     unlit_actor,
 )
 from app.drawings.probes import Mark, Probes
+from app.drawings.rungs import ModelActors
 from app.drawings.style import Style, rgb
 from app.picking import Probe, Sight
+from app.precision import DRAWING_TOLERANCE_PX, Rung
 from app.projection import DEPTH_RANGES, Camera, Projection
 from app.scene import Scene
 
@@ -61,19 +63,27 @@ class NdcDrawing:
     words : mapping
         The words written here: ``near``, ``far``, ``x``, ``y``, ``z``.
     style : Style
+    tolerance_px : float
+        Error up to which the GPU's own float32 may draw.
     """
 
-    def __init__(self, plotter: Any, scene: Scene, words: Mapping[str, str], style: Style) -> None:
-        self._scene = scene
+    def __init__(
+        self,
+        plotter: Any,
+        scene: Scene,
+        words: Mapping[str, str],
+        style: Style,
+        tolerance_px: float = DRAWING_TOLERANCE_PX,
+    ) -> None:
         self._canvas = Canvas(plotter, style, self._layout)
         self._camera = self._canvas.renderer.GetActiveCamera()
         self._view: tuple[float, ...] = ()
         self._depth = ""
         self._half_depth = 1.0
-        self._display_from_ndc: NDArray[np.float64] = np.eye(4)
-        self._model, self._box, self._z_axis = Space(), Space(), Space()
+        self._space, self._box, self._z_axis = Space(), Space(), Space()
         self._planes = self._cube_planes()
-        self._add_scene(style)
+        self._model = ModelActors(scene, style, tolerance_px, self._planes)
+        self._add_scene()
         self._add_cube(style)
         self._add_words(words, style)
         self._probes = Probes(self._canvas, style)
@@ -81,12 +91,19 @@ class NdcDrawing:
         self._set_depth("opengl")
         self.reset_view()
 
+    @property
+    def rung(self) -> Rung:
+        """The arithmetic that the scene is drawn with."""
+        return self._model.rung
+
     def show_projection(self, projection: Projection) -> None:
         """Take the model's matrices over; draws nothing yet."""
         if projection.depth != self._depth:
             self._set_depth(projection.depth)
-        self._model.set(self._display_from_ndc @ projection.clip_from_world_at(self._scene.origin))
-        self._projection = projection
+        # In OpenGL's range, whatever the model's: the displayed cube differs by its depth only.
+        seen = projection if projection.depth == "opengl" else replace(projection, depth="opengl")
+        self._space.set_projective(self._display_from_ndc @ self._model.show_projection(seen))
+        self._projection = seen
         self._place_probes()
 
     def reset_view(self) -> None:
@@ -168,6 +185,11 @@ class NdcDrawing:
         )
         return Sight(np.array(projection.camera.eye), pane @ displayed, limits)
 
+    @property
+    def _display_from_ndc(self) -> NDArray[np.float64]:
+        """From OpenGL's cube."""
+        return np.diag([1.0, 1.0, -self._half_depth, 1.0])
+
     def _place_probes(self) -> None:
         marks: Sequence[Mark] = ()
         if self._probes.probes:
@@ -216,13 +238,12 @@ class NdcDrawing:
                 planes.append(plane)
         return planes
 
-    def _add_scene(self, style: Style) -> None:
-        surface, lines = scene_actors(self._scene, style, self._planes)
-        if lines is not None:
-            lift_lines(lines)
-        for actor in (surface, lines):
+    def _add_scene(self) -> None:
+        if self._model.lines is not None:
+            lift_lines(self._model.lines)
+        for actor in (self._model.surface, self._model.lines):
             if actor is not None:
-                self._model.add(actor)
+                self._space.add(actor)
                 self._canvas.add(actor)
 
     def _add_cube(self, style: Style) -> None:
@@ -306,8 +327,6 @@ class NdcDrawing:
         half = abs(z_far - z_near) / 2.0
         toward_reader = 1.0 if z_near > z_far else -1.0
         self._half_depth = half
-        self._display_from_ndc = np.diag([1.0, 1.0, toward_reader, 1.0])
-        self._display_from_ndc[2, 3] = -toward_reader * (z_near + z_far) / 2.0
         self._box.set(np.diag([1.0, 1.0, half, 1.0]))
         self._z_axis.set(np.diag([1.0, 1.0, toward_reader * half, 1.0]))
         self._planes[4].SetOrigin(0.0, 0.0, -half)
