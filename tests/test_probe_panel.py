@@ -62,8 +62,10 @@ def place_in(window: MainWindow, name: str, point: Any) -> tuple[float, float]:
         x, y = projection.trace(point).image
         return left + x * width / image_width, top + y * height / image_height
     shown = np.array(point) - load("letter-f").origin
-    if name == "ndc":  # z mirrored for display
-        shown = projection.trace(point).ndc * (1.0, 1.0, -1.0)
+    if name == "ndc":  # OpenGL's cube with z mirrored for display, half as deep for [0, 1]
+        z_near, z_far = projection.depth_range
+        ndc = replace(projection, depth="opengl").trace(point).ndc
+        shown = ndc * (1.0, 1.0, -abs(z_far - z_near) / 2.0)
     renderer = pane.canvas.renderer
     renderer.SetWorldPoint(*shown, 1.0)
     renderer.WorldToDisplay()
@@ -220,6 +222,7 @@ def test_marks_follow_every_change_of_the_model(make_window: Callable[..., MainW
         {"camera": Camera((-5.0, 4.0, 8.0), (0.0, 2.2, 0.0))},
         {"lens": Oblique(-6.0, 6.0, -4.0, 4.0, 5.0, 30.0, alpha_deg=60.0, beta_deg=60.0)},
         {"image_size": (600, 720)},
+        {"depth": "reversed"},
     ):
         window.store.set_projection(replace(window.store.document.projection, **changes))
         QApplication.processEvents()
