@@ -175,15 +175,8 @@ class NdcDrawing:
         pane[2] = *toward, -toward @ position
         pane[3, 3] = 1.0
         clip = projection.clip_from_view @ projection.view_rotation
-        displayed = self._display_from_ndc @ clip
-        low, high = -np.array([1.0, 1.0, self._half_depth]), np.array([1.0, 1.0, self._half_depth])
-        limits = np.concatenate(
-            [
-                displayed[:3] - low[:, None] * displayed[3],
-                high[:, None] * displayed[3] - displayed[:3],
-            ]
-        )
-        return Sight(np.array(projection.camera.eye), pane @ displayed, limits)
+        limits = np.concatenate([clip[3] - clip[:3], clip[3] + clip[:3]])
+        return Sight(np.array(projection.camera.eye), pane @ self._display_from_ndc @ clip, limits)
 
     @property
     def _display_from_ndc(self) -> NDArray[np.float64]:
