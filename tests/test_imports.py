@@ -44,7 +44,10 @@ class Room:
 CORE = Room(("numpy",))
 DRAWING = Room(
     ("numpy", *VTK),
-    ("app.projection", "app.precision", "app.morph", "app.scene", "app.drawings"),
+    (
+        *("app.projection", "app.precision", "app.morph", "app.picking"),
+        *("app.scene", "app.drawings"),
+    ),
 )
 #: Widgets know the model's values and each other's words, not the store: the window connects them.
 PANEL = Room(
@@ -69,11 +72,9 @@ ROOMS = {
     "app/precision.py": Room(("numpy",), ("app.double_double", "app.projection")),
     "app/depth.py": Room(("numpy",), ("app.projection",)),
     "app/clipping.py": Room(("numpy",), ("app.projection",)),
-<<<<<<< HEAD
     "app/morph.py": Room(("numpy",), ("app.projection",)),
-=======
     "app/notation.py": Room(rooms=("app.projection",)),
->>>>>>> helper-p
+    "app/picking.py": Room(("numpy",), ("app.projection",)),
     "app/health.py": Room(rooms=("app.projection", "app.precision", "app.depth")),
     "app/meshes.py": Room(("numpy", *VTK)),
     "app/scene.py": Room(("numpy", *VTK), ("app.projection", "app.meshes")),
@@ -83,6 +84,7 @@ ROOMS = {
     "app/drawings/rungs.py": DRAWING,
     "app/drawings/style.py": DRAWING,
     "app/drawings/labels.py": DRAWING,
+    "app/drawings/probes.py": DRAWING,
     "app/drawings/world.py": DRAWING,
     "app/drawings/ndc.py": DRAWING,
     "app/drawings/image.py": DRAWING,
@@ -124,12 +126,19 @@ ROOMS = {
             *("widgets.messages", "widgets.rows"),
         ),
     ),
-    "widgets/probe_panel.py": PANEL,
+    # Its numbers are those of the command `project`, by the same rung.
+    "widgets/probe_panel.py": Room(
+        QT,
+        (
+            *("app.projection", "app.precision", "app.picking"),
+            *("widgets.messages", "widgets.palette", "widgets.rows"),
+        ),
+    ),
     "widgets/export_dialog.py": Room(QT, ("app.figures", "widgets.messages")),
     # One pane hosts any drawing, so it knows the drawings' values and none of them.
     "widgets/pane.py": Room(
         ("numpy", "pyvistaqt", *VTK, *QT),
-        ("app.projection", "app.scene", "app.drawings", "widgets.palette"),
+        ("app.projection", "app.picking", "app.scene", "app.drawings", "widgets.palette"),
     ),
     "widgets/opengl.py": Room(QT),
     "widgets/autosave.py": Room(QT, ("app.document",)),
@@ -162,7 +171,8 @@ ROOMS = {
     "widgets/main_window.py": Room(
         ("numpy", *QT),
         (
-            *("app.projection", "app.morph", "app.scene", "app.document", "app.drawings"),
+            *("app.projection", "app.morph", "app.picking", "app.scene", "app.document"),
+            "app.drawings",
             *("app.store", "app.measure", "widgets"),
         ),
     ),

@@ -29,6 +29,8 @@ class Help(QObject):
                 "<p>Drag in the world or the NDC pane to turn that pane's own view, Shift-drag to"
                 " move it, wheel to zoom, double-click to put it back. The model is not"
                 " touched.</p>"
+                "<p>Click a point in any pane to follow it through all of them; drag its mark in"
+                " the image to move it in its plane, Shift-drag along its ray; Esc removes it.</p>"
                 "<p>Double-click a pane's title to enlarge it (F6, F7, F8; F9 shows all).</p>"
                 "<p>Each control: drag the slider, or type a number and press Enter; Esc takes"
                 " back what you typed; double-click the name to reset it.</p>"

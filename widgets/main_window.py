@@ -8,6 +8,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
@@ -19,6 +20,7 @@ from PySide6.QtCore import (
     QDateTime,
     QEvent,
     QLocale,
+    QPointF,
     QStandardPaths,
     Qt,
     QTimer,
@@ -46,7 +48,9 @@ from app.document import Document, DocumentError
 from app.drawings import WORDS
 from app.drawings.image import ImageDrawing
 from app.drawings.ndc import NdcDrawing
+from app.drawings.probes import surface_of
 from app.drawings.world import WorldDrawing
+from app.picking import VERTEX_WITHIN_PX, Probe, dragged
 from app.projection import Camera, Projection
 from app.scene import BUILT_IN, Scene
 from app.store import Store
@@ -61,9 +65,12 @@ from widgets.messages import sentence
 from widgets.pane import Pane
 from widgets.panels import Panels
 from widgets.pictures import Pictures
+from widgets.probe_panel import ProbePanel
 from widgets.stage_strip import StageStrip
 from widgets.status_line import StatusLine
 
+HOLD_WITHIN_PX = 9.0
+"""So near to a probe's mark a drag in the image takes hold of it."""
 PANE_WIDTHS = [400, 305, 330]
 """Of the panes in a window of 1366 pixels; the splitter keeps their proportion."""
 DRAWINGS: dict[str, Callable[..., Any]] = {
@@ -145,6 +152,8 @@ class MainWindow(QMainWindow):
         self.help = Help(self)
         self._scene: Scene | None = None
         self._views: dict[str, Camera] = {}
+        self._held: Probe | None = None
+        """The probe that is being dragged in the image, as it was before."""
         data = QStandardPaths.writableLocation(QStandardPaths.StandardLocation.AppDataLocation)
         self.autosave = Autosave(
             Path(data),
@@ -165,6 +174,10 @@ class MainWindow(QMainWindow):
             self.tr("Matrices"), self.matrices,
             self.tr("Every stage's matrix: numbers, formulas, factors and products"),
         )  # fmt: skip
+        self.probe_panel = ProbePanel()
+        self.panels.add(
+            self.tr("Probe"), self.probe_panel, self.tr("Follow points through every stage")
+        )
         self._lay_out()
         self._make_actions()
         self._make_status_line()
@@ -282,6 +295,13 @@ class MainWindow(QMainWindow):
         menu.addActions([self._undo, self._redo])
         menu.addSeparator()
         menu.addAction(reset)
+        self._remove_probe = self._action(
+            self.tr("Remove the &probe"), self.probe_panel.remove, "Esc",
+            self.tr("Remove the chosen probe from the panes"),
+        )  # fmt: skip
+        self._remove_probe.setEnabled(False)
+        menu.addSeparator()
+        menu.addAction(self._remove_probe)
 
         menu = bar.addMenu(self.tr("&Scenes"))
         self._scene_group = QActionGroup(self)
@@ -403,6 +423,13 @@ class MainWindow(QMainWindow):
         for name, pane in self.panes.items():
             pane.enlarge_requested.connect(partial(self.enlarge, name))
             pane.float_requested.connect(partial(self.toggle_float, name))
+            pane.clicked.connect(partial(self._follow, name))
+        canvas = self.panes["image"].canvas
+        canvas.drag_started.connect(self._hold_probe)
+        canvas.dragged.connect(self._drag_probe)
+        canvas.drag_ended.connect(self._let_probe_go)
+        self.probe_panel.changed.connect(self._show_probes)
+        self.probe_panel.refused.connect(self.messages.say)
         QGuiApplication.styleHints().colorSchemeChanged.connect(self._scheme_changed)
 
     # -- showing the document
@@ -410,6 +437,8 @@ class MainWindow(QMainWindow):
     def _show_document(self, document: Document) -> None:
         scene = self.files.scene(document.scene)
         # An edit shares its views with the document before; another document brings its own.
+        if scene is not self._scene:
+            self.probe_panel.clear()
         if scene is not self._scene or document.views is not self._views:
             self._scene, self._views = scene, document.views
             self.controls.set_scene(scene.size, scene.start)
@@ -420,6 +449,7 @@ class MainWindow(QMainWindow):
             pane.show_projection(document.projection)
         self.controls.show_projection(document.projection)
         self.matrices.show_projection(document.projection)
+        self.probe_panel.show_projection(document.projection)
         self._show_notes(document.projection, scene)
         self.autosave.schedule()
 
@@ -487,6 +517,63 @@ class MainWindow(QMainWindow):
     def reset(self) -> None:
         """Put the projection back to how the scene opens, as an edit that can be undone."""
         self.store.set_projection(self.files.scene(self.store.document.scene).start)
+
+    # -- probes
+
+    def _follow(self, name: str, place: QPointF) -> None:
+        """Follow what was clicked in a pane: a point, or a pixel's ray where there is none."""
+        drawing = self.panes[name].drawing
+        assert drawing is not None and self._scene is not None
+        x_px, y_px = place.x(), place.y()
+        pixel = None
+        if isinstance(drawing, ImageDrawing):
+            pixel = drawing.image_pixel(x_px, y_px)
+            if pixel is None:  # beside the picture
+                return
+        vertex_px = VERTEX_WITHIN_PX * self.panes[name].devicePixelRatioF()
+        hit = surface_of(self._scene).pick(drawing.sight, (x_px, y_px), vertex_px)
+        if hit is not None:
+            self.probe_panel.follow(point=hit.point)
+        elif pixel is not None:
+            self.probe_panel.follow(pixel=pixel)
+
+    def _hold_probe(self, place: QPointF) -> None:
+        """Take hold of the mark in the image that a drag starts on."""
+        drawing = self.panes["image"].drawing
+        if drawing is None:
+            return
+        nearest = HOLD_WITHIN_PX * self.panes["image"].devicePixelRatioF()
+        for probe in self.probe_panel.probes:
+            if probe.point is None:
+                continue
+            ((x_px, y_px),) = drawing.sight.seen([list(probe.point)]).tolist()
+            away = math.hypot(x_px - place.x(), y_px - place.y())
+            if away <= nearest:  # never for NaN, which has no picture
+                nearest, self._held = away, probe
+        if self._held is not None:
+            self.probe_panel.choose(self._held.number)
+
+    def _drag_probe(self, away: QPointF, along_ray: bool) -> None:
+        drawing = self.panes["image"].drawing
+        if self._held is None or self._held.point is None or not isinstance(drawing, ImageDrawing):
+            return
+        projection = self.store.document.projection
+        rectangle = drawing.picture_rectangle_px
+        shift_px = (
+            away.x() * projection.image_size[0] / rectangle.width,
+            away.y() * projection.image_size[1] / rectangle.height,
+        )
+        point = dragged(projection, self._held.point, shift_px, along_ray=along_ray)
+        if point is not None:
+            self.probe_panel.put(self._held.number, point)
+
+    def _let_probe_go(self) -> None:
+        self._held = None
+
+    def _show_probes(self) -> None:
+        self._remove_probe.setEnabled(bool(self.probe_panel.probes))
+        for pane in self.panes.values():
+            pane.show_probes(self.probe_panel.probes)
 
     # -- history, title, recent files
 

@@ -16,12 +16,13 @@ drag, and bind plain keys to changes of the scene.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, Protocol, cast
 
 from PySide6.QtCore import QPointF, Qt, Signal
 from PySide6.QtGui import QCloseEvent, QMouseEvent, QShowEvent, QWheelEvent
 from PySide6.QtWidgets import (
+    QApplication,
     QFrame,
     QHBoxLayout,
     QLabel,
@@ -32,6 +33,7 @@ from PySide6.QtWidgets import (
 )
 from pyvistaqt import QtInteractor
 
+from app.picking import Probe, Sight
 from app.projection import Camera, Projection
 
 ORBIT_DEG_PER_PX = 0.4
@@ -61,6 +63,13 @@ class Drawing(Protocol):
     def show_view(self, view: Camera) -> None:
         """Move the pane's own camera there."""
 
+    def show_probes(self, probes: Sequence[Probe]) -> None:
+        """Mark these probes, and no others; draw nothing yet."""
+
+    @property
+    def sight(self) -> Sight:
+        """How the pane looks at the world just now."""
+
     def remove(self) -> None:
         """Take everything out of the plotter again."""
 
@@ -76,6 +85,13 @@ class _Canvas(QtInteractor):
     """The VTK surface; turns the mouse into moves of its own camera, and nothing else."""
 
     moved = Signal()
+    clicked = Signal(QPointF)
+    """Pressed and released in one place: the middle of that pixel, in device pixels."""
+    drag_started = Signal(QPointF)
+    """The left button has left the place, in device pixels, where it was pressed."""
+    dragged = Signal(QPointF, bool)
+    """How far it is from there, in device pixels, and whether Shift is held."""
+    drag_ended = Signal()
 
     def __init__(self, parent: QWidget, *, orbits: bool) -> None:
         super().__init__(parent, auto_update=False, multi_samples=0)
@@ -84,6 +100,9 @@ class _Canvas(QtInteractor):
         self.setMinimumSize(120, 120)
         self._orbits = orbits
         self._last: QPointF | None = None
+        self._pressed: QPointF | None = None
+        """Where the left button went down, as long as it may be a click."""
+        self._dragged_from: QPointF | None = None
 
     def keyPressEvent(self, event: Any) -> None:
         event.ignore()
@@ -99,17 +118,37 @@ class _Canvas(QtInteractor):
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         self._last = event.position()
+        is_left = event.button() == Qt.MouseButton.LeftButton
+        self._pressed = event.position() if is_left else None
         event.accept()
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         self._last = None
         event.accept()
+        if self._dragged_from is not None and event.button() == Qt.MouseButton.LeftButton:
+            self._dragged_from = None
+            self.drag_ended.emit()
+        if self._pressed is not None and event.button() == Qt.MouseButton.LeftButton:
+            middle = self._pressed + QPointF(0.5, 0.5)
+            self._pressed = None
+            self.clicked.emit(middle * self.devicePixelRatioF())
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        self._pressed = None
         event.ignore()  # the pane resets the view
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         event.accept()
+        if self._pressed is not None:
+            moved = (event.position() - self._pressed).manhattanLength()
+            if moved < QApplication.startDragDistance():  # a hand that trembles turns nothing
+                return
+            self._dragged_from, self._pressed = self._pressed, None
+            self.drag_started.emit(self._dragged_from * self.devicePixelRatioF())
+        if self._dragged_from is not None:
+            shift = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
+            away = (event.position() - self._dragged_from) * self.devicePixelRatioF()
+            self.dragged.emit(away, shift)
         if self._last is None or not self._orbits:
             return
         step = event.position() - self._last
@@ -203,6 +242,8 @@ class Pane(QFrame):
 
     enlarge_requested = Signal()
     """The title was double-clicked."""
+    clicked = Signal(QPointF)
+    """A place in the canvas, in device pixels from its top left."""
     float_requested = Signal()
     """The pane shall get, or leave, a window of its own."""
 
@@ -224,7 +265,9 @@ class Pane(QFrame):
         self._view: Camera | None = None
         self._stage: float | None = None
         self._stage_is_stale = False
+        self._probes: Sequence[Probe] = ()
         self._stale = False
+        self._probes_stale = False
         self._smooth = False
 
         self.title = QLabel(title)
@@ -251,9 +294,13 @@ class Pane(QFrame):
         self.canvas = _Canvas(self, orbits=orbits)
         self.canvas.setAccessibleName(title)
         self.canvas.moved.connect(self._view_moved)
+        self.canvas.clicked.connect(self.clicked)
         if orbits:
             self.canvas.setToolTip(
-                self.tr("Drag to turn, Shift-drag to move, wheel to zoom, double-click to reset")
+                self.tr(
+                    "Click to follow a point; drag to turn, Shift-drag to move, wheel to zoom, "
+                    "double-click to reset"
+                )
             )
         self._column = QVBoxLayout(self)
         self._column.setContentsMargins(0, 0, 0, 0)
@@ -312,6 +359,14 @@ class Pane(QFrame):
         if self.isVisible():
             self._refresh()
 
+    def show_probes(self, probes: Sequence[Probe]) -> None:
+        """Mark these probes, and no others: at once if visible, else on appearing."""
+        if probes != self._probes:
+            self._probes = probes
+            self._probes_stale = True
+            if self.isVisible():
+                self._refresh()
+
     def _refresh(self) -> None:
         """Bring the drawing up to what was asked for while nobody looked."""
         if self._projection is None:
@@ -327,11 +382,15 @@ class Pane(QFrame):
             self.drawing.reset_view()
             if self._view is not None:
                 self.drawing.show_view(self._view)
-        elif self._stale and self.drawing is not None:
-            self.drawing.show_projection(self._projection)
+            self.drawing.show_probes(self._probes)
+        elif self.drawing is not None:
+            if self._stale:
+                self.drawing.show_projection(self._projection)
+            if self._probes_stale:
+                self.drawing.show_probes(self._probes)
         if self._stage_is_stale and self.drawing is not None:
             self._take_stage(self.drawing)
-        self._stale = False
+        self._stale = self._probes_stale = False
         self.request_repaint()
 
     def _take_stage(self, drawing: Drawing) -> None:

@@ -8,6 +8,8 @@ plotter that it does not own, and has
 - ``refit()``: at a gesture's end, fits a view that nobody has moved to what has left it,
 - ``reset_clipping_range()``: to be called after that camera was moved from outside,
 - ``view`` and ``show_view(view)``: where that camera was moved to, as a `Camera`, and back there,
+- ``show_probes(probes)``: marks these points and rays; ``sight``: how the pane looks at the world,
+  for picking,
 - ``remove()``: takes everything out of the plotter again.
 
 `actors` holds what they share, `style` their colours and sizes.

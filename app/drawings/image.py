@@ -8,17 +8,20 @@ what the depth buffer here takes.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderer
 
 from app.drawings.actors import Canvas, Space, face_actor, lifted
+from app.drawings.probes import Mark, Probes
 from app.drawings.rungs import ModelActors
 from app.drawings.style import Style, rgb
+from app.picking import Probe, Sight
 from app.precision import DRAWING_TOLERANCE_PX, Rung
 from app.projection import Camera, Projection
 from app.scene import Scene
@@ -71,7 +74,9 @@ class ImageDrawing:
         self._image_size = scene.start.image_size
         self._surface_space, self._line_space = Space(), Space()
         self._picture = vtkRenderer()
+        self._projection = scene.start
         self._add_picture()
+        self._probes = Probes(self._canvas, style, self._picture)
         self._own_camera = self._canvas.renderer.GetActiveCamera()
         self._canvas.renderer.SetActiveCamera(_identity_camera())
         if framed:
@@ -102,6 +107,42 @@ class ImageDrawing:
         clip_from_vertex = self._model.show_projection(seen)
         self._surface_space.set_projective(clip_from_vertex)
         self._line_space.set_projective(lifted(clip_from_vertex, seen, self._scene))
+        self._projection = projection
+        self._place_probes()
+
+    def show_probes(self, probes: Sequence[Probe]) -> None:
+        """Mark these probes, and no others."""
+        self._probes.probes = probes
+        self._place_probes()
+
+    @property
+    def sight(self) -> Sight:
+        """How this pane looks at the world just now: as the model does, in the pane's pixels."""
+        left, top, *_ = rectangle = self.picture_rectangle_px
+        scaled = self._scaled(rectangle)
+        scaled[:2, 2] = left, top
+        return Sight.of(self._projection).scaled(scaled)
+
+    def image_pixel(self, x_px: float, y_px: float) -> tuple[float, float] | None:
+        """The image's pixel at a pixel of the pane; None beside the picture."""
+        left, top, width, height = rectangle = self.picture_rectangle_px
+        x, y = x_px - left, y_px - top
+        if not (0.0 <= x <= width and 0.0 <= y <= height):
+            return None
+        scale = self._scaled(rectangle)
+        return float(x / scale[0, 0]), float(y / scale[1, 1])
+
+    def _scaled(self, rectangle: Rectangle) -> NDArray[np.float64]:
+        """Pixels from the picture's top left, from the image's pixels."""
+        width, height = self._image_size
+        return np.diag([rectangle.width / width, rectangle.height / height, 1.0])
+
+    def _place_probes(self) -> None:
+        marks: Sequence[Mark] = ()
+        rectangle = self.picture_rectangle_px
+        if self._probes.probes:
+            marks = self._probes.in_image(self._projection, self._scaled(rectangle))
+        self._probes.show(marks, (rectangle.width, rectangle.height))
 
     def reset_view(self) -> None:
         """Do nothing: the view of this pane is the model's."""
@@ -213,6 +254,7 @@ class ImageDrawing:
             right / pane_width_px,
             (pane_height_px - top) / pane_height_px,
         )
+        self._place_probes()
         if not self._framed:
             return
         pane = np.array([pane_width_px, pane_height_px], dtype=np.float64)

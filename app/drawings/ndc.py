@@ -22,7 +22,7 @@ step of the strip sets these matrices and nothing else.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -41,6 +41,7 @@ from app.drawings.actors import (
     put_behind,
     unlit_actor,
 )
+from app.drawings.probes import Mark, Probes
 from app.drawings.rungs import ModelActors
 from app.drawings.style import Style, rgb
 from app.morph import (
@@ -53,6 +54,7 @@ from app.morph import (
     WORLD,
     Morph,
 )
+from app.picking import Probe, Sight
 from app.precision import DRAWING_TOLERANCE_PX, Rung
 from app.projection import DEPTH_RANGES, Array, Camera, Projection
 from app.scene import Scene
@@ -123,6 +125,7 @@ class NdcDrawing:
         self._add_triad(style)
         self._words = words
         self._add_words(words, style)
+        self._probes = Probes(self._canvas, style)
         self._set_depth("opengl")
         self.reset_view()
 
@@ -143,10 +146,9 @@ class NdcDrawing:
             return
         if projection.depth != self._depth:
             self._set_depth(projection.depth)
-        # In OpenGL's range, whatever the model's: the displayed cube differs by its depth only.
-        seen = projection if projection.depth == "opengl" else replace(projection, depth="opengl")
-        display_from_ndc = np.diag([1.0, 1.0, -self._half_depth, 1.0])
-        self._space.set_projective(display_from_ndc @ self._model.show_projection(seen))
+        seen = self._seen
+        self._space.set_projective(self._display_from_ndc @ self._model.show_projection(seen))
+        self._place_probes()
 
     def show_stage(self, position: float) -> None:
         """Move to a position of the stage strip; draws nothing yet.
@@ -237,6 +239,52 @@ class NdcDrawing:
         if not camera.GetParallelProjection():
             near = max(near, distance / 1000.0, 1e-3)
         camera.SetClippingRange(near, max(near, distance) + _REACH)
+        self._place_probes()
+
+    def show_probes(self, probes: Sequence[Probe]) -> None:
+        """Mark these probes, and no others."""
+        self._probes.probes = probes
+        self._place_probes()
+
+    @property
+    def sight(self) -> Sight:
+        """How this pane looks at the world just now, by way of the displayed cube."""
+        projection, camera = self._seen, self._camera
+        width_px, height_px = (max(1, side) for side in self._canvas.window.GetSize())
+        toward = np.array(camera.GetDirectionOfProjection())
+        right = np.cross(toward, camera.GetViewUp())
+        right /= np.linalg.norm(right)
+        up = np.cross(right, toward)
+        px = height_px / (2.0 * camera.GetParallelScale())
+        position = np.array(camera.GetPosition())
+        pane = np.zeros((4, 4))
+        for row, axis, middle in ((0, px * right, width_px), (1, -px * up, height_px)):
+            pane[row] = *axis, middle / 2.0 - axis @ position
+        pane[2] = *toward, -toward @ position
+        pane[3, 3] = 1.0
+        clip = projection.clip_from_view @ projection.view_rotation
+        limits = np.concatenate([clip[3] - clip[:3], clip[3] + clip[:3]])
+        return Sight(np.array(projection.camera.eye), pane @ self._display_from_ndc @ clip, limits)
+
+    @property
+    def _seen(self) -> Projection:
+        """In OpenGL's range, whatever the model's: the displayed cube differs by its depth only."""
+        projection = self._projection
+        return projection if projection.depth == "opengl" else replace(projection, depth="opengl")
+
+    @property
+    def _display_from_ndc(self) -> NDArray[np.float64]:
+        """From OpenGL's cube, at the strip's position."""
+        if self._morph is None:
+            return np.diag([1.0, 1.0, -self._half_depth, 1.0])
+        local_from_clip = self._seen.world_from_clip_at(self._scene.origin)
+        return _fitting(self._morph.display_from_local(self._position) @ local_from_clip)
+
+    def _place_probes(self) -> None:
+        marks: Sequence[Mark] = ()
+        if self._probes.probes:
+            marks = self._probes.in_ndc(self._seen, self._display_from_ndc, self.sight)
+        self._probes.show(marks, self._canvas.window.GetSize())
 
     @property
     def view(self) -> Camera | None:
@@ -426,6 +474,7 @@ class NdcDrawing:
         self._name_stop(stop)
         self._place_axes(stop, morph, box)
         self._place_words(stop, box)
+        self._place_probes()
 
     def _name_stop(self, stop: int) -> None:
         """Show the axes, letters and numbers that a stop has."""

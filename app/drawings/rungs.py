@@ -84,9 +84,11 @@ class ModelActors:
             Clip from vertex coordinates, for the actors to stand under.
         """
         scene = self._scene
-        if self._made and rung_for_drawing(
-            projection, scene.corners, scene.origin, self._tolerance_px
-        ) == "float64":
+        if (
+            self._made
+            and rung_for_drawing(projection, scene.corners, scene.origin, self._tolerance_px)
+            == "float64"
+        ):
             self.rung = "float64"
             return self._project(projection)
         self.show_local()

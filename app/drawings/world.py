@@ -23,7 +23,7 @@ lies beyond is drawn at the limit, behind a visible break, with its true distanc
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -33,7 +33,9 @@ from vtkmodules.vtkRenderingCore import vtkActor
 from app.drawings import actors
 from app.drawings.actors import Canvas, Space
 from app.drawings.labels import AXES, Labels, Named, PaneView
+from app.drawings.probes import Probes
 from app.drawings.style import Style
+from app.picking import Probe, Sight
 from app.projection import Array, Camera, Lens, Orthographic, Perspective, Projection
 from app.scene import Scene
 
@@ -141,6 +143,7 @@ class WorldDrawing:
         self._build_camera()
         self._build_frustum()
         self._labels = Labels(self._canvas, words)
+        self._probes = Probes(self._canvas, style)
         self._placed: tuple[float, ...] | None = None
         self._framed = self._objects
         self._look_from_pane()
@@ -533,9 +536,39 @@ class WorldDrawing:
             matrix = self._toward_pane(point, on_top * nearest)
             matrix[:3, 3] += matrix[0, 0] * point
             space.set(matrix)
+        self._place_probes()
         before_body = max(nearest, eye_depth - 2.0 * self._body_size)
         in_front_of_body = self._toward_pane(self._eye, before_body)
         self._axes_space.set(in_front_of_body @ self._local_from_body)
+
+    def show_probes(self, probes: Sequence[Probe]) -> None:
+        """Mark these probes, and no others."""
+        self._probes.probes = probes
+        self._place_probes()
+
+    @property
+    def sight(self) -> Sight:
+        """How this pane looks at the world just now."""
+        pane = self._pane
+        width_px, height_px = pane.size_px
+        px = height_px / (2.0 * pane.slope)
+        right, up, toward = pane.axes
+        rows = np.zeros((4, 4))
+        rows[0, :3] = width_px / 2.0 * toward + px * right
+        rows[1, :3] = height_px / 2.0 * toward - px * up
+        rows[2, 3] = -1.0
+        rows[3, :3] = toward
+        nearest, _ = self._own_camera.GetClippingRange()
+        return Sight(pane.eye + self._origin, rows, np.array([(*toward, -nearest)]))
+
+    def _place_probes(self) -> None:
+        reach = self._reach
+        if self._probes.probes:
+            drawn = reach.near, reach.far
+            marks = self._probes.in_world(self._projection, self._origin, drawn, self.sight)
+            self._probes.show(marks, self._pane.size_px)
+        else:
+            self._probes.show((), self._pane.size_px)
 
     def _toward_pane(self, point: Array, depth: float) -> Array:
         """Shrink everything towards the pane's camera until `point` is at `depth`, (4, 4).

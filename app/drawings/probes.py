@@ -1,0 +1,252 @@
+"""The marks of the probes, the same in all three panes.
+
+A probe is a disc with a rim and its number on a plate, always in front: it stands where the pane
+shows the point, reckoned in float64. Its projector, the line that one pixel's points share, is
+drawn among the scene: from the eye in the world, parallel to z in the NDC cube. A disc is hollow
+where the point is outside of the view volume, and there is none where the point has no picture
+(w <= 0): a mirrored one would be a lie.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+from weakref import WeakKeyDictionary
+
+import numpy as np
+from numpy.typing import ArrayLike
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkRenderingCore import vtkActor2D, vtkPolyDataMapper2D
+
+from app.drawings.actors import Canvas, Label, Space, lift_lines, line_actor
+from app.drawings.style import Style, rgb
+from app.picking import Probe, Sight, Surface, projector
+from app.projection import Array, Projection
+from app.scene import Scene
+
+_RIM_EM, _FILL_EM, _CROSSING_EM = 0.44, 0.32, 0.24  # radii
+
+
+class Mark(NamedTuple):
+    """What is drawn of a probe in one pane.
+
+    Attributes
+    ----------
+    number : int
+    spot_px : (2,) array or None
+        Where its disc is, from the pane's top left; None or NaN for nowhere.
+    solid : bool
+        Whether the point is inside the view volume.
+    line : (2, 3) array or None
+        Ends of its projector, in the coordinates of the pane's actors.
+    crossing_px : (2,) array or None
+        Where the projector meets the near plane.
+    """
+
+    number: int
+    spot_px: Array | None
+    solid: bool = True
+    line: Array | None = None
+    crossing_px: Array | None = None
+
+
+class Probes:
+    """The probes' marks in one pane.
+
+    Parameters
+    ----------
+    canvas : Canvas
+    style : Style
+    renderer : vtkRenderer, optional
+        Where to draw; the pane's own if not given.
+    """
+
+    def __init__(self, canvas: Canvas, style: Style, renderer: Any = None) -> None:
+        self._canvas, self._style, self._renderer = canvas, style, renderer
+        self._slots: list[_Slot] = []
+        self.probes: Sequence[Probe] = ()
+
+    def show(self, marks: Sequence[Mark], size_px: tuple[int, int]) -> None:
+        """Draw these marks, and no others.
+
+        Parameters
+        ----------
+        marks : sequence of Mark
+        size_px : (int, int)
+            Of the renderer, whose pixels count from below.
+        """
+        while len(self._slots) < len(marks):
+            self._slots.append(_Slot(self._canvas, self._style, self._renderer))
+        for i, slot in enumerate(self._slots):
+            slot.show(marks[i] if i < len(marks) else None, size_px)
+
+    def in_world(
+        self, projection: Projection, origin: Array, drawn: tuple[float, float], sight: Sight
+    ) -> list[Mark]:
+        """The marks of the world pane.
+
+        Parameters
+        ----------
+        projection : Projection
+        origin : (3,) array
+            What the pane's actors are relative to.
+        drawn : (float, float)
+            Distances at which near and far are drawn.
+        sight : Sight
+            How the pane looks at the world.
+        """
+        near, far = drawn
+        eye_distance = min(0.0, near) if projection.lens.parallel else 0.0
+        marks = []
+        for probe in self.probes:
+            line = projector(projection, probe, (near, far, eye_distance))
+            if probe.point is None:
+                assert line is not None  # a ray is in front
+                crossing = sight.seen(line[:1])[0]
+                marks.append(Mark(probe.number, crossing, True, line[:2] - origin))
+                continue
+            trace = projection.trace(probe.point)
+            point = np.array(probe.point)
+            start = np.array(projection.camera.eye) if line is None else line[2]
+            crossing = None if line is None else sight.seen(line[:1])[0]
+            spot = sight.seen([point])[0]
+            ends = np.stack([start, point]) - origin
+            marks.append(Mark(probe.number, spot, not trace.outside.any(), ends, crossing))
+        return marks
+
+    def in_ndc(self, projection: Projection, display_from_ndc: Array, sight: Sight) -> list[Mark]:
+        """The marks of the NDC pane; its `sight` takes world points."""
+        marks = []
+        for probe in self.probes:
+            z = projection.depth_range
+            spot, solid = None, True
+            if probe.point is None:
+                assert probe.pixel is not None
+                width, height = projection.image_size
+                x, y = 2.0 * probe.pixel[0] / width - 1.0, 1.0 - 2.0 * probe.pixel[1] / height
+            else:
+                trace = projection.trace(probe.point)
+                if not trace.in_front:
+                    marks.append(Mark(probe.number, None))
+                    continue
+                x, y, z_point = trace.ndc.tolist()
+                spot, solid = sight.seen([probe.point])[0], not trace.outside.any()
+                z = min(*z, z_point), max(*z, z_point)
+            ends = np.array([(x, y, end, 1.0) for end in z]) @ display_from_ndc.T
+            line = ends[:, :3] / ends[:, 3:]
+            marks.append(Mark(probe.number, spot, solid, line))
+        return marks
+
+    def in_image(self, projection: Projection, pane_from_image: ArrayLike) -> list[Mark]:
+        """The marks of the image pane, by an affine (3, 3) from the image's pixels."""
+        matrix = np.asarray(pane_from_image, dtype=np.float64)
+        marks = []
+        for probe in self.probes:
+            if probe.point is None:
+                spot, solid = np.array(probe.pixel), True
+            else:
+                trace = projection.trace(probe.point)
+                spot, solid = trace.image, not trace.outside.any()
+            marks.append(Mark(probe.number, matrix[:2] @ (*spot.tolist(), 1.0), solid))
+        return marks
+
+
+class _Slot:
+    """The actors of one probe."""
+
+    def __init__(self, canvas: Canvas, style: Style, renderer: Any) -> None:
+        em = style.font_size
+        self._canvas, self._style, self._number = canvas, style, 0
+        self._space = Space()
+        self._line = line_actor(
+            [(0, 0, 0), (0, 0, 1)], [(0, 1)], style.accent, 2 * style.line_width
+        )
+        lift_lines(self._line, 4)
+        self._space.add(self._line)
+        self._rim = _disc(_RIM_EM * em, style.ink)
+        self._fill = _disc(_FILL_EM * em, style.accent)
+        self._crossing = (
+            _disc(_CROSSING_EM * em, style.ink, 4),
+            _disc(0.66 * _CROSSING_EM * em, style.near, 4),
+        )
+        self._label = Label(
+            "", style, plate=style.accent, in_pixels=True, bold=True
+        )  # fmt: skip
+        canvas.add(
+            self._line, *self._crossing, self._rim, self._fill, self._label.actor, renderer=renderer
+        )
+
+    def show(self, mark: Mark | None, size_px: tuple[int, int]) -> None:
+        height_px = size_px[1]
+        line = None if mark is None else mark.line
+        self._line.SetVisibility(line is not None)
+        if line is not None:
+            matrix = np.zeros((4, 4))
+            matrix[:3, 2], matrix[:3, 3], matrix[3, 3] = line[1] - line[0], line[0], 1.0
+            self._space.set(matrix)
+        spot = _place(None if mark is None else mark.spot_px, height_px)
+        for actor in (self._rim, self._fill, self._label.actor):
+            actor.SetVisibility(spot is not None)
+        if mark is not None and spot is not None:
+            for disc in (self._rim, self._fill):
+                disc.SetPosition(*spot)
+            colour = self._style.accent if mark.solid else self._style.background
+            self._fill.GetProperty().SetColor(*rgb(colour))
+            self._label.set_dpi(self._canvas.window.GetDPI())
+            self._label.set_text(str(mark.number))
+            # Above and to the right, but not out of the picture.
+            em, (x, y) = self._style.font_size, spot
+            to_right = 1.0 if x + 2.2 * em < size_px[0] else -1.0
+            to_top = 1.0 if y + 2.0 * em < height_px else -1.0
+            self._label.set_position((x + 1.3 * em * to_right, y + 1.2 * em * to_top, 0.0))
+        crossing = _place(None if mark is None else mark.crossing_px, height_px)
+        for actor in self._crossing:
+            actor.SetVisibility(crossing is not None)
+            if crossing is not None:
+                actor.SetPosition(*crossing)
+
+
+def _place(spot_px: Array | None, height_px: int) -> tuple[float, float] | None:
+    """From the bottom left, if it is anywhere near a screen."""
+    if spot_px is None or not np.isfinite(spot_px).all() or np.abs(spot_px).max() > 1e5:
+        return None
+    x, y = spot_px.tolist()
+    return x, height_px - y
+
+
+def _disc(radius_px: float, colour: str, corners: int = 24) -> vtkActor2D:
+    points, cells = vtkPoints(), vtkCellArray()
+    cells.InsertNextCell(corners, range(corners))
+    for i in range(corners):
+        turn = 2.0 * math.pi * i / corners
+        points.InsertNextPoint(radius_px * math.cos(turn), radius_px * math.sin(turn), 0.0)
+    disc = vtkPolyData()
+    disc.SetPoints(points)
+    disc.SetPolys(cells)
+    mapper = vtkPolyDataMapper2D()
+    mapper.SetInputData(disc)
+    actor = vtkActor2D()
+    actor.SetMapper(mapper)
+    actor.GetPositionCoordinate().SetCoordinateSystemToViewport()
+    actor.GetProperty().SetColor(*rgb(colour))
+    return actor
+
+
+_surfaces: WeakKeyDictionary[Scene, Surface] = WeakKeyDictionary()
+
+
+def surface_of(scene: Scene) -> Surface:
+    """The scene's faces as they can be picked; sorted at the first pick of a scene."""
+    surface = _surfaces.get(scene)
+    if surface is None:
+        mesh = scene.surface
+        if mesh is None:
+            surface = Surface(np.empty((0, 3), np.float32), np.empty((0, 3), np.int32))
+        else:
+            if not mesh.is_all_triangles:
+                mesh = mesh.triangulate()
+            surface = Surface(np.asarray(mesh.points), mesh.regular_faces, scene.origin)
+        _surfaces[scene] = surface
+    return surface
