@@ -27,6 +27,7 @@ from app import __version__, bootstrap
 from app.doctor import check_off_screen, examine
 from app.document import (
     MESH_ENDINGS,
+    SETTABLE,
     Document,
     DocumentError,
     is_mesh,
@@ -179,7 +180,8 @@ class _Parser(argparse.ArgumentParser):
             action="append",
             default=[],
             metavar="NAME=VALUE",
-            help="change a value of the document, such as lens.far=inf; may be given repeatedly",
+            help="change a value of the document, such as lens.far=inf; may be given repeatedly; "
+            f"the names are {', '.join(SETTABLE)}",
         )
 
     def add_choice(self, option: str, values: Sequence[str], text: str, default: str = "") -> None:

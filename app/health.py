@@ -7,11 +7,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from itertools import product
 from typing import NamedTuple
 
 from app.depth import DepthBuffer
 from app.precision import Prediction, Rung, rung_for_reading
-from app.projection import Perspective, Projection
+from app.projection import PLANES, Perspective, Projection, Vector
 
 NO_GAP = "At the target, a 24-bit depth buffer cannot tell any two surfaces apart"
 WIDE_GAP = "At the target, a 24-bit depth buffer tells surfaces apart only from {0} on"
@@ -19,10 +20,14 @@ FEW_DIGITS = (
     "In float64 only {0} decimals of a pixel and {1} of the depth would be certain: the numbers "
     "are computed exactly"
 )
+NO_PICTURE = "Nothing is in the picture: the scene's objects lie wholly beyond the {0} plane"
+NO_FLOAT32 = "A GPU's float32 cannot hold this picture: it is computed in float64"
 ROUGH_DRAWING = "A GPU's float32 would draw up to {0} px off: the picture is computed in float64"
 VTK_CLAMPS = "VTK's own camera would clamp the field of view to {0}°"
 VTK_DROPS = "The scene is {0} times as large as near: VTK by itself drops what is near from 1e7 on"
-SENTENCES = (NO_GAP, WIDE_GAP, FEW_DIGITS, ROUGH_DRAWING, VTK_CLAMPS, VTK_DROPS)
+SENTENCES = (
+    NO_PICTURE, NO_GAP, WIDE_GAP, FEW_DIGITS, NO_FLOAT32, ROUGH_DRAWING, VTK_CLAMPS, VTK_DROPS,
+)  # fmt: skip
 """Every sentence of a `Risk`, for translators."""
 
 _GAP = 1e-3  # of the scene's size: surfaces nearer to each other than this are drawn
@@ -43,7 +48,8 @@ class Risk(NamedTuple):
 
 def risks(
     projection: Projection,
-    size: float,
+    lower: Vector,
+    upper: Vector,
     drawn: Rung,
     predictions: Mapping[Rung, Prediction] | None,
 ) -> list[Risk]:
@@ -52,14 +58,18 @@ def risks(
     Parameters
     ----------
     projection : Projection
-    size : float
-        The scene's, in world units.
+    lower, upper : Vector
+        World bounds of the scene's objects.
     drawn : {"float32", "float64"}
         The rung that the panes are drawn with.
     predictions : dict from rung to Prediction, or None
         As `precision.predict` gives them for the scene's vertices.
     """
     found = []
+    size = math.dist(lower, upper)
+    beyond = projection.trace(list(product(*zip(lower, upper, strict=True)))).outside.all(axis=0)
+    if beyond.any():
+        found.append(Risk(NO_PICTURE, (PLANES[beyond.argmax()],)))
     lens, distance = projection.lens, projection.camera.distance
     if lens.near <= distance <= lens.far:
         buffer = DepthBuffer("fixed24", projection.depth, lens.near, lens.far, lens.parallel)
@@ -68,7 +78,9 @@ def risks(
             found.append(Risk(WIDE_GAP, (f"{gap:.2g}",)) if gap < math.inf else Risk(NO_GAP))
     if predictions is not None:
         if drawn != "float32" and predictions["float32"].px >= _SEEN_PX:
-            found.append(Risk(ROUGH_DRAWING, (f"{predictions['float32'].px:.2g}",)))
+            lost = predictions["float32"].px
+            rough = Risk(ROUGH_DRAWING, (f"{lost:.2g}",))
+            found.append(rough if lost < math.inf else Risk(NO_FLOAT32))
         if rung_for_reading(predictions) == "exact":
             found.append(Risk(FEW_DIGITS, tuple(map(_decimals, predictions["float64"]))))
     if isinstance(lens, Perspective):

@@ -1792,6 +1792,13 @@ class Projection:
             if value <= 0.0:
                 raise ProjectionError(name, value, ABOVE, 0)
         width, height = self.image_size
+        for name, value, side, centre in (("fx", fx, width, cx), ("fy", fy, height, cy)):
+            least = (abs(centre) + side + 1.0) * SMALLEST_FIELD
+            if value < least:
+                raise ProjectionError(name, value, AT_LEAST, format_value(least))
+            if value > side / (2.0 * SMALLEST_OPENING):
+                most = format_value(side / (2.0 * SMALLEST_OPENING))
+                raise ProjectionError(name, value, AT_MOST, most)
         lens = self.with_lens("frustum").lens
         near, far = lens.near, lens.far
         if fx == fy and cx == (width - 1) / 2.0 and cy == (height - 1) / 2.0:

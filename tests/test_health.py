@@ -9,7 +9,9 @@ import pytest
 
 from app.health import (
     FEW_DIGITS,
+    NO_FLOAT32,
     NO_GAP,
+    NO_PICTURE,
     ROUGH_DRAWING,
     SENTENCES,
     VTK_CLAMPS,
@@ -25,12 +27,14 @@ from app.scene import BUILT_IN, load
 EVERYDAY = Projection(Camera(), Perspective(45.0, 1.0, 30.0))
 
 
-def found(projection: Projection, size: float = 6.0) -> dict[str, tuple[str, ...]]:
+def found(projection: Projection, size: float = 5.0) -> dict[str, tuple[str, ...]]:
     """The risks' figures by template, with letter F's vertices."""
     scene = load("letter-f")
     predictions = predict(projection, scene.sample, scene.origin)
     drawn = rung_for_drawing(projection, scene.corners, scene.origin)
-    told = risks(projection, size, drawn, predictions)
+    half = size / math.sqrt(12.0)  # of a cube of this diagonal round the target
+    lower, upper = ((sign * half, 2.2 + sign * half, sign * half) for sign in (-1.0, 1.0))
+    told = risks(projection, lower, upper, drawn, predictions)
     assert {risk.template for risk in told} <= set(SENTENCES)
     return {risk.template: risk.figures for risk in told}
 
@@ -40,7 +44,7 @@ def test_a_scene_as_it_opens_is_healthy(name: str) -> None:
     scene = load(name)
     predictions = predict(scene.start, scene.sample, scene.origin)
     drawn = rung_for_drawing(scene.start, scene.corners, scene.origin)
-    assert risks(scene.start, scene.size, drawn, predictions) == []
+    assert risks(scene.start, scene.lower, scene.upper, drawn, predictions) == []
 
 
 def test_the_gap_at_the_target_is_that_of_a_24_bit_buffer() -> None:
@@ -52,9 +56,29 @@ def test_the_gap_at_the_target_is_that_of_a_24_bit_buffer() -> None:
     assert NO_GAP in found(replace(EVERYDAY, lens=Perspective(45.0, 1e-9, math.inf)))
 
 
-@pytest.mark.parametrize("lens", [Perspective(45.0, 15.0, 30.0), Perspective(45.0, 1e-6, 5.0)])
+@pytest.mark.parametrize("lens", [Perspective(45.0, 12.5, 30.0), Perspective(45.0, 1e-6, 10.5)])
 def test_of_a_target_outside_the_planes_no_gap_is_told(lens: Lens) -> None:
-    assert not {WIDE_GAP, NO_GAP} & set(found(replace(EVERYDAY, lens=lens)))
+    told = found(replace(EVERYDAY, lens=lens))
+    assert not {WIDE_GAP, NO_GAP, NO_PICTURE} & set(told)
+
+
+@pytest.mark.parametrize(
+    ("plane", "projection"),
+    [
+        ("near", replace(EVERYDAY, lens=Perspective(45.0, 20.0, 30.0))),
+        ("far", replace(EVERYDAY, lens=Perspective(45.0, 1.0, 5.0))),
+        ("near", replace(EVERYDAY, camera=Camera((6, 5, 9), (12, 7.8, 18)))),
+        ("right", replace(EVERYDAY, lens=Orthographic(-40, -30, -4, 4))),
+        ("bottom", replace(EVERYDAY, lens=Orthographic(-4, 4, 40, 44))),
+    ],
+)
+def test_an_empty_picture_says_why(plane: str, projection: Projection) -> None:
+    assert found(projection) == {NO_PICTURE: (plane,)}
+
+
+def test_what_float32_cannot_hold_is_said_without_a_figure() -> None:
+    told = found(replace(EVERYDAY, lens=Perspective(1e-80, 1.0, 30.0)))
+    assert NO_FLOAT32 in told and ROUGH_DRAWING not in told
 
 
 def test_a_parallel_lens_has_one_gap_everywhere() -> None:
@@ -77,12 +101,13 @@ def test_lost_digits_are_counted() -> None:
     narrow = Projection(Camera((0.1, 0.3, 11.0)), Perspective(45.0, 9.0, 9.0 * (1 + 1e-9)))
     told = found(narrow)
     assert float(told[FEW_DIGITS][1]) <= 8
-    far_away = Camera((1e9 + 6.0, 5.0, 9.0), (1e9, 2.2, 0.0))
+    far_away = Camera((12345678.9 + 6.0, 5.0, 9.0), (12345678.9, 2.2, 0.0))
     rough = risks(
         replace(EVERYDAY, camera=far_away),
-        6.0,
+        (12345678.9 - 2.0, 0.0, -1.0),
+        (12345678.9 + 2.0, 5.0, 1.0),
         "float64",
-        predict(replace(EVERYDAY, camera=far_away), [(1e9, 1.0, 0.5)]),
+        predict(replace(EVERYDAY, camera=far_away), [(12345678.9, 1.0, 0.5)]),
     )
     assert ROUGH_DRAWING in {risk.template for risk in rough}
 

@@ -291,6 +291,13 @@ FIGURE_SENTENCES = (
 
 HEALTH_SENTENCES = (
     QT_TRANSLATE_NOOP(
+        "Health",
+        "Nothing is in the picture: the scene's objects lie wholly beyond the {0} plane",
+    ),
+    QT_TRANSLATE_NOOP(
+        "Health", "A GPU's float32 cannot hold this picture: it is computed in float64"
+    ),
+    QT_TRANSLATE_NOOP(
         "Health", "At the target, a 24-bit depth buffer cannot tell any two surfaces apart"
     ),
     QT_TRANSLATE_NOOP(

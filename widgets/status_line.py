@@ -26,7 +26,7 @@ from app.precision import (
 )
 from app.projection import Perspective, Projection, focal_length_35mm, fov_x_from_fov_y
 from app.scene import Scene
-from widgets.messages import translated
+from widgets.messages import field_name, translated
 from widgets.rows import short_text
 
 RESTS_AFTER_MS = 150
@@ -137,8 +137,10 @@ class StatusLine(QStatusBar):
         self._show_rungs(self._drawn, self._predictions)
         self.health.show_sentences(
             [
-                f"{translated(risk.template).format(*risk.figures)}."
-                for risk in risks(projection, scene.size, self._drawn, self._predictions)
+                f"{translated(risk.template).format(*map(field_name, risk.figures))}."
+                for risk in risks(
+                    projection, scene.lower, scene.upper, self._drawn, self._predictions
+                )
             ]
         )
 
