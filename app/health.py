@@ -20,7 +20,7 @@ FEW_DIGITS = (
     "In float64 only {0} decimals of a pixel and {1} of the depth would be certain: the numbers "
     "are computed exactly"
 )
-NO_PICTURE = "Nothing is in the picture: the scene's objects lie wholly beyond the {0} plane"
+NO_PICTURE = "None of the scene's objects is in the picture: all lie beyond the {0} plane"
 NO_FLOAT32 = "A GPU's float32 cannot hold this picture: it is computed in float64"
 ROUGH_DRAWING = "A GPU's float32 would draw up to {0} px off: the picture is computed in float64"
 VTK_CLAMPS = "VTK's own camera would clamp the field of view to {0}°"

@@ -292,7 +292,7 @@ FIGURE_SENTENCES = (
 HEALTH_SENTENCES = (
     QT_TRANSLATE_NOOP(
         "Health",
-        "Nothing is in the picture: the scene's objects lie wholly beyond the {0} plane",
+        "None of the scene's objects is in the picture: all lie beyond the {0} plane",
     ),
     QT_TRANSLATE_NOOP(
         "Health", "A GPU's float32 cannot hold this picture: it is computed in float64"
