@@ -54,6 +54,8 @@ def test_the_lens_is_in_figures_at_once(line: StatusLine, scene: Scene) -> None:
     line.show_projection(replace(EVERYDAY, lens=Perspective(180 - 3e-12, 1, math.inf)), scene)
     assert line.labels["fov"].text().startswith("fov 180-3e-12°")
     assert line.labels["planes"].text() == "near 1 : far ∞"
+    line.show_projection(replace(EVERYDAY, lens=Perspective(45, 29.999999999, 30)), scene)
+    assert line.labels["planes"].text() == "near 29.999999999 : far 30  (1 : 1)"
 
 
 def test_rungs_are_predicted_when_the_hand_rests(

@@ -24,7 +24,13 @@ from app.precision import (
     rung_for_drawing,
     rung_for_reading,
 )
-from app.projection import Perspective, Projection, focal_length_35mm, fov_x_from_fov_y
+from app.projection import (
+    Perspective,
+    Projection,
+    focal_length_35mm,
+    format_value,
+    fov_x_from_fov_y,
+)
 from app.scene import Scene
 from widgets.messages import field_name, translated
 from widgets.rows import short_text
@@ -119,8 +125,10 @@ class StatusLine(QStatusBar):
             left, right, bottom, top = projection.window
             fov = self.tr("window {0} × {1}").format(f"{right - left:.4g}", f"{top - bottom:.4g}")
         self.labels["fov"].setText(fov)
-        far = "∞" if lens.far == math.inf else f"{lens.far:.4g}"
-        planes = self.tr("near {0} : far {1}").format(f"{lens.near:.4g}", far)
+        near, far = f"{lens.near:.4g}", "∞" if lens.far == math.inf else f"{lens.far:.4g}"
+        if near == far:  # they never are
+            near, far = format_value(lens.near), format_value(lens.far)
+        planes = self.tr("near {0} : far {1}").format(near, far)
         if not lens.parallel and lens.far != math.inf:
             planes += self.tr("  (1 : {0})").format(f"{lens.far / lens.near:.4g}")
         self.labels["planes"].setText(planes)
