@@ -107,7 +107,7 @@ class StatusLine(QStatusBar):
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
-        self._wait_for_rest()
+        QTimer.singleShot(0, self._predict)  # nothing moves yet that it could hold up
 
     def _wait_for_rest(self) -> None:
         if self.isVisible():
