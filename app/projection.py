@@ -33,755 +33,161 @@ import numbers
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
-from typing import Any, ClassVar, Literal, NamedTuple, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from app import double_double as dd
+from app.camera import (
+    Camera,
+    Orbit,
+)
 from app.double_double import DoubleDouble
+from app.lenses import (
+    LENSES,
+    OBLIQUE_PRESETS,
+    Frustum,
+    Lens,
+    Oblique,
+    Orthographic,
+    Perspective,
+    Windowed,
+    check_planes,
+    focal_length_35mm,
+    focal_length_e,
+    fov_x_from_fov_y,
+    fov_y_from_focal_length_35mm,
+    fov_y_from_focal_length_e,
+    fov_y_from_window,
+    oblique_angles,
+    receding_of,
+)
+from app.values import (
+    ABOVE,
+    AT_LEAST,
+    AT_MOST,
+    BETWEEN,
+    BOTTOM_BEFORE_TOP,
+    BOUNDS,
+    DEPTH_RANGES,
+    DISTINCT,
+    FAR_BEYOND_NEAR,
+    FINITE_NUMBER,
+    LARGEST,
+    LARGEST_IMAGE_PX,
+    LARGEST_SHEAR,
+    LEFT_BEFORE_RIGHT,
+    NEAR_BEFORE_FAR,
+    NO_POINT,
+    NOT_PARALLEL,
+    NOT_THE_EYE,
+    NOT_ZERO,
+    ONE_OF,
+    OTHER_SIDE,
+    PLANES,
+    RIGHT_OF_LEFT,
+    SMALLEST,
+    SMALLEST_FIELD,
+    SMALLEST_OPENING,
+    SMALLEST_UP_ANGLE,
+    SMALLEST_WINDOW,
+    THREE_NUMBERS,
+    TOP_ABOVE_BOTTOM,
+    WHOLE_PIXELS,
+    WIDER,
+    Array,
+    DepthRange,
+    Keep,
+    ProjectionError,
+    Vector,
+    finite,
+    format_value,
+    keep_checked,
+    read_only,
+)
 
-Vector: TypeAlias = tuple[float, float, float]
-Array: TypeAlias = NDArray[np.float64]
-DepthRange: TypeAlias = Literal["opengl", "direct3d", "reversed"]
-Keep: TypeAlias = Literal["stretch", "x", "y"]
+__all__ = [  # the model's one door: what its other rooms hold can be had here
+    "ABOVE",
+    "AT_LEAST",
+    "AT_MOST",
+    "BETWEEN",
+    "BOTTOM_BEFORE_TOP",
+    "BOUNDS",
+    "DEPTH_RANGES",
+    "DISTINCT",
+    "FAR_BEYOND_NEAR",
+    "FINITE_NUMBER",
+    "LARGEST",
+    "LARGEST_IMAGE_PX",
+    "LARGEST_SHEAR",
+    "LEFT_BEFORE_RIGHT",
+    "LENSES",
+    "NEAR_BEFORE_FAR",
+    "NOTES",
+    "NOT_PARALLEL",
+    "NOT_THE_EYE",
+    "NOT_ZERO",
+    "NO_M_PP",
+    "NO_OBJECT_TRANSFORM",
+    "NO_POINT",
+    "OBLIQUE_PRESETS",
+    "ONE_OF",
+    "OTHER_SIDE",
+    "PLANES",
+    "RIGHT_OF_LEFT",
+    "SCALED_BY_NEAR",
+    "SMALLEST",
+    "SMALLEST_FIELD",
+    "SMALLEST_OPENING",
+    "SMALLEST_UP_ANGLE",
+    "SMALLEST_WINDOW",
+    "THREE_NUMBERS",
+    "TOP_ABOVE_BOTTOM",
+    "WHOLE_PIXELS",
+    "WIDER",
+    "Array",
+    "Camera",
+    "DepthRange",
+    "ExactLens",
+    "Frustum",
+    "Intrinsics",
+    "Keep",
+    "Lens",
+    "Oblique",
+    "Orbit",
+    "Orthographic",
+    "Perspective",
+    "Projection",
+    "ProjectionError",
+    "Rationals",
+    "Stage",
+    "Trace",
+    "Vector",
+    "checked_points",
+    "focal_length_35mm",
+    "focal_length_e",
+    "format_value",
+    "fov_x_from_fov_y",
+    "fov_y_from_focal_length_35mm",
+    "fov_y_from_focal_length_e",
+    "fov_y_from_window",
+    "oblique_angles",
+    "receding_of",
+]
 
-DEPTH_RANGES: dict[str, tuple[float, float]] = {
-    "opengl": (-1.0, 1.0),
-    "direct3d": (0.0, 1.0),
-    "reversed": (1.0, 0.0),
-}
-"""NDC z of the near and of the far plane."""
-
-PLANES = ("near", "far", "left", "right", "bottom", "top")
-"""The six planes of the view volume, in the order of `Trace.outside`."""
-
-LARGEST = 1e100
-"""Largest coordinate or distance; with `SMALLEST`, no matrix overflows float64 (2e205 * 1e100)."""
-SMALLEST = 1e-205
-"""Smallest near distance, and smallest depth range of a parallel lens."""
-SMALLEST_WINDOW = 1e-200
-"""Smallest side of a parallel lens' window: a point beside it has pixels below 1e305."""
-LARGEST_IMAGE_PX = 16384
-"""Largest image side, the texture limit that every current OpenGL driver offers."""
-SMALLEST_FIELD = 1e-90
-"""Smallest field of view in degrees; its inverse is the steepest ray to a window's edge."""
-SMALLEST_OPENING = 1e-98
-"""Smallest side of a frustum's window in units of near: that of the smallest field, and less."""
-LARGEST_SHEAR = 1e6
-"""Largest cotangent of an oblique lens' angles; theirs start at 5.8e-5 degrees."""
-SMALLEST_UP_ANGLE = 1e-15
-"""Least angle in radians between up and the view direction.
-
-Coordinates typed in decimal are off by up to half an ulp, so that nearer to parallel than this
-the frame would be made of their rounding errors.
-"""
-
-_SHOWN = 100
-_FULL_FRAME_DIAGONAL_MM = math.hypot(36.0, 24.0)
 _STRETCH = 8.0  # `Projection.stretch` up to which plain dot products keep 2e-12 px of 1920
 _BEYOND = 1e250  # where double-double products would overflow
 _CHUNK = 16384  # larger blocks wake OpenBLAS's second thread, which fights a software renderer
 _ROWS = 10_240  # points of which `image_rows` works in the second-level cache
 _NAN_BITS = np.int64(0x7FF8 << 48)
-
-
-class ProjectionError(ValueError):
-    """A value that no projection can have.
-
-    Parameters
-    ----------
-    field : str
-        Name of the refused parameter, as in the document (``"near"``, ``"up"``).
-    value : object
-        The value that was refused.
-    bound : str
-        What the value must be, with ``{0}``, ``{1}`` for the limits, so that it can be
-        translated before they are filled in. One of `BOUNDS`.
-    *limits : object
-        The limits themselves.
-    """
-
-    def __init__(self, field: str, value: object, bound: str, *limits: object) -> None:
-        self.field, self.value, self.bound, self.limits = field, value, bound, limits
-        super().__init__(f"{field} = {format_value(value)}: {bound.format(*limits)}.")
-
-
-FINITE_NUMBER = "must be a finite number"
-ABOVE = "must be greater than {0}"
-AT_LEAST = "must be at least {0}"
-AT_MOST = "must be at most {0}"
-BETWEEN = "must lie between {0} and {1}, both excluded"
-NEAR_BEFORE_FAR = "must be less than far, which is {0}"
-LEFT_BEFORE_RIGHT = "must be less than right, which is {0}"
-BOTTOM_BEFORE_TOP = "must be less than top, which is {0}"
-THREE_NUMBERS = "must be three finite numbers x, y, z"
-NOT_THE_EYE = "must differ from the eye, or the camera looks nowhere"
-NOT_ZERO = "must not be the zero vector"
-NOT_PARALLEL = "must not be parallel to the view direction"
-WHOLE_PIXELS = "must be a whole number of pixels from 1 to {0}"
-ONE_OF = "must be one of {0}"
-FAR_BEYOND_NEAR = "must be greater than near, which is {0}"
-RIGHT_OF_LEFT = "must be greater than left, which is {0}"
-TOP_ABOVE_BOTTOM = "must be greater than bottom, which is {0}"
-DISTINCT = "is too close to {0} for float64 to tell apart"
-WIDER = "is too close to {0} for a plane as far from the eye as near is"
-NO_POINT = "is at infinity, where there is no point but a direction"
-BOUNDS = (
-    FINITE_NUMBER, ABOVE, AT_LEAST, AT_MOST, BETWEEN, NEAR_BEFORE_FAR, LEFT_BEFORE_RIGHT,
-    BOTTOM_BEFORE_TOP, THREE_NUMBERS, NOT_THE_EYE, NOT_ZERO, NOT_PARALLEL, WHOLE_PIXELS, ONE_OF,
-    FAR_BEYOND_NEAR, RIGHT_OF_LEFT, TOP_ABOVE_BOTTOM, DISTINCT, WIDER, NO_POINT,
-)  # fmt: skip
-"""Every sentence a `ProjectionError` can end with, for translators."""
-OTHER_SIDE = {
-    NEAR_BEFORE_FAR: ("far", FAR_BEYOND_NEAR),
-    LEFT_BEFORE_RIGHT: ("right", RIGHT_OF_LEFT),
-    BOTTOM_BEFORE_TOP: ("top", TOP_ABOVE_BOTTOM),
-}
-"""The field on the other side of a bound, and the bound as seen from there.
-
-A lens cannot know which of the two was changed; who knows it says it with these.
-"""
-
-
-def format_value(value: object) -> str:
-    """Write a value as a person would type it: ``1``, ``0.1``, ``inf``, ``(0, 1, 0)``."""
-    if isinstance(value, (tuple, list)):
-        return _cut("(" + ", ".join(format_value(part) for part in value[:_SHOWN]) + ")")
-    if isinstance(value, bool) or not isinstance(value, numbers.Real):
-        return _cut(" ".join(repr(value).split()))
-    try:
-        number = float(value)
-    except OverflowError:
-        whole: Any = value
-        return f"{'-' if whole < 0 else ''}1e{int(math.log10(abs(whole)))}"
-    return str(int(number)) if number.is_integer() and abs(number) < 1e15 else repr(number)
-
-
-def _cut(text: str) -> str:
-    """As much of a text as a sentence can hold."""
-    return text if len(text) <= _SHOWN else text[: _SHOWN - 3] + "..."
-
-
-# --------------------------------------------------------------------------- checks, exact vectors
-
 _FACE = ((-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0))
-
-
-def _set(frozen: object, **values: object) -> None:
-    """Store checked values in a frozen dataclass while it is being made."""
-    for name, value in values.items():
-        object.__setattr__(frozen, name, value)
-
-
-def _real(field: str, value: Any) -> float:
-    if isinstance(value, bool) or not isinstance(value, numbers.Real):
-        raise ProjectionError(field, value, FINITE_NUMBER)
-    try:
-        return float(value)
-    except OverflowError:  # an int of more than 308 digits
-        large: Any = value
-        bound, limit = (AT_MOST, LARGEST) if large > 0 else (AT_LEAST, -LARGEST)
-        raise ProjectionError(field, value, bound, limit) from None
-
-
-def _finite(field: str, value: Any) -> float:
-    number = _real(field, value)
-    if not math.isfinite(number):
-        raise ProjectionError(field, number, FINITE_NUMBER)
-    if abs(number) > LARGEST:
-        bound, limit = (AT_MOST, LARGEST) if number > 0 else (AT_LEAST, -LARGEST)
-        raise ProjectionError(field, number, bound, limit)
-    return number
-
-
-def _vector(field: str, value: Any) -> Vector:
-    try:
-        parts = tuple(value)
-        if isinstance(value, (str, bytes)) or len(parts) != 3:
-            raise TypeError
-    except TypeError:
-        raise ProjectionError(field, value, THREE_NUMBERS) from None
-    for part in parts:
-        if isinstance(part, bool) or not isinstance(part, numbers.Real):
-            raise ProjectionError(field, value, THREE_NUMBERS)
-        if not math.isfinite(_real(field, part)):
-            raise ProjectionError(field, parts, THREE_NUMBERS)
-    x, y, z = (_finite(field, part) for part in parts)
-    return x, y, z
-
-
-Whole: TypeAlias = tuple[int, int, int]
-
-
-def _whole(*vectors: Vector) -> list[Whole]:
-    """Float64 vectors as whole numbers of one common, very small unit: exact."""
-    ratios = [[part.as_integer_ratio() for part in vector] for vector in vectors]
-    unit = max(below for vector in ratios for _, below in vector)  # they are all powers of two
-    return [
-        tuple(above * (unit // below) for above, below in vector)  # type: ignore[misc]
-        for vector in ratios
-    ]
-
-
-def _dot(a: Whole, b: Whole) -> int:
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-
-
-def _cross(a: Whole, b: Whole) -> Whole:
-    return (
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    )
-
-
-def _unit(exact: Whole) -> tuple[Fraction, ...]:
-    """The direction of an exact vector, each component to `double_double.BITS` bits."""
-    square = _dot(exact, exact)
-    unit = []
-    for part in exact:
-        shift = dd.BITS + square.bit_length() // 2 - part.bit_length() + 1
-        size = math.isqrt((part * part << 2 * shift) // square)
-        unit.append(Fraction(size if part >= 0 else -size, 1 << shift))
-    return tuple(unit)
-
-
-def _cos_sin_deg(angle_deg: float) -> tuple[float, float]:
-    """Cosine and sine of an angle in degrees, exact at the multiples of 90."""
-    angle_deg = math.remainder(angle_deg, 360.0)  # exact, and the quarter below too, then
-    quarter = round(angle_deg / 90.0)
-    rest = math.radians(math.remainder(angle_deg, 90.0))
-    cos, sin = math.cos(rest), math.sin(rest)
-    return ((cos, sin), (-sin, cos), (-cos, -sin), (sin, -cos))[quarter % 4]
 
 
 def _translation(offset: ArrayLike) -> Array:
     matrix = np.eye(4)
     matrix[:3, 3] = offset
-    return _read_only(matrix)
-
-
-def _read_only(values: ArrayLike) -> Array:
-    array = np.array(values, dtype=np.float64)
-    array.setflags(write=False)
-    return array
-
-
-# --------------------------------------------------------------------------- camera
-
-
-class Orbit(NamedTuple):
-    """The camera's place as seen from its target.
-
-    Attributes
-    ----------
-    azimuth_deg : float
-        Angle round the world's y axis; 0 puts the eye on the +z side, 90 on the +x side.
-    elevation_deg : float
-        Angle above the target's horizon, from -90 to 90.
-    distance : float
-        From target to eye, in world units.
-    roll_deg : float
-        Turn about the view direction, clockwise as the photographer sees the camera.
-    """
-
-    azimuth_deg: float
-    elevation_deg: float
-    distance: float
-    roll_deg: float = 0.0
-
-
-@dataclass(frozen=True)
-class Camera:
-    """Where the camera stands and what it looks at.
-
-    Parameters
-    ----------
-    eye, target, up : sequence of 3 floats
-        World coordinates of the centre of projection and of the point looked at, and the
-        direction that shall be vertical in the picture (any length, not parallel to the view).
-
-    Raises
-    ------
-    ProjectionError
-        For a coordinate that is not finite or larger than `LARGEST`, ``eye = target``,
-        ``up = 0``, or up within `SMALLEST_UP_ANGLE` of the view direction.
-    """
-
-    eye: Vector = (6.0, 5.0, 9.0)
-    target: Vector = (0.0, 2.2, 0.0)
-    up: Vector = (0.0, 1.0, 0.0)
-
-    def __post_init__(self) -> None:
-        for field in ("eye", "target", "up"):
-            object.__setattr__(self, field, _vector(field, getattr(self, field)))
-        if self.eye == self.target:
-            raise ProjectionError("target", self.target, NOT_THE_EYE)
-        if self.up == (0.0, 0.0, 0.0):
-            raise ProjectionError("up", self.up, NOT_ZERO)
-        backward, right = self._exact_axes
-        up = _whole(self.up)[0]
-        sin_squared = Fraction(_dot(right, right), _dot(backward, backward) * _dot(up, up))
-        if sin_squared < Fraction(SMALLEST_UP_ANGLE) ** 2:
-            raise ProjectionError("up", self.up, NOT_PARALLEL)
-
-    @cached_property
-    def _exact_axes(self) -> tuple[Whole, Whole]:
-        """``N = eye - target`` and ``U = up x N`` of lecture 004, without any rounding.
-
-        With up 1e-12 rad from the view direction the cross product cancels 12 of float64's 16
-        digits; in whole numbers it cancels none, and rounding once at the end is all that is lost.
-        """
-        eye, target = _whole(self.eye, self.target)
-        backward = (eye[0] - target[0], eye[1] - target[1], eye[2] - target[2])
-        return backward, _cross(_whole(self.up)[0], backward)
-
-    @cached_property
-    def frame(self) -> Array:
-        """Rows u, v, n of the camera's right-handed orthonormal frame (lecture 004), (3, 3)."""
-        return _read_only([list(map(float, axis)) for axis in self.exact_frame])
-
-    @cached_property
-    def exact_frame(self) -> tuple[tuple[Fraction, ...], ...]:
-        """`frame` to `double_double.BITS` bits, rows u, v, n."""
-        backward, right = self._exact_axes
-        return tuple(map(_unit, (right, _cross(backward, right), backward)))
-
-    def exact_view(self, point_world: Vector) -> tuple[Fraction, Fraction, Fraction]:
-        """View coordinates of a point to `double_double.BITS` bits, zero where they are zero.
-
-        Parameters
-        ----------
-        point_world : Vector
-        """
-        offset = [Fraction(p) - Fraction(e) for p, e in zip(point_world, self.eye, strict=True)]
-        backward, right = self._exact_axes
-        x, y, z = (
-            sum((c * o for c, o in zip(axis, offset, strict=True)), Fraction(0)) / length
-            for axis, length in zip(
-                (right, _cross(backward, right), backward), self._exact_lengths, strict=True
-            )
-        )
-        return x, y, z
-
-    @cached_property
-    def _exact_lengths(self) -> tuple[Fraction, Fraction, Fraction]:
-        """Lengths of U, V = N x U and N, to `double_double.BITS` bits.
-
-        Where their ratio is rational it is so to the last bit: a point on a plane of the view
-        volume, where coordinates cancel, is found there.
-        """
-        backward, right = self._exact_axes
-        n_squared, u_squared = _dot(backward, backward), _dot(right, right)
-        n_length = dd.root(Fraction(n_squared))
-        product = math.isqrt(n_squared * u_squared)
-        if product * product == n_squared * u_squared:
-            return n_length * Fraction(product, n_squared), Fraction(product), n_length
-        u_length = dd.root(Fraction(u_squared))
-        return u_length, u_length * n_length, n_length
-
-    @property
-    def distance(self) -> float:
-        """Distance from the eye to the target, in world units."""
-        return math.dist(self.eye, self.target)
-
-    @classmethod
-    def from_orbit(cls, target: Vector, orbit: Orbit) -> Camera:
-        """Place the camera about a target.
-
-        Parameters
-        ----------
-        target : Vector
-            World coordinates of the point looked at.
-        orbit : Orbit
-            Angles in degrees and distance in world units.
-
-        Raises
-        ------
-        ProjectionError
-            For ``distance <= 0``, an elevation outside -90..90 or numbers that are not finite.
-        """
-        target = _vector("target", target)
-        azimuth_deg, elevation_deg, distance, roll_deg = (
-            _finite(field, value) for field, value in zip(Orbit._fields, orbit, strict=True)
-        )
-        if distance <= 0.0:
-            raise ProjectionError("distance", distance, ABOVE, 0)
-        if abs(elevation_deg) > 90.0:
-            bound, limit = (AT_MOST, 90) if elevation_deg > 0 else (AT_LEAST, -90)
-            raise ProjectionError("elevation_deg", elevation_deg, bound, limit)
-        right, upward, backward = _orbit_axes(azimuth_deg, elevation_deg)
-        eye = tuple(t + distance * b for t, b in zip(target, backward, strict=True))
-        if eye == target:
-            raise ProjectionError("distance", distance, DISTINCT, 0)
-        if roll_deg == 0.0 and abs(elevation_deg) < 89.9999:
-            up: tuple[float, ...] = (0.0, 1.0, 0.0)
-        else:
-            cos_roll, sin_roll = _cos_sin_deg(roll_deg)
-            up = tuple(cos_roll * v + sin_roll * u for u, v in zip(right, upward, strict=True))
-        return cls(eye, target, up)  # type: ignore[arg-type]
-
-    @cached_property
-    def orbit(self) -> Orbit:
-        """The same camera as azimuth, elevation, distance and roll about its target."""
-        _, upward, backward = self.frame
-        horizontal = math.hypot(backward[0], backward[2])
-        elevation_deg = math.degrees(math.atan2(backward[1], horizontal))
-        if horizontal > 1e-9:
-            azimuth_deg = math.degrees(math.atan2(backward[0], backward[2]))
-        else:  # straight above or below: the picture's vertical is all that tells the azimuth
-            toward = -math.copysign(1.0, backward[1])
-            azimuth_deg = math.degrees(math.atan2(toward * upward[0], toward * upward[2]))
-        level_right, level_upward, _ = _orbit_axes(azimuth_deg, elevation_deg)
-        roll_deg = math.degrees(
-            math.atan2(float(np.dot(upward, level_right)), float(np.dot(upward, level_upward)))
-        )
-        if abs(roll_deg) < 1e-9:  # what the frame's rounding leaves of a level camera
-            roll_deg = 0.0
-        return Orbit(azimuth_deg, elevation_deg, self.distance, roll_deg)
-
-
-def _orbit_axes(azimuth_deg: float, elevation_deg: float) -> tuple[Vector, Vector, Vector]:
-    """u, v, n of a camera without roll at these angles."""
-    cos_a, sin_a = _cos_sin_deg(azimuth_deg)
-    cos_e, sin_e = _cos_sin_deg(elevation_deg)
-    right = (cos_a, 0.0, -sin_a)
-    upward = (-sin_e * sin_a, cos_e, -sin_e * cos_a)
-    return right, upward, (cos_e * sin_a, sin_e, cos_e * cos_a)
-
-
-# --------------------------------------------------------------------------- lenses
-
-
-def _check_planes(near: Any, far: Any, *, parallel: bool) -> tuple[float, float]:
-    """Near and far of a lens as floats, or a `ProjectionError`."""
-    near = _finite("near", near)
-    if not parallel:
-        if near <= 0.0:
-            raise ProjectionError("near", near, ABOVE, 0)
-        if near < SMALLEST:
-            raise ProjectionError("near", near, AT_LEAST, SMALLEST)
-    far = _real("far", far)
-    if parallel or far != math.inf:
-        far = _finite("far", far)
-    if near >= far:
-        raise ProjectionError("near", near, NEAR_BEFORE_FAR, format_value(far))
-    if parallel and far - near < SMALLEST:  # where only their ratio counts, it may be less
-        raise ProjectionError("near", near, DISTINCT, format_value(far))
-    return near, far
-
-
-@dataclass(frozen=True)
-class Perspective:
-    """The symmetric perspective lens (gluPerspective); the aspect is the image's.
-
-    Parameters
-    ----------
-    fov_y_deg : float
-        Vertical field of view in degrees, anywhere in the open interval (0, 180).
-    near, far : float
-        Distances of the clipping planes from the eye, ``0 < near < far``; far may be ``inf``.
-    """
-
-    kind: ClassVar[str] = "perspective"
-    parallel: ClassVar[bool] = False
-
-    fov_y_deg: float = 45.0
-    near: float = 1.0
-    far: float = 30.0
-
-    def __post_init__(self) -> None:
-        fov_y_deg = _finite("fov_y_deg", self.fov_y_deg)
-        if not 0.0 < fov_y_deg < 180.0:
-            raise ProjectionError("fov_y_deg", fov_y_deg, BETWEEN, 0, 180)
-        if fov_y_deg < SMALLEST_FIELD:
-            raise ProjectionError("fov_y_deg", fov_y_deg, AT_LEAST, SMALLEST_FIELD)
-        near, far = _check_planes(self.near, self.far, parallel=False)
-        _set(self, fov_y_deg=fov_y_deg, near=near, far=far)
-
-    @property
-    def cot_half_fov_y(self) -> float:
-        """``cot(fov_y/2)``, the picture's half-height in units of its distance, inverted.
-
-        Above 90 degrees it is taken as the tangent of the complement: ``180 - fov`` is exact
-        there, and the result stays within 2 ulp up to 180.
-        """
-        if self.fov_y_deg > 90.0:
-            return math.tan(math.radians(180.0 - self.fov_y_deg) / 2.0)
-        return 1.0 / math.tan(math.radians(self.fov_y_deg) / 2.0)
-
-    def window(self, aspect: float | Fraction) -> tuple[float, float, float, float]:
-        """Left, right, bottom, top of the picture on the near plane, in world units."""
-        top = self.near / self.cot_half_fov_y
-        right = float(aspect) * top
-        return -right, right, -top, top
-
-
-@dataclass(frozen=True)
-class _Windowed:
-    """The six numbers that glFrustum and glOrtho share, and what follows from them."""
-
-    left: float
-    right: float
-    bottom: float
-    top: float
-    near: float
-    far: float
-    keep: Keep
-
-    parallel: ClassVar[bool]
-
-    def __post_init__(self) -> None:
-        names = ("left", "right", "bottom", "top")
-        left, right, bottom, top = (_finite(n, getattr(self, n)) for n in names)
-        near, far = _check_planes(self.near, self.far, parallel=self.parallel)
-        _set(self, left=left, right=right, bottom=bottom, top=top, near=near, far=far)
-        for name, low, high, bound in (
-            ("left", left, right, LEFT_BEFORE_RIGHT),
-            ("bottom", bottom, top, BOTTOM_BEFORE_TOP),
-        ):
-            if low >= high:
-                raise ProjectionError(name, low, bound, format_value(high))
-        self.check_window(left, right, bottom, top)
-        if self.keep not in ("stretch", "x", "y"):
-            raise ProjectionError("keep", self.keep, ONE_OF, "stretch, x, y")
-
-    @property
-    def least_window(self) -> float:
-        """The least width and height of the window, in world units."""
-        return SMALLEST_WINDOW
-
-    def check_window(self, left: float, right: float, bottom: float, top: float) -> None:
-        """Refuse a window that is too small for this lens, as typed or after `keep`.
-
-        Raises
-        ------
-        ProjectionError
-            If a side is shorter than `least_window`.
-        """
-        for name, low, high in (("left", left, right), ("bottom", bottom, top)):
-            if high - low < self.least_window:
-                bound = DISTINCT if self.parallel else WIDER
-                raise ProjectionError(name, low, bound, format_value(high))
-
-    def exact_window(self, aspect: Fraction) -> tuple[Fraction, Fraction, Fraction, Fraction]:
-        """`window` without rounding, (left, right, bottom, top)."""
-        left, right, bottom, top = map(Fraction, (self.left, self.right, self.bottom, self.top))
-        if self.keep == "x":
-            k = ((right - left) / aspect - (top - bottom)) / 2
-            bottom, top = bottom - k, top + k
-        elif self.keep == "y":
-            k = (aspect * (top - bottom) - (right - left)) / 2
-            left, right = left - k, right + k
-        return left, right, bottom, top
-
-    def window(self, aspect: float | Fraction) -> tuple[float, float, float, float]:
-        """Left, right, bottom, top of the picture after `keep`, in world units.
-
-        Lecture 000, PerspektivnaProjekcijaX and Y, with the slip in Y's last line corrected.
-        """
-        if self.keep == "stretch":
-            return self.left, self.right, self.bottom, self.top
-        left, right, bottom, top = map(float, self.exact_window(Fraction(aspect)))
-        return left, right, bottom, top
-
-
-@dataclass(frozen=True)
-class Frustum(_Windowed):
-    """The perspective lens with a window of its own (glFrustum), off the axis if you like.
-
-    Parameters
-    ----------
-    left, right, bottom, top : float
-        The picture's window on the near plane, ``left < right``, ``bottom < top``.
-    near, far : float
-        Distances of the clipping planes from the eye, ``0 < near < far``; far may be ``inf``.
-    keep : {"stretch", "x", "y"}
-        How the window follows the image's aspect: not at all, or by adjusting the y range
-        (``"x"`` is kept, lecture 000's variant X) or the x range (``"y"``, variant Y).
-    """
-
-    kind: ClassVar[str] = "frustum"
-    parallel: ClassVar[bool] = False
-
-    left: float = -0.7
-    right: float = 0.7
-    bottom: float = -0.4
-    top: float = 0.4
-    near: float = 1.0
-    far: float = 30.0
-    keep: Keep = "stretch"
-
-    @property
-    def least_window(self) -> float:
-        """The least width and height of the window, in world units; near divided by it is left
-        room for."""
-        return max(1e-290, SMALLEST_OPENING * self.near)
-
-    def check_window(self, left: float, right: float, bottom: float, top: float) -> None:
-        """Refuse also a window so far off or so large that the far plane's is infinite."""
-        super().check_window(left, right, bottom, top)
-        limit = self.near / SMALLEST_FIELD
-        sides = {"left": left, "right": right, "bottom": bottom, "top": top}
-        for name, side in sides.items():
-            if abs(side) > limit:
-                bound, signed = (AT_MOST, limit) if side > 0.0 else (AT_LEAST, -limit)
-                raise ProjectionError(name, side, bound, format_value(signed))
-
-
-@dataclass(frozen=True)
-class Orthographic(_Windowed):
-    """The orthographic lens (glOrtho).
-
-    Parameters
-    ----------
-    left, right, bottom, top : float
-        The picture's window in view space, ``left < right``, ``bottom < top``.
-    near, far : float
-        Distances of the clipping planes from the eye plane, ``near < far``; near may be
-        negative (behind the eye), far must be finite.
-    keep : {"stretch", "x", "y"}
-        As `Frustum`'s.
-    """
-
-    kind: ClassVar[str] = "orthographic"
-    parallel: ClassVar[bool] = True
-
-    left: float = -4.0
-    right: float = 4.0
-    bottom: float = -4.0
-    top: float = 4.0
-    near: float = 1.0
-    far: float = 30.0
-    keep: Keep = "stretch"
-
-
-@dataclass(frozen=True)
-class Oblique(_Windowed):
-    """The oblique parallel lens of lecture 002: the orthographic one after its matrix H.
-
-    ``x' = x + (z + near) cot(alpha)`` and ``y' = y + (z + near) cot(beta)`` in view space: the
-    projectors lean, and what lies on the near plane stays where it is.
-
-    Parameters
-    ----------
-    left, right, bottom, top : float
-        The picture's window on the near plane, ``left < right``, ``bottom < top``.
-    near, far : float
-        As `Orthographic`'s.
-    alpha_deg, beta_deg : float
-        Angles of the projectors with the x and the y axis, in the open interval (0, 180);
-        90 and 90 is the orthographic lens. See `oblique_angles` for cavalier and cabinet.
-    keep : {"stretch", "x", "y"}
-        As `Frustum`'s.
-    """
-
-    kind: ClassVar[str] = "oblique"
-    parallel: ClassVar[bool] = True
-
-    left: float = -4.0
-    right: float = 4.0
-    bottom: float = -4.0
-    top: float = 4.0
-    near: float = 1.0
-    far: float = 30.0
-    alpha_deg: float = 109.47122063449069  # cabinet, receding at 45 degrees
-    beta_deg: float = 109.47122063449069
-    keep: Keep = "stretch"
-
-    def __post_init__(self) -> None:
-        super().__post_init__()
-        for name in ("alpha_deg", "beta_deg"):
-            angle_deg = _finite(name, getattr(self, name))
-            if not 0.0 < angle_deg < 180.0:
-                raise ProjectionError(name, angle_deg, BETWEEN, 0, 180)
-            least = math.degrees(1.0 / LARGEST_SHEAR)
-            if not least <= angle_deg <= 180.0 - least:
-                bound, limit = (AT_LEAST, least) if angle_deg < 90.0 else (AT_MOST, 180.0 - least)
-                raise ProjectionError(name, angle_deg, bound, format_value(limit))
-            _set(self, **{name: angle_deg})
-
-    @property
-    def least_window(self) -> float:
-        """The least width and height of the window, in world units; the shear is left room for."""
-        return SMALLEST_WINDOW * LARGEST_SHEAR
-
-    @property
-    def shear(self) -> tuple[float, float]:
-        """``cot(alpha), cot(beta)``: the shift in x and y per unit of z."""
-        return _cot_deg(self.alpha_deg), _cot_deg(self.beta_deg)
-
-
-def _cot_deg(angle_deg: float) -> float:
-    """The cotangent of an angle in degrees, exact at 90, within 2 ulp elsewhere."""
-    cos, sin = _cos_sin_deg(angle_deg)
-    return cos / sin
-
-
-def oblique_angles(receding: float, receding_deg: float) -> tuple[float, float]:
-    """The angles of an `Oblique` lens under which receding edges are drawn like this.
-
-    Parameters
-    ----------
-    receding : float
-        Drawn length of an edge along the view direction per true length: 1 is a cavalier,
-        1/2 a cabinet drawing.
-    receding_deg : float
-        Direction in the picture in which things recede, in degrees from the right, anticlockwise.
-
-    Returns
-    -------
-    alpha_deg, beta_deg : float
-
-    Raises
-    ------
-    ProjectionError
-        For a length below 0 or above `LARGEST_SHEAR`, or a number that is not finite.
-
-    Notes
-    -----
-    A unit into the picture moves a point by ``(-cot(alpha), -cot(beta))`` (lecture 002, H).
-    """
-    receding, receding_deg = _finite("receding", receding), _finite("receding_deg", receding_deg)
-    for wrong, bound, limit in (
-        (receding < 0.0, AT_LEAST, 0), (receding > LARGEST_SHEAR, AT_MOST, int(LARGEST_SHEAR)),
-    ):  # fmt: skip
-        if wrong:
-            raise ProjectionError("receding", receding, bound, limit)
-    cos, sin = _cos_sin_deg(receding_deg)
-    return (
-        math.degrees(math.atan2(1.0, -receding * cos)),
-        math.degrees(math.atan2(1.0, -receding * sin)),
-    )
-
-
-def receding_of(lens: Oblique) -> tuple[float, float]:
-    """Drawn length per unit of depth, and its direction in degrees: of `oblique_angles`."""
-    cot_alpha, cot_beta = lens.shear
-    length = math.hypot(cot_alpha, cot_beta)
-    return length, math.degrees(math.atan2(-cot_beta, -cot_alpha)) if length else 0.0
-
-
-OBLIQUE_PRESETS: dict[str, tuple[float, float]] = {
-    f"{name}-{label}": oblique_angles(receding, receding_deg)
-    for name, receding in (("cavalier", 1.0), ("cabinet", 0.5))
-    for label, receding_deg in (
-        ("30", 30.0), ("45", 45.0), ("63.4", math.degrees(math.atan(2.0))),
-    )
-}  # fmt: skip
-"""`Oblique` angles of the drawings of the textbooks, by name and receding angle."""
-
-Lens: TypeAlias = Perspective | Frustum | Orthographic | Oblique
-LENSES: dict[str, type[Perspective] | type[Frustum] | type[Orthographic] | type[Oblique]] = {
-    "perspective": Perspective,
-    "frustum": Frustum,
-    "orthographic": Orthographic,
-    "oblique": Oblique,
-}
-
-
-# --------------------------------------------------------------------------- projection
+    return read_only(matrix)
 
 
 class _Axis(NamedTuple):
@@ -933,7 +339,7 @@ def _stage(name: str, *factors: tuple[str, Rationals], note: str = "") -> Stage:
 
 
 def _rounded(matrix: Rationals) -> Array:
-    return _read_only([[float(part) for part in row] for row in matrix])
+    return read_only([[float(part) for part in row] for row in matrix])
 
 
 def _diagonal(*parts: Fraction | int) -> Rationals:
@@ -988,8 +394,8 @@ class Projection:
                 raise ProjectionError(name, side, WHOLE_PIXELS, LARGEST_IMAGE_PX)
         if not isinstance(self.depth, str) or self.depth not in DEPTH_RANGES:
             raise ProjectionError("depth", self.depth, ONE_OF, ", ".join(DEPTH_RANGES))
-        _set(self, image_size=(int(size[0]), int(size[1])))
-        if isinstance(self.lens, _Windowed):  # `keep` can shrink it to nothing, far from the axis
+        keep_checked(self, image_size=(int(size[0]), int(size[1])))
+        if isinstance(self.lens, Windowed):  # `keep` can shrink it to nothing, far from the axis
             left, right, bottom, top = self.window
             x_axis, y_axis = self._axes
             for name, low, high, axis in (
@@ -1089,7 +495,7 @@ class Projection:
         """Factor R of the view matrix: rows u, v, n (lecture 004), (4, 4)."""
         matrix = np.eye(4)
         matrix[:3, :3] = self.camera.frame
-        return _read_only(matrix)
+        return read_only(matrix)
 
     @cached_property
     def view_translation(self) -> Array:
@@ -1099,7 +505,7 @@ class Projection:
     @cached_property
     def view_from_world(self) -> Array:
         """The view matrix R P of lecture 004, (4, 4)."""
-        return _read_only(self.view_rotation @ self.view_translation)
+        return read_only(self.view_rotation @ self.view_translation)
 
     @cached_property
     def clip_from_view(self) -> Array:
@@ -1130,7 +536,7 @@ class Projection:
             for row, cot in enumerate(self.shear):
                 matrix[row, 2] = matrix[row, row] * cot
                 matrix[row, 3] += matrix[row, row] * (cot * near)
-        return _read_only(matrix)
+        return read_only(matrix)
 
     @property
     def _depth_row(self) -> tuple[float, float]:
@@ -1177,12 +583,12 @@ class Projection:
             for row, cot in enumerate(self.shear):
                 matrix[row, 2] = -cot * matrix[2, 2]
                 matrix[row, 3] += cot * matrix[2, 2] * z_near
-        return _read_only(matrix)
+        return read_only(matrix)
 
     @cached_property
     def clip_from_world(self) -> Array:
         """`clip_from_view` times `view_from_world`, (4, 4)."""
-        return _read_only(self.clip_from_view @ self.view_from_world)
+        return read_only(self.clip_from_view @ self.view_from_world)
 
     @cached_property
     def world_from_clip(self) -> Array:
@@ -1203,12 +609,12 @@ class Projection:
         (4, 4) float64 array
         """
         shift = _translation(np.asarray(origin, dtype=np.float64) - self.camera.eye)
-        return _read_only(self.clip_from_view @ self.view_rotation @ shift)
+        return read_only(self.clip_from_view @ self.view_rotation @ shift)
 
     def world_from_clip_at(self, origin: ArrayLike) -> Array:
         """The inverse of `clip_from_world_at`, (4, 4)."""
         shift = _translation(self.camera.eye - np.asarray(origin, dtype=np.float64))
-        return _read_only(shift @ self.view_rotation.T @ self.view_from_clip)
+        return read_only(shift @ self.view_rotation.T @ self.view_from_clip)
 
     @cached_property
     def image_from_ndc(self) -> Array:
@@ -1217,7 +623,7 @@ class Projection:
         z_low = min(self.depth_range)
         matrix = np.diag([width / 2.0, -height / 2.0, 1.0 / (1.0 - z_low), 1.0])
         matrix[:3, 3] = width / 2.0, height / 2.0, -z_low / (1.0 - z_low)
-        return _read_only(matrix)
+        return read_only(matrix)
 
     @cached_property
     def exact_lens(self) -> ExactLens:
@@ -1353,7 +759,7 @@ class Projection:
         corners[finite] /= corners[finite, 3:]
         directions = corners[:, :3] @ self.camera.frame
         directions[finite] += self.camera.eye
-        return _read_only(np.column_stack([directions, corners[:, 3]]))
+        return read_only(np.column_stack([directions, corners[:, 3]]))
 
     # -- points
 
@@ -1525,7 +931,7 @@ class Projection:
                 factor = 1.0
         matrix = image_from_view[:, :3] @ self.camera.frame
         shift = image_from_view[:, 3:]
-        eye = _read_only(self.camera.eye).reshape(3, 1)
+        eye = read_only(self.camera.eye).reshape(3, 1)
         if parallel:
             return eye, matrix[:3], shift[:3], factor
         return eye, matrix, float(shift[2, 0]), factor
@@ -1753,7 +1159,7 @@ class Projection:
             For planes that the lens cannot have.
         """
         lens = self.lens
-        near, far = _check_planes(near, far, parallel=lens.parallel)
+        near, far = check_planes(near, far, parallel=lens.parallel)
         left, right, bottom, top = self.window
         if isinstance(lens, Frustum):  # its window is on the near plane, and moves with it
             k = near / lens.near
@@ -1786,7 +1192,7 @@ class Projection:
             window that a `Frustum` refuses.
         """
         fx, fy, cx, cy = (
-            _finite(name, value) for name, value in zip(Intrinsics._fields, intrinsics, strict=True)
+            finite(name, value) for name, value in zip(Intrinsics._fields, intrinsics, strict=True)
         )
         for name, value in (("fx", fx), ("fy", fy)):
             if value <= 0.0:
@@ -1828,81 +1234,3 @@ def checked_points(points: ArrayLike) -> Array:
     if wrong.any():
         raise ProjectionError("points", tuple(checked[wrong][0].tolist()), THREE_NUMBERS)
     return checked
-
-
-# --------------------------------------------------------------------------- field of view
-
-
-def fov_x_from_fov_y(fov_y_deg: float, aspect: float) -> float:
-    """Horizontal field of view of a symmetric lens, degrees.
-
-    ``tan(fov_x/2) = aspect tan(fov_y/2)``; for the converse give ``1/aspect``.
-    """
-    complement_deg = (180.0 - fov_y_deg) / 2.0
-    sin_half = math.sin(math.radians(fov_y_deg / 2.0))
-    cos_half = math.sin(math.radians(complement_deg))
-    return math.degrees(2.0 * math.atan2(aspect * sin_half, cos_half))
-
-
-def fov_y_from_window(top: float, near: float) -> float:
-    """Vertical field of view in degrees of a symmetric window whose top edge is at `top`.
-
-    ``tan(fov_y/2) = top/near`` (lecture 003); the converse is `Perspective.window`.
-
-    Raises
-    ------
-    ProjectionError
-        If a number is not finite or not above 0.
-    """
-    top, near = _finite("top", top), _finite("near", near)
-    for name, value in (("top", top), ("near", near)):
-        if value <= 0.0:
-            raise ProjectionError(name, value, ABOVE, 0)
-    return math.degrees(2.0 * math.atan2(top, near))
-
-
-def focal_length_e(fov_y_deg: float, aspect: float) -> float:
-    """Lecture 003's focal length e: how far away a plane is seen from x = -1 to 1.
-
-    ``e = 1/tan(fov_x/2)``; its window on the near plane is n/e wide to each side.
-    """
-    return Perspective(fov_y_deg).cot_half_fov_y / aspect
-
-
-def fov_y_from_focal_length_e(e: float, aspect: float) -> float:
-    """Vertical field of view in degrees, the converse of `focal_length_e`.
-
-    Raises
-    ------
-    ProjectionError
-        If e is not a finite number above 0.
-    """
-    e = _finite("e", e)
-    if e <= 0.0:
-        raise ProjectionError("e", e, ABOVE, 0)
-    return math.degrees(2.0 * math.atan2(1.0, e * aspect))
-
-
-def focal_length_35mm(fov_y_deg: float, aspect: float) -> float:
-    """Focal length in mm of the 36 x 24 mm camera with the same diagonal field of view.
-
-    The diagonal is what the 35-mm equivalent compares (CIPA DCG-001), since images need not
-    have the proportions of the film.
-    """
-    half_diagonal = math.hypot(aspect, 1.0)  # of a picture of half-height 1
-    return _FULL_FRAME_DIAGONAL_MM / 2.0 * Perspective(fov_y_deg).cot_half_fov_y / half_diagonal
-
-
-def fov_y_from_focal_length_35mm(focal_length_mm: float, aspect: float) -> float:
-    """Vertical field of view in degrees, the converse of `focal_length_35mm`.
-
-    Raises
-    ------
-    ProjectionError
-        If the focal length is not a finite number above 0.
-    """
-    focal_length_mm = _finite("focal_length_mm", focal_length_mm)
-    if focal_length_mm <= 0.0:
-        raise ProjectionError("focal_length_mm", focal_length_mm, ABOVE, 0)
-    half_height = _FULL_FRAME_DIAGONAL_MM / 2.0 / math.hypot(aspect, 1.0)
-    return math.degrees(2.0 * math.atan2(half_height, focal_length_mm))

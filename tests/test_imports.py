@@ -68,7 +68,13 @@ ROOMS = {
     "app/bootstrap.py": Room(),
     "app/__main__.py": Room(rooms=("app.bootstrap",), late=("app.cli",)),
     "app/double_double.py": CORE,
-    "app/projection.py": Room(("numpy",), ("app.double_double",)),
+    "app/values.py": CORE,
+    "app/camera.py": Room(("numpy",), ("app.double_double", "app.values")),
+    "app/lenses.py": Room(rooms=("app.double_double", "app.values")),
+    # The model's one door: what values, camera and lenses hold is had from here.
+    "app/projection.py": Room(
+        ("numpy",), ("app.double_double", "app.values", "app.camera", "app.lenses")
+    ),
     "app/precision.py": Room(("numpy",), ("app.double_double", "app.projection")),
     "app/depth.py": Room(("numpy",), ("app.projection",)),
     "app/clipping.py": Room(("numpy",), ("app.projection",)),

@@ -1617,10 +1617,13 @@ def test_the_limits_themselves_are_allowed() -> None:
 # --------------------------------------------------------------------------- the module's own rules
 
 
+MODEL = ("app.projection", "app.camera", "app.lenses", "app.values")
+
+
 def public_members() -> dict[str, object]:
     members: dict[str, object] = {}
     for name, value in vars(app.projection).items():
-        if name.startswith("_") or getattr(value, "__module__", "") != "app.projection":
+        if name.startswith("_") or getattr(value, "__module__", "") not in MODEL:
             continue
         if inspect.isclass(value) or inspect.isfunction(value):
             members[name] = value
