@@ -44,6 +44,21 @@ from app.meshes import (
 from app.meshes import SceneCancelled as SceneCancelled  # `load` raises both
 from app.meshes import SceneError as SceneError
 from app.projection import Array, Camera, Perspective, Projection
+from app.shapes import (
+    EDGE_RGB,
+    GRID_AXIS_RGB,
+    PLATE_RGB,
+    SIDE_RGB,
+    Coloured,
+    box_faces,
+    brightness,
+    edges_of,
+    flat,
+    ground_grid,
+    joined,
+    letter_f,
+    written_number,
+)
 
 Vector: TypeAlias = tuple[float, float, float]
 
@@ -229,115 +244,7 @@ def _but_last(words: Sequence[str]) -> tuple[str, str]:
     return ", ".join(words[:-1]), words[-1]
 
 
-# --------------------------------------------------------------------------- colours
-
-# Okabe-Ito, one hue for each axis, the lighter shade on the positive side. In a grey picture, or
-# to any kind of colour vision, the two sides of an axis still differ in lightness.
-_SIDE_RGB = np.array(
-    [
-        [230, 159, 0],  # +x orange
-        [213, 94, 0],  # -x vermillion
-        [128, 207, 185],  # +y bluish green, half white
-        [0, 158, 115],  # -y bluish green
-        [86, 180, 233],  # +z sky blue
-        [0, 114, 178],  # -z blue
-    ],
-    dtype=np.uint8,
-)
-_EDGE_RGB = (72, 72, 78)  # dark on a face, and still seen on a dark background
-_GRID_RGB = (158, 158, 158)
-_GRID_AXIS_RGB = (105, 105, 105)
-_PLATE_RGB = (245, 242, 230)
-
-# Directions to the two lights, and their strengths. The ambient part keeps the darkest face
-# visible on a dark background, the sum stays below 1 on a light one.
-_AMBIENT = 0.42
-_LIGHTS = (((0.25, 0.80, 0.55), 0.50), ((-0.62, -0.25, -0.74), 0.24))
-
-
-def _lit(normals: Floats) -> Floats:
-    """Brightness (m,) of faces with these unit normals (m, 3) under the two soft lights."""
-    light = np.full(len(normals), _AMBIENT)
-    for direction, strength in _LIGHTS:
-        light += strength * np.clip(normals @ np.array(direction), 0.0, None)
-    return light
-
-
-# --------------------------------------------------------------------------- quads and lines
-
-# Quads are (m, 4, 3), lines (m, 2, 3), both float64 and relative to the origin, with their
-# colours (m, 3) uint8.
-Coloured: TypeAlias = tuple[Floats, Colours]
-
-
-def _colours(rgb: ArrayLike, count: int) -> Colours:
-    return np.array(np.broadcast_to(np.asarray(rgb, dtype=np.uint8), (count, 3)))
-
-
-def _joined(*parts: Coloured) -> Coloured:
-    return np.concatenate([p for p, _ in parts]), np.concatenate([rgb for _, rgb in parts])
-
-
-def _box(lower: Sequence[float], upper: Sequence[float]) -> Floats:
-    """The faces +x, -x, +y, -y, +z, -z of a box, counter-clockwise from outside, (6, 4, 3)."""
-    faces = []
-    for axis in range(3):
-        right, up = (axis + 1) % 3, (axis + 2) % 3
-        for at, turn in ((upper[axis], 1), (lower[axis], -1)):
-            face = np.empty((4, 3))
-            face[:, axis] = at
-            face[:, right] = [lower[right], upper[right], upper[right], lower[right]]
-            face[:, up] = [lower[up], lower[up], upper[up], upper[up]]
-            faces.append(face[::turn])
-    return np.array(faces)
-
-
-def _edges(quads: Floats) -> Coloured:
-    """Every edge of the quads, once."""
-    points, corners = np.unique(quads.reshape(-1, 3), axis=0, return_inverse=True)
-    corners = corners.reshape(-1, 4)
-    edges = np.stack([corners, np.roll(corners, -1, axis=1)], axis=2).reshape(-1, 2)
-    edges = np.unique(np.sort(edges, axis=1), axis=0)
-    return points[edges], _colours(_EDGE_RGB, len(edges))
-
-
-def _grid(
-    lower: tuple[float, float],
-    upper: tuple[float, float],
-    spacing: tuple[float, float],
-    height: float,
-    origin: Vector = (0.0, 0.0, 0.0),
-) -> Coloured:
-    """Ground lines of world x and z, at multiples of the spacing, that enclose the rectangle.
-
-    Parameters
-    ----------
-    lower, upper, spacing : tuple of 2 floats
-        World x and z.
-    height : float
-        World y of the grid.
-    origin : Vector
-        World point that the lines are given relative to.
-
-    Returns
-    -------
-    Coloured
-        The lines on the world's x and z axes are darker, where they are inside.
-    """
-    steps = [
-        np.arange(math.floor(low / step), math.ceil(high / step) + 1)
-        for low, high, step in zip(lower, upper, spacing, strict=True)
-    ]
-    x, z = (
-        count * step - at
-        for count, step, at in zip(steps, spacing, (origin[0], origin[2]), strict=True)
-    )
-    y = height - origin[1]
-    along_z = [[(at, y, z[0]), (at, y, z[-1])] for at in x]
-    along_x = [[(x[0], y, at), (x[-1], y, at)] for at in z]
-    on_axis = np.concatenate([steps[0] == 0, steps[1] == 0])
-    rgb = np.where(on_axis[:, None], _GRID_AXIS_RGB, _GRID_RGB).astype(np.uint8)
-    return np.array(along_z + along_x), rgb
+# --------------------------------------------------------------------------- poly data
 
 
 def _cell_array(offsets: NDArray[Any], corners: NDArray[Any]) -> pv.CellArray:
@@ -388,25 +295,13 @@ def _vector(values: ArrayLike) -> Vector:
     return x, y, z
 
 
-# Column and row of each cube: a stem of five, two more at the top, one more in the middle.
-_LETTER_F = ((0, 0), (0, 1), (0, 2), (0, 3), (0, 4), (1, 4), (2, 4), (1, 2))
-
-
 def _letter_f() -> Scene:
     """Eight unit cubes on the ground, the letter's three columns centred about x = 0."""
-    quads, rgb = [], []
-    for column, row in _LETTER_F:
-        faces = _box((column - 1.5, row, -0.5), (column - 0.5, row + 1.0, 0.5))
-        touching = [(column + 1, row), (column - 1, row), (column, row + 1), (column, row - 1)]
-        for side, face in enumerate(faces):
-            if side >= 4 or touching[side] not in _LETTER_F:
-                quads.append(face)
-                rgb.append(_SIDE_RGB[side])
-    faces = np.array(quads)
+    faces, rgb = letter_f()
     return _built_in(
         "letter-f",
-        (faces, np.array(rgb)),
-        _joined(_grid((-8.0, -8.0), (8.0, 8.0), (1.0, 1.0), 0.0), _edges(faces)),
+        (faces, rgb),
+        joined(ground_grid((-8.0, -8.0), (8.0, 8.0), (1.0, 1.0), 0.0), edges_of(faces)),
         Projection(
             Camera((6.0, 5.0, 9.0), (0.0, 2.2, 0.0), (0.0, 1.0, 0.0)),
             Perspective(fov_y_deg=45.0, near=1.0, far=30.0),
@@ -417,15 +312,15 @@ def _letter_f() -> Scene:
 
 def _cube() -> Scene:
     """A unit cube standing on the ground, with the world's axes coming out of it."""
-    faces = _box((-0.5, 0.0, -0.5), (0.5, 1.0, 0.5))
+    faces = box_faces((-0.5, 0.0, -0.5), (0.5, 1.0, 0.5))
     axes = np.array([[(0.0, 0.0, 0.0), end] for end in np.diag([1.5, 2.0, 1.5]).tolist()])
     return _built_in(
         "cube",
-        (faces, _SIDE_RGB.copy()),
-        _joined(
-            _grid((-3.0, -3.0), (3.0, 3.0), (0.5, 0.5), 0.0),
-            _edges(faces),
-            (axes, _SIDE_RGB[[1, 3, 5]]),  # the darker shades, to be seen on a light background
+        (faces, SIDE_RGB.copy()),
+        joined(
+            ground_grid((-3.0, -3.0), (3.0, 3.0), (0.5, 0.5), 0.0),
+            edges_of(faces),
+            (axes, SIDE_RGB[[1, 3, 5]]),  # the darker shades, to be seen on a light background
         ),
         Projection(
             Camera((2.4, 2.0, 3.2), (0.0, 0.5, 0.0), (0.0, 1.0, 0.0)),
@@ -438,58 +333,28 @@ def _cube() -> Scene:
 _POSTS = 20
 _POST_SPACING = 6.0
 
-# The seven segments of a digit one unit wide and two high, as (left, bottom, right, top), and
-# the segments that each digit lights.
-_SEGMENTS = np.array(
-    [
-        (0.0, 1.8, 1.0, 2.0),  # a: top
-        (0.8, 1.1, 1.0, 1.8),  # b: upper right
-        (0.8, 0.2, 1.0, 0.9),  # c: lower right
-        (0.0, 0.0, 1.0, 0.2),  # d: bottom
-        (0.0, 0.2, 0.2, 0.9),  # e: lower left
-        (0.0, 1.1, 0.2, 1.8),  # f: upper left
-        (0.0, 0.9, 1.0, 1.1),  # g: middle
-    ]
-)
-_DIGITS = ("abcdef", "bc", "abged", "abgcd", "fgbc", "afgcd", "afgedc", "abc", "abcdefg", "abcdfg")
-
-
-def _number(number: int, centre: Vector, height: float) -> Floats:
-    """A number written with seven-segment quads that face +z, (m, 4, 3)."""
-    scale = height / 2.0
-    digits = str(number)
-    width = 1.5 * len(digits) - 0.5
-    quads = []
-    for place, digit in enumerate(digits):
-        for segment in _DIGITS[int(digit)]:
-            left, bottom, right, top = _SEGMENTS["abcdefg".index(segment)]
-            x = np.array([left, right, right, left]) + 1.5 * place - width / 2.0
-            y = np.array([bottom, bottom, top, top]) - 1.0
-            quads.append(np.stack([x * scale, y * scale, np.zeros(4)], axis=1) + centre)
-    return np.array(quads)
-
 
 def _posts() -> Scene:
     """Posts of equal height and spacing, numbered on geometry, so that every pane projects it."""
-    lit = _lit(np.repeat(np.eye(3), 2, axis=0) * np.tile([[1.0], [-1.0]], (3, 1)))
+    lit = brightness(np.repeat(np.eye(3), 2, axis=0) * np.tile([[1.0], [-1.0]], (3, 1)))
     wood = (lit[:, None] * PAINT_RGB).astype(np.uint8)
-    plate_rgb = (np.clip(lit + 0.25, 0.0, 1.0)[:, None] * _PLATE_RGB).astype(np.uint8)
-    plate_rgb[4] = _PLATE_RGB  # the written side
+    plate_rgb = (np.clip(lit + 0.25, 0.0, 1.0)[:, None] * PLATE_RGB).astype(np.uint8)
+    plate_rgb[4] = PLATE_RGB  # the written side
     quads: list[Coloured] = []
     lines: list[Coloured] = []
     for number in range(1, _POSTS + 1):
         z = -_POST_SPACING * (number - 1)
-        post = _box((-0.1, 0.0, z - 0.24), (0.1, 2.4, z - 0.04))
-        plate = _box((-0.8, 1.5, z - 0.04), (0.8, 2.6, z + 0.04))
-        digits = _number(number, (0.0, 2.05, z + 0.06), height=0.8)
-        quads += [(post, wood), (plate, plate_rgb), (digits, _colours(_EDGE_RGB, len(digits)))]
-        outline = _edges(plate)[0]  # grey: far away there is little else than outline
-        lines.append((outline, _colours(_GRID_AXIS_RGB, len(outline))))
-    ground = _grid((-10.0, -126.0), (10.0, 12.0), (2.0, 6.0), 0.0)
+        post = box_faces((-0.1, 0.0, z - 0.24), (0.1, 2.4, z - 0.04))
+        plate = box_faces((-0.8, 1.5, z - 0.04), (0.8, 2.6, z + 0.04))
+        digits = written_number(number, (0.0, 2.05, z + 0.06), height=0.8)
+        quads += [(post, wood), (plate, plate_rgb), (digits, flat(EDGE_RGB, len(digits)))]
+        outline = edges_of(plate)[0]  # grey: far away there is little else than outline
+        lines.append((outline, flat(GRID_AXIS_RGB, len(outline))))
+    ground = ground_grid((-10.0, -126.0), (10.0, 12.0), (2.0, 6.0), 0.0)
     return _built_in(
         "posts",
-        _joined(*quads),
-        _joined(ground, *lines),
+        joined(*quads),
+        joined(ground, *lines),
         Projection(
             Camera((6.0, 5.0, 9.0), (1.0, 1.8, -8.0), (0.0, 1.0, 0.0)),
             Perspective(fov_y_deg=45.0, near=1.0, far=150.0),
@@ -528,7 +393,7 @@ def _scene_of_mesh(name: str, path: Path, progress: Progress | None) -> Scene:
     lines = _ground(lower, upper, origin)
     if len(mesh.offsets) - 1 <= FACES_WITH_EDGES:
         edges = _feature_edges(mesh)
-        lines = _joined(lines, (edges, _colours(_EDGE_RGB, len(edges))))
+        lines = joined(lines, (edges, flat(EDGE_RGB, len(edges))))
     scene = Scene(
         name=name,
         origin=origin,
@@ -574,7 +439,7 @@ def _face_colours(mesh: Mesh, progress: Progress | None) -> Colours:
     done = 0
     for which, corners in _faces_by_size(mesh):
         normals = _normals(mesh.points, corners)
-        light[which, 0] = _lit(normals)
+        light[which, 0] = brightness(normals)
         done += len(corners)
         report(progress, 0.6 + 0.3 * done / faces)
     return (paint * light).astype(np.uint8)
@@ -630,7 +495,7 @@ def _ground(lower: Vector, upper: Vector, origin: Vector) -> Coloured:
     decade = 10.0 ** math.floor(math.log10(size / 8.0))
     spacing = max(step * decade for step in (1.0, 2.0, 5.0) if step * decade <= size / 8.0)
     rim = 0.5 * size
-    return _grid(
+    return ground_grid(
         (lower[0] - rim, lower[2] - rim),
         (upper[0] + rim, upper[2] + rim),
         (spacing, spacing),

@@ -1,0 +1,176 @@
+"""Simple shapes in flat colours, of which the built-in scenes are put together.
+
+Faces are quads ``(m, 4, 3)`` and lines are segments ``(m, 2, 3)``, both float64, with a colour
+``(m, 3)`` uint8 each: a `Coloured`.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Vector: TypeAlias = tuple[float, float, float]
+Floats: TypeAlias = NDArray[np.float64]
+Colours: TypeAlias = NDArray[np.uint8]
+Coloured: TypeAlias = tuple[Floats, Colours]
+
+# --------------------------------------------------------------------------- colours
+
+# Okabe-Ito, one hue for each axis, the lighter shade on the positive side. In a grey picture, or
+# to any kind of colour vision, the two sides of an axis still differ in lightness.
+SIDE_RGB = np.array(
+    [
+        [230, 159, 0],  # +x orange
+        [213, 94, 0],  # -x vermillion
+        [128, 207, 185],  # +y bluish green, half white
+        [0, 158, 115],  # -y bluish green
+        [86, 180, 233],  # +z sky blue
+        [0, 114, 178],  # -z blue
+    ],
+    dtype=np.uint8,
+)
+EDGE_RGB = (72, 72, 78)  # dark on a face, and still seen on a dark background
+GRID_RGB = (158, 158, 158)
+GRID_AXIS_RGB = (105, 105, 105)
+PLATE_RGB = (245, 242, 230)
+
+# Directions to the two lights, and their strengths. The ambient part keeps the darkest face
+# visible on a dark background, the sum stays below 1 on a light one.
+_AMBIENT = 0.42
+_LIGHTS = (((0.25, 0.80, 0.55), 0.50), ((-0.62, -0.25, -0.74), 0.24))
+
+
+def brightness(normals: Floats) -> Floats:
+    """Brightness (m,) of faces with these unit normals (m, 3) under the two soft lights."""
+    light = np.full(len(normals), _AMBIENT)
+    for direction, strength in _LIGHTS:
+        light += strength * np.clip(normals @ np.array(direction), 0.0, None)
+    return light
+
+
+# --------------------------------------------------------------------------- quads and lines
+
+
+def flat(rgb: ArrayLike, count: int) -> Colours:
+    return np.array(np.broadcast_to(np.asarray(rgb, dtype=np.uint8), (count, 3)))
+
+
+def joined(*parts: Coloured) -> Coloured:
+    return np.concatenate([p for p, _ in parts]), np.concatenate([rgb for _, rgb in parts])
+
+
+def box_faces(lower: Sequence[float], upper: Sequence[float]) -> Floats:
+    """The faces +x, -x, +y, -y, +z, -z of a box, counter-clockwise from outside, (6, 4, 3)."""
+    faces = []
+    for axis in range(3):
+        right, up = (axis + 1) % 3, (axis + 2) % 3
+        for at, turn in ((upper[axis], 1), (lower[axis], -1)):
+            face = np.empty((4, 3))
+            face[:, axis] = at
+            face[:, right] = [lower[right], upper[right], upper[right], lower[right]]
+            face[:, up] = [lower[up], lower[up], upper[up], upper[up]]
+            faces.append(face[::turn])
+    return np.array(faces)
+
+
+def edges_of(quads: Floats) -> Coloured:
+    """Every edge of the quads, once."""
+    points, corners = np.unique(quads.reshape(-1, 3), axis=0, return_inverse=True)
+    corners = corners.reshape(-1, 4)
+    edges = np.stack([corners, np.roll(corners, -1, axis=1)], axis=2).reshape(-1, 2)
+    edges = np.unique(np.sort(edges, axis=1), axis=0)
+    return points[edges], flat(EDGE_RGB, len(edges))
+
+
+def ground_grid(
+    lower: tuple[float, float],
+    upper: tuple[float, float],
+    spacing: tuple[float, float],
+    height: float,
+    origin: Vector = (0.0, 0.0, 0.0),
+) -> Coloured:
+    """Ground lines of world x and z, at multiples of the spacing, that enclose the rectangle.
+
+    Parameters
+    ----------
+    lower, upper, spacing : tuple of 2 floats
+        World x and z.
+    height : float
+        World y of the grid.
+    origin : Vector
+        World point that the lines are given relative to.
+
+    Returns
+    -------
+    Coloured
+        The lines on the world's x and z axes are darker, where they are inside.
+    """
+    steps = [
+        np.arange(math.floor(low / step), math.ceil(high / step) + 1)
+        for low, high, step in zip(lower, upper, spacing, strict=True)
+    ]
+    x, z = (
+        count * step - at
+        for count, step, at in zip(steps, spacing, (origin[0], origin[2]), strict=True)
+    )
+    y = height - origin[1]
+    along_z = [[(at, y, z[0]), (at, y, z[-1])] for at in x]
+    along_x = [[(x[0], y, at), (x[-1], y, at)] for at in z]
+    on_axis = np.concatenate([steps[0] == 0, steps[1] == 0])
+    rgb = np.where(on_axis[:, None], GRID_AXIS_RGB, GRID_RGB).astype(np.uint8)
+    return np.array(along_z + along_x), rgb
+
+
+# Column and row of each cube: a stem of five, two more at the top, one more in the middle.
+_LETTER_F = ((0, 0), (0, 1), (0, 2), (0, 3), (0, 4), (1, 4), (2, 4), (1, 2))
+
+
+def letter_f() -> Coloured:
+    """Faces of eight unit cubes on the ground, the letter's columns centred about x = 0.
+
+    The letter F of lecture 004 (Horvat); faces that touch are left out.
+    """
+    quads, rgb = [], []
+    for column, row in _LETTER_F:
+        faces = box_faces((column - 1.5, row, -0.5), (column - 0.5, row + 1.0, 0.5))
+        touching = [(column + 1, row), (column - 1, row), (column, row + 1), (column, row - 1)]
+        for side, face in enumerate(faces):
+            if side >= 4 or touching[side] not in _LETTER_F:
+                quads.append(face)
+                rgb.append(SIDE_RGB[side])
+    return np.array(quads), np.array(rgb)
+
+
+# The seven segments of a digit one unit wide and two high, as (left, bottom, right, top), and
+# the segments that each digit lights.
+_SEGMENTS = np.array(
+    [
+        (0.0, 1.8, 1.0, 2.0),  # a: top
+        (0.8, 1.1, 1.0, 1.8),  # b: upper right
+        (0.8, 0.2, 1.0, 0.9),  # c: lower right
+        (0.0, 0.0, 1.0, 0.2),  # d: bottom
+        (0.0, 0.2, 0.2, 0.9),  # e: lower left
+        (0.0, 1.1, 0.2, 1.8),  # f: upper left
+        (0.0, 0.9, 1.0, 1.1),  # g: middle
+    ]
+)
+_DIGITS = ("abcdef", "bc", "abged", "abgcd", "fgbc", "afgcd", "afgedc", "abc", "abcdefg", "abcdfg")
+
+
+def written_number(number: int, centre: Vector, height: float) -> Floats:
+    """A number written with seven-segment quads that face +z, (m, 4, 3)."""
+    scale = height / 2.0
+    digits = str(number)
+    width = 1.5 * len(digits) - 0.5
+    quads = []
+    for place, digit in enumerate(digits):
+        for segment in _DIGITS[int(digit)]:
+            left, bottom, right, top = _SEGMENTS["abcdefg".index(segment)]
+            x = np.array([left, right, right, left]) + 1.5 * place - width / 2.0
+            y = np.array([bottom, bottom, top, top]) - 1.0
+            quads.append(np.stack([x * scale, y * scale, np.zeros(4)], axis=1) + centre)
+    return np.array(quads)
