@@ -49,6 +49,13 @@ DRAWING = Room(
         *("app.scene", "app.drawings"),
     ),
 )
+PHENOMENON = Room(
+    ("numpy",),
+    (
+        *("app.projection", "app.values", "app.precision", "app.depth", "app.clipping"),
+        *("app.shapes", "app.phenomena"),
+    ),
+)
 #: Widgets know the model's values and each other's words, not the store: the window connects them.
 PANEL = Room(
     ("numpy", *QT),
@@ -83,6 +90,11 @@ ROOMS = {
     "app/picking.py": Room(("numpy",), ("app.projection",)),
     "app/health.py": Room(rooms=("app.projection", "app.precision", "app.depth")),
     "app/shapes.py": CORE,
+    # Each phenomenon is numpy only: the command line reads its settings without VTK.
+    **{
+        str(path.relative_to(ROOT).as_posix()): PHENOMENON
+        for path in (ROOT / "app" / "phenomena").glob("*.py")
+    },
     "app/meshes.py": Room(("numpy", *VTK)),
     "app/scene.py": Room(("numpy", *VTK), ("app.projection", "app.shapes", "app.meshes")),
     "app/document.py": Room(rooms=("app.projection",)),

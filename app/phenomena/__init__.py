@@ -1,0 +1,19 @@
+"""The phenomena that the lectures name, each one a scene with a readout; numpy only.
+
+`exhibit` says what a phenomenon is made of; each of the other modules holds one. `PHENOMENA` has
+them in lecture order.
+"""
+
+from __future__ import annotations
+
+from types import MappingProxyType
+
+from app.phenomena import similar_triangles
+from app.phenomena.exhibit import Phenomenon
+
+PHENOMENA = MappingProxyType(
+    {phenomenon.name: phenomenon for phenomenon in (similar_triangles.PHENOMENON,)}
+)
+"""Every phenomenon by its scene's name, in the order of the lectures."""
+
+__all__ = ["PHENOMENA", "Phenomenon"]

@@ -1,0 +1,444 @@
+"""What a phenomenon is made of, and what it shows: plain data, no Qt and no VTK.
+
+A phenomenon of the lectures is a scene with settings of its own and one function::
+
+    show(projection, settings, subject) -> Exhibit
+
+The exhibit holds the readout (numbers with their units), marks to draw over each pane, copies of
+the scene under further matrices, diagrams beside the panes, and how the scene is to be
+rasterised. It is made anew at every change, from nothing but the arguments, so that panes, panel,
+figures and tests all show the same. Marks are few: what follows every vertex is a matrix (`Copy`)
+or the rasteriser's own work (`Rendering`).
+"""
+
+from __future__ import annotations
+
+import math
+import numbers
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from types import MappingProxyType
+from typing import Any, TypeAlias
+
+from app.projection import (
+    AT_LEAST,
+    AT_MOST,
+    FINITE_NUMBER,
+    ONE_OF,
+    Array,
+    Projection,
+    ProjectionError,
+)
+from app.shapes import Coloured, Vector
+from app.values import finite, finite_vector
+
+Value: TypeAlias = float | bool | str | Vector
+Settings: TypeAlias = Mapping[str, Value]
+"""The value of each `Setting` of a phenomenon, by its name; complete and checked."""
+
+WHOLE = "must be a whole number"
+YES_OR_NO = "must be true or false"
+
+
+def QT_TRANSLATE_NOOP(_context: str, text: str) -> str:
+    """Mark a text for translation where it stands; the widgets translate it when it is shown."""
+    return text
+
+
+@dataclass(frozen=True)
+class Phrase:
+    """A sentence with values in it, to be translated before they are filled in.
+
+    Attributes
+    ----------
+    template : str
+        Marked with ``QT_TRANSLATE_NOOP("phenomena", ...)``; ``{0}``, ``{1}`` for the values.
+    values : tuple of str
+    """
+
+    template: str
+    values: tuple[str, ...] = ()
+
+    def sentence(self, translate: Callable[[str], str] = str) -> str:
+        """The sentence in another language."""
+        return translate(self.template).format(*self.values)
+
+
+# --------------------------------------------------------------------------- settings
+
+
+@dataclass(frozen=True)
+class Setting:
+    """One thing that can be changed about a phenomenon, beside camera and lens.
+
+    What it is follows from its default: a bool is a switch, a str one of `choices`, a tuple a
+    point or direction of the world, a float a number with a slider.
+
+    Attributes
+    ----------
+    name : str
+        In the document, ``settings.NAME``.
+    label, tip : str
+        For the control; translatable.
+    default : float, bool, str or tuple of 3 floats
+    low, high : float
+        Bounds of a number, included, or of each coordinate.
+    span : (float, float), optional
+        What the slider covers, within the bounds; all of them if not given.
+    unit : str
+    choices : tuple of (str, str)
+        Values of a choice and their translatable labels.
+    logarithmic, whole : bool
+        Of a number: whether its slider runs over powers; whether it counts.
+    per_second : float
+        How fast a number moves while it is played; 0 if it is not.
+    """
+
+    name: str
+    label: str
+    tip: str
+    default: Value
+    low: float = -math.inf
+    high: float = math.inf
+    span: tuple[float, float] | None = None
+    unit: str = ""
+    choices: tuple[tuple[str, str], ...] = ()
+    logarithmic: bool = False
+    whole: bool = False
+    per_second: float = 0.0
+
+    @property
+    def path(self) -> str:
+        """Where the document holds it."""
+        return f"settings.{self.name}"
+
+    def checked(self, value: Any) -> Value:
+        """The value as its type wants it.
+
+        Raises
+        ------
+        ProjectionError
+            If it is of another kind, or out of bounds.
+        """
+        if isinstance(self.default, bool):
+            if not isinstance(value, bool):
+                raise ProjectionError(self.path, value, YES_OR_NO)
+            return value
+        if isinstance(self.default, str):
+            known = [name for name, _ in self.choices]
+            if value not in known:
+                raise ProjectionError(self.path, value, ONE_OF, ", ".join(known))
+            return str(value)
+        if isinstance(self.default, tuple):
+            point = finite_vector(self.path, value)
+            for part in point:
+                self._check_bounds(part, point)
+            return point
+        number = finite(self.path, value)
+        self._check_bounds(number, number)
+        if self.whole and not number.is_integer():
+            raise ProjectionError(self.path, number, WHOLE)
+        return number
+
+    def _check_bounds(self, part: float, value: object) -> None:
+        if part < self.low:
+            raise ProjectionError(self.path, value, AT_LEAST, self.low)
+        if part > self.high:
+            raise ProjectionError(self.path, value, AT_MOST, self.high)
+
+
+# --------------------------------------------------------------------------- what is shown
+
+
+@dataclass(frozen=True)
+class Reading:
+    """One line of the readout.
+
+    Attributes
+    ----------
+    label : str
+        Translatable; letters as in the lectures.
+    value : float, tuple of floats, str or None
+        A str is a translatable word; None if there is none, and `note` says why.
+    unit : str
+        ``"px"``, ``"°"``, ``"%"``, ``"×"``, or empty for world units.
+    note : Phrase, optional
+    """
+
+    label: str
+    value: float | tuple[float, ...] | str | None
+    unit: str = ""
+    note: Phrase | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Line:
+    """A polyline. `points` is (k, 3), or (k, 2) in image pixels; `width` in ordinary lines."""
+
+    points: Array
+    colour: str = "ink"
+    width: float = 1.0
+
+
+@dataclass(frozen=True, eq=False)
+class Face:
+    """A flat convex polygon, seen from both sides; `points` is (k, 3), or (k, 2) in pixels."""
+
+    points: Array
+    colour: str = "accent"
+    opacity: float = 0.3
+
+
+@dataclass(frozen=True, eq=False)
+class Dot:
+    """A round point of `size` ordinary dots; `point` is (3,), or (2,) in pixels."""
+
+    point: Array
+    colour: str = "accent"
+    size: float = 1.0
+
+
+@dataclass(frozen=True, eq=False)
+class Text:
+    """A few letters beside a point; on a plate of `colour` if there is one."""
+
+    text: str
+    point: Array
+    colour: str = ""
+
+
+@dataclass(frozen=True, eq=False)
+class Marks:
+    """What is drawn over one pane.
+
+    Colours are names of `app.drawings.style.Style` (``"near"``, ``"accent"``, ``"u"``, ...) or
+    ``"#rrggbb"``. In the world pane points are world coordinates, in the NDC pane NDC, in the
+    image pane pixels of the image.
+    """
+
+    lines: tuple[Line, ...] = ()
+    faces: tuple[Face, ...] = ()
+    dots: tuple[Dot, ...] = ()
+    texts: tuple[Text, ...] = ()
+
+
+@dataclass(frozen=True, eq=False)
+class Copy:
+    """The scene once more, under a further 4x4.
+
+    Attributes
+    ----------
+    world_from_world : (4, 4) array
+        Applied to the scene's world coordinates first; may be projective, and singular (a shadow).
+    panes : tuple of {"world", "ndc", "image"}
+    colour : str
+        Of all faces; empty for their own.
+    opacity : float
+    lines : bool
+        Whether the scene's lines, its ground grid among them, are copied too.
+    """
+
+    world_from_world: Array
+    panes: tuple[str, ...] = ("world",)
+    colour: str = ""
+    opacity: float = 1.0
+    lines: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class Curve:
+    """A curve of a diagram: (n, 2) points in the diagram's units, NaN where it is broken."""
+
+    points: Array
+    colour: str = "ink"
+    label: str = ""
+    width: float = 1.0
+    closed: bool = False
+    dots: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class Diagram:
+    """A small picture or chart beside the panes.
+
+    Attributes
+    ----------
+    title : str
+        Translatable.
+    curves : tuple of Curve
+    x_label, y_label : str
+        Translatable; empty for none.
+    left, right, bottom, top : float
+        Its window; with `bottom` greater than `top` y runs down, as in an image.
+    x_log, y_log : bool
+    equal : bool
+        Whether both axes have the same scale, as in a picture.
+    x_ticks, y_ticks : (n,) arrays, optional
+        Drawn as ticks instead of round numbers: the codes of a depth buffer.
+    """
+
+    title: str
+    curves: tuple[Curve, ...]
+    left: float
+    right: float
+    bottom: float
+    top: float
+    x_label: str = ""
+    y_label: str = ""
+    x_log: bool = False
+    y_log: bool = False
+    equal: bool = False
+    x_ticks: Array | None = None
+    y_ticks: Array | None = None
+
+
+@dataclass(frozen=True)
+class Rendering:
+    """How the scene is rasterised, where it is not the ordinary way."""
+
+
+@dataclass(frozen=True, eq=False)
+class Exhibit:
+    """What a phenomenon shows for one projection and one choice of its settings.
+
+    Attributes
+    ----------
+    readings : tuple of Reading
+    world, ndc, image : Marks
+    copies : tuple of Copy
+        Always as many as `Phenomenon.copies`.
+    diagrams : tuple of Diagram
+    rendering : Rendering, optional
+    warning : Phrase, optional
+        Why something cannot be shown as things are.
+    """
+
+    readings: tuple[Reading, ...]
+    world: Marks = field(default_factory=Marks)
+    ndc: Marks = field(default_factory=Marks)
+    image: Marks = field(default_factory=Marks)
+    copies: tuple[Copy, ...] = ()
+    diagrams: tuple[Diagram, ...] = ()
+    rendering: Rendering | None = None
+    warning: Phrase | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Subject:
+    """What is looked at, without the ground grid.
+
+    Attributes
+    ----------
+    lower, upper : tuple of 3 floats
+        World bounds.
+    points : (n, 3) array
+        Its vertices in world coordinates; those of a large mesh are sampled.
+    """
+
+    lower: Vector
+    upper: Vector
+    points: Array
+
+
+def _keep(projection: Projection, _before: Settings, _after: Settings) -> Projection:
+    return projection
+
+
+def _any(_settings: Settings) -> None:
+    """Every combination of settings can be shown."""
+
+
+@dataclass(frozen=True, eq=False)
+class Phenomenon:
+    """A phenomenon that the lectures name, as a scene.
+
+    Attributes
+    ----------
+    name : str
+        Of the scene: ``similar-triangles``.
+    title, explanation : str
+        Translatable; the explanation is two or three sentences.
+    lectures : tuple of str
+        Lines of LECTURES.md that it teaches.
+    start : Projection
+        From where it is best seen.
+    geometry : callable
+        Makes the faces and the lines of the scene: ``geometry() -> (faces, lines)``.
+    show : callable
+        ``show(projection, settings, subject) -> Exhibit``.
+    settings : tuple of Setting
+    controls : tuple of str
+        Document paths of the model's controls that matter here: ``lens.near``.
+    follow : callable
+        ``follow(projection, before, after)``: the projection that goes with changed settings,
+        where a setting moves the camera.
+    check : callable
+        Raises a `ProjectionError` for settings that do not go together.
+    copies : int
+        How many `Copy` every exhibit has.
+    requires : frozenset of str
+        What drawings build for this scene beyond faces, lines and marks.
+    own_mesh : bool
+        Whether a mesh of the user's can take the place of the built-in subject: scaled and moved
+        into its bounds.
+    """
+
+    name: str
+    title: str
+    explanation: str
+    lectures: tuple[str, ...]
+    start: Projection
+    geometry: Callable[[], tuple[Coloured, Coloured]]
+    show: Callable[[Projection, Settings, Subject], Exhibit]
+    settings: tuple[Setting, ...] = ()
+    controls: tuple[str, ...] = ()
+    follow: Callable[[Projection, Settings, Settings], Projection] = _keep
+    check: Callable[[Settings], None] = _any
+    copies: int = 0
+    requires: frozenset[str] = frozenset()
+    own_mesh: bool = False
+
+    @property
+    def defaults(self) -> Settings:
+        """The settings with which it opens."""
+        return MappingProxyType({setting.name: setting.default for setting in self.settings})
+
+    def checked(self, values: Mapping[str, Any]) -> Settings:
+        """Complete and check settings.
+
+        Raises
+        ------
+        ProjectionError
+            For a value that one of them cannot have, and for values that do not go together.
+        """
+        settings = MappingProxyType(
+            {
+                setting.name: setting.checked(values.get(setting.name, setting.default))
+                for setting in self.settings
+            }
+        )
+        self.check(settings)
+        return settings
+
+
+def number(settings: Settings, name: str) -> float:
+    """A setting that is a number."""
+    value = settings[name]
+    if isinstance(value, bool) or not isinstance(value, numbers.Real):
+        raise TypeError(name)
+    return float(value)
+
+
+def point(settings: Settings, name: str) -> Vector:
+    """A setting that is a point or a direction."""
+    value = settings[name]
+    if not isinstance(value, tuple):
+        raise TypeError(name)
+    return value
+
+
+__all__ = [
+    "FINITE_NUMBER", "QT_TRANSLATE_NOOP", "Copy", "Curve", "Diagram", "Dot", "Exhibit", "Face",
+    "Line", "Marks", "Phenomenon", "Phrase", "Reading", "Rendering", "Setting", "Settings",
+    "Subject", "Text", "Value", "number", "point",
+]  # fmt: skip
