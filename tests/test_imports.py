@@ -56,6 +56,13 @@ PHENOMENON = Room(
         *("app.shapes", "app.phenomena"),
     ),
 )
+MEASURE = Room(
+    ("numpy", *VTK),
+    (
+        *("app.projection", "app.precision", "app.depth", "app.clipping"),
+        *("app.scene", "app.drawings", "app.document", "app.figures", "app.measure"),
+    ),
+)
 #: Widgets know the model's values and each other's words, not the store: the window connects them.
 PANEL = Room(
     ("numpy", *QT),
@@ -111,13 +118,12 @@ ROOMS = {
         ("numpy", "PIL", *VTK),
         ("app.projection", "app.meshes", "app.scene", "app.drawings", "app.document"),
     ),
-    "app/measure.py": Room(
-        ("numpy", *VTK),
-        (
-            *("app.projection", "app.precision", "app.depth", "app.clipping"),
-            *("app.scene", "app.drawings", "app.document", "app.figures"),
-        ),
-    ),
+    # What is measured, and how it is kept, needs no OpenGL until a picture is timed.
+    "app/measure/results.py": Room(),
+    "app/measure/run.py": Room(),
+    "app/measure/depth.py": MEASURE,
+    "app/measure/arithmetic.py": MEASURE,
+    "app/measure/__init__.py": MEASURE,
     "app/store.py": Room(QT_CORE, ("app.projection", "app.document")),
     # The command line starts with numbers only; pictures and windows come when they are asked for.
     "app/cli.py": Room(
