@@ -60,7 +60,7 @@ MEASURE = Room(
     ("numpy", *VTK),
     (
         *("app.projection", "app.precision", "app.depth", "app.clipping"),
-        *("app.scene", "app.drawings", "app.document", "app.figures", "app.measure"),
+        *("app.scene", "app.drawings", "app.document", "app.figures", "app.measure", "app.detail"),
     ),
 )
 #: Widgets know the model's values and each other's words, not the store: the window connects them.
@@ -123,7 +123,10 @@ ROOMS = {
     "app/measure/run.py": Room(),
     "app/measure/depth.py": MEASURE,
     "app/measure/arithmetic.py": MEASURE,
+    "app/measure/smoothing.py": MEASURE,
+    "app/measure/detail.py": MEASURE,
     "app/measure/__init__.py": MEASURE,
+    "app/detail.py": Room(("numpy", *VTK), ("app.scene",)),
     "app/store.py": Room(QT_CORE, ("app.projection", "app.document")),
     # The command line starts with numbers only; pictures and windows come when they are asked for.
     "app/cli.py": Room(

@@ -8,11 +8,14 @@ import math
 import sys
 import types
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
+import pyvista as pv
 
 from app.depth import FORMATS, MAPPINGS, DepthBuffer
+from app.detail import QUADRIC_TRIANGLES, SHARES, reduced
 from app.document import Document
 from app.measure import TRADES, measure_all
 from app.measure.arithmetic import (
@@ -29,6 +32,8 @@ from app.measure.arithmetic import (
 )
 from app.measure.depth import BEYOND, smallest_gap
 from app.measure.depth import measure as measure_depth
+from app.measure.detail import measure as measure_detail
+from app.measure.detail import outline
 from app.measure.results import (
     Choice,
     Results,
@@ -40,9 +45,11 @@ from app.measure.results import (
     to_json,
 )
 from app.measure.run import Cancelled, in_turns, part_of, percentile95
+from app.measure.smoothing import SMOOTHINGS, pane, shown
+from app.measure.smoothing import measure as measure_smoothing
 from app.precision import trace
 from app.projection import Camera, Orthographic, Perspective, Projection
-from app.scene import load
+from app.scene import Scene, load
 from tests.oracles.exact import Exact, mp
 
 LETTER_F = load("letter-f")
@@ -378,3 +385,96 @@ def test_every_trade_names_itself() -> None:
     assert results.document["scene"] == "letter-f" and results.versions["numpy"] == np.__version__
     assert isinstance(results.sweeps, tuple) and not results.sweeps
     assert Sweep("near", "", (), {}).complete
+
+
+# --------------------------------------------------------------------------- pictures
+
+
+def test_smoothing_is_cheaper_without_and_better_with_more_samples() -> None:
+    trade = measure_smoothing(LETTER_F, START, seconds=0.0)
+    errors = {choice.name: choice.error for choice in trade.choices}
+    assert list(errors) == [smoothing.name for smoothing in SMOOTHINGS]
+    assert (
+        errors["supersampling 3 x 3"]
+        < errors["supersampling 2 x 2"]
+        < errors["none"]
+        < errors["half resolution"]
+    )
+    assert errors["MSAA 4"] < errors["FXAA"] < errors["none"]
+    for choice in trade.choices:
+        assert choice.cost is not None and choice.cost > 0.0
+        if choice.name == "MSAA 8":
+            with pane(LETTER_F, START, (64, 36), SMOOTHINGS[5]) as (_, _, samples):
+                assert (choice.note == "") == (samples == 8)
+
+
+def test_shown_averages_or_repeats() -> None:
+    pixels = np.zeros((2, 2, 4), dtype=np.uint8)
+    pixels[0, 0, :3] = 100
+    assert shown(pixels, 2.0, (1, 1)).tolist() == [[[25.0] * 3]]
+    assert shown(pixels, 0.5, (4, 4))[1, 1].tolist() == [100.0] * 3
+    assert shown(pixels, 0.5, (4, 4)).shape == (4, 4, 3)
+
+
+@pytest.fixture(scope="module")
+def sphere(tmp_path_factory: pytest.TempPathFactory) -> Scene:
+    path = tmp_path_factory.mktemp("sphere") / "sphere.ply"
+    pv.Sphere(theta_resolution=60, phi_resolution=60).save(path)
+    return load(str(path))
+
+
+def test_fewer_triangles_move_the_outline_as_far_as_they_are_long(sphere: Scene) -> None:
+    trade = measure_detail(sphere, sphere.start, seconds=0.0)
+    assert [choice.name for choice in trade.choices] == [
+        "100 %",
+        *(f"{100 * s:g} %" for s in SHARES),
+    ]
+    assert trade.choices[0].error == 0.0
+    errors = [choice.error for choice in trade.choices]
+    assert errors[-1] > 1.0 and errors[1] <= 0.5
+    triangles = [choice.values["triangles"] for choice in trade.choices]
+    for share, count in zip(SHARES, triangles[1:], strict=True):
+        assert count == pytest.approx(share * triangles[0], rel=0.2)
+    assert trade.choices[-1].values["memory_mb"] < 0.1 * trade.choices[0].values["memory_mb"]
+
+
+def test_the_outline_is_where_the_model_projects_it(sphere: Scene) -> None:
+    size = (320, 180)
+    places = outline(sphere, sphere.start, size)
+    image = sphere.start.trace(sphere.sample[: sphere.surface.n_points]).image / 4.0
+    centre = image.mean(axis=0)
+    radius = np.hypot(*(image - centre).T).max()
+    seen = np.hypot(*(places + 0.5 / 3.0 - centre).T)
+    assert seen.max() == pytest.approx(radius, abs=1.0)
+
+
+def test_a_scene_of_few_faces_has_no_less_detail() -> None:
+    (choice,) = measure_detail(LETTER_F, START, seconds=0.0).choices
+    assert choice.error is None and "too few triangles" in choice.note
+    assert reduced(LETTER_F, 0.1) is LETTER_F
+
+
+def test_colours_stay_where_they_were(tmp_path: Path) -> None:
+    """A sphere painted by halves stays painted by halves."""
+    mesh = pv.Sphere(theta_resolution=60, phi_resolution=60)
+    colours = np.where(mesh.points[:, :1] > 0.0, (255, 0, 0), (0, 0, 255)).astype(np.uint8)
+    mesh.point_data["RGB"] = colours
+    mesh.save(tmp_path / "two.ply", texture="RGB")
+    scene = load(str(tmp_path / "two.ply"))
+    fewer = reduced(scene, 0.2)
+    assert fewer.surface is not None
+    middles = fewer.surface.cell_centers().points + np.array(scene.origin)
+    rgb = fewer.surface.cell_data["rgb"].astype(int)
+    for colour, side in ((0, middles[:, 0] > 0.1), (2, middles[:, 0] < -0.1)):
+        assert side.any() and (rgb[side, colour] > rgb[side, 2 - colour]).all()
+
+
+def test_a_large_mesh_is_sorted_into_boxes(tmp_path: Path) -> None:
+    pv.Sphere(theta_resolution=400, phi_resolution=400).save(tmp_path / "large.ply")
+    scene = load(str(tmp_path / "large.ply"))
+    assert scene.surface is not None and scene.surface.n_cells > QUADRIC_TRIANGLES
+    for share in SHARES:
+        fewer = reduced(scene, share)
+        assert fewer.surface is not None and reduced(scene, share) is fewer
+        assert fewer.surface.n_cells == pytest.approx(share * scene.surface.n_cells, rel=0.25)
+        assert fewer.origin == scene.origin and fewer.lines is scene.lines

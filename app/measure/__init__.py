@@ -20,7 +20,7 @@ import vtkmodules
 
 from app import __version__
 from app.document import Document, to_json
-from app.measure import arithmetic, depth
+from app.measure import arithmetic, depth, detail, smoothing
 from app.measure.results import Results, Sweep, Trade
 from app.measure.run import Cancelled, Watch, part_of, unwatched
 from app.projection import Projection
@@ -31,8 +31,12 @@ TRADES: dict[str, Callable[[Scene, Projection, float, Watch], Trade]] = {
         projection, scene.sample, scene.origin, seconds, watch
     ),
     "depth": lambda _scene, projection, _seconds, watch: depth.measure(projection, watch),
+    "smoothing": smoothing.measure,
+    "detail": detail.measure,
 }
 """Every trade, in the order in which they are measured."""
+NEED_OPENGL = ("smoothing", "detail")
+"""The trades of pictures."""
 SECONDS, QUICK_SECONDS = 30.0, 2.0
 """For the timing of one trade."""
 STEPS, QUICK_STEPS = 49, 13
