@@ -123,6 +123,7 @@ ROOMS = {
     "app/measure/run.py": Room(),
     "app/measure/depth.py": MEASURE,
     "app/measure/arithmetic.py": MEASURE,
+    "app/measure/interpolation.py": MEASURE,
     "app/measure/smoothing.py": MEASURE,
     "app/measure/detail.py": MEASURE,
     "app/measure/__init__.py": MEASURE,

@@ -13,6 +13,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 import pyvista as pv
+from hypothesis import given
+from hypothesis import strategies as st
 
 from app.depth import FORMATS, MAPPINGS, DepthBuffer
 from app.detail import QUADRIC_TRIANGLES, SHARES, reduced
@@ -34,6 +36,8 @@ from app.measure.depth import BEYOND, smallest_gap
 from app.measure.depth import measure as measure_depth
 from app.measure.detail import measure as measure_detail
 from app.measure.detail import outline
+from app.measure.interpolation import Edge, affine, bound, correct, steepest_edge, truth
+from app.measure.interpolation import measure as measure_interpolation
 from app.measure.results import (
     Choice,
     Results,
@@ -238,6 +242,52 @@ def test_the_depth_trade_has_every_format_and_range() -> None:
     assert all("far" in note for note in notes)
     near = measure_depth(replace(START, lens=Perspective(45.0, 20.0, 30.0)))
     assert {choice.note for choice in near.choices} == {BEYOND}
+
+
+# --------------------------------------------------------------------------- interpolation
+
+
+@given(st.floats(0.01, 100.0), st.floats(0.01, 100.0), st.integers(1, 64))
+def test_affine_errors_reach_their_bound_and_no_more(one: float, other: float, splits: int) -> None:
+    """At 80 digits t = s/w1 / ((1 - s)/w0 + s/w1); between two split points, a straight line."""
+    start, end = np.array([-one, 0.0, 0.0, one]), np.array([other, 0.0, 0.0, other])
+    edge = Edge(start, end, 100.0)
+    s = np.linspace(0.0, 1.0, 4097)
+    wrong = np.abs(affine(edge, s, splits) - correct(edge, s))
+    predicted = bound(edge, splits)
+    assert wrong.max() <= predicted + 1e-12
+    assert wrong.max() >= 0.9 * predicted - 1e-12
+    near, far = mp.mpf(one), mp.mpf(other)
+    for place in (0.0, 0.25, 0.5, 1.0):
+        right = (place / far) / ((1 - mp.mpf(place)) / near + place / far)
+        got = correct(edge, np.array([place]))[0]
+        assert float(abs(right - got)) < 1e-15
+        assert truth(edge, np.array([place]))[0] == pytest.approx(float(right), abs=1e-12)
+
+
+def test_the_edge_is_cut_to_the_picture_and_the_steepest() -> None:
+    scene = load("posts")
+    edge = steepest_edge(scene.start, scene.corners)
+    assert edge is not None and edge.ratio > 3.0 and edge.length_px > 100.0
+    for end in (edge.start, edge.end):
+        assert (np.abs(end[:3]) <= end[3] * (1.0 + 1e-12)).all()
+
+
+def test_correct_interpolation_is_exact_and_more_pieces_are_better() -> None:
+    trade = measure_interpolation(START, LETTER_F.corners, seconds=0.0)
+    exact, *pieces = trade.choices
+    assert exact.error is not None and exact.error < 1e-9
+    errors = [choice.error for choice in pieces]
+    assert errors == sorted(errors, reverse=True) and errors[0] > 10.0
+    for choice in pieces:
+        assert choice.predicted is not None and choice.error is not None
+        assert 0.9 * choice.predicted <= choice.error <= choice.predicted * (1.0 + 1e-9)
+    box = replace(START, lens=Orthographic(-4.0, 4.0, -2.25, 2.25, 1.0, 30.0))
+    flat = measure_interpolation(box, LETTER_F.corners, seconds=0.0)
+    assert max(choice.error or 0.0 for choice in flat.choices) < 1e-9
+    away = replace(START, camera=Camera((0.0, 50.0, 0.0), (0.0, 90.0, 0.0), (0.0, 0.0, 1.0)))
+    (nothing,) = measure_interpolation(away, LETTER_F.corners, seconds=0.0).choices
+    assert nothing.error is None and "no edge" in nothing.note
 
 
 # --------------------------------------------------------------------------- running

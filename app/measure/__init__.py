@@ -20,7 +20,7 @@ import vtkmodules
 
 from app import __version__
 from app.document import Document, to_json
-from app.measure import arithmetic, depth, detail, smoothing
+from app.measure import arithmetic, depth, detail, interpolation, smoothing
 from app.measure.results import Results, Sweep, Trade
 from app.measure.run import Cancelled, Watch, part_of, unwatched
 from app.projection import Projection
@@ -29,6 +29,9 @@ from app.scene import Scene
 TRADES: dict[str, Callable[[Scene, Projection, float, Watch], Trade]] = {
     "arithmetic": lambda scene, projection, seconds, watch: arithmetic.measure(
         projection, scene.sample, scene.origin, seconds, watch
+    ),
+    "interpolation": lambda scene, projection, seconds, watch: interpolation.measure(
+        projection, scene.corners, seconds, watch
     ),
     "depth": lambda _scene, projection, _seconds, watch: depth.measure(projection, watch),
     "smoothing": smoothing.measure,
