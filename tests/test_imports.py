@@ -121,6 +121,7 @@ ROOMS = {
     # What is measured, and how it is kept, needs no OpenGL until a picture is timed.
     "app/measure/results.py": Room(),
     "app/measure/run.py": Room(),
+    "app/measure/meaning.py": Room(rooms=("app.measure.results",)),
     "app/measure/depth.py": MEASURE,
     "app/measure/arithmetic.py": MEASURE,
     "app/measure/interpolation.py": MEASURE,

@@ -330,7 +330,7 @@ def test_the_95th_percentile(times: list[float], expected: float) -> None:
 def test_a_cancelled_run_keeps_what_was_done() -> None:
     document = Document("letter-f", START)
     watch, _ = stop_after(4)
-    results = measure_all(document, LETTER_F, ["depth"], ["near"], watch=watch)  # type: ignore[arg-type]
+    results = measure_all(document, LETTER_F, ["depth"], {"near": (None, None)}, watch=watch)  # type: ignore[arg-type]
     assert not results.complete
     (trade,) = results.trades
     assert not trade.complete and len(trade.choices) == 4 and not results.sweeps
@@ -347,7 +347,7 @@ def test_a_cancelled_run_keeps_what_was_done() -> None:
     (swept,) = results.sweeps
     assert len(swept.values) == 3 and not swept.complete
     watch, _ = stop_after(16)
-    results = measure_all(document, LETTER_F, ["arithmetic"], [], watch=watch)  # type: ignore[arg-type]
+    results = measure_all(document, LETTER_F, ["arithmetic"], {}, watch=watch)  # type: ignore[arg-type]
     assert results.trades[0].choices[0].error is not None
     assert from_json(to_json(results)) == results
 
@@ -429,7 +429,7 @@ def test_a_sweep_with_too_few_errors_is_refused() -> None:
 
 
 def test_every_trade_names_itself() -> None:
-    results = measure_all(Document("letter-f", START), LETTER_F, ["depth"], [], quick=True)
+    results = measure_all(Document("letter-f", START), LETTER_F, ["depth"], {}, quick=True)
     assert [trade.name for trade in results.trades] == ["depth"]
     assert set(TRADES) >= {"arithmetic", "depth"}
     assert results.document["scene"] == "letter-f" and results.versions["numpy"] == np.__version__

@@ -10,7 +10,7 @@ from __future__ import annotations
 import json
 import os
 import platform
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from datetime import UTC, datetime
 
@@ -50,10 +50,10 @@ def measure_all(
     document: Document,
     scene: Scene,
     trades: Sequence[str],
-    sweeps: Sequence[str],
+    sweeps: Mapping[str, tuple[float | None, float | None]],
     *,
     quick: bool = False,
-    opengl: str = "",
+    opengl: bool = True,
     watch: Watch = unwatched,
 ) -> Results:
     """Measure trades and sweeps of a scene.
@@ -66,12 +66,12 @@ def measure_all(
         The document's, loaded.
     trades : sequence of str
         Of `TRADES`.
-    sweeps : sequence of str
-        Of `app.measure.arithmetic.SWEEPS`.
+    sweeps : mapping of str to (float, float)
+        From where to where each of `app.measure.arithmetic.SWEEPS` goes; None for its own end.
     quick : bool
         Shorter timings and fewer values: all of it in half a minute.
-    opengl : str
-        What draws, for the record.
+    opengl : bool
+        Whether there is one; without it, leave `NEED_OPENGL` out.
     watch : Watch
         May raise `Cancelled`.
 
@@ -82,7 +82,7 @@ def measure_all(
     """
     results = Results(
         datetime.now(UTC).isoformat(timespec="seconds"),
-        machine(opengl),
+        machine(smoothing.renderer_name() if opengl else "none"),
         versions(),
         json.loads(to_json(document)),
     )
@@ -96,9 +96,9 @@ def measure_all(
             trade = TRADES[name](scene, projection, seconds, part)
             results = replace(results, trades=(*results.trades, trade))
             done += 1
-        for parameter in sweeps:
+        for parameter, ends in sweeps.items():
             part = part_of(watch, done / count, (done + 1) / count)
-            values = arithmetic.values_of(parameter, QUICK_STEPS if quick else STEPS)
+            values = arithmetic.values_of(parameter, QUICK_STEPS if quick else STEPS, *ends)
             swept = arithmetic.sweep(parameter, projection, scene.sample, values, part)
             results = replace(results, sweeps=(*results.sweeps, swept))
             done += 1
@@ -111,7 +111,7 @@ def measure_all(
     return results
 
 
-def machine(opengl: str = "") -> dict[str, str]:
+def machine(opengl: str) -> dict[str, str]:
     """What the measurements are made on."""
     return {
         "system": f"{platform.system()} {platform.release()}",

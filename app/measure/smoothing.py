@@ -217,3 +217,12 @@ def shown(pixels: Pixels, scale: float, size: tuple[int, int]) -> NDArray[np.flo
         return means
     times = round(1.0 / scale)
     return colours.repeat(times, axis=0).repeat(times, axis=1)
+
+
+def renderer_name() -> str:
+    """What draws here: the graphics card, or a program in its place."""
+    with off_screen(8, 8) as plotter:
+        plotter.render_window.Render()
+        lines = plotter.render_window.ReportCapabilities().splitlines()
+    names = [line.partition(":")[2].strip() for line in lines if "renderer string" in line]
+    return names[0] if names else "unknown"
