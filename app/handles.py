@@ -352,19 +352,24 @@ def _resized(
     if lens.keep != "stretch":
         start = in_world(fixed)
         part, per_px = _slide(sight, start, in_world(corner) - start, pixel)
-        steps = np.abs(corner - fixed) * per_px
-        moved = fixed + (corner - fixed) * part
+        axis = 0 if lens.keep == "x" else 1  # the other one follows
+        length = float(corner[axis] - fixed[axis])
+        value = float(fixed[axis]) + length * part
+        kept = _tidy(value, float(corner[axis]), abs(length) * per_px)
+        moved = fixed + (corner - fixed) * ((kept - fixed[axis]) / length)
+        moved[axis], per_px = kept, 0.0
     else:
-        moved, steps = _on_window(projection, sight, distance, pixel)
+        moved, per_px = _on_window(projection, sight, distance, pixel)
         if not np.isfinite(moved).all():  # beyond the horizon of its plane
             moved = np.array(handle.at) * math.inf
     change: Change = {}
     for axis, (low, high) in enumerate((("left", "right"), ("bottom", "top"))):
         name, other = (high, low) if handle.at[axis] > 0.0 else (low, high)
-        value = _tidy(float(moved[axis]), float(corner[axis]), float(steps[axis]))
+        value = _tidy(float(moved[axis]), float(corner[axis]), per_px)
         change[name] = value
         if symmetric:
-            change[other] = 2.0 * float(fixed[axis]) - value
+            mirrored = float(opposite[axis] + (corner[axis] - value))
+            change[other] = _tidy(mirrored, float(opposite[axis]), per_px)
         elif lens.keep != "stretch":
             change[other] = float(opposite[axis])
     return change
@@ -372,17 +377,15 @@ def _resized(
 
 def _on_window(
     projection: Projection, sight: Sight, distance: float, pixel: Spot
-) -> tuple[Array, Array]:
+) -> tuple[Array, float]:
     """Where a pixel's ray meets the face at a distance, (2,) on the near plane; what a pixel is."""
-    camera, near = projection.camera, projection.lens.near
-    plane = -camera.frame[2], np.array(camera.eye) - distance * camera.frame[2]
-    points = _meets(sight, pixel, *plane) - camera.eye
-    flat = points @ camera.frame[:2].T
+    frame, eye, near = projection.camera.frame, projection.camera.eye, projection.lens.near
+    point = _meets(sight, pixel, -frame[2], np.array(eye) - distance * frame[2])
+    per_px = min(_per_px(sight, point, axis) for axis in frame[:2])
+    flat = frame[:2] @ (point - eye)
     if projection.lens.parallel:
-        flat = flat - np.array(projection.shear) * (distance - near)
-    else:
-        flat = flat / distance * near
-    return flat[0], np.abs(flat[1] - flat[0])
+        return flat - np.array(projection.shear) * (distance - near), per_px
+    return flat / distance * near, per_px / distance * near
 
 
 # --------------------------------------------------------------------------- on the screen
@@ -396,28 +399,53 @@ def _moved_point(
     if shift:
         up, per_px = _slide(sight, point, np.array([0.0, 1.0, 0.0]), pixel)
         return before[0], _tidy(before[1] + up, before[1], per_px), before[2]
-    here, beside = _meets(sight, pixel, sight.rows[3, :3], point)
-    per_px = float(np.abs(beside - here).max())
-    x, y, z = (_tidy(new, old, per_px) for new, old in zip(here.tolist(), before, strict=True))
+    moved = _meets(sight, pixel, sight.rows[3, :3], point)
+    per_px = min(_per_px(sight, moved, axis) for axis in np.eye(3))
+    x, y, z = (_tidy(new, old, per_px) for new, old in zip(moved.tolist(), before, strict=True))
     return x, y, z
 
 
 def _meets(sight: Sight, pixel: Spot, normal: Array, point: Array) -> Array:
-    """Where the rays of a pixel and its neighbour meet a plane, (2, 3); NaN if they do not."""
-    found = np.full((2, 3), np.nan)
+    """Where the ray of a pixel meets a plane, (3,); NaN if it does not."""
     x, y, _, w = sight.rows
-    for i in range(2):
-        across, down = x - (pixel[0] + i) * w, y - (pixel[1] + i) * w
-        system = np.stack([across[:3], down[:3], normal])
-        try:
-            offset = np.linalg.solve(
-                system, np.array([-across[3], -down[3], normal @ (point - sight.eye)])
-            )
-        except np.linalg.LinAlgError:  # the plane is seen edge on
-            continue
-        if w[:3] @ offset + w[3] > 0.0:
-            found[i] = sight.eye + offset
-    return found
+    across, down = x - pixel[0] * w, y - pixel[1] * w
+    system = np.stack([across[:3], down[:3], normal])
+    known = np.array([-across[3], -down[3], normal @ (point - sight.eye)])
+    try:
+        offset = np.linalg.solve(system, known)
+    except np.linalg.LinAlgError:  # the plane is seen edge on
+        return np.full(3, np.nan)
+    met: Array = sight.eye + offset
+    return met if w[:3] @ offset + w[3] > 0.0 else np.full(3, np.nan)
+
+
+class _Line(NamedTuple):
+    """The picture of a line ``start + t along``.
+
+    Attributes
+    ----------
+    start, along : (3,) array
+        Homogeneous pixels: x w, y w and w.
+    way : (float, float)
+        The direction in which it is seen to run, times w squared: the derivative of the pixel.
+    """
+
+    start: Array
+    along: Array
+    way: tuple[float, float]
+
+
+def _line(sight: Sight, start: Array, along: Array) -> _Line:
+    rows = sight.rows[[0, 1, 3]]
+    one, two = rows[:, :3] @ (start - sight.eye) + rows[:, 3], rows[:, :3] @ along
+    return _Line(one, two, (two[0] * one[2] - one[0] * two[2], two[1] * one[2] - one[1] * two[2]))
+
+
+def _per_px(sight: Sight, point: Array, along: Array) -> float:
+    """How far along a direction a point has to go for a pixel; infinite if that is not seen."""
+    line = _line(sight, point, along)
+    length = math.hypot(*line.way)
+    return float(line.start[2]) ** 2 / length if length > 0.0 else math.inf
 
 
 def _slide(sight: Sight, start: Array, along: Array, pixel: Spot) -> tuple[float, float]:
@@ -438,25 +466,20 @@ def _slide(sight: Sight, start: Array, along: Array, pixel: Spot) -> tuple[float
     per_px : float
         How much t changes from one pixel to the next; infinite where that is not told.
     """
-    (x0, y0, w0), (x1, y1, w1) = (
-        sight.rows[[0, 1, 3]] @ np.append(part, last)
-        for part, last in ((start - sight.eye, 1.0), (along, 0.0))
-    )
-    right, down = x1 * w0 - x0 * w1, y1 * w0 - y0 * w1  # the direction in which it is seen
-    length = math.hypot(right, down)
+    line = _line(sight, start, along)
+    length = math.hypot(*line.way)
     if not length > 0.0:
         return math.nan, math.inf
-    right, down = right / length, down / length
-    found = []
-    for i in range(2):
-        # The perpendicular to the line through the pixel, and where the line meets it.
-        offset = right * (pixel[0] + i * right) + down * (pixel[1] + i * down)
-        slope = right * x1 + down * y1 - offset * w1
-        t = -(right * x0 + down * y0 - offset * w0) / slope if slope else math.inf
-        if not w0 + t * w1 > 0.0:
-            t = math.copysign(math.inf, w1)
-        found.append(t)
-    return found[0], abs(found[1] - found[0]) if math.isfinite(found[0]) else math.inf
+    (x0, y0, w0), (x1, y1, w1) = line.start.tolist(), line.along.tolist()
+    right, down = line.way[0] / length, line.way[1] / length
+    # The perpendicular to the line through the pixel, and where the line meets it.
+    offset = right * pixel[0] + down * pixel[1]
+    slope = right * x1 + down * y1 - offset * w1
+    t = -(right * x0 + down * y0 - offset * w0) / slope if slope else math.inf
+    w = w0 + t * w1
+    if not w > 0.0 or math.isinf(t):
+        return math.copysign(math.inf, w1), math.inf
+    return t, w * w / length
 
 
 def _tidy(value: float, before: float, per_px: float) -> float:
