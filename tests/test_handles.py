@@ -111,8 +111,8 @@ def test_the_dragged_handle_ends_under_the_hand(lens: Lens, shift: bool) -> None
             sides = {n: getattr(lens, n) + b for n, b in zip(names, by.tolist(), strict=True)}
             rail = at(changed(projection, sides), handle, drawn, sight)
         elif handle.name in ("eye", "target") and shift:
-            up = np.array(getattr(projection.camera, handle.name)) + (0, random.uniform(-2, 2), 0)
-            rail = sight.seen([up])[0]
+            x, y, z = getattr(projection.camera, handle.name)
+            rail = sight.seen([(x, y + random.uniform(-2.0, 2.0), z)])[0]
         x, y = (pixel if rail is None else rail).tolist()
         change = dragged(projection, handle, drawn, sight, (x, y), shift=shift)
         moved = changed(projection, change)
