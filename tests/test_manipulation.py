@@ -335,18 +335,20 @@ def test_escape_puts_back_what_is_dragged(
     window = opened(make_window)
     window.probe_panel.follow(point=(0.0, 0.5, 0.5))
     field: Any = window.controls.rows["near"].field  # type: ignore[attr-defined]
-    if focus == "field":
-        window.activateWindow()
-        field.setFocus()
-        settle()
+    window.activateWindow()
+    field.setFocus()
+    if focus == "nothing":
+        field.clearFocus()
+    settle()
     start = model(window)
     window.store.mark_saved()
     steps = len(window.store._undo)
     _, spot = mark(window, "target")
     press(window, "world", point(spot))
     move(window, "world", point(spot) + QPoint(30, 12))
-    moved = model(window)
-    assert moved != start
+    assert model(window) != start
+    move(window, "world", point(spot), button=Qt.MouseButton.NoButton)  # late, from before
+    assert world(window).held == TARGET
     receiver = QApplication.focusWidget() or window
     assert (receiver is field) == (focus == "field")
     QTest.keyClick(receiver, Qt.Key.Key_Escape)

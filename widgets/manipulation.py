@@ -86,7 +86,7 @@ class Manipulation(QObject):
 
     def _hover(self, pixel: QPointF) -> None:
         drawing = self._world.drawing
-        if isinstance(drawing, WorldDrawing):
+        if isinstance(drawing, WorldDrawing) and self._drag is None:
             self._point_out(drawing, self._handle_at(drawing, pixel))
 
     def _leave(self) -> None:
@@ -122,18 +122,18 @@ class Manipulation(QObject):
 
     def _does(self, handle: Handle) -> tuple[tuple[str, ...], str]:
         if handle.name == "eye":
-            return ("eye",), self.tr("Drag to move the eye (Shift: up and down)")
+            return ("eye",), self.tr("Drag the eye (Shift: up and down)")
         if handle.name == "target":
-            return ("target",), self.tr("Drag to move the target (Shift: up and down)")
+            return ("target",), self.tr("Drag the target (Shift: up and down)")
         if handle.name == "near":
-            return ("near",), self.tr("Drag to move the near plane")
+            return ("near",), self.tr("Drag the near plane")
         if handle.name == "far":
-            return ("far",), self.tr("Drag to move the far plane")
+            return ("far",), self.tr("Drag the far plane")
         if self._projection.lens.kind == "perspective":
-            return ("fov_y_deg",), self.tr("Drag to open or close the lens")
+            return ("fov_y_deg",), self.tr("Drag to open the lens")
         right, up = handle.at
         sides = "right" if right > 0.0 else "left", "top" if up > 0.0 else "bottom"
-        return sides, self.tr("Drag to move this corner of the window (Shift: both sides)")
+        return sides, self.tr("Drag this corner (Shift: both sides)")
 
     # -- drags
 
