@@ -58,13 +58,17 @@ class Manipulation(QObject):
         self._drag: _Drag | None = None
         self._in_gesture = False
         self._watched: QObject | None = None
-        self._plain_tip = world.canvas.toolTip()
+        self._plain_tip = self.tr(
+            "Drag a mark to move the eye, the target, a plane or a corner; drag elsewhere to turn, "
+            "Shift-drag to move, wheel to zoom, double-click to reset; click to follow a point"
+        )
         self.message = MessageBar(world)
         self._quiet = QTimer(self)
         self._quiet.setSingleShot(True)
         self._quiet.setInterval(QUIET_MS)
         self._quiet.timeout.connect(self._finish)
         canvas = world.canvas
+        canvas.setToolTip(self._plain_tip)
         canvas.hovered.connect(self._hover)
         canvas.left.connect(self._leave)
         canvas.drag_started.connect(self._take_handle)
