@@ -45,7 +45,7 @@ CORE = Room(("numpy",))
 DRAWING = Room(
     ("numpy", *VTK),
     (
-        *("app.projection", "app.precision", "app.morph", "app.picking"),
+        *("app.projection", "app.precision", "app.morph", "app.picking", "app.handles"),
         *("app.scene", "app.drawings"),
     ),
 )
@@ -95,6 +95,7 @@ ROOMS = {
     "app/morph.py": Room(("numpy",), ("app.projection",)),
     "app/notation.py": Room(rooms=("app.projection",)),
     "app/picking.py": Room(("numpy",), ("app.projection",)),
+    "app/handles.py": Room(("numpy",), ("app.projection", "app.picking")),
     "app/health.py": Room(rooms=("app.projection", "app.precision", "app.depth")),
     "app/shapes.py": CORE,
     # Each phenomenon is numpy only: the command line reads its settings without VTK.
@@ -111,6 +112,7 @@ ROOMS = {
     "app/drawings/style.py": DRAWING,
     "app/drawings/labels.py": DRAWING,
     "app/drawings/probes.py": DRAWING,
+    "app/drawings/handles.py": DRAWING,
     "app/drawings/world.py": DRAWING,
     "app/drawings/ndc.py": DRAWING,
     "app/drawings/image.py": DRAWING,
@@ -169,6 +171,14 @@ ROOMS = {
     "widgets/pane.py": Room(
         ("numpy", "pyvistaqt", *VTK, *QT),
         ("app.projection", "app.picking", "app.scene", "app.drawings", "widgets.palette"),
+    ),
+    # Between two panes and the window: it knows what they draw, and not the store.
+    "widgets/manipulation.py": Room(
+        QT,
+        (
+            *("app.projection", "app.picking", "app.handles", "app.drawings"),
+            *("widgets.message_bar", "widgets.messages", "widgets.pane", "widgets.rows"),
+        ),
     ),
     "widgets/opengl.py": Room(QT),
     "widgets/autosave.py": Room(QT, ("app.document",)),

@@ -59,6 +59,7 @@ from widgets.autosave import Autosave
 from widgets.controls import Controls
 from widgets.files import Files
 from widgets.help import Help
+from widgets.manipulation import HOLD_WITHIN_PX, Manipulation
 from widgets.matrix_panel import MatrixPanel
 from widgets.message_bar import MessageBar
 from widgets.messages import sentence
@@ -69,12 +70,10 @@ from widgets.probe_panel import ProbePanel
 from widgets.stage_strip import StageStrip
 from widgets.status_line import StatusLine
 
-HOLD_WITHIN_PX = 9.0
-"""So near to a probe's mark a drag in the image takes hold of it."""
 PANE_WIDTHS = [400, 305, 330]
 """Of the panes in a window of 1366 pixels; the splitter keeps their proportion."""
 DRAWINGS: dict[str, Callable[..., Any]] = {
-    "world": WorldDrawing,
+    "world": partial(WorldDrawing, live=True),
     "ndc": NdcDrawing,
     "image": ImageDrawing,
 }
@@ -165,6 +164,7 @@ class MainWindow(QMainWindow):
             name: Pane(title, DRAWINGS[name], orbits=name != "image")
             for name, title in self._titles.items()
         }
+        self.manipulation = Manipulation(self.panes["world"], self.panes["image"], self)
         self.strip = StageStrip()
         self.panes["ndc"].add_below(self.strip)
         self.controls = Controls()
@@ -408,7 +408,8 @@ class MainWindow(QMainWindow):
         store.changed.connect(self._show_document)
         store.history_changed.connect(self._history_changed)
         controls.edited.connect(store.set_projection)
-        for source in (controls, controls.animation):
+        self.manipulation.edited.connect(store.set_projection)
+        for source in (controls, controls.animation, self.manipulation):
             source.gesture_started.connect(store.begin_gesture)
             source.gesture_finished.connect(store.end_gesture)
             source.gesture_started.connect(self.matrices.begin_gesture)
@@ -448,6 +449,7 @@ class MainWindow(QMainWindow):
         for pane in self.panes.values():
             pane.show_projection(document.projection)
         self.controls.show_projection(document.projection)
+        self.manipulation.show_projection(document.projection)
         self.matrices.show_projection(document.projection)
         self.probe_panel.show_projection(document.projection)
         self._show_notes(document.projection, scene)
@@ -538,7 +540,7 @@ class MainWindow(QMainWindow):
             self.probe_panel.follow(pixel=pixel)
 
     def _hold_probe(self, place: QPointF) -> None:
-        """Take hold of the mark in the image that a drag starts on."""
+        """Take hold of the mark in the image that a drag starts on, or of the picture."""
         drawing = self.panes["image"].drawing
         if drawing is None:
             return
@@ -552,17 +554,15 @@ class MainWindow(QMainWindow):
                 nearest, self._held = away, probe
         if self._held is not None:
             self.probe_panel.choose(self._held.number)
+        else:
+            self.manipulation.take_picture(place)
 
     def _drag_probe(self, away: QPointF, along_ray: bool) -> None:
         drawing = self.panes["image"].drawing
         if self._held is None or self._held.point is None or not isinstance(drawing, ImageDrawing):
             return
         projection = self.store.document.projection
-        rectangle = drawing.picture_rectangle_px
-        shift_px = (
-            away.x() * projection.image_size[0] / rectangle.width,
-            away.y() * projection.image_size[1] / rectangle.height,
-        )
+        shift_px = drawing.image_shift(away.x(), away.y())
         point = dragged(projection, self._held.point, shift_px, along_ray=along_ray)
         if point is not None:
             self.probe_panel.put(self._held.number, point)

@@ -92,9 +92,16 @@ class _Canvas(QtInteractor):
     dragged = Signal(QPointF, bool)
     """How far it is from there, in device pixels, and whether Shift is held."""
     drag_ended = Signal()
+    hovered = Signal(QPointF)
+    """The mouse is over this place, no button held: the middle of that pixel, in device pixels."""
+    left = Signal()
+    """The mouse is over the canvas no more."""
+    scrolled = Signal(float)
+    """The wheel was turned by so many steps, away from the user, where it is not a zoom."""
 
     def __init__(self, parent: QWidget, *, orbits: bool) -> None:
         super().__init__(parent, auto_update=False, multi_samples=0)
+        self.setMouseTracking(True)
         self.setAcceptDrops(False)  # the window takes drops; pyvistaqt would add the file here
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.setMinimumSize(120, 120)
@@ -115,6 +122,7 @@ class _Canvas(QtInteractor):
 
     def leaveEvent(self, event: Any) -> None:
         event.ignore()
+        self.left.emit()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         self._last = event.position()
@@ -129,9 +137,17 @@ class _Canvas(QtInteractor):
             self._dragged_from = None
             self.drag_ended.emit()
         if self._pressed is not None and event.button() == Qt.MouseButton.LeftButton:
-            middle = self._pressed + QPointF(0.5, 0.5)
+            middle = self._middle(self._pressed)
             self._pressed = None
-            self.clicked.emit(middle * self.devicePixelRatioF())
+            self.clicked.emit(middle)
+
+    def _middle(self, position: QPointF) -> QPointF:
+        """Of the pixel at a position, in device pixels."""
+        return (position + QPointF(0.5, 0.5)) * self.devicePixelRatioF()
+
+    def keep_view(self) -> None:
+        """The drag that has just started is about what was under it: the view stays."""
+        self._last = None
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         self._pressed = None
@@ -139,6 +155,9 @@ class _Canvas(QtInteractor):
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         event.accept()
+        if event.buttons() == Qt.MouseButton.NoButton:
+            self.hovered.emit(self._middle(event.position()))
+            return
         if self._pressed is not None:
             moved = (event.position() - self._pressed).manhattanLength()
             if moved < QApplication.startDragDistance():  # a hand that trembles turns nothing
@@ -163,8 +182,11 @@ class _Canvas(QtInteractor):
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         event.accept()
+        steps = event.angleDelta().y() / 120.0
         if self._orbits:
-            self.zoom(ZOOM_PER_WHEEL_STEP ** (event.angleDelta().y() / 120.0))
+            self.zoom(ZOOM_PER_WHEEL_STEP**steps)
+        elif steps:
+            self.scrolled.emit(steps)
 
     def gesture_event(self, event: Any) -> bool:
         pinch = event.gesture(Qt.GestureType.PinchGesture)
@@ -300,6 +322,13 @@ class Pane(QFrame):
                 self.tr(
                     "Click to follow a point; drag to turn, Shift-drag to move, wheel to zoom, "
                     "double-click to reset"
+                )
+            )
+        else:
+            self.canvas.setToolTip(
+                self.tr(
+                    "Click to follow a point; drag to move the camera in its plane, wheel to go "
+                    "nearer to the target"
                 )
             )
         self._column = QVBoxLayout(self)

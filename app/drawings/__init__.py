@@ -12,6 +12,9 @@ plotter that it does not own, and has
   for picking,
 - ``remove()``: takes everything out of the plotter again.
 
+The world's has besides, if it is ``live``, marks to take hold of the camera by: ``hold(handle)``,
+``held``, ``handle_at(pixel, within_px)``; a figure has none.
+
 `actors` holds what they share, `style` their colours and sizes.
 """
 

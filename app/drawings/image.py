@@ -132,6 +132,12 @@ class ImageDrawing:
         scale = self._scaled(rectangle)
         return float(x / scale[0, 0]), float(y / scale[1, 1])
 
+    def image_shift(self, right_px: float, down_px: float) -> tuple[float, float]:
+        """A way in the pane's pixels, in the image's."""
+        rectangle = self.picture_rectangle_px
+        width, height = self._image_size
+        return right_px * width / rectangle.width, down_px * height / rectangle.height
+
     def _scaled(self, rectangle: Rectangle) -> NDArray[np.float64]:
         """Pixels from the picture's top left, from the image's pixels."""
         width, height = self._image_size

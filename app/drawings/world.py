@@ -32,9 +32,11 @@ from vtkmodules.vtkRenderingCore import vtkActor
 
 from app.drawings import actors
 from app.drawings.actors import Canvas, Space
+from app.drawings.handles import APART_EM, HandleMarks
 from app.drawings.labels import AXES, Labels, Named, PaneView
 from app.drawings.probes import Probes
 from app.drawings.style import Style
+from app.handles import Handle, nearest, shown
 from app.picking import Probe, Sight
 from app.projection import Array, Camera, Lens, Orthographic, Perspective, Projection
 from app.scene import Scene
@@ -126,9 +128,19 @@ class WorldDrawing:
     words : Mapping[str, str]
         `app.drawings.WORDS` or a translation.
     style : Style
+    live : bool
+        Whether somebody can take hold of what is drawn: then there are marks to do it by.
     """
 
-    def __init__(self, plotter: Any, scene: Scene, words: Mapping[str, str], style: Style) -> None:
+    def __init__(
+        self,
+        plotter: Any,
+        scene: Scene,
+        words: Mapping[str, str],
+        style: Style,
+        *,
+        live: bool = False,
+    ) -> None:
         self._scene, self._style = scene, style
         self._origin = np.array(scene.origin, dtype=np.float64)
         self._objects = _box_corners(scene.lower, scene.upper) - self._origin
@@ -144,6 +156,7 @@ class WorldDrawing:
         self._build_frustum()
         self._labels = Labels(self._canvas, words)
         self._probes = Probes(self._canvas, style)
+        self._handles = HandleMarks(self._canvas, style) if live else None
         self._placed: tuple[float, ...] | None = None
         self._framed = self._objects
         self._look_from_pane()
@@ -540,6 +553,7 @@ class WorldDrawing:
         before_body = max(nearest, eye_depth - 2.0 * self._body_size)
         in_front_of_body = self._toward_pane(self._eye, before_body)
         self._axes_space.set(in_front_of_body @ self._local_from_body)
+        self._place_handles()
 
     def show_probes(self, probes: Sequence[Probe]) -> None:
         """Mark these probes, and no others."""
@@ -569,6 +583,37 @@ class WorldDrawing:
             self._probes.show(marks, self._pane.size_px)
         else:
             self._probes.show((), self._pane.size_px)
+
+    @property
+    def planes_drawn(self) -> tuple[float, float]:
+        """Distances from the eye plane at which near and far are drawn, cut or not."""
+        return self._reach.near, self._reach.far
+
+    @property
+    def held(self) -> Handle | None:
+        """The handle that is pointed out."""
+        return None if self._handles is None else self._handles.held
+
+    def hold(self, handle: Handle | None) -> None:
+        """Point a handle out, and keep it whatever moves; draw nothing yet."""
+        if self._handles is not None:
+            self._handles.held = handle
+            self._place_handles()
+
+    def handle_at(self, pixel: tuple[float, float], within_px: float) -> Handle | None:
+        """The handle that is seen at a pixel, from the pane's top left, if there is one."""
+        return None if self._handles is None else nearest(self._handles.shown, pixel, within_px)
+
+    def _place_handles(self) -> None:
+        if self._handles is not None:
+            held, apart_px = self._handles.held, APART_EM * self._style.font_size
+            size_px = self._pane.size_px
+            self._handles.show(
+                shown(
+                    self._projection, self.planes_drawn, self.sight, size_px, apart_px, held
+                ),
+                size_px[1],
+            )  # fmt: skip
 
     def _toward_pane(self, point: Array, depth: float) -> Array:
         """Shrink everything towards the pane's camera until `point` is at `depth`, (4, 4).
