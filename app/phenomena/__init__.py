@@ -11,6 +11,7 @@ from types import MappingProxyType
 from app.phenomena import (
     field_of_view,
     similar_triangles,
+    view_volumes,
 )
 from app.phenomena.exhibit import Phenomenon
 
@@ -20,6 +21,7 @@ PHENOMENA = MappingProxyType(
         for phenomenon in (
             similar_triangles.PHENOMENON,
             field_of_view.PHENOMENON,
+            view_volumes.PHENOMENON,
         )
     }
 )
