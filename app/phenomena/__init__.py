@@ -10,6 +10,7 @@ from types import MappingProxyType
 
 from app.phenomena import (
     field_of_view,
+    off_axis_window,
     similar_triangles,
     view_volumes,
 )
@@ -22,6 +23,7 @@ PHENOMENA = MappingProxyType(
             similar_triangles.PHENOMENON,
             field_of_view.PHENOMENON,
             view_volumes.PHENOMENON,
+            off_axis_window.PHENOMENON,
         )
     }
 )
