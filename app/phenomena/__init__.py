@@ -10,6 +10,7 @@ from types import MappingProxyType
 
 from app.phenomena import (
     field_of_view,
+    oblique_drawing,
     off_axis_window,
     similar_triangles,
     view_volumes,
@@ -24,6 +25,7 @@ PHENOMENA = MappingProxyType(
             field_of_view.PHENOMENON,
             view_volumes.PHENOMENON,
             off_axis_window.PHENOMENON,
+            oblique_drawing.PHENOMENON,
         )
     }
 )
