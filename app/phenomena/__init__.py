@@ -13,6 +13,7 @@ from app.phenomena import (
     oblique_drawing,
     off_axis_window,
     similar_triangles,
+    vanishing_points,
     view_volumes,
 )
 from app.phenomena.exhibit import Phenomenon
@@ -26,6 +27,7 @@ PHENOMENA = MappingProxyType(
             view_volumes.PHENOMENON,
             off_axis_window.PHENOMENON,
             oblique_drawing.PHENOMENON,
+            vanishing_points.PHENOMENON,
         )
     }
 )
