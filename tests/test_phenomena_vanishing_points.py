@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from app.phenomena.exhibit import Exhibit
+from app.phenomena.picture import box_corners
 from app.phenomena.vanishing_points import (
     PHENOMENON,
     horizon,
@@ -122,6 +123,10 @@ def test_what_is_at_infinity_is_decided_by_the_roundings_of_eye_and_target() -> 
     eye_y = math.nextafter(2.2, 3.0)
     level = replace(PHENOMENON.start, camera=Camera((3.0, eye_y, 8.0), (0.0, 2.2, 0.0)))
     assert vanishing(level)[1].clip[3] == 0.0
+    # Far from the origin an ulp is more: 2.3e-10 of the 5 between eye and target.
+    eye_y = math.nextafter(1234567.1, 2e6)
+    far_off = Camera((7e5, eye_y, 1e5), (7e5 + 3.0, 1234567.1, 1e5 - 4.0))
+    assert vanishing(replace(PHENOMENON.start, camera=far_off))[1].clip[3] == 0.0
     tilted = replace(PHENOMENON.start, camera=Camera((3.0, 2.2 + 1.5e-4, 8.0), (0.0, 2.2, 0.0)))
     found = vanishing(tilted)[1]
     assert found.pixel is not None
@@ -129,6 +134,11 @@ def test_what_is_at_infinity_is_decided_by_the_roundings_of_eye_and_target() -> 
     slope = 1.5e-4 / math.hypot(3.0, 8.0)
     k = 360 / math.tan(math.radians(35))
     assert found.pixel[1] == pytest.approx(360 + k / slope, rel=1e-8)
+    # However short the way to the target, one direction is not across it.
+    ulp = math.ulp(1.0)
+    short = Camera((1.0 + ulp, 1.0 + ulp, 1.0 + ulp), (1.0, 1.0, 1.0))
+    points = vanishing(replace(PHENOMENON.start, camera=short))
+    assert sum(point.clip[3] > 0.0 for point in points) == 3
     # The same ulp, on a target a million times nearer, is an angle that was meant.
     near = replace(
         PHENOMENON.start,
@@ -241,9 +251,13 @@ def test_a_line_in_a_rectangle(
 
 
 def test_guide_lines_go_through_their_vanishing_point() -> None:
-    for points in ("1", "2", "3"):
-        seen = turned(points)
+    opposite = Camera.from_orbit((0.0, 1.3, 0.0), Orbit(-140.0, -20.0, 6.0))
+    for seen in (
+        *(turned(points) for points in ("1", "2", "3")),
+        replace(PHENOMENON.start, camera=opposite),
+    ):
         exhibit = shown(seen)
+        corners = seen.trace(box_corners(SUBJECT.lower, SUBJECT.upper))
         for axis, colour in zip(AXES, ("u", "v", "n"), strict=True):
             guides = [line.points for line in exhibit.image.lines if line.colour == colour]
             if reading(exhibit, f"along {axis}").value is None:
@@ -255,6 +269,11 @@ def test_guide_lines_go_through_their_vanishing_point() -> None:
                 along, rest = end - start, at - start
                 across = along[0] * rest[1] - along[1] * rest[0]
                 assert abs(across) <= 1e-8 * np.hypot(*along) * max(1.0, np.hypot(*rest))
+                # They extend the edges: from the end that is farther from the viewer.
+                index = np.abs(corners.image - start).sum(axis=1).argmin()
+                assert corners.image[index] == pytest.approx(start, abs=1e-6)
+                other = index ^ (1 << AXES.index(axis))
+                assert corners.view[index, 2] < corners.view[other, 2]
 
 
 def test_rays_from_the_eye_meet_the_near_plane_at_the_vanishing_points() -> None:

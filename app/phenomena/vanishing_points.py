@@ -89,27 +89,27 @@ class Vanishing(NamedTuple):
     pixel: Array | None
 
 
-def slack(projection: Projection) -> float:
-    """Below which ``n . D`` is 0 but for rounding.
+def across(camera: Camera, axis: int) -> bool:
+    """Whether ``n . D`` is 0 for this axis of the world, but for rounding.
 
-    Eye and target are decimal numbers rounded to float64, each coordinate by up to half an ulp;
-    n, their difference over the distance, is so uncertain by these halves together over the
-    distance, and by its own last bit.
+    ``n . D`` is a coordinate of eye - target over their distance. Both coordinates are decimal
+    numbers that were rounded to float64 by up to half an ulp: a difference of no more than these
+    halves together is made of rounding. The largest part of n never is 0, however near the target.
     """
-    camera = projection.camera
-    ulps = [math.ulp(part) for part in (*camera.eye, *camera.target)]
-    return math.hypot(*ulps) / 2.0 / camera.distance + math.ulp(1.0) / 2.0
+    if abs(camera.frame[2, axis]) > 0.5:
+        return False
+    eye, target = camera.eye[axis], camera.target[axis]
+    return abs(eye - target) <= (math.ulp(eye) + math.ulp(target)) / 2.0
 
 
 def vanishing(projection: Projection) -> tuple[Vanishing, Vanishing, Vanishing]:
     """The vanishing points of the world's x, y and z direction."""
     lens_matrix = projection.clip_from_view
-    least = slack(projection)
     found = []
     for axis in range(3):
         x, y, z = projection.camera.frame[:, axis].tolist()
         sign = -1.0 if z > 0.0 else 1.0
-        if not projection.lens.parallel and abs(z) <= least:
+        if not projection.lens.parallel and across(projection.camera, axis):
             sign, z = 1.0, 0.0
         with np.errstate(over="ignore", invalid="ignore"):
             clip = lens_matrix @ (sign * np.array([x, y, z, 0.0])) + 0.0
@@ -151,7 +151,7 @@ def horizon(projection: Projection) -> tuple[float, float, float] | None:
         return None
     # Directions (X, Y, -1) of view space without a part along the world's y.
     a, b, c = projection.camera.frame[:, 1].tolist()
-    if math.hypot(a, b) <= slack(projection):
+    if across(projection.camera, 0) and across(projection.camera, 2):
         return None
     m = projection.clip_from_view
     width, height = projection.image_size

@@ -83,7 +83,13 @@ def random_projection(dice: random.Random, start: Projection) -> Projection:
     lens = Perspective(dice.uniform(10, 120), dice.uniform(0.01, 1), dice.choice([50.0, math.inf]))
     size = (dice.randint(300, 2000), dice.randint(300, 2000))
     seen = Projection(Camera.from_orbit(start.camera.target, orbit), lens, size)
-    return seen.with_lens(dice.choice(["perspective", "frustum", "orthographic", "oblique"]))
+    seen = seen.with_lens(dice.choice(["perspective", "frustum", "orthographic", "oblique"]))
+    if not isinstance(seen.lens, Frustum):
+        return seen
+    left, right, bottom, top = seen.window
+    x, y = dice.uniform(-0.4, 0.4) * (right - left), dice.uniform(-0.4, 0.4) * (top - bottom)
+    window = {"left": left + x, "right": right + x, "bottom": bottom + y, "top": top + y}
+    return replace(seen, lens=replace(seen.lens, **window))
 
 
 def assert_sound(exhibit: Exhibit, projection: Projection) -> None:
