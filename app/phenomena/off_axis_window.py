@@ -105,7 +105,7 @@ def halves(projection: Projection) -> tuple[Projection, Projection]:
 def join_error_px(screens: tuple[Projection, Projection]) -> float:
     """How far apart the two screens show points of the plane in which they join, in pixels.
 
-    Points of the right edge of the left screen, at three depths, go through the left lens' own
+    Points of the right edge of the left screen, at two depths, go through the left lens' own
     numbers and through the right one's (`Projection.exact_lens`), in rationals: with glFrustum
     ``x_clip/w = 2n/(r - l) x/w - (r + l)/(r - l)``. On the left they should be at its last column's
     end, on the right at its first one's beginning.
@@ -119,7 +119,7 @@ def join_error_px(screens: tuple[Projection, Projection]) -> float:
     parallel = screens[0].lens.parallel
     edge = Fraction(screens[0].window[1])
     worst = Fraction(0)
-    for depth in (1, 2, 7):
+    for depth in (1, 7):
         w = depth * left.near if not parallel else left.near + depth
         # Perspective: x grows with w. Parallel: the plane leans with the projectors.
         x = edge * depth if not parallel else edge + left.shear[0] * depth
