@@ -277,10 +277,15 @@ def _image_marks(
     x, lines, texts = 0.0, [], []
     for screen, name, colour in zip(screens, names, ("u", "n"), strict=False):
         across = screen.image_size[0]
-        corners = [(x, 0.0), (x + across, 0.0), (x + across, height), (x, height), (x, 0.0)]
+        end = x + across
+        corners = [(end, 0.0), (x, 0.0), (x, height), (end, height)]
+        if name == _RIGHT:  # each is open towards the join, which has a line of its own
+            corners = [(x, 0.0), (end, 0.0), (end, height), (x, height)]
+        elif name == _WINDOW:
+            corners.append(corners[0])
         lines.append(Line(np.array(corners, dtype=float), colour, 2.5))
         texts.append(Text(name, np.array([x + 0.03 * width, 0.06 * height]), colour))
-        x += across
+        x = end
     if len(screens) == 2:
         column = float(screens[0].image_size[0])
         lines.append(Line(np.array([(column, 0.0), (column, height)]), "accent", 2.0))

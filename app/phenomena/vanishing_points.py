@@ -477,7 +477,7 @@ PHENOMENON = Phenomenon(
     lectures=("L12", "L13"),
     start=Projection(
         Camera.from_orbit((0.0, 1.3, 0.0), Orbit(*_VIEWS["2"], 6.0)),
-        Perspective(fov_y_deg=70.0, near=1.0, far=40.0),
+        Perspective(fov_y_deg=70.0, near=1.0, far=18.0),
     ),
     geometry=_geometry,
     show=_show,
