@@ -1,18 +1,35 @@
 """The phenomena that the lectures name, each one a scene with a readout; numpy only.
 
-`exhibit` says what a phenomenon is made of; each of the other modules holds one. `PHENOMENA` has
-them in lecture order.
+`exhibit` says what a phenomenon is made of, `picture` how marks come into the image pane; each of
+the other modules holds one. `PHENOMENA` has them in lecture order.
 """
 
 from __future__ import annotations
 
 from types import MappingProxyType
 
-from app.phenomena import similar_triangles
+from app.phenomena import (
+    field_of_view,
+    oblique_drawing,
+    off_axis_window,
+    similar_triangles,
+    vanishing_points,
+    view_volumes,
+)
 from app.phenomena.exhibit import Phenomenon
 
 PHENOMENA = MappingProxyType(
-    {phenomenon.name: phenomenon for phenomenon in (similar_triangles.PHENOMENON,)}
+    {
+        phenomenon.name: phenomenon
+        for phenomenon in (
+            similar_triangles.PHENOMENON,
+            field_of_view.PHENOMENON,
+            view_volumes.PHENOMENON,
+            off_axis_window.PHENOMENON,
+            oblique_drawing.PHENOMENON,
+            vanishing_points.PHENOMENON,
+        )
+    }
 )
 """Every phenomenon by its scene's name, in the order of the lectures."""
 
