@@ -45,7 +45,7 @@ CORE = Room(("numpy",))
 DRAWING = Room(
     ("numpy", *VTK),
     (
-        *("app.projection", "app.precision", "app.morph", "app.picking"),
+        *("app.projection", "app.precision", "app.morph", "app.picking", "app.attention"),
         *("app.scene", "app.drawings"),
     ),
 )
@@ -80,6 +80,8 @@ ROOMS = {
     "app/clipping.py": Room(("numpy",), ("app.projection",)),
     "app/morph.py": Room(("numpy",), ("app.projection",)),
     "app/notation.py": Room(rooms=("app.projection",)),
+    # Names only: the words in which rooms that know nothing of each other point at things.
+    "app/attention.py": Room(),
     "app/picking.py": Room(("numpy",), ("app.projection",)),
     "app/health.py": Room(rooms=("app.projection", "app.precision", "app.depth")),
     "app/meshes.py": Room(("numpy", *VTK)),
@@ -90,6 +92,7 @@ ROOMS = {
     "app/drawings/rungs.py": DRAWING,
     "app/drawings/style.py": DRAWING,
     "app/drawings/labels.py": DRAWING,
+    "app/drawings/pointing.py": DRAWING,
     "app/drawings/probes.py": DRAWING,
     "app/drawings/world.py": DRAWING,
     "app/drawings/ndc.py": DRAWING,
@@ -144,7 +147,10 @@ ROOMS = {
     # One pane hosts any drawing, so it knows the drawings' values and none of them.
     "widgets/pane.py": Room(
         ("numpy", "pyvistaqt", *VTK, *QT),
-        ("app.projection", "app.picking", "app.scene", "app.drawings", "widgets.palette"),
+        (
+            *("app.projection", "app.picking", "app.attention"),
+            *("app.scene", "app.drawings", "widgets.palette"),
+        ),
     ),
     "widgets/opengl.py": Room(QT),
     "widgets/autosave.py": Room(QT, ("app.document",)),

@@ -33,6 +33,7 @@ from PySide6.QtWidgets import (
 )
 from pyvistaqt import QtInteractor
 
+from app.attention import NOTHING, Attention
 from app.picking import Probe, Sight
 from app.projection import Camera, Projection
 
@@ -70,6 +71,12 @@ class Drawing(Protocol):
     def sight(self) -> Sight:
         """How the pane looks at the world just now."""
 
+    def show_attention(self, attended: Attention) -> bool:
+        """Let what is attended to stand out; tell whether that changes what is seen."""
+
+    def attention_at(self, x_px: float, y_px: float) -> Attention:
+        """What is at a device pixel from the pane's top left."""
+
     def remove(self) -> None:
         """Take everything out of the plotter again."""
 
@@ -92,12 +99,16 @@ class _Canvas(QtInteractor):
     dragged = Signal(QPointF, bool)
     """How far it is from there, in device pixels, and whether Shift is held."""
     drag_ended = Signal()
+    hovered = Signal(QPointF)
+    """The mouse is here, in device pixels, with no button down."""
+    left = Signal()
 
     def __init__(self, parent: QWidget, *, orbits: bool) -> None:
         super().__init__(parent, auto_update=False, multi_samples=0)
         self.setAcceptDrops(False)  # the window takes drops; pyvistaqt would add the file here
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.setMinimumSize(120, 120)
+        self.setMouseTracking(True)
         self._orbits = orbits
         self._last: QPointF | None = None
         self._pressed: QPointF | None = None
@@ -114,6 +125,7 @@ class _Canvas(QtInteractor):
         event.ignore()
 
     def leaveEvent(self, event: Any) -> None:
+        self.left.emit()
         event.ignore()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
@@ -139,6 +151,9 @@ class _Canvas(QtInteractor):
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         event.accept()
+        if event.buttons() == Qt.MouseButton.NoButton:
+            middle = event.position() + QPointF(0.5, 0.5)
+            self.hovered.emit(middle * self.devicePixelRatioF())
         if self._pressed is not None:
             moved = (event.position() - self._pressed).manhattanLength()
             if moved < QApplication.startDragDistance():  # a hand that trembles turns nothing
@@ -246,6 +261,8 @@ class Pane(QFrame):
     """A place in the canvas, in device pixels from its top left."""
     float_requested = Signal()
     """The pane shall get, or leave, a window of its own."""
+    attended = Signal(object)
+    """The `Attention` that the mouse draws to what is under it; only when that changes."""
 
     def __init__(
         self,
@@ -266,6 +283,7 @@ class Pane(QFrame):
         self._stage: float | None = None
         self._stage_is_stale = False
         self._probes: Sequence[Probe] = ()
+        self._attention = self._pointed_at = NOTHING
         self._stale = False
         self._probes_stale = False
         self._smooth = False
@@ -295,6 +313,8 @@ class Pane(QFrame):
         self.canvas.setAccessibleName(title)
         self.canvas.moved.connect(self._view_moved)
         self.canvas.clicked.connect(self.clicked)
+        self.canvas.hovered.connect(self._hovered)
+        self.canvas.left.connect(self._left)
         if orbits:
             self.canvas.setToolTip(
                 self.tr(
@@ -367,6 +387,29 @@ class Pane(QFrame):
             if self.isVisible():
                 self._refresh()
 
+    def show_attention(self, attended: Attention) -> None:
+        """Let what is attended to stand out: at once if visible, else on appearing."""
+        self._attention = attended
+        if (
+            self.isVisible()
+            and self._to_build is None
+            and self.drawing is not None
+            and self.drawing.show_attention(attended)
+        ):
+            self.request_repaint()
+
+    def _hovered(self, place: QPointF) -> None:
+        if self.drawing is not None:
+            self._point_at(self.drawing.attention_at(place.x(), place.y()))
+
+    def _left(self) -> None:
+        self._point_at(NOTHING)
+
+    def _point_at(self, attended: Attention) -> None:
+        if attended != self._pointed_at:
+            self._pointed_at = attended
+            self.attended.emit(attended)
+
     def _refresh(self) -> None:
         """Bring the drawing up to what was asked for while nobody looked."""
         if self._projection is None:
@@ -390,6 +433,8 @@ class Pane(QFrame):
                 self.drawing.show_probes(self._probes)
         if self._stage_is_stale and self.drawing is not None:
             self._take_stage(self.drawing)
+        if self.drawing is not None:
+            self.drawing.show_attention(self._attention)
         self._stale = self._probes_stale = False
         self.request_repaint()
 

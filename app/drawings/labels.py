@@ -184,6 +184,11 @@ class Labels:
         self._near = label("", plate=style.near)
         self._far = label("", plate=style.far)
         self._kept: Mapping[Label, _Candidate] = {}
+        self.named = {
+            **dict(zip(AXES, self._axes, strict=True)),
+            "eye": self._eye, "target": self._target, "near": self._near, "far": self._far,
+        }  # fmt: skip
+        """Each label by the name of what it is about."""
 
     def lay_out(self, pane: PaneView, named: Named, *, afresh: bool) -> bool:
         """Put each label where it hides no other one, at its first place if that is free.

@@ -30,9 +30,11 @@ import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkPlane
 from vtkmodules.vtkRenderingCore import vtkActor
 
+from app.attention import CORNERS, Attention
 from app.drawings import actors
 from app.drawings.actors import Canvas, Space
 from app.drawings.labels import AXES, Labels, Named, PaneView
+from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at, volume_edges
 from app.drawings.probes import Probes
 from app.drawings.style import Style
 from app.picking import Probe, Sight
@@ -142,7 +144,10 @@ class WorldDrawing:
         self._build_scene()
         self._build_camera()
         self._build_frustum()
+        self._make_emphasis()
         self._labels = Labels(self._canvas, words)
+        for name, label in self._labels.named.items():
+            self._emphasis.label(label, name)
         self._probes = Probes(self._canvas, style)
         self._placed: tuple[float, ...] | None = None
         self._framed = self._objects
@@ -189,10 +194,13 @@ class WorldDrawing:
         self._rim_space.add(rim)
         add(sight, body, wire, eye, rim, target)
 
+        self._shafts: dict[str, vtkActor] = {}
         for axis, tip in _AXES.items():
             shaft, head = _arrow(np.array(tip), getattr(style, axis), 2.0 * width)
             self._axes_space.add(shaft, head)
+            self._shafts[axis] = shaft
             add(shaft, head)
+        self._marks = {"eye": eye, "target": target}
 
     def _build_frustum(self) -> None:
         style = self._style
@@ -207,6 +215,7 @@ class WorldDrawing:
         near_face = actors.face_actor(_CUBE, [_NEAR_FACE], style.near, _NEAR_TINT)
         near_line, far_line = outline(_NEAR_FACE, style.near), outline(_FAR_FACE, style.far)
         self._frustum_space.add(far_face, sides, near_face, near_line, far_line)
+        self._outlines = {"near": near_line, "far": far_line}
         self._tints = (near_face, _NEAR_TINT), (far_face, _FAR_TINT)
         edges = [(i, i + 4) for i in range(4)]
         self._body = actors.line_actor(_CUBE, edges, style.frustum, 1.4 * width)
@@ -229,9 +238,50 @@ class WorldDrawing:
             far_face, sides, near_face,
         )  # fmt: skip
 
+    def _make_emphasis(self) -> None:
+        self._emphasis = emphasis = Emphasis(self._canvas)
+        emphasis.volume(self._frustum_space, _CUBE, 6.0 * self._style.line_width, self._style)
+        for name, line in (*self._shafts.items(), *self._outlines.items()):
+            emphasis.line(line, name)
+        emphasis.line(self._apex, "fov")
+        for name, mark in self._marks.items():
+            emphasis.point(mark, name)
+
     def remove(self) -> None:
         """Take everything out of the plotter again."""
         self._canvas.remove()
+
+    # -- pointing
+
+    def show_attention(self, attended: Attention) -> bool:
+        """Let what is attended to stand out, and nothing else; tell whether that is a change."""
+        return self._emphasis.show(attended)
+
+    def attention_at(self, x_px: float, y_px: float) -> Attention:
+        """What is at a pixel from the pane's top left."""
+        found = self._emphasis.label_at(x_px, y_px)
+        if found:
+            return found
+        tips = np.array([_AXES[axis] for axis in AXES]) * self._body_size
+        tips = self._eye + tips @ self._projection.camera.frame
+        spots = self._spots(np.vstack([self._eye, self._target, tips, self._corners]))
+        eye, target, tip_spots, corners = spots[0], spots[1], spots[2:5], spots[5:]
+        points = [(frozenset((name,)), spot) for name, spot in zip(CORNERS, corners, strict=True)]
+        points += [(frozenset(("eye",)), eye), (frozenset(("target",)), target)]
+        segments: list[Segment] = [
+            (frozenset((axis,)), eye, tip) for axis, tip in zip(AXES, tip_spots, strict=True)
+        ]
+        segments += volume_edges(corners)
+        if not self._projection.lens.parallel:
+            segments += [(frozenset(("fov",)), eye, corner) for corner in corners[:4]]
+        return pointed_at((x_px, y_px), self._canvas.style.font_size, points, segments, corners)
+
+    def _spots(self, points: Array) -> list[Spot]:
+        height_px = self._pane.size_px[1]
+        return [
+            (x, height_px - y, -1.0 / depth) if depth > 0.0 else (math.nan, math.nan, math.nan)
+            for x, y, depth in self._pane.seen(points)
+        ]
 
     # -- the model
 
