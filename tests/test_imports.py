@@ -53,8 +53,10 @@ DRAWING = Room(
 PANEL = Room(
     ("numpy", *QT),
     (
+        "app.attention",
         "app.projection",
         "widgets.animation",
+        "widgets.attention",
         "widgets.messages",
         "widgets.palette",
         "widgets.rows",
@@ -79,7 +81,7 @@ ROOMS = {
     "app/depth.py": Room(("numpy",), ("app.projection",)),
     "app/clipping.py": Room(("numpy",), ("app.projection",)),
     "app/morph.py": Room(("numpy",), ("app.projection",)),
-    "app/notation.py": Room(rooms=("app.projection",)),
+    "app/notation.py": Room(rooms=("app.attention", "app.projection")),
     # Names only: the words in which rooms that know nothing of each other point at things.
     "app/attention.py": Room(),
     "app/picking.py": Room(("numpy",), ("app.projection",)),
@@ -121,6 +123,7 @@ ROOMS = {
     "app/doctor.py": Room(rooms=("app.bootstrap",), late=(*VTK, *QT, "app", "widgets")),
     "widgets/__init__.py": Room(),
     "widgets/palette.py": Room(QT, ("app.drawings.style",)),
+    "widgets/attention.py": Room(QT, ("app.attention",)),
     "widgets/messages.py": Room(QT, ("app.projection", "app.document")),
     "widgets/message_bar.py": PANEL,
     "widgets/rows.py": PANEL,
@@ -131,15 +134,15 @@ ROOMS = {
     "widgets/matrix_panel.py": Room(
         QT,
         (
-            *("app.notation", "app.projection", "app.drawings.style"),
-            *("widgets.messages", "widgets.rows"),
+            *("app.notation", "app.projection", "app.attention", "app.drawings.style"),
+            *("widgets.attention", "widgets.messages", "widgets.rows"),
         ),
     ),
     # Its numbers are those of the command `project`, by the same rung.
     "widgets/probe_panel.py": Room(
         QT,
         (
-            *("app.projection", "app.precision", "app.picking"),
+            *("app.projection", "app.precision", "app.picking", "app.attention"),
             *("widgets.messages", "widgets.palette", "widgets.rows"),
         ),
     ),
@@ -176,15 +179,15 @@ ROOMS = {
     "widgets/status_line.py": Room(
         QT,
         (
-            *("app.projection", "app.precision", "app.health", "app.scene"),
-            *("widgets.messages", "widgets.rows"),
+            *("app.projection", "app.precision", "app.health", "app.scene", "app.attention"),
+            *("widgets.attention", "widgets.messages", "widgets.rows"),
         ),
     ),
     "widgets/main_window.py": Room(
         ("numpy", *QT),
         (
             *("app.projection", "app.morph", "app.picking", "app.scene", "app.document"),
-            "app.drawings",
+            *("app.attention", "app.drawings"),
             *("app.store", "app.measure", "widgets"),
         ),
     ),

@@ -55,6 +55,7 @@ from app.projection import Camera, Projection
 from app.scene import BUILT_IN, Scene
 from app.store import Store
 from widgets import palette
+from widgets.attention import Attended
 from widgets.autosave import Autosave
 from widgets.controls import Controls
 from widgets.files import Files
@@ -136,6 +137,7 @@ class MainWindow(QMainWindow):
             "target": self.tr("target"),
         }
         self.store = Store(document, self)
+        self.attention = Attended(self)
         self.messages = MessageBar()
         self.files = Files(self, self.store, self.messages, settings.recent, self._with_views)
         self.files.path = path
@@ -430,6 +432,16 @@ class MainWindow(QMainWindow):
         canvas.drag_ended.connect(self._let_probe_go)
         self.probe_panel.changed.connect(self._show_probes)
         self.probe_panel.refused.connect(self.messages.say)
+        attend = self.attention.attend
+        controls.attended.connect(attend)
+        pointing: dict[str, Pane | MatrixPanel | ProbePanel | StatusLine] = {
+            **self.panes,
+            "matrices": self.matrices, "probes": self.probe_panel, "status": self.status,
+        }  # fmt: skip
+        for name, place in pointing.items():
+            place.attended.connect(partial(attend, name))
+            self.attention.changed.connect(place.show_attention)
+        self.attention.changed.connect(controls.show_attention)
         QGuiApplication.styleHints().colorSchemeChanged.connect(self._scheme_changed)
 
     # -- showing the document
