@@ -46,6 +46,7 @@ DRAWING = Room(
     ("numpy", *VTK),
     (
         *("app.projection", "app.precision", "app.morph", "app.picking", "app.attention"),
+        "app.camera_frame",
         *("app.scene", "app.drawings"),
     ),
 )
@@ -84,6 +85,7 @@ ROOMS = {
     "app/notation.py": Room(rooms=("app.attention", "app.projection")),
     # Names only: the words in which rooms that know nothing of each other point at things.
     "app/attention.py": Room(),
+    "app/camera_frame.py": Room(("numpy",), ("app.double_double", "app.values", "app.projection")),
     "app/picking.py": Room(("numpy",), ("app.projection",)),
     "app/health.py": Room(rooms=("app.projection", "app.precision", "app.depth")),
     "app/meshes.py": Room(("numpy", *VTK)),
@@ -93,6 +95,7 @@ ROOMS = {
     "app/drawings/actors.py": DRAWING,
     "app/drawings/rungs.py": DRAWING,
     "app/drawings/style.py": DRAWING,
+    "app/drawings/frame.py": DRAWING,
     "app/drawings/labels.py": DRAWING,
     "app/drawings/pointing.py": DRAWING,
     "app/drawings/probes.py": DRAWING,

@@ -88,6 +88,13 @@ class StagedDrawing(Drawing, Protocol):
         """Move to a position of the stage strip; draw nothing yet."""
 
 
+class SteppedDrawing(Drawing, Protocol):
+    """A drawing in which the camera's frame can be built step by step."""
+
+    def show_step(self, step: int | None) -> None:
+        """Build it up to a step, or show what is always shown; draw nothing yet."""
+
+
 class _Canvas(QtInteractor):
     """The VTK surface; turns the mouse into moves of its own camera, and nothing else."""
 
@@ -282,6 +289,8 @@ class Pane(QFrame):
         self._view: Camera | None = None
         self._stage: float | None = None
         self._stage_is_stale = False
+        self._step: int | None = None
+        self._step_is_stale = False
         self._probes: Sequence[Probe] = ()
         self._attention = self._pointed_at = NOTHING
         self._stale = False
@@ -379,6 +388,13 @@ class Pane(QFrame):
         if self.isVisible():
             self._refresh()
 
+    def show_step(self, step: int | None) -> None:
+        """Show a `SteppedDrawing` at a step, or as ever: at once if visible, or on appearing."""
+        if step != self._step:
+            self._step, self._step_is_stale = step, True
+            if self.isVisible():
+                self._refresh()
+
     def show_probes(self, probes: Sequence[Probe]) -> None:
         """Mark these probes, and no others: at once if visible, else on appearing."""
         if probes != self._probes:
@@ -419,6 +435,7 @@ class Pane(QFrame):
                 self.drawing.remove()
             self.drawing = self._make_drawing(self.canvas, *self._to_build)
             self._to_build = None
+            self._step_is_stale = self._step is not None
             self._apply_smoothing()
             self.drawing.show_projection(self._projection)
             self._take_stage(self.drawing)
@@ -433,6 +450,9 @@ class Pane(QFrame):
                 self.drawing.show_probes(self._probes)
         if self._stage_is_stale and self.drawing is not None:
             self._take_stage(self.drawing)
+        if self._step_is_stale and self.drawing is not None:
+            cast(SteppedDrawing, self.drawing).show_step(self._step)
+            self._step_is_stale = False
         if self.drawing is not None:
             self.drawing.show_attention(self._attention)
         self._stale = self._probes_stale = False
