@@ -12,6 +12,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 from fractions import Fraction
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -45,6 +46,7 @@ class UpAndView(NamedTuple):
     magnified: float
 
 
+@lru_cache(maxsize=8)
 def up_and_view(camera: Camera) -> UpAndView:
     """How the camera's up stands to its view direction, each number rounded once.
 

@@ -141,6 +141,13 @@ ROOMS = {
             *("widgets.attention", "widgets.messages", "widgets.rows"),
         ),
     ),
+    "widgets/frame_panel.py": Room(
+        QT,
+        (
+            *("app.projection", "app.camera_frame", "app.attention"),
+            *("widgets.attention", "widgets.messages", "widgets.rows", "widgets.section"),
+        ),
+    ),
     # Its numbers are those of the command `project`, by the same rung.
     "widgets/probe_panel.py": Room(
         QT,

@@ -59,6 +59,7 @@ from widgets.attention import Attended
 from widgets.autosave import Autosave
 from widgets.controls import Controls
 from widgets.files import Files
+from widgets.frame_panel import FramePanel
 from widgets.help import Help
 from widgets.matrix_panel import MatrixPanel
 from widgets.message_bar import MessageBar
@@ -135,6 +136,8 @@ class MainWindow(QMainWindow):
             "far": self.tr("far"),
             "eye": self.tr("eye"),
             "target": self.tr("target"),
+            "look": self.tr("look"),
+            "up": self.tr("up"),
         }
         self.store = Store(document, self)
         self.attention = Attended(self)
@@ -175,6 +178,11 @@ class MainWindow(QMainWindow):
         self.panels.add(
             self.tr("Matrices"), self.matrices,
             self.tr("Every stage's matrix: numbers, formulas, factors and products"),
+        )  # fmt: skip
+        self.frame_panel = FramePanel()
+        self.panels.add(
+            self.tr("Camera frame"), self.frame_panel,
+            self.tr("u, v, n, step by step: how eye, target and up make the view matrix"),
         )  # fmt: skip
         self.probe_panel = ProbePanel()
         self.panels.add(
@@ -410,7 +418,9 @@ class MainWindow(QMainWindow):
         store.changed.connect(self._show_document)
         store.history_changed.connect(self._history_changed)
         controls.edited.connect(store.set_projection)
-        for source in (controls, controls.animation):
+        self.frame_panel.edited.connect(store.set_projection)
+        self.frame_panel.step_changed.connect(self.panes["world"].show_step)
+        for source in (controls, controls.animation, self.frame_panel):
             source.gesture_started.connect(store.begin_gesture)
             source.gesture_finished.connect(store.end_gesture)
             source.gesture_started.connect(self.matrices.begin_gesture)
@@ -434,9 +444,10 @@ class MainWindow(QMainWindow):
         self.probe_panel.refused.connect(self.messages.say)
         attend = self.attention.attend
         controls.attended.connect(attend)
-        pointing: dict[str, Pane | MatrixPanel | ProbePanel | StatusLine] = {
+        pointing: dict[str, Pane | MatrixPanel | FramePanel | ProbePanel | StatusLine] = {
             **self.panes,
-            "matrices": self.matrices, "probes": self.probe_panel, "status": self.status,
+            "matrices": self.matrices, "frame": self.frame_panel,
+            "probes": self.probe_panel, "status": self.status,
         }  # fmt: skip
         for name, place in pointing.items():
             place.attended.connect(partial(attend, name))
@@ -461,6 +472,7 @@ class MainWindow(QMainWindow):
             pane.show_projection(document.projection)
         self.controls.show_projection(document.projection)
         self.matrices.show_projection(document.projection)
+        self.frame_panel.show_projection(document.projection)
         self.probe_panel.show_projection(document.projection)
         self._show_notes(document.projection, scene)
         self.autosave.schedule()

@@ -238,7 +238,8 @@ class Labels:
         for name, label in self._arrows.items():
             if name in named.arrows:
                 i = named.arrows.index(name)
-                layout.place(label, words[name], spots[i:count:step], _ON, gaps=1)
+                gaps = 1 if name in AXES else 3  # up can be anywhere, even on the view direction
+                layout.place(label, words[name], spots[i:count:step], _ON, gaps=gaps)
             else:
                 label.set_visible(False)
         layout.place(
