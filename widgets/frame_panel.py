@@ -87,6 +87,7 @@ class FramePanel(QWidget):
         self.step = 0
         self._projection = Projection()
         self._is_stale = True
+        self._attention = NOTHING
         self._steps = self._make_steps()
         self._timer = QTimer(self)
         self._timer.setInterval(STEP_MS)
@@ -108,7 +109,6 @@ class FramePanel(QWidget):
         self.sentence.setWordWrap(True)
         self._make_up()
         self._lay_out()
-        self._set_fonts()
         self._show_playing()
         self._show_step()
 
@@ -278,6 +278,7 @@ class FramePanel(QWidget):
         self.title.setText(place.format(self.step + 1, len(STEPS), step.name))
         self.formula.setText(step.formula)
         self.sentence.setText(step.sentence)
+        self._mark()
         self.back.setEnabled(self.step > 0)
         self.next.setEnabled(self.step < len(STEPS) - 1)
         self.all.setEnabled(self.step < len(STEPS) - 1)
@@ -357,7 +358,11 @@ class FramePanel(QWidget):
 
     def show_attention(self, attended: Attention) -> None:
         """Mark the formula if it is about what is attended to."""
-        self.formula.set_marked(bool(attended & _ABOUT[self.step]))
+        self._attention = attended
+        self._mark()
+
+    def _mark(self) -> None:
+        self.formula.set_marked(bool(self._attention & _ABOUT[self.step]))
 
     # -- events
 
@@ -375,6 +380,7 @@ class FramePanel(QWidget):
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
+        self._set_fonts()  # not before: the first polish of a style sheet takes it back
         self._is_stale = True
         self._refresh()
         self.step_changed.emit(self.step)
