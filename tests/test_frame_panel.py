@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import replace
+from itertools import pairwise
 from typing import Any
 
 import mpmath
@@ -215,6 +216,7 @@ def test_folded_it_computes_nothing_and_opens_with_the_present_camera(
 def test_a_row_turns_up_and_undo_brings_it_back(make_window: MakeWindow) -> None:
     window = opened(make_window)
     panel, before = window.frame_panel, window.store.document.projection
+    window.controls.rows["camera_mode"].choose("vectors")
     panel.angle.field.setFocus()
     panel.angle.field.selectAll()
     QTest.keyClicks(panel.angle.field, "0.5")
@@ -289,7 +291,7 @@ def test_each_step_is_seen_and_all_comes_back(make_window: MakeWindow) -> None:
     for _ in STEPS[1:]:
         click(window.frame_panel.next)
         seen.append(pixels(window))
-    for one, other in zip(seen, seen[1:], strict=False):
+    for one, other in pairwise(seen):
         assert not np.array_equal(one, other)
     window.panels.open(None)
     window.show_all_panes()

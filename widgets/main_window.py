@@ -235,13 +235,13 @@ class MainWindow(QMainWindow):
     def _panel_opened(self) -> None:
         """Give an opened panel its height, and a folded row of names no more than it needs."""
         height = sum(self._column.sizes())
-        names = self.panels.minimumSizeHint().height()
+        names = wanted = self.panels.minimumSizeHint().height()
         if self.panels.open_panel is None:
             self.panels.setMaximumHeight(names)
         else:
             self.panels.setMaximumHeight(16777215)  # QWIDGETSIZE_MAX: as much as there is
             wanted = max(names, self.panels.sizeHint().height())
-            self._column.setSizes([height - wanted, wanted])
+        self._column.setSizes([height - wanted, wanted])
 
     def _action(
         self,
