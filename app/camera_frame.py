@@ -81,10 +81,9 @@ def turned_up(camera: Camera, angle_deg: float) -> Camera:
     ProjectionError
         If up is then parallel to the view direction, or not a finite number.
     """
-    along = np.subtract(camera.target, camera.eye)  # not -n: at 0 it shall be parallel exactly
+    _, v, n = camera.frame
     cosine, sine = cos_sin_deg(angle_deg)
-    up = cosine * along + sine * camera.distance * camera.frame[1]
-    up *= 2.0 ** -math.frexp(camera.distance)[1]  # exact, and the length does not matter
+    up = sine * v - cosine * n
     return replace(camera, up=tuple((up + 0.0).tolist()))
 
 

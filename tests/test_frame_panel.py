@@ -94,9 +94,13 @@ def test_turned_up_has_the_angle_and_keeps_the_frame(angle_deg: float) -> None:
 
 
 def test_up_on_the_view_direction_is_refused_by_the_model() -> None:
-    for angle_deg in (0.0, 1e-14, 180.0):
-        with pytest.raises(ProjectionError, match="up"):
-            turned_up(START.camera, angle_deg)
+    random = np.random.default_rng(5)
+    cameras = [Camera(tuple(random.normal(size=3) * 10.0 ** random.uniform(-3, 6)),
+                      tuple(random.normal(size=3))) for _ in range(100)]  # fmt: skip
+    for camera in (START.camera, *cameras):
+        for angle_deg in (0.0, 1e-14, 180.0):
+            with pytest.raises(ProjectionError, match="up"):
+                turned_up(camera, angle_deg)
     assert up_and_view(turned_up(START.camera, 1e-12)).angle_deg == pytest.approx(1e-12, rel=1e-2)
 
 
@@ -407,6 +411,29 @@ def test_the_formula_is_linked(make_window: MakeWindow) -> None:
     assert panel.formula.is_marked
     panel.go_to(4)
     assert not panel.formula.is_marked
+
+
+def test_the_row_and_the_arrow_of_up_are_linked(make_window: MakeWindow) -> None:
+    window = opened(make_window)
+    window.frame_panel.go_to(2)
+    settle()
+    row, before = window.frame_panel.angle, pixels(window)
+    QTest.mouseMove(window.windowHandle(), row.mapTo(window, row.rect().center()))
+    settle()
+    assert window.attention.now == {"up"} and row.is_marked
+    assert not np.array_equal(pixels(window), before)  # its arrow and its word
+    QTest.mouseMove(window.windowHandle(), QPoint(window.width() - 4, 2))
+    settle()
+    assert np.array_equal(pixels(window), before)
+    drawing: Any = window.panes["world"].drawing
+    camera = window.store.document.projection.camera
+    up = np.array(camera.up)  # of length 1
+    ((x_px, y_px),) = drawing.sight.seen([camera.eye + 1.5 * drawing._axes_size * up])
+    canvas = window.panes["world"].canvas
+    place = canvas.mapTo(window, QPoint(math.floor(x_px), math.floor(y_px)))
+    QTest.mouseMove(window.windowHandle(), place)
+    settle()
+    assert window.attention.now == {"up"} and row.is_marked
 
 
 def test_cameras_at_their_ends_are_drawn(make_window: MakeWindow) -> None:

@@ -49,6 +49,7 @@ STEP_MS = 2500
 NUDGE_DEG = 0.1
 CLOSE_DEG = 1.0
 """From here on up is near the view direction."""
+_UP: Attention = frozenset(("up",))
 _ABOUT: tuple[Attention, ...] = tuple(
     frozenset(names)
     for names in (("eye",), ("target",), ("up",), ("n",), ("u",), ("v",), ("u", "v", "n", "eye"))
@@ -171,6 +172,7 @@ class FramePanel(QWidget):
         self.angle.edited.connect(self._turn)
         self.angle.gesture_started.connect(self.gesture_started)
         self.angle.gesture_finished.connect(self.gesture_finished)
+        self.angle.attended.connect(lambda is_at: self.attended.emit(_UP if is_at else NOTHING))
         self.nudge = self._button(
             self.tr("Nudge up by {0}° to the side").format(NUDGE_DEG),
             self.tr("Make an error in up, and see by how much the picture turns"),
@@ -359,6 +361,7 @@ class FramePanel(QWidget):
     def show_attention(self, attended: Attention) -> None:
         """Mark the formula if it is about what is attended to."""
         self._attention = attended
+        self.angle.set_marked(bool(attended & _UP))
         self._mark()
 
     def _mark(self) -> None:
