@@ -65,6 +65,21 @@ def up_and_view(camera: Camera) -> UpAndView:
     return UpAndView(angle_deg, components, float(length), 1.0 / sine)
 
 
+def view_matrix(camera: Camera) -> tuple[tuple[float, ...], ...]:
+    """`view_from_world`: the rotation's rows u, v, n, and -R e; each number rounded once.
+
+    As the first of `Projection.stages`, without computing the others.
+
+    Parameters
+    ----------
+    camera : Camera
+    """
+    moved = camera.exact_view((0.0, 0.0, 0.0))
+    rows = [(*map(float, axis), float(part))
+            for axis, part in zip(camera.exact_frame, moved, strict=True)]  # fmt: skip
+    return (*rows, (0.0, 0.0, 0.0, 1.0))
+
+
 def turned_up(camera: Camera, angle_deg: float) -> Camera:
     """The same camera with up at another angle to the view direction, in the plane it is in.
 

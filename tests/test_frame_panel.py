@@ -18,7 +18,7 @@ from PySide6.QtGui import QImage, QTextDocumentFragment
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from app.camera_frame import STEPS, nudged_up, turned_up, up_and_view
+from app.camera_frame import STEPS, nudged_up, turned_up, up_and_view, view_matrix
 from app.drawings.frame import arrow_tips
 from app.projection import Camera, Perspective, Projection, ProjectionError, format_value
 from app.scene import load
@@ -82,6 +82,16 @@ def test_up_and_view_are_what_80_digits_say(eye: Any, up: Any) -> None:
     assert found.length == pytest.approx(float(length), rel=1e-15)
     assert found.magnified == pytest.approx(magnified, rel=1e-14)
     assert found.cross == pytest.approx([float(part) for part in cross], rel=1e-14, abs=1e-30)
+
+
+def test_the_view_matrix_is_the_stages() -> None:
+    random = np.random.default_rng(6)
+    for _ in range(60):
+        scale = 10.0 ** random.uniform(-6, 9)
+        eye, target, up = (tuple(part) for part in random.normal(size=(3, 3)) * scale)
+        projection = Projection(Camera(eye, target, up))
+        (stage,) = (stage for stage in projection.stages if stage.name == "view_from_world")
+        assert view_matrix(projection.camera) == tuple(map(tuple, stage.matrix.tolist()))
 
 
 @pytest.mark.parametrize("angle_deg", [178.0, 104.5, 90.0, 45.0, 1.0, 1e-3, 1e-6, 1e-9])

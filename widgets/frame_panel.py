@@ -37,7 +37,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.attention import NOTHING, Attention
-from app.camera_frame import STEPS, UpAndView, nudged_up, turned_up, up_and_view
+from app.camera_frame import STEPS, UpAndView, nudged_up, turned_up, up_and_view, view_matrix
 from app.projection import Camera, Projection, ProjectionError, format_value
 from widgets.attention import paint_attention
 from widgets.messages import sentence
@@ -317,7 +317,7 @@ class FramePanel(QWidget):
 
     def _show_numbers(self) -> None:
         if self.isVisible():
-            self.numbers.setText(_numbers(STEPS[self.step], self._projection))
+            self.numbers.setText(_numbers(STEPS[self.step], self._projection.camera))
 
     def _show_up(self, up: UpAndView) -> None:
         self.angle.setValue(tidy(up.angle_deg))
@@ -416,9 +416,8 @@ class _Formula(QLabel):
             painter.end()
 
 
-def _numbers(step: str, projection: Projection) -> str:
+def _numbers(step: str, camera: Camera) -> str:
     """What a step comes to, line by line."""
-    camera = projection.camera
     u, v, n = camera.frame.tolist()
     backward = [e - t for e, t in zip(camera.eye, camera.target, strict=True)]
     lines: list[tuple[str, str]]
@@ -448,8 +447,7 @@ def _numbers(step: str, projection: Projection) -> str:
     elif step == "v":
         lines = [("v", _vector(v))]
     else:
-        (stage,) = (stage for stage in projection.stages if stage.name == "view_from_world")
-        rows = [[format_value(value + 0.0) for value in row] for row in stage.matrix.tolist()]
+        rows = [[format_value(value + 0.0) for value in row] for row in view_matrix(camera)]
         cells = ("".join(f"<td align='right'>{cell}</td>" for cell in row) for row in rows)
         table = "".join(f"<tr>{row}</tr>" for row in cells)
         return f"<table cellspacing='0' cellpadding='3'>{table}</table>"
