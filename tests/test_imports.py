@@ -46,6 +46,7 @@ DRAWING = Room(
     ("numpy", *VTK),
     (
         *("app.projection", "app.precision", "app.morph", "app.picking", "app.handles"),
+        *("app.attention", "app.camera_frame"),
         *("app.scene", "app.drawings"),
     ),
 )
@@ -67,8 +68,10 @@ MEASURE = Room(
 PANEL = Room(
     ("numpy", *QT),
     (
+        "app.attention",
         "app.projection",
         "widgets.animation",
+        "widgets.attention",
         "widgets.messages",
         "widgets.palette",
         "widgets.rows",
@@ -93,7 +96,10 @@ ROOMS = {
     "app/depth.py": Room(("numpy",), ("app.projection",)),
     "app/clipping.py": Room(("numpy",), ("app.projection",)),
     "app/morph.py": Room(("numpy",), ("app.projection",)),
-    "app/notation.py": Room(rooms=("app.projection",)),
+    "app/notation.py": Room(rooms=("app.attention", "app.projection")),
+    # Names only: the words in which rooms that know nothing of each other point at things.
+    "app/attention.py": Room(),
+    "app/camera_frame.py": Room(("numpy",), ("app.double_double", "app.values", "app.projection")),
     "app/picking.py": Room(("numpy",), ("app.projection",)),
     "app/handles.py": Room(("numpy",), ("app.projection", "app.picking")),
     "app/health.py": Room(rooms=("app.projection", "app.precision", "app.depth")),
@@ -110,7 +116,9 @@ ROOMS = {
     "app/drawings/actors.py": DRAWING,
     "app/drawings/rungs.py": DRAWING,
     "app/drawings/style.py": DRAWING,
+    "app/drawings/frame.py": DRAWING,
     "app/drawings/labels.py": DRAWING,
+    "app/drawings/pointing.py": DRAWING,
     "app/drawings/probes.py": DRAWING,
     "app/drawings/handles.py": DRAWING,
     "app/drawings/world.py": DRAWING,
@@ -144,6 +152,7 @@ ROOMS = {
     "app/doctor.py": Room(rooms=("app.bootstrap",), late=(*VTK, *QT, "app", "widgets")),
     "widgets/__init__.py": Room(),
     "widgets/palette.py": Room(QT, ("app.drawings.style",)),
+    "widgets/attention.py": Room(QT, ("app.attention",)),
     "widgets/messages.py": Room(QT, ("app.projection", "app.document")),
     "widgets/message_bar.py": PANEL,
     "widgets/rows.py": PANEL,
@@ -154,15 +163,22 @@ ROOMS = {
     "widgets/matrix_panel.py": Room(
         QT,
         (
-            *("app.notation", "app.projection", "app.drawings.style"),
-            *("widgets.messages", "widgets.rows"),
+            *("app.notation", "app.projection", "app.attention", "app.drawings.style"),
+            *("widgets.attention", "widgets.messages", "widgets.rows"),
+        ),
+    ),
+    "widgets/frame_panel.py": Room(
+        QT,
+        (
+            *("app.projection", "app.camera_frame", "app.attention"),
+            *("widgets.attention", "widgets.messages", "widgets.rows", "widgets.section"),
         ),
     ),
     # Its numbers are those of the command `project`, by the same rung.
     "widgets/probe_panel.py": Room(
         QT,
         (
-            *("app.projection", "app.precision", "app.picking"),
+            *("app.projection", "app.precision", "app.picking", "app.attention"),
             *("widgets.messages", "widgets.palette", "widgets.rows"),
         ),
     ),
@@ -170,7 +186,10 @@ ROOMS = {
     # One pane hosts any drawing, so it knows the drawings' values and none of them.
     "widgets/pane.py": Room(
         ("numpy", "pyvistaqt", *VTK, *QT),
-        ("app.projection", "app.picking", "app.scene", "app.drawings", "widgets.palette"),
+        (
+            *("app.projection", "app.picking", "app.attention"),
+            *("app.scene", "app.drawings", "widgets.palette"),
+        ),
     ),
     # Between two panes and the window: it knows what they draw, and not the store.
     "widgets/manipulation.py": Room(
@@ -204,15 +223,15 @@ ROOMS = {
     "widgets/status_line.py": Room(
         QT,
         (
-            *("app.projection", "app.precision", "app.health", "app.scene"),
-            *("widgets.messages", "widgets.rows"),
+            *("app.projection", "app.precision", "app.health", "app.scene", "app.attention"),
+            *("widgets.attention", "widgets.messages", "widgets.rows"),
         ),
     ),
     "widgets/main_window.py": Room(
         ("numpy", *QT),
         (
             *("app.projection", "app.morph", "app.picking", "app.scene", "app.document"),
-            "app.drawings",
+            *("app.attention", "app.drawings"),
             *("app.store", "app.measure", "widgets"),
         ),
     ),

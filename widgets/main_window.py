@@ -55,9 +55,11 @@ from app.projection import Camera, Projection
 from app.scene import BUILT_IN, Scene
 from app.store import Store
 from widgets import palette
+from widgets.attention import Attended
 from widgets.autosave import Autosave
 from widgets.controls import Controls
 from widgets.files import Files
+from widgets.frame_panel import FramePanel
 from widgets.help import Help
 from widgets.manipulation import HOLD_WITHIN_PX, Manipulation
 from widgets.matrix_panel import MatrixPanel
@@ -133,8 +135,11 @@ class MainWindow(QMainWindow):
             "far": self.tr("far"),
             "eye": self.tr("eye"),
             "target": self.tr("target"),
+            "look": self.tr("look"),
+            "up": self.tr("up"),
         }
         self.store = Store(document, self)
+        self.attention = Attended(self)
         self.messages = MessageBar()
         self.files = Files(self, self.store, self.messages, settings.recent, self._with_views)
         self.files.path = path
@@ -173,6 +178,11 @@ class MainWindow(QMainWindow):
         self.panels.add(
             self.tr("Matrices"), self.matrices,
             self.tr("Every stage's matrix: numbers, formulas, factors and products"),
+        )  # fmt: skip
+        self.frame_panel = FramePanel()
+        self.panels.add(
+            self.tr("Camera frame"), self.frame_panel,
+            self.tr("u, v, n, step by step: how eye, target and up make the view matrix"),
         )  # fmt: skip
         self.probe_panel = ProbePanel()
         self.panels.add(
@@ -225,13 +235,13 @@ class MainWindow(QMainWindow):
     def _panel_opened(self) -> None:
         """Give an opened panel its height, and a folded row of names no more than it needs."""
         height = sum(self._column.sizes())
-        names = self.panels.minimumSizeHint().height()
+        names = wanted = self.panels.minimumSizeHint().height()
         if self.panels.open_panel is None:
             self.panels.setMaximumHeight(names)
         else:
             self.panels.setMaximumHeight(16777215)  # QWIDGETSIZE_MAX: as much as there is
             wanted = max(names, self.panels.sizeHint().height())
-            self._column.setSizes([height - wanted, wanted])
+        self._column.setSizes([height - wanted, wanted])
 
     def _action(
         self,
@@ -409,7 +419,9 @@ class MainWindow(QMainWindow):
         store.history_changed.connect(self._history_changed)
         controls.edited.connect(store.set_projection)
         self.manipulation.edited.connect(store.set_projection)
-        for source in (controls, controls.animation, self.manipulation):
+        self.frame_panel.edited.connect(store.set_projection)
+        self.frame_panel.step_changed.connect(self.panes["world"].show_step)
+        for source in (controls, controls.animation, self.manipulation, self.frame_panel):
             source.gesture_started.connect(store.begin_gesture)
             source.gesture_finished.connect(store.end_gesture)
             source.gesture_started.connect(self.matrices.begin_gesture)
@@ -431,6 +443,17 @@ class MainWindow(QMainWindow):
         canvas.drag_ended.connect(self._let_probe_go)
         self.probe_panel.changed.connect(self._show_probes)
         self.probe_panel.refused.connect(self.messages.say)
+        attend = self.attention.attend
+        controls.attended.connect(attend)
+        pointing: dict[str, Pane | MatrixPanel | FramePanel | ProbePanel | StatusLine] = {
+            **self.panes,
+            "matrices": self.matrices, "frame": self.frame_panel,
+            "probes": self.probe_panel, "status": self.status,
+        }  # fmt: skip
+        for name, place in pointing.items():
+            place.attended.connect(partial(attend, name))
+            self.attention.changed.connect(place.show_attention)
+        self.attention.changed.connect(controls.show_attention)
         QGuiApplication.styleHints().colorSchemeChanged.connect(self._scheme_changed)
 
     # -- showing the document
@@ -451,6 +474,7 @@ class MainWindow(QMainWindow):
         self.controls.show_projection(document.projection)
         self.manipulation.show_projection(document.projection)
         self.matrices.show_projection(document.projection)
+        self.frame_panel.show_projection(document.projection)
         self.probe_panel.show_projection(document.projection)
         self._show_notes(document.projection, scene)
         self.autosave.schedule()

@@ -33,6 +33,7 @@ from PySide6.QtWidgets import (
 )
 from pyvistaqt import QtInteractor
 
+from app.attention import NOTHING, Attention
 from app.picking import Probe, Sight
 from app.projection import Camera, Projection
 
@@ -70,6 +71,12 @@ class Drawing(Protocol):
     def sight(self) -> Sight:
         """How the pane looks at the world just now."""
 
+    def show_attention(self, attended: Attention) -> bool:
+        """Let what is attended to stand out; tell whether that changes what is seen."""
+
+    def attention_at(self, x_px: float, y_px: float) -> Attention:
+        """What is at a device pixel from the pane's top left."""
+
     def remove(self) -> None:
         """Take everything out of the plotter again."""
 
@@ -79,6 +86,13 @@ class StagedDrawing(Drawing, Protocol):
 
     def show_stage(self, position: float) -> None:
         """Move to a position of the stage strip; draw nothing yet."""
+
+
+class SteppedDrawing(Drawing, Protocol):
+    """A drawing in which the camera's frame can be built step by step."""
+
+    def show_step(self, step: int | None) -> None:
+        """Build it up to a step, or show what is always shown; draw nothing yet."""
 
 
 class _Canvas(QtInteractor):
@@ -268,6 +282,8 @@ class Pane(QFrame):
     """A place in the canvas, in device pixels from its top left."""
     float_requested = Signal()
     """The pane shall get, or leave, a window of its own."""
+    attended = Signal(object)
+    """The `Attention` that the mouse draws to what is under it; only when that changes."""
 
     def __init__(
         self,
@@ -287,7 +303,10 @@ class Pane(QFrame):
         self._view: Camera | None = None
         self._stage: float | None = None
         self._stage_is_stale = False
+        self._step: int | None = None
+        self._step_is_stale = False
         self._probes: Sequence[Probe] = ()
+        self._attention = self._pointed_at = NOTHING
         self._stale = False
         self._probes_stale = False
         self._smooth = False
@@ -317,6 +336,8 @@ class Pane(QFrame):
         self.canvas.setAccessibleName(title)
         self.canvas.moved.connect(self._view_moved)
         self.canvas.clicked.connect(self.clicked)
+        self.canvas.hovered.connect(self._hovered)
+        self.canvas.left.connect(self._left)
         if orbits:
             self.canvas.setToolTip(
                 self.tr(
@@ -388,6 +409,13 @@ class Pane(QFrame):
         if self.isVisible():
             self._refresh()
 
+    def show_step(self, step: int | None) -> None:
+        """Show a `SteppedDrawing` at a step, or as ever: at once if visible, or on appearing."""
+        if step != self._step:
+            self._step, self._step_is_stale = step, True
+            if self.isVisible():
+                self._refresh()
+
     def show_probes(self, probes: Sequence[Probe]) -> None:
         """Mark these probes, and no others: at once if visible, else on appearing."""
         if probes != self._probes:
@@ -395,6 +423,29 @@ class Pane(QFrame):
             self._probes_stale = True
             if self.isVisible():
                 self._refresh()
+
+    def show_attention(self, attended: Attention) -> None:
+        """Let what is attended to stand out: at once if visible, else on appearing."""
+        self._attention = attended
+        if (
+            self.isVisible()
+            and self._to_build is None
+            and self.drawing is not None
+            and self.drawing.show_attention(attended)
+        ):
+            self.request_repaint()
+
+    def _hovered(self, place: QPointF) -> None:
+        if self.drawing is not None:
+            self._point_at(self.drawing.attention_at(place.x(), place.y()))
+
+    def _left(self) -> None:
+        self._point_at(NOTHING)
+
+    def _point_at(self, attended: Attention) -> None:
+        if attended != self._pointed_at:
+            self._pointed_at = attended
+            self.attended.emit(attended)
 
     def _refresh(self) -> None:
         """Bring the drawing up to what was asked for while nobody looked."""
@@ -405,6 +456,7 @@ class Pane(QFrame):
                 self.drawing.remove()
             self.drawing = self._make_drawing(self.canvas, *self._to_build)
             self._to_build = None
+            self._step_is_stale = self._step is not None
             self._apply_smoothing()
             self.drawing.show_projection(self._projection)
             self._take_stage(self.drawing)
@@ -419,6 +471,11 @@ class Pane(QFrame):
                 self.drawing.show_probes(self._probes)
         if self._stage_is_stale and self.drawing is not None:
             self._take_stage(self.drawing)
+        if self._step_is_stale and self.drawing is not None:
+            cast(SteppedDrawing, self.drawing).show_step(self._step)
+            self._step_is_stale = False
+        if self.drawing is not None:
+            self.drawing.show_attention(self._attention)
         self._stale = self._probes_stale = False
         self.request_repaint()
 

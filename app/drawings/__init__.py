@@ -29,6 +29,8 @@ WORDS: Mapping[str, str] = MappingProxyType(
         "far": "far",
         "eye": "eye",
         "target": "target",
+        "look": "look",
+        "up": "up",
         "u": "u",
         "v": "v",
         "n": "n",

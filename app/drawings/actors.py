@@ -226,6 +226,8 @@ class Label:
             self.property.SetBackgroundOpacity(1.0)
             colour = style.text_on(plate)
         self.property.SetColor(*rgb(colour or style.ink))
+        self.property.SetFrameColor(*rgb(style.ink))
+        self.property.SetFrameWidth(max(2, round(1.6 * style.line_width)))
         self.set_dpi(_DPI)
         self.set_text(text)
         self.set_position(position)
@@ -244,6 +246,19 @@ class Label:
     def set_visible(self, visible: bool) -> None:
         """Show or hide."""
         self.actor.SetVisibility(visible)
+
+    def set_framed(self, framed: bool) -> None:
+        """Put a frame round the plate, or take it off."""
+        self.property.SetFrame(framed)
+
+    def covers(self, renderer: Any, x_px: float, y_px: float) -> bool:
+        """Whether it is seen at a pixel, counted from the renderer's left and bottom."""
+        if not self.actor.GetVisibility():
+            return False
+        box = [0.0] * 4
+        self.actor.GetBoundingBox(renderer, box)
+        x, y = self.actor.GetPositionCoordinate().GetComputedDoubleViewportValue(renderer)
+        return x + box[0] <= x_px <= x + box[1] and y + box[2] <= y_px <= y + box[3]
 
     def set_dpi(self, dpi: int) -> None:
         """Keep the size in pixels whatever dots per inch the window claims."""
