@@ -8,11 +8,17 @@ from __future__ import annotations
 
 from types import MappingProxyType
 
-from app.phenomena import similar_triangles
+from app.phenomena import eye_plane, similar_triangles
 from app.phenomena.exhibit import Phenomenon
 
 PHENOMENA = MappingProxyType(
-    {phenomenon.name: phenomenon for phenomenon in (similar_triangles.PHENOMENON,)}
+    {
+        phenomenon.name: phenomenon
+        for phenomenon in (
+            similar_triangles.PHENOMENON,
+            eye_plane.PHENOMENON,
+        )
+    }
 )
 """Every phenomenon by its scene's name, in the order of the lectures."""
 
