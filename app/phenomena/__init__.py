@@ -8,7 +8,11 @@ from __future__ import annotations
 
 from types import MappingProxyType
 
-from app.phenomena import eye_plane, similar_triangles
+from app.phenomena import (
+    affine_depth,
+    eye_plane,
+    similar_triangles,
+)
 from app.phenomena.exhibit import Phenomenon
 
 PHENOMENA = MappingProxyType(
@@ -17,6 +21,7 @@ PHENOMENA = MappingProxyType(
         for phenomenon in (
             similar_triangles.PHENOMENON,
             eye_plane.PHENOMENON,
+            affine_depth.PHENOMENON,
         )
     }
 )
