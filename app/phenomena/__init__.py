@@ -11,6 +11,7 @@ from types import MappingProxyType
 from app.phenomena import (
     affine_depth,
     eye_plane,
+    planar_shadow,
     similar_triangles,
 )
 from app.phenomena.exhibit import Phenomenon
@@ -22,6 +23,7 @@ PHENOMENA = MappingProxyType(
             similar_triangles.PHENOMENON,
             eye_plane.PHENOMENON,
             affine_depth.PHENOMENON,
+            planar_shadow.PHENOMENON,
         )
     }
 )
