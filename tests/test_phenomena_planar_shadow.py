@@ -119,6 +119,8 @@ def test_by_hand() -> None:
     exhibit = show(kind="sun", light=(1.0, 2.0, 0.0))
     assert value(exhibit, "S, 1") == (1.0, -0.5, 0.0, 0.0)
     assert value(exhibit, "S, 4") == (0.0, 0.0, 0.0, 1.0)
+    # What is just as high as the light has no shadow either: the letter's top, 8 vertices.
+    assert value(show(light=(4.0, 5.0, 0.0)), HIGH) == np.sum(SUBJECT.points[:, 1] == 5.0) == 8
     # The sun's distance has no meaning.
     assert value(show(kind="sun", light=(1e-320, 2e-320, 0.0)), "S, 1")[:2] == pytest.approx(
         (1.0, -0.5), rel=1e-3
@@ -141,8 +143,7 @@ def test_the_gpu_cuts_the_anti_shadow_off_and_minus_s_lets_it_through(
 ) -> None:
     """A point is in the volume under S just if it has a shadow and that is seen; under -S the rest.
 
-    Clip coordinates of what is above the light, with its image behind the eye, have w > 0 again; but
-    that is beyond the far plane.
+    What is above the light and has its image behind the eye has w > 0 again, beyond the far plane.
     """
     rng = np.random.default_rng(6)
     drawn = {True: 0, False: 0}

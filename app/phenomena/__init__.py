@@ -11,6 +11,7 @@ from types import MappingProxyType
 from app.phenomena import (
     affine_depth,
     eye_plane,
+    focus,
     planar_shadow,
     similar_triangles,
 )
@@ -24,6 +25,7 @@ PHENOMENA = MappingProxyType(
             eye_plane.PHENOMENON,
             affine_depth.PHENOMENON,
             planar_shadow.PHENOMENON,
+            focus.PHENOMENON,
         )
     }
 )
