@@ -149,6 +149,8 @@ def test_the_marks_are_the_bow_and_the_straight_image() -> None:
         (curve,) = [line.points for line in exhibit.ndc.lines if len(line.points) == 65]
         straight = next(line for line in exhibit.ndc.lines if line.colour == "accent").points
         np.testing.assert_allclose(straight, projection.trace(ends).ndc, atol=1e-9)
+        (over,) = exhibit.image.lines
+        np.testing.assert_allclose(over.points, projection.trace(ends).image, atol=1e-6)
         # Points of the bow are images of points of the segment, at their own w.
         t = np.array([0.0, 0.3, 0.5, 0.8, 1.0])
         for place in ends[0] + t[:, None] * (ends[1] - ends[0]):

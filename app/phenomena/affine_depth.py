@@ -193,9 +193,12 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
         lines += [Line(pair, "accent", 2.5) for pair in part.ndc[part.rows == 0]]
         straight = (0.0, 0.0)
         return Exhibit(
-            _readings(straight, 0.0, Phrase(_PARALLEL)), world, Marks(tuple(lines)),
+            _readings(straight, 0.0, Phrase(_PARALLEL)),
+            world,
+            Marks(tuple(lines)),
+            _in_picture(projection, part.ndc[part.rows == 0]),
             warning=Phrase(_PARALLEL),
-        )  # fmt: skip
+        )
     found = deviation(projection, part)
     own = part.rows == 0
     percent = found.percent[~own]
@@ -232,8 +235,16 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
         _readings(at, letter, note),
         world,
         Marks(tuple(lines), (), tuple(dots), tuple(texts)),
+        _in_picture(projection, part.ndc[own]),
         warning=note,
     )
+
+
+def _in_picture(projection: Projection, ndc: Array) -> Marks:
+    """Segments of the cube over the picture, where x' and y' are straight either way."""
+    width, height = projection.image_size
+    pixels = (ndc[..., :2] * (1.0, -1.0) + 1.0) * (width / 2.0, height / 2.0)
+    return Marks(tuple(Line(pair, "accent", 2.5) for pair in pixels))
 
 
 def _readings(
@@ -273,8 +284,7 @@ PHENOMENON = Phenomenon(
         "phenomena",
         "x and y are divided by the distance w. If z were only scaled and shifted, z' = A z + B, a"
         " straight segment PQ would come into the cube as a bow, and nothing between its ends could"
-        " be interpolated or clipped as a line. With z' = A + B / z it stays straight. The bow is"
-        " farthest from its chord where w is the geometric mean of the ends' distances.",
+        " be interpolated or clipped as a line. With z' = A + B / z it stays straight.",
     ),
     lectures=("L8",),
     start=_START,

@@ -114,27 +114,25 @@ def pictures(projection: Projection, view: Array, clip: Array) -> Pictures:
         The segments' ends, as `Projection.trace` gives them.
     """
     eye_cut = cut_at_eye(view[:, 0], view[:, 1])
-    matrix = projection.clip_from_view[[0, 1, 3], :3]
-    # Of the depth nothing is asked here; any one will do that is not 0 at the eye.
-    flat = np.ones((3, *clip.shape))
-    with np.errstate(over="ignore"):
-        flat[0, ..., :2] = naive_ndc(clip)[..., :2]
-    flat[1][..., [0, 1, 3]] = np.where(
-        (eye_cut.case == 1)[:, None, None], clip[..., [0, 1, 3]], eye_cut.points_view @ matrix.T
+    matrix = projection.clip_from_view
+    flat = np.empty((3, *clip.shape))
+    flat[0, ..., :3], flat[0, ..., 3] = naive_ndc(clip), 1.0
+    flat[1] = np.where(
+        (eye_cut.case == 1)[:, None, None], clip, eye_cut.points_view @ matrix[:, :3].T
     )
-    flat[2][..., [0, 1, 3]] = clip[..., [0, 1, 3]]
+    flat[2] = clip
+    flat[..., 2] = 1.0  # of the depth nothing is asked; any one will do that is not 0 at the eye
     nothing = ~(np.abs(flat) <= LARGEST_CLIP).all(axis=(2, 3))
     flat[nothing] = (2.0, 0.0, 1.0, 1.0)  # beyond the right plane
     found = clip_segments(flat[..., 0, :], flat[..., 1, :], planes=_SIDES)
     with np.errstate(invalid="ignore", divide="ignore"):
         ndc = found.points_clip[..., :2] / found.points_clip[..., 3:]
     # A segment that points at the eye ends there without an image; what is seen is one point.
-    rays = clip[..., [0, 1, 3]]
-    rays = rays / np.maximum(np.abs(rays).max(axis=-1, keepdims=True), 5e-324)
-    (xa, ya, wa), (xb, yb, wb) = np.moveaxis(rays, (1, 2), (0, 1))
+    size = np.maximum(np.abs(clip[..., [0, 1, 3]]).max(axis=-1), 5e-324)
+    (xa, xb), (ya, yb), (wa, wb) = rays = clip.T[[0, 1, 3]] / size.T
     sine = np.maximum(np.abs(ya * wb - yb * wa), np.abs(xa * wb - xb * wa))
     for row in np.flatnonzero((sine <= _THROUGH_EYE) & found.visible[2]):
-        x, y, w = rays[row, np.argmax(clip[row, :, 3])]
+        x, y, w = rays[:, np.argmax(clip[row, :, 3]), row]
         ndc[1:, row] = (x / w, y / w) if w > 0.0 and max(abs(x), abs(y)) <= w else math.nan
     ndc[~np.isfinite(ndc).all(axis=(2, 3))] = np.nan
     width, height = projection.image_size

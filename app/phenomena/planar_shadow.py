@@ -316,7 +316,7 @@ PHENOMENON = Phenomenon(
     explanation=QT_TRANSLATE_NOOP(
         "phenomena",
         "A shadow is a projection with its centre in the light: the object is drawn once more, in"
-        " one colour, under the matrix S. The sun is a light at infinity, with w = 0, and its"
+        " one colour, under the matrix S; for the sun, a light at infinity with w = 0, the"
         " projection is parallel. Put the light lower than the object's top: what is higher has"
         " w < 0, and unless it is clipped it is drawn on the other side as an anti-shadow.",
     ),
