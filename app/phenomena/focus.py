@@ -273,8 +273,9 @@ PHENOMENON = Phenomenon(
     explanation=QT_TRANSLATE_NOOP(
         "phenomena",
         "The synthetic camera has a point for a lens, and all of its picture is sharp; of a real"
-        " lens only what is at the focal distance is drawn as points, and the rest as discs. Between the two limits the discs are no larger than the circle of"
-        " confusion and pass for points. One world unit is 1 m; the picture itself is not blurred.",
+        " lens only what is at the focal distance is drawn as points, and the rest as discs."
+        " Between the two limits the discs are no larger than the circle of confusion and pass for"
+        " points. One world unit is 1 m; the picture itself is not blurred.",
     ),
     lectures=("L24",),
     start=_START,
