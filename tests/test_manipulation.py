@@ -228,10 +228,10 @@ def test_hovering_says_what_a_drag_does_and_costs_one_repaint(
     assert canvas.cursor().shape() == Qt.CursorShape.OpenHandCursor
     pointed = pixels(window, "world")
     changed = np.argwhere((pointed != before).any(axis=2))
-    assert len(changed) > 20
-    assert np.abs(changed - (spot[1], spot[0])).max() < 16.0  # the mark, and nothing else
+    # The mark; and, as everywhere, the plane that it belongs to.
+    assert (np.abs(changed - (spot[1], spot[0])).max(axis=1) < 16.0).sum() > 20
     counts.clear()
-    away = point((spot[0], spot[1] - 60.0))
+    away = point((3.0, 3.0))
     for _ in range(2):
         move(window, "world", away, button=Qt.MouseButton.NoButton)
     assert len(counts) == 1 and world(window).held is None

@@ -9,9 +9,13 @@ from __future__ import annotations
 from types import MappingProxyType
 
 from app.phenomena import (
+    affine_depth,
+    eye_plane,
     field_of_view,
+    focus,
     oblique_drawing,
     off_axis_window,
+    planar_shadow,
     similar_triangles,
     vanishing_points,
     view_volumes,
@@ -28,6 +32,10 @@ PHENOMENA = MappingProxyType(
             off_axis_window.PHENOMENON,
             oblique_drawing.PHENOMENON,
             vanishing_points.PHENOMENON,
+            eye_plane.PHENOMENON,
+            affine_depth.PHENOMENON,
+            planar_shadow.PHENOMENON,
+            focus.PHENOMENON,
         )
     }
 )
