@@ -106,6 +106,7 @@ ROOMS = {
     "app/drawings/style.py": DRAWING,
     "app/drawings/labels.py": DRAWING,
     "app/drawings/probes.py": DRAWING,
+    "app/drawings/marks.py": DRAWING,
     "app/drawings/world.py": DRAWING,
     "app/drawings/ndc.py": DRAWING,
     "app/drawings/image.py": DRAWING,

@@ -211,7 +211,7 @@ class Label:
         self.actor = vtkTextActor()
         self.actor.SetTextScaleModeToNone()
         self.actor.UseBoundsOff()
-        self._style = style
+        self._style, self._plate = style, ""
         self._pad = " " if plate else ""
         self._font_px = style.font_size * size
         self._text: str | None = None
@@ -244,6 +244,9 @@ class Label:
 
     def set_plate(self, plate: str) -> None:
         """Put a label that has a plate on one of another colour, in whatever reads better there."""
+        if plate == self._plate:
+            return
+        self._plate = plate
         self.property.SetBackgroundColor(*rgb(plate))
         self.property.SetBackgroundOpacity(1.0)
         self.property.SetColor(*rgb(self._style.text_on(plate)))

@@ -569,6 +569,7 @@ class WorldDrawing:
 
     def show_exhibit(self, exhibit: Exhibit | None) -> None:
         """Draw what a phenomenon shows for the projection shown last, and nothing of another."""
+        is_first = self._marks is None
         if self._marks is None:
             if exhibit is None:
                 return
@@ -587,6 +588,9 @@ class WorldDrawing:
             copied = np.column_stack([x / w, y / w, z / w])
         copied = copied[(np.abs(copied) <= limit).all(axis=1)]
         self._marked = np.concatenate([marks.points, copied])
+        if is_first and not self._was_moved():
+            self.reset_view()
+            return
         self._place_labels(afresh=False)
         self._fit_range()
 
