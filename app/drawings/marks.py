@@ -166,6 +166,7 @@ class MarksDrawing:
         if not np.abs(points).max() <= placing.limit:  # also NaN
             segments, kept = _cut_segments(segments, placing.limit)
             widths, colours = widths[kept], colours[kept]
+        # Wide lines get their direction from a difference that a driver must not find to be 0.
         long = (segments[:, 0] != segments[:, 1]).any(axis=1)
         if not long.all():
             segments, widths, colours = segments[long], widths[long], colours[long]

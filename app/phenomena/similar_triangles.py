@@ -50,7 +50,7 @@ _SLAB = 4e-3  # of the plane's distance: thickness of the picture on it
 def _geometry() -> tuple[Coloured, Coloured]:
     faces, rgb = letter_f()
     return (faces, rgb), joined(
-        ground_grid((-4.0, -4.0), (4.0, 10.0), (1.0, 1.0), 0.0), edges_of(faces)
+        ground_grid((-4.0, -2.0), (4.0, 10.0), (1.0, 1.0), 0.0), edges_of(faces)
     )
 
 
@@ -202,7 +202,7 @@ def _marked(where: Array) -> Marks:
 
 _START = Projection(
     Camera((5.5, 3.6, 9.5), (0.3, 2.4, 0.0), (0.0, 1.0, 0.0)),
-    Perspective(fov_y_deg=40.0, near=1.0, far=18.0),
+    Perspective(fov_y_deg=40.0, near=1.0, far=14.0),
     (1280, 720),
 )
 
