@@ -45,9 +45,9 @@ CORE = Room(("numpy",))
 DRAWING = Room(
     ("numpy", *VTK),
     (
-        *("app.projection", "app.precision", "app.morph", "app.picking", "app.handles"),
-        *("app.attention", "app.camera_frame"),
-        *("app.scene", "app.drawings"),
+        *("app.projection", "app.precision", "app.morph", "app.picking", "app.clipping"),
+        *("app.attention", "app.camera_frame", "app.handles"),
+        *("app.scene", "app.phenomena", "app.drawings"),
     ),
 )
 PHENOMENON = Room(
@@ -110,7 +110,9 @@ ROOMS = {
         for path in (ROOT / "app" / "phenomena").glob("*.py")
     },
     "app/meshes.py": Room(("numpy", *VTK)),
-    "app/scene.py": Room(("numpy", *VTK), ("app.projection", "app.shapes", "app.meshes")),
+    "app/scene.py": Room(
+        ("numpy", *VTK), ("app.projection", "app.shapes", "app.meshes", "app.phenomena")
+    ),
     "app/document.py": Room(rooms=("app.projection",)),
     "app/drawings/__init__.py": DRAWING,
     "app/drawings/actors.py": DRAWING,
@@ -121,12 +123,16 @@ ROOMS = {
     "app/drawings/pointing.py": DRAWING,
     "app/drawings/probes.py": DRAWING,
     "app/drawings/handles.py": DRAWING,
+    "app/drawings/marks.py": DRAWING,
     "app/drawings/world.py": DRAWING,
     "app/drawings/ndc.py": DRAWING,
     "app/drawings/image.py": DRAWING,
     "app/figures.py": Room(
         ("numpy", "PIL", *VTK),
-        ("app.projection", "app.meshes", "app.scene", "app.drawings", "app.document"),
+        (
+            *("app.projection", "app.meshes", "app.scene", "app.phenomena"),
+            *("app.drawings", "app.document"),
+        ),
     ),
     # What is measured, and how it is kept, needs no OpenGL until a picture is timed.
     "app/measure/results.py": Room(),
@@ -188,7 +194,7 @@ ROOMS = {
         ("numpy", "pyvistaqt", *VTK, *QT),
         (
             *("app.projection", "app.picking", "app.attention"),
-            *("app.scene", "app.drawings", "widgets.palette"),
+            *("app.scene", "app.phenomena", "app.drawings", "widgets.palette"),
         ),
     ),
     # Between two panes and the window: it knows what they draw, and not the store.
