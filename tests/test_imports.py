@@ -71,9 +71,11 @@ ROOMS = {
     "app/values.py": CORE,
     "app/camera.py": Room(("numpy",), ("app.double_double", "app.values")),
     "app/lenses.py": Room(rooms=("app.double_double", "app.values")),
+    "app/rationals.py": Room(),
     # The model's one door: what values, camera and lenses hold is had from here.
     "app/projection.py": Room(
-        ("numpy",), ("app.double_double", "app.values", "app.camera", "app.lenses")
+        ("numpy",),
+        ("app.double_double", "app.rationals", "app.values", "app.camera", "app.lenses"),
     ),
     "app/precision.py": Room(("numpy",), ("app.double_double", "app.projection")),
     "app/depth.py": Room(("numpy",), ("app.projection",)),
