@@ -1513,7 +1513,7 @@ REFUSED: list[tuple[Callable[[], object], str, str, str]] = [
     (projection_with(depth=[]), "depth", ONE_OF,
      "depth = (): must be one of opengl, direct3d, reversed."),
     (lambda: Projection().with_lens("fisheye"), "kind", ONE_OF,
-     "kind = 'fisheye': must be one of perspective, frustum, orthographic, oblique."),
+     "kind = 'fisheye': must be one of perspective, frustum, orthographic, oblique, matrix."),
     (lambda: Projection(DISTANT, Perspective(45, 1, INF)).with_lens("orthographic"), "far",
      AT_MOST, "far = 4e+100: must be at most 1e+100."),
     # points
