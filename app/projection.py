@@ -1285,8 +1285,10 @@ class Projection:
         ProjectionError
             For another depth range.
         """
+        if depth == self.depth:
+            return self
         changed = replace(self, depth=depth)
-        if depth == self.depth or not isinstance(self.lens, FreeMatrix):
+        if not isinstance(self.lens, FreeMatrix):
             return changed
         old_near, old_far = map(Fraction, self.depth_range)
         new_near, new_far = map(Fraction, changed.depth_range)

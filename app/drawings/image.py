@@ -9,7 +9,6 @@ what the depth buffer here takes.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -103,7 +102,7 @@ class ImageDrawing:
         if projection.image_size != self._image_size:
             self._image_size = projection.image_size
             self._canvas.relayout()
-        seen = projection if projection.depth == "opengl" else replace(projection, depth="opengl")
+        seen = projection.with_depth("opengl")
         clip_from_vertex = self._model.show_projection(seen)
         self._surface_space.set_projective(clip_from_vertex)
         self._line_space.set_projective(lifted(clip_from_vertex, seen, self._scene))

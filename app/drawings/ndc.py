@@ -23,7 +23,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -116,7 +115,7 @@ class NdcDrawing:
         self._volume = Space()
         self._projection = scene.start
         self._position = float(NDC)
-        self._named: tuple[int, bool] | None = None
+        self._named: tuple[int, str] | None = None
         self._morph: Morph | None = None
         self._planes = self._cube_planes()
         self._model = ModelActors(scene, style, tolerance_px, self._planes)
@@ -262,15 +261,14 @@ class NdcDrawing:
             pane[row] = *axis, middle / 2.0 - axis @ position
         pane[2] = *toward, -toward @ position
         pane[3, 3] = 1.0
-        clip = projection.clip_from_view @ projection.view_rotation
+        clip = projection.clip_from_eye
         limits = np.concatenate([clip[3] - clip[:3], clip[3] + clip[:3]])
         return Sight(np.array(projection.camera.eye), pane @ self._display_from_ndc @ clip, limits)
 
     @property
     def _seen(self) -> Projection:
         """In OpenGL's range, whatever the model's: the displayed cube differs by its depth only."""
-        projection = self._projection
-        return projection if projection.depth == "opengl" else replace(projection, depth="opengl")
+        return self._projection.with_depth("opengl")
 
     @property
     def _display_from_ndc(self) -> NDArray[np.float64]:
@@ -482,9 +480,9 @@ class NdcDrawing:
             for name in "xy":
                 for number, text in zip(self._numbers[name], ("−1", "1"), strict=True):
                     number.set_text(text)
-        if (stop, self._projection.lens.parallel) == self._named:
+        if (stop, self._projection.lens.kind) == self._named:
             return
-        self._named = stop, self._projection.lens.parallel
+        self._named = stop, self._projection.lens.kind
         self._cross.SetVisibility(stop in (CANONICAL_PARALLEL, NDC))
         for actor in self._arrows:
             actor.SetVisibility(stop == NDC)
