@@ -422,10 +422,11 @@ MIRRORED_CLIP = "mirrored: left and right, or near and far, end exchanged"
 NOT_RIGID = "not rigid: it changes lengths or angles, so that no camera has it"
 W_VANISHES = "w vanishes where {0} = 0: the divide sends these points to infinity"
 W_IS_NOT_POSITIVE = "w is {0} everywhere: there is no picture"
+ALL_BEHIND = "w is negative all over the view volume: there is no picture"
 THROUGH_INFINITY = "the view volume reaches infinity: the frustum cannot be drawn"
 PROPERTIES = (
     AFFINE, NOT_AFFINE, SINGULAR, MIRRORED_VIEW, MIRRORED_CLIP, NOT_RIGID, W_VANISHES,
-    W_IS_NOT_POSITIVE, THROUGH_INFINITY,
+    W_IS_NOT_POSITIVE, ALL_BEHIND, THROUGH_INFINITY,
 )  # fmt: skip
 """Every sentence of a `Property`, for translators."""
 
@@ -473,6 +474,8 @@ def _of_clip(projection: Projection, matrix: Rationals) -> list[Property]:
     # Right-handed view space ends left-handed where near goes to less than far.
     if (determinant > 0) == (z_near < z_far):
         found.append(Property(MIRRORED_CLIP))
+    if projection.frustum_sign < 0 and any(matrix[3][:3]):
+        found.append(Property(ALL_BEHIND))
     if projection.frustum_sign == 0 and _is_regular_view(projection):
         found.append(Property(THROUGH_INFINITY))
     return found

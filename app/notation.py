@@ -298,6 +298,11 @@ def _signs(projection: Projection, letters: Letters) -> Callable[[str, int, int]
     return sign
 
 
+def cell_sign(projection: Projection, letters: Letters, name: str, row: int, column: int) -> int:
+    """1, or -1 where the letters' lecture turns the sign of a stage's cell."""
+    return _signs(projection, letters)(name, row, column)
+
+
 def has_own_signs(projection: Projection, letters: Letters) -> bool:
     """Whether the letters' lecture turns signs of this projection's matrices."""
     lens = projection.lens

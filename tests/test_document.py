@@ -291,7 +291,8 @@ BAD_VALUES: list[tuple[str, object, str]] = [
     ("lens.kind", "fisheye",
      "lens.kind = 'fisheye': must be one of perspective, frustum, orthographic, oblique, matrix."),
     ("lens.kind", ["perspective"],
-     "lens.kind = ['perspective']: must be one of perspective, frustum, orthographic, oblique, matrix."),
+     "lens.kind = ['perspective']: must be one of perspective, frustum, orthographic, oblique, "
+     "matrix."),
     ("camera.eye", [0, 2.2, 0],
      "camera.target = [0, 2.2, 0]: must differ from the eye, or the camera looks nowhere."),
     ("camera.eye", [1, 2], "camera.eye = [1, 2]: must be three finite numbers x, y, z."),

@@ -81,6 +81,7 @@ ROOMS = {
     "app/depth.py": Room(("numpy",), ("app.projection",)),
     "app/clipping.py": Room(("numpy",), ("app.projection",)),
     "app/morph.py": Room(("numpy",), ("app.projection",)),
+    "app/free_matrix.py": Room(rooms=("app.double_double", "app.rationals", "app.projection")),
     "app/notation.py": Room(rooms=("app.projection",)),
     "app/picking.py": Room(("numpy",), ("app.projection",)),
     "app/health.py": Room(rooms=("app.projection", "app.precision", "app.depth")),
@@ -113,7 +114,7 @@ ROOMS = {
         ("numpy",),
         (
             *("app.bootstrap", "app.projection", "app.precision", "app.notation"),
-            *("app.document", "app.doctor"),
+            *("app.document", "app.doctor", "app.free_matrix"),
         ),
         late=(*VTK, *QT, "app", "widgets"),
     ),
@@ -130,7 +131,7 @@ ROOMS = {
     "widgets/matrix_panel.py": Room(
         QT,
         (
-            *("app.notation", "app.projection", "app.drawings.style"),
+            *("app.notation", "app.free_matrix", "app.projection", "app.drawings.style"),
             *("widgets.messages", "widgets.rows"),
         ),
     ),

@@ -408,6 +408,7 @@ class MainWindow(QMainWindow):
         store.changed.connect(self._show_document)
         store.history_changed.connect(self._history_changed)
         controls.edited.connect(store.set_projection)
+        self.matrices.edited.connect(store.set_projection)
         for source in (controls, controls.animation):
             source.gesture_started.connect(store.begin_gesture)
             source.gesture_finished.connect(store.end_gesture)

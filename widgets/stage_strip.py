@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.morph import CANONICAL_PERSPECTIVE, IMAGE, NDC, STOPS, VIEW, WORLD
-from app.projection import Projection
+from app.projection import FreeMatrix, Projection
 
 STEPS = 240
 """Slider steps from one stop to the next."""
@@ -186,11 +186,15 @@ class StageStrip(QWidget):
         stop, lens = self.stop, projection.lens
         if stop == WORLD:
             text = self.tr("x, y, z in world units")
+        elif isinstance(lens, FreeMatrix) and VIEW < stop < NDC:
+            text = self.tr("a free matrix has no canonical volumes: one step to NDC")
+        elif isinstance(lens, FreeMatrix) and stop == VIEW:
+            text = self.tr("x, y, z of view space")
         elif stop == VIEW:
             text = self.tr("u, v, n in world units")
-        elif stop == CANONICAL_PERSPECTIVE and lens.parallel:
+        elif not isinstance(lens, FreeMatrix) and stop == CANONICAL_PERSPECTIVE and lens.parallel:
             text = self.tr("a parallel lens has no M_pp: this is the identity")
-        elif stop == CANONICAL_PERSPECTIVE:
+        elif stop == CANONICAL_PERSPECTIVE and not isinstance(lens, FreeMatrix):
             if lens.far == math.inf:
                 text = self.tr("near at z = -1, scaled by near as far is infinite")
             else:
