@@ -467,9 +467,9 @@ def properties(projection: Projection, name: str) -> list[Property]:
 
 def _of_clip(projection: Projection, matrix: Rationals) -> list[Property]:
     rank, determinant, _ = eliminate(matrix)
-    found = _of_last_row(matrix[3])
     if rank < 4:
-        return [*found, Property(SINGULAR, (str(rank),))]
+        return [Property(SINGULAR, (str(rank),)), *_of_last_row(matrix[3])]
+    found = []
     z_near, z_far = projection.depth_range
     # Right-handed view space ends left-handed where near goes to less than far.
     if (determinant > 0) == (z_near < z_far):
@@ -478,7 +478,7 @@ def _of_clip(projection: Projection, matrix: Rationals) -> list[Property]:
         found.append(Property(ALL_BEHIND))
     if projection.frustum_sign == 0 and _is_regular_view(projection):
         found.append(Property(THROUGH_INFINITY))
-    return found
+    return found + _of_last_row(matrix[3])
 
 
 def _is_regular_view(projection: Projection) -> bool:
@@ -489,16 +489,14 @@ def _is_regular_view(projection: Projection) -> bool:
 def _of_view(matrix: Rationals) -> list[Property]:
     rank = eliminate(matrix).rank
     turning = _determinant([row[:3] for row in matrix[:3]])
-    found = _of_last_row(matrix[3])
-    if rank < 4:
-        return [*found, Property(SINGULAR, (str(rank),))]
+    found = [Property(SINGULAR, (str(rank),))] if rank < 4 else []
     if turning < 0:
         found.append(Property(MIRRORED_VIEW, (f"{float(turning):.3g}",)))
     rows = [row[:3] for row in matrix[:3]]
     angles = [_dot(a, b) - (a is b) for i, a in enumerate(rows) for b in rows[: i + 1]]
     if max(map(abs, angles)) > Fraction(_RIGID):
         found.append(Property(NOT_RIGID))
-    return found
+    return found + _of_last_row(matrix[3])
 
 
 def _of_last_row(last: list[Fraction]) -> list[Property]:

@@ -174,7 +174,7 @@ def drawing_bound_px(
     least_w = 1.0
     lens = projection.lens
     if isinstance(lens, FreeMatrix) or not lens.parallel:
-        near = 0.0 if isinstance(lens, FreeMatrix) else lens.near
+        near = projection.least_w
         clip = local @ clip_from_local[:, :3].T + clip_from_local[:, 3]
         least_w = max(near, _least_w_seen(clip, sizes))
         if least_w == math.inf or clip[:, 3].max() < near:  # nothing of it is seen

@@ -700,6 +700,19 @@ class Projection:
         reach = abs(x) + abs(y)
         return (min(ends) > reach) - (max(ends) < -reach)
 
+    @property
+    def least_w(self) -> float:
+        """The least w of what is in the view volume, or less: near, of a perspective lens."""
+        lens = self.lens
+        if not isinstance(lens, FreeMatrix):
+            return 1.0 if lens.parallel else lens.near
+        if self.frustum_sign <= 0:
+            return 0.0
+        # Un-projected, the cube's corner (x, y, z, 1) has the inverse of the point's own w.
+        x, y, z, w = self._eye_from_clip[3]
+        most = max(w + z * Fraction(z_ndc) for z_ndc in self.depth_range) + abs(x) + abs(y)
+        return float(1 / most)
+
     def world_from_clip_at(self, origin: ArrayLike) -> Array:
         """The inverse of `clip_from_world_at`, (4, 4).
 

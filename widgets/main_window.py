@@ -489,7 +489,7 @@ class MainWindow(QMainWindow):
     def _name_stage(self, projection: Projection) -> None:
         """Title, axes and limits of what the NDC pane shows."""
         pane = self.panes["ndc"]
-        pane.set_title(self.strip.title())
+        pane.set_title(self.strip.title(projection))
         note = self.strip.note(projection)
         pane.note.setText(note)
         pane.note.setToolTip(note)  # the pane can be narrower

@@ -864,15 +864,19 @@ class MatrixPanel(QWidget):
             "formulas": self.cells.currentData() == "formulas", "style": self._style,
         }  # fmt: skip
         for matrix, box in zip(self._shown, self._boxes, strict=True):
-            box.title.setText(stage_title(matrix.name))
+            title = stage_title(matrix.name)
+            if properties(self._projection, matrix.name):
+                title = self.tr("{0}, a free matrix").format(title)
+            box.title.setText(title)
             box.title.setToolTip(" = ".join([matrix.name, " · ".join(matrix.product)])
                                  if matrix.product else matrix.name)  # fmt: skip
             note = self._note(matrix)
-            lines = (textwrap.fill(line, _NOTE_CHARACTERS) for line in note.splitlines())
-            box.note.setText("\n".join(lines))
-            box.note.setVisible(bool(note))
             old = before.get(matrix.name)
             box.view.show_matrix(matrix, old, **settings)
+            fitting = box.view.width() // max(box.note.fontMetrics().averageCharWidth(), 1)
+            wide = max(_NOTE_CHARACTERS, fitting - 2)
+            box.note.setText("\n".join(textwrap.fill(line, wide) for line in note.splitlines()))
+            box.note.setVisible(bool(note))
             factors = old.factors if old and len(old.factors) == len(matrix.factors) else None
             for number, view in enumerate(box.factor_views):
                 view.show_matrix(
@@ -927,7 +931,7 @@ class MatrixPanel(QWidget):
                 translated(template).format(*figures)
                 for template, figures in properties(projection, matrix.name)
             ]
-            return "\n".join([self.tr("free matrix"), *found] if found else [])
+            return "\n".join(found)
         if matrix.name != "clip_from_view":
             return ""
         if not has_own_signs(projection, self._letters):

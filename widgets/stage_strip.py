@@ -160,8 +160,8 @@ class StageStrip(QWidget):
         self.pause()
         self.slider.setValue(round(position * STEPS))
 
-    def title(self) -> str:
-        """What the pane shows at this position."""
+    def title(self, projection: Projection | None = None) -> str:
+        """What the pane shows at this position, of this projection if it is given."""
         titles = (
             self.tr("World"),
             self.tr("View"),
@@ -170,6 +170,9 @@ class StageStrip(QWidget):
             self.tr("NDC cube"),
             self.tr("Image"),
         )
+        free = projection is not None and isinstance(projection.lens, FreeMatrix)
+        if free and VIEW < self._at < NDC:
+            return f"{self._names[VIEW][0]} → {self._names[NDC][0]}"
         if self._at == self.stop:
             return titles[self.stop]
         before = math.floor(self._at)
@@ -187,7 +190,7 @@ class StageStrip(QWidget):
         if stop == WORLD:
             text = self.tr("x, y, z in world units")
         elif isinstance(lens, FreeMatrix) and VIEW < stop < NDC:
-            text = self.tr("a free matrix has no canonical volumes: one step to NDC")
+            text = self.tr("no canonical volumes")
         elif isinstance(lens, FreeMatrix) and stop == VIEW:
             text = self.tr("x, y, z of view space")
         elif stop == VIEW:

@@ -711,8 +711,9 @@ def flatten(
 
 def _flattened_free(projection: Projection, origin: Array, pane_eye: Array) -> Film:
     """`flatten` under a free matrix: onto the cube's near face, on the side that is looked at."""
-    clip_from_local = projection.with_depth("reversed").clip_from_world_at(origin)
-    local_from_clip = np.linalg.inv(clip_from_local)
+    reversed_range = projection.with_depth("reversed")
+    clip_from_local = reversed_range.clip_from_world_at(origin)
+    local_from_clip = reversed_range.world_from_clip_at(origin)
     z, w = clip_from_local[2:] @ (*pane_eye, 1.0)
     side = 1.0 if w <= 0.0 or z > w else -1.0
     squeeze = np.eye(4)
