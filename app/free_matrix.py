@@ -380,26 +380,30 @@ def recognised_camera(cells: Cells, in_hand: Camera) -> Camera | None:
             for axis, row in zip(camera.exact_frame, rows, strict=True)
             for a, b in zip(axis, row, strict=True)
         )
-        if turned <= Fraction(_RIGID) + 4 * room / distance:
+        if turned <= Fraction(_RIGID) + 16 * room / distance:
             return camera
     return None
 
 
 def _near(solved: Sequence[Fraction], in_hand: Vector, room: Fraction) -> Vector:
-    """The numbers in hand that are within `room` of the solved ones, else the shortest decimals."""
+    """The numbers in hand that are within `room` of the solved ones, else the shortest decimals.
+
+    Of cells that were typed one after the other, each has been rounded with those before it: a
+    decimal of few digits is what was meant.
+    """
     x, y, z = (
-        was if abs(Fraction(was) - number) <= room else _short(number, room)
+        was if abs(Fraction(was) - number) <= 8 * room else _short(number, room)
         for number, was in zip(solved, in_hand, strict=True)
     )
     return x, y, z
 
 
 def _short(number: Fraction, room: Fraction) -> float:
-    if abs(number) <= room:
+    if abs(number) <= 8 * room:
         return 0.0
-    for digits in range(_DIGITS):
-        rounded = float(f"{float(number):.{digits}e}")
-        if abs(Fraction(rounded) - number) <= room:
+    for digits in range(1, _DIGITS):
+        rounded = float(f"{float(number):.{digits - 1}e}")
+        if abs(Fraction(rounded) - number) <= (8 if digits <= _MEANT else 1) * room:
             return rounded
     return float(number)
 

@@ -384,10 +384,10 @@ class FreeMatrix:
     former: StandardLens = Perspective()
 
     def __post_init__(self) -> None:
-        for name in ("clip_from_view", "view_from_world"):
-            value = getattr(self, name)
-            if value is not None:
-                keep_checked(self, **{name: finite_matrix(name, value)})
+        keep_checked(self, clip_from_view=finite_matrix("clip_from_view", self.clip_from_view))
+        if self.view_from_world is not None:
+            view_from_world = finite_matrix("view_from_world", self.view_from_world)
+            keep_checked(self, view_from_world=view_from_world)
 
 
 Lens: TypeAlias = StandardLens | FreeMatrix

@@ -960,8 +960,8 @@ class MatrixPanel(QWidget):
         does = self._does(matrix, into, of, value)
         typed = ""
         if matrix.name in EDITABLE and self.cells.currentData() == "numbers":
-            typed = " " + self.tr("Double-click or press Enter to type another number.")
-        return f"{matrix.name}, {place}: {cell}. {does} {depends}{typed}"
+            typed = self.tr("Double-click or press Enter to type another number.") + " "
+        return f"{matrix.name}, {place}: {cell}. {does} {typed}{depends}"
 
     def _does(self, matrix: Matrix, into: int, of: int, value: float) -> str:
         target, source, number = "xyzw"[into], "xyzw"[of], cell_text(value)
