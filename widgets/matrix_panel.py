@@ -123,9 +123,12 @@ class _CellField(QLineEdit):
         ):
             steps = {keys.Key_Tab: 1, keys.Key_Backtab: -1}
             pressed = event.type() == kinds.KeyPress
-            if event.key() == keys.Key_Escape or event.key() in steps:
-                event.accept()
-                if pressed and event.key() == keys.Key_Escape:
+            enter = event.key() in (keys.Key_Return, keys.Key_Enter)
+            if enter or event.key() == keys.Key_Escape or event.key() in steps:
+                event.accept()  # a line of text would pass Enter on, which opens a cell
+                if pressed and enter:
+                    self.returnPressed.emit()
+                elif pressed and event.key() == keys.Key_Escape:
                     self.left.emit()
                 elif pressed:
                     self.moved_on.emit(steps[keys(event.key())])
@@ -407,6 +410,7 @@ class MatrixView(QWidget):
         field.moved_on.connect(self._move_on)
         field.textEdited.connect(self._mend)
         field.selectAll()
+        self._say()
         field.show()
         field.setFocus()
 
@@ -452,7 +456,7 @@ class MatrixView(QWidget):
     def _close(self) -> None:
         field, self._field, self._refused = self._field, None, False
         if field is not None:
-            had_focus = field.hasFocus()
+            had_focus = self.window().focusWidget() is field
             field.hide()
             field.deleteLater()
             if had_focus:
@@ -875,7 +879,11 @@ class MatrixPanel(QWidget):
             box.view.show_matrix(matrix, old, **settings)
             fitting = box.view.width() // max(box.note.fontMetrics().averageCharWidth(), 1)
             wide = max(_NOTE_CHARACTERS, fitting - 2)
-            box.note.setText("\n".join(textwrap.fill(line, wide) for line in note.splitlines()))
+            box.note.setText(
+                "\n".join(
+                    textwrap.fill(line, wide, break_on_hyphens=False) for line in note.splitlines()
+                )
+            )
             box.note.setVisible(bool(note))
             factors = old.factors if old and len(old.factors) == len(matrix.factors) else None
             for number, view in enumerate(box.factor_views):

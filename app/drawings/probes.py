@@ -143,7 +143,8 @@ class Probes:
                 spot, solid = sight.seen([probe.point])[0], not trace.outside.any()
                 z = min(*z, z_point), max(*z, z_point)
             ends = np.array([(x, y, end, 1.0) for end in z]) @ display_from_ndc.T
-            line = ends[:, :3] / ends[:, 3:]
+            # Between two stops a line may reach infinity, as only a free matrix makes it.
+            line = ends[:, :3] / ends[:, 3:] if (ends[:, 3] > 0.0).all() else None
             marks.append(Mark(probe.number, spot, solid, line))
         return marks
 
