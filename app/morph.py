@@ -388,6 +388,12 @@ class FreeMorph(Morph):
         matrix: Array = view_from_eye @ shift
         return matrix
 
+    @property
+    def _is_rigid(self) -> bool:
+        """Whether the view matrix is the camera's, which the world turns into as a whole."""
+        lens = self.projection.lens
+        return isinstance(lens, FreeMatrix) and lens.view_from_world is None
+
     @cached_property
     def _local_from_box(self) -> Array | None:
         if self.projection.frustum_sign <= 0:
@@ -414,7 +420,7 @@ class FreeMorph(Morph):
         return _ball_of(self._framed)
 
     def display_from_stage(self, stop: int) -> Array:
-        if stop != VIEW:
+        if stop != VIEW or self._is_rigid:
             return super().display_from_stage(stop)
         framed = np.column_stack([self._framed, np.ones(len(self._framed))])
         seen = framed @ self._view_from_local.T
@@ -431,9 +437,7 @@ class FreeMorph(Morph):
 
     def display_from_local(self, position: float) -> Array:
         position = self._jumped(position)
-        lens = self.projection.lens
-        rigid = isinstance(lens, FreeMatrix) and lens.view_from_world is None
-        if position == WORLD or position >= NDC or (position < VIEW and rigid):
+        if position == WORLD or position >= NDC or (position < VIEW and self._is_rigid):
             return super().display_from_local(position)
         if position < VIEW:
             return (1.0 - position) * self._even(WORLD) + position * self._even(VIEW)
