@@ -39,6 +39,7 @@ from app.document import (
     to_json,
     write_bytes_atomically,
 )
+from app.free_matrix import properties
 from app.notation import latex_name, latex_number
 from app.precision import RUNGS, Prediction, Rung, predict, rung_for_reading, trace
 from app.projection import (
@@ -722,7 +723,9 @@ def _matrices_text(projection: Projection) -> str:
     blocks = []
     for stage in _all_stages(projection):
         product = f" = {' '.join(name for name, _ in stage.factors)}" if stage.factors else ""
-        note = f"  ({stage.note})\n" if stage.note else ""
+        notes = [stage.note] if stage.note else []
+        notes += map(str, properties(projection, stage.name))
+        note = "".join(f"  ({note})\n" for note in notes)
         blocks.append(f"{stage.name}{product}\n{note}{_text(stage.matrix)}")
         factors = _factors(stage)
         if len(factors) > 1:
@@ -753,7 +756,9 @@ def _matrices_latex(projection: Projection) -> str:
         equal = " = ".join(
             "\n".join(map(_latex, group)) for group in (shown, [stage.matrix]) if group
         )
-        note = f"% {stage.note}\n" if stage.note else ""
+        notes = [stage.note] if stage.note else []
+        notes += map(str, properties(projection, stage.name))
+        note = "".join(f"% {note}\n" for note in notes)
         blocks.append(f"{note}\\[\n{latex_name(stage.name)} = {equal}\n\\]\n")
     return "\n".join(blocks)
 

@@ -27,6 +27,8 @@ from typing import Any, BinaryIO, NamedTuple, TypeAlias
 
 from app.projection import (
     FINITE_NUMBER,
+    FOUR_BY_FOUR,
+    KINDS,
     LARGEST_IMAGE_PX,
     LENSES,
     ONE_OF,
@@ -34,8 +36,11 @@ from app.projection import (
     THREE_NUMBERS,
     WHOLE_PIXELS,
     Camera,
+    FreeMatrix,
+    Lens,
     Projection,
     ProjectionError,
+    StandardLens,
     format_value,
 )
 
@@ -183,14 +188,18 @@ class Document:
 
 _CAMERA = tuple(f.name for f in fields(Camera))
 _LENS = {kind: tuple(f.name for f in fields(lens)) for kind, lens in LENSES.items()}
+_LENS[FreeMatrix.kind] = tuple(f.name for f in fields(FreeMatrix))
 _OPTIONAL = ("keep",)
+_MATRICES = ("lens.clip_from_view", "lens.view_from_world")
 _TEXTS = ("scene", "depth", "lens.keep")
 _PATHS = (
     {key: f"camera.{key}" for key in _CAMERA}
     | {key: f"lens.{key}" for names in _LENS.values() for key in ("kind", *names)}
     | {key: f"image.{key}" for key in ("width", "height")}
 )  # of the model's fields in the document, where they are not the same
-SETTABLE = tuple(dict.fromkeys(("scene", "depth", *_PATHS.values())))
+SETTABLE = tuple(
+    p for p in dict.fromkeys(("scene", "depth", *_PATHS.values())) if p != "lens.former"
+)
 """Every path that `set_values` knows, of all lenses."""
 # What float() takes and no document would: 1_000, nan, infinity, digits of other scripts.
 _NUMBER = re.compile(r"[+-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?")
@@ -215,6 +224,11 @@ def _unknown(tree: Tree, kind: str, views: Iterable[str]) -> Tree:
     left = {key: value for key, value in tree.items() if key not in known[""]}
     for section in ("camera", "lens", "image"):
         inside = {k: v for k, v in tree.get(section, {}).items() if k not in known[section]}
+        former = tree.get(section, {}).get("former")
+        if kind == FreeMatrix.kind and section == "lens" and isinstance(former, dict):
+            names = ("kind", *_LENS.get(former.get("kind", ""), ()))
+            beside = {k: v for k, v in former.items() if k not in names}
+            inside |= {"former": beside} if beside else {}
         if inside:
             left[section] = inside
     inside = {name: tree.get("views", {}).get(name, {}) for name in views}
@@ -387,7 +401,8 @@ def _paths() -> Iterator[None]:
     try:
         yield
     except ProjectionError as error:
-        path = _PATHS.get(error.field, error.field)
+        name, bracket, cell = error.field.partition("[")
+        path = _PATHS.get(name, name) + bracket + cell
         raise DocumentError(error.bound, *error.limits, field=path, value=error.value) from error
 
 
@@ -403,15 +418,14 @@ def _document(tree: Tree, folder: Path | None = None) -> Document:
 
     values = _section(tree, "lens")
     kind = _required(values, "kind", "lens.kind")
-    if not isinstance(kind, str) or kind not in LENSES:
-        raise DocumentError(ONE_OF, ", ".join(LENSES), field="lens.kind", value=kind)
-    for key in _LENS[kind]:
-        if key not in _OPTIONAL:
-            _required(values, key, f"lens.{key}")
-    values = {key: values[key] for key in _LENS[kind] if key in values}
-    if values["far"] == "inf":
-        values["far"] = math.inf
-    lens = LENSES[kind](**values)
+    lens: Lens
+    if kind == FreeMatrix.kind:
+        cells = _required(values, "clip_from_view", "lens.clip_from_view")
+        former = _lens(values["former"], "lens.former") if "former" in values else None
+        view = values.get("view_from_world")
+        lens = FreeMatrix(cells, view) if former is None else FreeMatrix(cells, view, former)
+    else:
+        lens = _lens(values, "lens")
 
     values = _section(tree, "image")
     sides = [_required(values, key, f"image.{key}") for key in ("width", "height")]
@@ -423,6 +437,28 @@ def _document(tree: Tree, folder: Path | None = None) -> Document:
     views = _section(tree, "views") if "views" in tree else {}
     cameras = {name: _view(views, name) for name in views}
     return Document(scene, projection, _unknown(tree, kind, cameras), cameras)
+
+
+def _lens(values: Any, path: str) -> StandardLens:
+    """A lens that has fields; of a free matrix it is the former one, with a path of its own."""
+    if not isinstance(values, dict):
+        raise DocumentError(OBJECT, field=path, value=values)
+    kind = _required(values, "kind", f"{path}.kind")
+    if not isinstance(kind, str) or kind not in LENSES:
+        kinds = KINDS if path == "lens" else LENSES
+        raise DocumentError(ONE_OF, ", ".join(kinds), field=f"{path}.kind", value=kind)
+    for key in _LENS[kind]:
+        if key not in _OPTIONAL:
+            _required(values, key, f"{path}.{key}")
+    values = {key: values[key] for key in _LENS[kind] if key in values}
+    if values["far"] == "inf":
+        values["far"] = math.inf
+    try:
+        return LENSES[kind](**values)
+    except ProjectionError as error:
+        raise DocumentError(
+            error.bound, *error.limits, field=f"{path}.{error.field}", value=error.value
+        ) from error
 
 
 def _view(views: Tree, name: str) -> Camera:
@@ -493,15 +529,13 @@ def _dump(tree: Tree, ensure_ascii: bool) -> str:
 def _tree(document: Document) -> Tree:
     projection, extra = document.projection, document.extra
     camera, lens = projection.camera, projection.lens
-    values = {key: getattr(lens, key) for key in _LENS[lens.kind]}
     width, height = projection.image_size
     tree: Tree = {
         "format": FORMAT,
         "version": VERSION,
         "scene": document.scene,
         "camera": _camera_tree(camera),
-        "lens": {"kind": lens.kind}
-        | {k: v if isinstance(v, str) else _plain(v) for k, v in values.items()},
+        "lens": _lens_tree(lens),
         "depth": projection.depth,
         "image": {"width": width, "height": height},
     }
@@ -512,8 +546,23 @@ def _tree(document: Document) -> Tree:
             for name, view in document.views.items()
         }
     for section in ("camera", "lens", "image"):
-        tree[section] |= extra.get(section, {})
+        unknown = dict(extra.get(section, {}))
+        if section == "lens" and isinstance(lens, FreeMatrix):
+            tree["lens"]["former"] |= unknown.pop("former", {})
+        tree[section] |= unknown
     return tree | {key: value for key, value in extra.items() if key not in tree}
+
+
+def _lens_tree(lens: Lens) -> Tree:
+    tree: Tree = {"kind": lens.kind}
+    if isinstance(lens, FreeMatrix):
+        for key in ("clip_from_view", "view_from_world"):
+            cells = getattr(lens, key)
+            if cells is not None:
+                tree[key] = [[_plain(part) for part in row] for row in cells]
+        return tree | {"former": _lens_tree(lens.former)}
+    values = {key: getattr(lens, key) for key in _LENS[lens.kind]}
+    return tree | {k: v if isinstance(v, str) else _plain(v) for k, v in values.items()}
 
 
 def _camera_tree(camera: Camera) -> Tree:
@@ -549,7 +598,8 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
     ----------
     document : Document
     assignments : iterable of str
-        ``lens.far=inf``, ``camera.eye=3,2,4``, ``depth=reversed``, ``scene=cube``. Only the
+        ``lens.far=inf``, ``camera.eye=3,2,4``, ``depth=reversed``, ``scene=cube``; a matrix as
+        its 16 cells, row after row. Only the
         outcome of all of them has to be valid, so that their order does not matter; of two
         for the same path the last holds. A change of ``lens.kind`` comes first and keeps the
         picture alike.
@@ -574,6 +624,7 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
     known = _known(projection.lens.kind)
     paths = [path for path in known[""] if path not in (*known, "format", "version", "views")]
     paths += [f"{section}.{key}" for section in known if section for key in known[section]]
+    paths = [path for path in paths if path != "lens.former"]
     for path, text in texts.items():
         section, _, key = path.rpartition(".")
         if path not in paths:
@@ -598,6 +649,11 @@ def _read_text(path: str, text: str) -> Any:
         if len(vector) != 3 or None in vector:
             raise DocumentError(THREE_NUMBERS, field=path, value=text)
         return vector
+    if path in _MATRICES:
+        cells = [_number(part.strip()) for part in text.split(",")]
+        if len(cells) != 16 or None in cells:
+            raise DocumentError(FOUR_BY_FOUR, field=path, value=text)
+        return [cells[i : i + 4] for i in range(0, 16, 4)]
     number = _number(text)
     if number is None:
         whole = path.startswith("image.")

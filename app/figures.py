@@ -137,7 +137,7 @@ def render(
     exhibit = None
     if scene.phenomenon is not None:
         chosen = scene.phenomenon.checked(settings or {})
-        exhibit = scene.phenomenon.show(projection, chosen, scene.subject)
+        exhibit = scene.phenomenon.exhibit(projection, chosen, scene.subject)
     edges = [round(i * width / len(panes)) for i in range(len(panes) + 1)]
     parts: list[Pixels] = []
     for pane, left, right in zip(panes, edges[:-1], edges[1:], strict=True):

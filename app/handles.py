@@ -20,7 +20,16 @@ from typing import Literal, NamedTuple, TypeAlias
 import numpy as np
 
 from app.picking import Sight
-from app.projection import Array, Perspective, Projection, Vector
+from app.projection import (
+    LENSES,
+    ONE_OF,
+    Array,
+    FreeMatrix,
+    Perspective,
+    Projection,
+    ProjectionError,
+    Vector,
+)
 
 Change: TypeAlias = dict[str, "float | Vector"]
 """Fields of the camera or of the lens, and what they become."""
@@ -88,10 +97,13 @@ def shown(
     kept : Handle, optional
         Stays, whatever it stands on: it is under the hand.
     """
-    places = np.vstack(
-        [projection.camera.eye, projection.camera.target, _places(projection, drawn)]
-    )
-    spots = dict(zip(_ALL, map(tuple, sight.seen(places).tolist()), strict=True))
+    free = isinstance(projection.lens, FreeMatrix)
+    if free and not has_camera(projection):
+        return []
+    places = np.array([projection.camera.eye, projection.camera.target])
+    if not free:  # a free matrix has no planes and no window
+        places = np.vstack([places, _places(projection, drawn)])
+    spots = dict(zip(_ALL, map(tuple, sight.seen(places).tolist()), strict=False))
     width_px, height_px = size_px
     found: list[tuple[Handle, Spot]] = []
 
@@ -106,9 +118,11 @@ def shown(
 
     if kept is not None:
         found.append((kept, spots[kept]))
-    for alternatives in ([EYE], [TARGET], _NEAR, _FAR):
+    for alternatives in ([EYE], [TARGET]) if free else ([EYE], [TARGET], _NEAR, _FAR):
         if kept is None or alternatives[0].name != kept.name:
             any(take(handle) for handle in alternatives)
+    if free:
+        return found
     corners = [spots[handle] for handle in _NEAR_CORNERS]
     sides = [math.dist(corners[i], corners[i - 1]) for i in range(4)]
     face = _NEAR_CORNERS if min(sides) >= 2.0 * apart_px else _FAR_CORNERS
@@ -118,6 +132,12 @@ def shown(
         if handle != kept:
             take(handle)
     return found
+
+
+def has_camera(projection: Projection) -> bool:
+    """Whether the view is a camera's; it is not where somebody typed another view matrix."""
+    lens = projection.lens
+    return not (isinstance(lens, FreeMatrix) and lens.view_from_world is not None)
 
 
 def nearest(handles: Sequence[tuple[Handle, Spot]], pixel: Spot, within_px: float) -> Handle | None:
@@ -194,7 +214,7 @@ def panned(projection: Projection, shift_px: tuple[float, float]) -> Change:
     shift_px : (float, float)
         Right and down, in the image's pixels.
     """
-    camera, lens = projection.camera, projection.lens
+    camera, lens = projection.camera, projection.standard_lens
     left, right, bottom, top = projection.window
     away = 1.0 if lens.parallel else camera.distance / lens.near
     width, height = projection.image_size
@@ -208,7 +228,15 @@ def panned(projection: Projection, shift_px: tuple[float, float]) -> Change:
 
 
 def dollied(projection: Projection, factor: float) -> Change:
-    """The eye at `factor` times its distance from the target, in the same direction."""
+    """The eye at `factor` times its distance from the target, in the same direction.
+
+    Raises
+    ------
+    ProjectionError
+        Where a typed view matrix has taken the camera's place.
+    """
+    if not has_camera(projection):
+        raise ProjectionError("kind", projection.lens.kind, ONE_OF, ", ".join(LENSES))
     eye, target = np.array(projection.camera.eye), np.array(projection.camera.target)
     return {"eye": _vector(target + factor * (eye - target))}
 
@@ -261,8 +289,8 @@ def _places(projection: Projection, drawn: tuple[float, float]) -> Array:
 
 def _outwards(projection: Projection, on_near: Array, distances: Array) -> Array:
     """From the near plane along the projectors: x, y of view space at these distances."""
-    near = projection.lens.near
-    if projection.lens.parallel:
+    near = projection.standard_lens.near
+    if projection.standard_lens.parallel:
         moved: Array = on_near + np.array(projection.shear) * (distances - near)
         return moved
     scaled: Array = on_near / near * distances
@@ -273,7 +301,7 @@ def _rail(
     projection: Projection, handle: Handle, drawn: tuple[float, float]
 ) -> tuple[Array, Array]:
     """Where a plane's handle is at distance 0, and its way per unit of distance; world, (3,)."""
-    lens = projection.lens
+    lens = projection.standard_lens
     distance = drawn[handle.face == "far"]
     x, y, _ = projection.camera.frame @ (place(projection, handle, drawn) - projection.camera.eye)
     along = np.array([0.0, 0.0, -1.0])
@@ -293,10 +321,10 @@ def _moved_plane(
     sight: Sight,
     pixel: Spot,
 ) -> float:
-    before: float = getattr(projection.lens, handle.name)
+    before: float = getattr(projection.standard_lens, handle.name)
     drawn_at = drawn[handle.name == "far"]
     distance, per_px = _slide(sight, *_rail(projection, handle, drawn), pixel)
-    if not projection.lens.parallel:  # no plane is in the eye, and none behind it
+    if not projection.standard_lens.parallel:  # no plane is in the eye, and none behind it
         distance = max(distance, 0.0)
     if abs(before) > (1.0 + 1e-9) * abs(drawn_at) and abs(distance) >= abs(drawn_at):
         return float(f"{before * (distance / drawn_at):.6g}")
@@ -335,7 +363,7 @@ def _resized(
     Where the window keeps the image's proportions its corner runs on its diagonal, and the fields
     become the window that is seen.
     """
-    lens, camera = projection.lens, projection.camera
+    lens, camera = projection.standard_lens, projection.camera
     assert not isinstance(lens, Perspective)
     distance = drawn[handle.face == "far"]
     window = projection.window
@@ -379,11 +407,11 @@ def _on_window(
     projection: Projection, sight: Sight, distance: float, pixel: Spot
 ) -> tuple[Array, float]:
     """Where a pixel's ray meets the face at a distance, (2,) on the near plane; what a pixel is."""
-    frame, eye, near = projection.camera.frame, projection.camera.eye, projection.lens.near
+    frame, eye, near = projection.camera.frame, projection.camera.eye, projection.standard_lens.near
     point = _meets(sight, pixel, -frame[2], np.array(eye) - distance * frame[2])
     per_px = min(_per_px(sight, point, axis) for axis in frame[:2])
     flat = frame[:2] @ (point - eye)
-    if projection.lens.parallel:
+    if projection.standard_lens.parallel:
         return flat - np.array(projection.shear) * (distance - near), per_px
     return flat / distance * near, per_px / distance * near
 

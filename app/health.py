@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from app.depth import DepthBuffer
 from app.precision import Prediction, Rung, rung_for_reading
-from app.projection import PLANES, Perspective, Projection, Vector
+from app.projection import PLANES, FreeMatrix, Perspective, Projection, Vector
 
 NO_GAP = "At the target, a 24-bit depth buffer cannot tell any two surfaces apart"
 WIDE_GAP = "At the target, a 24-bit depth buffer tells surfaces apart only from {0} on"
@@ -23,10 +23,14 @@ FEW_DIGITS = (
 NO_PICTURE = "None of the scene's objects is in the picture: all lie beyond the {0} plane"
 NO_FLOAT32 = "A GPU's float32 cannot hold this picture: it is computed in float64"
 ROUGH_DRAWING = "A GPU's float32 would draw up to {0} px off: the picture is computed in float64"
+NO_FRUSTUM = (
+    "The free matrix has no inverse, or its view volume reaches infinity: no frustum is drawn"
+)
 VTK_CLAMPS = "VTK's own camera would clamp the field of view to {0}°"
 VTK_DROPS = "The scene is {0} times as large as near: VTK by itself drops what is near from 1e7 on"
 SENTENCES = (
-    NO_PICTURE, NO_GAP, WIDE_GAP, FEW_DIGITS, NO_FLOAT32, ROUGH_DRAWING, VTK_CLAMPS, VTK_DROPS,
+    NO_PICTURE, NO_GAP, WIDE_GAP, FEW_DIGITS, NO_FLOAT32, ROUGH_DRAWING, NO_FRUSTUM, VTK_CLAMPS,
+    VTK_DROPS,
 )  # fmt: skip
 """Every sentence of a `Risk`, for translators."""
 
@@ -71,7 +75,7 @@ def risks(
     if beyond.any():
         found.append(Risk(NO_PICTURE, (PLANES[beyond.argmax()],)))
     lens, distance = projection.lens, projection.camera.distance
-    if lens.near <= distance <= lens.far:
+    if not isinstance(lens, FreeMatrix) and lens.near <= distance <= lens.far:
         buffer = DepthBuffer("fixed24", projection.depth, lens.near, lens.far, lens.parallel)
         gap = float(buffer.gap(distance))
         if gap > _GAP * size:
@@ -88,7 +92,10 @@ def risks(
             found.append(Risk(VTK_CLAMPS, (f"{_LARGEST_VTK_FOV_DEG:g}",)))
         elif lens.fov_y_deg < _SMALLEST_VTK_FOV_DEG:
             found.append(Risk(VTK_CLAMPS, (f"{_SMALLEST_VTK_FOV_DEG:g}",)))
-    if not lens.parallel and size / lens.near >= _VTK_DROPS_FROM:
+    if isinstance(lens, FreeMatrix):
+        if not projection.frustum_sign:
+            found.append(Risk(NO_FRUSTUM))
+    elif not lens.parallel and size / lens.near >= _VTK_DROPS_FROM:
         found.append(Risk(VTK_DROPS, (f"{size / lens.near:.2g}",)))
     return found
 

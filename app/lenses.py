@@ -23,10 +23,12 @@ from app.values import (
     SMALLEST_OPENING,
     SMALLEST_WINDOW,
     WIDER,
+    Cells,
     Keep,
     ProjectionError,
     cos_sin_deg,
     finite,
+    finite_matrix,
     format_value,
     keep_checked,
     real,
@@ -353,13 +355,51 @@ OBLIQUE_PRESETS: dict[str, tuple[float, float]] = {
 }  # fmt: skip
 """`Oblique` angles of the drawings of the textbooks, by name and receding angle."""
 
-Lens: TypeAlias = Perspective | Frustum | Orthographic | Oblique
+StandardLens: TypeAlias = Perspective | Frustum | Orthographic | Oblique
+
+
+@dataclass(frozen=True)
+class FreeMatrix:
+    """A projection that is none of the lenses: cells that somebody typed.
+
+    Parameters
+    ----------
+    clip_from_view : (4, 4) sequence of floats
+        For the depth range in hand.
+    view_from_world : (4, 4) sequence of floats, optional
+        In place of the camera's own, where that was edited and no camera has it.
+    former : Perspective, Frustum, Orthographic or Oblique
+        The lens that it was made of, to which a choice of a lens goes back.
+
+    Raises
+    ------
+    ProjectionError
+        Naming the cell, as ``clip_from_view[0, 2]``, that is not finite or beyond `LARGEST`.
+    """
+
+    kind: ClassVar[str] = "matrix"
+
+    clip_from_view: Cells
+    view_from_world: Cells | None = None
+    former: StandardLens = Perspective()
+
+    def __post_init__(self) -> None:
+        keep_checked(self, clip_from_view=finite_matrix("clip_from_view", self.clip_from_view))
+        if self.view_from_world is not None:
+            view_from_world = finite_matrix("view_from_world", self.view_from_world)
+            keep_checked(self, view_from_world=view_from_world)
+
+
+Lens: TypeAlias = StandardLens | FreeMatrix
 LENSES: dict[str, type[Perspective] | type[Frustum] | type[Orthographic] | type[Oblique]] = {
     "perspective": Perspective,
     "frustum": Frustum,
     "orthographic": Orthographic,
     "oblique": Oblique,
 }
+"""The lenses that have fields; `FreeMatrix` is beside them."""
+KINDS = (*LENSES, FreeMatrix.kind)
+"""What a document's ``lens.kind`` can be."""
 
 
 # --------------------------------------------------------------------------- field of view

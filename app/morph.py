@@ -36,7 +36,7 @@ from functools import cached_property
 
 import numpy as np
 
-from app.projection import Array, Projection, Vector
+from app.projection import Array, FreeMatrix, Projection, StandardLens, Vector
 
 STOPS = ("world", "view", "canonical_perspective", "canonical_parallel", "ndc", "image")
 """The strip's stops in order; a position is an index into them, or between two."""
@@ -76,6 +76,10 @@ class Morph:
     projection: Projection
     origin: Vector
     corners_world: Array
+
+    @property
+    def _lens(self) -> StandardLens:
+        return self.projection.standard_lens
 
     # -- the pipeline's own
 
@@ -125,7 +129,7 @@ class Morph:
     @cached_property
     def _ratio(self) -> float:
         """z of the near plane in the canonical pyramid, mirrored: near/far, 1 for far = inf."""
-        near, far = self.projection.lens.near, self.projection.lens.far
+        near, far = self._lens.near, self._lens.far
         return 1.0 if far == math.inf else near / far
 
     # -- frames
@@ -164,11 +168,11 @@ class Morph:
     @cached_property
     def _reach(self) -> float:
         """How deep the canonical pyramid is shown: its own 1, or as deep as an infinite scene."""
-        if self.projection.lens.far != math.inf:
+        if self._lens.far != math.inf:
             return 1.0
         depth = -float((self._local_corners @ self._view_from_local[2, :3]).min())
         depth -= float(self._view_from_local[2, 3])
-        return max(2.0, depth / self.projection.lens.near)
+        return max(2.0, depth / self._lens.near)
 
     @property
     def _local_corners(self) -> Array:
@@ -178,7 +182,7 @@ class Morph:
     @cached_property
     def _ball(self) -> tuple[Array, float]:
         """Middle, relative to `origin`, of what is framed at first, and its display scale."""
-        lens = self.projection.lens
+        lens = self._lens
         scene = self._local_corners
         eye = np.asarray(self.projection.camera.eye) - self.origin
         depth = max(float(np.abs(part - eye).max()) for part in scene)
@@ -201,16 +205,12 @@ class Morph:
                 part = edge * min(1.0, limit / length)
             seen += [corner, corner + part]
         frustum = np.array(seen) @ self.projection.camera.frame + eye
-        points = np.vstack([scene, frustum, [eye]])
-        low, high = points.min(axis=0), points.max(axis=0)
-        middle = low / 2.0 + high / 2.0
-        radius = max(math.hypot(*point) for point in points - middle)
-        return middle, RADIUS / radius
+        return _ball_of(np.vstack([scene, frustum, [eye]]))
 
     def _box_to_view(self, z: float) -> Array:
         """View coordinates of the box's corners at 1 or 0; the rays of the latter if infinite."""
         corners = np.array([(x, y) for y in (-1.0, 1.0) for x in (-1.0, 1.0)])
-        depth = z - 1.0 if self.projection.lens.parallel else -1.0
+        depth = z - 1.0 if self._lens.parallel else -1.0
         stage = np.column_stack([corners, np.full(4, depth), np.ones(4)])
         view: Array = (stage @ self._view_from_canonical.T)[:, :3]
         return view
@@ -227,7 +227,7 @@ class Morph:
     @cached_property
     def _middle_depth(self) -> float:
         """Distance of what is seen: of the scene's middle, but inside the view volume."""
-        lens = self.projection.lens
+        lens = self._lens
         middle = self._local_corners.min(axis=0) / 2.0 + self._local_corners.max(axis=0) / 2.0
         depth = -float(self._view_from_local[2] @ [*middle, 1.0])
         return min(max(depth, lens.near), lens.far)
@@ -265,11 +265,11 @@ class Morph:
         return self._display_stop(stop) * self._evening(stop)
 
     def _evening(self, stop: int) -> float:
-        if self.projection.lens.parallel or stop <= CANONICAL_PERSPECTIVE:
+        if self._lens.parallel or stop <= CANONICAL_PERSPECTIVE:
             return 1.0
         if stop >= NDC:
             return 1.0 / self._middle_depth
-        near, far = self.projection.lens.near, self.projection.lens.far
+        near, far = self._lens.near, self._lens.far
         return (near if far == math.inf else far) / self._middle_depth
 
     def _turned(self, part: float) -> Array:
@@ -297,7 +297,7 @@ class Morph:
     @cached_property
     def _pyramid_from_box(self) -> Array:
         """``near/far M_pp^-1`` from the box, without the difference of 1 and near/far."""
-        lens = self.projection.lens
+        lens = self._lens
         if lens.parallel:
             return _CUBE_BOX
         matrix = np.diag([self._ratio, self._ratio, 0.0, 0.0])
@@ -329,7 +329,7 @@ class Morph:
             across, up, half = width / max(width, height), height / max(width, height), _FLAT / 2.0
         box = np.diag([across, up, 2.0 * half, 1.0])
         box[2, 3] = -half
-        lens = self.projection.lens
+        lens = self._lens
         return box if lens.parallel else box * (lens.near / self._middle_depth)
 
     def planes_display(self, position: float) -> Array:
@@ -348,7 +348,7 @@ class Morph:
             opened[:, 3] = _FARTHEST
             return opened
         box = self.display_from_box(position)
-        planes = box_planes @ _positive_inverse(box / np.abs(box).max())  # or |det| underflows
+        planes = box_planes @ self._inverse(box / np.abs(box).max())  # or |det| underflows
         open_part = max(0.0, (CLOSED_AT - position) / (CLOSED_AT - VIEW))
         for i, plane in enumerate(planes):
             plane /= np.abs(plane).max()
@@ -361,6 +361,132 @@ class Morph:
             opened_to = max(_OPEN, float(plane[3]))
             plane[3] += open_part * (opened_to - plane[3])
         return planes
+
+    def _inverse(self, box: Array) -> Array:
+        return _positive_inverse(box)
+
+    def has_volume(self, position: float) -> bool:
+        """Whether there is a view volume to show at a position, and to cut the scene by."""
+        return True
+
+
+class FreeMorph(Morph):
+    """What the strip shows of a free matrix: it has no canonical volumes.
+
+    From the view stop to NDC it is one step over all three. Without a view volume, where the
+    matrix has no inverse or its volume reaches infinity or is all behind, nothing could be cut on
+    that way: there the strip jumps from the one to the other in its middle.
+    """
+
+    def stage_from_local(self, stop: int) -> Array:
+        return super().stage_from_local(VIEW if VIEW < stop < NDC else stop)
+
+    @cached_property
+    def _view_from_local(self) -> Array:
+        view_from_eye = np.array(self.projection.exact_from_eye[0], dtype=np.float64)
+        shift = self._shift(np.asarray(self.origin) - self.projection.camera.eye)
+        matrix: Array = view_from_eye @ shift
+        return matrix
+
+    @property
+    def _is_rigid(self) -> bool:
+        """Whether the view matrix is the camera's, which the world turns into as a whole."""
+        lens = self.projection.lens
+        return isinstance(lens, FreeMatrix) and lens.view_from_world is None
+
+    @cached_property
+    def _local_from_box(self) -> Array | None:
+        if self.projection.frustum_sign <= 0:
+            return None
+        return self.projection.with_depth("reversed").world_from_clip_at(self.origin)
+
+    @cached_property
+    def _framed(self) -> Array:
+        """What is framed at the first two stops: the scene, the eye, and of the volume as much."""
+        scene = self._local_corners
+        eye = np.asarray(self.projection.camera.eye) - self.origin
+        points = np.vstack([scene, [eye]])
+        if self._local_from_box is None:
+            return points
+        size = _SHOWN_DEPTHS * max(float(np.abs(part - eye).max()) for part in scene)
+        cube = np.array([(x, y, z, 1.0) for z in (0, 1) for y in (-1, 1) for x in (-1, 1)])
+        corners = cube @ self._local_from_box.T
+        away = corners[:, :3] / corners[:, 3:] - eye
+        away *= np.minimum(1.0, size / np.maximum(np.abs(away).max(axis=1, keepdims=True), 1e-300))
+        return np.vstack([points, eye + away])
+
+    @cached_property
+    def _ball(self) -> tuple[Array, float]:
+        return _ball_of(self._framed)
+
+    def display_from_stage(self, stop: int) -> Array:
+        if stop != VIEW or self._is_rigid:
+            return super().display_from_stage(stop)
+        framed = np.column_stack([self._framed, np.ones(len(self._framed))])
+        seen = framed @ self._view_from_local.T
+        seen = seen[seen[:, 3] > 0.0]
+        middle, scale = _ball_of(seen[:, :3] / seen[:, 3:]) if len(seen) else (np.zeros(3), 1.0)
+        matrix: Array = _scaled(scale) @ self._shift(-middle)
+        return matrix
+
+    def _evening(self, stop: int) -> float:
+        stage = self.stage_from_local(stop if stop < NDC else NDC)
+        middle = self._local_corners.min(axis=0) / 2.0 + self._local_corners.max(axis=0) / 2.0
+        w = float(stage[3] @ [*middle, 1.0])
+        return 1.0 / w if w > 0.0 else 1.0
+
+    def display_from_local(self, position: float) -> Array:
+        position = self._jumped(position)
+        if position == WORLD or position >= NDC or (position < VIEW and self._is_rigid):
+            return super().display_from_local(position)
+        if position < VIEW:
+            return (1.0 - position) * self._even(WORLD) + position * self._even(VIEW)
+        part = (position - VIEW) / (NDC - VIEW)
+        between: Array = (1.0 - part) * self._even(VIEW) + part * self._even(NDC)
+        return between
+
+    def display_from_box(self, position: float) -> Array:
+        position = self._jumped(position)
+        if position < NDC:
+            assert self._local_from_box is not None
+            matrix: Array = self.display_from_local(position) @ self._local_from_box
+            return matrix
+        part = position - NDC
+        cube = self.display_from_stage(NDC) @ self._clip_from_box
+        picture = self.display_from_stage(IMAGE) @ self._image_from_clip @ self._clip_from_box
+        shown: Array = (1.0 - part) * cube + part * picture
+        return shown
+
+    @property
+    def _clip_from_box(self) -> Array:
+        z_near, z_far = self.projection.depth_range
+        matrix = np.diag([1.0, 1.0, z_near - z_far, 1.0])
+        matrix[2, 3] = z_far
+        return matrix
+
+    def planes_display(self, position: float) -> Array:
+        return super().planes_display(self._jumped(position))
+
+    def has_volume(self, position: float) -> bool:
+        return self._local_from_box is not None or self._jumped(position) >= NDC
+
+    def _jumped(self, position: float) -> float:
+        if self._local_from_box is None and VIEW < position < NDC:
+            return float(VIEW if position < (VIEW + NDC) / 2.0 else NDC)
+        return position
+
+    def _inverse(self, box: Array) -> Array:
+        # A mirror image is flat for a moment on its way, and has no inverse then.
+        flat = abs(float(np.linalg.det(box))) < 1e-290
+        return np.asarray(np.linalg.inv(box + 1e-9 * np.eye(4) if flat else box), np.float64)
+
+
+def _ball_of(points: Array) -> tuple[Array, float]:
+    """Middle of points, and the scale at which they fill the ball that is framed."""
+    low, high = points.min(axis=0), points.max(axis=0)
+    middle = low / 2.0 + high / 2.0
+    radius = max(math.hypot(*point) for point in points - middle)
+    return middle, RADIUS / radius
 
 
 def rotation_between(frame: Array, part: float) -> Array:

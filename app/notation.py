@@ -20,6 +20,7 @@ from app.attention import Attention
 from app.projection import (
     DEPTH_RANGES,
     Array,
+    FreeMatrix,
     Oblique,
     Perspective,
     Projection,
@@ -126,7 +127,7 @@ def matrices(
         shown.append((stage, ()))
         if stage.name == "view_from_world":
             product, source = stage.exact, stage.name
-            if running:
+            if running and stage.factors:  # a view matrix of its own has no camera's axes
                 shown.append((_inverse_view(projection), ()))
         elif product and running:
             target, _, _ = stage.name.partition("_from_")
@@ -161,10 +162,15 @@ def letters_in(matrix: Matrix, row: int, column: int) -> Attention:
 
 
 def _kind(projection: Projection) -> tuple[str, bool]:
-    return projection.lens.kind, projection.lens.far == math.inf
+    """The lens' kind, and whether far is infinite or a free matrix has a view matrix too."""
+    lens = projection.lens
+    if isinstance(lens, FreeMatrix):
+        return lens.kind, lens.view_from_world is not None
+    return lens.kind, lens.far == math.inf
 
 
 def _inverse_view(projection: Projection) -> Stage:
+    """``world_from_view`` of the camera."""
     frame = projection.camera.exact_frame
     exact: Rationals = [
         [*(axis[i] for axis in frame), type(frame[0][0])(projection.camera.eye[i])]
@@ -244,8 +250,8 @@ def _turned(formula: str) -> str:
     """A formula with p_ij for p_ji: in the transposed matrix a cell's place is turned too."""
     tree = ast.parse(formula, mode="eval")
     for node in ast.walk(tree):
-        if isinstance(node, ast.Name) and node.id.startswith("p_"):
-            node.id = f"p_{node.id[3]}{node.id[2]}"
+        if isinstance(node, ast.Name) and re.fullmatch(r"[pm]_[1-4]{2}", node.id):
+            node.id = f"{node.id[:2]}{node.id[3]}{node.id[2]}"
     return ast.unparse(tree)
 
 
@@ -283,7 +289,7 @@ def _names(formula: str) -> list[str]:
 
 def _signs(projection: Projection, letters: Letters) -> Callable[[str, int, int], int]:
     """The sign that turns a cell of ours into one of the letters' lecture."""
-    if letters != "002":
+    if letters != "002" or isinstance(projection.lens, FreeMatrix):
         return lambda key, i, j: 1
     turned = -1 if projection.depth == "opengl" else 1
     w = 1 if projection.lens.parallel else -1
@@ -310,9 +316,17 @@ def _signs(projection: Projection, letters: Letters) -> Callable[[str, int, int]
     return sign
 
 
+def cell_sign(projection: Projection, letters: Letters, name: str, row: int, column: int) -> int:
+    """1, or -1 where the letters' lecture turns the sign of a stage's cell."""
+    return _signs(projection, letters)(name, row, column)
+
+
 def has_own_signs(projection: Projection, letters: Letters) -> bool:
     """Whether the letters' lecture turns signs of this projection's matrices."""
-    return letters == "002" and not (projection.lens.parallel and projection.depth != "opengl")
+    lens = projection.lens
+    if letters != "002" or isinstance(lens, FreeMatrix):
+        return False
+    return not (lens.parallel and projection.depth != "opengl")
 
 
 # --------------------------------------------------------------------------- formulas
@@ -342,7 +356,7 @@ def _shift(x: str, y: str, z: str) -> Formulas:
 def _formulas(kind: tuple[str, bool], depth: str, letters: Letters) -> _Table:
     """The formula of every cell, by stage name or ``stage/factor``."""
     lens, infinite = kind
-    signed = letters == "002"
+    signed = letters == "002" and lens != FreeMatrix.kind
     parallel = lens in ("orthographic", "oblique")
     z_near, z_far = (int(z) for z in DEPTH_RANGES[depth])
     if signed and depth == "opengl":
@@ -367,12 +381,27 @@ def _formulas(kind: tuple[str, bool], depth: str, letters: Letters) -> _Table:
     table[f"{stage}/translation"] = _shift("0", "0", shift)
     table[f"{stage}/scale"] = _diagonal("1", "1", scale, "1")
     _add_image(table, z_near, z_far)
+    if lens == FreeMatrix.kind:
+        _add_free(table, with_view=infinite)
+        return table
     if parallel:
         _add_parallel(table, lens == "oblique", signed, (z_near, z_far))
     else:
         _add_perspective(table, lens, infinite, letters, (z_near, z_far))
     _add_products(table, parallel)
     return table
+
+
+def _add_free(table: _Table, *, with_view: bool) -> None:
+    """Cells that nothing makes: P's are p_ij, a view matrix's of its own m_ij."""
+    cells = {
+        letter: tuple(tuple(f"{letter}_{i}{j}" for j in range(1, 5)) for i in range(1, 5))
+        for letter in "pm"
+    }
+    table["clip_from_view"] = cells["p"]
+    if with_view:
+        table["view_from_world"] = cells["m"]
+    table["clip_from_world"] = _product(cells["p"], table["view_from_world"])
 
 
 def _add_image(table: _Table, z_near: int, z_far: int) -> None:
@@ -556,14 +585,12 @@ def _in_brackets(tree: ast.expr, kind: type[ast.expr]) -> str:
 def letter_values(projection: Projection, letters: Letters = "uvn") -> dict[str, Any]:
     """What the names in the formulas stand for: floats, vectors, ``cot``, ``tan`` and ``dot``.
 
-    Angles are in radians; with ``"002"`` n and f are the planes' coordinates, which are negative.
+    Of a free matrix its own cells. Angles are in radians; with ``"002"`` n and f are the planes'
+    coordinates, which are negative.
     """
     lens, camera = projection.lens, projection.camera
-    left, right, bottom, top = projection.window
-    sign = -1.0 if letters == "002" else 1.0
     width, height = projection.image_size
     values: dict[str, Any] = {
-        "n": sign * lens.near, "f": sign * lens.far, "l": left, "r": right, "b": bottom, "t": top,
         "W": width, "H": height, "aspect": projection.aspect, "a": height / width,
         "eye": camera.eye,
         "cot": lambda angle: math.tan(math.pi / 2.0 - angle), "tan": math.tan,
@@ -574,6 +601,16 @@ def letter_values(projection: Projection, letters: Letters = "uvn") -> dict[str,
         values[f"axis_{axis}"] = row
         values |= {f"{axis}_{part}": value for part, value in zip("xyz", row, strict=True)}
     values |= {f"eye_{part}": value for part, value in zip("xyz", camera.eye, strict=True)}
+    if isinstance(lens, FreeMatrix):
+        for letter, cells in (("p", lens.clip_from_view), ("m", lens.view_from_world or ())):
+            for i, row in enumerate(cells, 1):
+                values |= {f"{letter}_{i}{j}": value for j, value in enumerate(row, 1)}
+        return values
+    left, right, bottom, top = projection.window
+    sign = -1.0 if letters == "002" else 1.0
+    values |= {
+        "n": sign * lens.near, "f": sign * lens.far, "l": left, "r": right, "b": bottom, "t": top,
+    }  # fmt: skip
     if isinstance(lens, Perspective):
         values["fov"] = values["theta_v"] = math.radians(lens.fov_y_deg)
         values["theta_h"] = math.radians(fov_x_from_fov_y(lens.fov_y_deg, projection.aspect))

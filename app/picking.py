@@ -13,13 +13,14 @@ looked at.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from app.projection import LARGEST, Array, Projection, Vector
+from app.projection import LARGEST, Array, FreeMatrix, Projection, ProjectionError, Vector
 
 VERTEX_WITHIN_PX = 6.0
 """A vertex that is seen so close to the pixel is what was meant, not the face beside it."""
@@ -54,6 +55,14 @@ class Sight(NamedTuple):
     def of(cls, projection: Projection) -> Sight:
         """The model's own: pixels of the image, between near and far."""
         camera, lens = projection.camera, projection.lens
+        if isinstance(lens, FreeMatrix):  # the planes and the order are those of the cube
+            clip = projection.clip_from_eye
+            z_near, z_far = projection.depth_range
+            sign = math.copysign(1.0, z_far - z_near)
+            rows = projection.image_from_ndc @ clip
+            rows[2] *= sign
+            planes = np.array([clip[2] - z_near * clip[3], z_far * clip[3] - clip[2]])
+            return cls(np.array(camera.eye), rows, sign * planes)
         rows = projection.image_from_ndc @ projection.clip_from_view
         # Their order without the digits that the depth loses far away: -1/w, or the distance.
         rows[2] = (0.0, 0.0, -1.0, 0.0) if lens.parallel else (0.0, 0.0, 0.0, -1.0)
@@ -129,9 +138,13 @@ def projector(projection: Projection, probe: Probe, distances: ArrayLike) -> Arr
     Notes
     -----
     The points q of a pixel's ray are where ``(x w - x_px w) = (y w - y_px w) = 0`` at the distance
-    ``-n (q - e)``: three linear equations for any lens.
+    ``-n (q - e)``: three linear equations for any lens. A free matrix has no eye: its line is that
+    of the cube between near and far, un-projected, and `distances` are shares of the way; None
+    without an inverse.
     """
     camera = projection.camera
+    if isinstance(projection.lens, FreeMatrix):
+        return _line_of_cube(projection, probe, distances)
     depths = np.asarray(distances, dtype=np.float64)
     eye = np.array(camera.eye)
     if probe.point is not None and not projection.lens.parallel:
@@ -146,6 +159,27 @@ def projector(projection: Projection, probe: Probe, distances: ArrayLike) -> Arr
     fixed = np.full(len(depths), -across[3]), np.full(len(depths), -down[3]), depths
     points: Array = eye + np.linalg.solve(system, np.array(fixed)).T
     return points
+
+
+def _line_of_cube(projection: Projection, probe: Probe, shares: ArrayLike) -> Array | None:
+    """From 0 on the near face to 1 on the far one, on the line that a probe has in the cube."""
+    if not projection.frustum_sign:
+        return None
+    pixel = probe.pixel
+    if pixel is None:
+        trace = projection.trace(probe.point or ())
+        if not trace.in_front:
+            return None
+        pixel = float(trace.image[0]), float(trace.image[1])
+    z_near, z_far = projection.depth_range
+    ends = np.array([projection.image_from_ndc @ (0.0, 0.0, z, 1.0) for z in (z_near, z_far)])
+    ends[:, :2] = pixel
+    try:
+        start, end = projection.world_from_image(ends[:, :3])
+    except ProjectionError:  # a pixel beside the picture may meet infinity
+        return None
+    line: Array = start + np.asarray(shares, dtype=np.float64)[:, None] * (end - start)
+    return line
 
 
 def dragged(
@@ -169,11 +203,27 @@ def dragged(
     -------
     Vector or None
         None for a point without a picture, and for one that would be too far away for one.
+
+    Notes
+    -----
+    Under a free matrix a point keeps its depth in the buffer instead of its plane, and moves along
+    its ray by shares of the depth range.
     """
     trace = projection.trace(point)
     if not trace.in_front:
         return None
     right_px, down_px = shift_px
+    if isinstance(projection.lens, FreeMatrix):
+        x_px, y_px, depth = float(trace.image[0]), float(trace.image[1]), float(trace.depth)
+        if along_ray:
+            away = -1.0 if projection.depth == "reversed" else 1.0
+            depth -= away * down_px / projection.image_size[1]
+        else:
+            x_px, y_px = x_px + right_px, y_px + down_px
+        try:
+            return _vector(projection.world_from_image((x_px, y_px, depth)))
+        except ProjectionError:  # no inverse, beyond the depth range, or at infinity
+            return None
     distance = -float(trace.view[2])
     held = Probe(0, point)
     if not along_ray:

@@ -27,9 +27,11 @@ from numpy.typing import ArrayLike
 from app import double_double as dd
 from app.double_double import DoubleDouble
 from app.projection import (
+    DEPTH_RANGES,
     ONE_OF,
     Array,
     ExactLens,
+    FreeMatrix,
     Projection,
     ProjectionError,
     Trace,
@@ -207,11 +209,15 @@ def drawing_bound_px(
     sizes += _LEAST_32 / _UNIT_32 * (matrix.sum(axis=1) + largest.sum() + 4.0)
     x, y, _, w = sizes
     least_w = 1.0
-    if not projection.lens.parallel:
+    lens = projection.lens
+    if isinstance(lens, FreeMatrix) or not lens.parallel:
+        near = projection.least_w
         clip = local @ clip_from_local[:, :3].T + clip_from_local[:, 3]
-        least_w = max(projection.lens.near, _least_w_seen(clip, sizes))
-        if least_w == math.inf or clip[:, 3].max() < projection.lens.near:  # nothing of it is seen
+        least_w = max(near, _least_w_seen(clip, sizes))
+        if least_w == math.inf or clip[:, 3].max() < near:  # nothing of it is seen
             return 0.0
+        if least_w <= 0.0:
+            return math.inf
     half_width, half_height = (side / 2.0 for side in projection.image_size)
     lost = max(half_width * (x + w), half_height * (y + w)) / least_w
     return float(_UNIT_32 * (6.0 * lost + 8.0 * max(half_width, half_height)))
@@ -306,10 +312,15 @@ def trace(
 def _trace_float32(projection: Projection, world: Array, origin: Vector) -> tuple[Any, ...]:
     single = np.float32
     matrix = projection.clip_from_world_at(origin).astype(single)
-    view_matrix = projection.view_rotation.astype(single)
     local = (world - origin).astype(single)
     offset = (world - projection.camera.eye).astype(single)
-    view = offset @ view_matrix[:3, :3].T
+    lens = projection.lens
+    if isinstance(lens, FreeMatrix):
+        view_matrix = np.array(projection.exact_from_eye[0], dtype=np.float64).astype(single)
+        view = offset @ view_matrix[:, :3].T + view_matrix[:, 3]
+        view = view[:, :3] / view[:, 3:]
+    else:
+        view = offset @ projection.view_rotation.astype(single)[:3, :3].T
 
     def row(i: int) -> Any:
         total = matrix[i, 0] * local[:, 0]
@@ -325,11 +336,16 @@ def _trace_float32(projection: Projection, world: Array, origin: Vector) -> tupl
     depth = ndc[:, 2]
     if projection.depth == "opengl":
         depth = single(0.5) * depth + single(0.5)
-    x, y, _, w = clip.T
+    x, y, z, w = clip.T
     in_front = (w > 0.0) & np.isfinite(ndc).all(axis=1) & np.isfinite(image).all(axis=1)
-    distance = -view[:, 2]
-    near, far = single(projection.lens.near), single(projection.lens.far)
-    outside = np.stack([distance < near, distance > far, x < -w, x > w, y < -w, y > w], axis=1)
+    if isinstance(lens, FreeMatrix):
+        z_near, z_far = projection.depth_range
+        sign = math.copysign(1.0, z_far - z_near)
+        before, beyond = sign * z < sign * z_near * w, sign * z > sign * z_far * w
+    else:
+        distance = -view[:, 2]
+        before, beyond = distance < single(lens.near), distance > single(lens.far)
+    outside = np.stack([before, beyond, x < -w, x > w, y < -w, y > w], axis=1)
     return _finish(view, clip, ndc, image, depth, in_front, outside)
 
 
@@ -345,6 +361,23 @@ def _finish(*parts: Any) -> tuple[Any, ...]:
 # --------------------------------------------------------------------------- exact
 
 
+def _clip_free(projection: Projection, x: Any, y: Any, z: Any) -> list[Any]:
+    """`_clip` of a free matrix, from a point's offset from the eye, in whatever arithmetic."""
+    view, clip = (
+        [x * row[0] + y * row[1] + z * row[2] + row[3] for row in matrix]
+        for matrix in projection.exact_from_eye
+    )
+    if projection.exact_from_eye[0][3] != [0, 0, 0, 1]:
+        nowhere = isinstance(view[3], Fraction) and view[3] == 0
+        view = [math.nan if nowhere else part / view[3] for part in view]
+    x_clip, y_clip, z_clip, w = clip
+    z_near, z_far = map(int, DEPTH_RANGES[projection.depth])
+    sign = 1 if z_far > z_near else -1
+    from_near, to_far = (z_clip - w * z_near) * sign, (w * z_far - z_clip) * sign
+    inside = from_near, to_far, x_clip + w, -x_clip + w, y_clip + w, -y_clip + w
+    return [*view[:3], *clip, *inside]
+
+
 def _clip(projection: Projection, n: ExactLens, x: Any, y: Any, distance: Any) -> list[Any]:
     """View and clip coordinates, and what is negative beyond each of `PLANES`, 3 + 4 + 6.
 
@@ -353,7 +386,7 @@ def _clip(projection: Projection, n: ExactLens, x: Any, y: Any, distance: Any) -
     reverse = projection.depth == "reversed"
     one = distance * 0 + 1
     from_near, to_far = distance - n.near, one if n.far is None else -distance + n.far
-    if projection.lens.parallel:
+    if projection.standard_lens.parallel:
         assert n.far is not None
         w = one
         x_clip, y_clip = (
@@ -413,7 +446,9 @@ class _Bounded:
         mine, its = np.abs(self.value.hi) + self.error, np.abs(other.value.hi)
         return self._made(
             dd.multiply(self.value, other.value),
-            mine * other.error + its * self.error + _UNDERFLOW,
+            mine * other.error
+            + its * self.error
+            + _UNDERFLOW * (mine * (its + other.error) != 0.0),
         )
 
     def __truediv__(self, other: Any) -> _Bounded:
@@ -421,7 +456,8 @@ class _Bounded:
         quotient = dd.divide(self.value, other.value)
         least = np.abs(other.value.hi) - other.error
         error = (self.error + np.abs(quotient.hi) * other.error) / least * (1.0 + 1e-9)
-        return self._made(quotient, np.where(least > 0.0, error, math.inf) + _UNDERFLOW)
+        error = error + _UNDERFLOW * (np.abs(self.value.hi) + self.error > 0.0)  # 0/w is 0
+        return self._made(quotient, np.where(least > 0.0, error, math.inf))
 
 
 def _bounded(number: Any) -> _Bounded:
@@ -442,18 +478,23 @@ def _trace_exact(projection: Projection, world: Array) -> tuple[Any, ...]:
 
 def _exact_numbers(projection: Projection, world: Array) -> tuple[Array, Array, Any]:
     """View 3, clip 4, NDC 3, image 2 and depth; what rounding cut off the last 3; outside 6."""
-    n = projection.exact_lens
     numbers, rests = np.empty((len(world), 13)), np.empty((len(world), 3))
     outside = np.empty((len(world), 6), dtype=bool)
     for start in range(0, len(world), _CHUNK):
         block = slice(start, start + _CHUNK)
         points = world[block]
-        size = np.abs(points - projection.camera.eye).sum(axis=1)
-        x, y, z = (
-            _Bounded(part, 3.0 * dd.RELATIVE_ERROR * size + _UNDERFLOW)
-            for part in projection.view_double_double(points)
-        )
-        first = _clip(projection, n, x, y, -z)
+        if isinstance(projection.lens, FreeMatrix):
+            offsets = (
+                dd.two_sum(points[:, i], -part) for i, part in enumerate(projection.camera.eye)
+            )
+            first = _clip_free(projection, *(_Bounded(o, 0.0 * o.hi) for o in offsets))
+        else:
+            size = np.abs(points - projection.camera.eye).sum(axis=1)
+            x, y, z = (
+                _Bounded(part, 3.0 * dd.RELATIVE_ERROR * size + _UNDERFLOW)
+                for part in projection.view_double_double(points)
+            )
+            first = _clip(projection, projection.exact_lens, x, y, -z)
         doubtful = np.zeros(len(points), dtype=bool)
         for column, number in enumerate(first[:7] + _divide(projection, first[3:7])):
             numbers[block, column] = number.value.hi
@@ -462,18 +503,22 @@ def _exact_numbers(projection: Projection, world: Array) -> tuple[Array, Array, 
             doubtful |= ~(number.error <= _CERTAIN * np.spacing(np.abs(number.value.hi)))
         for plane, number in enumerate(first[7:]):
             outside[block, plane] = number.value.hi < 0.0
-            doubtful |= ~(number.error < np.abs(number.value.hi))
+            doubtful |= ~((number.error < np.abs(number.value.hi)) | (number.error == 0.0))
         for i in start + np.flatnonzero(doubtful):
-            numbers[i], rests[i], outside[i] = _trace_rational(projection, n, world[i].tolist())
+            numbers[i], rests[i], outside[i] = _trace_rational(projection, world[i].tolist())
     return numbers, rests, outside
 
 
 def _trace_rational(
-    projection: Projection, n: ExactLens, point: Sequence[float]
+    projection: Projection, point: Sequence[float]
 ) -> tuple[list[float], list[float], list[bool]]:
     """One point of `_exact_numbers` in rationals, each number rounded once."""
-    x, y, z = projection.camera.exact_view((point[0], point[1], point[2]))
-    first = _clip(projection, n, x, y, -z)
+    if isinstance(projection.lens, FreeMatrix):
+        pairs = zip(point, projection.camera.eye, strict=True)
+        first = _clip_free(projection, *(Fraction(part) - Fraction(eye) for part, eye in pairs))
+    else:
+        x, y, z = projection.camera.exact_view((point[0], point[1], point[2]))
+        first = _clip(projection, projection.exact_lens, x, y, -z)
     w = first[6]
     quotients = _divide(projection, first[3:7]) if w != 0 else [math.nan] * 6
     numbers = [_rounded(number) for number in (*first[:7], *quotients)]

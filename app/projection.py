@@ -33,7 +33,7 @@ import numbers
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
-from typing import Any, NamedTuple, TypeAlias
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -45,13 +45,16 @@ from app.camera import (
 )
 from app.double_double import DoubleDouble
 from app.lenses import (
+    KINDS,
     LENSES,
     OBLIQUE_PRESETS,
+    FreeMatrix,
     Frustum,
     Lens,
     Oblique,
     Orthographic,
     Perspective,
+    StandardLens,
     Windowed,
     check_planes,
     focal_length_35mm,
@@ -63,6 +66,7 @@ from app.lenses import (
     oblique_angles,
     receding_of,
 )
+from app.rationals import Rationals, eliminate, product, rationals
 from app.values import (
     ABOVE,
     AT_LEAST,
@@ -74,6 +78,8 @@ from app.values import (
     DISTINCT,
     FAR_BEYOND_NEAR,
     FINITE_NUMBER,
+    FOUR_BY_FOUR,
+    INVERTIBLE,
     LARGEST,
     LARGEST_IMAGE_PX,
     LARGEST_SHEAR,
@@ -97,11 +103,13 @@ from app.values import (
     WHOLE_PIXELS,
     WIDER,
     Array,
+    Cells,
     DepthRange,
     Keep,
     ProjectionError,
     Vector,
     finite,
+    finite_matrix,
     format_value,
     keep_checked,
     read_only,
@@ -118,6 +126,9 @@ __all__ = [  # the model's one door: what its other rooms hold can be had here
     "DISTINCT",
     "FAR_BEYOND_NEAR",
     "FINITE_NUMBER",
+    "FOUR_BY_FOUR",
+    "INVERTIBLE",
+    "KINDS",
     "LARGEST",
     "LARGEST_IMAGE_PX",
     "LARGEST_SHEAR",
@@ -148,8 +159,10 @@ __all__ = [  # the model's one door: what its other rooms hold can be had here
     "WIDER",
     "Array",
     "Camera",
+    "Cells",
     "DepthRange",
     "ExactLens",
+    "FreeMatrix",
     "Frustum",
     "Intrinsics",
     "Keep",
@@ -162,9 +175,11 @@ __all__ = [  # the model's one door: what its other rooms hold can be had here
     "ProjectionError",
     "Rationals",
     "Stage",
+    "StandardLens",
     "Trace",
     "Vector",
     "checked_points",
+    "finite_matrix",
     "focal_length_35mm",
     "focal_length_e",
     "format_value",
@@ -209,9 +224,6 @@ class _Axis(NamedTuple):
 
 def _axis(low: Fraction, high: Fraction) -> _Axis:
     return _Axis(float((low + high) / 2), float(high - low))
-
-
-Rationals: TypeAlias = list[list[Fraction]]
 
 
 class ExactLens(NamedTuple):
@@ -325,21 +337,22 @@ class Trace(NamedTuple):
 
 def _stage(name: str, *factors: tuple[str, Rationals], note: str = "") -> Stage:
     """A stage that is the product of its factors."""
-    product = _diagonal(1, 1, 1, 1)
+    whole = _diagonal(1, 1, 1, 1)
     for _, factor in factors:
-        columns = list(zip(*factor, strict=True))
-        product = [
-            [
-                sum((a * b for a, b in zip(row, column, strict=True)), Fraction(0))
-                for column in columns
-            ]
-            for row in product
-        ]
-    return Stage(name, product, tuple((label, _rounded(f)) for label, f in factors), note)
+        whole = product(whole, factor)
+    return Stage(name, whole, tuple((label, _rounded(f)) for label, f in factors), note)
 
 
 def _rounded(matrix: Rationals) -> Array:
     return read_only([[float(part) for part in row] for row in matrix])
+
+
+def _inverse(field: str, matrix: Rationals) -> Rationals:
+    rank, _, inverse = eliminate(matrix)
+    if inverse is None:
+        cells = tuple(map(tuple, _rounded(matrix).tolist()))
+        raise ProjectionError(field, cells, INVERTIBLE, rank)
+    return inverse
 
 
 def _diagonal(*parts: Fraction | int) -> Rationals:
@@ -362,7 +375,7 @@ class Projection:
     Parameters
     ----------
     camera : Camera
-    lens : Perspective, Frustum, Orthographic or Oblique
+    lens : Perspective, Frustum, Orthographic, Oblique or FreeMatrix
     image_size : (int, int)
         Width and height in pixels.
     depth : {"opengl", "direct3d", "reversed"}
@@ -409,6 +422,19 @@ class Projection:
     # -- plain figures
 
     @property
+    def standard_lens(self) -> StandardLens:
+        """The lens, where it is one that has fields.
+
+        Raises
+        ------
+        ProjectionError
+            For a free matrix.
+        """
+        if isinstance(self.lens, FreeMatrix):
+            raise ProjectionError("kind", self.lens.kind, ONE_OF, ", ".join(LENSES))
+        return self.lens
+
+    @property
     def aspect(self) -> float:
         """The image's width over its height."""
         return self.image_size[0] / self.image_size[1]
@@ -421,12 +447,12 @@ class Projection:
     @cached_property
     def window(self) -> tuple[float, float, float, float]:
         """Left, right, bottom, top of the picture on the near plane, in world units."""
-        return self.lens.window(Fraction(*self.image_size))
+        return self.standard_lens.window(Fraction(*self.image_size))
 
     @cached_property
     def _axes(self) -> tuple[_Axis, _Axis]:
         """The picture's x and y range on the near plane, after `keep`, without its rounding."""
-        lens = self.lens
+        lens = self.standard_lens
         if isinstance(lens, Perspective):
             _, right, _, top = self.window
             return _Axis(0.0, 2.0 * right), _Axis(0.0, 2.0 * top)
@@ -440,9 +466,9 @@ class Projection:
         Raises
         ------
         ProjectionError
-            For a parallel lens, which has none.
+            For a parallel lens and for a free matrix, which have none.
         """
-        if self.lens.parallel:
+        if isinstance(self.lens, FreeMatrix) or self.lens.parallel:
             raise ProjectionError("kind", self.lens.kind, ONE_OF, "perspective, frustum")
         width, height = self.image_size
         if isinstance(self.lens, Perspective):  # square pixels, and the axis in the middle
@@ -459,8 +485,11 @@ class Projection:
 
     @property
     def is_compensated(self) -> bool:
-        """Whether `trace` takes dot products with twice the digits: `stretch` asks for it."""
-        return self.stretch > _STRETCH
+        """Whether `trace` takes dot products with twice the digits: `stretch` asks for it.
+
+        Never for a free matrix: nobody knows what it is to enlarge.
+        """
+        return not isinstance(self.lens, FreeMatrix) and self.stretch > _STRETCH
 
     @property
     def stretch(self) -> float:
@@ -470,7 +499,7 @@ class Projection:
         that distance's largest ratio to the picture's half-width or half-height there, times
         what the lens adds. About 4 for everyday lenses.
         """
-        lens = self.lens
+        lens = self.standard_lens
         left, right, bottom, top = self.window
         across, up = max(abs(left), abs(right)), max(abs(bottom), abs(top))
         half_width, half_height = (right - left) / 2.0, (top - bottom) / 2.0
@@ -504,7 +533,9 @@ class Projection:
 
     @cached_property
     def view_from_world(self) -> Array:
-        """The view matrix R P of lecture 004, (4, 4)."""
+        """The view matrix R P of lecture 004, or the one typed in its place, (4, 4)."""
+        if isinstance(self.lens, FreeMatrix) and self.lens.view_from_world is not None:
+            return read_only(self.lens.view_from_world)
         return read_only(self.view_rotation @ self.view_translation)
 
     @cached_property
@@ -514,17 +545,20 @@ class Projection:
         Lecture 000 (13) for a perspective lens, glOrtho for the orthographic one, lecture 002's
         ``P_obl = P_ort H`` for the oblique one.
         """
-        near, far = self.lens.near, self.lens.far
+        lens = self.lens
+        if isinstance(lens, FreeMatrix):
+            return read_only(lens.clip_from_view)
+        near, far = lens.near, lens.far
         matrix = np.zeros((4, 4))
-        if isinstance(self.lens, Perspective):
-            matrix[1, 1] = self.lens.cot_half_fov_y
+        if isinstance(lens, Perspective):
+            matrix[1, 1] = lens.cot_half_fov_y
             matrix[0, 0] = matrix[1, 1] / self.aspect
         else:
-            unit = 1.0 if self.lens.parallel else near
+            unit = 1.0 if lens.parallel else near
             for row, axis in enumerate(self._axes):
                 matrix[row, row] = 2.0 * unit / axis.extent
-                matrix[row, 3 if self.lens.parallel else 2] = axis.skew
-        if not self.lens.parallel:
+                matrix[row, 3 if lens.parallel else 2] = axis.skew
+        if not lens.parallel:
             matrix[2, 2:] = self._depth_row
             matrix[3, 2] = -1.0
         else:
@@ -545,7 +579,7 @@ class Projection:
         Both planes' conditions give ``A = -(z_far f - z_near n)/(f - n)`` and
         ``B = (z_near - z_far) n f/(f - n)``; with far = inf they have the limits below.
         """
-        near, far = self.lens.near, self.lens.far
+        near, far = self.standard_lens.near, self.standard_lens.far
         z_near, z_far = self.depth_range
         if far == math.inf:
             return -z_far, (z_near - z_far) * near
@@ -554,19 +588,28 @@ class Projection:
 
     @cached_property
     def view_from_clip(self) -> Array:
-        """The inverse of `clip_from_view` in closed form, (4, 4); also for far = inf."""
-        near, far = self.lens.near, self.lens.far
+        """The inverse of `clip_from_view` in closed form, (4, 4); also for far = inf.
+
+        Raises
+        ------
+        ProjectionError
+            For a free matrix without an inverse.
+        """
+        lens = self.lens
+        if isinstance(lens, FreeMatrix):
+            return _rounded(_inverse("clip_from_view", rationals(lens.clip_from_view)))
+        near, far = lens.near, lens.far
         z_near, z_far = self.depth_range
         matrix = np.zeros((4, 4))
-        if isinstance(self.lens, Perspective):
-            matrix[0, 0] = self.aspect / self.lens.cot_half_fov_y
-            matrix[1, 1] = 1.0 / self.lens.cot_half_fov_y
+        if isinstance(lens, Perspective):
+            matrix[0, 0] = self.aspect / lens.cot_half_fov_y
+            matrix[1, 1] = 1.0 / lens.cot_half_fov_y
         else:
-            unit = 1.0 if self.lens.parallel else near
+            unit = 1.0 if lens.parallel else near
             for row, axis in enumerate(self._axes):
                 matrix[row, row] = axis.extent / 2.0 / unit
                 matrix[row, 3] = axis.middle / unit
-        if not self.lens.parallel:
+        if not lens.parallel:
             matrix[2, 3] = -1.0
             # 1/w is affine in z_ndc: 1/near on the near face, 1/far on the far one.
             step = (1.0 if far == math.inf else (far - near) / far) / near
@@ -609,11 +652,78 @@ class Projection:
         (4, 4) float64 array
         """
         shift = _translation(np.asarray(origin, dtype=np.float64) - self.camera.eye)
-        return read_only(self.clip_from_view @ self.view_rotation @ shift)
+        return read_only(self.clip_from_eye @ shift)
+
+    @cached_property
+    def clip_from_eye(self) -> Array:
+        """Clip from world axes with their origin in the eye: `clip_from_world_at` it, (4, 4)."""
+        if isinstance(self.lens, FreeMatrix):
+            return _rounded(self.exact_from_eye[1])
+        return read_only(self.clip_from_view @ self.view_rotation)
+
+    @cached_property
+    def exact_from_eye(self) -> tuple[Rationals, Rationals]:
+        """View and clip from ``(p - eye, 1)``, before they are rounded.
+
+        For a view matrix of its own the eye is but a point near by: what it and a point have in
+        common is subtracted before anything is multiplied.
+        """
+        if not isinstance(self.lens, FreeMatrix) or self.lens.view_from_world is None:
+            view = _diagonal(1, 1, 1, 1)
+            for row, axis in zip(view, self.camera.exact_frame, strict=False):
+                row[:3] = axis
+        else:
+            eye = map(Fraction, self.camera.eye)
+            view = product(rationals(self.lens.view_from_world), _shift(*eye))
+        return view, product(self.direct_stages[0].exact, view)
+
+    @cached_property
+    def _eye_from_clip(self) -> Rationals:
+        """The inverse of `exact_from_eye`'s clip matrix, or a `ProjectionError`."""
+        view_from_clip = _inverse("clip_from_view", self.direct_stages[0].exact)
+        return product(_inverse("view_from_world", self.exact_from_eye[0]), view_from_clip)
+
+    @cached_property
+    def frustum_sign(self) -> int:
+        """The sign of w at all eight of the cube's corners un-projected; 0 for no frustum.
+
+        A lens always has one, whose far corners may be at infinity. A free matrix has none
+        without an inverse, or where infinity lies in or on its volume.
+        """
+        if not isinstance(self.lens, FreeMatrix):
+            return 1
+        try:
+            x, y, z, w = self._eye_from_clip[3]
+        except ProjectionError:
+            return 0
+        ends = [w + z * Fraction(z_ndc) for z_ndc in self.depth_range]
+        reach = abs(x) + abs(y)
+        return (min(ends) > reach) - (max(ends) < -reach)
+
+    @property
+    def least_w(self) -> float:
+        """The least w of what is in the view volume, or less: near, of a perspective lens."""
+        lens = self.lens
+        if not isinstance(lens, FreeMatrix):
+            return 1.0 if lens.parallel else lens.near
+        if self.frustum_sign <= 0:
+            return 0.0
+        # Un-projected, the cube's corner (x, y, z, 1) has the inverse of the point's own w.
+        x, y, z, w = self._eye_from_clip[3]
+        most = max(w + z * Fraction(z_ndc) for z_ndc in self.depth_range) + abs(x) + abs(y)
+        return float(1 / most)
 
     def world_from_clip_at(self, origin: ArrayLike) -> Array:
-        """The inverse of `clip_from_world_at`, (4, 4)."""
+        """The inverse of `clip_from_world_at`, (4, 4).
+
+        Raises
+        ------
+        ProjectionError
+            For a free matrix without an inverse.
+        """
         shift = _translation(self.camera.eye - np.asarray(origin, dtype=np.float64))
+        if isinstance(self.lens, FreeMatrix):
+            return read_only(shift @ _rounded(self._eye_from_clip))
         return read_only(shift @ self.view_rotation.T @ self.view_from_clip)
 
     @cached_property
@@ -628,7 +738,7 @@ class Projection:
     @cached_property
     def exact_lens(self) -> ExactLens:
         """The numbers that the lens is made of, without their rounding to float64."""
-        lens = self.lens
+        lens = self.standard_lens
         width, height = self.image_size
         zero = Fraction(0)
         shear, near = (zero, zero), Fraction(lens.near)
@@ -657,14 +767,16 @@ class Projection:
         These are the matrices to be read: every number is computed in rationals and rounded once.
         """
         z_near, z_far = (Fraction(z) for z in self.depth_range)
-        eye = [Fraction(-part) for part in self.camera.eye]
-        rotation = _diagonal(1, 1, 1, 1)
-        for row, axis in zip(rotation, self.camera.exact_frame, strict=False):
-            row[:3] = axis
-        view = _stage("view_from_world", ("rotation", rotation), ("translation", _shift(*eye)))
-        # The product's zeros cancel to the last of the frame's bits only.
-        for row, part in zip(view.exact, self.camera.exact_view((0.0, 0.0, 0.0)), strict=False):
-            row[3] = part
+        width, height = self.image_size
+        z_low = min(z_near, z_far)
+        of_object = _stage("world_from_object", note=NO_OBJECT_TRANSFORM)
+        to_image = _stage(
+            "image_from_ndc",
+            ("scale", _diagonal(Fraction(width, 2), Fraction(-height, 2), 1 / (1 - z_low), 1)),
+            ("translation", _shift(1, -1, -z_low)),
+        )
+        if isinstance(self.lens, FreeMatrix):
+            return of_object, self._view_stage, to_image
         near, far = self.exact_lens.near, self.exact_lens.far
         if self.lens.parallel:
             to_parallel, normalise = self._parallel_stages, _diagonal(1, 1, 1, 1)
@@ -673,11 +785,9 @@ class Projection:
             # Times far: w is the distance again, last row 0 0 -1 0 as the field writes it.
             reach = near if far is None else far
             normalise = _diagonal(reach, reach, reach, reach)
-        width, height = self.image_size
-        z_low = min(z_near, z_far)
         return (
-            _stage("world_from_object", note=NO_OBJECT_TRANSFORM),
-            view,
+            of_object,
+            self._view_stage,
             *to_parallel,
             _stage(
                 "depth_range_from_canonical_parallel",
@@ -685,19 +795,36 @@ class Projection:
                 ("scale", _diagonal(1, 1, z_near - z_far, 1)),
             ),
             _stage("clip_from_depth_range", ("scale", normalise)),
-            _stage(
-                "image_from_ndc",
-                ("scale", _diagonal(Fraction(width, 2), Fraction(-height, 2), 1 / (1 - z_low), 1)),
-                ("translation", _shift(1, -1, -z_low)),
-            ),
+            to_image,
         )
+
+    @property
+    def _view_stage(self) -> Stage:
+        if isinstance(self.lens, FreeMatrix) and self.lens.view_from_world is not None:
+            return Stage("view_from_world", rationals(self.lens.view_from_world), (), "")
+        eye = [Fraction(-part) for part in self.camera.eye]
+        rotation = _diagonal(1, 1, 1, 1)
+        for row, axis in zip(rotation, self.camera.exact_frame, strict=False):
+            row[:3] = axis
+        view = _stage("view_from_world", ("rotation", rotation), ("translation", _shift(*eye)))
+        # The product's zeros cancel to the last of the frame's bits only.
+        for row, part in zip(view.exact, self.camera.exact_view((0.0, 0.0, 0.0)), strict=False):
+            row[3] = part
+        return view
 
     @cached_property
     def direct_stages(self) -> tuple[Stage, Stage]:
-        """`clip_from_view` and `clip_from_world` as products of `stages`, rounded once."""
+        """`clip_from_view` and `clip_from_world` as products of `stages`, rounded once.
+
+        A free matrix is one step, and has no factors.
+        """
         view, *lens = self.stages[1:-1]
+        direct = _stage("clip_from_view", *((stage.name, stage.exact) for stage in reversed(lens)))
+        if isinstance(self.lens, FreeMatrix):
+            direct = Stage("clip_from_view", rationals(self.lens.clip_from_view), (), "")
+            lens = [direct]
         return (
-            _stage("clip_from_view", *((stage.name, stage.exact) for stage in reversed(lens))),
+            direct,
             _stage(
                 "clip_from_world",
                 *((stage.name, stage.exact) for stage in (*reversed(lens), view)),
@@ -750,7 +877,19 @@ class Projection:
         Left-bottom, right-bottom, right-top, left-top of the near face, then of the far face;
         w is 1, or 0 for the far corners of an infinite frustum, which are directions
         (lecture 002: points at infinity).
+
+        Raises
+        ------
+        ProjectionError
+            For a free matrix without an inverse.
         """
+        if isinstance(self.lens, FreeMatrix):
+            cube = [(x, y, z, 1.0) for z in self.depth_range for x, y in _FACE]
+            corners = np.array(cube) @ _rounded(self._eye_from_clip).T
+            finite = corners[:, 3] != 0.0
+            corners[finite] /= corners[finite, 3:]
+            corners[finite, :3] += self.camera.eye
+            return read_only(corners)
         # Through the reversed range: there 1/w of the far face is 1/far itself, where [-1, 1]
         # makes it a difference of two numbers of the size of 1/near.
         cube = [(x, y, z, 1.0) for z in (1.0, 0.0) for x, y in _FACE]
@@ -786,9 +925,44 @@ class Projection:
         1.3e-16 where the sum of two large numbers keeps 6e-5 (near close to far).
         """
         world = checked_points(points_world)
-        view = self._view(world)
         with np.errstate(divide="ignore", invalid="ignore", over="ignore", under="ignore"):
-            return self._trace_view(world, view)
+            if isinstance(self.lens, FreeMatrix):
+                return self._trace_free(world)
+            return self._trace_view(world, self._view(world))
+
+    def _trace_free(self, world: Array) -> Trace:
+        """Under a free matrix: the six planes are those of the cube, and any w is possible."""
+        offsets = world - self.camera.eye
+        view_from_eye = _rounded(self.exact_from_eye[0])
+        view = offsets @ view_from_eye[:3, :3].T + view_from_eye[:3, 3]
+        if tuple(view_from_eye[3]) != (0.0, 0.0, 0.0, 1.0):
+            view /= (offsets @ view_from_eye[3, :3] + view_from_eye[3, 3])[..., None]
+            view[~np.isfinite(view).all(axis=-1)] = np.nan
+        clip = offsets @ self.clip_from_eye[:, :3].T + self.clip_from_eye[:, 3]
+        x, y, z, w = np.moveaxis(clip, -1, 0)
+        ndc = clip[..., :3] / w[..., None]
+        width, height = self.image_size
+        image = np.stack(
+            [(ndc[..., 0] + 1.0) * (width / 2.0), (1.0 - ndc[..., 1]) * (height / 2.0)], axis=-1
+        )
+        depth = np.asarray((ndc[..., 2] + 1.0) / 2.0 if self.depth == "opengl" else ndc[..., 2])
+        in_front = (w > 0.0) & np.isfinite(ndc).all(axis=-1) & np.isfinite(image).all(axis=-1)
+        for array in (ndc, image, depth):
+            array[~in_front] = np.nan
+        z_near, z_far = self.depth_range
+        sign = math.copysign(1.0, z_far - z_near)
+        outside = np.stack(
+            [
+                sign * z < sign * z_near * w,
+                sign * z > sign * z_far * w,
+                x < -w,
+                x > w,
+                y < -w,
+                y > w,
+            ],
+            axis=-1,
+        )
+        return Trace(world, view, clip, ndc, image, depth, in_front, outside)
 
     def image_rows(self, points_world: ArrayLike, out: Array | None = None) -> Array:
         """Project many points at once: `trace`'s image and depth, and nothing else.
@@ -870,7 +1044,7 @@ class Projection:
         assert self._image_steps is not None
         eye, matrix, shift, factor = self._image_steps
         np.subtract(points, eye, out=out)
-        if self.lens.parallel:
+        if self.standard_lens.parallel:
             np.matmul(matrix, out, out=rows[:3])
             np.add(rows[:3], shift, out=out)
             finite = math.isfinite(np.add.reduce(out[2]))
@@ -906,7 +1080,7 @@ class Projection:
         factor : float
             By which the depth is multiplied at the end.
         """
-        if self.is_compensated:
+        if isinstance(self.lens, FreeMatrix) or self.is_compensated:
             return None
         near, far, parallel = self.lens.near, self.lens.far, self.lens.parallel
         image_from_view = self.image_from_ndc @ self.clip_from_view
@@ -977,10 +1151,11 @@ class Projection:
         ]
 
     def _trace_view(self, world: Array, view: Array) -> Trace:
-        near, far = self.lens.near, self.lens.far
+        lens = self.standard_lens
+        near, far = lens.near, lens.far
         x_axis, y_axis = self._axes
         x, y, distance = view[..., 0], view[..., 1], -view[..., 2]
-        if self.lens.parallel:
+        if lens.parallel:
             w = np.ones_like(distance)
             cot_alpha, cot_beta = self.shear
             x_clip = x_axis.across(x + cot_alpha * (near - distance))
@@ -990,8 +1165,8 @@ class Projection:
             numerator = depth = np.asarray(from_plane / (far - near))
         else:
             w = distance
-            if isinstance(self.lens, Perspective):
-                scale_y = self.lens.cot_half_fov_y
+            if isinstance(lens, Perspective):
+                scale_y = lens.cot_half_fov_y
                 x_clip, y_clip = scale_y / self.aspect * x, scale_y * y
                 x_ndc, y_ndc = scale_y / self.aspect * (x / w), scale_y * (y / w)
             else:
@@ -1023,7 +1198,7 @@ class Projection:
     @cached_property
     def _near_ratio(self) -> float:
         """``n/(f - n)`` of a finite lens, rounded once."""
-        near, far = Fraction(self.lens.near), Fraction(self.lens.far)
+        near, far = Fraction(self.standard_lens.near), Fraction(self.standard_lens.far)
         return float(near / (far - near))
 
     def world_from_image(self, points_image: ArrayLike) -> Array:
@@ -1043,18 +1218,22 @@ class Projection:
         ------
         ProjectionError
             If a number is not finite, a depth is outside [0, 1], or one is that of a far plane
-            at infinity (or farther than 1e250), where a pixel has a direction but no point.
+            at infinity (or farther than 1e250), where a pixel has a direction but no point. And
+            for a free matrix without an inverse.
         """
         points = checked_points(points_image)
         depth = points[..., 2]
         for wrong, bound, limit in ((depth < 0.0, AT_LEAST, 0), (depth > 1.0, AT_MOST, 1)):
             if wrong.any():
                 raise ProjectionError("depth", float(depth[wrong][0]), bound, limit)
-        near, far = self.lens.near, self.lens.far
+        if isinstance(self.lens, FreeMatrix):
+            return self._world_from_image_free(points)
+        lens = self.lens
+        near, far = lens.near, lens.far
         # From 0 at the near plane to 1 at the far one, and what is left of it, without a
         # difference where the format has its digits.
         gone, left_over = (1.0 - depth, depth) if self.depth == "reversed" else (depth, 1.0 - depth)
-        if self.lens.parallel:
+        if lens.parallel:
             distance = near * left_over + far * gone
         elif far == math.inf:
             with np.errstate(divide="ignore", over="ignore"):
@@ -1065,7 +1244,7 @@ class Projection:
         x_axis, y_axis = self._axes
         x = x_axis.middle + x_axis.extent * ((points[..., 0] - width / 2.0) / width)
         y = y_axis.middle - y_axis.extent * ((points[..., 1] - height / 2.0) / height)
-        if self.lens.parallel:
+        if lens.parallel:
             cot_alpha, cot_beta = self.shear
             x, y = x + cot_alpha * (distance - near), y + cot_beta * (distance - near)
         else:
@@ -1084,14 +1263,60 @@ class Projection:
             world[..., column] = total.hi
         return world
 
+    def _world_from_image_free(self, points: Array) -> Array:
+        z_near, z_far = self.depth_range
+        low, high = min(z_near, z_far), max(z_near, z_far)
+        width, height = self.image_size
+        ndc = np.stack(
+            [
+                2.0 * (points[..., 0] / width) - 1.0,
+                1.0 - 2.0 * (points[..., 1] / height),
+                low + (high - low) * points[..., 2],
+                np.ones(points.shape[:-1]),
+            ],
+            axis=-1,
+        )
+        offsets = ndc @ _rounded(self._eye_from_clip).T
+        with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
+            world = offsets[..., :3] / offsets[..., 3:] + self.camera.eye
+        nowhere = ~(np.abs(world).max(axis=-1) < _BEYOND)
+        if nowhere.any():
+            raise ProjectionError("depth", float(points[..., 2][nowhere][0]), NO_POINT)
+        return np.asarray(world)
+
     # -- the same picture with another lens
+
+    def with_depth(self, depth: DepthRange) -> Projection:
+        """The same view volume and picture in another depth range.
+
+        Parameters
+        ----------
+        depth : {"opengl", "direct3d", "reversed"}
+
+        Raises
+        ------
+        ProjectionError
+            For another depth range.
+        """
+        if depth == self.depth:
+            return self
+        changed = replace(self, depth=depth)
+        if not isinstance(self.lens, FreeMatrix):
+            return changed
+        old_near, old_far = map(Fraction, self.depth_range)
+        new_near, new_far = map(Fraction, changed.depth_range)
+        scale = (new_far - new_near) / (old_far - old_near)
+        x, y, z, w = rationals(self.lens.clip_from_view)
+        z = [scale * a + (new_near - scale * old_near) * b for a, b in zip(z, w, strict=True)]
+        cells: Any = _rounded([x, y, z, w]).tolist()
+        return replace(changed, lens=replace(self.lens, clip_from_view=cells))
 
     @property
     def _target_window(self) -> tuple[float, float, float, float]:
         """Left, right, bottom, top of the picture in the plane through the target."""
         left, right, bottom, top = self.window
-        distance, near = self.camera.distance, self.lens.near
-        if not self.lens.parallel:
+        distance, near = self.camera.distance, self.standard_lens.near
+        if not self.standard_lens.parallel:
             k = distance / near
             return k * left, k * right, k * bottom, k * top
         x, y = (cot * (distance - near) for cot in self.shear)
@@ -1102,22 +1327,28 @@ class Projection:
 
         Near, far and `keep` stay where the new lens can have them. Between the perspective lenses
         the window on the near plane stays, and so does the whole picture; otherwise the picture
-        of the plane through the target stays.
+        of the plane through the target stays. A free matrix starts with the lens' own cells, and
+        goes back to that lens.
 
         Parameters
         ----------
-        kind : {"perspective", "frustum", "orthographic", "oblique"}
+        kind : {"perspective", "frustum", "orthographic", "oblique", "matrix"}
 
         Raises
         ------
         ProjectionError
             For another kind.
         """
-        lens, distance = self.lens, self.camera.distance
-        if kind not in LENSES:
-            raise ProjectionError("kind", kind, ONE_OF, ", ".join(LENSES))
-        if kind == lens.kind:
+        if kind not in KINDS:
+            raise ProjectionError("kind", kind, ONE_OF, ", ".join(KINDS))
+        if kind == self.lens.kind:
             return self
+        if isinstance(self.lens, FreeMatrix):
+            return replace(self, lens=self.lens.former).with_lens(kind)
+        lens, distance = self.lens, self.camera.distance
+        if kind == FreeMatrix.kind:
+            cells: Any = self.direct_stages[0].matrix.tolist()
+            return replace(self, lens=FreeMatrix(cells, None, lens))
         near, far = lens.near, lens.far
         keep: Keep = "y" if isinstance(lens, Perspective) else lens.keep
         if kind in ("perspective", "frustum"):
@@ -1156,9 +1387,9 @@ class Projection:
         Raises
         ------
         ProjectionError
-            For planes that the lens cannot have.
+            For planes that the lens cannot have, and for a free matrix.
         """
-        lens = self.lens
+        lens = self.standard_lens
         near, far = check_planes(near, far, parallel=lens.parallel)
         left, right, bottom, top = self.window
         if isinstance(lens, Frustum):  # its window is on the near plane, and moves with it
@@ -1205,7 +1436,7 @@ class Projection:
             if value > side / (2.0 * SMALLEST_OPENING):
                 most = format_value(side / (2.0 * SMALLEST_OPENING))
                 raise ProjectionError(name, value, AT_MOST, most)
-        lens = self.with_lens("frustum").lens
+        lens = self.with_lens("frustum").standard_lens
         near, far = lens.near, lens.far
         if fx == fy and cx == (width - 1) / 2.0 and cy == (height - 1) / 2.0:
             fov_y_deg = fov_y_from_window(height / 2.0, fy)

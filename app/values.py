@@ -10,6 +10,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 Vector: TypeAlias = tuple[float, float, float]
+Row: TypeAlias = tuple[float, float, float, float]
+Cells: TypeAlias = tuple[Row, Row, Row, Row]
 Array: TypeAlias = NDArray[np.float64]
 DepthRange: TypeAlias = Literal["opengl", "direct3d", "reversed"]
 Keep: TypeAlias = Literal["stretch", "x", "y"]
@@ -89,10 +91,13 @@ TOP_ABOVE_BOTTOM = "must be greater than bottom, which is {0}"
 DISTINCT = "is too close to {0} for float64 to tell apart"
 WIDER = "is too close to {0} for a plane as far from the eye as near is"
 NO_POINT = "is at infinity, where there is no point but a direction"
+INVERTIBLE = "must have an inverse, but its rank is {0}"
+FOUR_BY_FOUR = "must be four rows of four finite numbers"
 BOUNDS = (
     FINITE_NUMBER, ABOVE, AT_LEAST, AT_MOST, BETWEEN, NEAR_BEFORE_FAR, LEFT_BEFORE_RIGHT,
     BOTTOM_BEFORE_TOP, THREE_NUMBERS, NOT_THE_EYE, NOT_ZERO, NOT_PARALLEL, WHOLE_PIXELS, ONE_OF,
     FAR_BEYOND_NEAR, RIGHT_OF_LEFT, TOP_ABOVE_BOTTOM, DISTINCT, WIDER, NO_POINT,
+    INVERTIBLE, FOUR_BY_FOUR,
 )  # fmt: skip
 """Every sentence a `ProjectionError` can end with, for translators."""
 OTHER_SIDE = {
@@ -172,6 +177,22 @@ def finite_vector(field: str, value: Any) -> Vector:
             raise ProjectionError(field, parts, THREE_NUMBERS)
     x, y, z = (finite(field, part) for part in parts)
     return x, y, z
+
+
+def finite_matrix(field: str, value: Any) -> Cells:
+    """Four rows of four finite numbers, or a `ProjectionError` that names the cell."""
+    try:
+        rows = [tuple(row) for row in value]
+        if len(rows) != 4 or any(len(row) != 4 for row in rows):
+            raise TypeError
+    except TypeError:
+        raise ProjectionError(field, value, FOUR_BY_FOUR) from None
+    # Minus zero is a zero here: 0 typed is what is kept.
+    checked = tuple(
+        tuple(finite(f"{field}[{i}, {j}]", part) + 0.0 for j, part in enumerate(row))
+        for i, row in enumerate(rows)
+    )
+    return checked  # type: ignore[return-value]
 
 
 def cos_sin_deg(angle_deg: float) -> tuple[float, float]:

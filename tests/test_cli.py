@@ -1188,3 +1188,67 @@ def test_a_scene_alone_is_seen_with_its_own_camera_and_in_a_document_with_the_do
 
 def test_a_scene_that_is_not_there_names_the_nearest() -> None:
     assert "did you mean “posts”" in refused("matrices", "--set", "scene=post")
+
+
+# --------------------------------------------------------------------------- a free matrix
+
+FREE = ("--set", "lens.kind=matrix", "--set",
+        "lens.clip_from_view=0,0,0,0, 0,2,0,0, 0,0,-1,-2, 0,0,-1,0")  # fmt: skip
+
+
+def test_a_free_matrix_is_printed_with_what_it_does() -> None:
+    found = matrices(*FREE)
+    assert list(found) == [
+        "world_from_object", "view_from_world", "clip_from_view", "clip_from_world",
+        "image_from_ndc",
+    ]  # fmt: skip
+    assert found["clip_from_view"] == [[0, 0, 0, 0], [0, 2, 0, 0], [0, 0, -1, -2], [0, 0, -1, 0]]
+    text = run("matrices", *FREE).stdout
+    assert "\nclip_from_view\n  (singular (rank 3): the frustum cannot be drawn)\n" in text
+    assert "  (not affine: w depends on z)\n" in text
+    latex = run("matrices", *FREE, "--format=latex").stdout
+    assert "% singular (rank 3): the frustum cannot be drawn\n" in latex
+    assert "rank" not in run("matrices").stdout
+
+
+def test_points_go_through_a_free_matrix() -> None:
+    view = "lens.view_from_world=1,0,0,0, 0,1,0,0, 0,0,1,-4, 0,0,0,2"
+    cells = "lens.clip_from_view=1,0.5,0,0, 0,2,0,0, 0,0,-1,-2, 0,0,-1,0"
+    settings = ("--set", "lens.kind=matrix", "--set", cells, "--set", view)
+    done = run("project", "-", "--format=json", *settings, text="1,2,1\n1,2,4\n0,0,9\n")
+    assert (done.returncode, done.stderr) == (0, "")
+    point, in_plane, behind = json.loads(done.stdout)["points"]
+    # V (1, 2, 1, 1) = (1, 2, -3, 2), a point (0.5, 1, -1.5); P of it: (2, 4, 3 - 4, 3).
+    assert point["view"] == [0.5, 1, -1.5]
+    assert point["clip"] == [2, 4, -1, 3]
+    assert point["ndc"] == [2 / 3, 4 / 3, -1 / 3]
+    assert point["image"] == [pytest.approx((2 / 3 + 1) * 640), pytest.approx((1 - 4 / 3) * 360)]
+    assert point["depth"] == pytest.approx(1 / 3)
+    assert point["outside_of"] == ["top"] and not point["inside"]
+    for hidden in (in_plane, behind):
+        assert hidden["ndc"] is hidden["image"] is hidden["depth"] is None
+    for rung in ("float32", "float64", "exact"):
+        done = run("project", "-", "--rung", rung, *settings, text="1,2,1\n")
+        assert done.returncode == 0
+
+
+def test_a_free_matrix_is_exported(tmp_path: Path) -> None:
+    for name, settings in (("flat", FREE), ("sheared", (*FREE[:3], "lens.clip_from_view="
+                            "1.4,0.5,0,0, 0,2.4,0,0, 0,0,-1,-2, 0,0,-1,0"))):  # fmt: skip
+        out = tmp_path / f"{name}.png"
+        done = run("export", out, *settings, "--size=300x100")
+        assert (done.returncode, done.stderr) == (0, "")
+        assert run("matrices", out).stdout == run("matrices", *settings).stdout
+
+
+@pytest.mark.parametrize(
+    ("setting", "sentence"),
+    [
+        ("lens.clip_from_view=1,2", "must be four rows of four finite numbers"),
+        ("lens.clip_from_view=" + ",".join(["1e400"] * 16), "must be four rows of four finite"),
+        ("lens.clip_from_view=" + ",".join(["1e101"] * 16), "lens.clip_from_view[0, 0] = 1e+101"),
+        ("lens.near=3", "belongs to another lens"),
+    ],
+)
+def test_bad_free_matrices_are_refused(setting: str, sentence: str) -> None:
+    assert sentence in refused("matrices", "--set", "lens.kind=matrix", "--set", setting)

@@ -24,7 +24,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app import document, figures, health, meshes, projection, scene
+from app import document, figures, free_matrix, health, meshes, projection, scene
 from app.document import DocumentError
 from app.figures import FigureError
 from app.projection import (
@@ -1471,8 +1471,9 @@ def test_a_slider_stays_long_enough_to_use_and_the_column_narrow(enlarged: Contr
         (messages.SCENE_SENTENCES, meshes.SENTENCES + scene.SENTENCES, "SceneError"),
         (messages.FIGURE_SENTENCES, figures.SENTENCES, "FigureError"),
         (messages.HEALTH_SENTENCES, health.SENTENCES, "Health"),
+        (messages.PROPERTY_SENTENCES, free_matrix.PROPERTIES, "Matrix"),
     ],
-    ids=["projection", "document", "scene", "figure", "health"],
+    ids=["projection", "document", "scene", "figure", "health", "matrix"],
 )
 def test_translators_are_given_every_bound(
     listed: tuple[str, ...], core: tuple[str, ...], context: str

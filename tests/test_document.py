@@ -50,6 +50,8 @@ from app.projection import (
     DEPTH_RANGES,
     LENSES,
     Camera,
+    FreeMatrix,
+    Frustum,
     Orthographic,
     Perspective,
     Projection,
@@ -289,9 +291,10 @@ BAD_VALUES: list[tuple[str, object, str]] = [
     ("lens.fov_y_deg", -1, "lens.fov_y_deg = -1: must lie between 0 and 180, both excluded."),
     ("lens.fov_y_deg", 200, "lens.fov_y_deg = 200: must lie between 0 and 180, both excluded."),
     ("lens.kind", "fisheye",
-     "lens.kind = 'fisheye': must be one of perspective, frustum, orthographic, oblique."),
+     "lens.kind = 'fisheye': must be one of perspective, frustum, orthographic, oblique, matrix."),
     ("lens.kind", ["perspective"],
-     "lens.kind = ['perspective']: must be one of perspective, frustum, orthographic, oblique."),
+     "lens.kind = ['perspective']: must be one of perspective, frustum, orthographic, oblique, "
+     "matrix."),
     ("camera.eye", [0, 2.2, 0],
      "camera.target = [0, 2.2, 0]: must differ from the eye, or the camera looks nowhere."),
     ("camera.eye", [1, 2], "camera.eye = [1, 2]: must be three finite numbers x, y, z."),
@@ -707,7 +710,7 @@ BAD_SETTINGS = [
     ("lens.near", "lens.near must be written as NAME=VALUE."),
     ("", "'' must be written as NAME=VALUE."),
     ("lens.kind=frustrum", "lens.kind = 'frustrum': must be one of perspective, frustum, "
-     "orthographic, oblique."),
+     "orthographic, oblique, matrix."),
     ("depth=gl", "depth = 'gl': must be one of opengl, direct3d, reversed."),
     ("scene=", "scene = '': must be the name of a scene or of a mesh file."),
     ("lens.near=", "lens.near = '': must be a finite number."),
@@ -1334,3 +1337,84 @@ def test_a_view_is_no_value_to_set() -> None:
 
 def test_the_beginning_of_a_name_is_nearest_to_the_whole() -> None:
     assert "lens.fov_y_deg" in sentence(lambda: set_values(Document(), ["lens.fov=60"]))
+
+
+# --------------------------------------------------------------------------- free matrices
+
+SHEAR = ((1.5, 0.25, 0.0, 0.0), (0.0, 2.0, 0.0, 0.0), (0.0, 0.0, -1.0, -2.0), (0.0, 0.0, -1.0, 0.0))
+
+
+@pytest.mark.parametrize("former", [Perspective(), Perspective(60.0, 0.1, math.inf), Frustum()])
+@pytest.mark.parametrize("view", [None, ((2.0, 0.0, 0.0, 0.0), *SHEAR[1:])])
+def test_a_free_matrix_comes_back_as_it_was_written(former: Any, view: Any) -> None:
+    document = Document(projection=Projection(lens=FreeMatrix(SHEAR, view, former)))
+    text = to_json(document)
+    assert parse(text) == document
+    tree = json.loads(text)["lens"]
+    assert tree["clip_from_view"][0] == [1.5, 0.25, 0, 0]
+    assert ("view_from_world" in tree) == (view is not None)
+    # Without the lens before, choosing one starts from the program's own.
+    del tree["former"]
+    lens = parse(json.dumps(json.loads(text) | {"lens": tree})).projection.lens
+    assert lens == FreeMatrix(SHEAR, view)
+
+
+def test_keys_of_others_stay_in_a_free_matrix_too() -> None:
+    tree = json.loads(to_json(Document(projection=Projection(lens=FreeMatrix(SHEAR)))))
+    tree["lens"] |= {"label": "mine"}
+    tree["lens"]["former"] |= {"maker": "Zuse"}
+    again = json.loads(to_json(parse(json.dumps(tree))))
+    assert again["lens"]["label"] == "mine" and again["lens"]["former"]["maker"] == "Zuse"
+    assert again == tree
+
+
+FOUR_ROWS = "must be four rows of four finite numbers"
+
+
+@pytest.mark.parametrize(
+    ("change", "expected"),
+    [
+        ({"clip_from_view": [[1, 2], [3]]}, f"lens.clip_from_view = [[1, 2], [3]]: {FOUR_ROWS}."),
+        ({"clip_from_view": "abcd"}, f"lens.clip_from_view = 'abcd': {FOUR_ROWS}."),
+        ({"clip_from_view": [[1, 0, "x", 0], *SHEAR[1:]]},
+         "lens.clip_from_view[0, 2] = 'x': must be a finite number."),
+        ({"view_from_world": [*SHEAR[:3], [0, 0, 0, 1e101]]},
+         "lens.view_from_world[3, 3] = 1e+101: must be at most 1e+100."),
+        ({"former": {"kind": "perspective", "fov_y_deg": 45, "near": 0, "far": 2}},
+         "lens.former.near = 0: must be greater than 0."),
+        ({"former": {"kind": "matrix"}},
+         "lens.former.kind = 'matrix': must be one of perspective, frustum, orthographic, "
+         "oblique."),
+        ({"former": 7}, "lens.former = 7: must be an object with named values in braces."),
+        ({"former": {"kind": "perspective"}}, "lens.former.fov_y_deg is missing."),
+    ],
+)  # fmt: skip
+def test_a_wrong_free_matrix_is_named(change: dict[str, Any], expected: str) -> None:
+    tree = json.loads(to_json(Document(projection=Projection(lens=FreeMatrix(SHEAR)))))
+    tree["lens"] |= change
+    assert sentence(lambda: parse(json.dumps(tree))) == expected
+
+
+def test_a_free_matrix_without_cells_is_missing_them() -> None:
+    tree = json.loads(to_json(Document()))
+    tree["lens"] = {"kind": "matrix"}
+    assert sentence(lambda: parse(json.dumps(tree))) == "lens.clip_from_view is missing."
+
+
+def test_set_makes_and_changes_a_free_matrix() -> None:
+    made = set_values(Document(), ["lens.kind=matrix"])
+    start = Projection()
+    assert made.projection == start.with_lens("matrix")
+    cells = "1.5,0.25,0,0, 0,2,0,0, 0,0,-1,-2, 0,0,-1,0"
+    made = set_values(Document(), ["lens.kind=matrix", f"lens.clip_from_view={cells}"])
+    assert made.projection.lens == FreeMatrix(SHEAR, None, start.lens)
+    back = set_values(made, ["lens.kind=perspective"])
+    assert back.projection == start
+    for path in ("clip_from_view", "view_from_world"):
+        for text in ("1,2,3", "nan" + ",0" * 15, "1e400" + ",0" * 15, "x"):
+            said = sentence(lambda path=path, text=text: set_value(made, f"lens.{path}", text))
+            assert said.startswith(f"lens.{path} = ") and said.endswith(f": {FOUR_ROWS}.")
+    said = sentence(lambda: set_value(made, "lens.near", "2"))
+    assert "belongs to another lens" in said
+    said = sentence(lambda: set_value(Document(), "lens.clip_from_view", cells))
+    assert said.endswith("belongs to another lens: set lens.kind as well (matrix).")

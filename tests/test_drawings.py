@@ -19,6 +19,7 @@ from app.drawings import WORDS
 from app.drawings.image import ImageDrawing
 from app.drawings.ndc import NdcDrawing
 from app.drawings.style import DARK, LIGHT, Style, contrast, rgb
+from app.free_matrix import shown, with_cell
 from app.projection import (
     DEPTH_RANGES,
     LENSES,
@@ -759,3 +760,49 @@ def test_a_projector_makes_words_and_lines_larger_and_keeps_the_colours() -> Non
     large = LIGHT.enlarged(1.5)
     assert (large.font_size, large.line_width) == (1.5 * LIGHT.font_size, 1.5 * LIGHT.line_width)
     assert replace(large, font_size=LIGHT.font_size, line_width=LIGHT.line_width) == LIGHT
+
+
+@pytest.mark.parametrize("tolerance_px", [100.0, 1e-4])  # float32 draws, and float64
+def test_a_vertex_under_a_free_matrix_lights_its_pixel(
+    off_screen: Callable[[int, int], OffScreen], tolerance_px: float
+) -> None:
+    size = (640, 360)
+    letter = load("letter-f")
+    assert letter.surface is not None
+    points = np.unique(letter.surface.points, axis=0).astype(float)
+    vertices = pv.PolyData(points)
+    vertices.cell_data["rgb"] = np.array([(i, 0, 200) for i in range(len(points))], np.uint8)
+    screen = off_screen(1280, 720)
+    scene = replace(letter, surface=None, lines=vertices)
+    drawing = ImageDrawing(screen.plotter, scene, WORDS, LIGHT, tolerance_px, framed=False)
+    for actor in drawing.picture_renderer.GetActors():
+        actor.GetProperty().SetPointSize(3.0)
+    random = np.random.default_rng(21)
+    checked, worst, rungs = 0, 0.0, set()
+    for number in range(60):
+        start = replace(letter.start, image_size=size).with_depth(list(DEPTH_RANGES)[number % 3])
+        name = ("clip_from_view", "view_from_world")[number % 4 == 3]
+        row, column = random.integers(4, size=2)
+        value = shown(start, name)[row][column] + random.uniform(-0.2, 0.2)
+        projection = with_cell(start, name, int(row), int(column), value)
+        drawing.show_projection(projection)
+        rungs.add(drawing.rung)
+        image = screen.pixels()
+        trace = projection.trace(points)
+        rows, columns = np.nonzero(drawn(image[..., 1:], (0, 200)))
+        lit_by = image[rows, columns, 0]
+        beyond = trace.outside[:, :2].any(axis=1) | ~trace.in_front
+        deep = np.abs(trace.depth - 0.5) > 0.499  # the lift of lines takes them over the edge
+        assert not np.isin(lit_by, np.flatnonzero(beyond & ~deep)).any()
+        whole = (trace.image > 2.0) & (trace.image < np.array(size) - 2.0)
+        for i in np.flatnonzero(whole.all(axis=1) & ~beyond & ~deep):
+            x, y = trace.image[i]
+            assert image[int(2 * y), int(2 * x)].tolist() != to_bytes(LIGHT.background)
+            lit = lit_by == i
+            if lit.sum() == 9:
+                off_x = (columns[lit].mean() + 0.5) / 2.0 - x
+                off_y = (rows[lit].mean() + 0.5) / 2.0 - y
+                worst = max(worst, abs(off_x), abs(off_y))
+                checked += 1
+    assert checked > 200 and worst <= 0.26
+    assert rungs == {"float32"} if tolerance_px > 1.0 else "float64" in rungs

@@ -88,14 +88,17 @@ ROOMS = {
     "app/values.py": CORE,
     "app/camera.py": Room(("numpy",), ("app.double_double", "app.values")),
     "app/lenses.py": Room(rooms=("app.double_double", "app.values")),
+    "app/rationals.py": Room(),
     # The model's one door: what values, camera and lenses hold is had from here.
     "app/projection.py": Room(
-        ("numpy",), ("app.double_double", "app.values", "app.camera", "app.lenses")
+        ("numpy",),
+        ("app.double_double", "app.rationals", "app.values", "app.camera", "app.lenses"),
     ),
     "app/precision.py": Room(("numpy",), ("app.double_double", "app.projection")),
     "app/depth.py": Room(("numpy",), ("app.projection",)),
     "app/clipping.py": Room(("numpy",), ("app.projection",)),
     "app/morph.py": Room(("numpy",), ("app.projection",)),
+    "app/free_matrix.py": Room(rooms=("app.double_double", "app.rationals", "app.projection")),
     "app/notation.py": Room(rooms=("app.attention", "app.projection")),
     # Names only: the words in which rooms that know nothing of each other point at things.
     "app/attention.py": Room(),
@@ -151,7 +154,7 @@ ROOMS = {
         ("numpy",),
         (
             *("app.bootstrap", "app.projection", "app.precision", "app.notation"),
-            *("app.document", "app.doctor"),
+            *("app.document", "app.doctor", "app.free_matrix"),
         ),
         late=(*VTK, *QT, "app", "widgets"),
     ),
@@ -169,8 +172,8 @@ ROOMS = {
     "widgets/matrix_panel.py": Room(
         QT,
         (
-            *("app.notation", "app.projection", "app.attention", "app.drawings.style"),
-            *("widgets.attention", "widgets.messages", "widgets.rows"),
+            *("app.notation", "app.free_matrix", "app.projection", "app.attention"),
+            *("app.drawings.style", "widgets.attention", "widgets.messages", "widgets.rows"),
         ),
     ),
     "widgets/frame_panel.py": Room(

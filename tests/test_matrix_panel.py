@@ -17,9 +17,12 @@ from pytestqt.qtbot import QtBot
 
 from app import cli, notation
 from app.drawings.style import DARK, LIGHT
-from app.projection import Camera, Frustum, Oblique, Perspective, Projection
+from app.free_matrix import with_cell
+from app.picking import Probe
+from app.projection import Camera, FreeMatrix, Frustum, Oblique, Perspective, Projection
 from widgets import matrix_panel
 from widgets.matrix_panel import MatrixPanel, MatrixView, first_change
+from widgets.messages import stage_title
 from widgets.rows import short_text
 
 OFF_AXIS = Projection(
@@ -293,3 +296,285 @@ def test_the_window_shows_the_current_value_when_the_panel_opens(
     assert panel.views["clip_from_view"].lit == {(2, 2), (2, 3)}
     window.controls.gesture_finished.emit()
     assert all(isinstance(view, MatrixView) for view in panel.views.values())
+
+
+# --------------------------------------------------------------------------- typing
+
+
+@pytest.fixture
+def edits(panel: MatrixPanel) -> list[Projection]:
+    made: list[Projection] = []
+    panel.edited.connect(made.append)
+    return made
+
+
+def double_click(panel: MatrixPanel, qtbot: QtBot, name: str, row: int, column: int) -> Any:
+    view = panel.views[name]
+    place = view._cell_rect(row, column).center().toPoint()
+    qtbot.mouseDClick(view, Qt.MouseButton.LeftButton, pos=place)
+    return view.field
+
+
+def type_cell(
+    panel: MatrixPanel, qtbot: QtBot, name: str, row: int, column: int, text: str
+) -> None:
+    field = double_click(panel, qtbot, name, row, column)
+    field.selectAll()
+    qtbot.keyClicks(field, text)
+    qtbot.keyClick(field, Qt.Key.Key_Return)
+
+
+def test_a_cell_is_typed_and_goes_out_once(
+    panel: MatrixPanel, qtbot: QtBot, edits: list[Projection]
+) -> None:
+    field = double_click(panel, qtbot, "clip_from_view", 0, 2)
+    assert field.text() == notation.cell_text(panel.shown[-3].values[0][2])  # with all its digits
+    assert field.accessibleName() == "clip_from_view[0, 2]"
+    type_cell(panel, qtbot, "clip_from_view", 0, 2, "1/4")
+    (edit,) = edits
+    assert isinstance(edit.lens, Frustum)
+    assert edit.direct_stages[0].matrix[0, 2] == 0.25
+    assert panel.views["clip_from_view"].texts[0][2] == "0.25"
+    assert panel.views["clip_from_view"].field is None
+    assert (0, 2) in panel.views["clip_from_view"].lit
+
+
+@pytest.mark.parametrize("lens", [Perspective(), Oblique(), OFF_AXIS.lens])
+def test_what_is_typed_as_it_stands_changes_nothing(
+    panel: MatrixPanel, qtbot: QtBot, edits: list[Projection], lens: Any
+) -> None:
+    shown_after(panel, qtbot, replace(OFF_AXIS, lens=lens))
+    for name in ("clip_from_view", "view_from_world"):
+        for row in range(4):
+            for column in range(4):
+                field = double_click(panel, qtbot, name, row, column)
+                text = field.text()
+                type_cell(panel, qtbot, name, row, column, text)
+    assert edits == [] and panel.explanation.text()
+
+
+@pytest.mark.parametrize(
+    ("text", "sentence"),
+    [
+        ("abc", "“abc”: must be a number, such as 0.5 or 2e-3."),
+        ("nan", "“nan”: must be a number, such as 0.5 or 2e-3."),
+        ("", "“”: must be a number, such as 0.5 or 2e-3."),
+        ("inf", "∞: must be a finite number."),
+        ("1e400", "“1e400”: must be at most 1e+100."),
+        ("-1e101", "-1e+101: must be at least -1e+100."),
+    ],
+)
+@pytest.mark.parametrize("name", ["clip_from_view", "view_from_world"])
+def test_a_bad_cell_is_named_and_the_good_state_stays(
+    panel: MatrixPanel, qtbot: QtBot, edits: list[Projection], name: str, text: str, sentence: str
+) -> None:
+    before = panel.views[name].texts
+    field = double_click(panel, qtbot, name, 0, 2)
+    field.selectAll()
+    qtbot.keyClicks(field, text) if text else qtbot.keyClick(field, Qt.Key.Key_Delete)
+    qtbot.keyClick(field, Qt.Key.Key_Return)
+    assert panel.explanation.text() == f"{name}[0, 2] = {sentence}"
+    assert panel.views[name].field is field  # to be mended
+    assert edits == [] and panel._projection == OFF_AXIS
+    field.selectAll()
+    qtbot.keyClicks(field, "0.5")
+    qtbot.keyClick(field, Qt.Key.Key_Return)
+    assert len(edits) == 1 and panel.views[name].texts != before
+
+
+def test_keys_open_leave_and_go_on(
+    panel: MatrixPanel, qtbot: QtBot, edits: list[Projection]
+) -> None:
+    view = panel.views["clip_from_view"]
+    view.setFocus()
+    for key in (Qt.Key.Key_F2, Qt.Key.Key_Return, Qt.Key.Key_Enter):
+        qtbot.keyClick(view, key)
+        field = view.field
+        assert field is not None
+        qtbot.keyClicks(field, "7")
+        qtbot.keyClick(field, Qt.Key.Key_Escape)
+        assert view.field is None and panel.window().focusWidget() is view and edits == []
+    field = double_click(panel, qtbot, "clip_from_view", 0, 0)
+    qtbot.keyClick(field, Qt.Key.Key_Tab)
+    assert view.field is not None and view._cursor == (0, 1)  # nothing typed, nothing edited
+    assert edits == []
+    qtbot.keyClicks(view.field, "0.25")  # a free matrix: the panel is built anew
+    qtbot.keyClick(view.field, Qt.Key.Key_Tab)
+    now = panel.views["clip_from_view"]
+    assert now is not view and now.field is not None and now._cursor == (0, 2)
+    assert isinstance(edits[0].lens, FreeMatrix)
+    qtbot.keyClick(now.field, Qt.Key.Key_Backtab, Qt.KeyboardModifier.ShiftModifier)
+    assert now._cursor == (0, 1)
+    qtbot.keyClicks(now.field, "0")
+    qtbot.keyClick(now.field, Qt.Key.Key_Return)
+    assert edits[1] == OFF_AXIS
+    assert panel.window().focusWidget() is panel.views["clip_from_view"]
+
+
+def test_only_numbers_of_two_matrices_open(panel: MatrixPanel, qtbot: QtBot) -> None:
+    for name in panel.views:
+        opened = double_click(panel, qtbot, name, 0, 0) if "/" not in name else None
+        assert (opened is not None) == (name in ("view_from_world", "clip_from_view")), name
+        panel.views[name]._close()
+    hint = "press Enter to type another number"
+    by_name = {matrix.name: matrix for matrix in panel.shown}
+    assert hint in panel.sentence(by_name["clip_from_view"], 0, 0)
+    assert hint not in panel.sentence(by_name["clip_from_world"], 0, 0)
+    choose(panel.cells, "formulas")
+    assert double_click(panel, qtbot, "clip_from_view", 0, 0) is None
+    assert hint not in panel.sentence(by_name["clip_from_view"], 0, 0)
+
+
+def test_rows_and_lecture_002_type_into_the_same_matrix(
+    panel: MatrixPanel, qtbot: QtBot, edits: list[Projection]
+) -> None:
+    choose(panel.vectors, "rows")
+    type_cell(panel, qtbot, "clip_from_view", 2, 0, "0.5")
+    assert edits[-1].direct_stages[0].matrix[0, 2] == pytest.approx(0.5, rel=1e-15)
+    choose(panel.letters, "002")  # its w is z
+    shown = panel.views["clip_from_view"].texts[2][0]
+    assert shown == "-0.5"
+    type_cell(panel, qtbot, "clip_from_view", 2, 0, "-0.25")
+    assert edits[-1].direct_stages[0].matrix[0, 2] == pytest.approx(0.25, rel=1e-15)
+
+
+def notes(panel: MatrixPanel, name: str) -> str:
+    box = panel._boxes[[matrix.name for matrix in panel.shown].index(name)]
+    return str(box.note.text()).replace("\n", " ") if not box.note.isHidden() else ""
+
+
+def test_what_a_free_matrix_does_is_written_below_it(
+    panel: MatrixPanel, qtbot: QtBot, edits: list[Projection]
+) -> None:
+    type_cell(panel, qtbot, "clip_from_view", 0, 0, "0")
+    assert "singular (rank 3): the frustum cannot be drawn" in notes(panel, "clip_from_view")
+    names = [matrix.name for matrix in panel.shown]
+    assert names == [
+        "world_from_object", "view_from_world", "clip_from_view", "clip_from_world",
+        "image_from_ndc",
+    ]  # fmt: skip
+    titles = [box.title.text() for box in panel._boxes]
+    assert titles[2] == "clip ← view, a free matrix" and titles[1] == "view ← world"
+    type_cell(panel, qtbot, "view_from_world", 0, 0, "-3")
+    assert "mirrored: it turns right-handed space into left-handed" in notes(
+        panel, "view_from_world"
+    )
+    assert "no camera has it" in notes(panel, "view_from_world")
+    sentence = panel.sentence(panel.shown[1], 0, 1)
+    assert "camera's axis" not in sentence and "a shear" in sentence
+    for running in (True, False):
+        panel.running.setChecked(running)
+        for letters in ("000", "001", "002", "003", "uvn"):
+            choose(panel.letters, letters)
+            choose(panel.cells, "formulas")
+            assert panel.views["clip_from_view"].texts[0][0] == "p_11"
+            assert panel.views["view_from_world"].texts[1][2] == "m_23"
+            choose(panel.cells, "numbers")
+
+
+def test_titles_are_given_to_translators(panel: MatrixPanel) -> None:
+    from PySide6.QtCore import QCoreApplication, QTranslator
+
+    class Estonian(QTranslator):
+        def translate(
+            self, context: str, text: str, disambiguation: Any = None, n: int = -1
+        ) -> str:
+            words = {("Space", "view"): "vaade", ("Factor", "rotation"): "pööre"}
+            return words.get((context, text), text)
+
+        def isEmpty(self) -> bool:
+            return False
+
+    translator = Estonian()
+    QCoreApplication.installTranslator(translator)
+    try:
+        assert stage_title("clip_from_view") == "clip ← vaade"
+        assert stage_title("rotation") == "pööre" and stage_title("M_pp") == "M_pp"
+    finally:
+        QCoreApplication.removeTranslator(translator)
+    panel.running.setChecked(True)
+    for matrix, box in zip(panel.shown, panel._boxes, strict=True):
+        target, _, source = matrix.name.replace("_", " ").partition(" from ")
+        assert box.title.text() == f"{target} ← {source}"
+
+
+def test_typing_reaches_the_whole_window_and_can_be_undone(
+    make_window: Callable[..., Any], qtbot: QtBot
+) -> None:
+    window = make_window()
+    window.panels.open(window.matrices)
+    qtbot.waitUntil(window.matrices.isVisible)
+    store, controls = window.store, window.controls
+    start = store.document.projection
+    type_cell(window.matrices, qtbot, "clip_from_view", 0, 0, "0")
+    assert isinstance(store.document.projection.lens, FreeMatrix)
+    assert controls.rows["kind"].value() == "matrix"
+    shown = {key for key, row in controls.rows.items() if not row.isHidden()}
+    assert not shown & {"near", "far", "fov_y_deg", "left", "fx"}
+    assert controls.sections["calibrated"].isHidden()
+    assert window.status.labels["fov"].text() == "free matrix"
+    qtbot.waitUntil(lambda: "no frustum is drawn" in window.status.health.toolTip())
+    assert controls.rows["eye_x"].isEnabled()
+    type_cell(window.matrices, qtbot, "view_from_world", 0, 0, "5")
+    assert not controls.rows["azimuth_deg"].isEnabled()
+    assert not controls.animation.isEnabled()
+    controls.animation.toggle()
+    assert not controls.animation.playing
+    store.undo()
+    assert controls.rows["azimuth_deg"].isEnabled()
+    store.undo()
+    assert store.document.projection == start
+    store.redo()
+    controls.rows["kind"].choose("perspective")  # the way back
+    assert store.document.projection == start
+    controls.rows["kind"].choose("matrix")
+    controls.rows["kind"].choose("orthographic")
+    assert store.document.projection == start.with_lens("orthographic")
+
+
+@pytest.mark.parametrize("depth", ["direct3d", "reversed"])
+def test_the_depth_range_of_a_free_matrix_can_be_changed(
+    make_window: Callable[..., Any], qtbot: QtBot, depth: str
+) -> None:
+    window = make_window()
+    free = window.store.document.projection.with_lens("matrix")
+    window.store.set_projection(free)
+    window.controls.rows["depth"].choose(depth)
+    found = window.store.document.projection
+    assert found.depth == depth and isinstance(found.lens, FreeMatrix)
+    points = [[1.0, 2.0, 0.5], [-1.0, 0.0, 1.0]]
+    assert np.allclose(found.trace(points).image, free.trace(points).image)
+    standard = free.with_lens("perspective").with_depth(depth)
+    assert np.allclose(found.trace(points).depth, standard.trace(points).depth)
+
+
+FREE_CELLS = (
+    ("clip_from_view", 0, 1, 0.5), ("clip_from_view", 0, 0, 0.0), ("clip_from_view", 0, 0, -1.0),
+    ("clip_from_view", 3, 2, 1.0), ("clip_from_view", 2, 2, 0.0), ("clip_from_view", 3, 0, 0.3),
+    ("view_from_world", 0, 0, -2.0), ("view_from_world", 3, 2, 0.05), ("clip_from_view", 3, 2, 0.0),
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("cell", FREE_CELLS)
+def test_every_pane_probe_and_stop_takes_any_matrix(
+    make_window: Callable[..., Any], qtbot: QtBot, display: Any, cell: Any
+) -> None:
+    window = make_window()
+    window.panels.open(window.probe_panel)
+    start = window.store.document.projection
+    probes = [Probe(1, (0.5, 2.0, 0.0)), Probe(2, pixel=(300.0, 200.0))]
+    for depth in ("opengl", "reversed"):
+        window.store.set_projection(with_cell(start.with_depth(depth), *cell))
+        for position in (0.0, 0.5, 1.0, 1.9, 2.0, 2.6, 3.0, 3.7, 4.0, 4.5, 5.0):
+            window.strip.go_to(position)
+            display.processEvents()
+            for pane in window.panes.values():
+                pane.drawing.show_probes(probes)
+                sight = pane.drawing.sight
+                assert np.isfinite(sight.rows).all() and np.isfinite(sight.limits).all()
+        window.strip.go_to(2.5)
+        if not isinstance(window.store.document.projection.lens, FreeMatrix):
+            assert cell[:4] == ("clip_from_view", 2, 2, 0.0)  # reversed, far = inf has it
+            continue
+        assert window.panes["ndc"].title.text() == "View → NDC"
+        assert window.panes["ndc"].note.text() == "no canonical volumes"

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
 
+from app.free_matrix import with_cell
 from app.morph import (
     CANONICAL_PARALLEL,
     CANONICAL_PERSPECTIVE,
@@ -18,6 +20,7 @@ from app.morph import (
     STOPS,
     VIEW,
     WORLD,
+    FreeMorph,
     Morph,
     rotation_between,
 )
@@ -25,6 +28,7 @@ from app.projection import (
     DEPTH_RANGES,
     Array,
     Camera,
+    FreeMatrix,
     Frustum,
     Lens,
     Oblique,
@@ -32,6 +36,7 @@ from app.projection import (
     Perspective,
     Projection,
 )
+from app.scene import load
 
 LENSES: dict[str, Lens] = {
     "perspective": Perspective(45.0, 1.0, 30.0),
@@ -288,3 +293,55 @@ def test_a_box_is_cut_at_its_six_faces(lens: Lens) -> None:
             *((0, 0, 1, half), (0, 0, -1, half)),
         ]
         assert np.abs(strip.planes_display(float(stop)) - by_hand).max() < 1e-12
+
+
+# --------------------------------------------------------------------------- free matrices
+
+CELLS = (
+    ("clip_from_view", 0, 1, 0.5), ("clip_from_view", 3, 3, 4.0), ("clip_from_view", 0, 0, -1.0),
+    ("view_from_world", 0, 0, -2.0), ("view_from_world", 3, 2, 0.02),
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("cell", CELLS)
+def test_a_free_matrix_goes_from_view_to_ndc_in_one_step(cell: Any) -> None:
+    """Its volume is cut by its own planes at every moment, and whole at the stops."""
+    start = load("letter-f").start
+    free = with_cell(start, *cell)
+    assert isinstance(free.lens, FreeMatrix) and free.frustum_sign == 1
+    corners = np.array([[-2.0, 0.0, -1.0], [2.0, 4.0, 1.0]])
+    strip = FreeMorph(free, (0.0, 0.0, 0.0), corners)
+    box = np.array([(x, y, z, 1.0) for z in (0.0, 1.0) for y in (-1.0, 1.0) for x in (-1.0, 1.0)])
+    local = box @ free.with_depth("reversed").world_from_clip.T
+    for position in (0.0, 0.5, 1.0, 1.5, 2.2, 2.7, 3.5, 4.0, 4.5, 5.0):
+        assert strip.has_volume(position)
+        seen = local @ strip.display_from_local(position).T
+        volume = box @ strip.display_from_box(position).T
+        assert (seen[:, 3] > 0.0).all() and (volume[:, 3] > 0.0).all()
+        seen, volume = seen[:, :3] / seen[:, 3:], volume[:, :3] / volume[:, 3:]
+        assert np.allclose(seen, volume, atol=1e-6 * np.abs(seen).max())
+        if position >= CLOSED_AT:
+            planes = strip.planes_display(position)
+            inside = planes[:, :3] @ (volume.mean(axis=0)) + planes[:, 3]
+            sides = planes[:, :3] @ volume.T + planes[:, 3:]
+            if free.frustum_sign == 1 and cell[3] != -1.0:
+                assert (inside > 0.0).all() and sides.min() > -1e-6 * np.abs(volume).max()
+    # At NDC, z mirrored for display.
+    middle = local.mean(axis=0) / local.mean(axis=0)[3]
+    seen = strip.display_from_local(NDC) @ middle
+    ndc = free.trace(middle[:3]).ndc
+    assert np.allclose(seen[:3] / seen[3], ndc * (1.0, 1.0, -1.0), atol=1e-9)
+    here = strip.display_from_local(VIEW - 1e-9), strip.display_from_local(VIEW + 1e-9)
+    assert np.allclose(here[0] / here[0][3, 3], here[1] / here[1][3, 3], atol=1e-6)
+
+
+@pytest.mark.parametrize(("row", "column", "value"), [(0, 0, 0.0), (2, 2, 0.0), (3, 2, 1.0)])
+def test_without_a_volume_the_strip_jumps(row: int, column: int, value: float) -> None:
+    free = with_cell(load("letter-f").start, "clip_from_view", row, column, value)
+    assert isinstance(free.lens, FreeMatrix) and free.frustum_sign <= 0
+    strip = FreeMorph(free, (0.0, 0.0, 0.0), np.array([[-2.0, 0.0, -1.0], [2.0, 4.0, 1.0]]))
+    for position, shown, has in ((1.0, 1.0, False), (2.4, 1.0, False), (2.6, 4.0, True)):
+        assert np.array_equal(strip.display_from_local(position), strip.display_from_local(shown))
+        assert strip.has_volume(position) == has
+        assert np.array_equal(strip.planes_display(position), strip.planes_display(shown))
+    assert np.allclose(np.abs(strip.planes_display(4.0)[:4, 3]), 1.0)

@@ -30,6 +30,8 @@ from app.projection import (
     DEPTH_RANGES,
     DISTINCT,
     FINITE_NUMBER,
+    FOUR_BY_FOUR,
+    INVERTIBLE,
     LARGEST,
     LARGEST_IMAGE_PX,
     LEFT_BEFORE_RIGHT,
@@ -49,6 +51,7 @@ from app.projection import (
     WIDER,
     Array,
     Camera,
+    FreeMatrix,
     Frustum,
     Intrinsics,
     Lens,
@@ -1513,7 +1516,7 @@ REFUSED: list[tuple[Callable[[], object], str, str, str]] = [
     (projection_with(depth=[]), "depth", ONE_OF,
      "depth = (): must be one of opengl, direct3d, reversed."),
     (lambda: Projection().with_lens("fisheye"), "kind", ONE_OF,
-     "kind = 'fisheye': must be one of perspective, frustum, orthographic, oblique."),
+     "kind = 'fisheye': must be one of perspective, frustum, orthographic, oblique, matrix."),
     (lambda: Projection(DISTANT, Perspective(45, 1, INF)).with_lens("orthographic"), "far",
      AT_MOST, "far = 4e+100: must be at most 1e+100."),
     # points
@@ -1540,6 +1543,12 @@ REFUSED: list[tuple[Callable[[], object], str, str, str]] = [
     (unprojecting((1, 2, -0.5)), "depth", AT_LEAST, "depth = -0.5: must be at least 0."),
     (unprojecting([(1, 2, 0.5), (1, 2, 1)], far=INF), "depth", NO_POINT,
      "depth = 1: is at infinity, where there is no point but a direction."),
+    # free matrices
+    (lambda: FreeMatrix([[1, 2]]), "clip_from_view", FOUR_BY_FOUR,  # type: ignore[arg-type]
+     "clip_from_view = ((1, 2)): must be four rows of four finite numbers."),
+    (lambda: Projection(lens=FreeMatrix(((0.0,) * 4,) * 4)).view_from_clip, "clip_from_view",
+     INVERTIBLE, "clip_from_view = ((0, 0, 0, 0), (0, 0, 0, 0), (0, 0, 0, 0), (0, 0, 0, 0)): must"
+     " have an inverse, but its rank is 0."),
     # planes, focal lengths and intrinsics
     (lambda: Projection(lens=Frustum()).between(0, 5), "near", ABOVE,
      "near = 0: must be greater than 0."),
@@ -1644,7 +1653,7 @@ def test_everything_public_says_what_it_is() -> None:
 
 def test_matrices_are_called_target_from_source() -> None:
     projection = Projection()
-    space = "(world|view|clip|ndc|image)"
+    space = "(world|eye|view|clip|ndc|image)"
     factors = {"view_rotation", "view_translation"}  # of view_from_world, named by the lecture
     names = {
         name
@@ -1653,7 +1662,7 @@ def test_matrices_are_called_target_from_source() -> None:
         and isinstance(value := getattr(projection, name), np.ndarray)
         and value.shape == (4, 4)
     }
-    assert len(names) == 8
+    assert len(names) == 9
     for name in names - factors | {"clip_from_world_at", "world_from_clip_at"}:
         assert re.fullmatch(f"{space}_from_{space}(_at)?", name), name
         assert hasattr(projection, name)

@@ -22,7 +22,8 @@ from vtkmodules.vtkRenderingCore import vtkCamera, vtkTextActor
 from app.drawings import WORDS
 from app.drawings.labels import _SAMPLES
 from app.drawings.style import DARK, LIGHT, Style, rgb
-from app.drawings.world import SLAB, WorldDrawing, _part, flatten
+from app.drawings.world import SLAB, WorldDrawing, _flattened_free, _part, flatten
+from app.free_matrix import with_cell
 from app.projection import (
     DEPTH_RANGES,
     LENSES,
@@ -30,6 +31,7 @@ from app.projection import (
     PLANES,
     Array,
     Camera,
+    FreeMatrix,
     Frustum,
     Lens,
     Oblique,
@@ -1116,3 +1118,73 @@ def test_removing_leaves_nothing_behind(make_view: MakeView) -> None:
     view.drawing = make_view().drawing
     gc.collect()
     assert alive() is None
+
+
+# --------------------------------------------------------------------------- free matrices
+
+
+@pytest.mark.parametrize("depth", ["opengl", "direct3d", "reversed"])
+@pytest.mark.parametrize(
+    ("name", "row", "column", "value"),
+    [
+        ("clip_from_view", 0, 1, 0.5), ("clip_from_view", 3, 3, 4.0),
+        ("clip_from_view", 0, 0, -1.0), ("view_from_world", 0, 0, -1.0),
+    ],
+)  # fmt: skip
+def test_the_volume_of_a_free_matrix_is_the_cube_unprojected(
+    make_view: MakeView, name: str, row: int, column: int, value: float, depth: Any
+) -> None:
+    view = make_view()
+    free = with_cell(START.with_depth(depth), name, row, column, value)
+    assert isinstance(free.lens, FreeMatrix)
+    view.drawing.show_projection(free)
+    assert {"near", "far"} <= set(view.labels())
+    drawing = view.drawing
+    corners = drawing._corners + view.scene.origin
+    assert np.allclose(corners, free.frustum_corners_world[:, :3], rtol=1e-9, atol=1e-9)
+    clip = applied(free.clip_from_world, corners)
+    z_near, z_far = free.depth_range
+    assert np.allclose(np.abs(clip[:, :2]), 1.0, atol=1e-6)
+    assert np.allclose(clip[:4, 2], z_near, atol=1e-6)
+    assert np.allclose(clip[4:, 2], z_far, atol=1e-6)
+    drawing.reset_view()
+    with_volume = view.pixels()
+    assert (np.abs(with_volume.astype(int) - to_bytes(LIGHT.far)).sum(axis=2) < 30).any()
+    # And back to a lens: as if it had never been.
+    drawing.show_projection(START)
+    drawing.reset_view()
+    again = view.pixels()
+    fresh = make_view()
+    assert np.array_equal(again, fresh.pixels())
+
+
+@pytest.mark.parametrize(
+    ("row", "column", "value"), [(0, 0, 0.0), (2, 2, 0.0), (3, 2, 0.0), (3, 2, -2.0)]
+)
+def test_without_an_inverse_there_is_no_frustum(
+    make_view: MakeView, row: int, column: int, value: float
+) -> None:
+    view = make_view()
+    free = with_cell(START, "clip_from_view", row, column, value)
+    assert free.frustum_sign == 0
+    view.drawing.show_projection(free)
+    view.drawing.reset_view()
+    assert not {"near", "far", "near 1", "far 30"} & set(view.labels())
+    picture = view.pixels()
+    for colour in (LIGHT.near, LIGHT.far):
+        assert not (np.abs(picture.astype(int) - to_bytes(colour)).sum(axis=2) < 12).any()
+
+
+def test_the_picture_of_a_free_matrix_lies_on_its_near_face() -> None:
+    free = with_cell(START, "clip_from_view", 0, 1, 0.5)
+    origin = np.zeros(3)
+    points = np.array([[0.5, 2.0, 0.5], [-1.0, 1.0, -0.5], [1.0, 3.0, 0.0]])
+    clip = free.with_depth("reversed").clip_from_world
+    for eye in (np.array(free.camera.eye), np.array([-4.0, 2.0, -9.0])):
+        film = _flattened_free(free, origin, eye)
+        flat = applied(film.surface, points)
+        pressed, before = applied(clip, flat), applied(clip, points)
+        assert np.allclose(pressed[:, :2], before[:, :2], atol=1e-9)
+        assert (np.abs(pressed[:, 2] - 1.0) <= 1.01 * SLAB).all()
+        toward_eye = pressed[:, 2] > 1.0
+        assert toward_eye.all() if eye[2] > 0.0 else not toward_eye.any()

@@ -311,7 +311,7 @@ class AnimationBar(QWidget):
 
     def play(self) -> None:
         """Walk on from where the camera is."""
-        if self._playing or self._shown is None:
+        if self._playing or self._shown is None or not self.isEnabled():
             return
         self._playing = True
         self._say("")

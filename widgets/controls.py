@@ -30,6 +30,7 @@ from app.projection import (
     FINITE_NUMBER,
     LARGEST,
     Camera,
+    FreeMatrix,
     Orbit,
     Projection,
     ProjectionError,
@@ -153,7 +154,19 @@ class Controls(QScrollArea):
         elif "lens" in changed:
             self._lens.follow(projection)
         self._show_rows(changed)
+        self._enable_camera(projection)
         self.animation.show_camera(projection.camera)
+
+    def _enable_camera(self, projection: Projection) -> None:
+        """No camera has a view matrix of its own: what moves one has nothing to move then."""
+        lens = projection.lens
+        free = isinstance(lens, FreeMatrix) and lens.view_from_world is not None
+        why = self.tr("The view matrix was typed, and no camera has it: undo, or choose a lens.")
+        for key in ("camera", "animation"):
+            self.sections[key].body.setEnabled(not free)
+            self.sections[key].body.setToolTip(why if free else "")
+        if free:
+            self.animation.pause()
 
     def set_scene(self, size: float, defaults: Projection) -> None:
         """Fit the sliders to a scene, and say what a reset goes back to.
@@ -289,7 +302,7 @@ class Controls(QScrollArea):
         section.add_choice(
             "depth", "depth",
             self.tr("Which z the near and the far plane have in the NDC cube."),
-            choices, lambda p: p.depth, lambda p, depth: replace(p, depth=depth),
+            choices, lambda p: p.depth, lambda p, depth: p.with_depth(depth),
             name=self.tr("NDC z"),
         )  # fmt: skip
 

@@ -46,6 +46,8 @@ class Help(QObject):
                 "<p>Double-click a pane's title to enlarge it (F6, F7, F8; F9 shows all).</p>"
                 "<p>Each control: drag the slider, or type a number and press Enter; Esc takes"
                 " back what you typed; double-click the name to reset it.</p>"
+                "<p>Matrices: double-click a number of view ← world or clip ← view (F2 or Enter)"
+                " to type another; Tab goes on to the next, Esc leaves it.</p>"
                 "<p>Ctrl+Space plays the orbit, Ctrl+Z undoes (a drag is one step), Ctrl+R resets"
                 " all, Ctrl+E exports, Ctrl+P is for the projector, F4 hides the controls.</p>"
                 "<p>Drop a document, a mesh (OBJ, STL, PLY, glTF) or an exported picture on the"

@@ -20,7 +20,9 @@ from app.projection import (
     BETWEEN,
     FINITE_NUMBER,
     LARGEST_SHEAR,
+    LENSES,
     OBLIQUE_PRESETS,
+    FreeMatrix,
     Oblique,
     Perspective,
     Projection,
@@ -37,6 +39,7 @@ from app.projection import (
 from widgets.rows import Choice, Linear, Log, NumberRow
 from widgets.section import Binding, Read, Section, Typed, Write, tidy
 
+STANDARD = tuple(LENSES)
 SYMMETRIC = ("perspective",)
 CONVERGING = ("perspective", "frustum")
 WINDOWED = ("frustum", "orthographic", "oblique")
@@ -106,6 +109,12 @@ class LensControls(QObject):
                 self.tr("oblique"),
                 self.tr("Rays are parallel and meet the picture aslant: a slanted box, as in"
                         " cavalier and cabinet drawings (lecture 002: H, then orthographic)."),
+            ),
+            Choice(
+                "matrix",
+                self.tr("free matrix"),
+                self.tr("None of these: the cells of clip_from_view as they were typed in the"
+                        " Matrices panel. A choice of another kind goes back to the lens before."),
             ),
         )  # fmt: skip
         self._lens.add_choice(
@@ -229,13 +238,13 @@ class LensControls(QObject):
             "near", "lens",
             self.tr("Distance from the eye to the near plane: nothing nearer is drawn. The closer"
                     " to 0, the coarser the depth buffer."),
-            _field("near"), _with_field("near"),
+            _field("near"), _with_field("near"), lenses=STANDARD,
         )  # fmt: skip
         self._lens.add_length(
             "far", "lens",
             self.tr("Distance from the eye to the far plane: nothing farther is drawn. A"
                     " perspective lens also takes inf (∞), at the slider's end."),
-            _field("far"), _with_field("far"),
+            _field("far"), _with_field("far"), lenses=STANDARD,
         )  # fmt: skip
 
     def _make_other_measures(self) -> None:
@@ -298,7 +307,9 @@ class LensControls(QObject):
         """
         self._projection, self._size = projection, size
         self._reach = 0.0
-        parallel, kind = projection.lens.parallel, projection.lens.kind
+        kind = projection.lens.kind
+        free = isinstance(projection.lens, FreeMatrix)
+        parallel = not isinstance(projection.lens, FreeMatrix) and projection.lens.parallel
         for name in ("near", "far"):
             if parallel:  # even for a box, in ratios for a pyramid
                 self._row(name).setScale(Linear.about(0.0, 10.0 * size))
@@ -310,7 +321,7 @@ class LensControls(QObject):
             if not binding.lenses or kind in binding.lenses:
                 source = defaults if key == "kind" else alike
                 binding.row.setDefault(binding.read(source))
-        self._calibrated.setVisible(not parallel)
+        self._calibrated.setVisible(not parallel and not free)
         self.follow(projection)
 
     @property
@@ -326,6 +337,8 @@ class LensControls(QObject):
             With the kind of lens that was fitted.
         """
         self._projection = projection
+        if isinstance(projection.lens, FreeMatrix):
+            return
         if projection.lens.kind in WINDOWED:
             self._fit_window()
         if projection.lens.kind in SYMMETRIC:
@@ -356,7 +369,7 @@ class LensControls(QObject):
         None of them changes under the hand, nor as long as the window fills a fair part of them.
         """
         lens = self._projection.lens
-        if isinstance(lens, Perspective):
+        if isinstance(lens, Perspective | FreeMatrix):
             return
         extent = max(abs(getattr(lens, side)) for side in SIDES)
         least = 2.0 * self._size if lens.parallel else 0.0
@@ -433,7 +446,7 @@ def _half(key: str, projection: Projection) -> float:
 def _with_half(key: str, projection: Projection, half: float) -> Projection:
     top = half / projection.aspect if key == "window_right" else half
     try:
-        fov_y_deg = fov_y_from_window(top, projection.lens.near)
+        fov_y_deg = fov_y_from_window(top, projection.standard_lens.near)
     except ProjectionError as error:  # which speaks of top
         raise ProjectionError(key, half, error.bound, *error.limits) from None
     return _with_fov_y(projection, fov_y_deg)

@@ -419,6 +419,7 @@ class MainWindow(QMainWindow):
         store.history_changed.connect(self._history_changed)
         controls.edited.connect(store.set_projection)
         self.manipulation.edited.connect(store.set_projection)
+        self.matrices.edited.connect(store.set_projection)
         self.frame_panel.edited.connect(store.set_projection)
         self.frame_panel.step_changed.connect(self.panes["world"].show_step)
         for source in (controls, controls.animation, self.manipulation, self.frame_panel):
@@ -514,7 +515,7 @@ class MainWindow(QMainWindow):
     def _name_stage(self, projection: Projection) -> None:
         """Title, axes and limits of what the NDC pane shows."""
         pane = self.panes["ndc"]
-        pane.set_title(self.strip.title())
+        pane.set_title(self.strip.title(projection))
         note = self.strip.note(projection)
         pane.note.setText(note)
         pane.note.setToolTip(note)  # the pane can be narrower

@@ -12,6 +12,8 @@ so that the sentence of a refusal lies over the pane: the window's own bar would
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 from PySide6.QtCore import QEvent, QObject, QPointF, Qt, QTimer, Signal
@@ -180,11 +182,11 @@ class Manipulation(QObject):
             handle, drawn, sight, (x, y) = drag.grip
             pixel = x + right_px, y + down_px
             self._attempt(
-                drag.pane, dragged(drag.start, handle, drawn, sight, pixel, shift=shift)
-            )  # fmt: skip
+                drag.pane, partial(dragged, drag.start, handle, drawn, sight, pixel, shift=shift)
+            )
         elif isinstance(drag.pane.drawing, ImageDrawing):
             shift_px = drag.pane.drawing.image_shift(right_px, down_px)
-            self._attempt(drag.pane, panned(drag.start, shift_px))
+            self._attempt(drag.pane, partial(panned, drag.start, shift_px))
 
     def _let_go(self) -> None:
         if self._watched is None:
@@ -220,7 +222,8 @@ class Manipulation(QObject):
         if self._drag is None:
             self._begin()
             self._quiet.start()
-            self._attempt(self._image, dollied(self._projection, ZOOM_PER_WHEEL_STEP**-steps))
+            factor = ZOOM_PER_WHEEL_STEP**-steps
+            self._attempt(self._image, partial(dollied, self._projection, factor))
 
     # -- edits
 
@@ -236,10 +239,12 @@ class Manipulation(QObject):
             self._in_gesture = False
             self.gesture_finished.emit()
 
-    def _attempt(self, pane: Pane, change: Change) -> None:
-        if self._drag is not None:
-            self._drag.names.update(change)
+    def _attempt(self, pane: Pane, make: Callable[[], Change]) -> None:
+        change: Change = {}
         try:
+            change = make()
+            if self._drag is not None:
+                self._drag.names.update(change)
             projection = changed(self._projection, change)
         except ProjectionError as error:
             self._refuse(pane, _seen_from(change, error))

@@ -5,6 +5,8 @@
     MatrixPanel.show_projection --at most every 100 ms, and at rest--> app.notation.matrices
                                 --what changed--> MatrixView, one for each matrix and factor
 
+    MatrixView.typed --a cell's text--> app.free_matrix.with_cell --> MatrixPanel.edited
+
 Nothing is computed while the panel is folded. Cells that differ from before the last change (a
 drag counts as one change) are lit, and their digits from the first other one on underlined.
 """
@@ -49,6 +51,7 @@ from PySide6.QtWidgets import (
     QComboBox,
     QHBoxLayout,
     QLabel,
+    QLineEdit,
     QMenu,
     QScrollArea,
     QSizePolicy,
@@ -60,22 +63,24 @@ from PySide6.QtWidgets import (
 
 from app.attention import NOTHING, Attention, made_of
 from app.drawings.style import LIGHT, Style
+from app.free_matrix import EDITABLE, properties, with_cell
 from app.notation import (
     Letters,
     Matrix,
     as_latex,
     as_numpy,
     as_text,
+    cell_sign,
     cell_text,
     has_own_signs,
     letters_in,
     matrices,
     written,
 )
-from app.projection import Projection
+from app.projection import FreeMatrix, Projection, ProjectionError
 from widgets.attention import paint_attention
-from widgets.messages import field_name, translated
-from widgets.rows import short_text
+from widgets.messages import field_name, sentence, stage_title, translated
+from widgets.rows import parse_number, short_text
 
 _AXES = ("u", "v", "n")
 _VIEW = ("view_from_world", "rotation")
@@ -103,8 +108,42 @@ def first_change(before: str, after: str) -> int | None:
     return next((i for i, (a, b) in pairs if a != b), min(len(before), len(after)))
 
 
+def _is_a_cameras(matrix: Matrix) -> bool:
+    """Whether a matrix is made of a camera's axes; a typed one has none."""
+    return matrix.name in (*_VIEW, "world_from_view") and matrix.formulas[0][0] != "m_11"
+
+
+class _CellField(QLineEdit):
+    """Where a cell is typed: Tab goes on to the next, Esc back to what was."""
+
+    left = Signal()
+    moved_on = Signal(int)
+
+    def event(self, event: QEvent) -> bool:
+        kinds, keys = QEvent.Type, Qt.Key
+        if isinstance(event, QKeyEvent) and event.type() in (
+            kinds.ShortcutOverride,
+            kinds.KeyPress,
+        ):
+            steps = {keys.Key_Tab: 1, keys.Key_Backtab: -1}
+            pressed = event.type() == kinds.KeyPress
+            enter = event.key() in (keys.Key_Return, keys.Key_Enter)
+            if enter or event.key() == keys.Key_Escape or event.key() in steps:
+                event.accept()  # a line of text would pass Enter on, which opens a cell
+                if pressed and enter:
+                    self.returnPressed.emit()
+                elif pressed and event.key() == keys.Key_Escape:
+                    self.left.emit()
+                elif pressed:
+                    self.moved_on.emit(steps[keys(event.key())])
+                return True
+        return super().event(event)
+
+
 class MatrixView(QWidget):
-    """One 4x4 matrix, read-only; its cells are pointed at with the mouse or the arrow keys.
+    """One 4x4 matrix; its cells are pointed at with the mouse or the arrow keys.
+
+    A double click, F2 or Enter opens the number of an `editable` one to be typed.
 
     Parameters
     ----------
@@ -117,16 +156,26 @@ class MatrixView(QWidget):
         The sentence about the cell under the mouse or the cursor.
     copied : Signal(str, object)
         A format (``"text"``, ``"numpy"``, ``"latex"``) and the matrix to be copied in it.
+    typed : Signal(int, int, str)
+        Row, column and text of a cell, to be taken or refused by `refuse`.
+    moved_on : Signal(int, int)
+        Row and column of the cell that is to be typed next.
     """
 
     pointed = Signal(str)
     copied = Signal(str, object)
     attended = Signal(object)
     """The `Attention` that the cell under the mouse or the cursor draws; only when it changes."""
+    typed = Signal(int, int, str)
+    moved_on = Signal(int, int)
 
-    def __init__(self, explain: Callable[[Matrix, int, int], str]) -> None:
+    def __init__(
+        self, explain: Callable[[Matrix, int, int], str], *, editable: bool = False
+    ) -> None:
         super().__init__()
-        self._explain = explain
+        self._explain, self._editable = explain, editable
+        self._field: _CellField | None = None
+        self._refused = False
         self._matrix: Matrix | None = None
         self._texts: list[list[str]] = []
         self._marks: list[list[int | None]] = []
@@ -170,6 +219,8 @@ class MatrixView(QWidget):
         anew = dressed != (self._letters, self._rows, self._formulas, self._style)
         self._letters, self._rows, self._formulas, self._style = dressed
         old, self._matrix = self._matrix, matrix
+        if old is not None and (anew or old.values != matrix.values):
+            self._close()
         lit = set()
         marks: list[list[int | None]] = [[None] * 4 for _ in range(4)]
         for i, row in enumerate(matrix.values):
@@ -295,7 +346,7 @@ class MatrixView(QWidget):
         painter.setFont(self._small())
         plate = QFontMetricsF(self._small()).height()
         assert self._matrix is not None
-        camera = self._matrix.name in (*_VIEW, "world_from_view")
+        camera = _is_a_cameras(self._matrix)
         third = written("axis_n", self._letters)
         names = ("u", "v", third) if camera else ("x", "y", "z")
         for k, (axis, name) in enumerate(zip(_AXES, names, strict=True)):
@@ -345,6 +396,91 @@ class MatrixView(QWidget):
             painter.drawLine(QPointF(start, base + 3.0), QPointF(end, base + 3.0))
 
     # -- pointing
+
+    # -- typing
+
+    def edit_cell(self, row: int, column: int) -> None:
+        """Open a cell to be typed, with all its digits; without effect if that is not to be."""
+        if not self._editable or self._formulas or self._matrix is None:
+            return
+        self._close()
+        self._cursor = (row, column)
+        self._field = field = _CellField(cell_text(self._matrix.values[row][column]), self)
+        field.setAccessibleName(f"{self._matrix.name}[{row}, {column}]")
+        wide = QFontMetricsF(self.font()).horizontalAdvance(field.text() + "00") + 8.0
+        rect = self._cell_rect(row, column)
+        wide = min(max(wide, rect.width()), float(self.width()))
+        left = max(min(rect.right() - wide, self.width() - wide), 0.0)
+        field.setGeometry(int(left), int(rect.top()), int(wide), int(rect.height()))
+        field.setStyleSheet("padding: 0px; margin: 0px")
+        field.returnPressed.connect(self._enter)
+        field.editingFinished.connect(self._left_field)
+        field.left.connect(self._close)
+        field.moved_on.connect(self._move_on)
+        field.textEdited.connect(self._mend)
+        field.selectAll()
+        self._say()
+        field.show()
+        field.setFocus()
+
+    def take_over(self, cursor: tuple[int, int]) -> None:
+        """Go on at the cell where another view stood."""
+        self._cursor = cursor
+        self.setFocus()
+
+    def refuse(self) -> None:
+        """What was typed was not taken: it stays open to be mended."""
+        self._refused = True
+        if self._field is not None:
+            self._field.setStyleSheet(
+                f"padding: 0px; margin: 0px; border: 2px solid {self._style.far}"
+            )
+
+    def _mend(self) -> None:
+        self._refused = False
+
+    def _enter(self) -> bool:
+        """Hand the text on; whether it was taken."""
+        field, (row, column) = self._field, self._cursor
+        if field is None or self._refused:
+            return False
+        if field.isModified():
+            field.setModified(False)
+            self.typed.emit(row, column, field.text())
+            if self._refused:
+                field.setModified(True)
+                return False
+        self._close()
+        return True
+
+    def _left_field(self) -> None:
+        if self._field is not None and not self._field.hasFocus() and not self._enter():
+            self._close()  # nobody mends it any more: the number before stands
+
+    def _move_on(self, step: int) -> None:
+        place = (4 * self._cursor[0] + self._cursor[1] + step) % 16
+        if self._enter():
+            self.moved_on.emit(*divmod(place, 4))
+
+    def _close(self) -> None:
+        field, self._field, self._refused = self._field, None, False
+        if field is not None:
+            had_focus = self.window().focusWidget() is field
+            field.hide()
+            field.deleteLater()
+            if had_focus:
+                self.setFocus()
+            self.update()
+
+    @property
+    def field(self) -> QLineEdit | None:
+        """Where a cell is being typed, if one is."""
+        return self._field
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        cell = self.cell_at(event.position())
+        if cell is not None and event.button() == Qt.MouseButton.LeftButton:
+            self.edit_cell(*cell)
 
     def _say(self) -> None:
         if self._matrix is not None:
@@ -417,6 +553,8 @@ class MatrixView(QWidget):
             )  # fmt: skip
             self._say()
             self.update()
+        elif event.key() in (Qt.Key.Key_F2, Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            self.edit_cell(*self._cursor)
         else:
             super().keyPressEvent(event)
 
@@ -489,14 +627,14 @@ class _Box(QWidget):
         self.fold.setCheckable(True)
         self.fold.setChecked(unfolded)
         self.fold.setVisible(bool(matrix.factors))
-        self.fold.setAccessibleName(self.tr("Factors of {0}").format(matrix.name))
+        self.fold.setAccessibleName(self.tr("Factors of {0}").format(stage_title(matrix.name)))
         self.fold.setToolTip(self.tr("Show the factors that this matrix is the product of"))
         title.addWidget(self.fold)
         title.addStretch(1)
         layout.addLayout(title)
         row = QHBoxLayout()
         row.setSpacing(4)
-        self.view = panel.new_view()
+        self.view = panel.new_view(matrix.name)
         row.addWidget(self.view, 0, Qt.AlignmentFlag.AlignBottom)
         self.factors = QWidget()
         self.factors.setVisible(unfolded and bool(matrix.factors))
@@ -510,8 +648,8 @@ class _Box(QWidget):
             column = QVBoxLayout()
             column.setSpacing(1)
             column.addStretch(1)
-            column.addWidget(QLabel(factor.name))
-            view = panel.new_view()
+            column.addWidget(QLabel(stage_title(factor.name)))
+            view = panel.new_view(factor.name)
             self.factor_views.append(view)
             column.addWidget(view)
             inner.addLayout(column)
@@ -529,10 +667,16 @@ class MatrixPanel(QWidget):
 
     A change is shown while the panel is visible, and at most every `READ_MS`: a drag costs little
     more than without the panel, and ends with the value it ends with.
+
+    Attributes
+    ----------
+    edited : Signal(Projection)
+        The user typed a cell, and this is the projection with it.
     """
 
     attended = Signal(object)
     """The `Attention` that the cell under the mouse or the cursor draws."""
+    edited = Signal(object)
 
     def __init__(self) -> None:
         super().__init__()
@@ -632,13 +776,15 @@ class MatrixPanel(QWidget):
         box.currentIndexChanged.connect(self._refresh)
         return box
 
-    def new_view(self) -> MatrixView:
-        """A view of one matrix, wired to the explanation and the clipboard."""
-        view = MatrixView(self.sentence)
+    def new_view(self, name: str) -> MatrixView:
+        """A view of one matrix, wired to the explanation, the clipboard and the model."""
+        view = MatrixView(self.sentence, editable=name in EDITABLE)
         view.pointed.connect(self.explanation.setText)
         view.copied.connect(self._copy_one)
         view.attended.connect(self.attended)
         view.show_attention(self._attention)
+        view.typed.connect(partial(self._typed, view, name))
+        view.moved_on.connect(partial(self._edit_cell, name))
         return view
 
     def show_attention(self, attended: Attention) -> None:
@@ -646,6 +792,31 @@ class MatrixPanel(QWidget):
         self._attention = attended
         for view in self.views.values():
             view.show_attention(attended)
+
+    def _edit_cell(self, name: str, row: int, column: int) -> None:
+        """Go on in the view of now: another lens has other ones."""
+        self.views[name].edit_cell(row, column)
+
+    def _typed(self, view: MatrixView, name: str, row: int, column: int, text: str) -> None:
+        """Take a cell that was typed, or say what is wrong with it."""
+        if self._projection is None:
+            return
+        into, of = (column, row) if self._rows else (row, column)
+        try:
+            value = parse_number(f"{name}[{into}, {of}]", text)
+            value *= cell_sign(self._projection, self._letters, name, into, of)
+            projection = with_cell(self._projection, name, into, of, value)
+        except ProjectionError as error:
+            view.refuse()
+            self.explanation.setText(sentence(error))
+            return
+        if projection != self._projection:
+            self.show_projection(projection)
+            self._refresh()
+            now = self.views[name]
+            if now is not view:
+                now.take_over((row, column))
+            self.edited.emit(projection)
 
     # -- the model
 
@@ -753,14 +924,23 @@ class MatrixPanel(QWidget):
             "formulas": self.cells.currentData() == "formulas", "style": self._style,
         }  # fmt: skip
         for matrix, box in zip(self._shown, self._boxes, strict=True):
-            box.title.setText(_title(matrix))
+            title = stage_title(matrix.name)
+            if properties(self._projection, matrix.name):
+                title = self.tr("{0}, a free matrix").format(title)
+            box.title.setText(title)
             box.title.setToolTip(" = ".join([matrix.name, " · ".join(matrix.product)])
                                  if matrix.product else matrix.name)  # fmt: skip
             note = self._note(matrix)
-            box.note.setText(textwrap.fill(note, _NOTE_CHARACTERS))
-            box.note.setVisible(bool(note))
             old = before.get(matrix.name)
             box.view.show_matrix(matrix, old, **settings)
+            fitting = box.view.width() // max(box.note.fontMetrics().averageCharWidth(), 1)
+            wide = max(_NOTE_CHARACTERS, fitting - 2)
+            box.note.setText(
+                "\n".join(
+                    textwrap.fill(line, wide, break_on_hyphens=False) for line in note.splitlines()
+                )
+            )
+            box.note.setVisible(bool(note))
             factors = old.factors if old and len(old.factors) == len(matrix.factors) else None
             for number, view in enumerate(box.factor_views):
                 view.show_matrix(
@@ -808,13 +988,21 @@ class MatrixPanel(QWidget):
         if matrix.name == "clip_from_world":
             return self.tr("then x, y and z are divided by w")
         projection = self._projection
-        if matrix.name != "clip_from_view" or projection is None:
+        if projection is None:
+            return ""
+        if isinstance(projection.lens, FreeMatrix):
+            found = [
+                translated(template).format(*figures)
+                for template, figures in properties(projection, matrix.name)
+            ]
+            return "\n".join(found)
+        if matrix.name != "clip_from_view":
             return ""
         if not has_own_signs(projection, self._letters):
             return ""
         if projection.depth != "opengl":
             return self.tr("with lecture 002's sign: w = z")
-        if projection.lens.parallel:
+        if projection.standard_lens.parallel:
             return self.tr("with lecture 002's sign: z runs from 1 at near to −1")
         return self.tr("with lecture 002's signs: w = z, and z runs from 1 at near to −1")
 
@@ -834,12 +1022,15 @@ class MatrixPanel(QWidget):
         into, of = (column, row) if self._rows else (row, column)
         place = self.tr("row {0}, column {1}").format(row + 1, column + 1)
         does = self._does(matrix, into, of, value)
-        return f"{matrix.name}, {place}: {cell}. {does} {depends}"
+        typed = ""
+        if matrix.name in EDITABLE and self.cells.currentData() == "numbers":
+            typed = self.tr("Double-click or press Enter to type another number.") + " "
+        return f"{matrix.name}, {place}: {cell}. {does} {typed}{depends}"
 
     def _does(self, matrix: Matrix, into: int, of: int, value: float) -> str:
         target, source, number = "xyzw"[into], "xyzw"[of], cell_text(value)
         axes = ("u", "v", written("axis_n", self._letters))
-        if into < 3 and of < 3 and matrix.name in _VIEW:
+        if into < 3 and of < 3 and matrix.name in _VIEW and _is_a_cameras(matrix):
             text = self.tr(
                 "The world's {1} component of the camera's axis {0}: it adds {3} times {1} to {2}."
             )
@@ -907,9 +1098,3 @@ class MatrixPanel(QWidget):
             formulas = self.cells.currentData() == "formulas"
             return as_latex(matrix, self._letters, formulas=formulas)
         return as_numpy(matrix) if form == "numpy" else as_text(matrix)
-
-
-def _title(matrix: Matrix) -> str:
-    """``clip_from_view`` as a reader says it: clip ← view."""
-    target, _, source = matrix.name.replace("_", " ").partition(" from ")
-    return f"{target} ← {source}"

@@ -59,6 +59,8 @@ PROJECTION_BOUNDS = (
         "ProjectionError", "is too close to {0} for a plane as far from the eye as near is"
     ),
     QT_TRANSLATE_NOOP("ProjectionError", "is at infinity, where there is no point but a direction"),
+    QT_TRANSLATE_NOOP("ProjectionError", "must have an inverse, but its rank is {0}"),
+    QT_TRANSLATE_NOOP("ProjectionError", "must be four rows of four finite numbers"),
 )
 """Every bound of a `ProjectionError`: the members of `app.projection.BOUNDS`."""
 
@@ -316,6 +318,10 @@ HEALTH_SENTENCES = (
         "Health",
         "A GPU's float32 would draw up to {0} px off: the picture is computed in float64",
     ),
+    QT_TRANSLATE_NOOP(
+        "Health",
+        "The free matrix has no inverse, or its view volume reaches infinity: no frustum is drawn",
+    ),
     QT_TRANSLATE_NOOP("Health", "VTK's own camera would clamp the field of view to {0}°"),
     QT_TRANSLATE_NOOP(
         "Health",
@@ -323,6 +329,47 @@ HEALTH_SENTENCES = (
     ),
 )
 """Every `app.health.Risk`: the members of `app.health.SENTENCES`."""
+
+PROPERTY_SENTENCES = (
+    QT_TRANSLATE_NOOP("Matrix", "affine: w is {0} everywhere"),
+    QT_TRANSLATE_NOOP("Matrix", "not affine: w depends on {0}"),
+    QT_TRANSLATE_NOOP("Matrix", "singular (rank {0}): the frustum cannot be drawn"),
+    QT_TRANSLATE_NOOP(
+        "Matrix", "mirrored: it turns right-handed space into left-handed (determinant {0})"
+    ),
+    QT_TRANSLATE_NOOP("Matrix", "mirrored: left and right, or near and far, end exchanged"),
+    QT_TRANSLATE_NOOP(
+        "Matrix", "not rigid: it changes lengths or angles, so that no camera has it"
+    ),
+    QT_TRANSLATE_NOOP(
+        "Matrix", "w vanishes where {0} = 0: the divide sends these points to infinity"
+    ),
+    QT_TRANSLATE_NOOP("Matrix", "w is {0} everywhere: there is no picture"),
+    QT_TRANSLATE_NOOP("Matrix", "w is negative all over the view volume: there is no picture"),
+    QT_TRANSLATE_NOOP("Matrix", "the view volume reaches infinity: the frustum cannot be drawn"),
+)
+"""Every `app.free_matrix.Property`: the members of `app.free_matrix.PROPERTIES`."""
+
+SPACES = {
+    "object": QT_TRANSLATE_NOOP("Space", "object"),
+    "world": QT_TRANSLATE_NOOP("Space", "world"),
+    "view": QT_TRANSLATE_NOOP("Space", "view"),
+    "canonical_perspective": QT_TRANSLATE_NOOP("Space", "canonical perspective"),
+    "canonical_parallel": QT_TRANSLATE_NOOP("Space", "canonical parallel"),
+    "depth_range": QT_TRANSLATE_NOOP("Space", "depth range"),
+    "clip": QT_TRANSLATE_NOOP("Space", "clip"),
+    "ndc": QT_TRANSLATE_NOOP("Space", "ndc"),
+    "image": QT_TRANSLATE_NOOP("Space", "image"),
+}
+"""The spaces that the stages lead from and to."""
+
+FACTORS = {
+    "rotation": QT_TRANSLATE_NOOP("Factor", "rotation"),
+    "translation": QT_TRANSLATE_NOOP("Factor", "translation"),
+    "scale": QT_TRANSLATE_NOOP("Factor", "scale"),
+    "shear": QT_TRANSLATE_NOOP("Factor", "shear"),
+}
+"""What the stages' factors are called, but for the lectures' own letters."""
 
 _CONTEXTS = {
     template: context
@@ -332,6 +379,7 @@ _CONTEXTS = {
         ("SceneError", SCENE_SENTENCES),
         ("FigureError", FIGURE_SENTENCES),
         ("Health", HEALTH_SENTENCES),
+        ("Matrix", PROPERTY_SENTENCES),
     )
     for template in templates
 }
@@ -382,6 +430,15 @@ FIELDS = {
 def field_name(field: str) -> str:
     """The translated name of a field; a name that is not in `FIELDS` is already one."""
     return QCoreApplication.translate("Field", FIELDS[field]) if field in FIELDS else field
+
+
+def stage_title(name: str) -> str:
+    """``clip_from_view`` as a reader says it: clip ← view; a factor by its name."""
+    target, between, source = name.partition("_from_")
+    if not between:
+        return QCoreApplication.translate("Factor", FACTORS[name]) if name in FACTORS else name
+    spaces = (QCoreApplication.translate("Space", SPACES[space]) for space in (target, source))
+    return " ← ".join(spaces)
 
 
 def number_text(value: float) -> str:

@@ -43,6 +43,7 @@ from app.projection import (
     FINITE_NUMBER,
     LARGEST,
     PLANES,
+    FreeMatrix,
     Projection,
     ProjectionError,
     Trace,
@@ -377,19 +378,27 @@ class ProbePanel(QWidget):
 
     def _formulas(self, projection: Projection) -> list[tuple[str, str]]:
         """Name and formula of every line."""
-        divide = "w = 1" if projection.lens.parallel else "w = −z_view"
+        lens = projection.lens
+        view, inside = "R (p − e)", "|x|, |y| ≤ w;  n ≤ −z_view ≤ f"
+        if isinstance(lens, FreeMatrix):
+            low, high = (f"{z:g}".replace("-", "−") for z in sorted(projection.depth_range))
+            divide, inside = "w = (P p_view)_4", f"|x|, |y| ≤ w;  {low} w ≤ z ≤ {high} w"
+            if lens.view_from_world is not None:
+                view = "V p"
+        else:
+            divide = "w = 1" if lens.parallel else "w = −z_view"
         depth = "(z + 1) / 2" if projection.depth == "opengl" else "z"
         image = "(x + 1) W/2,  (1 − y) H/2"
         return [
             (self.tr("object"), "p"),
             (self.tr("world"), "p = M p,  M = I"),
-            (self.tr("view"), "R (p − e)"),
+            (self.tr("view"), view),
             (self.tr("clip"), f"P p_view;  {divide}"),
             (self.tr("divide"), "÷ w"),
             (self.tr("NDC"), "x/w,  y/w,  z/w"),
             (self.tr("image px"), image),
             (self.tr("depth"), depth),
-            (self.tr("inside"), "|x|, |y| ≤ w;  n ≤ −z_view ≤ f"),
+            (self.tr("inside"), inside),
         ]
 
     def _of_point(self, point: Trace) -> list[list[str]]:

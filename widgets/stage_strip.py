@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.morph import CANONICAL_PERSPECTIVE, IMAGE, NDC, STOPS, VIEW, WORLD
-from app.projection import Projection
+from app.projection import FreeMatrix, Projection
 
 STEPS = 240
 """Slider steps from one stop to the next."""
@@ -160,8 +160,8 @@ class StageStrip(QWidget):
         self.pause()
         self.slider.setValue(round(position * STEPS))
 
-    def title(self) -> str:
-        """What the pane shows at this position."""
+    def title(self, projection: Projection | None = None) -> str:
+        """What the pane shows at this position, of this projection if it is given."""
         titles = (
             self.tr("World"),
             self.tr("View"),
@@ -170,6 +170,9 @@ class StageStrip(QWidget):
             self.tr("NDC cube"),
             self.tr("Image"),
         )
+        free = projection is not None and isinstance(projection.lens, FreeMatrix)
+        if free and VIEW < self._at < NDC:
+            return f"{self._names[VIEW][0]} → {self._names[NDC][0]}"
         if self._at == self.stop:
             return titles[self.stop]
         before = math.floor(self._at)
@@ -186,11 +189,15 @@ class StageStrip(QWidget):
         stop, lens = self.stop, projection.lens
         if stop == WORLD:
             text = self.tr("x, y, z in world units")
+        elif isinstance(lens, FreeMatrix) and VIEW < stop < NDC:
+            text = self.tr("no canonical volumes")
+        elif isinstance(lens, FreeMatrix) and stop == VIEW:
+            text = self.tr("x, y, z of view space")
         elif stop == VIEW:
             text = self.tr("u, v, n in world units")
-        elif stop == CANONICAL_PERSPECTIVE and lens.parallel:
+        elif not isinstance(lens, FreeMatrix) and stop == CANONICAL_PERSPECTIVE and lens.parallel:
             text = self.tr("a parallel lens has no M_pp: this is the identity")
-        elif stop == CANONICAL_PERSPECTIVE:
+        elif stop == CANONICAL_PERSPECTIVE and not isinstance(lens, FreeMatrix):
             if lens.far == math.inf:
                 text = self.tr("near at z = -1, scaled by near as far is infinite")
             else:

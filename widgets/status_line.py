@@ -26,6 +26,7 @@ from app.precision import (
     rung_for_reading,
 )
 from app.projection import (
+    FreeMatrix,
     Perspective,
     Projection,
     focal_length_35mm,
@@ -130,6 +131,15 @@ class StatusLine(QStatusBar):
 
     def _show_lens(self, projection: Projection) -> None:
         lens, aspect = projection.lens, projection.aspect
+        self.labels["camera"].setText(
+            self.tr("eye to target {0}").format(f"{projection.camera.distance:.4g}")
+        )
+        if isinstance(lens, FreeMatrix):
+            self.labels["fov"].setText(self.tr("free matrix"))
+            self.labels["planes"].setText("")
+            if lens.view_from_world is not None:
+                self.labels["camera"].setText(self.tr("free view matrix"))
+            return
         if isinstance(lens, Perspective):
             fov = self.tr("fov {0}° × {1}°, {2} mm").format(
                 _angle_text(lens.fov_y_deg),
@@ -147,9 +157,6 @@ class StatusLine(QStatusBar):
         if not lens.parallel and lens.far != math.inf:
             planes += self.tr("  (1 : {0})").format(f"{lens.far / lens.near:.4g}")
         self.labels["planes"].setText(planes)
-        self.labels["camera"].setText(
-            self.tr("eye to target {0}").format(f"{projection.camera.distance:.4g}")
-        )
 
     def _predict(self) -> None:
         if self._projection is None or self._scene is None:

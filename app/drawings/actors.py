@@ -38,7 +38,7 @@ from vtkmodules.vtkRenderingCore import (
 )
 
 from app.drawings.style import Style, rgb
-from app.projection import Projection
+from app.projection import FreeMatrix, Projection
 from app.scene import Scene
 
 CUBE_CORNERS = np.array(
@@ -57,6 +57,7 @@ _KEEP_OFF_ZERO = """
   if (abs(gl_Position.w) < least) gl_Position.w = gl_Position.w < 0.0 ? -least : least;"""
 # VTK's wide lines divide by the w of both ends: a line that ends exactly beside the eye is lost.
 _LIFT = 2e-3  # of the distance
+_LIFT_FREE = 2e-4  # of NDC's depth, under a free matrix
 _LIFT_STEP = 6e-4  # in NDC of the pane's own camera
 
 
@@ -514,6 +515,10 @@ def lifted(
     """
     lens = projection.clip_from_view
     distance = math.dist(projection.camera.eye, scene.centre)
+    if isinstance(projection.lens, FreeMatrix):  # it has no eye: the same step of depth for all
+        matrix = clip_from_local.copy()
+        matrix[2] -= _LIFT_FREE * matrix[3]
+        return matrix
     if not projection.lens.parallel:
         # z_clip = a w + b, so that b / (1 - step) in place of b is the depth at w (1 - step).
         nearer = lens[2, 3] * _LIFT * (min(1.0, scene.size / distance) if distance > 0.0 else 1.0)

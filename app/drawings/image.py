@@ -9,7 +9,6 @@ what the depth buffer here takes.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -148,8 +147,7 @@ class ImageDrawing:
     @property
     def _seen(self) -> Projection:
         """In OpenGL's range, whatever the model's: the picture is the same."""
-        projection = self._projection
-        return projection if projection.depth == "opengl" else replace(projection, depth="opengl")
+        return self._projection.with_depth("opengl")
 
     def show_exhibit(self, exhibit: Exhibit | None) -> None:
         """Draw what a phenomenon shows for the projection shown last, and nothing of another."""

@@ -144,11 +144,11 @@ class Named(NamedTuple):
         Where they can be, all of them k times, best first.
     body : (n, 3) array
         What the camera's body lies between; the planes' labels keep off it.
-    corners : (8, 3) array
+    corners : (8, 3) array or None
         Of the frustum as it is drawn: left-bottom, right-bottom, right-top, left-top of the near
-        face, then of the far face.
-    near, far : float
-        The planes' distances, to be written.
+        face, then of the far face; None if there is none.
+    planes : (float, float) or None
+        Distances of near and far, to be written; None if they have none.
     """
 
     eye: Array
@@ -156,9 +156,8 @@ class Named(NamedTuple):
     arrows: tuple[str, ...]
     tips: Array
     body: Array
-    corners: Array
-    near: float
-    far: float
+    corners: Array | None
+    planes: tuple[float, float] | None
 
 
 class Labels:
@@ -235,11 +234,14 @@ class Labels:
         words, leaders = self._words, self._leaders
         before = self._kept
         layout = Layout(pane.size_px, self._canvas.style.font_size, {} if afresh else before)
-        texts = [f"{words[name]} {_distance(getattr(named, name))}" for name in ("near", "far")]
+        texts = [words["near"], words["far"]]
+        if named.planes is not None:
+            texts = [f"{t} {_distance(d)}" for t, d in zip(texts, named.planes, strict=True)]
         self._near.set_text(texts[0])
         self._far.set_text(texts[1])
         points = [[named.eye], [named.target], named.tips, named.body]
-        seen = pane.seen(np.concatenate([*points, _PLANES_FROM_CORNERS @ named.corners]))
+        corners = np.tile(named.eye, (8, 1)) if named.corners is None else named.corners
+        seen = pane.seen(np.concatenate([*points, _PLANES_FROM_CORNERS @ corners]))
         eye, target, *spots = seen
         planes = spots[-16:-8], spots[-8:]
         layout.keep_free([eye, target])
@@ -265,8 +267,11 @@ class Labels:
             )
         ):
             others = planes[1 - i][:4]
+            if named.corners is None:
+                layout.place(label, texts[i], [], sides, leader)  # nowhere
+                continue
             if not layout.place(label, texts[i], planes[i], sides, leader, apart_from=others):
-                inside = pane.covered(named.corners[4 * i : 4 * i + 4])[:: 1 - 2 * i]
+                inside = pane.covered(corners[4 * i : 4 * i + 4])[:: 1 - 2 * i]
                 layout.place(label, texts[i], inside, _ON[:1], gaps=1, apart_from=others)
         self._kept = layout.settled
         return self._kept != before

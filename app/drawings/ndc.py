@@ -23,7 +23,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -56,12 +55,13 @@ from app.morph import (
     RADIUS,
     VIEW,
     WORLD,
+    FreeMorph,
     Morph,
 )
 from app.phenomena.exhibit import Exhibit, Marks
 from app.picking import Probe, Sight
 from app.precision import DRAWING_TOLERANCE_PX, Rung
-from app.projection import DEPTH_RANGES, Array, Camera, Projection
+from app.projection import DEPTH_RANGES, Array, Camera, FreeMatrix, Projection
 from app.scene import Scene
 
 VIEW_AZIMUTH_DEG, VIEW_ELEVATION_DEG = 27.0, 18.0
@@ -88,6 +88,8 @@ _BESIDE = np.array([-0.3, -0.42])  # right and up of a pyramid's small near face
 _BESIDE_PYRAMID = np.array([-1.35, 0.2])
 _BOX = CUBE_CORNERS * (1.0, 1.0, 0.5) + (0.0, 0.0, 0.5)  # `Morph`'s: z is 1 at near, 0 at far
 _NEAR_FIRST = [4, 5, 6, 7, 0, 1, 2, 3]
+_BOX_FROM_NDC = np.array([[1.0, 0, 0, 0], [0, 1, 0, 0], [0, 0, -0.5, 0.5], [0, 0, 0, 1]])
+_LEVEL = Camera((0.0, 0.0, 1.0), (0.0, 0.0, 0.0))  # whose frame is the identity
 _BOX_FROM_CUBE = np.array([[1.0, 0, 0, 0], [0, 1, 0, 0], [0, 0, 0.5, 0.5], [0, 0, 0, 1]])
 
 
@@ -123,7 +125,7 @@ class NdcDrawing:
         self._volume = Space()
         self._projection = scene.start
         self._position = float(NDC)
-        self._named: tuple[int, bool] | None = None
+        self._named: tuple[int, str] | None = None
         self._morph: Morph | None = None
         self._planes = self._cube_planes()
         self._model = ModelActors(scene, style, tolerance_px, self._planes)
@@ -175,6 +177,8 @@ class NdcDrawing:
         self._position = position
         if position == NDC:
             self._name_stop(NDC)
+            for actor in self._volume_actors:
+                actor.SetVisibility(True)
             self._set_depth(self._projection.depth)
             self.show_projection(self._projection)
         else:
@@ -313,7 +317,7 @@ class NdcDrawing:
     def sight(self) -> Sight:
         """How this pane looks at the world just now, by way of the displayed cube."""
         projection = self._seen
-        clip = projection.clip_from_view @ projection.view_rotation
+        clip = projection.clip_from_eye
         limits = np.concatenate([clip[3] - clip[:3], clip[3] + clip[:3]])
         rows = self._pane_from_display @ self._display_from_ndc @ clip
         return Sight(np.array(projection.camera.eye), rows, limits)
@@ -339,20 +343,23 @@ class NdcDrawing:
     @property
     def _seen(self) -> Projection:
         """In OpenGL's range, whatever the model's: the displayed cube differs by its depth only."""
-        projection = self._projection
-        return projection if projection.depth == "opengl" else replace(projection, depth="opengl")
+        return self._projection.with_depth("opengl")
 
     @property
     def _display_from_ndc(self) -> NDArray[np.float64]:
         """From OpenGL's cube, at the strip's position."""
         if self._morph is None:
             return np.diag([1.0, 1.0, -self._half_depth, 1.0])
+        if isinstance(self._morph, FreeMorph):
+            if not self._morph.has_volume(self._position):
+                return np.zeros((4, 4))  # there nothing can be pointed at
+            return _fitting(self._morph.display_from_box(self._position) @ _BOX_FROM_NDC)
         local_from_clip = self._seen.world_from_clip_at(self._scene.origin)
         return _fitting(self._morph.display_from_local(self._position) @ local_from_clip)
 
     def _place_probes(self) -> None:
         marks: Sequence[Mark] = ()
-        if self._probes.probes:
+        if self._probes.probes and self._display_from_ndc.any():
             marks = self._probes.in_ndc(self._seen, self._display_from_ndc, self.sight)
         self._probes.show(marks, self._canvas.window.GetSize())
 
@@ -419,6 +426,7 @@ class NdcDrawing:
         for actor in (*edges, cross, *faces):
             self._volume.add(actor)
             self._canvas.add(actor)
+        self._volume_actors = (*edges, *faces)
         for edge in edges:
             lift_lines(edge, 2)
         for face in faces:
@@ -597,11 +605,16 @@ class NdcDrawing:
         """Set the matrices, planes and words of a position that is not the NDC stop."""
         if self._morph is None:
             scene = self._scene
-            self._morph = Morph(self._projection, scene.origin, scene.corners)
+            free = isinstance(self._projection.lens, FreeMatrix)
+            kind = FreeMorph if free else Morph
+            self._morph = kind(self._projection, scene.origin, scene.corners)
         morph, position = self._morph, self._position
         self._model.show_local()
         self._space.set(_fitting(morph.display_from_local(position)))
-        box = _fitting(morph.display_from_box(position))
+        drawn = morph.has_volume(position)
+        for actor in self._volume_actors:
+            actor.SetVisibility(drawn)
+        box = _fitting(morph.display_from_box(position)) if drawn else np.eye(4)
         self._set_volume(box)
         for plane, (*normal, offset) in zip(
             self._planes, morph.planes_display(position).tolist(), strict=True
@@ -609,9 +622,14 @@ class NdcDrawing:
             plane.SetNormal(*normal)
             plane.SetOrigin(*(-offset * part for part in normal))
         stop = int(position + 0.5)
+        if isinstance(self._projection.lens, FreeMatrix) and VIEW < stop < NDC:
+            stop = VIEW if position < (VIEW + NDC) / 2.0 else NDC
         self._name_stop(stop)
+        for label in (self._near, self._far):
+            label.set_visible(drawn and stop != IMAGE)
         self._place_axes(stop, morph, box)
-        self._place_words(stop, box)
+        if drawn:
+            self._place_words(stop, box)
         self._place_probes()
 
     def _name_stop(self, stop: int) -> None:
@@ -620,9 +638,9 @@ class NdcDrawing:
             for name in "xy":
                 for number, text in zip(self._numbers[name], ("−1", "1"), strict=True):
                     number.set_text(text)
-        if (stop, self._projection.lens.parallel) == self._named:
+        if (stop, self._projection.lens.kind) == self._named:
             return
-        self._named = stop, self._projection.lens.parallel
+        self._named = stop, self._projection.lens.kind
         self._show_attended()
         self._cross.SetVisibility(stop in (CANONICAL_PARALLEL, NDC))
         for actor in self._arrows:
@@ -639,7 +657,7 @@ class NdcDrawing:
         for name, numbers in self._numbers.items():
             for number in numbers:
                 number.set_visible(stop >= CANONICAL_PERSPECTIVE and (stop != IMAGE or name != "z"))
-        if stop == CANONICAL_PERSPECTIVE and not self._projection.lens.parallel:
+        if stop == CANONICAL_PERSPECTIVE and not self._projection.standard_lens.parallel:
             self._numbers["z"][0].set_visible(False)  # on the plate of near, which is small here
 
     def _place_axes(self, stop: int, morph: Morph, box: Array) -> None:
@@ -665,7 +683,11 @@ class NdcDrawing:
             camera = self._projection.camera
             at = (0.0, 0.0, 0.0) if stop == WORLD else camera.eye
             seen = matrix @ [*(np.array(at) - self._scene.origin), 1.0]
-            start = seen[:3] / seen[3]
+            if stop == VIEW and isinstance(self._projection.lens, FreeMatrix):
+                # Of view space itself: its matrix need not be the camera's.
+                seen, matrix = morph.display_from_stage(VIEW)[:, 3], np.eye(4)
+                camera = _LEVEL
+            start = seen[:3] / (seen[3] if seen[3] > 0.0 else 1.0)
             away = math.hypot(*start)
             if away > RADIUS:  # an origin that is far from the scene: at the border toward it
                 start *= RADIUS / away
@@ -696,7 +718,8 @@ class NdcDrawing:
         limit = RADIUS if stop <= VIEW else 2.0
         near, far = (_edge(box, -1.0, 1.0, limit, z) for z in (1.0, 0.0))
         lens = self._projection.lens
-        if stop <= CANONICAL_PERSPECTIVE and not lens.parallel:
+        pyramid = not isinstance(lens, FreeMatrix) and not lens.parallel
+        if stop <= CANONICAL_PERSPECTIVE and pyramid:
             aside = _BESIDE if stop <= VIEW else _BESIDE_PYRAMID
             near = near + aside @ np.array(_axes_from(*self._looked_from(stop))[:2])
         self._near.set_position(near)
@@ -706,7 +729,7 @@ class NdcDrawing:
         (width, height) = self._projection.image_size
         x, y = ("−1", "1"), ("−1", "1")
         ends, z = (1.0, 1.0), ("0", "−1")
-        if stop == CANONICAL_PERSPECTIVE and not lens.parallel:
+        if stop == CANONICAL_PERSPECTIVE and not isinstance(lens, FreeMatrix) and pyramid:
             # The sides are 1 where z is -1: at far, and at near if far is infinite.
             infinite = lens.far == math.inf
             ends = (1.0, 1.0) if infinite else (0.0, 0.0)

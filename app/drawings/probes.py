@@ -23,7 +23,7 @@ from vtkmodules.vtkRenderingCore import vtkActor2D, vtkPolyDataMapper2D
 from app.drawings.actors import Canvas, Label, Space, lift_lines, line_actor
 from app.drawings.style import Style, rgb
 from app.picking import Probe, Sight, Surface, projector
-from app.projection import Array, Projection
+from app.projection import Array, FreeMatrix, Projection
 from app.scene import Scene
 
 _RIM_EM, _FILL_EM, _CROSSING_EM = 0.44, 0.32, 0.24  # radii
@@ -98,12 +98,18 @@ class Probes:
             How the pane looks at the world.
         """
         near, far = drawn
-        eye_distance = min(0.0, near) if projection.lens.parallel else 0.0
+        start_at = min(0.0, near)
+        if isinstance(projection.lens, FreeMatrix):  # in shares of the way through the volume
+            near, far, start_at = 0.0, 1.0, 0.0
+        elif not projection.lens.parallel:
+            start_at = 0.0
         marks = []
         for probe in self.probes:
-            line = projector(projection, probe, (near, far, eye_distance))
+            line = projector(projection, probe, (near, far, start_at))
             if probe.point is None:
-                assert line is not None  # a ray is in front
+                if line is None:  # under a free matrix without a view volume
+                    marks.append(Mark(probe.number, None))
+                    continue
                 crossing = sight.seen(line[:1])[0]
                 marks.append(Mark(probe.number, crossing, True, line[:2] - origin))
                 continue
@@ -112,7 +118,9 @@ class Probes:
             start = np.array(projection.camera.eye) if line is None else line[2]
             crossing = None if line is None else sight.seen(line[:1])[0]
             spot = sight.seen([point])[0]
-            ends = np.stack([start, point]) - origin
+            ends: Array | None = np.stack([start, point]) - origin
+            if line is None and isinstance(projection.lens, FreeMatrix):
+                ends = None
             marks.append(Mark(probe.number, spot, not trace.outside.any(), ends, crossing))
         return marks
 
@@ -135,7 +143,8 @@ class Probes:
                 spot, solid = sight.seen([probe.point])[0], not trace.outside.any()
                 z = min(*z, z_point), max(*z, z_point)
             ends = np.array([(x, y, end, 1.0) for end in z]) @ display_from_ndc.T
-            line = ends[:, :3] / ends[:, 3:]
+            # Between two stops a line may reach infinity, as only a free matrix makes it.
+            line = ends[:, :3] / ends[:, 3:] if (ends[:, 3] > 0.0).all() else None
             marks.append(Mark(probe.number, spot, solid, line))
         return marks
 

@@ -14,6 +14,9 @@ float32 costs 2e-4 px of 1280 at most. For edges to be as exact as their ends, w
 cone somewhat wider than the picture, before near or beyond far is cut off beforehand: an edge
 that ends 1e5 pictures away would be drawn 1e5 times as inexactly as one that ends here.
 
+Under a free matrix w is no function of z. There the divide is done here too, which for faces of
+one colour draws the same picture.
+
 The world pane does without: its own camera is never at an extreme, and the picture on the near
 plane is too small to see wherever float32 is not enough for it (of 1086 random extreme cameras,
 one was off by more than half a pixel, at a field of view of 179.998 degrees).
@@ -35,10 +38,11 @@ from vtkmodules.vtkRenderingCore import vtkActor
 from app.drawings.actors import scene_actors
 from app.drawings.style import Style
 from app.precision import Rung, rung_for_drawing
-from app.projection import Array, Projection
+from app.projection import Array, FreeMatrix, Projection
 from app.scene import Scene
 
 _WIDE = 2.0  # of the picture: beyond, wide lines and points do not reach into it
+_LEAST_W = 1e-30  # under a free matrix: what is nearer to w = 0 cannot be divided by it
 _SHALLOW = 1.0 - 2.0**-22  # of the depth range: or the far plane takes what float32 rounds onto it
 
 
@@ -103,17 +107,22 @@ class ModelActors:
 
     def _project(self, projection: Projection) -> Array:
         planes = _planes(projection)
+        free = isinstance(projection.lens, FreeMatrix)
         parts = []
         for made in self._made:
             world = made.points.astype(np.float64) + self._scene.origin
-            parts.append(_cut(projection.trace(world).clip, made.cells, planes))
+            part = _cut(projection.trace(world).clip, made.cells, planes)
+            if free:
+                w = part.clip[:, 3:]
+                part = part._replace(clip=part.clip / np.where(w > 0.0, w, 1.0))
+            parts.append(part)
         largest = max((float(np.abs(part.clip).max(initial=0.0)) for part in parts), default=0.0)
         # The homogeneous factor is free: as a power of two, whatever there is fits into float32.
         unit = 2.0 ** -math.frexp(largest)[1]
         for made, part in zip(self._made, parts, strict=True):
             made.replace(part, unit)
         clip_from_vertex = np.diag([1.0, 1.0, _SHALLOW, 0.0]) / unit
-        if projection.lens.parallel:
+        if isinstance(projection.lens, FreeMatrix) or projection.lens.parallel:
             clip_from_vertex[3, 3] = 1.0
         else:
             a, b = projection.clip_from_view[2, 2:]  # for z of view space, which is -w
@@ -217,13 +226,16 @@ def _planes(projection: Projection) -> tuple[Array, Array]:
     """
     sides = [(1.0, 0.0, 0.0, _WIDE), (-1.0, 0.0, 0.0, _WIDE)]
     sides += [(0.0, 1.0, 0.0, _WIDE), (0.0, -1.0, 0.0, _WIDE)]
-    near, far = projection.lens.near, projection.lens.far
-    if projection.lens.parallel:
+    lens = projection.lens
+    if isinstance(lens, FreeMatrix):
+        depth = [((0.0, 0.0, 1.0, 1.0), 0.0), ((0.0, 0.0, -1.0, 1.0), 0.0)]
+        depth.append(((0.0, 0.0, 0.0, 1.0), -_LEAST_W))
+    elif lens.parallel:
         depth = [((0.0, 0.0, 1.0, 0.0), 1.0), ((0.0, 0.0, -1.0, 0.0), 1.0)]
     else:  # by w itself: z and w have not enough digits left to compare if far/near is large
-        depth = [((0.0, 0.0, 0.0, 1.0), -near)]
-        if far != math.inf:
-            depth.append(((0.0, 0.0, 0.0, -1.0), far))
+        depth = [((0.0, 0.0, 0.0, 1.0), -lens.near)]
+        if lens.far != math.inf:
+            depth.append(((0.0, 0.0, 0.0, -1.0), lens.far))
     normals = np.array([*(normal for normal, _ in depth), *sides])
     return normals, np.array([*(offset for _, offset in depth), 0.0, 0.0, 0.0, 0.0])
 

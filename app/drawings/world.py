@@ -43,7 +43,15 @@ from app.drawings.style import Style
 from app.handles import Handle, nearest, shown
 from app.phenomena.exhibit import Exhibit, Marks
 from app.picking import Probe, Sight
-from app.projection import Array, Camera, Lens, Orthographic, Perspective, Projection
+from app.projection import (
+    Array,
+    Camera,
+    FreeMatrix,
+    Orthographic,
+    Perspective,
+    Projection,
+    StandardLens,
+)
 from app.scene import Scene
 
 SLAB = 0.005
@@ -169,6 +177,7 @@ class WorldDrawing:
         self._steps: FrameSteps | None = None
         self._marks: MarksDrawing | None = None
         self._marked = np.empty((0, 3))
+        self._reach: _Reach | None = None
         self._placed: tuple[float, ...] | None = None
         self._framed = self._objects
         self._look_from_pane()
@@ -239,6 +248,7 @@ class WorldDrawing:
         near_line, far_line = outline(_NEAR_FACE, style.near), outline(_FAR_FACE, style.far)
         self._frustum_space.add(far_face, sides, near_face, near_line, far_line)
         self._outlines = {"near": near_line, "far": far_line}
+        self._volume = far_face, sides, near_face, near_line, far_line
         self._tints = (near_face, _NEAR_TINT), (far_face, _FAR_TINT)
         edges = [(i, i + 4) for i in range(4)]
         self._body = actors.line_actor(_CUBE, edges, style.frustum, 1.4 * width)
@@ -357,7 +367,8 @@ class WorldDrawing:
             for name, tip in zip(arrows, tip_spots, strict=True)
         ]
         segments += volume_edges(corners)
-        if not self._projection.lens.parallel:
+        lens = self._projection.lens
+        if not isinstance(lens, FreeMatrix) and not lens.parallel:
             segments += [(frozenset(("fov",)), eye, corner) for corner in corners[:4]]
         return pointed_at((x_px, y_px), self._canvas.style.font_size, points, segments, corners)
 
@@ -385,13 +396,41 @@ class WorldDrawing:
         self._depths = (self._eye - self._everything) @ camera.frame[2]
         objects_depth = float(((self._eye - self._objects) @ camera.frame[2]).max())
         self._extent = self._scene.size + math.dist(camera.eye, self._scene.centre)
-        self._reach = reach = self._reach_of(lens, objects_depth)
 
         self._body_size = _BODY * self._extent
         self._local_from_body = _scaled(self._local_from_view, self._body_size)
         self._camera_space.set(self._local_from_body)
         self._sight_space.set(_scaled(self._local_from_view, camera.distance))
+        if isinstance(lens, FreeMatrix):
+            self._show_free_volume(projection)
+        else:
+            self._show_volume(lens, objects_depth)
+        self._follow_pane(afresh=False)
 
+    def _show_free_volume(self, projection: Projection) -> None:
+        """The cube under the inverse of a free matrix, whole; nothing where it has none."""
+        self._reach = None
+        drawn = projection.frustum_sign != 0
+        for actor in (*self._volume, self._body):
+            actor.SetVisibility(drawn)
+        self._apex.SetVisibility(False)
+        for name, edges in self._breaks.items():
+            self._break_ends.pop(name, None)
+            for _, edge in edges:
+                edge.SetVisibility(False)
+        self._corners = np.tile(self._eye, (8, 1))
+        if drawn:
+            local_from_cube = projection.with_depth("reversed").world_from_clip_at(self._origin)
+            frustum = _normalised(projection.frustum_sign * local_from_cube)
+            self._corners = np.clip(_applied(frustum, _CUBE), -_WIDEST, _WIDEST)
+            self._frustum_space.set(frustum)
+            self._body_space.set(frustum)
+
+    def _show_volume(self, lens: StandardLens, objects_depth: float) -> None:
+        """A lens' frustum, broken where it is too deep to be drawn true to scale."""
+        self._reach = reach = self._reach_of(lens, objects_depth)
+        for actor in self._volume:
+            actor.SetVisibility(True)
         view_from_cube = self._view_from_cube(reach.near, reach.far)
         frustum = _normalised(self._local_from_view @ view_from_cube)
         self._corners = _applied(frustum, _CUBE)
@@ -413,9 +452,8 @@ class WorldDrawing:
             if reach.near_break is not None:
                 base = _normalised(self._local_from_view @ self._view_from_cube(*reach.near_break))
             self._apex_space.set(base @ _CUBE_FROM_PYRAMID)
-        self._follow_pane(afresh=False)
 
-    def _reach_of(self, lens: Lens, objects_depth: float) -> _Reach:
+    def _reach_of(self, lens: StandardLens, objects_depth: float) -> _Reach:
         size, extent = self._scene.size, self._extent
         nearby_target = min(self._projection.camera.distance, 2.0 * extent)
         high = _BEYOND * max(objects_depth, nearby_target, 0.5 * size)
@@ -447,9 +485,10 @@ class WorldDrawing:
         arrows, directions = self._arrows
         tips = np.concatenate([self._eye + k * directions for k in _BEYOND_TIP])
         body = _applied(self._local_from_body, _BODY_BOX)
-        named = Named(
-            self._eye, self._target, arrows, tips, body, self._corners, lens.near, lens.far
-        )
+        planes = None if isinstance(lens, FreeMatrix) else (lens.near, lens.far)
+        seen = not isinstance(lens, FreeMatrix) or self._projection.frustum_sign != 0
+        corners = self._corners if seen else None
+        named = Named(self._eye, self._target, arrows, tips, body, corners, planes)
         first = None if self._marks is None else self._marks.place_texts
         return self._labels.lay_out(self._pane, named, afresh=afresh, first=first)
 
@@ -464,25 +503,30 @@ class WorldDrawing:
 
     def _place_picture(self) -> None:
         """The scene, flattened onto the near plane, and the planes of the picture's window."""
-        reach = self._reach
-        pane = self._pane
-        away = pane.eye - self._eye
-        from_eye_side = float(away @ self._projection.camera.frame[2]) > -reach.near
+        reach, pane, lens = self._reach, self._pane, self._projection.lens
         left_bottom, right_top = self._corners[0], self._corners[2]
         px = math.dist(pane.eye, left_bottom) * 2.0 * pane.slope / pane.size_px[1]
         depths = float(self._depths.min()), float(self._depths.max())
-        lens = self._projection.lens
-        seen = (
-            reach.near_break is None
-            and math.dist(left_bottom, right_top) > _LEAST_PICTURE_PX * px
-            and depths[1] > lens.near
-            and depths[0] < lens.far
-        )
+        seen = math.dist(left_bottom, right_top) > _LEAST_PICTURE_PX * px
+        if isinstance(lens, FreeMatrix):
+            seen = seen and self._projection.frustum_sign > 0
+        else:
+            assert reach is not None
+            seen = (
+                seen and reach.near_break is None and depths[1] > lens.near and depths[0] < lens.far
+            )
         for actor in self._picture:
             actor.SetVisibility(seen)
         if not seen:
             return
-        film = flatten(self._projection, self._origin, depths, reach.high, toward_eye=from_eye_side)
+        if reach is None:
+            film = _flattened_free(self._projection, self._origin, pane.eye)
+        else:
+            away = pane.eye - self._eye
+            from_eye_side = float(away @ self._projection.camera.frame[2]) > -reach.near
+            film = flatten(
+                self._projection, self._origin, depths, reach.high, toward_eye=from_eye_side
+            )
         self._picture_space.set(film.surface)
         self._picture_lines_space.set(film.lines)
         for plane, (*normal, offset) in zip(self._window_planes, film.planes.tolist(), strict=True):
@@ -748,18 +792,20 @@ class WorldDrawing:
         return Sight(pane.eye + self._origin, rows, np.array([(*toward, -nearest)]))
 
     def _place_probes(self) -> None:
-        reach = self._reach
         if self._probes.probes:
-            drawn = reach.near, reach.far
-            marks = self._probes.in_world(self._projection, self._origin, drawn, self.sight)
+            drawn, sight = self.planes_drawn, self.sight
+            marks = self._probes.in_world(self._projection, self._origin, drawn, sight)
             self._probes.show(marks, self._pane.size_px)
         else:
             self._probes.show((), self._pane.size_px)
 
     @property
     def planes_drawn(self) -> tuple[float, float]:
-        """Distances from the eye plane at which near and far are drawn, cut or not."""
-        return self._reach.near, self._reach.far
+        """Distances from the eye plane at which near and far are drawn, cut or not.
+
+        A free matrix has none: its numbers here are nobody's.
+        """
+        return (0.0, 1.0) if self._reach is None else (self._reach.near, self._reach.far)
 
     @property
     def held(self) -> Handle | None:
@@ -854,7 +900,7 @@ def flatten(
     In homogeneous coordinates, with depth 1 at the near and 0 at the far end of what is in the
     picture: ``flatten: z' = w +- slab z``; x, y and w stay, so that each point keeps its ray.
     """
-    lens = projection.lens
+    lens = projection.standard_lens
     near, far = lens.near, lens.far
     free = max(_MARGIN * (depths[1] - depths[0]), 1e-6 * reach)  # flat scenes have no depth
     start = max(near, depths[0] - free)
@@ -882,6 +928,28 @@ def flatten(
     )
 
 
+def _flattened_free(projection: Projection, origin: Array, pane_eye: Array) -> Film:
+    """`flatten` under a free matrix: onto the cube's near face, on the side that is looked at."""
+    reversed_range = projection.with_depth("reversed")
+    clip_from_local = reversed_range.clip_from_world_at(origin)
+    local_from_clip = reversed_range.world_from_clip_at(origin)
+    z, w = clip_from_local[2:] @ (*pane_eye, 1.0)
+    side = 1.0 if w <= 0.0 or z > w else -1.0
+    squeeze = np.eye(4)
+    squeeze[2] = 0.0, 0.0, side * SLAB, 1.0
+    lifted = squeeze.copy()
+    lifted[2, 3] += side * SLAB * _LINES_IN_FRONT
+    x, y, z, w = clip_from_local
+    planes = np.array([w + x, w - x, w + y, w - y, SLAB * w - side * (z - w), side * (z - w)])
+    planes /= np.abs(planes).max(axis=1, keepdims=True)
+    planes /= np.linalg.norm(planes[:, :3], axis=1, keepdims=True)
+    return Film(
+        _normalised(local_from_clip @ squeeze @ clip_from_local),
+        _normalised(local_from_clip @ lifted @ clip_from_local),
+        planes,
+    )
+
+
 # --------------------------------------------------------------------------- matrices
 
 
@@ -891,13 +959,14 @@ def _side_planes(projection: Projection) -> Array:
     Clip space has them as w + x and so on, which cancel for a window far off the axis.
     """
     left, right, bottom, top = projection.window
-    near = projection.lens.near
+    lens = projection.standard_lens
+    near = lens.near
     planes = np.zeros((4, 4))
     for row, (axis, edge, sign) in enumerate(
         ((0, left, 1.0), (0, right, -1.0), (1, bottom, 1.0), (1, top, -1.0))
     ):
         planes[row, axis] = sign
-        if projection.lens.parallel:
+        if lens.parallel:
             cot = projection.shear[axis]
             planes[row, 2:] = sign * cot, sign * (cot * near - edge)
         else:
@@ -945,14 +1014,15 @@ def _part(projection: Projection, near: float, far: float) -> tuple[Array, Array
     clip_from_view, view_from_clip : (4, 4) float64 arrays
     """
     clip_from_view, view_from_clip = projection.clip_from_view.copy(), np.zeros((4, 4))
-    if projection.lens.parallel:
+    lens = projection.standard_lens
+    if lens.parallel:
         cut = Projection(lens=Orthographic(near=near, far=far), depth="reversed")
         left, right, bottom, top = projection.window
         for row, (low, high) in enumerate(((left, right), (bottom, top))):
             cot = projection.shear[row]
             view_from_clip[row, row] = (high - low) / 2.0
             view_from_clip[row, 2] = -cot * (far - near)
-            view_from_clip[row, 3] = (low + high) / 2.0 + cot * (far - projection.lens.near)
+            view_from_clip[row, 3] = (low + high) / 2.0 + cot * (far - lens.near)
         view_from_clip[:2] = np.clip(view_from_clip[:2], -_WIDEST, _WIDEST)
         view_from_clip[2:] = cut.view_from_clip[2:]
     else:

@@ -367,7 +367,7 @@ def _with_aspect(projection: Projection, aspect: float) -> tuple[Projection, Arr
 
 
 def _perspective(projection: Projection) -> Perspective:
-    lens = projection.lens
+    lens = projection.standard_lens
     if isinstance(lens, Perspective):
         return lens
     turned = projection.with_lens("perspective").lens
@@ -511,7 +511,7 @@ def in_view(projection: Projection, points_world: Array) -> Array:
         return kept
     rng = np.random.default_rng(1)
     width, height = projection.image_size
-    lens = projection.lens
+    lens = projection.standard_lens
     far = lens.far if math.isfinite(lens.far) else 1e3 * max(abs(lens.near), 1e-100)
     near = lens.near
     if lens.parallel:
@@ -533,7 +533,11 @@ def _spread(projection: Projection, pixels: Array, depth: Array) -> Array:
     width, height = projection.image_size
     x = left + (right - left) * pixels[:, 0] / width
     y = top - (top - bottom) * pixels[:, 1] / height
-    grow = np.ones_like(depth) if projection.lens.parallel else depth / projection.lens.near
+    grow = (
+        np.ones_like(depth)
+        if projection.standard_lens.parallel
+        else depth / projection.standard_lens.near
+    )
     view = np.column_stack([x * grow, y * grow, -depth])
     world: Array = view @ projection.camera.frame + projection.camera.eye
     return world
@@ -541,7 +545,7 @@ def _spread(projection: Projection, pixels: Array, depth: Array) -> Array:
 
 def _vtk_camera(projection: Projection, world: Array, reference: Reference) -> _Answer:
     """VTK's own camera set as a program would set it, and whether it took what it was given."""
-    lens, camera = projection.lens, vtkCamera()
+    lens, camera = projection.standard_lens, vtkCamera()
     camera.SetPosition(*projection.camera.eye)
     camera.SetFocalPoint(*projection.camera.target)
     camera.SetViewUp(*projection.camera.up)

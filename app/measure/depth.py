@@ -46,7 +46,7 @@ def measure(projection: Projection, watch: Watch = unwatched) -> Trade:
     Cancelled
         By `watch`; with the choices done.
     """
-    lens = projection.lens
+    lens = projection.standard_lens
     distance = -float(projection.trace(projection.camera.target).view[2])
     names = [(format_, mapping) for format_ in FORMATS for mapping in MAPPINGS]
     choices: list[Choice] = []

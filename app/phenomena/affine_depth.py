@@ -71,7 +71,7 @@ class Inside(NamedTuple):
 
 def inside(projection: Projection, segments_world: Array) -> Inside:
     """Cut segments (m, 2, 3) to the view volume."""
-    lens = projection.lens
+    lens = projection.standard_lens
     clip = projection.trace(segments_world).clip
     rows = np.arange(len(clip))
     if not lens.parallel:
@@ -103,7 +103,7 @@ def slope(projection: Projection) -> float:
     Both planes' conditions give ``(z_far - z_near)/(f - n)``, 2/(f - n) in OpenGL's cube.
     """
     z_near, z_far = projection.depth_range
-    return (z_far - z_near) / (projection.lens.far - projection.lens.near)
+    return (z_far - z_near) / (projection.standard_lens.far - projection.standard_lens.near)
 
 
 def bow(projection: Projection, part: Inside, steps: Array) -> Array:
@@ -121,7 +121,7 @@ def bow(projection: Projection, part: Inside, steps: Array) -> Array:
     start, end = part.w[:, :1], part.w[:, 1:]
     points = part.ndc[:, :1] + steps[:, None] * (part.ndc[:, 1:] - part.ndc[:, :1])
     w = 1.0 / ((1.0 - steps) / start + steps / end)  # 1/w is linear along the image
-    points[..., 2] = z_near + slope(projection) * (w - projection.lens.near)
+    points[..., 2] = z_near + slope(projection) * (w - projection.standard_lens.near)
     return points
 
 
@@ -185,10 +185,10 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
         dots=(Dot(ends[0], "accent"), Dot(ends[1], "accent")),
         texts=(Text("P", ends[0], "accent"), Text("Q", ends[1], "accent")),
     )
-    if projection.lens.far == math.inf:
+    if projection.standard_lens.far == math.inf:
         return Exhibit(_readings(None, None, Phrase(_INFINITE)), world, warning=Phrase(_INFINITE))
     part = inside(projection, np.concatenate([ends[None], _EDGES]))
-    if projection.lens.parallel:
+    if projection.standard_lens.parallel:
         lines = [Line(pair, "muted") for pair in part.ndc[part.rows > 0]]
         lines += [Line(pair, "accent", 2.5) for pair in part.ndc[part.rows == 0]]
         straight = (0.0, 0.0)
@@ -218,7 +218,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
         on_chord = (1.0 - step) * curve[0] + step * curve[-1]
         on_bow = on_chord.copy()
         z_near, _ = projection.depth_range
-        on_bow[2] = z_near + slope(projection) * (float(found.w[0]) - projection.lens.near)
+        on_bow[2] = z_near + slope(projection) * (float(found.w[0]) - projection.standard_lens.near)
         lines.append(Line(np.array([on_chord, on_bow]), "ink", 1.5))
         dots.append(Dot(on_bow, "u", 1.2))
         texts += [

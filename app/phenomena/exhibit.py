@@ -20,12 +20,15 @@ from dataclasses import dataclass, field
 from types import MappingProxyType
 from typing import Any, TypeAlias
 
+import numpy as np
+
 from app.projection import (
     AT_LEAST,
     AT_MOST,
     FINITE_NUMBER,
     ONE_OF,
     Array,
+    FreeMatrix,
     Projection,
     ProjectionError,
 )
@@ -43,6 +46,11 @@ YES_OR_NO = "must be true or false"
 def QT_TRANSLATE_NOOP(_context: str, text: str) -> str:
     """Mark a text for translation where it stands; the widgets translate it when it is shown."""
     return text
+
+
+_FREE = QT_TRANSLATE_NOOP(
+    "phenomena", "a free matrix has no near, no far and no window: choose a lens to see this"
+)
 
 
 @dataclass(frozen=True)
@@ -402,6 +410,13 @@ class Phenomenon:
     def defaults(self) -> Settings:
         """The settings with which it opens."""
         return MappingProxyType({setting.name: setting.default for setting in self.settings})
+
+    def exhibit(self, projection: Projection, settings: Settings, subject: Subject) -> Exhibit:
+        """What is shown; of a free matrix, that has no lens to show it with, only that."""
+        if isinstance(projection.lens, FreeMatrix):
+            hidden = Copy(np.zeros((4, 4)), panes=())
+            return Exhibit((), copies=(hidden,) * self.copies, warning=Phrase(_FREE))
+        return self.show(projection, settings, subject)
 
     def checked(self, values: Mapping[str, Any]) -> Settings:
         """Complete and check settings.

@@ -302,7 +302,7 @@ def _circle(angles: tuple[float, float] | None) -> Diagram:
 
 def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhibit:
     a, b = np.array(point(settings, "start")), np.array(point(settings, "end"))
-    if projection.lens.parallel:
+    if projection.standard_lens.parallel:
         return Exhibit((), warning=Phrase(_PARALLEL))
     segments = np.concatenate([[(a, b)], _EDGES])
     trace = projection.trace(segments)
@@ -389,7 +389,7 @@ def _world_marks(
 
 def _ndc_marks(projection: Projection, clip: Array) -> Marks:
     """What of the segment is between near and far; the cube's sides cut the rest."""
-    near, far = projection.lens.near, projection.lens.far
+    near, far = projection.standard_lens.near, projection.standard_lens.far
     (start, end), low, high = clip[:, 3].tolist(), 0.0, 1.0
     for at_start, at_end in ((start - near, end - near), (far - start, far - end)):
         if at_start < 0.0 and at_end < 0.0:

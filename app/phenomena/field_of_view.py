@@ -134,7 +134,7 @@ def dollied(projection: Projection, factor: float) -> Projection:
     ProjectionError
         Where the lens or the camera cannot follow.
     """
-    camera, lens = projection.camera, projection.lens
+    camera, lens = projection.camera, projection.standard_lens
     distance = factor * camera.distance
     moved = replace(projection, camera=_at(camera, distance))
     if isinstance(lens, Perspective):
@@ -159,7 +159,7 @@ def _follow(projection: Projection, before: Settings, after: Settings) -> Projec
     factor = number(after, "distance")
     if any(before[name] != after[name] for name in ("preset", "enlarged")):
         view = preset_view(str(after["preset"]), projection.aspect, bool(after["enlarged"]))
-        lens = projection.with_lens("perspective").lens
+        lens = projection.with_lens("perspective").standard_lens
         at = Projection(
             _at(projection.camera, view.distance),
             Perspective(view.fov_y_deg, lens.near, lens.far),
@@ -173,7 +173,7 @@ def _follow(projection: Projection, before: Settings, after: Settings) -> Projec
 
 
 def _angles(projection: Projection) -> tuple[Reading, ...]:
-    lens = projection.lens
+    lens = projection.standard_lens
     labels = (
         (QT_TRANSLATE_NOOP("phenomena", "vertical field of view"), "°"),
         (QT_TRANSLATE_NOOP("phenomena", "horizontal field of view"), "°"),
@@ -206,7 +206,7 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Exhi
     width = math.hypot(subject.upper[0] - subject.lower[0], subject.upper[2] - subject.lower[2])
     w = (np.array(camera.eye) - subject.points) @ camera.frame[2]
     w_near, w_far = float(w.min()), float(w.max())
-    ratio: float | None = 1.0 if projection.lens.parallel else None
+    ratio: float | None = 1.0 if projection.standard_lens.parallel else None
     if ratio is None and w_near > 0.0 and math.isfinite(w_far / w_near):
         ratio = w_far / w_near
 

@@ -88,7 +88,7 @@ def halves(projection: Projection) -> tuple[Projection, Projection]:
         For a window or an image that is too narrow to be split.
     """
     width, height = projection.image_size
-    lens = projection.lens
+    lens = projection.standard_lens
     if isinstance(lens, Perspective):
         left, right, bottom, top = projection.window
         lens = Frustum(left, right, bottom, top, lens.near, lens.far)
@@ -116,7 +116,7 @@ def join_error_px(screens: tuple[Projection, Projection]) -> float:
         The largest gap or overlap; exactly 0 if the halves join.
     """
     left, right = (screen.exact_lens for screen in screens)
-    parallel = screens[0].lens.parallel
+    parallel = screens[0].standard_lens.parallel
     edge = Fraction(screens[0].window[1])
     worst = Fraction(0)
     for depth in (1, 7):
@@ -225,8 +225,8 @@ def _join_readings(
 def _rectangle(screen: Projection, w: float) -> Array:
     """World corners of a screen's window at a distance from the eye plane, (4, 3)."""
     left, right, bottom, top = screen.window
-    near = screen.lens.near
-    if screen.lens.parallel:
+    near = screen.standard_lens.near
+    if screen.standard_lens.parallel:
         x, y = (cot * (w - near) for cot in screen.shear)
         left, right, bottom, top = left + x, right + x, bottom + y, top + y
     else:
@@ -245,8 +245,8 @@ def _world_marks(screens: tuple[Projection, ...], names: tuple[str, ...]) -> Mar
         closed = np.vstack([corners, corners[:1]])
         faces.append(Face(corners, colour, 0.16))
         lines.append(Line(closed, colour, 2.5))
-        starts = _rectangle(screen, screen.lens.near)
-        if not screen.lens.parallel:
+        starts = _rectangle(screen, screen.standard_lens.near)
+        if not screen.standard_lens.parallel:
             starts = np.broadcast_to(np.array(screen.camera.eye), (4, 3))
         lines += [Line(np.array(ends), colour, 1.2) for ends in zip(starts, corners, strict=True)]
         texts.append(Text(name, (corners[2] + corners[3]) / 2.0, colour))

@@ -109,7 +109,7 @@ def vanishing(projection: Projection) -> tuple[Vanishing, Vanishing, Vanishing]:
     for axis in range(3):
         x, y, z = projection.camera.frame[:, axis].tolist()
         sign = -1.0 if z > 0.0 else 1.0
-        if not projection.lens.parallel and across(projection.camera, axis):
+        if not projection.standard_lens.parallel and across(projection.camera, axis):
             sign, z = 1.0, 0.0
         with np.errstate(over="ignore", invalid="ignore"):
             clip = lens_matrix @ (sign * np.array([x, y, z, 0.0])) + 0.0
@@ -147,7 +147,7 @@ def horizon(projection: Projection) -> tuple[float, float, float] | None:
         ``a x + b y = c`` for the line's pixels; None for a parallel lens, for a camera that looks
         straight up or down, and beyond float64's range.
     """
-    if projection.lens.parallel:
+    if projection.standard_lens.parallel:
         return None
     # Directions (X, Y, -1) of view space without a part along the world's y.
     a, b, c = projection.camera.frame[:, 1].tolist()
@@ -384,7 +384,7 @@ def _world_marks(
         if point.clip[3] <= 0.0:
             continue
         direction = point.sign * np.eye(3)[axis]
-        length = projection.lens.near / abs(float(projection.camera.frame[2, axis]))
+        length = projection.standard_lens.near / abs(float(projection.camera.frame[2, axis]))
         reach = min(length, longest)
         hit = eye + reach * direction
         lines.append(Line(np.array([eye, hit]), colour, 2.0))
@@ -461,7 +461,7 @@ def _follow(projection: Projection, before: Settings, after: Settings) -> Projec
     camera = projection.camera
     turned = Camera.from_orbit(camera.target, Orbit(*view, camera.distance))
     seen = replace(projection, camera=turned)
-    return seen.with_lens("perspective") if seen.lens.parallel else seen
+    return seen.with_lens("perspective") if seen.standard_lens.parallel else seen
 
 
 PHENOMENON = Phenomenon(

@@ -97,10 +97,10 @@ def cone_of(projection: Projection) -> tuple[float, float, float]:
         Middle and radius of its section at distance 1 from the eye: for a symmetric lens 0, 0 and
         the tangent of half the smaller field of view, which of a wide image is the vertical one.
     """
-    if isinstance(projection.lens, Perspective):
-        up = 1.0 / projection.lens.cot_half_fov_y
+    if isinstance(projection.standard_lens, Perspective):
+        up = 1.0 / projection.standard_lens.cot_half_fov_y
         return 0.0, 0.0, min(up, projection.aspect * up)
-    near = projection.lens.near
+    near = projection.standard_lens.near
     left, right, bottom, top = (side / near for side in projection.window)
     return (left + right) / 2.0, (bottom + top) / 2.0, min(right - left, top - bottom) / 2.0
 
@@ -121,7 +121,7 @@ def volume(projection: Projection, cone: bool) -> float | None:
         a cone, ``A (f - n)`` for a box, oblique or not; None where float64 has no such number,
         infinity included.
     """
-    lens = projection.lens
+    lens = projection.standard_lens
     if lens.far == math.inf:
         return None
     near, far = Fraction(lens.near), Fraction(lens.far)
@@ -161,7 +161,7 @@ def held(projection: Projection, cone: bool) -> NDArray[np.bool_]:
 def _cone_marks(projection: Projection) -> tuple[Marks, Marks, Marks]:
     """The cone in the world, in NDC and in the image."""
     x, y, radius = cone_of(projection)
-    lens = projection.lens
+    lens = projection.standard_lens
     # An infinite cone is drawn as far as things are.
     reach = max(3.0 * projection.camera.distance, 4.0 * lens.near)
     far = lens.far if lens.far < math.inf else reach
@@ -196,28 +196,28 @@ def _cone_marks(projection: Projection) -> tuple[Marks, Marks, Marks]:
 
 def _half_sides(projection: Projection) -> tuple[float, float]:
     """Half of the width and of the height of a perspective picture at distance 1."""
-    if isinstance(projection.lens, Perspective):
-        up = 1.0 / projection.lens.cot_half_fov_y
+    if isinstance(projection.standard_lens, Perspective):
+        up = 1.0 / projection.standard_lens.cot_half_fov_y
         return projection.aspect * up, up
-    left, right, bottom, top = (side / projection.lens.near for side in projection.window)
+    left, right, bottom, top = (side / projection.standard_lens.near for side in projection.window)
     return (right - left) / 2.0, (top - bottom) / 2.0
 
 
 def _show(projection: Projection, settings: Settings, _subject: Subject) -> Exhibit:
     asked = settings["volume"] == "cone"
-    parallel = projection.lens.parallel
+    parallel = projection.standard_lens.parallel
     cone = asked and not parallel
     size = volume(projection, cone)
     note = None
     if size is None:
-        note = Phrase(_INFINITE if projection.lens.far == math.inf else _OUT_OF_RANGE)
+        note = Phrase(_INFINITE if projection.standard_lens.far == math.inf else _OUT_OF_RANGE)
     inside = held(projection, cone)
     names = [name for name, here in zip(POINTS, inside, strict=True) if here]
     none = QT_TRANSLATE_NOOP("phenomena", "none")
     readings = (
         Reading(
             QT_TRANSLATE_NOOP("phenomena", "view volume"),
-            _SHAPES["cone" if cone else projection.lens.kind],
+            _SHAPES["cone" if cone else projection.standard_lens.kind],
         ),
         Reading(QT_TRANSLATE_NOOP("phenomena", "its volume, cubic units"), size, note=note),
         Reading(QT_TRANSLATE_NOOP("phenomena", "test points inside"), float(len(names))),
@@ -247,7 +247,7 @@ def _follow(projection: Projection, before: Settings, after: Settings) -> Projec
     if before["volume"] == after["volume"]:
         return projection
     kind = _LENS.get(str(after["volume"]), "oblique")
-    if kind == "perspective" and not projection.lens.parallel:
+    if kind == "perspective" and not projection.standard_lens.parallel:
         return projection  # an off-axis pyramid is one, too
     return projection.with_lens(kind)
 

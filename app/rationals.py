@@ -1,0 +1,66 @@
+"""Matrices of rationals: products, inverse, rank and determinant without any rounding."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import NamedTuple, TypeAlias
+
+Rationals: TypeAlias = list[list[Fraction]]
+
+
+class Elimination(NamedTuple):
+    """What Gauss and Jordan leave of a square matrix.
+
+    Attributes
+    ----------
+    rank : int
+    determinant : Fraction
+    inverse : (n, n) Rationals or None
+        None if the determinant is 0.
+    """
+
+    rank: int
+    determinant: Fraction
+    inverse: Rationals | None
+
+
+def rationals(matrix: Sequence[Sequence[float | Fraction]]) -> Rationals:
+    """The same matrix in rationals; every float64 is one."""
+    return [[Fraction(part) for part in row] for row in matrix]
+
+
+def product(left: Rationals, right: Rationals) -> Rationals:
+    """``left right``; most cells of a lens are zero, and not worth multiplying."""
+    columns = list(zip(*right, strict=True))
+    return [
+        [
+            sum((a * b for a, b in zip(row, column, strict=True) if a and b), Fraction(0))
+            for column in columns
+        ]
+        for row in left
+    ]
+
+
+def eliminate(matrix: Rationals) -> Elimination:
+    """Rank, determinant and inverse of a square matrix (Gauss and Jordan)."""
+    size = len(matrix)
+    rows = [[*row, *(Fraction(i == j) for j in range(size))] for i, row in enumerate(matrix)]
+    rank, determinant = 0, Fraction(1)
+    for column in range(size):
+        pivot = next((i for i in range(rank, size) if rows[i][column]), None)
+        if pivot is None:
+            determinant = Fraction(0)
+            continue
+        if pivot != rank:
+            rows[rank], rows[pivot] = rows[pivot], rows[rank]
+            determinant = -determinant
+        head = rows[rank][column]
+        determinant *= head
+        rows[rank] = [part / head for part in rows[rank]]
+        for i in range(size):
+            factor = rows[i][column]
+            if i != rank and factor:
+                rows[i] = [a - factor * b for a, b in zip(rows[i], rows[rank], strict=True)]
+        rank += 1
+    return Elimination(rank, determinant, [row[size:] for row in rows] if rank == size else None)
