@@ -103,6 +103,9 @@ ROOMS = {
     "app/drawings/rungs.py": DRAWING,
     "app/drawings/style.py": DRAWING,
     "app/drawings/labels.py": DRAWING,
+    "app/drawings/rasterising.py": Room(
+        DRAWING.packages, (*DRAWING.rooms, "app.depth", "app.phenomena")
+    ),
     "app/drawings/probes.py": DRAWING,
     "app/drawings/world.py": DRAWING,
     "app/drawings/ndc.py": DRAWING,
