@@ -421,9 +421,8 @@ def subdivided(mesh: pv.PolyData, parts: int) -> pv.PolyData:
     first, second, third = np.asarray(mesh.points, dtype=np.float64)[triangles].swapaxes(0, 1)
     sums = a * first[:, None, None] + b * second[:, None, None] + c * third[:, None, None]
     points = (sums / parts).reshape(-1, 3).astype(np.float32)
-    made: pv.PolyData = pv.PolyData.from_regular_faces(
-        points, np.arange(len(points)).reshape(-1, 3)
-    )
+    faces: Any = np.arange(len(points)).reshape(-1, 3)
+    made: pv.PolyData = pv.PolyData.from_regular_faces(points, faces)
     if "rgb" in mesh.point_data:
         colours = np.asarray(mesh.point_data["rgb"])[triangles[:, 2]]
         made.point_data["rgb"] = np.repeat(colours, 3 * len(corners), axis=0)

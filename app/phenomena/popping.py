@@ -138,8 +138,8 @@ def trees_in_view(projection: Projection) -> NDArray[np.bool_]:
         [(x, y, z) for x in (-_RADIUS, _RADIUS) for y in (0.0, HEIGHT) for z in (-_RADIUS, _RADIUS)]
     )
     outside = projection.trace(places()[:, None] + corners).outside
-    beyond_one_plane: NDArray[np.bool_] = np.asarray(outside.all(axis=1))
-    return ~beyond_one_plane.any(axis=1)
+    beyond_one_plane = np.asarray(outside.all(axis=1))
+    return np.asarray(~beyond_one_plane.any(axis=1))
 
 
 def vertices_drawn(projection: Projection, until: Sequence[float]) -> int:
