@@ -31,6 +31,7 @@ from app.drawings.ndc import NdcDrawing
 from app.drawings.style import LIGHT, Style
 from app.drawings.world import WorldDrawing
 from app.meshes import Refusal
+from app.phenomena.exhibit import Exhibit
 from app.projection import LARGEST_IMAGE_PX, Camera, Projection
 from app.scene import Scene
 
@@ -85,6 +86,7 @@ def render(
     words: Mapping[str, str] = WORDS,
     views: Mapping[str, Camera] = MappingProxyType({}),
     progress: Callable[[float], bool] | None = None,
+    settings: Mapping[str, Any] | None = None,
 ) -> Pixels:
     """Draw one pane, or several side by side.
 
@@ -108,6 +110,8 @@ def render(
         From where a pane is looked at; one that is not named shows all it has.
     progress : callable, optional
         Called before each pane with the fraction done; when it returns False, drawing stops.
+    settings : mapping, optional
+        Those of the scene's phenomenon, by name; one that is not there has its default.
 
     Returns
     -------
@@ -118,6 +122,8 @@ def render(
     ------
     FigureError
         For an unknown pane, or a size or scale that no figure can have.
+    ProjectionError
+        For a setting that the phenomenon cannot have.
     FigureCancelled
         When `progress` returned False.
 
@@ -128,6 +134,10 @@ def render(
     """
     width, height = checked_size(projection.image_size, panes, size, scale)
     style = replace(style, margin=style.background).enlarged(scale)
+    exhibit = None
+    if scene.phenomenon is not None:
+        chosen = scene.phenomenon.checked(settings or {})
+        exhibit = scene.phenomenon.show(projection, chosen, scene.subject)
     edges = [round(i * width / len(panes)) for i in range(len(panes) + 1)]
     parts: list[Pixels] = []
     for pane, left, right in zip(panes, edges[:-1], edges[1:], strict=True):
@@ -138,6 +148,7 @@ def render(
                 pane,
                 scene,
                 projection,
+                exhibit,
                 (right - left, height),
                 transparent,
                 style,
@@ -220,6 +231,7 @@ def _render_pane(
     pane: str,
     scene: Scene,
     projection: Projection,
+    exhibit: Exhibit | None,
     size: tuple[int, int],
     transparent: bool,
     style: Style,
@@ -234,6 +246,7 @@ def _render_pane(
         window = plotter.render_window
         drawing = _DRAWINGS[pane](plotter, scene, words, style.enlarged(factor), **options)
         drawing.show_projection(projection)
+        drawing.show_exhibit(exhibit)
         drawing.reset_view()
         if view is not None:
             drawing.show_view(view)

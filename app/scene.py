@@ -6,7 +6,8 @@ light. Everything drawn is stored relative to `Scene.origin`, subtracted in floa
 computes in float32: a mesh 1e7 away from the world's origin would be left with one digit.
 
 The letter F of eight cubes standing on a grid in the xz plane is the scene of lecture 004
-(Horvat); the cube and the receding row of posts prepare and follow it.
+(Horvat); the cube and the receding row of posts prepare and follow it. After them come the
+phenomena of `app.phenomena`, whose subject can be the user's own mesh.
 
 This room knows no Qt and no plotter. It reads files and places the first camera, nothing else.
 """
@@ -16,7 +17,7 @@ from __future__ import annotations
 import difflib
 import math
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any, TypeAlias
@@ -43,10 +44,13 @@ from app.meshes import (
 )
 from app.meshes import SceneCancelled as SceneCancelled  # `load` raises both
 from app.meshes import SceneError as SceneError
+from app.phenomena import PHENOMENA, Phenomenon
+from app.phenomena.exhibit import Subject
 from app.projection import Array, Camera, Perspective, Projection
 from app.shapes import (
     EDGE_RGB,
     GRID_AXIS_RGB,
+    GRID_RGB,
     PLATE_RGB,
     SIDE_RGB,
     Coloured,
@@ -67,13 +71,16 @@ NOT_A_SCENE = "There is no scene “{0}”, only {1} or {2}; a mesh file needs i
 NEARLY_A_SCENE = "There is no scene “{0}”, only {1} or {2}; did you mean “{3}”?"
 ONE_POINT = "{0}: all vertices are at one point, so that there is nothing to see; check the export."
 WRONG_SIZE = "{0}: the mesh is {1} units large, but must be between 1e-30 and 1e30; scale it."
-SENTENCES = (WRONG_ENDING, NOT_A_SCENE, NEARLY_A_SCENE, ONE_POINT, WRONG_SIZE)
+NO_OWN_MESH = "mesh = {1}: the scene “{0}” has a subject of its own, no mesh can take its place."
+SENTENCES = (WRONG_ENDING, NOT_A_SCENE, NEARLY_A_SCENE, ONE_POINT, WRONG_SIZE, NO_OWN_MESH)
 """Every further sentence of a `SceneError`, for translators; see also `app.meshes.SENTENCES`."""
 
 FACES_WITH_EDGES = 5_000
 """Meshes of more faces get no edge lines: they would be denser than the pixels."""
 SAMPLE = 100_000
 """Vertices of a larger mesh stand for all of them when errors are predicted."""
+SUBJECT_SAMPLE = 2_000
+"""Vertices of a larger subject stand for all of them in what a phenomenon reckons at each step."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,6 +101,8 @@ class Scene:
         World bounds of the objects, without the grid.
     start : Projection
         The camera and lens with which the scene opens.
+    phenomenon : Phenomenon or None
+        What it shows beyond the pipeline itself.
     """
 
     name: str
@@ -103,6 +112,19 @@ class Scene:
     lower: Vector
     upper: Vector
     start: Projection
+    phenomenon: Phenomenon | None = None
+
+    @property
+    def requires(self) -> frozenset[str]:
+        """What drawings build for this scene beyond faces, lines and marks."""
+        return frozenset() if self.phenomenon is None else self.phenomenon.requires
+
+    @cached_property
+    def subject(self) -> Subject:
+        """What a phenomenon reckons with: the faces' bounds and vertices, without the grid."""
+        points = np.empty((0, 3)) if self.surface is None else self.surface.points
+        step = max(1, -(-len(points) // SUBJECT_SAMPLE))
+        return Subject(self.lower, self.upper, points[::step].astype(np.float64) + self.origin)
 
     @property
     def size(self) -> float:
@@ -135,7 +157,7 @@ class Scene:
         return sample
 
 
-def load(name_or_path: str, progress: Progress | None = None) -> Scene:
+def load(name_or_path: str, progress: Progress | None = None, mesh: str = "") -> Scene:
     """Open a built-in scene or a mesh file.
 
     Parameters
@@ -145,6 +167,9 @@ def load(name_or_path: str, progress: Progress | None = None) -> Scene:
     progress : callable, optional
         Called now and then with the fraction done, from 0 to 1, on the caller's thread; when it
         returns False, loading stops.
+    mesh : str, optional
+        Path of a mesh file that takes the place of a phenomenon's subject: scaled alike in all
+        directions into its bounds, and standing where it stands.
 
     Returns
     -------
@@ -153,10 +178,16 @@ def load(name_or_path: str, progress: Progress | None = None) -> Scene:
     Raises
     ------
     SceneError
-        For an unknown name, and for a file that cannot be read or holds nothing to draw.
+        For an unknown name, for a file that cannot be read or holds nothing to draw, and for a
+        mesh with a scene whose subject it cannot be.
     SceneCancelled
         When `progress` returned False.
     """
+    phenomenon = PHENOMENA.get(name_or_path)
+    if mesh and not (phenomenon is not None and phenomenon.own_mesh):
+        raise SceneError(NO_OWN_MESH, name_or_path, mesh)
+    if phenomenon is not None:
+        return _scene_of_phenomenon(phenomenon, mesh, progress)
     build = _BUILDERS.get(name_or_path)
     if build is not None:
         return build()
@@ -368,14 +399,18 @@ _BUILDERS: dict[str, Callable[[], Scene]] = {
     "cube": _cube,
     "posts": _posts,
 }
-BUILT_IN = tuple(_BUILDERS)
-"""Names of the built-in scenes, in the order of the lectures."""
+BUILT_IN = (*_BUILDERS, *PHENOMENA)
+"""Names of the built-in scenes, phenomena last, each in the order of the lectures."""
 
 
 # --------------------------------------------------------------------------- meshes from files
 
 
-def _scene_of_mesh(name: str, path: Path, progress: Progress | None) -> Scene:
+def _read_mesh(path: Path, progress: Progress | None) -> tuple[Mesh, Vector, Vector]:
+    """A mesh that has a size, and its bounds."""
+    if path.suffix.lower() not in ENDINGS:
+        check_readable(path)
+        raise SceneError(WRONG_ENDING, path, *_but_last(ENDINGS))
     mesh = read(path, progress)
     report(progress, 0.5)
     lower, upper = _vector(mesh.points.min(axis=0)), _vector(mesh.points.max(axis=0))
@@ -384,16 +419,60 @@ def _scene_of_mesh(name: str, path: Path, progress: Progress | None) -> Scene:
         raise SceneError(ONE_POINT, path)
     if not 1e-30 < size < 1e30:  # the GPU's float32 ends near 1e-38 and 1e38
         raise SceneError(WRONG_SIZE, path, f"{size:.2g}")
+    return mesh, lower, upper
+
+
+def _edges(mesh: Mesh) -> Coloured:
+    """The edges of a mesh, if they are not denser than pixels."""
+    few = len(mesh.offsets) - 1 <= FACES_WITH_EDGES
+    edges = _feature_edges(mesh) if few else np.empty((0, 2, 3))
+    return edges, flat(EDGE_RGB, len(edges))
+
+
+def _scene_of_phenomenon(
+    phenomenon: Phenomenon, mesh_path: str, progress: Progress | None
+) -> Scene:
+    """A phenomenon with its own subject, or with a mesh in its place."""
+    faces, lines = phenomenon.geometry()
+    scene = replace(
+        _built_in(phenomenon.name, faces, lines, phenomenon.start), phenomenon=phenomenon
+    )
+    if not mesh_path:
+        return scene
+    mesh, lower, upper = _read_mesh(Path(mesh_path), progress)
+    sides = zip(scene.lower, scene.upper, lower, upper, strict=True)
+    scales = [(b - a) / (high - low) for a, b, low, high in sides if high > low and b > a]
+    scale = min(scales, default=scene.size / math.dist(lower, upper))
+    foot = np.array(_centre(lower, upper))
+    place = np.array(scene.centre)
+    foot[1], place[1] = lower[1], scene.lower[1]
+    mesh.points -= foot
+    mesh.points *= scale
+    mesh.points += place
+    report(progress, 0.6)
+    rgb = _face_colours(mesh, progress)
+    grid = (lines[1] == GRID_RGB).all(axis=1) | (lines[1] == GRID_AXIS_RGB).all(axis=1)
+    scene = replace(
+        scene,
+        surface=_poly_data(mesh.points, _cell_array(mesh.offsets, mesh.corners), rgb),
+        lines=_line_set(joined((lines[0][grid], lines[1][grid]), _edges(mesh))),
+        lower=_vector(mesh.points.min(axis=0)),
+        upper=_vector(mesh.points.max(axis=0)),
+    )
+    report(progress, 1.0)
+    return scene
+
+
+def _scene_of_mesh(name: str, path: Path, progress: Progress | None) -> Scene:
+    mesh, lower, upper = _read_mesh(path, progress)
+    size = math.dist(lower, upper)
     # A round number near the middle, and 0 for a mesh that is at the origin anyway.
     origin = _rounded(_centre(lower, upper), -math.floor(math.log10(size)))
     mesh.points -= np.array(origin)
     report(progress, 0.6)
     rgb = _face_colours(mesh, progress)
 
-    lines = _ground(lower, upper, origin)
-    if len(mesh.offsets) - 1 <= FACES_WITH_EDGES:
-        edges = _feature_edges(mesh)
-        lines = joined(lines, (edges, flat(EDGE_RGB, len(edges))))
+    lines = joined(_ground(lower, upper, origin), _edges(mesh))
     scene = Scene(
         name=name,
         origin=origin,

@@ -45,8 +45,8 @@ CORE = Room(("numpy",))
 DRAWING = Room(
     ("numpy", *VTK),
     (
-        *("app.projection", "app.precision", "app.morph", "app.picking"),
-        *("app.scene", "app.drawings"),
+        *("app.projection", "app.precision", "app.morph", "app.picking", "app.clipping"),
+        *("app.scene", "app.phenomena", "app.drawings"),
     ),
 )
 PHENOMENON = Room(
@@ -96,7 +96,9 @@ ROOMS = {
         for path in (ROOT / "app" / "phenomena").glob("*.py")
     },
     "app/meshes.py": Room(("numpy", *VTK)),
-    "app/scene.py": Room(("numpy", *VTK), ("app.projection", "app.shapes", "app.meshes")),
+    "app/scene.py": Room(
+        ("numpy", *VTK), ("app.projection", "app.shapes", "app.meshes", "app.phenomena")
+    ),
     "app/document.py": Room(rooms=("app.projection",)),
     "app/drawings/__init__.py": DRAWING,
     "app/drawings/actors.py": DRAWING,
@@ -112,7 +114,10 @@ ROOMS = {
     "app/drawings/image.py": DRAWING,
     "app/figures.py": Room(
         ("numpy", "PIL", *VTK),
-        ("app.projection", "app.meshes", "app.scene", "app.drawings", "app.document"),
+        (
+            *("app.projection", "app.meshes", "app.scene", "app.phenomena"),
+            *("app.drawings", "app.document"),
+        ),
     ),
     "app/measure.py": Room(
         ("numpy", *VTK),
@@ -160,7 +165,10 @@ ROOMS = {
     # One pane hosts any drawing, so it knows the drawings' values and none of them.
     "widgets/pane.py": Room(
         ("numpy", "pyvistaqt", *VTK, *QT),
-        ("app.projection", "app.picking", "app.scene", "app.drawings", "widgets.palette"),
+        (
+            *("app.projection", "app.picking", "app.scene", "app.phenomena"),
+            *("app.drawings", "widgets.palette"),
+        ),
     ),
     "widgets/opengl.py": Room(QT),
     "widgets/autosave.py": Room(QT, ("app.document",)),

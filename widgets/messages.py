@@ -269,6 +269,10 @@ SCENE_SENTENCES = (
         "SceneError",
         "{0}: the mesh is {1} units large, but must be between 1e-30 and 1e30; scale it.",
     ),
+    QT_TRANSLATE_NOOP(
+        "SceneError",
+        "mesh = {1}: the scene “{0}” has a subject of its own, no mesh can take its place.",
+    ),
 )
 """Every `SceneError`: the members of `app.meshes.SENTENCES` and `app.scene.SENTENCES`."""
 

@@ -33,6 +33,7 @@ from PySide6.QtWidgets import (
 )
 from pyvistaqt import QtInteractor
 
+from app.phenomena.exhibit import Exhibit
 from app.picking import Probe, Sight
 from app.projection import Camera, Projection
 
@@ -65,6 +66,9 @@ class Drawing(Protocol):
 
     def show_probes(self, probes: Sequence[Probe]) -> None:
         """Mark these probes, and no others; draw nothing yet."""
+
+    def show_exhibit(self, exhibit: Exhibit | None) -> None:
+        """Draw what a phenomenon shows for the projection shown last; draw nothing yet."""
 
     @property
     def sight(self) -> Sight:
@@ -266,8 +270,9 @@ class Pane(QFrame):
         self._stage: float | None = None
         self._stage_is_stale = False
         self._probes: Sequence[Probe] = ()
+        self._exhibit: Exhibit | None = None
         self._stale = False
-        self._probes_stale = False
+        self._probes_stale = self._exhibit_is_stale = False
         self._smooth = False
 
         self.title = QLabel(title)
@@ -367,6 +372,13 @@ class Pane(QFrame):
             if self.isVisible():
                 self._refresh()
 
+    def show_exhibit(self, exhibit: Exhibit | None) -> None:
+        """Show what a phenomenon has for the projection shown last: at once, or on appearing."""
+        if exhibit is not self._exhibit:
+            self._exhibit, self._exhibit_is_stale = exhibit, True
+            if self.isVisible():
+                self._refresh()
+
     def _refresh(self) -> None:
         """Bring the drawing up to what was asked for while nobody looked."""
         if self._projection is None:
@@ -379,6 +391,7 @@ class Pane(QFrame):
             self._apply_smoothing()
             self.drawing.show_projection(self._projection)
             self._take_stage(self.drawing)
+            self.drawing.show_exhibit(self._exhibit)
             self.drawing.reset_view()
             if self._view is not None:
                 self.drawing.show_view(self._view)
@@ -388,9 +401,11 @@ class Pane(QFrame):
                 self.drawing.show_projection(self._projection)
             if self._probes_stale:
                 self.drawing.show_probes(self._probes)
+            if self._exhibit_is_stale:
+                self.drawing.show_exhibit(self._exhibit)
         if self._stage_is_stale and self.drawing is not None:
             self._take_stage(self.drawing)
-        self._stale = self._probes_stale = False
+        self._stale = self._probes_stale = self._exhibit_is_stale = False
         self.request_repaint()
 
     def _take_stage(self, drawing: Drawing) -> None:

@@ -10,6 +10,7 @@ plotter that it does not own, and has
 - ``view`` and ``show_view(view)``: where that camera was moved to, as a `Camera`, and back there,
 - ``show_probes(probes)``: marks these points and rays; ``sight``: how the pane looks at the world,
   for picking,
+- ``show_exhibit(exhibit)``: draws what a phenomenon shows for the projection shown last, or None,
 - ``remove()``: takes everything out of the plotter again.
 
 `actors` holds what they share, `style` their colours and sizes.

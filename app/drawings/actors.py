@@ -140,11 +140,18 @@ class Canvas:
             renderer.AddViewProp(prop)
             self._props.append((renderer, prop))
 
-    def label(self, text: str, **options: Any) -> Label:
+    def bring_last(self, *props: vtkProp) -> None:
+        """Let props that were added be drawn after all others of their renderers."""
+        for renderer, prop in self._props:
+            if prop in props:
+                renderer.RemoveViewProp(prop)
+                renderer.AddViewProp(prop)
+
+    def label(self, text: str, renderer: Any = None, **options: Any) -> Label:
         """Add a `Label` with these options; `Label` describes them."""
         label = Label(text, self.style, **options)
         self._labels.append(label)
-        self.add(label.actor)
+        self.add(label.actor, renderer=renderer)
         self.relayout()
         return label
 
@@ -215,6 +222,7 @@ class Label:
         self.actor = vtkTextActor()
         self.actor.SetTextScaleModeToNone()
         self.actor.UseBoundsOff()
+        self._style = style
         self._pad = " " if plate else ""
         self._font_px = style.font_size * size
         self._text: str | None = None
@@ -232,11 +240,9 @@ class Label:
         self.property.SetFontFile(_font_file(bold))
         self.property.SetJustification(anchor[0] + 1)
         self.property.SetVerticalJustification(anchor[1] + 1)
-        if plate:
-            self.property.SetBackgroundColor(*rgb(plate))
-            self.property.SetBackgroundOpacity(1.0)
-            colour = style.text_on(plate)
         self.property.SetColor(*rgb(colour or style.ink))
+        if plate:
+            self.set_plate(plate)
         self.set_dpi(_DPI)
         self.set_text(text)
         self.set_position(position)
@@ -246,6 +252,12 @@ class Label:
         if text != self._text:
             self._text = text
             self.actor.SetInput(self._pad + text + self._pad)
+
+    def set_plate(self, plate: str) -> None:
+        """Put a label that has a plate on one of another colour, in whatever reads better there."""
+        self.property.SetBackgroundColor(*rgb(plate))
+        self.property.SetBackgroundOpacity(1.0)
+        self.property.SetColor(*rgb(self._style.text_on(plate)))
 
     def set_position(self, position: ArrayLike) -> None:
         """Move to a point of the pane's own world, (3,)."""
@@ -451,7 +463,7 @@ def point_actor(points: ArrayLike, colour: str, size: float) -> vtkActor:
     return actor
 
 
-def lift_lines(actor: vtkActor, steps: int = 1) -> None:
+def lift_lines(actor: vtkActor, steps: float = 1) -> None:
     """Draw an actor's lines a little nearer to the pane's camera, so that faces do not eat them.
 
     Lines lifted by more steps are drawn over lines that lie in the same place.
@@ -463,6 +475,11 @@ def lift_lines(actor: vtkActor, steps: int = 1) -> None:
     _after_position(
         actor, f"{_KEEP_OFF_ZERO}\n  gl_Position.z -= {_LIFT_STEP * steps} * gl_Position.w;"
     )
+
+
+def put_in_front(actor: vtkActor) -> None:
+    """Draw an actor before everything else, where its own points hide one another no more."""
+    _after_position(actor, "gl_Position.z = -0.99999 * gl_Position.w;")
 
 
 def put_behind(actor: vtkActor) -> None:

@@ -18,15 +18,20 @@ from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderer
 
 from app.drawings.actors import Canvas, Space, face_actor, lifted
+from app.drawings.labels import Layout, Spot
+from app.drawings.marks import MarksDrawing, Placing
 from app.drawings.probes import Mark, Probes
 from app.drawings.rungs import ModelActors
 from app.drawings.style import Style, rgb
+from app.phenomena.exhibit import Exhibit, Marks
 from app.picking import Probe, Sight
 from app.precision import DRAWING_TOLERANCE_PX, Rung
-from app.projection import Camera, Projection
+from app.projection import Array, Camera, Projection
 from app.scene import Scene
 
 _SQUARE = ((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (1.0, 1.0, 0.0), (0.0, 1.0, 0.0))
+_MARKS_DEPTH = -0.9999  # just behind near
+_FARTHEST_MARK = 1e3  # of half a picture: where lines toward infinity end
 _EM_OF_DIGIT = 0.64  # width of a digit of the labels' font
 
 
@@ -77,6 +82,7 @@ class ImageDrawing:
         self._projection = scene.start
         self._add_picture()
         self._probes = Probes(self._canvas, style, self._picture)
+        self._marks: MarksDrawing | None = None
         self._own_camera = self._canvas.renderer.GetActiveCamera()
         self._canvas.renderer.SetActiveCamera(_identity_camera())
         if framed:
@@ -103,17 +109,60 @@ class ImageDrawing:
         if projection.image_size != self._image_size:
             self._image_size = projection.image_size
             self._canvas.relayout()
-        seen = projection if projection.depth == "opengl" else replace(projection, depth="opengl")
+        self._projection = projection
+        seen = self._seen
         clip_from_vertex = self._model.show_projection(seen)
         self._surface_space.set_projective(clip_from_vertex)
         self._line_space.set_projective(lifted(clip_from_vertex, seen, self._scene))
-        self._projection = projection
         self._place_probes()
 
     def show_probes(self, probes: Sequence[Probe]) -> None:
         """Mark these probes, and no others."""
         self._probes.probes = probes
         self._place_probes()
+
+    @property
+    def _seen(self) -> Projection:
+        """In OpenGL's range, whatever the model's: the picture is the same."""
+        projection = self._projection
+        return projection if projection.depth == "opengl" else replace(projection, depth="opengl")
+
+    def show_exhibit(self, exhibit: Exhibit | None) -> None:
+        """Draw what a phenomenon shows for the projection shown last, and nothing of another."""
+        if self._marks is None:
+            if exhibit is None:
+                return
+            self._marks = MarksDrawing(
+                self._canvas, self._scene, self._style, renderer=self._picture, over=True
+            )
+        width, height = self._image_size
+        placing = Placing(
+            np.array([2.0 / width, -2.0 / height, 0.0]),
+            np.array([-1.0, 1.0, _MARKS_DEPTH]),
+            _FARTHEST_MARK,
+        )
+        self._marks.show(Marks() if exhibit is None else exhibit.image, placing)
+        copies = [] if exhibit is None else [c for c in exhibit.copies if "image" in c.panes]
+        self._marks.show_copies(copies)
+        if copies:
+            seen, scene = self._seen, self._scene
+            clip = seen.clip_from_world_at(scene.origin)
+            nearer = lifted(clip, seen, scene) - clip
+            self._marks.place_copies(lambda times: clip + times * nearer)
+        self._place_texts()
+
+    def _place_texts(self) -> None:
+        if self._marks is None:
+            return
+        rectangle = self.picture_rectangle_px
+        half = np.array([rectangle.width, rectangle.height]) / 2.0
+
+        def seen(points: Array) -> list[Spot]:
+            spots = (points[:, :2] + 1.0) * half
+            return [(x, y, 1.0) for x, y in spots.tolist()]
+
+        layout = Layout((rectangle.width, rectangle.height), self._style.font_size, {})
+        self._marks.place_texts(layout, seen)
 
     @property
     def sight(self) -> Sight:
@@ -255,6 +304,7 @@ class ImageDrawing:
             (pane_height_px - top) / pane_height_px,
         )
         self._place_probes()
+        self._place_texts()
         if not self._framed:
             return
         pane = np.array([pane_width_px, pane_height_px], dtype=np.float64)

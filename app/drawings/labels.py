@@ -8,7 +8,7 @@ to something else.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
 from itertools import product
 from typing import NamedTuple, TypeAlias
@@ -185,7 +185,14 @@ class Labels:
         self._far = label("", plate=style.far)
         self._kept: Mapping[Label, _Candidate] = {}
 
-    def lay_out(self, pane: PaneView, named: Named, *, afresh: bool) -> bool:
+    def lay_out(
+        self,
+        pane: PaneView,
+        named: Named,
+        *,
+        afresh: bool,
+        first: Callable[[Layout, Callable[[Array], Sequence[Spot]]], None] | None = None,
+    ) -> bool:
         """Put each label where it hides no other one, at its first place if that is free.
 
         Parameters
@@ -196,6 +203,8 @@ class Labels:
             Whether the places depend on nothing but `pane` and `named`. If not, a label that is
             right next to one of its points stays on its side of it as long as it can: words that
             jump while a control is dragged draw the eye away from what moves.
+        first : callable, optional
+            Places other labels before these, given the layout and `PaneView.seen`.
 
         Returns
         -------
@@ -204,7 +213,7 @@ class Labels:
         """
         words, leaders = self._words, self._leaders
         before = self._kept
-        layout = _Layout(pane.size_px, self._canvas.style.font_size, {} if afresh else before)
+        layout = Layout(pane.size_px, self._canvas.style.font_size, {} if afresh else before)
         texts = [f"{words[name]} {_distance(getattr(named, name))}" for name in ("near", "far")]
         self._near.set_text(texts[0])
         self._far.set_text(texts[1])
@@ -213,6 +222,8 @@ class Labels:
         eye, target, *spots = seen
         planes = spots[-16:-8], spots[-8:]
         layout.keep_free([eye, target])
+        if first is not None:
+            first(layout, pane.seen)
         for i, (name, label) in enumerate(zip(AXES, self._axes, strict=True)):
             layout.place(label, words[name], spots[i : len(named.tips) : 3], _ON, gaps=1)
         layout.place(
@@ -234,7 +245,7 @@ class Labels:
         return self._kept != before
 
 
-class _Layout:
+class Layout:
     """Finds free places for labels in the pane, one after the other.
 
     In plain floats: a label that stays asks about one candidate, where numpy would do them all.

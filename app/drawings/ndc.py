@@ -41,6 +41,8 @@ from app.drawings.actors import (
     put_behind,
     unlit_actor,
 )
+from app.drawings.labels import Layout, Spot
+from app.drawings.marks import MarksDrawing, Placing
 from app.drawings.probes import Mark, Probes
 from app.drawings.rungs import ModelActors
 from app.drawings.style import Style, rgb
@@ -54,6 +56,7 @@ from app.morph import (
     WORLD,
     Morph,
 )
+from app.phenomena.exhibit import Exhibit, Marks
 from app.picking import Probe, Sight
 from app.precision import DRAWING_TOLERANCE_PX, Rung
 from app.projection import DEPTH_RANGES, Array, Camera, Projection
@@ -66,6 +69,7 @@ _DISTANCE = 10.0  # of the pane's camera; parallel, so that only its clipping ra
 _REACH = 2.5  # everything drawn lies within this of the cube's centre, at any orbit
 _OVERSHOOT = 0.28  # of the axes beyond the cube
 _TINT = 0.16
+_FARTHEST_MARK = 1e3  # where lines toward infinity end
 
 _BEHIND_DEG, _WORLD_ELEVATION_DEG = 55.0, 25.0  # of the world stop, from the scene's own camera
 _LOOKED_FROM_DEG = {
@@ -126,6 +130,9 @@ class NdcDrawing:
         self._words = words
         self._add_words(words, style)
         self._probes = Probes(self._canvas, style)
+        self._style = style
+        self._marks: MarksDrawing | None = None
+        self._exhibit: Exhibit | None = None
         self._set_depth("opengl")
         self.reset_view()
 
@@ -168,6 +175,7 @@ class NdcDrawing:
             self.show_projection(self._projection)
         else:
             self._show_moment()
+        self._show_marks()
         if not moved:
             self.reset_view()
 
@@ -240,17 +248,77 @@ class NdcDrawing:
             near = max(near, distance / 1000.0, 1e-3)
         camera.SetClippingRange(near, max(near, distance) + _REACH)
         self._place_probes()
+        self._place_texts()
 
     def show_probes(self, probes: Sequence[Probe]) -> None:
         """Mark these probes, and no others."""
         self._probes.probes = probes
         self._place_probes()
 
+    def show_exhibit(self, exhibit: Exhibit | None) -> None:
+        """Draw what a phenomenon shows for the projection shown last, and nothing of another.
+
+        Its marks and copies are those of NDC: at any other stop of the strip there are none.
+        """
+        self._exhibit = exhibit
+        self._show_marks()
+
+    def _show_marks(self) -> None:
+        if self._marks is None:
+            if self._exhibit is None:
+                return
+            self._marks = MarksDrawing(
+                self._canvas, self._scene, self._style, clip=self._planes, lifts_copies=True
+            )
+        marks, exhibit = self._marks, self._exhibit
+        if exhibit is None or self._position != NDC:
+            marks.show(Marks(), Placing(np.ones(3), np.zeros(3), 1.0))
+            marks.show_copies(())
+            return
+        z_near, z_far = self._projection.depth_range
+        mirror = 1.0 if z_near > z_far else -1.0
+        shift = np.array([0.0, 0.0, -mirror * (z_near + z_far) / 2.0])
+        marks.show(exhibit.ndc, Placing(np.array([1.0, 1.0, mirror]), shift, _FARTHEST_MARK))
+        copies = [copy for copy in exhibit.copies if "ndc" in copy.panes]
+        marks.show_copies(copies)
+        if copies:
+            clip_from_local = self._seen.clip_from_world_at(self._scene.origin)
+            display_from_local = self._display_from_ndc @ clip_from_local
+            marks.place_copies(lambda _: display_from_local)
+        self._place_texts()
+
+    def _place_texts(self) -> None:
+        if self._marks is None:
+            return
+        width_px, height_px = self._size_px
+        rows = self._pane_from_display
+
+        def seen(points: Array) -> list[Spot]:
+            x, y = rows[:2, :3] @ points.T + rows[:2, 3:]
+            return [(a, height_px - b, 1.0) for a, b in zip(x.tolist(), y.tolist(), strict=True)]
+
+        layout = Layout((width_px, height_px), self._style.font_size, {})
+        self._marks.place_texts(layout, seen)
+
+    @property
+    def _size_px(self) -> tuple[int, int]:
+        width_px, height_px = self._canvas.window.GetSize()
+        return max(1, width_px), max(1, height_px)
+
     @property
     def sight(self) -> Sight:
         """How this pane looks at the world just now, by way of the displayed cube."""
-        projection, camera = self._seen, self._camera
-        width_px, height_px = (max(1, side) for side in self._canvas.window.GetSize())
+        projection = self._seen
+        clip = projection.clip_from_view @ projection.view_rotation
+        limits = np.concatenate([clip[3] - clip[:3], clip[3] + clip[:3]])
+        rows = self._pane_from_display @ self._display_from_ndc @ clip
+        return Sight(np.array(projection.camera.eye), rows, limits)
+
+    @property
+    def _pane_from_display(self) -> Array:
+        """The pane's pixels, from its top left, of what is displayed, (4, 4)."""
+        camera = self._camera
+        width_px, height_px = self._size_px
         toward = np.array(camera.GetDirectionOfProjection())
         right = np.cross(toward, camera.GetViewUp())
         right /= np.linalg.norm(right)
@@ -262,9 +330,7 @@ class NdcDrawing:
             pane[row] = *axis, middle / 2.0 - axis @ position
         pane[2] = *toward, -toward @ position
         pane[3, 3] = 1.0
-        clip = projection.clip_from_view @ projection.view_rotation
-        limits = np.concatenate([clip[3] - clip[:3], clip[3] + clip[:3]])
-        return Sight(np.array(projection.camera.eye), pane @ self._display_from_ndc @ clip, limits)
+        return pane
 
     @property
     def _seen(self) -> Projection:

@@ -33,8 +33,10 @@ from vtkmodules.vtkRenderingCore import vtkActor
 from app.drawings import actors
 from app.drawings.actors import Canvas, Space
 from app.drawings.labels import AXES, Labels, Named, PaneView
+from app.drawings.marks import MarksDrawing, Placing
 from app.drawings.probes import Probes
 from app.drawings.style import Style
+from app.phenomena.exhibit import Exhibit, Marks
 from app.picking import Probe, Sight
 from app.projection import Array, Camera, Lens, Orthographic, Perspective, Projection
 from app.scene import Scene
@@ -60,6 +62,8 @@ _NEAR_TINT, _FAR_TINT = 0.3, 0.16  # opacities
 _FADE_FROM, _FADED = 0.6, 0.15  # of the pane under a plane; of the tint when it is all of it
 _STEEPEST = 1e16  # edge of a frustum, sideways per distance: a plane, and its square is finite
 _WIDEST = 1e35  # edge of a box: larger than any scene, and a float32
+_FARTHEST_MARK = 1e3  # of the extent: where lines toward infinity end
+_FRAMED_MARK = 5.0  # of the scene's size: marks farther from it are not brought into view
 _BODY = 0.065  # size of the camera's body, of the scene's size and distance
 
 # The corners of a box round the camera's body, in view space and sizes of the body.
@@ -144,6 +148,8 @@ class WorldDrawing:
         self._build_frustum()
         self._labels = Labels(self._canvas, words)
         self._probes = Probes(self._canvas, style)
+        self._marks: MarksDrawing | None = None
+        self._marked = np.empty((0, 3))
         self._placed: tuple[float, ...] | None = None
         self._framed = self._objects
         self._look_from_pane()
@@ -312,7 +318,8 @@ class WorldDrawing:
         tips = self._eye + (_TIPS * self._body_size) @ camera.frame
         body = _applied(self._local_from_body, _BODY_BOX)
         named = Named(self._eye, self._target, tips, body, self._corners, lens.near, lens.far)
-        return self._labels.lay_out(self._pane, named, afresh=afresh)
+        first = None if self._marks is None else self._marks.place_texts
+        return self._labels.lay_out(self._pane, named, afresh=afresh, first=first)
 
     def _tint_planes(self) -> None:
         """The planes' tints, which fade where they would flood the pane."""
@@ -453,7 +460,9 @@ class WorldDrawing:
         """
         centre = (self._objects.mean(axis=0) + self._eye) / 2.0
         body = self._around_body()
-        points = np.concatenate([self._objects, body, self._corners, [self._target]])
+        away = np.linalg.norm(self._marked - self._objects.mean(axis=0), axis=1)
+        marked = self._marked[away <= _FRAMED_MARK * self._scene.size]
+        points = np.concatenate([self._objects, body, self._corners, [self._target], marked])
         offsets = points - centre
         lengths = np.maximum(np.linalg.norm(offsets, axis=1, keepdims=True), 1e-300)
         whole, nearby = _WHOLE * self._extent, _NEARBY * self._extent
@@ -495,11 +504,17 @@ class WorldDrawing:
     def reset_clipping_range(self) -> None:
         """Follow the pane's own camera after it was moved."""
         self._look_from_pane()
-        lift = np.eye(4)
-        lift[:3, :3] *= 1.0 - _LINES_LIFT
-        lift[:3, 3] = _LINES_LIFT * self._pane.eye
-        self._lines_space.set(lift)
+        self._lines_space.set(self._lifted(1.0))
+        if self._marks is not None:
+            self._marks.place_copies(self._lifted)
         self._follow_pane(afresh=True)
+
+    def _lifted(self, times: float) -> Array:
+        """Nearer to the pane's camera by a part of the distance, for lines on faces, (4, 4)."""
+        lift = np.eye(4)
+        lift[:3, :3] *= 1.0 - times * _LINES_LIFT
+        lift[:3, 3] = times * _LINES_LIFT * self._pane.eye
+        return lift
 
     def _look_from_pane(self) -> None:
         camera = self._own_camera
@@ -518,8 +533,15 @@ class WorldDrawing:
         self._tint_planes()
         self._place_picture()
         self._place_breaks()
+        self._fit_range()
+        self._place_probes()
+
+    def _fit_range(self) -> None:
+        """The pane camera's near and far, and what is drawn just behind near."""
         camera, toward = self._own_camera, self._pane.axes[2]
-        points = np.concatenate([self._everything, self._around_body(), self._corners])
+        points = np.concatenate(
+            [self._everything, self._around_body(), self._corners, self._marked]
+        )
         depths = (points - self._pane.eye) @ toward
         eye_depth = float((self._eye - self._pane.eye) @ toward)
         target_depth = float((self._target - self._pane.eye) @ toward)
@@ -536,7 +558,6 @@ class WorldDrawing:
             matrix = self._toward_pane(point, on_top * nearest)
             matrix[:3, 3] += matrix[0, 0] * point
             space.set(matrix)
-        self._place_probes()
         before_body = max(nearest, eye_depth - 2.0 * self._body_size)
         in_front_of_body = self._toward_pane(self._eye, before_body)
         self._axes_space.set(in_front_of_body @ self._local_from_body)
@@ -545,6 +566,29 @@ class WorldDrawing:
         """Mark these probes, and no others."""
         self._probes.probes = probes
         self._place_probes()
+
+    def show_exhibit(self, exhibit: Exhibit | None) -> None:
+        """Draw what a phenomenon shows for the projection shown last, and nothing of another."""
+        if self._marks is None:
+            if exhibit is None:
+                return
+            self._marks = MarksDrawing(self._canvas, self._scene, self._style)
+        marks, limit = self._marks, _FARTHEST_MARK * self._extent
+        copies = () if exhibit is None else exhibit.copies
+        marks.show(
+            Marks() if exhibit is None else exhibit.world,
+            Placing(np.ones(3), -self._origin, limit),
+        )
+        marks.show_copies([copy for copy in copies if "world" in copy.panes])
+        marks.place_copies(self._lifted)
+        x, y, z, w = marks.copied(self._objects, self._everything).T
+        w = np.where(w > 0.0, w, np.nan)  # behind a plane that goes to infinity: not drawn
+        with np.errstate(over="ignore"):
+            copied = np.column_stack([x / w, y / w, z / w])
+        copied = copied[(np.abs(copied) <= limit).all(axis=1)]
+        self._marked = np.concatenate([marks.points, copied])
+        self._place_labels(afresh=False)
+        self._fit_range()
 
     @property
     def sight(self) -> Sight:

@@ -8,6 +8,8 @@ coordinates change their signs.
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from app.phenomena.exhibit import (
@@ -119,40 +121,46 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
         return there
 
     left, right, bottom, top = (side * distance / lens.near for side in projection.window)
-    corners = np.array(
+    plane = np.array(
         [
             world(x, y, -distance)
             for x, y in ((left, bottom), (right, bottom), (right, top), (left, top))
         ]
     )
-    plane = Face(corners, "v", 0.25)
-    border = Line(np.vstack([corners, corners[:1]]), "v", 1.6)
-    low, high = np.array(subject.lower), np.array(subject.upper)
-    which = np.array([[i >> axis & 1 for axis in range(3)] for i in range(8)], dtype=bool)
-    lines, dots = [border], [Dot(eye, "eye", 1.0)]
-    ends = [place, *np.where(which, high, low)]
-    view = projection.trace(np.array(ends)).view
-    for end, (x, y, z) in zip(ends, view.tolist(), strict=True):
-        if z >= 0.0:
-            continue
-        hit = world(distance * x / -z, distance * y / -z, -distance)
-        chosen = end is place
-        through = [hit, end] if distance < 0.0 or distance > -z else [eye, end]
-        if distance > -z:
-            through = [eye, hit]
-        lines.append(
-            Line(np.array(through), "accent" if chosen else "muted", 2.0 if chosen else 0.7)
-        )
-        if chosen:
-            dots += [Dot(end, "accent", 1.2), Dot(hit, "accent", 1.2)]
-    at = projected(projection, distance, place)
-    scale = None if at is None else distance / -float(view[0, 2])
+    lines = [Line(plane[[0, 1, 2, 3, 0]], "v", 1.6)]
+    faces = [Face(plane, "v", 0.18)]
+    texts = [Text(f"d = {distance:.4g}", plane[2], "v")]
+    dots, nearest = [], math.inf
+    for x, y, z in projection.trace(_outermost(subject)).view.tolist():
+        if z < 0.0:
+            hit = world(distance * x / -z, distance * y / -z, -distance)
+            lines.append(Line(_through(eye, world(x, y, z), hit, distance, -z), "muted", 0.7))
+            nearest = min(nearest, -z)
+
+    x, y, z = projection.trace(place).view.tolist()
+    at, scale = projected(projection, distance, place), None
+    if at is not None:
+        w, scale = -z, distance / -z
+        hit, foot, axis = world(*at, -distance), world(0.0, 0.0, -distance), world(0.0, 0.0, z)
+        # The two triangles: from the eye along the axis, across to the point, and back.
+        faces += [Face(np.array([eye, axis, place]), "accent", 0.16)]
+        faces += [Face(np.array([eye, foot, hit]), "accent", 0.3)]
+        ends = [*([foot] if distance < 0.0 or distance > w else []), eye, axis]
+        lines += [
+            Line(np.array([min(ends, key=lambda p: float(frame[2] @ -p)), axis, place]), "ink", 1.2)
+        ]
+        lines += [Line(_through(eye, place, hit, distance, w), "accent", 2.0)]
+        lines += [Line(np.array([foot, hit]), "v", 2.4)]
+        dots = [Dot(place, "accent", 1.3), Dot(hit, "accent", 1.3)]
+        texts += [Text("P", place, "accent"), Text("P′", hit, "accent")]
+        texts += [Text("w", (eye + axis) / 2.0)]
+        nearest = min(nearest, w)
     note = Phrase(_BEHIND) if at is None else None
     readings = (
         Reading("x_p = d·x / w", None if at is None else at[0], note=note),
         Reading("y_p = d·y / w", None if at is None else at[1], note=note),
         Reading(QT_TRANSLATE_NOOP("phenomena", "scale d / w"), scale, "×", note),
-        Reading("w", -float(view[0, 2])),
+        Reading("w", -z + 0.0),
         Reading(
             QT_TRANSLATE_NOOP("phenomena", "the image on the plane"),
             QT_TRANSLATE_NOOP("phenomena", "upright")
@@ -160,18 +168,42 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
             else QT_TRANSLATE_NOOP("phenomena", "upside down and left for right"),
         ),
     )
-    texts = (Text(f"d = {distance:.4g}", corners[2], "v"), Text("P", place, "accent"))
-    nearest = min((-z for _, _, z in view.tolist() if z < 0.0), default=0.0)
-    matrix = onto_plane(projection, distance, _SLAB * abs(distance) * nearest)
-    marks = Marks(tuple(lines), (plane,), tuple(dots), texts)
-    seen = projection.trace(place).image
-    image = Marks(dots=(Dot(seen, "accent", 1.2),)) if np.isfinite(seen).all() else Marks()
-    return Exhibit(readings, world=marks, image=image, copies=(Copy(matrix),))
+    slab = _SLAB * abs(distance) * (nearest if nearest < math.inf else 1.0)
+    trace = projection.trace(place)
+    return Exhibit(
+        readings,
+        world=Marks(tuple(lines), tuple(faces), tuple(dots), tuple(texts)),
+        ndc=_marked(trace.ndc),
+        image=_marked(trace.image),
+        copies=(Copy(onto_plane(projection, distance, slab)),),
+    )
+
+
+def _outermost(subject: Subject) -> Array:
+    """Vertices of the subject that are farthest toward the corners of its bounds, (k, 3)."""
+    corners = np.array([[1.0 - 2.0 * (i >> axis & 1) for axis in range(3)] for i in range(8)])
+    which = (subject.points @ corners.T).argmax(axis=0)
+    outermost: Array = subject.points[np.unique(which)]
+    return outermost
+
+
+def _through(eye: Array, end: Array, hit: Array, distance: float, w: float) -> Array:
+    """A projector from the farthest to the last of the point, the eye and the plane, (2, 3)."""
+    if distance < 0.0:
+        return np.array([end, hit])
+    return np.array([eye, hit if distance > w else end])
+
+
+def _marked(where: Array) -> Marks:
+    """The point P in another pane, if it is there."""
+    if not np.isfinite(where).all():
+        return Marks()
+    return Marks(dots=(Dot(where, "accent", 1.3),), texts=(Text("P", where, "accent"),))
 
 
 _START = Projection(
     Camera((5.5, 3.6, 9.5), (0.3, 2.4, 0.0), (0.0, 1.0, 0.0)),
-    Perspective(fov_y_deg=40.0, near=1.0, far=30.0),
+    Perspective(fov_y_deg=40.0, near=1.0, far=18.0),
     (1280, 720),
 )
 
@@ -199,7 +231,7 @@ PHENOMENON = Phenomenon(
             4.0,
             low=-1e6,
             high=1e6,
-            span=(-4.0, 12.0),
+            span=(-8.0, 12.0),
         ),
         Setting(
             "point",
