@@ -255,6 +255,8 @@ def _render_pane(
                 renderer.SetBackground(0.0, 0.0, 0.0)
                 renderer.SetBackgroundAlpha(0.0)
         window.Render()
+        if isinstance(drawing, ImageDrawing) and drawing.problem is not None:  # known from now on
+            window.Render()
         buffer = vtkUnsignedCharArray()
         window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, buffer)
         drawing.remove()

@@ -6,7 +6,7 @@ a change of a setting writes uniforms, which costs neither a new shader nor any 
 
 ============  ===============================================================================
 depth         each fragment's depth is rounded to the code that a buffer would hold
-texture       s and t as `noperspective` varyings beside the ordinary ones
+texture       s and t as varyings, and s w, t w, w, whose quotients are linear on the screen
 fog           a fragment's colour fades into the background with its distance w
 levels        the vertices of all levels of detail are there; those that are not wanted at an
               object's distance go where all of them are clipped
@@ -53,6 +53,8 @@ TOO_FINE = QT_TRANSLATE_NOOP(
     "phenomena",
     "{0} faces in {1} parts a side are more triangles than can be drawn: the picture has {2}",
 )
+RASTERISED = frozenset({"depth", "texture", "fog", "levels"})
+"""What a scene can require of a `Rasteriser`."""
 MOST_TRIANGLES = 1_000_000
 
 _Uniform: TypeAlias = tuple[str, float | int | tuple[float, ...]]
@@ -86,7 +88,7 @@ _DEPTH = f"""
 _COLOUR = "//VTK::TCoord::Impl"
 _CHECKS = """
   if (flChecks > 0.0) {
-    vec2 flST = flAffine > 0 ? flScreenST : flSpaceST;
+    vec2 flST = flAffine > 0 ? flScreenST.xy / flScreenST.z : flSpaceST;
     if (flCoordinates > 0) {
       gl_FragData[0].rgb = vec3(clamp(flST, 0.0, 1.0), 0.0);
     } else {
@@ -221,11 +223,14 @@ class Rasteriser:
         if "depth" in self._requires:
             parts.append((False, "//VTK::Depth::Impl", _DEPTH))
         if textured:
-            varyings = "{0} vec2 flSpaceST;\nnoperspective {0} vec2 flScreenST;\n"
-            ends = "vec2(dot(flS, vertexMC), dot(flT, vertexMC))"
+            # What GLSL calls noperspective, which Mesa's software rasteriser loses where a face is
+            # cut at the picture's border: two thirds of a board were black.
+            varyings = "{0} vec2 flSpaceST;\n{0} vec3 flScreenST;\n"
+            there = "vec2(dot(flS, vertexMC), dot(flT, vertexMC))"
+            both = f"flSpaceST = {there};\n  flScreenST = vec3(flSpaceST, 1.0) * gl_Position.w;"
             parts.append((True, _VARYINGS, varyings.format("out")))
             parts.append((False, _VARYINGS, varyings.format("in")))
-            parts.append((True, _POSITION, f"  flSpaceST = {ends};\n  flScreenST = flSpaceST;\n"))
+            parts.append((True, _POSITION, f"  {both}\n"))
             colour += _CHECKS
         if actor is self._levels:
             parts.append((True, _VARYINGS, "in vec4 flObject;\n"))
@@ -507,6 +512,8 @@ def counted_wrong_share(
     true = Rendering(buffer=DepthBuffer("float32", "reversed", buffer.near, buffer.far, parallel))
     rasteriser.show(true, seen)
     wrong = found != drawn(True, True)[:, 1]
+    for actor, _ in actors:
+        renderer.RemoveViewProp(actor)
     if rasteriser.refused or not both.any():
         return None
     return float(np.mean(wrong[both]))

@@ -8,11 +8,19 @@ from __future__ import annotations
 
 from types import MappingProxyType
 
-from app.phenomena import similar_triangles
+from app.phenomena import depth_buffer, interpolation, popping, similar_triangles
 from app.phenomena.exhibit import Phenomenon
 
 PHENOMENA = MappingProxyType(
-    {phenomenon.name: phenomenon for phenomenon in (similar_triangles.PHENOMENON,)}
+    {
+        phenomenon.name: phenomenon
+        for phenomenon in (
+            similar_triangles.PHENOMENON,
+            depth_buffer.PHENOMENON,
+            interpolation.PHENOMENON,
+            popping.PHENOMENON,
+        )
+    }
 )
 """Every phenomenon by its scene's name, in the order of the lectures."""
 

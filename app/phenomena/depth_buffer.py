@@ -24,6 +24,7 @@ from app.phenomena.exhibit import (
     Curve,
     Diagram,
     Exhibit,
+    Line,
     Marks,
     Phenomenon,
     Phrase,
@@ -49,6 +50,9 @@ _NO_INFINITE = QT_TRANSLATE_NOOP(
     "phenomena", "a parallel lens cannot have its far plane at infinity"
 )
 _NOT_IN_PICTURE = QT_TRANSLATE_NOOP("phenomena", "no pixel of the picture shows both surfaces")
+_NONE_IS_SURE = QT_TRANSLATE_NOOP(
+    "phenomena", "what lies behind the target may share its code, as far away as the far plane is"
+)
 _TARGET_OUTSIDE = QT_TRANSLATE_NOOP("phenomena", "the target is not between near and far")
 _TOO_FINE = QT_TRANSLATE_NOOP(
     "phenomena",
@@ -56,13 +60,15 @@ _TOO_FINE = QT_TRANSLATE_NOOP(
     " shows its noise instead",
 )
 
-_FRONT_RGB, _BEHIND = (230, 159, 0), "#0072b2"
+_FRONT_RGB, _FRONT, _BEHIND = (230, 159, 0), "#e69f00", "#0072b2"
 _CORNERS = np.array([(-5.0, 0, 4), (5, 0, 4), (5, 6, -44), (-5, 6, -44)])
 """A ramp that leads away, so that one picture has many distances."""
 _SAMPLES, _STRIDE = 1597, 987
 """A Fibonacci lattice: as many rows and columns as places, since stripes are rows or columns."""
 _LATTICE = (np.arange(_SAMPLES)[:, None] * (1, _STRIDE) % _SAMPLES + 0.5) / _SAMPLES
 _EVERY = 8  # code of 8 bits that is a tick
+RANGES = ("standard", "reversed", "infinite", "logarithmic")
+"""Of depth, the choices there are."""
 _MAPPINGS = {"standard": "opengl", "infinite": "opengl"}
 
 
@@ -198,10 +204,15 @@ def _cut(corners: Array, starts: Array, directions: Array) -> tuple[Array, NDArr
 def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhibit:
     gap = number(settings, "gap")
     matrix = moved_behind(projection, gap)
-    copies = (Copy(matrix, panes=("world", "ndc", "image"), colour=_BEHIND),)
-    low, high = np.array(subject.lower), np.array(subject.upper)
-    at = np.array([(low[0], low[1], high[2]), (high[0], low[1], high[2])])
-    marks = Marks(texts=(Text("1", at[0], "near"), Text("2", at[1] + matrix[:3, 3], "n")))
+    # In the other panes, whose depth buffers are their own, its outline is enough.
+    copies = (Copy(matrix, panes=("image",), colour=_BEHIND),)
+    marks = Marks()
+    if _is_ramp(subject):
+        moved = _CORNERS + matrix[:3, 3]
+        marks = Marks(
+            lines=(Line(moved[[0, 1, 2, 3, 0]], _BEHIND, 2.0),),
+            texts=(Text("1", _CORNERS[0], _FRONT), Text("2", moved[1], _BEHIND)),
+        )
     buffer = buffer_of(projection, settings)
     if isinstance(buffer, Phrase):
         return Exhibit((), world=marks, copies=copies, warning=buffer)
@@ -215,7 +226,8 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
             note = Phrase(_TOO_FINE)
     w = projection.camera.distance
     known = buffer.near <= w <= buffer.far
-    smallest = float(buffer.gap(w)) if known else None
+    smallest = float(buffer.gap(w)) if known else math.nan
+    why = Phrase(_NONE_IS_SURE if smallest == math.inf else _TARGET_OUTSIDE)
     readings = (
         Reading(
             QT_TRANSLATE_NOOP("phenomena", "pixels that show surface 2, which is behind"),
@@ -225,8 +237,8 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
         ),
         Reading(
             QT_TRANSLATE_NOOP("phenomena", "smallest gap that is sure at the target"),
-            smallest,
-            note=None if known else Phrase(_TARGET_OUTSIDE),
+            smallest if math.isfinite(smallest) else None,
+            note=None if math.isfinite(smallest) else why,
         ),
         Reading(QT_TRANSLATE_NOOP("phenomena", "distance of the target, w"), w),
         Reading(
@@ -290,7 +302,7 @@ PHENOMENON = Phenomenon(
     lectures=("L17",),
     start=Projection(
         Camera((3.0, 6.0, 13.0), (0.0, 2.5, -10.0), (0.0, 1.0, 0.0)),
-        Perspective(fov_y_deg=45.0, near=0.1, far=200.0),
+        Perspective(fov_y_deg=45.0, near=0.01, far=200.0),
         (1280, 720),
     ),
     geometry=_geometry,
@@ -300,7 +312,7 @@ PHENOMENON = Phenomenon(
             "gap",
             QT_TRANSLATE_NOOP("phenomena", "Gap"),
             QT_TRANSLATE_NOOP("phenomena", "How far surface 2 lies behind surface 1, along n"),
-            0.05,
+            0.25,
             low=1e-9,
             high=1e6,
             span=(1e-6, 1.0),
