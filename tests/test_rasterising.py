@@ -40,6 +40,15 @@ SIZE = (480, 270)
 PHENOMENA = {p.name: p for p in (m.PHENOMENON for m in (depth_buffer, interpolation, popping))}
 
 
+def pixels_of(window: Any) -> Pixels:
+    """Render once; (height, width, 3), the first row on top."""
+    window.Render()
+    width, height = SIZE
+    buffer = vtkUnsignedCharArray()
+    window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, buffer)
+    return np.array(vtk_to_numpy(buffer).reshape(height, width, 4)[::-1, :, :3])
+
+
 class Picture:
     """An unframed image drawing off screen."""
 
@@ -64,12 +73,8 @@ class Picture:
         return self
 
     def pixels(self) -> Pixels:
-        """(height, width, 3), the first row on top."""
-        self.window.Render()
-        width, height = SIZE
-        buffer = vtkUnsignedCharArray()
-        self.window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, buffer)
-        return np.array(vtk_to_numpy(buffer).reshape(height, width, 4)[::-1, :, :3])
+        """Render once; (height, width, 3), the first row on top."""
+        return pixels_of(self.window)
 
     @property
     def actors(self) -> list[Any]:
@@ -305,8 +310,7 @@ def test_the_other_panes_show_the_texture_as_it_is(said: Any, kind: Any) -> None
             settings = interpolation.PHENOMENON.checked({"interpolation": choice})
             exhibit = interpolation.PHENOMENON.show(scene.start, settings, scene.subject)
             drawing.show_exhibit(Exhibit((), rendering=exhibit.rendering))
-        plotter.render_window.Render()
-        shown.append(plotter.screenshot(return_img=True).astype(int))
+        shown.append(pixels_of(plotter.render_window).astype(int))
     plain, affine, correct = shown
     darker = (plain - affine).max(axis=-1) > 60
     assert darker.mean() > 0.003, "there are checks"
@@ -390,8 +394,7 @@ def test_each_level_is_drawn_where_it_is_due(
     picture = make("far-plane-popping").show(**settings)
     plain = ImageDrawing(plotter, tree_scene(level), WORDS, LIGHT, framed=False)
     plain.show_projection(replace(picture.phenomenon.start, image_size=SIZE))
-    plotter.render_window.Render()
-    expected = plotter.screenshot(return_img=True)
+    expected = pixels_of(plotter.render_window)
     drawn = picture.pixels()
     trees = (drawn[..., 1] > 1.3 * drawn[..., 0]).sum()
     assert trees > 5000
@@ -525,6 +528,10 @@ CAMERAS = [
 ]
 
 
+BOUND = ("fog_start", "fog_end", "detail_1", "detail_2", "subdivision")
+"""Settings that do not go together at their ends, or take long there."""
+
+
 def finite_marks(exhibit: Exhibit) -> bool:
     marks = [getattr(exhibit, pane) for pane in ("world", "ndc", "image")]
     points = [np.ravel(line.points) for mark in marks for line in mark.lines]
@@ -549,8 +556,7 @@ def test_no_camera_makes_a_number_that_is_none(phenomenon: Phenomenon, make: Any
                         else random.choice([setting.default, setting.low, setting.high])
                     )
                     for setting in phenomenon.settings
-                    if setting.name
-                    not in ("fog_end", "detail_2", "fog_start", "detail_1", "subdivision")
+                    if setting.name not in BOUND
                 }
                 picture.show(projection, **settings)
                 exhibit = picture.exhibit
