@@ -106,6 +106,19 @@ def test_the_smallest_gap_at_the_target_is_the_lectures() -> None:
     assert behind[1].value is None and behind[1].note is not None
 
 
+def test_a_surface_that_comes_to_lie_in_front_is_never_wrong() -> None:
+    """Looking up along the ramp, away along n is towards the eye: drawn last, it is rightly seen."""
+    up = Projection(
+        Camera((0.0, 9.0, 12.0), (0.0, 29.0, -28.0), (0.0, 1.0, 0.0)),
+        Perspective(100.0, 0.01, 200.0),
+    )
+    first, second = distances(up, 0.01, SUBJECT)
+    assert len(first) > 100 and (second < first).all()
+    buffer = DepthBuffer("fixed8", "opengl", 0.01, 200.0)
+    assert (buffer.encode(first) == buffer.encode(second)).all()
+    assert shown(up, format="fixed8", gap=0.01).readings[0].value == 0.0
+
+
 def test_a_mesh_has_the_gap_along_w() -> None:
     random = np.random.default_rng(2)
     points = random.uniform(-2, 2, (300, 3)) + np.array([0.0, 2.0, -8.0])
