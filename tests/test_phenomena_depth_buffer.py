@@ -107,7 +107,7 @@ def test_the_smallest_gap_at_the_target_is_the_lectures() -> None:
 
 
 def test_a_surface_that_comes_to_lie_in_front_is_never_wrong() -> None:
-    """Looking up along the ramp, away along n is towards the eye: drawn last, it is rightly seen."""
+    """Looking up along the ramp, away along n is towards the eye: what is seen is right."""
     up = Projection(
         Camera((0.0, 9.0, 12.0), (0.0, 29.0, -28.0), (0.0, 1.0, 0.0)),
         Perspective(100.0, 0.01, 200.0),

@@ -301,7 +301,7 @@ PHENOMENON = Phenomenon(
     ),
     lectures=("L17",),
     start=Projection(
-        Camera((3.0, 6.0, 13.0), (0.0, 2.5, -10.0), (0.0, 1.0, 0.0)),
+        Camera((3.0, 7.0, 15.0), (0.0, 1.5, -8.0), (0.0, 1.0, 0.0)),
         Perspective(fov_y_deg=45.0, near=0.01, far=200.0),
         (1280, 720),
     ),
