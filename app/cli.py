@@ -16,8 +16,11 @@ import json
 import math
 import os
 import re
+import signal
 import sys
+import threading
 from collections.abc import Callable, Container, Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn
 
@@ -34,6 +37,7 @@ from app.document import (
     read,
     set_values,
     to_json,
+    write_bytes_atomically,
 )
 from app.notation import latex_name, latex_number
 from app.precision import RUNGS, Prediction, Rung, predict, rung_for_reading, trace
@@ -57,6 +61,7 @@ from app.projection import (
 )
 
 if TYPE_CHECKING:
+    from app.measure.results import Results
     from app.scene import Scene
 
 BAD_INPUT = 2
@@ -783,10 +788,193 @@ def _doctor(arguments: Sequence[str]) -> int:
     return CANNOT_DRAW
 
 
+# --------------------------------------------------------------------------- measure
+
+
+def _measure(arguments: Sequence[str]) -> int:
+    try:
+        from app import measure
+        from app.measure.arithmetic import SWEEPS
+        from app.measure.results import to_csv
+        from app.measure.results import to_json as results_to_json
+    except ImportError as error:
+        raise _cannot_import(error) from error
+    text = "a document, picture or mesh to measure (the letter F)"
+    parser = _Parser("measure", "[FILE]", text, _SUMMARIES["measure"])
+    parser.add_argument(
+        "--trade", action="append", metavar="|".join(measure.TRADES),
+        type=lambda value: _one_of("--trade", value, tuple(measure.TRADES)),
+        help="measure this one; may be given repeatedly (all, if neither --trade nor --sweep is)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--sweep", action="append", metavar="NAME[=LOW:HIGH]", type=_sweep,
+        help=f"the errors over a parameter's range; NAME is one of {', '.join(SWEEPS)}",
+    )  # fmt: skip
+    parser.add_argument("--scene", metavar="NAME", help="as --set scene=NAME")
+    parser.add_argument("--quick", action="store_true", help="in half a minute, less exactly")
+    parser.add_argument("--json", metavar="FILE", help="write all that was measured; - for here")
+    parser.add_argument("--csv", metavar="FILE", help="write the tables, one after the other")
+    parser.add_argument(
+        "--attended", action="store_true",
+        help="tell the fraction done, a line each, and obey pause, resume and cancel from"
+        " standard input",
+    )  # fmt: skip
+    parser.add_set()
+    found, words = parser.read(arguments, 0, 1)
+    for option in ("json", "csv"):
+        _check_folder(f"--{option}", getattr(found, option))
+    settings = [*found.set, *([f"scene={found.scene}"] if found.scene else [])]
+    document = _document(words[0] if words else None, settings)
+    scene = _load(document.scene)
+    everything = not (found.trade or found.sweep)
+    trades = list(dict.fromkeys(found.trade or (measure.TRADES if everything else ())))
+    swept = dict(found.sweep or ())
+    if everything:
+        swept = dict.fromkeys(SWEEPS, (None, None))
+    opengl = True
+    try:
+        check_off_screen()
+    except RuntimeError as error:
+        opengl = False
+        left_out = [name for name in trades if name in measure.NEED_OPENGL]
+        if left_out:
+            _complain(f"{error} Not measured: {', '.join(left_out)}.", 0)
+        trades = [name for name in trades if name not in left_out]
+        if not trades and not swept:
+            return CANNOT_DRAW
+    with _watched(found.attended) as watch:
+        results = measure.measure_all(
+            document, scene, trades, swept, quick=found.quick, opengl=opengl, watch=watch
+        )
+    json_text = results_to_json(results)
+    if found.json == "-":
+        _print([json_text])
+    else:
+        _print(_measured(results))
+    if found.json not in (None, "-"):
+        _write(found.json, json_text)
+    if found.csv is not None:
+        _write(found.csv, "\n".join([*map(to_csv, results.trades), *map(to_csv, results.sweeps)]))
+    return 0 if results.complete else INTERRUPTED
+
+
+def _sweep(value: str) -> tuple[str, tuple[float | None, float | None]]:
+    """``near`` or ``near=1e-3:10``."""
+    from app.measure.arithmetic import SWEEPS
+
+    name, equals, ends = value.partition("=")
+    _one_of("--sweep", name, tuple(SWEEPS))
+    if not equals:
+        return name, (None, None)
+    try:
+        low, high = (_number(end) for end in ends.split(":"))
+    except ValueError:
+        raise CliError(f"--sweep {name} = {ends!r}: must be LOW:HIGH, such as 0.001:10.") from None
+    whole = SWEEPS[name]
+    if not whole.low <= low < high <= whole.high:
+        raise CliError(
+            f"--sweep {name} = {ends!r}: must rise, and lie between {whole.low:g} and"
+            f" {whole.high:g}."
+        )
+    return name, (low, high)
+
+
+def _check_folder(name: str, out: str | None) -> None:
+    folder = os.path.dirname(out or "") or "."
+    if out != "-" and not os.path.isdir(folder):
+        raise CliError(f"{name} = {out!r}: there is no folder {folder}.")
+
+
+def _write(path: str, text: str) -> None:
+    write_bytes_atomically(path, text.encode())
+
+
+@contextmanager
+def _watched(attended: bool) -> Iterator[Callable[[float], None]]:
+    """Tells how far the measurement is, and stops it when it is told to: Ctrl-C, or ``cancel``."""
+    from app.measure.run import Cancelled
+
+    cancelled, going = threading.Event(), threading.Event()
+    going.set()
+    told = -1.0
+
+    def watch(fraction: float) -> None:
+        nonlocal told
+        going.wait()
+        if cancelled.is_set():
+            raise Cancelled
+        if abs(fraction - told) >= 0.01 and sys.stderr is not None:
+            told = fraction
+            if attended:
+                print(f"{fraction:.3f}", file=sys.stderr, flush=True)
+            elif sys.stderr.isatty():
+                print(f"\r{100.0 * fraction:3.0f} % ", end="", file=sys.stderr, flush=True)
+
+    def obey() -> None:
+        for line in sys.stdin:
+            if line.strip() == "pause":
+                going.clear()
+            elif line.strip() == "resume":
+                going.set()
+            else:
+                break
+        cancelled.set()  # also when whoever attended has gone
+        going.set()
+
+    former = signal.signal(signal.SIGINT, lambda *_: cancelled.set())
+    if attended:
+        threading.Thread(target=obey, daemon=True).start()
+    try:
+        yield watch
+    finally:
+        signal.signal(signal.SIGINT, former)
+        if not attended and sys.stderr is not None and sys.stderr.isatty():
+            print("\r      \r", end="", file=sys.stderr, flush=True)
+
+
+def _measured(results: Results) -> Iterator[str]:
+    """Tables to read, with what each trade means."""
+    from app.measure.meaning import meaning
+
+    for trade in results.trades:
+        yield f"{trade.name}{'' if trade.complete else ' (cancelled)'}\n"
+        columns = trade.columns
+        rows = [["", trade.cost_unit, "p95", trade.error_unit, "predicted", *columns]]
+        for choice in trade.choices:
+            numbers = [choice.cost, choice.cost_p95, choice.error, choice.predicted]
+            numbers += [choice.values.get(name) for name in columns]
+            cells = ["-" if number is None else f"{number:.3g}" for number in numbers]
+            rows.append([choice.name, *cells])
+        notes = ["", *(choice.note for choice in trade.choices)]
+        widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+        for row, note in zip(rows, notes, strict=True):
+            cells = [cell.rjust(width) for cell, width in zip(row[1:], widths[1:], strict=True)]
+            yield f"  {'  '.join([row[0].ljust(widths[0]), *cells, note]).rstrip()}\n"
+        yield f"{meaning(trade).sentence()}\n\n"
+    for sweep in results.sweeps:
+        yield f"{sweep.parameter}, largest error in px{'' if sweep.complete else ' (cancelled)'}\n"
+        names = list(sweep.curves)
+        yield "  " + "  ".join([sweep.parameter.rjust(17), *names]) + "\n"
+        for i, value in enumerate(sweep.values):
+            cells = []
+            for name in names:
+                error = sweep.curves[name].errors[i]
+                cells.append(("-" if error is None else f"{error:.2g}").rjust(len(name)))
+            notes = [
+                f"{name} {sweep.curves[name].notes[i]}"
+                for name in names
+                if sweep.curves[name].notes[i]
+            ]
+            row = [f"{value:.12g}".rjust(17), *cells, "; ".join(notes)]
+            yield f"  {'  '.join(row).rstrip()}\n"
+        yield "\n"
+
+
 _SUMMARIES = {
     "export": "draw a figure into a PNG picture, without a window or display",
     "project": "follow points through every stage of the projection",
     "matrices": "print every stage's matrix",
+    "measure": "measure what speed costs in accuracy, here, for a scene and a camera",
     "doctor": "say what this machine has, what is missing and how to get it",
 }
 
@@ -794,6 +982,7 @@ COMMANDS: dict[str, Callable[[Sequence[str]], int]] = {
     "export": _export,
     "project": _project,
     "matrices": _matrices,
+    "measure": _measure,
     "doctor": _doctor,
 }
 """The words that the command line may begin with; each takes the arguments after it."""

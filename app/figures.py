@@ -242,7 +242,7 @@ def _render_pane(
     factor = _oversampling(size)
     width, height = (factor * side for side in size)
     options = {"framed": framed} if pane == "image" else {}
-    with _plotter(width, height) as plotter:
+    with off_screen(width, height) as plotter:
         window = plotter.render_window
         drawing = _DRAWINGS[pane](plotter, scene, words, style.enlarged(factor), **options)
         drawing.show_projection(projection)
@@ -257,11 +257,18 @@ def _render_pane(
         window.Render()
         if isinstance(drawing, ImageDrawing) and drawing.problem is not None:  # known from now on
             window.Render()
-        buffer = vtkUnsignedCharArray()
-        window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, buffer)
+        drawn = pixels_of(window)
         drawing.remove()
-    drawn: Pixels = vtk_to_numpy(buffer).reshape(height, width, 4)[::-1]  # type: ignore[no-untyped-call]
     return _averaged(drawn, factor, transparent)
+
+
+def pixels_of(window: Any) -> Pixels:
+    """What a render window shows, (height, width, 4), the first row at the top."""
+    width, height = window.GetSize()
+    buffer = vtkUnsignedCharArray()
+    window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, buffer)
+    pixels: Pixels = vtk_to_numpy(buffer).reshape(height, width, 4)[::-1]  # type: ignore[no-untyped-call]
+    return pixels
 
 
 def _oversampling(size: tuple[int, int]) -> int:
@@ -303,7 +310,7 @@ def _averaged(drawn: Pixels, factor: int, transparent: bool) -> Pixels:
 
 
 @contextmanager
-def _plotter(width: int, height: int) -> Iterator[Any]:
+def off_screen(width: int, height: int) -> Iterator[Any]:
     """An off-screen plotter that is closed afterwards, whatever happens."""
     with _reachable_opengl():
         plotter: Any = pv.Plotter(off_screen=True, window_size=[width, height], border=False)

@@ -16,6 +16,7 @@ from collections.abc import Callable, Sequence
 from functools import cache
 from typing import Any, Literal, NamedTuple, TypeAlias
 
+from app.attention import Attention
 from app.projection import (
     DEPTH_RANGES,
     Array,
@@ -140,6 +141,23 @@ def matrices(
     by_depth = {depth: _formulas(_kind(projection), depth, letters) for depth in DEPTH_RANGES}
     return tuple(_matrix(stage, names, projection, by_depth, letters, rows)
                  for stage, names in shown)  # fmt: skip
+
+
+def letters_in(matrix: Matrix, row: int, column: int) -> Attention:
+    """The things that a cell's formula speaks of, by the names of `app.attention`.
+
+    An axis of the camera's frame stands for what it is made of: eye, target and up are not named
+    unless the eye itself is in the formula.
+    """
+    names = _names(matrix.formulas[row][column])
+    axes = {
+        name.removeprefix("axis_")[0]
+        for name in names
+        if name.startswith("axis_") or (len(name) == 3 and name[:2] in ("u_", "v_", "n_"))
+    }
+    eye = {"eye" for name in names if name.startswith("eye")}
+    fields = set(matrix.fields[row][column]) - {"eye", "target", "up"}
+    return frozenset(axes | eye | {"fov" if name == "fov_y_deg" else name for name in fields})
 
 
 def _kind(projection: Projection) -> tuple[str, bool]:

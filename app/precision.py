@@ -75,6 +75,47 @@ class Prediction(NamedTuple):
     depth: float
 
 
+class Reference(NamedTuple):
+    """The true image and depth of points, to hold other arithmetics' answers against.
+
+    Attributes
+    ----------
+    numbers : (n, 3) float64 array
+        x and y in pixels and depth, by the exact rung; NaN where there is no picture.
+    rests : (n, 3) float64 array
+        What its rounding cut off.
+    """
+
+    numbers: Array
+    rests: Array
+
+    @classmethod
+    def of(cls, projection: Projection, points_world: ArrayLike) -> Reference:
+        """The truth about points (n, 3) in world coordinates."""
+        world = checked_points(points_world).reshape(-1, 3)
+        with np.errstate(all="ignore"):
+            numbers, rests, _ = _exact_numbers(projection, world)
+        numbers[~(numbers[:, 6] > 0.0)] = np.nan
+        return cls(numbers[:, 10:], rests)
+
+    def errors(self, answers: Array) -> Array:
+        """How far answers are off, and what is not known of it.
+
+        Parameters
+        ----------
+        answers : (n, 3) array
+            x and y in pixels and depth.
+
+        Returns
+        -------
+        (n, 3) array
+            NaN where the answer is, or where there is no picture.
+        """
+        unknown = _CERTAIN * np.spacing(np.abs(self.numbers))
+        errors: Array = np.abs((answers - self.numbers) - self.rests) + unknown
+        return errors
+
+
 # --------------------------------------------------------------------------- choice
 
 
@@ -112,19 +153,15 @@ def predict(
         )
         even = np.linspace(0, len(world) - 1, half).astype(int)
         world, safety = world[np.concatenate([nearest[:half], even])], 2.0
-    with np.errstate(all="ignore"):
-        numbers, rests, _ = _exact_numbers(projection, world)
-    numbers[numbers[:, 6] <= 0.0] = np.nan  # where float64 alone sees a picture
-    unknown = _CERTAIN * np.spacing(np.abs(numbers[:, 10:]))
+    reference = Reference.of(projection, world)
     predictions: dict[Rung, Prediction] = {}
     for rung in RUNGS:
         if rung == "exact":
-            done = numbers[:, 10:]
+            done = reference.numbers
         else:
             traced = trace(projection, world, rung, origin)
             done = np.column_stack([traced.image, traced.depth])
-        # The true value is the exact rung's number and the rest that its rounding cut off.
-        errors = np.abs((done - numbers[:, 10:]) - rests) + unknown
+        errors = reference.errors(done)
         px, depth = (
             math.inf if np.isnan(values).any() else safety * _ROUNDED_UP * float(values.max())
             for values in (errors[:, :2], errors[:, 2])

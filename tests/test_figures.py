@@ -26,7 +26,7 @@ from app.drawings import WORDS
 from app.drawings.ndc import NdcDrawing
 from app.drawings.style import DARK, LIGHT, rgb
 from app.figures import PANES, FigureError, png_bytes, render, write_png
-from app.projection import Camera, Perspective
+from app.projection import Camera, Perspective, ProjectionError
 from app.scene import load
 
 _SCRIPT = """
@@ -118,6 +118,23 @@ def test_panes_stand_side_by_side_as_they_would_alone() -> None:
     # Framed beside others: its margin is white here, its frame is not.
     assert (two[:3] == 255).all()
     assert (two[:, :200] != 255).any()
+
+
+def test_a_phenomenon_is_drawn_with_its_settings() -> None:
+    scene = load("similar-triangles")
+    size = (480, 160)
+    opened = render(scene, scene.start, PANES, size)
+    plain = render(replace(scene, phenomenon=None), scene.start, PANES, size)
+    for left in (0, 160, 320):  # the point P in every pane
+        assert (opened[:, left : left + 160] != plain[:, left : left + 160]).any()
+    assert scene.phenomenon is not None
+    defaults = dict(scene.phenomenon.defaults)
+    assert (render(scene, scene.start, PANES, size, settings=defaults) == opened).all()
+    behind = render(scene, scene.start, PANES, size, settings={"distance": -3.0})
+    assert (behind[:, :160] != opened[:, :160]).any()
+    with pytest.raises(ProjectionError) as caught:
+        render(scene, scene.start, PANES, size, settings={"distance": 0.0})
+    assert str(caught.value).startswith("settings.distance = 0")
 
 
 def test_scale_is_the_same_figure_with_more_pixels() -> None:

@@ -46,6 +46,7 @@ DRAWING = Room(
     ("numpy", *VTK),
     (
         *("app.projection", "app.precision", "app.morph", "app.picking", "app.clipping"),
+        *("app.attention", "app.camera_frame", "app.handles"),
         *("app.scene", "app.phenomena", "app.drawings"),
     ),
 )
@@ -56,12 +57,21 @@ PHENOMENON = Room(
         *("app.shapes", "app.phenomena"),
     ),
 )
+MEASURE = Room(
+    ("numpy", *VTK),
+    (
+        *("app.projection", "app.precision", "app.depth", "app.clipping"),
+        *("app.scene", "app.drawings", "app.document", "app.figures", "app.measure", "app.detail"),
+    ),
+)
 #: Widgets know the model's values and each other's words, not the store: the window connects them.
 PANEL = Room(
     ("numpy", *QT),
     (
+        "app.attention",
         "app.projection",
         "widgets.animation",
+        "widgets.attention",
         "widgets.messages",
         "widgets.palette",
         "widgets.rows",
@@ -86,8 +96,12 @@ ROOMS = {
     "app/depth.py": Room(("numpy",), ("app.projection",)),
     "app/clipping.py": Room(("numpy",), ("app.projection",)),
     "app/morph.py": Room(("numpy",), ("app.projection",)),
-    "app/notation.py": Room(rooms=("app.projection",)),
+    "app/notation.py": Room(rooms=("app.attention", "app.projection")),
+    # Names only: the words in which rooms that know nothing of each other point at things.
+    "app/attention.py": Room(),
+    "app/camera_frame.py": Room(("numpy",), ("app.double_double", "app.values", "app.projection")),
     "app/picking.py": Room(("numpy",), ("app.projection",)),
+    "app/handles.py": Room(("numpy",), ("app.projection", "app.picking")),
     "app/health.py": Room(rooms=("app.projection", "app.precision", "app.depth")),
     "app/shapes.py": CORE,
     # Each phenomenon is numpy only: the command line reads its settings without VTK.
@@ -104,11 +118,15 @@ ROOMS = {
     "app/drawings/actors.py": DRAWING,
     "app/drawings/rungs.py": DRAWING,
     "app/drawings/style.py": DRAWING,
+    "app/drawings/frame.py": DRAWING,
     "app/drawings/labels.py": DRAWING,
     "app/drawings/rasterising.py": Room(
         DRAWING.packages, (*DRAWING.rooms, "app.depth", "app.phenomena")
     ),
+    "app/drawings/pointing.py": DRAWING,
     "app/drawings/probes.py": DRAWING,
+    "app/drawings/handles.py": DRAWING,
+    "app/drawings/marks.py": DRAWING,
     "app/drawings/world.py": DRAWING,
     "app/drawings/ndc.py": DRAWING,
     "app/drawings/image.py": DRAWING,
@@ -119,13 +137,17 @@ ROOMS = {
             *("app.drawings", "app.document"),
         ),
     ),
-    "app/measure.py": Room(
-        ("numpy", *VTK),
-        (
-            *("app.projection", "app.precision", "app.depth", "app.clipping"),
-            *("app.scene", "app.drawings", "app.document", "app.figures"),
-        ),
-    ),
+    # What is measured, and how it is kept, needs no OpenGL until a picture is timed.
+    "app/measure/results.py": Room(),
+    "app/measure/run.py": Room(),
+    "app/measure/meaning.py": Room(rooms=("app.measure.results",)),
+    "app/measure/depth.py": MEASURE,
+    "app/measure/arithmetic.py": MEASURE,
+    "app/measure/interpolation.py": MEASURE,
+    "app/measure/smoothing.py": MEASURE,
+    "app/measure/detail.py": MEASURE,
+    "app/measure/__init__.py": MEASURE,
+    "app/detail.py": Room(("numpy", *VTK), ("app.scene",)),
     "app/store.py": Room(QT_CORE, ("app.projection", "app.document")),
     # The command line starts with numbers only; pictures and windows come when they are asked for.
     "app/cli.py": Room(
@@ -139,6 +161,7 @@ ROOMS = {
     "app/doctor.py": Room(rooms=("app.bootstrap",), late=(*VTK, *QT, "app", "widgets")),
     "widgets/__init__.py": Room(),
     "widgets/palette.py": Room(QT, ("app.drawings.style",)),
+    "widgets/attention.py": Room(QT, ("app.attention",)),
     "widgets/messages.py": Room(QT, ("app.projection", "app.document")),
     "widgets/message_bar.py": PANEL,
     "widgets/rows.py": PANEL,
@@ -149,15 +172,22 @@ ROOMS = {
     "widgets/matrix_panel.py": Room(
         QT,
         (
-            *("app.notation", "app.projection", "app.drawings.style"),
-            *("widgets.messages", "widgets.rows"),
+            *("app.notation", "app.projection", "app.attention", "app.drawings.style"),
+            *("widgets.attention", "widgets.messages", "widgets.rows"),
+        ),
+    ),
+    "widgets/frame_panel.py": Room(
+        QT,
+        (
+            *("app.projection", "app.camera_frame", "app.attention"),
+            *("widgets.attention", "widgets.messages", "widgets.rows", "widgets.section"),
         ),
     ),
     # Its numbers are those of the command `project`, by the same rung.
     "widgets/probe_panel.py": Room(
         QT,
         (
-            *("app.projection", "app.precision", "app.picking"),
+            *("app.projection", "app.precision", "app.picking", "app.attention"),
             *("widgets.messages", "widgets.palette", "widgets.rows"),
         ),
     ),
@@ -166,8 +196,16 @@ ROOMS = {
     "widgets/pane.py": Room(
         ("numpy", "pyvistaqt", *VTK, *QT),
         (
-            *("app.projection", "app.picking", "app.scene", "app.phenomena"),
-            *("app.drawings", "widgets.palette"),
+            *("app.projection", "app.picking", "app.attention"),
+            *("app.scene", "app.phenomena", "app.drawings", "widgets.palette"),
+        ),
+    ),
+    # Between two panes and the window: it knows what they draw, and not the store.
+    "widgets/manipulation.py": Room(
+        QT,
+        (
+            *("app.projection", "app.picking", "app.handles", "app.drawings"),
+            *("widgets.message_bar", "widgets.messages", "widgets.pane", "widgets.rows"),
         ),
     ),
     "widgets/opengl.py": Room(QT),
@@ -194,15 +232,15 @@ ROOMS = {
     "widgets/status_line.py": Room(
         QT,
         (
-            *("app.projection", "app.precision", "app.health", "app.scene"),
-            *("widgets.messages", "widgets.rows"),
+            *("app.projection", "app.precision", "app.health", "app.scene", "app.attention"),
+            *("widgets.attention", "widgets.messages", "widgets.rows"),
         ),
     ),
     "widgets/main_window.py": Room(
         ("numpy", *QT),
         (
             *("app.projection", "app.morph", "app.picking", "app.scene", "app.document"),
-            "app.drawings",
+            *("app.attention", "app.drawings"),
             *("app.store", "app.measure", "widgets"),
         ),
     ),

@@ -18,6 +18,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from app import scene as scene_module
+from app.phenomena import PHENOMENA
 from app.projection import Camera, Perspective, Projection
 from app.scene import BUILT_IN, ENDINGS, Scene, SceneCancelled, SceneError, frame_camera, load
 
@@ -185,13 +186,31 @@ def test_all_of_a_built_in_scene_is_in_view_when_it_opens(name: str) -> None:
     scene = load(name)
     assert scene.name == name
     points = world_points(scene)
-    assert not outside(scene.start, points)
+    if name != "far-plane-popping":  # which is about what the far plane cuts off
+        assert not outside(scene.start, points)
     assert np.allclose(points.min(axis=0), scene.lower)
     assert np.allclose(points.max(axis=0), scene.upper)
 
 
 def test_built_in_scenes_are_in_lecture_order() -> None:
-    assert BUILT_IN == ("letter-f", "cube", "posts")
+    assert BUILT_IN[:4] == ("letter-f", "cube", "posts", "similar-triangles")
+    assert BUILT_IN[3:] == tuple(PHENOMENA)
+
+
+def test_a_scene_knows_its_phenomenon_and_its_subject() -> None:
+    plain = load("letter-f")
+    assert plain.phenomenon is None and plain.requires == frozenset()
+    scene = load("similar-triangles")
+    assert scene.phenomenon is PHENOMENA["similar-triangles"]
+    assert scene.requires == scene.phenomenon.requires
+    assert scene.start == scene.phenomenon.start
+    subject = scene.subject
+    assert (subject.lower, subject.upper) == (scene.lower, scene.upper)
+    assert {tuple(p) for p in subject.points.tolist()} == {
+        tuple(p) for p in world_points(scene).tolist()
+    }
+    grid = np.abs(segments(scene)).max()
+    assert np.abs(subject.points).max() < grid  # without the ground
 
 
 # --------------------------------------------------------------------------- files to read
@@ -363,6 +382,70 @@ def test_a_mesh_at_1e7_keeps_its_vertices(kind: str, tmp_path: Path) -> None:
     assert scene.surface is not None  # what the GPU gets is small numbers
     assert abs(scene.surface.points).max() <= scene.size
     assert not outside(scene.start, points)
+
+
+@pytest.mark.parametrize("kind", WRITERS)
+def test_a_mesh_takes_the_place_of_a_phenomenons_subject(kind: str, tmp_path: Path) -> None:
+    built_in = load("similar-triangles")
+    path = pyramid_file(tmp_path, kind, 64.0)
+    scene = load("similar-triangles", mesh=str(path))
+    assert scene.name == "similar-triangles" and scene.phenomenon is built_in.phenomenon
+    assert scene.start == built_in.start
+    points = np.unique(world_points(scene).round(5), axis=0)
+    # Scaled alike in all directions, as large as the depth of 1 allows, and moved.
+    offset, scale = np.unique(PYRAMID, axis=0), 1.0 / (3.125 - 0.25)
+    expected = (offset - PYRAMID.min(axis=0)) * scale
+    assert len(points) == 5
+    assert np.allclose(np.ptp(points, axis=0), np.ptp(expected, axis=0), atol=1e-5)
+    assert min(np.subtract(built_in.upper, built_in.lower) - np.ptp(points, axis=0)) > -1e-5
+    middle = (points.min(axis=0) + points.max(axis=0)) / 2.0
+    assert points[:, 1].min() == pytest.approx(built_in.lower[1])  # it stands where that stood
+    assert np.allclose(middle[[0, 2]], np.array(built_in.centre)[[0, 2]], atol=1e-5)
+    assert np.allclose(scene.lower, points.min(axis=0), atol=1e-5)
+    assert np.allclose(scene.subject.points.max(axis=0), scene.upper, atol=1e-5)
+    # The ground of the scene stays, its edges do not.
+    lines = segments(built_in)
+    ground = {
+        tuple(map(tuple, ends)) for ends in lines[np.ptp(lines, axis=1).max(axis=1) > 5.0].tolist()
+    }
+    drawn = {tuple(map(tuple, ends)) for ends in segments(scene).tolist()}
+    assert len(ground) > 20 and ground <= drawn
+    assert len(drawn - ground) >= 5
+    assert not outside(scene.start, world_points(scene))
+
+
+def test_a_flat_mesh_and_one_of_another_scale_stand_there_too(tmp_path: Path) -> None:
+    built_in = load("similar-triangles")
+    for number, points in enumerate(
+        (PYRAMID * (1.0, 0.0, 1.0), PYRAMID * (0.0, 1.0, 1.0), PYRAMID * 1e20, PYRAMID * 1e-20)
+    ):
+        path = tmp_path / f"{number}.obj"
+        obj_file(path, points)
+        scene = load("similar-triangles", mesh=str(path))
+        room, taken = (np.subtract(s.upper, s.lower) for s in (built_in, scene))
+        assert (taken <= room + 1e-5).all()
+        assert np.isclose(taken, room, atol=1e-5).any()
+        assert scene.lower[1] == pytest.approx(built_in.lower[1])
+
+
+def test_a_mesh_that_no_scene_can_take_is_refused(tmp_path: Path) -> None:
+    path = str(pyramid_file(tmp_path, "obj"))
+    with pytest.raises(SceneError) as caught:
+        load("cube", mesh=path)
+    assert str(caught.value) == (
+        f"mesh = {path}: the scene “cube” has a subject of its own, no mesh can take its place."
+    )
+    for wrong in (str(tmp_path / "m.xyz"), str(tmp_path / "none.obj")):
+        with pytest.raises(SceneError, match="no such file"):
+            load("similar-triangles", mesh=wrong)
+    (tmp_path / "m.txt").write_text("hello")
+    with pytest.raises(SceneError, match="must end in"):
+        load("similar-triangles", mesh=str(tmp_path / "m.txt"))
+    fractions: list[float] = []
+    load("similar-triangles", lambda f: fractions.append(f) is None, mesh=path)
+    assert fractions == sorted(fractions) and fractions[-1] == 1.0
+    with pytest.raises(SceneCancelled):
+        load("similar-triangles", lambda _: False, mesh=path)
 
 
 def test_decimals_are_read_to_the_last_bit(tmp_path: Path) -> None:

@@ -25,6 +25,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.attention import NOTHING, Attention, made_of
 from app.projection import (
     FINITE_NUMBER,
     LARGEST,
@@ -40,6 +41,26 @@ from widgets.rows import Choice, ChoiceRow, Linear, Log, NumberRow, Row, Scale, 
 from widgets.section import PARTS, Binding, Section, Typed
 
 RIGHT_MARGIN_PX = 4
+_ABOUT: dict[str, tuple[str, ...]] = {
+    **dict.fromkeys(("azimuth_deg", "elevation_deg", "distance"), ("eye",)),
+    **dict.fromkeys(("roll_deg", "up"), ("up", "u", "v")),
+    **dict.fromkeys(("fov_y_deg", "fov_x_deg", "focal_length_mm", "e", "fx", "fy"), ("fov",)),
+    "window_right": ("left", "right"),
+    "window_top": ("bottom", "top"),
+    **dict.fromkeys(("receding", "receding_deg"), ("alpha_deg", "beta_deg")),
+    **dict.fromkeys(("width", "height", "aspect"), ("image",)),
+    "kind": (),
+    "preset": (),
+}
+"""What a row is about, by the names of `app.attention`, if its field's name is not all of it."""
+_MAKES: dict[str, tuple[str, ...]] = {
+    **dict.fromkeys(("eye", "target", "azimuth_deg", "elevation_deg"), ("u", "v", "n")),
+    "fov_y_deg": ("bottom", "top"),
+    "fov_x_deg": ("left", "right"),
+    **dict.fromkeys(("focal_length_mm", "e"), ("left", "right", "bottom", "top")),
+}
+"""What is made of a row's value besides; pointing at that points at the row as well."""
+
 ASPECTS = {"1:1": (1, 1), "4:3": (4, 3), "16:9": (16, 9)}
 
 
@@ -60,6 +81,8 @@ class Controls(QScrollArea):
     """The user made this `Projection`: once per action."""
     gesture_started = Signal()
     gesture_finished = Signal()
+    attended = Signal(str, object)
+    """The name of a row that the user is at, and the `Attention` it draws; `NOTHING` after it."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -89,8 +112,10 @@ class Controls(QScrollArea):
         for section in self.sections.values():
             self._bindings |= section.bindings
             section.toggled.connect(partial(self._folded, section))
-        for binding in self._bindings.values():
+        for key, binding in self._bindings.items():
             self._connect(binding)
+            about = _about(binding)
+            binding.row.attended.connect(partial(self._attended, key, about))
         self.rows: dict[str, Row] = {
             "camera_mode": self.camera_mode,
             **{name: binding.row for name, binding in self._bindings.items()},
@@ -155,6 +180,16 @@ class Controls(QScrollArea):
         self.animation.set_scene(size, camera.target)
         self.animation.show_camera(self._projection.camera)
         self._show_rows()
+
+    def show_attention(self, attended: Attention) -> None:
+        """Mark the rows that are about what is attended to, or that it is made of."""
+        shown = made_of(attended)
+        for binding in self._bindings.values():
+            names = _about(binding).union(_MAKES.get(binding.field, ()))
+            binding.row.set_marked(bool(names & shown))
+
+    def _attended(self, key: str, about: Attention, is_attended: bool) -> None:
+        self.attended.emit(key, about if is_attended else NOTHING)
 
     # -- the sections
 
@@ -421,6 +456,10 @@ class Controls(QScrollArea):
 
 
 # --------------------------------------------------------------------------- reading and writing
+
+
+def _about(binding: Binding) -> Attention:
+    return frozenset(_ABOUT.get(binding.field, (binding.field,)))
 
 
 def _lay_out() -> None:

@@ -55,10 +55,13 @@ from app.projection import Camera, Projection
 from app.scene import BUILT_IN, Scene
 from app.store import Store
 from widgets import palette
+from widgets.attention import Attended
 from widgets.autosave import Autosave
 from widgets.controls import Controls
 from widgets.files import Files
+from widgets.frame_panel import FramePanel
 from widgets.help import Help
+from widgets.manipulation import HOLD_WITHIN_PX, Manipulation
 from widgets.matrix_panel import MatrixPanel
 from widgets.message_bar import MessageBar
 from widgets.messages import sentence
@@ -69,12 +72,10 @@ from widgets.probe_panel import ProbePanel
 from widgets.stage_strip import StageStrip
 from widgets.status_line import StatusLine
 
-HOLD_WITHIN_PX = 9.0
-"""So near to a probe's mark a drag in the image takes hold of it."""
 PANE_WIDTHS = [400, 305, 330]
 """Of the panes in a window of 1366 pixels; the splitter keeps their proportion."""
 DRAWINGS: dict[str, Callable[..., Any]] = {
-    "world": WorldDrawing,
+    "world": partial(WorldDrawing, live=True),
     "ndc": NdcDrawing,
     "image": ImageDrawing,
 }
@@ -134,8 +135,11 @@ class MainWindow(QMainWindow):
             "far": self.tr("far"),
             "eye": self.tr("eye"),
             "target": self.tr("target"),
+            "look": self.tr("look"),
+            "up": self.tr("up"),
         }
         self.store = Store(document, self)
+        self.attention = Attended(self)
         self.messages = MessageBar()
         self.files = Files(self, self.store, self.messages, settings.recent, self._with_views)
         self.files.path = path
@@ -165,6 +169,7 @@ class MainWindow(QMainWindow):
             name: Pane(title, DRAWINGS[name], orbits=name != "image")
             for name, title in self._titles.items()
         }
+        self.manipulation = Manipulation(self.panes["world"], self.panes["image"], self)
         self.strip = StageStrip()
         self.panes["ndc"].add_below(self.strip)
         self.controls = Controls()
@@ -173,6 +178,11 @@ class MainWindow(QMainWindow):
         self.panels.add(
             self.tr("Matrices"), self.matrices,
             self.tr("Every stage's matrix: numbers, formulas, factors and products"),
+        )  # fmt: skip
+        self.frame_panel = FramePanel()
+        self.panels.add(
+            self.tr("Camera frame"), self.frame_panel,
+            self.tr("u, v, n, step by step: how eye, target and up make the view matrix"),
         )  # fmt: skip
         self.probe_panel = ProbePanel()
         self.panels.add(
@@ -225,13 +235,13 @@ class MainWindow(QMainWindow):
     def _panel_opened(self) -> None:
         """Give an opened panel its height, and a folded row of names no more than it needs."""
         height = sum(self._column.sizes())
-        names = self.panels.minimumSizeHint().height()
+        names = wanted = self.panels.minimumSizeHint().height()
         if self.panels.open_panel is None:
             self.panels.setMaximumHeight(names)
         else:
             self.panels.setMaximumHeight(16777215)  # QWIDGETSIZE_MAX: as much as there is
             wanted = max(names, self.panels.sizeHint().height())
-            self._column.setSizes([height - wanted, wanted])
+        self._column.setSizes([height - wanted, wanted])
 
     def _action(
         self,
@@ -408,7 +418,10 @@ class MainWindow(QMainWindow):
         store.changed.connect(self._show_document)
         store.history_changed.connect(self._history_changed)
         controls.edited.connect(store.set_projection)
-        for source in (controls, controls.animation):
+        self.manipulation.edited.connect(store.set_projection)
+        self.frame_panel.edited.connect(store.set_projection)
+        self.frame_panel.step_changed.connect(self.panes["world"].show_step)
+        for source in (controls, controls.animation, self.manipulation, self.frame_panel):
             source.gesture_started.connect(store.begin_gesture)
             source.gesture_finished.connect(store.end_gesture)
             source.gesture_started.connect(self.matrices.begin_gesture)
@@ -430,6 +443,17 @@ class MainWindow(QMainWindow):
         canvas.drag_ended.connect(self._let_probe_go)
         self.probe_panel.changed.connect(self._show_probes)
         self.probe_panel.refused.connect(self.messages.say)
+        attend = self.attention.attend
+        controls.attended.connect(attend)
+        pointing: dict[str, Pane | MatrixPanel | FramePanel | ProbePanel | StatusLine] = {
+            **self.panes,
+            "matrices": self.matrices, "frame": self.frame_panel,
+            "probes": self.probe_panel, "status": self.status,
+        }  # fmt: skip
+        for name, place in pointing.items():
+            place.attended.connect(partial(attend, name))
+            self.attention.changed.connect(place.show_attention)
+        self.attention.changed.connect(controls.show_attention)
         QGuiApplication.styleHints().colorSchemeChanged.connect(self._scheme_changed)
 
     # -- showing the document
@@ -448,7 +472,9 @@ class MainWindow(QMainWindow):
         for pane in self.panes.values():
             pane.show_projection(document.projection)
         self.controls.show_projection(document.projection)
+        self.manipulation.show_projection(document.projection)
         self.matrices.show_projection(document.projection)
+        self.frame_panel.show_projection(document.projection)
         self.probe_panel.show_projection(document.projection)
         self._show_notes(document.projection, scene)
         self.autosave.schedule()
@@ -538,7 +564,7 @@ class MainWindow(QMainWindow):
             self.probe_panel.follow(pixel=pixel)
 
     def _hold_probe(self, place: QPointF) -> None:
-        """Take hold of the mark in the image that a drag starts on."""
+        """Take hold of the mark in the image that a drag starts on, or of the picture."""
         drawing = self.panes["image"].drawing
         if drawing is None:
             return
@@ -552,17 +578,15 @@ class MainWindow(QMainWindow):
                 nearest, self._held = away, probe
         if self._held is not None:
             self.probe_panel.choose(self._held.number)
+        else:
+            self.manipulation.take_picture(place)
 
     def _drag_probe(self, away: QPointF, along_ray: bool) -> None:
         drawing = self.panes["image"].drawing
         if self._held is None or self._held.point is None or not isinstance(drawing, ImageDrawing):
             return
         projection = self.store.document.projection
-        rectangle = drawing.picture_rectangle_px
-        shift_px = (
-            away.x() * projection.image_size[0] / rectangle.width,
-            away.y() * projection.image_size[1] / rectangle.height,
-        )
+        shift_px = drawing.image_shift(away.x(), away.y())
         point = dragged(projection, self._held.point, shift_px, along_ray=along_ray)
         if point is not None:
             self.probe_panel.put(self._held.number, point)

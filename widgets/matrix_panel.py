@@ -35,6 +35,7 @@ from PySide6.QtGui import (
     QFontMetricsF,
     QGuiApplication,
     QHelpEvent,
+    QHideEvent,
     QKeyEvent,
     QKeySequence,
     QMouseEvent,
@@ -57,6 +58,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.attention import NOTHING, Attention, made_of
 from app.drawings.style import LIGHT, Style
 from app.notation import (
     Letters,
@@ -66,10 +68,12 @@ from app.notation import (
     as_text,
     cell_text,
     has_own_signs,
+    letters_in,
     matrices,
     written,
 )
 from app.projection import Projection
+from widgets.attention import paint_attention
 from widgets.messages import field_name, translated
 from widgets.rows import short_text
 
@@ -117,6 +121,8 @@ class MatrixView(QWidget):
 
     pointed = Signal(str)
     copied = Signal(str, object)
+    attended = Signal(object)
+    """The `Attention` that the cell under the mouse or the cursor draws; only when it changes."""
 
     def __init__(self, explain: Callable[[Matrix, int, int], str]) -> None:
         super().__init__()
@@ -130,6 +136,7 @@ class MatrixView(QWidget):
         self._rows = self._formulas = False
         self._style = LIGHT
         self._cursor = (0, 0)
+        self._attention = self._pointed_at = NOTHING
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
@@ -274,6 +281,8 @@ class MatrixView(QWidget):
                     painter.fillRect(rect.adjusted(1, 1, -1, -1), _faded(light, 0.3))
                     painter.setPen(QPen(light, 1.0))
                     painter.drawRect(rect.adjusted(1.5, 1.5, -1.5, -1.5))
+                if self.is_marked(i, j):
+                    paint_attention(self, painter, rect.adjusted(1, 1, -1, -1))
                 painter.setPen(_faded(ink, 0.45) if text == "0" else ink)
                 self._paint_text(painter, rect, text, self._marks[i][j])
         if self.hasFocus():
@@ -342,11 +351,47 @@ class MatrixView(QWidget):
             sentence = self._explain(self._matrix, *self._cursor)
             self.setAccessibleDescription(sentence)
             self.pointed.emit(sentence)
+            self._point_at(self._cursor)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         cell = self.cell_at(event.position())
         if cell is not None and self._matrix is not None:
             self.pointed.emit(self._explain(self._matrix, *cell))
+        self._point_at(cell)
+
+    def leaveEvent(self, event: QEvent) -> None:
+        super().leaveEvent(event)
+        self._point_at(None)
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        super().focusOutEvent(event)
+        self._point_at(None)
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        super().hideEvent(event)
+        self._point_at(None)
+
+    def _point_at(self, cell: tuple[int, int] | None) -> None:
+        attended = NOTHING
+        if cell is not None and self._matrix is not None:
+            attended = letters_in(self._matrix, *cell)
+        if attended != self._pointed_at:
+            self._pointed_at = attended
+            self.attended.emit(attended)
+
+    def show_attention(self, attended: Attention) -> None:
+        """Mark the cells that speak of what is attended to."""
+        if attended != self._attention:
+            self._attention = attended
+            self.update()
+
+    def is_marked(self, row: int, column: int) -> bool:
+        """Whether a cell speaks of what is attended to, or is made of it."""
+        if self._matrix is None or not self._attention:
+            return False
+        depends = set(self._matrix.fields[row][column]) & {"target", "up"}
+        names = letters_in(self._matrix, row, column) | depends
+        return bool(names & made_of(self._attention))
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         self._cursor = self.cell_at(event.position()) or self._cursor
@@ -486,9 +531,13 @@ class MatrixPanel(QWidget):
     more than without the panel, and ends with the value it ends with.
     """
 
+    attended = Signal(object)
+    """The `Attention` that the cell under the mouse or the cursor draws."""
+
     def __init__(self) -> None:
         super().__init__()
         self.setAccessibleName(self.tr("Matrices"))
+        self._attention = NOTHING
         self._projection: Projection | None = None
         self._before: Projection | None = None
         self._gestures = 0
@@ -588,7 +637,15 @@ class MatrixPanel(QWidget):
         view = MatrixView(self.sentence)
         view.pointed.connect(self.explanation.setText)
         view.copied.connect(self._copy_one)
+        view.attended.connect(self.attended)
+        view.show_attention(self._attention)
         return view
+
+    def show_attention(self, attended: Attention) -> None:
+        """Mark the cells that speak of what is attended to."""
+        self._attention = attended
+        for view in self.views.values():
+            view.show_attention(attended)
 
     # -- the model
 

@@ -33,6 +33,7 @@ from PySide6.QtWidgets import (
 )
 from pyvistaqt import QtInteractor
 
+from app.attention import NOTHING, Attention
 from app.phenomena.exhibit import Exhibit
 from app.picking import Probe, Sight
 from app.projection import Camera, Projection
@@ -74,6 +75,12 @@ class Drawing(Protocol):
     def sight(self) -> Sight:
         """How the pane looks at the world just now."""
 
+    def show_attention(self, attended: Attention) -> bool:
+        """Let what is attended to stand out; tell whether that changes what is seen."""
+
+    def attention_at(self, x_px: float, y_px: float) -> Attention:
+        """What is at a device pixel from the pane's top left."""
+
     def remove(self) -> None:
         """Take everything out of the plotter again."""
 
@@ -83,6 +90,13 @@ class StagedDrawing(Drawing, Protocol):
 
     def show_stage(self, position: float) -> None:
         """Move to a position of the stage strip; draw nothing yet."""
+
+
+class SteppedDrawing(Drawing, Protocol):
+    """A drawing in which the camera's frame can be built step by step."""
+
+    def show_step(self, step: int | None) -> None:
+        """Build it up to a step, or show what is always shown; draw nothing yet."""
 
 
 class _Canvas(QtInteractor):
@@ -96,9 +110,16 @@ class _Canvas(QtInteractor):
     dragged = Signal(QPointF, bool)
     """How far it is from there, in device pixels, and whether Shift is held."""
     drag_ended = Signal()
+    hovered = Signal(QPointF)
+    """The mouse is over this place, no button held: the middle of that pixel, in device pixels."""
+    left = Signal()
+    """The mouse is over the canvas no more."""
+    scrolled = Signal(float)
+    """The wheel was turned by so many steps, away from the user, where it is not a zoom."""
 
     def __init__(self, parent: QWidget, *, orbits: bool) -> None:
         super().__init__(parent, auto_update=False, multi_samples=0)
+        self.setMouseTracking(True)
         self.setAcceptDrops(False)  # the window takes drops; pyvistaqt would add the file here
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.setMinimumSize(120, 120)
@@ -119,6 +140,7 @@ class _Canvas(QtInteractor):
 
     def leaveEvent(self, event: Any) -> None:
         event.ignore()
+        self.left.emit()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         self._last = event.position()
@@ -133,9 +155,17 @@ class _Canvas(QtInteractor):
             self._dragged_from = None
             self.drag_ended.emit()
         if self._pressed is not None and event.button() == Qt.MouseButton.LeftButton:
-            middle = self._pressed + QPointF(0.5, 0.5)
+            middle = self._middle(self._pressed)
             self._pressed = None
-            self.clicked.emit(middle * self.devicePixelRatioF())
+            self.clicked.emit(middle)
+
+    def _middle(self, position: QPointF) -> QPointF:
+        """Of the pixel at a position, in device pixels."""
+        return (position + QPointF(0.5, 0.5)) * self.devicePixelRatioF()
+
+    def keep_view(self) -> None:
+        """The drag that has just started is about what was under it: the view stays."""
+        self._last = None
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         self._pressed = None
@@ -143,6 +173,9 @@ class _Canvas(QtInteractor):
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         event.accept()
+        if event.buttons() == Qt.MouseButton.NoButton:
+            self.hovered.emit(self._middle(event.position()))
+            return
         if self._pressed is not None:
             moved = (event.position() - self._pressed).manhattanLength()
             if moved < QApplication.startDragDistance():  # a hand that trembles turns nothing
@@ -167,8 +200,11 @@ class _Canvas(QtInteractor):
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         event.accept()
+        steps = event.angleDelta().y() / 120.0
         if self._orbits:
-            self.zoom(ZOOM_PER_WHEEL_STEP ** (event.angleDelta().y() / 120.0))
+            self.zoom(ZOOM_PER_WHEEL_STEP**steps)
+        elif steps:
+            self.scrolled.emit(steps)
 
     def gesture_event(self, event: Any) -> bool:
         pinch = event.gesture(Qt.GestureType.PinchGesture)
@@ -250,6 +286,8 @@ class Pane(QFrame):
     """A place in the canvas, in device pixels from its top left."""
     float_requested = Signal()
     """The pane shall get, or leave, a window of its own."""
+    attended = Signal(object)
+    """The `Attention` that the mouse draws to what is under it; only when that changes."""
 
     def __init__(
         self,
@@ -269,7 +307,10 @@ class Pane(QFrame):
         self._view: Camera | None = None
         self._stage: float | None = None
         self._stage_is_stale = False
+        self._step: int | None = None
+        self._step_is_stale = False
         self._probes: Sequence[Probe] = ()
+        self._attention = self._pointed_at = NOTHING
         self._exhibit: Exhibit | None = None
         self._stale = False
         self._probes_stale = self._exhibit_is_stale = False
@@ -300,11 +341,20 @@ class Pane(QFrame):
         self.canvas.setAccessibleName(title)
         self.canvas.moved.connect(self._view_moved)
         self.canvas.clicked.connect(self.clicked)
+        self.canvas.hovered.connect(self._hovered)
+        self.canvas.left.connect(self._left)
         if orbits:
             self.canvas.setToolTip(
                 self.tr(
                     "Click to follow a point; drag to turn, Shift-drag to move, wheel to zoom, "
                     "double-click to reset"
+                )
+            )
+        else:
+            self.canvas.setToolTip(
+                self.tr(
+                    "Click to follow a point; drag to move the camera in its plane, wheel to go "
+                    "nearer to the target"
                 )
             )
         self._column = QVBoxLayout(self)
@@ -364,6 +414,13 @@ class Pane(QFrame):
         if self.isVisible():
             self._refresh()
 
+    def show_step(self, step: int | None) -> None:
+        """Show a `SteppedDrawing` at a step, or as ever: at once if visible, or on appearing."""
+        if step != self._step:
+            self._step, self._step_is_stale = step, True
+            if self.isVisible():
+                self._refresh()
+
     def show_probes(self, probes: Sequence[Probe]) -> None:
         """Mark these probes, and no others: at once if visible, else on appearing."""
         if probes != self._probes:
@@ -371,6 +428,29 @@ class Pane(QFrame):
             self._probes_stale = True
             if self.isVisible():
                 self._refresh()
+
+    def show_attention(self, attended: Attention) -> None:
+        """Let what is attended to stand out: at once if visible, else on appearing."""
+        self._attention = attended
+        if (
+            self.isVisible()
+            and self._to_build is None
+            and self.drawing is not None
+            and self.drawing.show_attention(attended)
+        ):
+            self.request_repaint()
+
+    def _hovered(self, place: QPointF) -> None:
+        if self.drawing is not None:
+            self._point_at(self.drawing.attention_at(place.x(), place.y()))
+
+    def _left(self) -> None:
+        self._point_at(NOTHING)
+
+    def _point_at(self, attended: Attention) -> None:
+        if attended != self._pointed_at:
+            self._pointed_at = attended
+            self.attended.emit(attended)
 
     def show_exhibit(self, exhibit: Exhibit | None) -> None:
         """Show what a phenomenon has for the projection shown last: at once, or on appearing."""
@@ -388,6 +468,7 @@ class Pane(QFrame):
                 self.drawing.remove()
             self.drawing = self._make_drawing(self.canvas, *self._to_build)
             self._to_build = None
+            self._step_is_stale = self._step is not None
             self._apply_smoothing()
             self.drawing.show_projection(self._projection)
             self._take_stage(self.drawing)
@@ -405,6 +486,11 @@ class Pane(QFrame):
                 self.drawing.show_exhibit(self._exhibit)
         if self._stage_is_stale and self.drawing is not None:
             self._take_stage(self.drawing)
+        if self._step_is_stale and self.drawing is not None:
+            cast(SteppedDrawing, self.drawing).show_step(self._step)
+            self._step_is_stale = False
+        if self.drawing is not None:
+            self.drawing.show_attention(self._attention)
         self._stale = self._probes_stale = self._exhibit_is_stale = False
         self.request_repaint()
 

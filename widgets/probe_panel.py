@@ -14,12 +14,13 @@ from PySide6.QtCore import (
     QAbstractTableModel,
     QEvent,
     QModelIndex,
+    QObject,
     QPersistentModelIndex,
     QSize,
     Qt,
     Signal,
 )
-from PySide6.QtGui import QKeyEvent, QKeySequence, QShowEvent
+from PySide6.QtGui import QBrush, QColor, QGuiApplication, QKeyEvent, QKeySequence, QShowEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QComboBox,
@@ -33,6 +34,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.attention import NOTHING, Attention, made_of
 from app.picking import Probe
 from app.precision import predict, rung_for_reading, trace
 from app.projection import (
@@ -68,6 +70,8 @@ class ProbePanel(QWidget):
 
     changed = Signal()
     """There are other probes now."""
+    attended = Signal(object)
+    """The `Attention` that the words under the mouse draw: which planes a probe is outside of."""
     refused = Signal(str)
     """A probe could not be made; the sentence says why."""
 
@@ -110,6 +114,12 @@ class ProbePanel(QWidget):
         self._model = _Table(self)
         self.table = QTableView()
         self.table.setModel(self._model)
+        self.table.setMouseTracking(True)
+        self.table.entered.connect(
+            lambda index: self.attended.emit(self._model.attention_at(index))
+        )
+        self.table.viewportEntered.connect(lambda: self.attended.emit(NOTHING))
+        self.table.viewport().installEventFilter(self)
         self.table.setAccessibleName(self.tr("The probes' numbers at every stage"))
         self.table.setSelectionMode(QAbstractItemView.SelectionMode.ContiguousSelection)
         self.table.setWordWrap(False)
@@ -302,6 +312,15 @@ class ProbePanel(QWidget):
             self._projection = projection
             self._fill()
 
+    def show_attention(self, attended: Attention) -> None:
+        """Mark the words that are about what is attended to."""
+        self._model.show_attention(made_of(attended))
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.Leave:
+            self.attended.emit(NOTHING)
+        return super().eventFilter(watched, event)
+
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         self._fill()
@@ -315,15 +334,18 @@ class ProbePanel(QWidget):
         if points:
             followed = trace(projection, points, rung_for_reading(predict(projection, points)))
         formulas = self._formulas(projection)
-        columns, row = [], 0
+        columns, outside, row = [], [], 0
         for probe in self.probes:
             if probe.point is None or followed is None:
                 columns.append(self._of_ray(projection, probe))
+                outside.append(NOTHING)
             else:
-                columns.append(self._of_point(Trace(*(part[row] for part in followed))))
+                point = Trace(*(part[row] for part in followed))
+                columns.append(self._of_point(point))
+                outside.append(frozenset(_outside_of(point)))
                 row += 1
         numbers = [probe.number for probe in self.probes]
-        anew = self._model.show(numbers, formulas, columns)
+        anew = self._model.show(numbers, formulas, columns, outside)
         self._widen(columns, anew)
 
     def _widen(self, columns: list[list[list[str]]], anew: bool) -> None:
@@ -373,9 +395,7 @@ class ProbePanel(QWidget):
     def _of_point(self, point: Trace) -> list[list[str]]:
         """The texts of a point's lines."""
         world, view, clip = _texts(point.world), _texts(point.view), _texts(point.clip)
-        outside_of = [
-            plane for plane, is_out in zip(PLANES, point.outside.tolist(), strict=True) if is_out
-        ]
+        outside_of = _outside_of(point)
         if outside_of:
             names = ", ".join(self._plane(plane) for plane in outside_of)
             inside = self.tr("outside of: {0}").format(names)
@@ -416,6 +436,11 @@ class ProbePanel(QWidget):
         }[plane]
 
 
+def _outside_of(point: Trace) -> list[str]:
+    """The planes of the view volume that a point is outside of."""
+    return [plane for plane, is_out in zip(PLANES, point.outside.tolist(), strict=True) if is_out]
+
+
 def _texts(values: Any) -> list[str]:
     """Numbers as `project` prints them, with every digit and no minus zero."""
     return [format_value(value) for value in (values + 0.0).reshape(-1).tolist()]
@@ -454,18 +479,37 @@ class _Table(QAbstractTableModel):
         self._numbers: list[int] = []
         self._formulas: list[tuple[str, str]] = []
         self._columns: list[list[list[str]]] = []
+        self._outside: list[Attention] = []
+        self._attended = NOTHING
+
+    def attention_at(self, index: QModelIndex) -> Attention:
+        """What a cell is about: the last line is about planes."""
+        if index.column() == 0 or index.row() != self.rowCount() - 1:
+            return NOTHING
+        return self._outside[(index.column() - 1) // _PARTS]
+
+    def show_attention(self, attended: Attention) -> None:
+        """Mark the cells that are about what is attended to."""
+        if attended != self._attended:
+            self._attended = attended
+            if self._numbers:
+                row = self.rowCount() - 1
+                first, last = self.index(row, 1), self.index(row, self.columnCount() - 1)
+                self.dataChanged.emit(first, last, [Qt.ItemDataRole.BackgroundRole])
 
     def show(
         self,
         numbers: list[int],
         formulas: list[tuple[str, str]],
         columns: list[list[list[str]]],
+        outside: list[Attention],
     ) -> bool:
         """Show other texts; tell whether there are other columns."""
         anew = numbers != self._numbers or formulas != self._formulas
         if anew:
             self.beginResetModel()
         self._numbers, self._formulas, self._columns = numbers, formulas, columns
+        self._outside = outside
         if anew:
             self.endResetModel()
         else:
@@ -485,6 +529,9 @@ class _Table(QAbstractTableModel):
         role: int = Qt.ItemDataRole.DisplayRole,
     ) -> Any:
         row, column = index.row(), index.column()
+        if role == Qt.ItemDataRole.BackgroundRole:
+            marked = self.attention_at(self.index(row, column)) & self._attended
+            return self._mark() if marked else None
         if role != Qt.ItemDataRole.DisplayRole:
             return None
         if column == 0:
@@ -492,6 +539,11 @@ class _Table(QAbstractTableModel):
         probe, part = divmod(column - 1, _PARTS)
         texts = self._columns[probe][row]
         return texts[part] if part < len(texts) else None
+
+    def _mark(self) -> QBrush:
+        colour = QColor(QGuiApplication.palette().highlight().color())
+        colour.setAlphaF(0.35)
+        return QBrush(colour)
 
     def headerData(
         self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole

@@ -22,14 +22,18 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any, NamedTuple
 
-from PySide6.QtCore import QEvent, QSignalBlocker, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QRectF, QSignalBlocker, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QAction,
+    QEnterEvent,
     QFocusEvent,
+    QHideEvent,
     QInputMethodEvent,
     QKeyEvent,
     QKeySequence,
     QMouseEvent,
+    QPainter,
+    QPaintEvent,
     QPalette,
     QWheelEvent,
 )
@@ -47,6 +51,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.projection import AT_LEAST, AT_MOST, DISTINCT, LARGEST, ProjectionError
+from widgets.attention import paint_attention
 from widgets.messages import A_NUMBER, A_NUMBER_OR_INFINITY, number_text, sentence
 
 QUIET_MS = 500
@@ -348,6 +353,13 @@ class _Field(QLineEdit):
         return QSize(widest + frame + 2 * INSIDE_FIELD_PX + 1, hint.height())  # 1: the cursor
 
 
+_BY_KEYS = {
+    Qt.FocusReason.TabFocusReason,
+    Qt.FocusReason.BacktabFocusReason,
+    Qt.FocusReason.ShortcutFocusReason,
+}
+"""A focus that a click has brought is the mouse's, which attends by itself."""
+
 _BUTTONS = """
 QToolButton {
     background: palette(button); color: palette(button-text);
@@ -378,10 +390,14 @@ class Row(QWidget):
     """The user chose this value."""
     gesture_started = Signal()
     gesture_finished = Signal()
+    attended = Signal(bool)
+    """The mouse has come over the row or the keyboard into it, or neither is there any more."""
 
     def __init__(self, name: str, tip: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.name = name
+        self._drawn_by: set[str] = set()  # what draws attention to the row: mouse, keyboard
+        self._marked = False
         self._value: Any = None
         self._default: Any = None
         self._error: QLabel | None = None
@@ -490,6 +506,50 @@ class Row(QWidget):
         else:
             super().keyPressEvent(event)
 
+    # -- attention
+
+    @property
+    def is_marked(self) -> bool:
+        """Whether the row shows that it is about what is attended to."""
+        return self._marked
+
+    def set_marked(self, marked: bool) -> None:
+        """Tint the row, or no more."""
+        if marked != self._marked:
+            self._marked = marked
+            self.update()
+
+    def _draw(self, by: str, drawn: bool) -> None:
+        before = bool(self._drawn_by)
+        (self._drawn_by.add if drawn else self._drawn_by.discard)(by)
+        if bool(self._drawn_by) != before:
+            self.attended.emit(not before)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        if self._marked:
+            painter = QPainter(self)
+            paint_attention(self, painter, QRectF(self.rect()))
+            painter.end()
+
+    def enterEvent(self, event: QEnterEvent) -> None:
+        super().enterEvent(event)
+        self._draw("mouse", True)
+
+    def leaveEvent(self, event: QEvent) -> None:
+        super().leaveEvent(event)
+        self._draw("mouse", False)
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        super().hideEvent(event)
+        self._draw("mouse", False)
+        self._draw("keyboard", False)
+
+    def eventFilter(self, watched: Any, event: QEvent) -> bool:
+        if isinstance(event, QFocusEvent):
+            self._draw("keyboard", event.gotFocus() and event.reason() in _BY_KEYS)
+        return super().eventFilter(watched, event)
+
 
 class NumberRow(Row):
     """A slider, a number field and a unit for one number.
@@ -552,7 +612,8 @@ class NumberRow(Row):
         self.field.editingFinished.connect(self._typed)
         self.field.focused.connect(self._focused)
         self.field.touched.connect(self._touched)
-        self.field.installEventFilter(self)
+        for widget in (self.slider, self.field):
+            widget.installEventFilter(self)
         self.setScale(scale)
         self._write_field_tip()
 
@@ -777,6 +838,8 @@ class ChoiceRow(Row):
         else:
             self.widgets = [self._make_combo(choices, none)]
         self.name_label.setBuddy(self.widgets[0])
+        for widget in self.widgets:
+            widget.installEventFilter(self)
         self._show_value()
 
     def _make_combo(self, choices: Sequence[Choice], none: str) -> QComboBox:

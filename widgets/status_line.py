@@ -9,10 +9,11 @@ from __future__ import annotations
 
 import math
 
-from PySide6.QtCore import Qt, QTimer, Signal
-from PySide6.QtGui import QResizeEvent, QShowEvent
+from PySide6.QtCore import QEvent, QRectF, Qt, QTimer, Signal
+from PySide6.QtGui import QEnterEvent, QPainter, QPaintEvent, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QInputDialog, QLabel, QMenu, QSizePolicy, QStatusBar, QToolButton
 
+from app.attention import NOTHING, Attention, made_of
 from app.health import risks
 from app.precision import (
     DRAWING_TOLERANCE_PX,
@@ -32,9 +33,15 @@ from app.projection import (
     fov_x_from_fov_y,
 )
 from app.scene import Scene
+from widgets.attention import paint_attention
 from widgets.messages import field_name, translated
 from widgets.rows import short_text
 
+_ABOUT: dict[str, Attention] = {
+    "fov": frozenset(("fov",)),
+    "planes": frozenset(("near", "far")),
+    "camera": frozenset(("eye", "target")),
+}
 RESTS_AFTER_MS = 150
 """How long nothing must change until errors are predicted."""
 
@@ -49,6 +56,8 @@ class StatusLine(QStatusBar):
     """
 
     tolerance_edited = Signal(float)
+    attended = Signal(object)
+    """The `Attention` that the figure under the mouse draws."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -57,7 +66,7 @@ class StatusLine(QStatusBar):
         self.tolerance_px = DRAWING_TOLERANCE_PX
         self._predictions: dict[Rung, Prediction] | None = None
         self._drawn: Rung = "float32"
-        self.labels = {name: QLabel() for name in ("fov", "planes", "camera")}
+        self.labels = {name: _Figure(_ABOUT[name]) for name in ("fov", "planes", "camera")}
         self.health = _Elided()
         self.health.setAccessibleName(self.tr("Numerical health"))
         for name, tip in (
@@ -67,6 +76,7 @@ class StatusLine(QStatusBar):
         ):
             self.labels[name].setToolTip(tip)
             self.labels[name].setContentsMargins(8, 0, 8, 0)
+            self.labels[name].attended.connect(self.attended)
             self.addWidget(self.labels[name])
         self.rung = QToolButton()
         self.rung.setAutoRaise(True)
@@ -99,6 +109,11 @@ class StatusLine(QStatusBar):
         self._projection, self._scene = projection, scene
         self._show_lens(projection)
         self._wait_for_rest()
+
+    def show_attention(self, attended: Attention) -> None:
+        """Mark the figures that are about what is attended to."""
+        for label in self.labels.values():
+            label.show_attention(made_of(attended))
 
     def set_tolerance(self, tolerance_px: float) -> None:
         """Set up to which error in pixels a GPU's own arithmetic may draw."""
@@ -197,6 +212,38 @@ class StatusLine(QStatusBar):
         )
         if is_set:
             self.tolerance_edited.emit(tolerance_px)
+
+
+class _Figure(QLabel):
+    """A figure that draws attention to what it is about, and shows when something else does."""
+
+    attended = Signal(object)
+
+    def __init__(self, about: Attention) -> None:
+        super().__init__()
+        self._about = about
+        self.is_marked = False
+
+    def show_attention(self, attended: Attention) -> None:
+        marked = bool(attended & self._about)
+        if marked != self.is_marked:
+            self.is_marked = marked
+            self.update()
+
+    def enterEvent(self, event: QEnterEvent) -> None:
+        super().enterEvent(event)
+        self.attended.emit(self._about)
+
+    def leaveEvent(self, event: QEvent) -> None:
+        super().leaveEvent(event)
+        self.attended.emit(NOTHING)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        if self.is_marked:
+            painter = QPainter(self)
+            paint_attention(self, painter, QRectF(self.rect()))
+            painter.end()
 
 
 class _Elided(QLabel):

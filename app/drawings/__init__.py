@@ -13,6 +13,9 @@ plotter that it does not own, and has
 - ``show_exhibit(exhibit)``: draws what a phenomenon shows for the projection shown last, or None,
 - ``remove()``: takes everything out of the plotter again.
 
+The world's has besides, if it is ``live``, marks to take hold of the camera by: ``hold(handle)``,
+``held``, ``handle_at(pixel, within_px)``; a figure has none.
+
 `actors` holds what they share, `style` their colours and sizes.
 """
 
@@ -27,6 +30,8 @@ WORDS: Mapping[str, str] = MappingProxyType(
         "far": "far",
         "eye": "eye",
         "target": "target",
+        "look": "look",
+        "up": "up",
         "u": "u",
         "v": "v",
         "n": "n",

@@ -222,7 +222,7 @@ class Label:
         self.actor = vtkTextActor()
         self.actor.SetTextScaleModeToNone()
         self.actor.UseBoundsOff()
-        self._style = style
+        self._style, self._plate = style, ""
         self._pad = " " if plate else ""
         self._font_px = style.font_size * size
         self._text: str | None = None
@@ -241,6 +241,8 @@ class Label:
         self.property.SetJustification(anchor[0] + 1)
         self.property.SetVerticalJustification(anchor[1] + 1)
         self.property.SetColor(*rgb(colour or style.ink))
+        self.property.SetFrameColor(*rgb(style.ink))
+        self.property.SetFrameWidth(max(2, round(1.6 * style.line_width)))
         if plate:
             self.set_plate(plate)
         self.set_dpi(_DPI)
@@ -255,6 +257,9 @@ class Label:
 
     def set_plate(self, plate: str) -> None:
         """Put a label that has a plate on one of another colour, in whatever reads better there."""
+        if plate == self._plate:
+            return
+        self._plate = plate
         self.property.SetBackgroundColor(*rgb(plate))
         self.property.SetBackgroundOpacity(1.0)
         self.property.SetColor(*rgb(self._style.text_on(plate)))
@@ -267,6 +272,19 @@ class Label:
     def set_visible(self, visible: bool) -> None:
         """Show or hide."""
         self.actor.SetVisibility(visible)
+
+    def set_framed(self, framed: bool) -> None:
+        """Put a frame round the plate, or take it off."""
+        self.property.SetFrame(framed)
+
+    def covers(self, renderer: Any, x_px: float, y_px: float) -> bool:
+        """Whether it is seen at a pixel, counted from the renderer's left and bottom."""
+        if not self.actor.GetVisibility():
+            return False
+        box = [0.0] * 4
+        self.actor.GetBoundingBox(renderer, box)
+        x, y = self.actor.GetPositionCoordinate().GetComputedDoubleViewportValue(renderer)
+        return x + box[0] <= x_px <= x + box[1] and y + box[2] <= y_px <= y + box[3]
 
     def set_dpi(self, dpi: int) -> None:
         """Keep the size in pixels whatever dots per inch the window claims."""

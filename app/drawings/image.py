@@ -16,9 +16,11 @@ import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.vtkRenderingCore import vtkRenderer
 
+from app.attention import SIDES, Attention, corner_at
 from app.drawings.actors import Canvas, Space, face_actor, identity_camera, lifted
-from app.drawings.labels import Layout, Spot
+from app.drawings.labels import Layout
 from app.drawings.marks import MarksDrawing, Placing
+from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at
 from app.drawings.probes import Mark, Probes
 from app.drawings.rasterising import RASTERISED, Rasteriser
 from app.drawings.rungs import ModelActors, least_tolerance
@@ -86,9 +88,31 @@ class ImageDrawing:
         self._rasteriser: Rasteriser | None = None
         self._own_camera = self._canvas.renderer.GetActiveCamera()
         self._canvas.renderer.SetActiveCamera(identity_camera())
+        self._emphasis = Emphasis(self._canvas)
         if framed:
             self._canvas.renderer.SetBackground(*rgb(style.margin))
             self._add_axes(words)
+            self._add_sides()
+
+    def show_attention(self, attended: Attention) -> bool:
+        """Let what is attended to stand out, and nothing else; tell whether that is a change."""
+        return self._emphasis.show(attended)
+
+    def attention_at(self, x_px: float, y_px: float) -> Attention:
+        """What is at a pixel from the pane's top left: a side or a corner of the picture."""
+        found = self._emphasis.label_at(x_px, y_px)
+        if found:
+            return found
+        left, top, width, height = self.picture_rectangle_px
+        right, bottom = float(left + width), float(top + height)
+        corners: list[Spot] = [
+            (left, bottom, 0.0), (right, bottom, 0.0), (right, top, 0.0), (left, top, 0.0),
+        ]  # fmt: skip
+        points = [(_at_corner(i), corner) for i, corner in enumerate(corners)]
+        segments: list[Segment] = [
+            (frozenset((side,)), corners[i], corners[(i + 1) % 4]) for i, side in enumerate(SIDES)
+        ]
+        return pointed_at((x_px, y_px), self._style.font_size, points, segments)
 
     @property
     def picture_renderer(self) -> vtkRenderer:
@@ -206,6 +230,12 @@ class ImageDrawing:
         scale = self._scaled(rectangle)
         return float(x / scale[0, 0]), float(y / scale[1, 1])
 
+    def image_shift(self, right_px: float, down_px: float) -> tuple[float, float]:
+        """A way in the pane's pixels, in the image's."""
+        rectangle = self.picture_rectangle_px
+        width, height = self._image_size
+        return right_px * width / rectangle.width, down_px * height / rectangle.height
+
     def _scaled(self, rectangle: Rectangle) -> NDArray[np.float64]:
         """Pixels from the picture's top left, from the image's pixels."""
         width, height = self._image_size
@@ -287,12 +317,30 @@ class ImageDrawing:
         self._x_label = label(words["x"], (-1, 0), style.u)
         self._y_label = label(words["y"], (0, 1), style.v)
 
+    def _add_sides(self) -> None:
+        """Bars and squares over the frame that show while a side or a corner is attended to."""
+        self._side_bars = {side: Space() for side in SIDES}
+        self._corner_squares = [Space() for _ in SIDES]
+        for side, space in self._side_bars.items():
+            names = (side, "fov") if side in ("top", "bottom") else (side,)
+            self._emphasis.hidden(self._add_face(space, _SQUARE, self._style.accent), *names)
+        for i, space in enumerate(self._corner_squares):
+            square = self._add_face(space, _SQUARE, self._style.accent)
+            self._emphasis.hidden(square, *_at_corner(i))
+        self._axis_bars = {name: Space() for name in ("u", "v")}
+        for name, space in self._axis_bars.items():
+            bar = self._add_face(space, _SQUARE, getattr(self._style, name))
+            self._emphasis.hidden(bar, name)
+        for name, label in (("u", self._x_label), ("v", self._y_label)):
+            self._emphasis.label(label, name)
+
     def _add_face(
         self, space: Space, points: tuple[tuple[float, float, float], ...], colour: str
-    ) -> None:
+    ) -> Any:
         actor = face_actor(points, [range(len(points))], colour)
         space.add(actor)
         self._canvas.add(actor)
+        return actor
 
     # -- changed when the pane's or the image's size changes
 
@@ -350,6 +398,20 @@ class ImageDrawing:
         place(self._heads["x"], right + tip, top - thick / 2.0, head, head)
         place(self._heads["y"], left - thick / 2.0, bottom + tip, head, head)
 
+        wide = 3 * thick
+        for side, x, y, across, down in (
+            ("left", left - wide, top - wide, wide, height + 2 * wide),
+            ("right", right, top - wide, wide, height + 2 * wide),
+            ("top", left - wide, top - wide, width + 2 * wide, wide),
+            ("bottom", left - wide, bottom, width + 2 * wide, wide),
+        ):
+            place(self._side_bars[side], x, y, across, down)
+        at = (left, bottom), (right, bottom), (right, top), (left, top)
+        for square, (x, y) in zip(self._corner_squares, at, strict=True):
+            place(square, x - 2 * wide, y - 2 * wide, 4 * wide, 4 * wide)
+        place(self._axis_bars["u"], left - thick, top - wide, width + thick + tip, wide)
+        place(self._axis_bars["v"], left - wide, top - thick, wide, height + thick + tip)
+
         def move(label: Any, x: float, y: float) -> None:
             label.set_position((x, pane_height_px - y, 0.0))
 
@@ -362,3 +424,8 @@ class ImageDrawing:
         move(self._height_label, left - thick - gap, bottom)
         move(self._x_label, right + tip + 2.0 * head + gap, top - thick / 2.0)
         move(self._y_label, left - thick / 2.0, bottom + tip + 2.0 * head + gap)
+
+
+def _at_corner(i: int) -> Attention:
+    """The corners of the view volume that are seen in a corner of the picture."""
+    return corner_at(SIDES[i - 1], SIDES[i])

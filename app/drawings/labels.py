@@ -138,8 +138,10 @@ class Named(NamedTuple):
     Attributes
     ----------
     eye, target : (3,) array
-    tips : (3 k, 3) array
-        Where the letters of `AXES` can be, all three of them k times, best first.
+    arrows : tuple of str
+        The arrows at the camera whose names are written; `AXES`, if nothing else is taught.
+    tips : (len(arrows) k, 3) array
+        Where they can be, all of them k times, best first.
     body : (n, 3) array
         What the camera's body lies between; the planes' labels keep off it.
     corners : (8, 3) array
@@ -151,6 +153,7 @@ class Named(NamedTuple):
 
     eye: Array
     target: Array
+    arrows: tuple[str, ...]
     tips: Array
     body: Array
     corners: Array
@@ -178,12 +181,30 @@ class Labels:
             for name in ("eye", "target", "near", "far")
         }
         canvas.add(*(leader.actor for leader in self._leaders.values()))
-        self._axes = [label(words[a], plate=getattr(style, a), bold=True) for a in AXES]
+        self._arrows = {a: label(words[a], plate=getattr(style, a), bold=True) for a in AXES}
         self._eye = label(words["eye"], plate=style.eye)
         self._target = label(words["target"], plate=style.target)
         self._near = label("", plate=style.near)
         self._far = label("", plate=style.far)
         self._kept: Mapping[Label, _Candidate] = {}
+        self.named = {
+            **self._arrows,
+            "eye": self._eye, "target": self._target, "near": self._near, "far": self._far,
+        }  # fmt: skip
+        """Each label by the name of what it is about."""
+
+    def add_arrow(self, name: str, colour: str) -> Label:
+        """Make the label of one more arrow than `AXES`."""
+        label = self._canvas.label(self._words[name], plate=colour, bold=True, in_pixels=True)
+        self._arrows[name] = label
+        return label
+
+    def dim_planes(self, light: float) -> None:
+        """Write near and far with this opacity."""
+        for name, label in (("near", self._near), ("far", self._far)):
+            label.property.SetOpacity(light)
+            label.property.SetBackgroundOpacity(light)
+            self._leaders[name].actor.GetProperty().SetOpacity(light)
 
     def lay_out(
         self,
@@ -224,8 +245,14 @@ class Labels:
         layout.keep_free([eye, target])
         if first is not None:
             first(layout, pane.seen)
-        for i, (name, label) in enumerate(zip(AXES, self._axes, strict=True)):
-            layout.place(label, words[name], spots[i : len(named.tips) : 3], _ON, gaps=1)
+        count, step = len(named.tips), len(named.arrows)
+        for name, label in self._arrows.items():
+            if name in named.arrows:
+                i = named.arrows.index(name)
+                gaps = 1 if name in AXES else 3  # up can be anywhere, even on the view direction
+                layout.place(label, words[name], spots[i:count:step], _ON, gaps=gaps)
+            else:
+                label.set_visible(False)
         layout.place(
             self._target, words["target"], [target], _RIGHT_BELOW, leaders["target"], gaps=3
         )

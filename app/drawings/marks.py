@@ -124,7 +124,7 @@ class MarksDrawing:
         self._faces: dict[bool, _Batch] = {}
         self._labels: list[Label] = []
         self._copies: list[_CopyActors] = []
-        self._colours: dict[str, NDArray[np.uint8]] = {}
+        self._colours: dict[tuple[str, int], NDArray[np.uint8]] = {}
         self._texts: list[str] = []
         self._text_points = self._dot_points = np.empty((0, 3))
         self._shown: list[tuple[Copy, _CopyActors, Array]] = []
@@ -166,6 +166,7 @@ class MarksDrawing:
         if not np.abs(points).max() <= placing.limit:  # also NaN
             segments, kept = _cut_segments(segments, placing.limit)
             widths, colours = widths[kept], colours[kept]
+        # Wide lines get their direction from a difference that a driver must not find to be 0.
         long = (segments[:, 0] != segments[:, 1]).any(axis=1)
         if not long.all():
             segments, widths, colours = segments[long], widths[long], colours[long]
@@ -182,24 +183,31 @@ class MarksDrawing:
         return segments.reshape(-1, 3)
 
     def _show_faces(self, faces: Sequence[Face], placing: Placing) -> list[Array]:
+        faces = [face for face in faces if len(face.points) > 2 and face.opacity > 0.0]
         shown: dict[bool, tuple[list[Array], list[NDArray[np.uint8]]]]
         shown = {True: ([], []), False: ([], [])}
-        for face in faces:
-            points = _cut_polygon(placing.placed(np.asarray(face.points)), placing.limit)
-            if len(points) > 2 and face.opacity > 0.0:
-                corners, colours = shown[face.opacity >= 1.0]
-                corners.append(points)
-                colour = self._rgba(face.colour).copy()
-                colour[3] = round(255.0 * min(face.opacity, 1.0))
-                colours.append(np.broadcast_to(colour, (len(points), 4)))
+        if faces:
+            counts = [len(face.points) for face in faces]
+            placed = placing.placed(np.concatenate([face.points for face in faces]))
+            whole = bool(_within(placed, placing.limit).all())
+            ends = np.cumsum(counts).tolist()
+            for face, count, end in zip(faces, counts, ends, strict=True):
+                points = placed[end - count : end]
+                if not whole:
+                    points = _cut_polygon(points, placing.limit)
+                if len(points) > 2:
+                    corners, colours = shown[face.opacity >= 1.0]
+                    corners.append(points)
+                    colours.append(self._rgba(face.colour, min(face.opacity, 1.0)))
         drawn = []
         for opaque, (corners, colours) in shown.items():
             if corners:
                 if opaque not in self._faces:
                     self._faces[opaque] = self._batch("Polys", opaque=opaque)
                 drawn += corners
+                sizes = [len(points) for points in corners]
                 self._faces[opaque].show(
-                    np.concatenate(corners), np.concatenate(colours), [len(c) for c in corners]
+                    np.concatenate(corners), np.repeat(colours, sizes, axis=0), sizes
                 )
             elif opaque in self._faces:
                 self._faces[opaque].hide()
@@ -392,11 +400,12 @@ class MarksDrawing:
         """``"#rrggbb"`` for the name of one of the style's colours."""
         return colour if colour.startswith("#") else str(getattr(self._style, colour))
 
-    def _rgba(self, colour: str) -> NDArray[np.uint8]:
-        found = self._colours.get(colour)
+    def _rgba(self, colour: str, opacity: float = 1.0) -> NDArray[np.uint8]:
+        key = colour, round(255.0 * opacity)
+        found = self._colours.get(key)
         if found is None:
             parts = [round(255.0 * part) for part in rgb(self._named(colour))]
-            found = self._colours[colour] = np.array([*parts, 255], dtype=np.uint8)
+            found = self._colours[key] = np.array([*parts, key[1]], dtype=np.uint8)
         return found
 
     def _batch(self, kind: Literal["Lines", "Polys", "Verts"], *, opaque: bool = True) -> _Batch:

@@ -31,6 +31,7 @@ import pyvista as pv
 from numpy.typing import NDArray
 from vtkmodules.vtkCommonDataModel import vtkPlane
 
+from app.attention import AXES, CORNERS, Attention
 from app.drawings.actors import (
     CUBE_CORNERS,
     Canvas,
@@ -41,8 +42,9 @@ from app.drawings.actors import (
     put_behind,
     unlit_actor,
 )
-from app.drawings.labels import Layout, Spot
+from app.drawings.labels import Layout
 from app.drawings.marks import MarksDrawing, Placing
+from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at, volume_edges
 from app.drawings.probes import Mark, Probes
 from app.drawings.rasterising import Rasteriser
 from app.drawings.rungs import ModelActors, least_tolerance
@@ -86,6 +88,7 @@ _CANONICAL_TRIAD = 0.75  # of x and y in the canonical volumes, short of the sid
 _BESIDE = np.array([-0.3, -0.42])  # right and up of a pyramid's small near face: its plate
 _BESIDE_PYRAMID = np.array([-1.35, 0.2])
 _BOX = CUBE_CORNERS * (1.0, 1.0, 0.5) + (0.0, 0.0, 0.5)  # `Morph`'s: z is 1 at near, 0 at far
+_NEAR_FIRST = [4, 5, 6, 7, 0, 1, 2, 3]
 _BOX_FROM_CUBE = np.array([[1.0, 0, 0, 0], [0, 1, 0, 0], [0, 0, 0.5, 0.5], [0, 0, 0, 1]])
 
 
@@ -131,6 +134,7 @@ class NdcDrawing:
         self._add_triad(style)
         self._words = words
         self._add_words(words, style)
+        self._make_emphasis(style)
         self._probes = Probes(self._canvas, style)
         self._style = style
         self._marks: MarksDrawing | None = None
@@ -337,7 +341,7 @@ class NdcDrawing:
 
     @property
     def _pane_from_display(self) -> Array:
-        """The pane's pixels, from its top left, of what is displayed, (4, 4)."""
+        """From the displayed cube to pixels from the pane's top left, and depth, (4, 4)."""
         camera = self._camera
         width_px, height_px = self._size_px
         toward = np.array(camera.GetDirectionOfProjection())
@@ -431,6 +435,7 @@ class NdcDrawing:
             face_actor(_BOX, [far], style.far, _TINT),
             face_actor(_BOX, [near], style.near, _TINT),
         ]
+        self._outlines = {"far": edges[1], "near": edges[2]}
         self._cross = cross
         for actor in (*edges, cross, *faces):
             self._volume.add(actor)
@@ -506,6 +511,73 @@ class NdcDrawing:
             "z": label(words["z"], plate=style.n, offset_em=(0.4, 0.6), anchor=(0, -1)),
         }
 
+    def _make_emphasis(self, style: Style) -> None:
+        self._emphasis = emphasis = Emphasis(self._canvas)
+        for face in emphasis.volume(self._volume, _BOX[_NEAR_FIRST], 6.0 * style.line_width, style):
+            put_behind(face)
+        for name, line in self._outlines.items():
+            emphasis.line(line, name)
+        for i, axis in enumerate(AXES):
+            emphasis.line(self._arrows[2 * i], axis)
+            emphasis.line(self._triad[i][2], axis)
+        for name, label in (
+            ("near", self._near), ("far", self._far),
+            *zip(AXES, self._letters.values(), strict=True),
+        ):  # fmt: skip
+            emphasis.label(label, name)
+        self._attended: Attention = frozenset()
+
+    def _set_volume(self, display_from_box: Array) -> None:
+        self._display_from_box = display_from_box
+        self._volume.set(display_from_box)
+
+    # -- pointing
+
+    def show_attention(self, attended: Attention) -> bool:
+        """Let what is attended to stand out, and nothing else; tell whether that is a change."""
+        self._attended = attended
+        return self._show_attended()
+
+    def _show_attended(self) -> bool:
+        return self._emphasis.show(self._attended - self._strangers)
+
+    @property
+    def _strangers(self) -> frozenset[str]:
+        """At the world's stop the axes are x, y and z of the world, not the camera's."""
+        at_world = int(self._position + 0.5) == WORLD
+        return frozenset(AXES) if at_world else frozenset()
+
+    def attention_at(self, x_px: float, y_px: float) -> Attention:
+        """What is at a pixel from the pane's top left."""
+        found = self._emphasis.label_at(x_px, y_px)
+        if not found:
+            homogeneous = np.column_stack([_BOX[_NEAR_FIRST], np.ones(8)])
+            pane = self._pane_from_display @ self._display_from_box
+            corners = _spots(homogeneous @ pane.T)
+            points = [(frozenset((name,)), at) for name, at in zip(CORNERS, corners, strict=True)]
+            segments: list[Segment] = volume_edges(corners)
+            if self._position == NDC:
+                segments += self._axis_segments()
+            found = pointed_at(
+                (x_px, y_px), self._canvas.style.font_size, points, segments, corners
+            )
+        return found - self._strangers
+
+    def _axis_segments(self) -> list[Segment]:
+        """Where the cube's axes go beyond it; along the cube they are its edges."""
+        half, end = self._half_depth, 1.0 + _OVERSHOOT
+        toward_reader = half if self._depth == "reversed" else -half
+        ends = {
+            "u": ((1.0, -1.0, half, 1.0), (end, -1.0, half, 1.0)),
+            "v": ((-1.0, 1.0, half, 1.0), (-1.0, end, half, 1.0)),
+            "n": ((1.0, 1.0, toward_reader, 1.0), (1.0, 1.0, toward_reader * end, 1.0)),
+        }
+        segments: list[Segment] = []
+        for axis, both in ends.items():
+            start, tip = _spots(np.array(both) @ self._pane_from_display.T)
+            segments.append((frozenset((axis,)), start, tip))
+        return segments
+
     # -- changed when the depth range or the pane's size changes, never by a slider
 
     def _set_depth(self, depth: str) -> None:
@@ -517,7 +589,7 @@ class NdcDrawing:
         self._box.set(np.diag([1.0, 1.0, half, 1.0]))
         volume = np.diag([1.0, 1.0, 2.0 * half, 1.0])
         volume[2, 3] = -half
-        self._volume.set(volume)
+        self._set_volume(volume)
         self._z_axis.set(np.diag([1.0, 1.0, toward_reader * half, 1.0]))
         for axis, (positive, negative) in enumerate(zip(*[iter(self._planes)] * 2, strict=True)):
             for plane, inward in ((positive, 1.0), (negative, -1.0)):
@@ -551,7 +623,7 @@ class NdcDrawing:
         self._model.show_local()
         self._space.set(_fitting(morph.display_from_local(position)))
         box = _fitting(morph.display_from_box(position))
-        self._volume.set(box)
+        self._set_volume(box)
         for plane, (*normal, offset) in zip(
             self._planes, morph.planes_display(position).tolist(), strict=True
         ):
@@ -572,6 +644,7 @@ class NdcDrawing:
         if (stop, self._projection.lens.parallel) == self._named:
             return
         self._named = stop, self._projection.lens.parallel
+        self._show_attended()
         self._cross.SetVisibility(stop in (CANONICAL_PARALLEL, NDC))
         for actor in self._arrows:
             actor.SetVisibility(stop == NDC)
@@ -684,6 +757,13 @@ class NdcDrawing:
     def _current_view(self) -> tuple[float, ...]:
         camera = self._camera
         return (*camera.GetPosition(), *camera.GetFocalPoint(), camera.GetParallelScale())
+
+
+def _spots(homogeneous: Array) -> list[Spot]:
+    """Pixels and depth of points (n, 4) of the pane; NaN for what is at infinity or beyond."""
+    w = homogeneous[:, 3:]
+    spots = homogeneous[:, :3] / np.where(w > 0.0, w, np.nan)
+    return list(map(tuple, spots.tolist()))
 
 
 def _axes_from(azimuth_deg: float, elevation_deg: float) -> tuple[Array, Array, Array]:

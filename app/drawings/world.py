@@ -30,13 +30,18 @@ import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkPlane
 from vtkmodules.vtkRenderingCore import vtkActor
 
+from app.attention import CORNERS, Attention
 from app.drawings import actors
 from app.drawings.actors import Canvas, Space
+from app.drawings.frame import DIMMED, LARGER, TIPS, FrameSteps, arrow, arrow_tips, is_built
+from app.drawings.handles import APART_EM, HandleMarks
 from app.drawings.labels import AXES, Labels, Named, PaneView
 from app.drawings.marks import MarksDrawing, Placing
+from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at, volume_edges
 from app.drawings.probes import Probes
 from app.drawings.rasterising import Rasteriser
 from app.drawings.style import Style
+from app.handles import Handle, nearest, shown
 from app.phenomena.exhibit import Exhibit, Marks, Rendering
 from app.picking import Probe, Sight
 from app.projection import Array, Camera, Lens, Orthographic, Perspective, Projection
@@ -77,11 +82,8 @@ _SIDES = tuple((i, (i + 1) % 4, (i + 1) % 4 + 4, i + 4) for i in range(4))
 
 _SIX_WAYS = np.vstack([np.eye(3), -np.eye(3)])
 
-# The axes' tips in view space, in sizes of the body; their letters stand beyond them.
-_AXES = {"v": (0.0, 1.7, 0.0), "n": (0.0, 0.0, 2.5), "u": (1.7, 0.0, 0.0)}
-_TIPS = np.concatenate(
-    [stretch * np.array([_AXES[name] for name in AXES]) for stretch in (1.2, 1.5, 1.9)]
-)
+# The axes' letters stand beyond their tips, best first.
+_BEYOND_TIP = (1.2, 1.5, 1.9)
 
 # The eye is where the cube's z axis meets infinity: a pyramid with its apex at the origin and its
 # base at z = 1 becomes the eye's pyramid to the near face when z and w change places.
@@ -131,9 +133,19 @@ class WorldDrawing:
     words : Mapping[str, str]
         `app.drawings.WORDS` or a translation.
     style : Style
+    live : bool
+        Whether somebody can take hold of what is drawn: then there are marks to do it by.
     """
 
-    def __init__(self, plotter: Any, scene: Scene, words: Mapping[str, str], style: Style) -> None:
+    def __init__(
+        self,
+        plotter: Any,
+        scene: Scene,
+        words: Mapping[str, str],
+        style: Style,
+        *,
+        live: bool = False,
+    ) -> None:
         self._scene, self._style = scene, style
         self._origin = np.array(scene.origin, dtype=np.float64)
         self._objects = _box_corners(scene.lower, scene.upper) - self._origin
@@ -147,8 +159,15 @@ class WorldDrawing:
         self._build_scene()
         self._build_camera()
         self._build_frustum()
+        self._make_emphasis()
         self._labels = Labels(self._canvas, words)
+        for name, label in self._labels.named.items():
+            self._emphasis.label(label, name)
         self._probes = Probes(self._canvas, style)
+        self._handles = HandleMarks(self._canvas, style) if live else None
+        self._attended: Attention = frozenset()
+        self._step: int | None = None
+        self._steps: FrameSteps | None = None
         self._marks: MarksDrawing | None = None
         self._marked = np.empty((0, 3))
         self._placed: tuple[float, ...] | None = None
@@ -198,10 +217,16 @@ class WorldDrawing:
         self._rim_space.add(rim)
         add(sight, body, wire, eye, rim, target)
 
-        for axis, tip in _AXES.items():
-            shaft, head = _arrow(np.array(tip), getattr(style, axis), 2.0 * width)
+        self._shafts: dict[str, vtkActor] = {}
+        self._heads: dict[str, vtkActor] = {}
+        self._sight = sight
+        for axis, tip in TIPS.items():
+            shaft, head = arrow(np.array(tip), getattr(style, axis), 2.0 * width)
             self._axes_space.add(shaft, head)
+            self._shafts[axis], self._heads[axis] = shaft, head
             add(shaft, head)
+        self._discs = {"eye": eye, "target": target}
+        self._camera_actors = body, wire
 
     def _build_frustum(self) -> None:
         style = self._style
@@ -216,6 +241,7 @@ class WorldDrawing:
         near_face = actors.face_actor(_CUBE, [_NEAR_FACE], style.near, _NEAR_TINT)
         near_line, far_line = outline(_NEAR_FACE, style.near), outline(_FAR_FACE, style.far)
         self._frustum_space.add(far_face, sides, near_face, near_line, far_line)
+        self._outlines = {"near": near_line, "far": far_line}
         self._tints = (near_face, _NEAR_TINT), (far_face, _FAR_TINT)
         edges = [(i, i + 4) for i in range(4)]
         self._body = actors.line_actor(_CUBE, edges, style.frustum, 1.4 * width)
@@ -233,14 +259,117 @@ class WorldDrawing:
                 broken_edges.append((Space(), edge))
                 broken_edges[-1][0].add(edge)
         broken = [edge for edges in self._breaks.values() for _, edge in edges]
+        self._dimmable = [
+            (actor.GetProperty(), actor.GetProperty().GetOpacity())
+            for actor in (
+                near_line, far_line, self._body, self._apex, *broken, sides, *self._picture,
+                *self._camera_actors,
+            )
+        ]  # fmt: skip
         self._canvas.add(
             near_line, far_line, self._body, self._apex, *broken,
             far_face, sides, near_face,
         )  # fmt: skip
 
+    def _make_emphasis(self) -> None:
+        self._emphasis = emphasis = Emphasis(self._canvas)
+        emphasis.volume(self._frustum_space, _CUBE, 6.0 * self._style.line_width, self._style)
+        for name, line in (*self._shafts.items(), *self._outlines.items()):
+            emphasis.line(line, name)
+        emphasis.line(self._apex, "fov")
+        for name, mark in self._discs.items():
+            emphasis.point(mark, name)
+
     def remove(self) -> None:
         """Take everything out of the plotter again."""
         self._canvas.remove()
+
+    # -- pointing
+
+    def show_attention(self, attended: Attention) -> bool:
+        """Let what is attended to stand out, and nothing else; tell whether that is a change."""
+        self._attended = attended
+        return self._emphasis.show(attended)
+
+    def show_step(self, step: int | None) -> None:
+        """Build the camera's frame up to a step before a dimmed frustum; None for neither.
+
+        Parameters
+        ----------
+        step : int or None
+            Index into `app.camera_frame.STEPS`.
+        """
+        if step == self._step:
+            return
+        self._step = step
+        if self._steps is None:
+            self._make_steps()
+        assert self._steps is not None
+        self._steps.show(step)
+        for axis, shaft in self._shafts.items():
+            for actor in (shaft, self._heads[axis]):
+                actor.SetVisibility(step is None or is_built(axis, step))
+        self._sight.SetVisibility(step is None or is_built("look", step))
+        for line, opacity in self._dimmable:
+            line.SetOpacity(opacity * self._light)
+        self._labels.dim_planes(self._light)
+        self._follow_pane(afresh=True)
+
+    @property
+    def _light(self) -> float:
+        """How much is seen of the frustum."""
+        return 1.0 if self._step is None else DIMMED
+
+    def _make_steps(self) -> None:
+        style = self._style
+        self._steps = FrameSteps(self._canvas, style)
+        for name, thing, shaft, colour in (
+            ("up", "up", self._steps.up, style.accent),
+            ("look", "target", self._steps.look, style.target),
+        ):
+            self._emphasis.line(shaft, thing)
+            self._emphasis.label(self._labels.add_arrow(name, colour), thing)
+        self._emphasis.show(self._attended)
+
+    @property
+    def _arrows(self) -> tuple[tuple[str, ...], Array]:
+        """The arrows that are drawn at the camera, and from the eye to their tips, world units."""
+        camera = self._projection.camera
+        tips = {a: TIPS[a] for a in AXES} if self._step is None else arrow_tips(self._step, camera)
+        directions = np.array(list(tips.values())).reshape(-1, 3)
+        return tuple(tips), self._axes_size * directions @ camera.frame
+
+    @property
+    def _axes_size(self) -> float:
+        return self._body_size * (1.0 if self._step is None else LARGER)
+
+    def attention_at(self, x_px: float, y_px: float) -> Attention:
+        """What is at a pixel from the pane's top left."""
+        found = self._emphasis.label_at(x_px, y_px)
+        if found:
+            return found
+        arrows, tips = self._arrows
+        points_local = [self._eye, self._target, self._eye + tips, self._corners]
+        spots = self._spots(np.vstack(points_local))
+        eye, target, *tip_spots = spots[:-8]
+        corners = spots[-8:]
+        points = [(frozenset((name,)), spot) for name, spot in zip(CORNERS, corners, strict=True)]
+        points += [(frozenset(("eye",)), eye), (frozenset(("target",)), target)]
+        segments: list[Segment] = [
+            (frozenset(("target" if name == "look" else name,)), eye, tip)
+            for name, tip in zip(arrows, tip_spots, strict=True)
+        ]
+        segments += volume_edges(corners)
+        if not self._projection.lens.parallel:
+            segments += [(frozenset(("fov",)), eye, corner) for corner in corners[:4]]
+        return pointed_at((x_px, y_px), self._canvas.style.font_size, points, segments, corners)
+
+    def _spots(self, points: Array) -> list[Spot]:
+        height_px = self._pane.size_px[1]
+        return [
+            (x, height_px - y, -1.0 / depth) if depth > 0.0 else (math.nan, math.nan, math.nan)
+            for x, y, depth in self._pane.seen(points)
+        ]
 
     # -- the model
 
@@ -317,10 +446,13 @@ class WorldDrawing:
 
     def _place_labels(self, *, afresh: bool) -> bool:
         """The labels, and whether one has changed sides; see `Labels.lay_out`."""
-        camera, lens = self._projection.camera, self._projection.lens
-        tips = self._eye + (_TIPS * self._body_size) @ camera.frame
+        lens = self._projection.lens
+        arrows, directions = self._arrows
+        tips = np.concatenate([self._eye + k * directions for k in _BEYOND_TIP])
         body = _applied(self._local_from_body, _BODY_BOX)
-        named = Named(self._eye, self._target, tips, body, self._corners, lens.near, lens.far)
+        named = Named(
+            self._eye, self._target, arrows, tips, body, self._corners, lens.near, lens.far
+        )
         first = None if self._marks is None else self._marks.place_texts
         return self._labels.lay_out(self._pane, named, afresh=afresh, first=first)
 
@@ -329,7 +461,9 @@ class WorldDrawing:
         parts = self._pane.parts_covered(self._corners, _FADE_FROM)
         for (tint, opacity), part in zip(self._tints, parts, strict=True):
             flood = (part - _FADE_FROM) / (1.0 - _FADE_FROM)
-            tint.GetProperty().SetOpacity(opacity * (1.0 - (1.0 - _FADED) * max(0.0, flood)))
+            tint.GetProperty().SetOpacity(
+                self._light * opacity * (1.0 - (1.0 - _FADED) * max(0.0, flood))
+            )
 
     def _place_picture(self) -> None:
         """The scene, flattened onto the near plane, and the planes of the picture's window."""
@@ -548,7 +682,7 @@ class WorldDrawing:
         depths = (points - self._pane.eye) @ toward
         eye_depth = float((self._eye - self._pane.eye) @ toward)
         target_depth = float((self._target - self._pane.eye) @ toward)
-        axes_depth = eye_depth - 4.6 * self._body_size  # brought before the body, see below
+        axes_depth = eye_depth - 4.6 * self._axes_size  # brought before the body, see below
         nearest = 0.95 * min(float(depths.min()), target_depth, axes_depth)
         nearest = max(nearest, _NEAREST * camera.GetDistance())
         farthest = max(1.02 * max(float(depths.max()), target_depth), 2.0 * nearest)
@@ -561,9 +695,13 @@ class WorldDrawing:
             matrix = self._toward_pane(point, on_top * nearest)
             matrix[:3, 3] += matrix[0, 0] * point
             space.set(matrix)
-        before_body = max(nearest, eye_depth - 2.0 * self._body_size)
+        before_body = max(nearest, eye_depth - 2.0 * self._axes_size)
         in_front_of_body = self._toward_pane(self._eye, before_body)
-        self._axes_space.set(in_front_of_body @ self._local_from_body)
+        pane_from_axes = in_front_of_body @ _scaled(self._local_from_view, self._axes_size)
+        self._axes_space.set(pane_from_axes)
+        if self._step is not None and self._steps is not None:
+            self._steps.place(pane_from_axes, self._projection.camera)
+        self._place_handles()
 
     def _rasterise(self, rendering: Rendering | None) -> None:
         """Lay the texture over the faces, and over those in the picture on the near plane."""
@@ -593,6 +731,7 @@ class WorldDrawing:
     def show_exhibit(self, exhibit: Exhibit | None) -> None:
         """Draw what a phenomenon shows for the projection shown last, and nothing of another."""
         self._rasterise(None if exhibit is None else exhibit.rendering)
+        is_first = self._marks is None
         if self._marks is None:
             if exhibit is None:
                 return
@@ -611,6 +750,9 @@ class WorldDrawing:
             copied = np.column_stack([x / w, y / w, z / w])
         copied = copied[(np.abs(copied) <= limit).all(axis=1)]
         self._marked = np.concatenate([marks.points, copied])
+        if is_first and not self._was_moved():
+            self.reset_view()
+            return
         self._place_labels(afresh=False)
         self._fit_range()
 
@@ -637,6 +779,37 @@ class WorldDrawing:
             self._probes.show(marks, self._pane.size_px)
         else:
             self._probes.show((), self._pane.size_px)
+
+    @property
+    def planes_drawn(self) -> tuple[float, float]:
+        """Distances from the eye plane at which near and far are drawn, cut or not."""
+        return self._reach.near, self._reach.far
+
+    @property
+    def held(self) -> Handle | None:
+        """The handle that is pointed out."""
+        return None if self._handles is None else self._handles.held
+
+    def hold(self, handle: Handle | None) -> None:
+        """Point a handle out, and keep it whatever moves; draw nothing yet."""
+        if self._handles is not None:
+            self._handles.held = handle
+            self._place_handles()
+
+    def handle_at(self, pixel: tuple[float, float], within_px: float) -> Handle | None:
+        """The handle that is seen at a pixel, from the pane's top left, if there is one."""
+        return None if self._handles is None else nearest(self._handles.shown, pixel, within_px)
+
+    def _place_handles(self) -> None:
+        if self._handles is not None:
+            held, apart_px = self._handles.held, APART_EM * self._style.font_size
+            size_px = self._pane.size_px
+            self._handles.show(
+                shown(
+                    self._projection, self.planes_drawn, self.sight, size_px, apart_px, held
+                ),
+                size_px[1],
+            )  # fmt: skip
 
     def _toward_pane(self, point: Array, depth: float) -> Array:
         """Shrink everything towards the pane's camera until `point` is at `depth`, (4, 4).
@@ -874,18 +1047,6 @@ def _camera_body() -> tuple[Array, list[tuple[int, ...]], list[tuple[int, ...]]]
     faces += [tuple(first + i for i in face) for face in prism]
     edges += [tuple(first + i for i in line) for line in ((0, 1, 2, 0), (3, 4, 5, 3), (2, 5))]
     return np.array(points), faces, edges
-
-
-def _arrow(tip: Array, colour: str, width: float) -> tuple[vtkActor, vtkActor]:
-    """A line from the origin along an axis, and its pointed head."""
-    neck, radius = 0.82 * tip, 0.06 * float(np.linalg.norm(tip))
-    along = tip / np.linalg.norm(tip)
-    one, two = np.roll(along, 1), np.roll(along, 2)
-    angles = np.arange(12) * (2.0 * math.pi / 12)
-    ring = neck + radius * (np.outer(np.cos(angles), one) + np.outer(np.sin(angles), two))
-    faces = [(0, 1 + i, 1 + (i + 1) % 12) for i in range(12)] + [tuple(range(12, 0, -1))]
-    shaft = actors.line_actor(np.stack([0.0 * tip, neck]), [(0, 1)], colour, width)
-    return shaft, actors.face_actor(np.vstack([tip, ring]), faces, colour)
 
 
 def _broken_edge() -> tuple[Array, list[tuple[int, ...]]]:

@@ -50,7 +50,7 @@ _SLAB = 4e-3  # of the plane's distance: thickness of the picture on it
 def _geometry() -> tuple[Coloured, Coloured]:
     faces, rgb = letter_f()
     return (faces, rgb), joined(
-        ground_grid((-4.0, -4.0), (4.0, 10.0), (1.0, 1.0), 0.0), edges_of(faces)
+        ground_grid((-4.0, -2.0), (4.0, 10.0), (1.0, 1.0), 0.0), edges_of(faces)
     )
 
 
@@ -128,13 +128,13 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
         ]
     )
     lines = [Line(plane[[0, 1, 2, 3, 0]], "v", 1.6)]
-    faces = [Face(plane, "v", 0.18)]
+    faces = [Face(plane, "v", 0.14)]
     texts = [Text(f"d = {distance:.4g}", plane[2], "v")]
     dots, nearest = [], math.inf
     for x, y, z in projection.trace(_outermost(subject)).view.tolist():
         if z < 0.0:
             hit = world(distance * x / -z, distance * y / -z, -distance)
-            lines.append(Line(_through(eye, world(x, y, z), hit, distance, -z), "muted", 0.7))
+            lines.append(Line(_through(eye, world(x, y, z), hit, distance, -z), "muted", 0.6))
             nearest = min(nearest, -z)
 
     x, y, z = projection.trace(place).view.tolist()
@@ -145,14 +145,13 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
         # The two triangles: from the eye along the axis, across to the point, and back.
         faces += [Face(np.array([eye, axis, place]), "accent", 0.16)]
         faces += [Face(np.array([eye, foot, hit]), "accent", 0.3)]
-        ends = [*([foot] if distance < 0.0 or distance > w else []), eye, axis]
         lines += [
-            Line(np.array([min(ends, key=lambda p: float(frame[2] @ -p)), axis, place]), "ink", 1.2)
+            Line(np.array([foot, eye, axis, place]), "ink", 1.3),
+            Line(_through(eye, place, hit, distance, w), "accent", 2.2),
+            Line(np.array([foot, hit]), "v", 2.6),
         ]
-        lines += [Line(_through(eye, place, hit, distance, w), "accent", 2.0)]
-        lines += [Line(np.array([foot, hit]), "v", 2.4)]
         dots = [Dot(place, "accent", 1.3), Dot(hit, "accent", 1.3)]
-        texts += [Text("P", place, "accent"), Text("P′", hit, "accent")]
+        texts += [Text("P", place, "accent"), Text("P'", hit, "accent")]
         texts += [Text("w", (eye + axis) / 2.0)]
         nearest = min(nearest, w)
     note = Phrase(_BEHIND) if at is None else None
@@ -203,7 +202,7 @@ def _marked(where: Array) -> Marks:
 
 _START = Projection(
     Camera((5.5, 3.6, 9.5), (0.3, 2.4, 0.0), (0.0, 1.0, 0.0)),
-    Perspective(fov_y_deg=40.0, near=1.0, far=18.0),
+    Perspective(fov_y_deg=40.0, near=1.0, far=14.0),
     (1280, 720),
 )
 

@@ -1,0 +1,45 @@
+"""What can be pointed at: one vocabulary for panes, controls, matrices, probes and figures.
+
+Whoever is pointed at says which things it is about, by these names; whoever shows one of them
+makes it stand out. Several at once are several: a matrix cell is about every letter in it.
+
+=============================  ====================================================
+names                          what
+=============================  ====================================================
+near far left right bottom top the six planes of the view volume
+u v n                          the axes of the camera's frame (lecture 004)
+eye target up                  what the frame is made of
+fov                            the field of view, by whatever number it is given
+near_left_bottom ...           a corner of the view volume, by its three planes
+image depth keep alpha_deg ... fields of the document that only controls and cells show
+=============================  ====================================================
+"""
+
+from __future__ import annotations
+
+from typing import TypeAlias
+
+Attention: TypeAlias = frozenset[str]
+"""The things that are attended to; empty for none."""
+
+NOTHING: Attention = frozenset()
+AXES = ("u", "v", "n")
+CORNERS = tuple(
+    f"{depth}_{corner}"
+    for depth in ("near", "far")
+    for corner in ("left_bottom", "right_bottom", "right_top", "left_top")
+)
+"""In the order of the drawings' own corners."""
+SIDES = ("bottom", "right", "top", "left")
+"""The sides between one of those corners and the next."""
+
+
+def made_of(attended: Attention) -> Attention:
+    """The same things, and of corners also the planes that meet there: they have the numbers."""
+    planes = (name for corner in attended & set(CORNERS) for name in corner.split("_"))
+    return attended.union(planes)
+
+
+def corner_at(*sides: str) -> Attention:
+    """The corners where some planes meet: two for left and top, one with near or far as well."""
+    return frozenset(name for name in CORNERS if set(sides) <= set(name.split("_")))

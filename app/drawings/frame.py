@@ -1,0 +1,117 @@
+"""The camera's frame in the world pane, step by step: look, up, n, u, v and their right angles.
+
+Made when it is first asked for. Everything but up stands still in view space; up has one matrix
+of its own, a turn about u. A step of the panel switches visibilities, a slider step sets the two
+matrices.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+from vtkmodules.vtkRenderingCore import vtkActor
+
+from app.camera_frame import STEPS, up_and_view
+from app.drawings import actors
+from app.drawings.actors import Canvas, Space
+from app.drawings.style import Style
+from app.projection import Array, Camera
+
+TIPS = {"v": (0.0, 1.7, 0.0), "n": (0.0, 0.0, 2.5), "u": (1.7, 0.0, 0.0)}
+"""Of the axes in view space, in sizes of the camera's body."""
+LARGER = 1.25
+"""How much larger they are while they are built step by step."""
+DIMMED = 0.22
+"""How much is left of what is not the lesson."""
+
+_RIGHT_ANGLES = {"u": ("up-u", "u-n"), "v": ("v-n", "v-u"), "view": ("u-n", "v-n", "v-u")}
+"""Between which arrows a step shows right angles: those that it is about."""
+_UP, _LOOK = 2.4, (0.0, 0.0, -2.5)
+_SQUARE = 0.55  # side of a right angle's mark
+
+
+class FrameSteps:
+    """The arrows and marks that the ordinary drawing has not.
+
+    Parameters
+    ----------
+    canvas : Canvas
+    style : Style
+    """
+
+    def __init__(self, canvas: Canvas, style: Style) -> None:
+        self._space, self._up_space = Space(), Space()
+        width = style.line_width
+        up, look = np.array([0.0, _UP, 0.0]), np.array(_LOOK)
+        self.up, up_head = arrow(up, style.accent, 2.0 * width)
+        self.look, look_head = arrow(look, style.target, 2.0 * width)
+        u, v, n = np.eye(3)
+        self._squares = {
+            "up-u": _right_angle(u, v, style.ink, 1.2 * width),  # v is up under up's own matrix
+            "u-n": _right_angle(u, n, style.ink, 1.2 * width),
+            "v-n": _right_angle(v, n, style.ink, 1.2 * width),
+            "v-u": _right_angle(v, u, style.ink, 1.2 * width),
+        }
+        self._shown_from = {
+            "look": [self.look, look_head],
+            "up": [self.up, up_head],
+        }
+        self._up_space.add(self.up, up_head, self._squares["up-u"])
+        self._space.add(self.look, look_head, *(self._squares[n] for n in _RIGHT_ANGLES["view"]))
+        for made in (*self._shown_from.values(), self._squares.values()):
+            canvas.add(*made)
+
+    def show(self, step: int | None) -> None:
+        """Show what is built up to a step, 0 to ``len(STEPS) - 1``; nothing for None."""
+        for name, made in self._shown_from.items():
+            for actor in made:
+                actor.SetVisibility(is_built(name, step))
+        marked = () if step is None else _RIGHT_ANGLES.get(STEPS[step], ())
+        for name, square in self._squares.items():
+            square.SetVisibility(name in marked)
+
+    def place(self, pane_from_body: Array, camera: Camera) -> None:
+        """Stand at the camera; (4, 4), from view space in sizes of the camera's body."""
+        self._space.set(pane_from_body)
+        y, z = _up_direction(camera)
+        turn = np.eye(4)
+        turn[1:3, 1:3] = [[y, -z], [z, y]]
+        self._up_space.set(pane_from_body @ turn)
+
+
+def is_built(name: str, step: int | None) -> bool:
+    """Whether one of `STEPS` is reached by a step."""
+    return step is not None and STEPS.index(name) <= step
+
+
+def arrow_tips(step: int, camera: Camera) -> dict[str, tuple[float, float, float]]:
+    """The tips of all arrows of a step in view space, in sizes of the camera's body."""
+    y, z = _up_direction(camera)
+    tips = {**TIPS, "up": (0.0, _UP * y, _UP * z), "look": _LOOK}
+    return {name: tip for name, tip in tips.items() if is_built(name, step)}
+
+
+def _up_direction(camera: Camera) -> tuple[float, float]:
+    """The direction of up in view space, where it has no x: along v, and along n."""
+    angle = math.radians(up_and_view(camera).angle_deg)
+    return math.sin(angle), -math.cos(angle)
+
+
+def arrow(tip: Array, colour: str, width: float) -> tuple[vtkActor, vtkActor]:
+    """A line from the origin along an axis, and its pointed head."""
+    neck, radius = 0.82 * tip, 0.06 * float(np.linalg.norm(tip))
+    along = tip / np.linalg.norm(tip)
+    one, two = np.roll(along, 1), np.roll(along, 2)
+    angles = np.arange(12) * (2.0 * math.pi / 12)
+    ring = neck + radius * (np.outer(np.cos(angles), one) + np.outer(np.sin(angles), two))
+    faces = [(0, 1 + i, 1 + (i + 1) % 12) for i in range(12)] + [tuple(range(12, 0, -1))]
+    shaft = actors.line_actor(np.stack([0.0 * tip, neck]), [(0, 1)], colour, width)
+    return shaft, actors.face_actor(np.vstack([tip, ring]), faces, colour)
+
+
+def _right_angle(one: Array, other: Array, colour: str, width: float) -> Any:
+    """A small square at the origin, between two axes."""
+    points = _SQUARE * np.stack([one, one + other, other])
+    return actors.line_actor(points, [(0, 1, 2)], colour, width)

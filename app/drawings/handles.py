@@ -1,0 +1,117 @@
+"""The marks by which the camera is taken hold of in a live pane; figures have none.
+
+One actor holds them all, a disc for a point, a diamond for a plane and a square for a corner, each
+with a rim: a step writes one small array of pixels. What is pointed out is larger and filled with
+the accent's colour, so that colour is not alone in telling it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+from vtkmodules.vtkRenderingCore import vtkActor2D, vtkPolyDataMapper2D
+
+from app.drawings.actors import Canvas
+from app.drawings.style import Style, rgb
+from app.handles import Handle, Spot
+
+APART_EM = 0.9
+"""Of two marks at least."""
+
+_SHAPES = {"eye": (16, 0.44), "target": (16, 0.44), "near": (4, 0.46), "far": (4, 0.46)}
+_CORNER = 4, 0.5  # corners of the mark, and its radius in em
+_RIM_EM = 0.11
+_POINTS = 16  # of each outline
+_POINTED_OUT = 1.4  # times as large
+_MOST = 8  # eye, target, near, far and four corners
+_AWAY_PX = -1e4
+
+
+class HandleMarks:
+    """The marks of the handles in one pane.
+
+    Parameters
+    ----------
+    canvas : Canvas
+    style : Style
+
+    Attributes
+    ----------
+    held : Handle or None
+        The one to point out, from the next `show` on.
+    shown : list of (Handle, (float, float))
+        Those that have room, in pixels from the pane's top left.
+    """
+
+    def __init__(self, canvas: Canvas, style: Style) -> None:
+        self.held: Handle | None = None
+        self.shown: list[tuple[Handle, Spot]] = []
+        fills = {"eye": style.background, "corner": style.background}
+        fills |= {name: getattr(style, name) for name in ("target", "near", "far")}
+        self._fills = {name: _bytes(colour) for name, colour in fills.items()}
+        self._accent, self._ink = _bytes(style.accent), _bytes(style.ink)
+        em = style.font_size
+        self._outlines = {
+            (name, out): em * _outline(*_SHAPES.get(name, _CORNER), _POINTED_OUT if out else 1.0)
+            for name in fills
+            for out in (False, True)
+        }
+        self._places = np.zeros((_MOST, 2, _POINTS, 3), dtype=np.float32)
+        self._points = vtkPoints()
+        places = numpy_to_vtk(self._places.reshape(-1, 3))  # type: ignore[no-untyped-call]
+        self._points.SetData(places)
+        cells = vtkCellArray()
+        for i in range(2 * _MOST):  # rim, fill, rim, ...: the later ones lie on top
+            cells.InsertNextCell(_POINTS, range(i * _POINTS, (i + 1) * _POINTS))
+        self._colours = np.zeros((_MOST, 2, 3), dtype=np.uint8)
+        self._scalars = numpy_to_vtk(self._colours.reshape(-1, 3))  # type: ignore[no-untyped-call]
+        marks = vtkPolyData()
+        marks.SetPoints(self._points)
+        marks.SetPolys(cells)
+        marks.GetCellData().SetScalars(self._scalars)
+        mapper = vtkPolyDataMapper2D()
+        mapper.SetInputData(marks)
+        actor = vtkActor2D()
+        actor.SetMapper(mapper)
+        canvas.add(actor)
+
+    def show(self, handles: Sequence[tuple[Handle, Spot]], height_px: int) -> None:
+        """Mark these handles, and no others; draw nothing yet.
+
+        Parameters
+        ----------
+        handles : sequence of (Handle, (float, float))
+            Pixels from the pane's top left.
+        height_px : int
+            Of the pane, whose pixels VTK counts from below.
+        """
+        self.shown = list(handles)
+        self._places[len(self.shown) :, ..., :2] = _AWAY_PX
+        for i, (handle, (x, y)) in enumerate(self.shown):
+            if not (math.isfinite(x) and math.isfinite(y)):  # held, and not to be seen
+                x, y = _AWAY_PX, _AWAY_PX
+            out = handle == self.held
+            self._places[i, ..., :2] = self._outlines[handle.name, out] + (x, height_px - y)
+            self._colours[i] = self._ink, self._accent if out else self._fills[handle.name]
+        self._points.Modified()
+        self._scalars.Modified()
+
+
+def _outline(corners: int, radius: float, factor: float) -> NDArray[np.float32]:
+    """A regular polygon in em, its corners repeated, and the same inside its rim: (2, 16, 2)."""
+    standing = corners == 4 and radius == _CORNER[1]  # the square on its side, not on its corner
+    turns = np.repeat(np.arange(corners), _POINTS // corners) / corners + 0.125 * standing
+    angles = 2.0 * math.pi * turns
+    unit = np.column_stack([np.cos(angles), np.sin(angles)])
+    size = factor * radius
+    return np.stack([size * unit, (size - _RIM_EM) * unit]).astype(np.float32)
+
+
+def _bytes(colour: str) -> tuple[int, ...]:
+    return tuple(round(255 * part) for part in rgb(colour))

@@ -1,0 +1,226 @@
+"""Pointing in a pane: what is under a pixel, and what stands out while it is attended to.
+
+Everything that stands out is made with its drawing and waits there: what is attended to changes
+line widths, point sizes and visibilities, never the number of actors, and no slider step knows.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from itertools import pairwise
+from typing import Any, TypeAlias
+
+from vtkmodules.vtkRenderingCore import vtkActor
+
+from app.attention import CORNERS, NOTHING, SIDES, Attention
+from app.drawings.actors import (
+    CUBE_EDGES,
+    Canvas,
+    Label,
+    Space,
+    face_actor,
+    line_actor,
+    point_actor,
+)
+from app.drawings.style import Style
+from app.projection import Array
+
+NEAR_FACE, FAR_FACE = (0, 1, 2, 3), (4, 5, 6, 7)
+FACES = {
+    "near": NEAR_FACE,
+    "far": FAR_FACE,
+    **{side: (i, (i + 1) % 4, (i + 1) % 4 + 4, i + 4) for i, side in enumerate(SIDES)},
+}
+"""The corners of each plane's face, in the order of `attention.CORNERS`."""
+
+_WIDER, _LARGER = 2.4, 1.7
+_TINT = 0.22
+_POINT_EM, _LINE_EM = 0.65, 0.45  # so near is on it
+
+Spot: TypeAlias = tuple[float, float, float]
+"""Pixels from the pane's left and top, and an order that is linear there: smaller in front."""
+Segment: TypeAlias = tuple[Attention, Spot, Spot]
+
+
+class Emphasis:
+    """What of one drawing stands out, and while what is attended to.
+
+    Parameters
+    ----------
+    canvas : Canvas
+    """
+
+    def __init__(self, canvas: Canvas) -> None:
+        self._canvas = canvas
+        self._lines: list[tuple[Attention, Any, float]] = []
+        self._points: list[tuple[Attention, Any, float]] = []
+        self._hidden: list[tuple[Attention, Any]] = []
+        self._labels: list[tuple[str, Label]] = []
+        self._shown = NOTHING
+        self._names = NOTHING
+
+    def line(self, actor: vtkActor, *names: str) -> None:
+        """Draw these lines wider."""
+        width = actor.GetProperty().GetLineWidth()
+        self._lines.append((self._known(names), actor.GetProperty(), width))
+
+    def point(self, actor: vtkActor, *names: str) -> None:
+        """Draw these points larger."""
+        size = actor.GetProperty().GetPointSize()
+        self._points.append((self._known(names), actor.GetProperty(), size))
+
+    def hidden(self, actor: Any, *names: str) -> None:
+        """Draw this only then."""
+        actor.SetVisibility(False)
+        self._hidden.append((self._known(names), actor))
+
+    def label(self, label: Label, name: str) -> None:
+        """Put a frame round this label's plate; it can be pointed at, too."""
+        self._known((name,))
+        self._labels.append((name, label))
+
+    def volume(self, space: Space, corners: Array, corner_size: float, style: Style) -> list[Any]:
+        """Make faces, outlines and corners of a view volume that only show when attended to.
+
+        Parameters
+        ----------
+        space : Space
+            What the corners stand under.
+        corners : (8, 3) array
+            In the order of `attention.CORNERS`.
+        corner_size : float
+            Pixels.
+        style : Style
+
+        Returns
+        -------
+        list of vtkActor
+            The faces, which may have to be put behind the scene.
+        """
+        faces = []
+        for name, face in FACES.items():
+            colour = getattr(style, name, style.accent)
+            tint = face_actor(corners, [face], colour, _TINT)
+            outline = line_actor(corners, [(*face, face[0])], colour, _WIDER * style.line_width)
+            for actor in (outline, tint):
+                space.add(actor)
+                self._canvas.add(actor)
+                self.hidden(actor, name)
+            faces.append(tint)
+        for name, corner in zip(CORNERS, corners, strict=True):
+            point = point_actor([corner], style.accent, corner_size)
+            space.add(point)
+            self._canvas.add(point)
+            self.hidden(point, name)
+        return faces
+
+    def _known(self, names: Iterable[str]) -> Attention:
+        added = frozenset(names)
+        self._names |= added
+        return added
+
+    def show(self, attended: Attention) -> bool:
+        """Let what is attended to stand out, and nothing else; tell whether that is a change."""
+        shown = attended & self._names
+        if shown == self._shown:
+            return False
+        self._shown = shown
+        for names, line, width in self._lines:
+            line.SetLineWidth(width * (_WIDER if names & shown else 1.0))
+        for names, point, size in self._points:
+            point.SetPointSize(size * (_LARGER if names & shown else 1.0))
+        for names, actor in self._hidden:
+            actor.SetVisibility(bool(names & shown))
+        for name, label in self._labels:
+            label.set_framed(name in shown)
+        return True
+
+    def label_at(self, x_px: float, y_px: float) -> Attention:
+        """What the label at a pixel from the pane's top left is about."""
+        height_px = self._canvas.window.GetSize()[1]
+        for name, label in self._labels:
+            if label.covers(self._canvas.renderer, x_px, height_px - y_px):
+                return frozenset((name,))
+        return NOTHING
+
+
+def volume_edges(spots: Sequence[Spot]) -> list[Segment]:
+    """The twelve edges of a view volume by its eight corners, and which planes they are of."""
+    edges = []
+    for line in CUBE_EDGES:
+        for start, end in pairwise(line):
+            planes = {"near"} if end < 4 else {"far"}
+            if start < 4 <= end:
+                planes = {name for name in SIDES if start in FACES[name]}
+            edges.append((frozenset(planes), spots[start], spots[end]))
+    return edges
+
+
+def pointed_at(
+    place: tuple[float, float],
+    em: float,
+    points: Iterable[tuple[Attention, Spot]],
+    segments: Iterable[Segment],
+    corners: Sequence[Spot] = (),
+) -> Attention:
+    """What is at a pixel: the nearest point, else the nearest line, else the foremost face.
+
+    Parameters
+    ----------
+    place : (float, float)
+        Pixels from the pane's top left.
+    em : float
+        Height of the labels' font, by which a hand's aim is measured, pixels.
+    points, segments : iterables
+        What they are about, and where; a place that is NaN is nowhere.
+    corners : sequence of 8 Spot
+        Of the view volume, for its faces.
+    """
+    best, found = _POINT_EM * em, NOTHING
+    for names, spot in points:
+        away = math.dist(spot[:2], place)
+        if away < best:  # never for NaN
+            best, found = away, names
+    if found:
+        return found
+    best = _LINE_EM * em
+    for names, start, end in segments:
+        away = _from_segment(place, start, end)
+        if away < best:
+            best, found = away, names
+    if found or not corners:
+        return found
+    foremost = math.inf
+    for name, face in FACES.items():
+        order = _order_in(place, [corners[i] for i in face])
+        if order < foremost:
+            foremost, found = order, frozenset((name,))
+    return found
+
+
+def _from_segment(place: tuple[float, float], start: Spot, end: Spot) -> float:
+    along_x, along_y = end[0] - start[0], end[1] - start[1]
+    square = along_x * along_x + along_y * along_y
+    part = 0.0
+    if square > 0.0:
+        to_x, to_y = place[0] - start[0], place[1] - start[1]
+        part = min(1.0, max(0.0, (to_x * along_x + to_y * along_y) / square))
+    return math.dist(place, (start[0] + part * along_x, start[1] + part * along_y))
+
+
+def _order_in(place: tuple[float, float], corners: Sequence[Spot]) -> float:
+    """The order of a convex polygon at a pixel; infinity beside it, and if it is seen edge-on."""
+    x, y = place
+    turns = []
+    for (ax, ay, _), (bx, by, _) in zip(corners, (*corners[1:], corners[0]), strict=True):
+        turns.append((bx - ax) * (y - ay) - (by - ay) * (x - ax))
+    if not (all(turn > 0.0 for turn in turns) or all(turn < 0.0 for turn in turns)):
+        return math.inf
+    (ax, ay, a), (bx, by, b), (cx, cy, c) = corners[:3]
+    area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
+    if abs(area) < 1.0:
+        return math.inf
+    to_b = ((x - ax) * (cy - ay) - (y - ay) * (cx - ax)) / area
+    to_c = ((bx - ax) * (y - ay) - (by - ay) * (x - ax)) / area
+    return a + to_b * (b - a) + to_c * (c - a)

@@ -1,0 +1,575 @@
+"""Trade 1, arithmetic: ns a point against the largest error in px and in depth; and the sweeps.
+
+Every way of projecting gets the same points in the layout it likes best and answers x and y in
+pixels and the depth; `app.precision.Reference` knows the truth to more digits than any of them.
+"""
+
+from __future__ import annotations
+
+import importlib
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import Any, NamedTuple, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonMath import vtkMatrix4x4
+from vtkmodules.vtkCommonTransforms import vtkPerspectiveTransform
+from vtkmodules.vtkRenderingCore import vtkCamera
+
+from app.measure.results import Choice, Curve, Sweep, Trade
+from app.measure.run import Cancelled, Watch, in_turns, unwatched
+from app.precision import Prediction, Reference, Rung, predict, trace
+from app.projection import Array, Camera, Frustum, Perspective, Projection, ProjectionError, Vector
+
+Rows: TypeAlias = NDArray[Any]
+"""(3, n): x and y in pixels, depth in [0, 1]; NaN or infinite where the way has no answer."""
+
+MOST_POINTS = 8192
+"""Points of a scene that are projected: as many as every way does in one go."""
+_BLOCK = 8192
+_RUNGS: dict[str, Rung] = {"float32": "float32", "float64, eye first": "float64", "exact": "exact"}
+"""Which ways are rungs of the model, that it predicts and can draw or read with."""
+
+NO_POINTS = "no vertex is in front of the eye, so that there is nothing to measure"
+NOT_INSTALLED = "not installed"
+NOT_A_NUMBER = "answers NaN"
+INFINITE = "overflows"
+
+
+class Way(NamedTuple):
+    """One way of projecting: what is timed, and how its answer is read."""
+
+    run: Callable[[], Any]
+    rows: Callable[[Any], Rows]
+
+
+def looked_at(projection: Projection, points_world: Array) -> Array:
+    """The points to measure with, (n, 3).
+
+    Those inside the view volume, else those in front; so many of them, or so often, that no way's
+    cost is that of being called.
+    """
+    traced = projection.trace(points_world)
+    inside = traced.in_front & ~traced.outside.any(axis=1)
+    found = points_world[inside if inside.any() else traced.in_front]
+    if not len(found):
+        return found
+    chosen: Array = np.resize(found[:: max(1, len(found) // MOST_POINTS)], (MOST_POINTS, 3))
+    return chosen
+
+
+def ways(projection: Projection, world: Array, origin: Vector) -> dict[str, Way]:
+    """Our own ways, from the crudest to the exact one, and VTK's.
+
+    Parameters
+    ----------
+    projection : Projection
+    world : (n, 3) float64 array
+    origin : Vector
+        World point from which the GPU's vertices are measured.
+    """
+    with np.errstate(all="ignore"):  # what overflows is a finding
+        from_local = projection.image_from_ndc @ projection.clip_from_world_at(origin)
+        from_world = projection.image_from_ndc @ projection.clip_from_world
+    local = np.ascontiguousarray((world - origin).T)
+    columns = np.ascontiguousarray(world.T)
+    homogeneous = np.vstack([columns, np.ones(len(world))])
+    eye = np.array(projection.camera.eye).reshape(3, 1)
+    lens = (projection.image_from_ndc @ projection.clip_from_view) @ projection.view_rotation
+
+    def concatenated(kind: Any, matrix: Array, points: Array) -> Callable[[], Rows]:
+        with np.errstate(all="ignore"):
+            small, rows = matrix.astype(kind), points.astype(kind)
+        return lambda: _divided(_product(small, rows))
+
+    def float32_eye_first() -> Rows:
+        offset = (columns - eye).astype(np.float32)
+        return _divided(_product(lens32, offset))
+
+    def float64_concatenated() -> Rows:
+        clip = from_world @ homogeneous
+        rows: Rows = clip[:3] / clip[3]
+        return rows
+
+    with np.errstate(all="ignore"):
+        lens32 = lens.astype(np.float32)
+    plain: dict[str, Callable[[], Rows]] = {
+        "float16": concatenated(np.float16, from_local, local),
+        "float32": float32(projection, world, origin),
+        "float32, eye first": float32_eye_first,
+        "float64, concatenated": float64_concatenated,
+        "float64, eye first, rows at once": lambda: projection.image_rows(columns),
+    }
+
+    def same(rows: Rows) -> Rows:
+        return rows
+
+    found = {name: Way(run, same) for name, run in plain.items()}
+    exact: tuple[tuple[str, Rung], ...] = (("float64, eye first", "float64"), ("exact", "exact"))
+    for name, rung in exact:
+        found[name] = Way(
+            partial(trace, projection, world, rung),
+            lambda traced: np.vstack([traced.image.T, traced.depth]),
+        )
+    found["VTK's transform"] = _vtk(from_world, world)
+    return found
+
+
+def float32(projection: Projection, world: Array, origin: Vector) -> Callable[[], Rows]:
+    """The rung ``float32`` of `app.precision` without what nobody reads: the same to the bit."""
+    single = np.float32
+    with np.errstate(all="ignore"):
+        matrix = projection.clip_from_world_at(origin).astype(single)
+        local = np.ascontiguousarray((world - origin).T).astype(single)
+    width, height = (single(side / 2.0) for side in projection.image_size)
+    one, half = single(1.0), single(0.5)
+    opengl = projection.depth == "opengl"
+
+    def run() -> Rows:
+        x, y, z, w = _product(matrix, local)
+        x, y, z = x / w, y / w, z / w
+        return np.stack([(x + one) * width, (one - y) * height, half * z + half if opengl else z])
+
+    return run
+
+
+def _product(matrix: Rows, points: Rows) -> Rows:
+    """A (4, 4) times points (3, n) in their own arithmetic, sum by sum as a GPU does it."""
+    out = np.empty((4, points.shape[1]), dtype=points.dtype)
+    for start in range(0, points.shape[1], _BLOCK):
+        x, y, z = points[:, start : start + _BLOCK]
+        for row, (a, b, c, d) in zip(out[:, start : start + _BLOCK], matrix, strict=True):
+            row[:] = a * x + b * y + c * z + d
+    return out
+
+
+def _divided(clip: Rows) -> Rows:
+    rows: Rows = clip[:3] / clip[3]
+    return rows
+
+
+def _vtk(matrix: Array, world: Array) -> Way:
+    """VTK's own transform of a homogeneous matrix, float64 points in and out."""
+    transform, elements = vtkPerspectiveTransform(), vtkMatrix4x4()
+    elements.DeepCopy(matrix.ravel().tolist())
+    transform.SetMatrix(elements)
+    source, target = vtkPoints(), vtkPoints()
+    source.SetData(numpy_to_vtk(world))  # type: ignore[no-untyped-call]
+    target.SetDataTypeToDouble()
+
+    def run() -> Any:
+        target.Reset()
+        transform.TransformPoints(source, target)
+        return target
+
+    return Way(run, lambda _done: vtk_to_numpy(target.GetData()).T)  # type: ignore[no-untyped-call]
+
+
+def peers(projection: Projection, world: Array) -> tuple[dict[str, Way], dict[str, str]]:
+    """Other libraries' natural ways, and why some are not there.
+
+    Returns
+    -------
+    ways : dict of str to Way
+    missing : dict of str to str
+        Of those that cannot be imported: what Python said.
+    """
+    found: dict[str, Way] = {}
+    missing: dict[str, str] = {}
+    with np.errstate(all="ignore"):
+        matrix = np.array(projection.image_from_ndc @ projection.clip_from_world)
+    columns = np.ascontiguousarray(world.T)
+
+    def proj3d(module: Any) -> Way:
+        return Way(lambda: module.proj_transform(*columns, matrix), np.array)
+
+    def pylinalg(module: Any) -> Way:
+        return Way(lambda: module.vec_transform(world, matrix), np.transpose)
+
+    def pyglm(module: Any) -> Way:
+        view = module.dmat4(*projection.view_from_world.T.ravel().tolist())
+        lens = module.dmat4(*projection.clip_from_view.T.ravel().tolist())
+        width, height = projection.image_size
+        viewport = module.dvec4(0.0, height, width, -height)  # glm's pixels count from the bottom
+        vectors = [module.dvec3(*row) for row in world.tolist()]
+        project = module.projectZO if projection.depth != "opengl" else module.projectNO
+        return Way(
+            lambda: [project(vector, view, lens, viewport) for vector in vectors],
+            lambda done: np.array([tuple(vector) for vector in done]).T,
+        )
+
+    for name, module, make in (
+        ("matplotlib's proj3d", "mpl_toolkits.mplot3d.proj3d", proj3d),
+        ("pylinalg", "pylinalg", pylinalg),
+        ("PyGLM", "pyglm.glm", pyglm),
+    ):
+        try:
+            found[name] = make(importlib.import_module(module))
+        except ModuleNotFoundError:
+            missing[name] = NOT_INSTALLED
+        except Exception as error:  # whatever a library does when it is imported
+            missing[name] = f"{type(error).__name__}: {error}"
+    return found, missing
+
+
+def measure(
+    projection: Projection,
+    points_world: Array,
+    origin: Vector = (0.0, 0.0, 0.0),
+    seconds: float = 10.0,
+    watch: Watch = unwatched,
+) -> Trade:
+    """Measure trade 1.
+
+    Parameters
+    ----------
+    projection : Projection
+    points_world : (n, 3) array
+        The scene's vertices.
+    origin : Vector
+        World point from which the GPU's vertices are measured.
+    seconds : float
+        For the timing.
+    watch : Watch
+
+    Raises
+    ------
+    Cancelled
+        By `watch`; with the errors, and the times so far.
+    """
+    world = looked_at(projection, points_world)
+    if not len(world):
+        return Trade("arithmetic", "ns", "px", (Choice("", None, None, None, note=NO_POINTS),), 0)
+    reference = Reference.of(projection, world)
+    predicted = predict(projection, world, origin) or {}
+    others, missing = peers(projection, world)
+    all_ways = ways(projection, world, origin) | others
+    with np.errstate(all="ignore"):
+        found = {name: _errors(reference, way) for name, way in all_ways.items()}
+        complete = True
+        try:
+            times = in_turns({name: way.run for name, way in all_ways.items()}, seconds, watch)
+        except Cancelled as cancelled:
+            times, complete = cancelled.partial, False
+    choices = []
+    for name, (errors, note) in found.items():
+        prediction = predicted.get(_RUNGS[name]) if name in _RUNGS else None
+        values = {} if errors is None else {"error_depth": errors.depth}
+        if prediction is not None:
+            values["predicted_depth"] = prediction.depth
+        per_point = 1e9 / len(world)
+        choices.append(
+            Choice(
+                name,
+                per_point * times[name].median if name in times else None,
+                per_point * times[name].p95 if name in times else None,
+                None if errors is None else errors.px,
+                None if prediction is None else prediction.px,
+                values,
+                note,
+                {"rung": _RUNGS[name]} if name in _RUNGS else {},
+            )
+        )
+    choices += [Choice(name, None, None, None, note=note) for name, note in missing.items()]
+    rounds = min((times[name].rounds for name in times), default=0)
+    trade = Trade("arithmetic", "ns", "px", tuple(choices), rounds, complete)
+    if not complete:
+        raise Cancelled(trade)
+    return trade
+
+
+def _errors(reference: Reference, way: Way) -> tuple[Prediction | None, str]:
+    """The largest errors of a way, or why there are none."""
+    rows = np.asarray(way.rows(way.run()), dtype=np.float64)
+    return _largest(reference, rows.T)
+
+
+def _largest(reference: Reference, answers: Array) -> tuple[Prediction | None, str]:
+    errors = reference.errors(answers)
+    if np.isnan(answers).any():
+        return None, NOT_A_NUMBER
+    if np.isinf(answers).any():
+        return None, INFINITE
+    return Prediction(float(errors[:, :2].max()), float(errors[:, 2].max())), ""
+
+
+# --------------------------------------------------------------------------- sweeps
+
+
+@dataclass(frozen=True)
+class Range:
+    """What a sweep runs over.
+
+    Attributes
+    ----------
+    unit : str
+    low, high : float
+        Ends, in units of `scale`'s answer.
+    set : callable
+        ``set(projection, value)``: the projection, and how far the points are moved, (3,).
+    """
+
+    unit: str
+    low: float
+    high: float
+    set: Callable[[Projection, float], tuple[Projection, Array]]
+    from_top: bool = False
+    """Whether the steps crowd at the upper end too: 179.9, 179.99, ..."""
+
+
+_STILL = np.zeros(3)
+
+
+def _with_near(projection: Projection, near: float) -> tuple[Projection, Array]:
+    lens = _perspective(projection)
+    return replace(projection, lens=replace(lens, near=near, far=max(lens.far, 4.0 * near))), _STILL
+
+
+def _with_far(projection: Projection, far: float) -> tuple[Projection, Array]:
+    lens = _perspective(projection)
+    return replace(projection, lens=replace(lens, near=min(lens.near, far / 4.0), far=far)), _STILL
+
+
+def _with_fov(projection: Projection, fov_y_deg: float) -> tuple[Projection, Array]:
+    return replace(projection, lens=replace(_perspective(projection), fov_y_deg=fov_y_deg)), _STILL
+
+
+def _with_distance(projection: Projection, distance: float) -> tuple[Projection, Array]:
+    """Camera and points moved away from the origin together, along (1, 1, 1)."""
+    camera = projection.camera
+    moved = np.full(3, distance / math.sqrt(3.0))
+    eye, target = (tuple((np.array(p) + moved).tolist()) for p in (camera.eye, camera.target))
+    return replace(projection, camera=replace(camera, eye=eye, target=target)), moved
+
+
+def _with_up_angle(projection: Projection, angle_deg: float) -> tuple[Projection, Array]:
+    """Up at an angle from the view direction, in the plane of the former up."""
+    camera = projection.camera
+    _, v, n = camera.frame
+    angle = math.radians(angle_deg)
+    up = math.sin(angle) * v - math.cos(angle) * n
+    turned = Camera(camera.eye, camera.target, tuple(up.tolist()))
+    return replace(projection, camera=turned), _STILL
+
+
+def _with_aspect(projection: Projection, aspect: float) -> tuple[Projection, Array]:
+    """A window of another shape on the same image: pixels that are not square."""
+    lens = _perspective(projection)
+    top = lens.near * math.tan(math.radians(lens.fov_y_deg / 2.0))
+    right = top * aspect
+    wide = Frustum(-right, right, -top, top, lens.near, lens.far)
+    return replace(projection, lens=wide), _STILL
+
+
+def _perspective(projection: Projection) -> Perspective:
+    lens = projection.lens
+    if isinstance(lens, Perspective):
+        return lens
+    turned = projection.with_lens("perspective").lens
+    assert isinstance(turned, Perspective)
+    return turned
+
+
+SWEEPS: dict[str, Range] = {
+    "near": Range("", 1e-200, 1e99, _with_near),
+    "far": Range("", 1e-6, 1e99, _with_far),
+    "fov": Range("°", 1e-80, 180.0 - 1e-12, _with_fov, from_top=True),
+    "distance": Range("", 1e-3, 1e16, _with_distance),
+    "up": Range("°", 1e-13, 90.0, _with_up_angle),
+    "aspect": Range("", 1e-12, 1e12, _with_aspect),
+}
+"""Every parameter that can be swept, with its whole range."""
+
+
+def values_of(
+    parameter: str, count: int, low: float | None = None, high: float | None = None
+) -> tuple[float, ...]:
+    """The values of a sweep, logarithmically spaced from end to end.
+
+    Parameters
+    ----------
+    parameter : str
+        One of `SWEEPS`.
+    count : int
+        At least 2.
+    low, high : float, optional
+        Ends; those of the whole range if not given.
+    """
+    swept = SWEEPS[parameter]
+    low = swept.low if low is None else low
+    high = swept.high if high is None else high
+    if swept.from_top and low < 90.0 < high:
+        half = count // 2
+        rising = np.geomspace(low, 90.0, count - half)
+        falling = 180.0 - np.geomspace(90.0, 180.0 - high, half + 1)[1:]
+        return tuple(np.concatenate([rising, falling]).tolist())
+    return tuple(np.geomspace(low, high, count).tolist())
+
+
+def sweep(
+    parameter: str,
+    projection: Projection,
+    points_world: Array,
+    values: Sequence[float],
+    watch: Watch = unwatched,
+) -> Sweep:
+    """The error of every rung, and of VTK's own camera, over a parameter's range.
+
+    The points are the scene's, kept inside the view volume as it changes: scaled about the eye
+    into the part of the line of sight between near and far, so that there is always something to
+    be wrong about.
+
+    Parameters
+    ----------
+    parameter : str
+        One of `SWEEPS`.
+    projection : Projection
+    points_world : (n, 3) array
+    values : sequence of float
+    watch : Watch
+
+    Raises
+    ------
+    Cancelled
+        By `watch`; with the values done.
+    """
+    names = (*_RUNGS, "VTK's camera")
+    found: dict[str, list[_Answer]] = {name: [] for name in names}
+    complete, done = True, 0
+    for done, value in enumerate(values):
+        try:
+            watch(done / len(values))
+        except Cancelled:
+            complete = False
+            break
+        for name, answer in _at(parameter, projection, points_world, value).items():
+            found[name].append(answer)
+    curves = {name: _curve(answers) for name, answers in found.items()}
+    measured = tuple(values) if complete else tuple(values[:done])
+    swept = Sweep(parameter, SWEEPS[parameter].unit, measured, curves, complete)
+    if not complete:
+        raise Cancelled(swept)
+    return swept
+
+
+def _curve(answers: Sequence[_Answer]) -> Curve:
+    measured = [errors for errors, _, _ in answers]
+    predicted = [prediction for _, prediction, _ in answers]
+
+    def px(parts: Sequence[Prediction | None]) -> tuple[float | None, ...]:
+        return tuple(None if part is None else part.px for part in parts)
+
+    def depth(parts: Sequence[Prediction | None]) -> tuple[float | None, ...]:
+        return tuple(None if part is None else part.depth for part in parts)
+
+    notes = tuple(note for _, _, note in answers)
+    return Curve(px(measured), depth(measured), px(predicted), depth(predicted), notes)
+
+
+_SAMPLES = 64
+_Answer: TypeAlias = tuple[Prediction | None, Prediction | None, str]
+"""Largest errors, what was predicted, and what happened if there is no number."""
+
+
+def _at(
+    parameter: str, projection: Projection, points_world: Array, value: float
+) -> Mapping[str, _Answer]:
+    """What each choice answers at one value."""
+    try:
+        there, moved = SWEEPS[parameter].set(projection, value)
+    except ProjectionError as error:
+        return {name: (None, None, str(error)) for name in (*_RUNGS, "VTK's camera")}
+    world = in_view(there, points_world + moved)
+    reference = Reference.of(there, world)
+    origin = tuple(moved.tolist())
+    predicted = predict(there, world, origin) or {}
+    found: dict[str, _Answer] = {}
+    with np.errstate(all="ignore"):
+        for name, rung in _RUNGS.items():
+            traced = trace(there, world, rung, origin)
+            errors, note = _largest(reference, np.column_stack([traced.image, traced.depth]))
+            found[name] = (errors, predicted.get(rung), note)
+        found["VTK's camera"] = _vtk_camera(there, world, reference)
+    return found
+
+
+def in_view(projection: Projection, points_world: Array) -> Array:
+    """Points of the scene, moved into the view volume: (64, 3) at the most.
+
+    What is inside already stays. Otherwise directions and depths are spread over the volume.
+    """
+    traced = projection.trace(points_world)
+    inside = points_world[traced.in_front & ~traced.outside.any(axis=1)]
+    if len(inside) >= _SAMPLES:
+        step = len(inside) // _SAMPLES
+        kept: Array = inside[::step][:_SAMPLES]
+        return kept
+    rng = np.random.default_rng(1)
+    width, height = projection.image_size
+    lens = projection.lens
+    far = lens.far if math.isfinite(lens.far) else 1e3 * max(abs(lens.near), 1e-100)
+    near = lens.near
+    if lens.parallel:
+        depth = near + (far - near) * rng.uniform(0.02, 0.98, _SAMPLES)
+    else:
+        # As far as float64 can place a point beside this eye at all.
+        depth = np.geomspace(near, min(far, 1e9 * near), _SAMPLES + 2)[1:-1]
+    pixels = rng.uniform(0.02, 0.98, (_SAMPLES, 2)) * (width, height)
+    world = _spread(projection, pixels, depth)
+    traced = projection.trace(world)
+    seen = traced.in_front & ~traced.outside.any(axis=1)
+    # A view narrower than float64 can place points in has one that is in it surely: its middle.
+    return world[seen] if seen.any() else np.array([projection.camera.target])
+
+
+def _spread(projection: Projection, pixels: Array, depth: Array) -> Array:
+    """World points behind pixels at distances from the eye plane."""
+    left, right, bottom, top = projection.window
+    width, height = projection.image_size
+    x = left + (right - left) * pixels[:, 0] / width
+    y = top - (top - bottom) * pixels[:, 1] / height
+    grow = np.ones_like(depth) if projection.lens.parallel else depth / projection.lens.near
+    view = np.column_stack([x * grow, y * grow, -depth])
+    world: Array = view @ projection.camera.frame + projection.camera.eye
+    return world
+
+
+def _vtk_camera(projection: Projection, world: Array, reference: Reference) -> _Answer:
+    """VTK's own camera set as a program would set it, and whether it took what it was given."""
+    lens, camera = projection.lens, vtkCamera()
+    camera.SetPosition(*projection.camera.eye)
+    camera.SetFocalPoint(*projection.camera.target)
+    camera.SetViewUp(*projection.camera.up)
+    camera.SetClippingRange(lens.near, lens.far)
+    left, right, bottom, top = projection.window
+    fov_y_deg = math.degrees(2.0 * math.atan2(top, lens.near)) if not lens.parallel else 0.0
+    if isinstance(lens, Perspective):
+        fov_y_deg = lens.fov_y_deg
+    if lens.parallel:
+        camera.ParallelProjectionOn()
+        camera.SetParallelScale((top - bottom) / 2.0)
+    else:
+        camera.SetViewAngle(fov_y_deg)
+    aspect = (right - left) / (top - bottom)
+    elements = camera.GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0)
+    matrix = np.array([elements.GetElement(i, j) for i in range(4) for j in range(4)])
+    clip = np.column_stack([world, np.ones(len(world))]) @ matrix.reshape(4, 4).T
+    ndc = clip[:, :3] / clip[:, 3:]
+    width, height = projection.image_size
+    answers = np.column_stack(
+        [(ndc[:, 0] + 1.0) * width / 2.0, (1.0 - ndc[:, 1]) * height / 2.0, (ndc[:, 2] + 1.0) / 2.0]
+    )
+    notes = []
+    if not lens.parallel and camera.GetViewAngle() != fov_y_deg:
+        notes.append(f"clamps the view angle to {camera.GetViewAngle():g}°")
+    if camera.GetClippingRange() != (lens.near, lens.far):
+        notes.append("changes near or far")
+    errors, note = _largest(reference, answers)
+    if note:
+        notes.insert(0, note)
+    return errors, None, "; ".join(notes)

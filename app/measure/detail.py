@@ -1,0 +1,145 @@
+"""Trade 5, detail: ms a frame, loading and memory against how far the silhouette moves.
+
+The mesh is drawn whole and with ever fewer triangles, alike in everything else; of each picture
+the outline of what is covered at all is taken, `FINER` times as finely as pixels are.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from contextlib import ExitStack
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.detail import SHARES, can_be_reduced, reduced
+from app.measure.results import Choice, Trade
+from app.measure.run import Cancelled, Watch, in_turns, part_of, unwatched
+from app.measure.smoothing import SMOOTHINGS, pane, picture_size
+from app.projection import Projection
+from app.scene import Scene
+
+FINER = 3.0
+"""Pixels for which an outline is found, along each side of one that is shown."""
+
+TOO_FEW = "the scene has too few triangles to leave any out"
+NOT_SEEN = "nothing of the scene is in the picture"
+
+_BLOCK = 2048
+
+
+def measure(
+    scene: Scene, projection: Projection, seconds: float = 10.0, watch: Watch = unwatched
+) -> Trade:
+    """Measure trade 5.
+
+    Parameters
+    ----------
+    scene : Scene
+    projection : Projection
+    seconds : float
+        For the timing.
+    watch : Watch
+
+    Returns
+    -------
+    Trade
+        Cost is ms a frame, error the Hausdorff distance of the two outlines in px of a picture
+        of a pane's size: how far a point of the one is from the other at the most.
+
+    Raises
+    ------
+    Cancelled
+        By `watch`; with what was drawn until then.
+    """
+    if not can_be_reduced(scene):
+        return Trade("detail", "ms", "px", (Choice("100 %", None, None, None, note=TOO_FEW),), 0)
+    size = picture_size(projection)
+    whole: NDArray[np.float64] | None = None
+    errors: dict[str, float | None] = {}
+    values: dict[str, dict[str, float]] = {}
+    runs: dict[str, Callable[[], Any]] = {}
+    uses: dict[str, str] = {}
+    complete = True
+    with ExitStack() as stack:
+        try:
+            for done, share in enumerate((1.0, *SHARES)):
+                part_of(watch, 0.0, 0.5)(done / (1 + len(SHARES)))
+                name = f"{100.0 * share:g} %"
+                began = time.perf_counter()
+                fewer = reduced(scene, share)
+                made = time.perf_counter() - began
+                line = outline(fewer, projection, size)
+                if whole is None:
+                    whole = line
+                errors[name] = _apart(whole, line)
+                assert fewer.surface is not None
+                began = time.perf_counter()
+                runs[name], _, _ = stack.enter_context(pane(fewer, projection, size))
+                runs[name]()
+                values[name] = {
+                    "triangles": float(fewer.surface.n_cells),
+                    "memory_mb": fewer.surface.actual_memory_size / 1024.0,
+                    "reduce_ms": 1e3 * made,
+                    "first_frame_ms": 1e3 * (time.perf_counter() - began),
+                }
+                uses[name] = f"{share:g}"
+            times = in_turns(runs, seconds, part_of(watch, 0.5, 1.0))
+        except Cancelled as cancelled:
+            times, complete = cancelled.partial or {}, False
+    choices = []
+    for name, run_values in values.items():
+        cost, p95, _ = times.get(name, (None, None, 0))
+        choices.append(
+            Choice(
+                name,
+                None if cost is None else 1e3 * cost,
+                None if p95 is None else 1e3 * p95,
+                errors[name],
+                values=run_values,
+                note=NOT_SEEN if errors[name] is None else "",
+                use={"detail": uses[name]},
+            )
+        )
+    rounds = min((each.rounds for each in times.values()), default=0)
+    trade = Trade("detail", "ms", "px", tuple(choices), rounds, complete)
+    if not complete:
+        raise Cancelled(trade)
+    return trade
+
+
+def outline(scene: Scene, projection: Projection, size: tuple[int, int]) -> NDArray[np.float64]:
+    """The places on the edge of what the scene's faces cover, in px of the picture, (n, 2)."""
+    finer = SMOOTHINGS[0]._replace(scale=FINER)
+    bare = replace(scene, lines=None)
+    with pane(bare, projection, size, finer, background=False) as (draw, read, _):
+        draw()
+        covered = read()[..., 3] > 127
+    framed = np.pad(covered, 1, constant_values=False)
+    inner = framed[1:-1, 1:-1]
+    edge = inner & ~(framed[:-2, 1:-1] & framed[2:, 1:-1] & framed[1:-1, :-2] & framed[1:-1, 2:])
+    rows, columns = np.nonzero(edge)
+    return np.column_stack([columns, rows]) / FINER
+
+
+def _apart(one: NDArray[np.float64], other: NDArray[np.float64]) -> float | None:
+    """The Hausdorff distance of two sets of places."""
+    if not len(one):
+        return None
+    if not len(other):
+        return float(np.hypot(*np.ptp(one, axis=0)))
+    return max(_farthest(one, other), _farthest(other, one))
+
+
+def _farthest(one: NDArray[np.float64], other: NDArray[np.float64]) -> float:
+    """How far a place of one set is from the nearest of the other, at the most."""
+    largest = 0.0
+    for start in range(0, len(one), _BLOCK):
+        block = one[start : start + _BLOCK]
+        squares = (block[:, None, 0] - other[None, :, 0]) ** 2
+        squares += (block[:, None, 1] - other[None, :, 1]) ** 2
+        largest = max(largest, float(squares.min(axis=1).max()))
+    return float(np.sqrt(largest))

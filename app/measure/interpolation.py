@@ -1,0 +1,212 @@
+"""Trade 2, interpolation: ns a pixel and triangles against texels of error.
+
+Along an edge of the scene a texture coordinate t runs evenly in the world from 0 to 1. On the
+screen it does not: 1/w and t/w do (lectures 002, 003), and dividing them gives the right t at
+every pixel. The cheap way takes t itself to be even on the screen, between more and more points
+at which the edge is split. Of an edge whose ends have depths in the ratio r it is wrong by
+
+    (sqrt r - 1) / (sqrt r + 1)
+
+of the edge at the most, where ``s = sqrt r / (1 + sqrt r)`` on the screen; of its k pieces each
+by that of its own ratio, over k.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Callable
+from functools import partial
+from typing import NamedTuple
+
+import numpy as np
+
+from app.clipping import clip_segments
+from app.measure.results import Choice, Trade
+from app.measure.run import Cancelled, Watch, in_turns, unwatched
+from app.projection import Array, Projection
+
+SPLITS = (1, 2, 4, 8, 16, 32, 64)
+TEXELS = 256
+"""Of the texture along the edge."""
+SAMPLES_A_PIXEL = 16
+"""So densely the edge is looked at: the largest error is between pixels' middles too."""
+
+NOTHING = "no edge of the scene's box is in the picture"
+PARALLEL = "all of the edge is equally far away: nothing is wrong"
+
+
+class Edge(NamedTuple):
+    """An edge on the screen.
+
+    Attributes
+    ----------
+    start, end : (4,) array
+        Its ends in clip space, both with w > 0.
+    length_px : float
+    """
+
+    start: Array
+    end: Array
+    length_px: float
+
+    @property
+    def ratio(self) -> float:
+        """Of the depths of its ends, 1 or more."""
+        near, far = sorted((float(self.start[3]), float(self.end[3])))
+        return far / near
+
+
+def steepest_edge(projection: Projection, corners_world: Array) -> Edge | None:
+    """Of a box's edges, cut to the view volume, the one whose ends differ most in depth.
+
+    Parameters
+    ----------
+    projection : Projection
+    corners_world : (8, 3) array
+        Corner i has the upper bound of axis a where bit a of i is set.
+    """
+    pairs = [
+        (i, i | 1 << axis) for i, axis in itertools.product(range(8), range(3)) if not i >> axis & 1
+    ]
+    clip = projection.trace(corners_world).clip
+    starts, ends = (clip[[pair[side] for pair in pairs]] for side in (0, 1))
+    cut = clip_segments(starts, ends, projection.depth)
+    half = np.array(projection.image_size) / 2.0
+    best: Edge | None = None
+    for start, end in cut.points_clip[cut.visible]:
+        length = float(np.hypot(*((end[:2] / end[3] - start[:2] / start[3]) * half)))
+        edge = Edge(start, end, length)
+        if length >= 2.0 and (best is None or edge.ratio > best.ratio):
+            best = edge
+    return best
+
+
+def correct(edge: Edge, s: Array) -> Array:
+    """The texture coordinate at places of the edge on the screen, perspective-correct.
+
+    Parameters
+    ----------
+    edge : Edge
+    s : (n,) array
+        From 0 to 1, even on the screen.
+    """
+    one, other = 1.0 / float(edge.start[3]), 1.0 / float(edge.end[3])
+    t: Array = s * other / ((1.0 - s) * one + s * other)
+    return t
+
+
+def affine(edge: Edge, s: Array, splits: int) -> Array:
+    """The texture coordinate as if it were even on the screen between split points.
+
+    Parameters
+    ----------
+    edge : Edge
+    s : (n,) array
+        As for `correct`, rising.
+    splits : int
+        Pieces of equal length in the world.
+
+    Returns
+    -------
+    (n,) array
+    """
+    t = np.arange(splits + 1) / splits
+    breaks = _on_screen(edge, t)
+    steps = (1.0 / splits) / np.diff(breaks)
+    first = np.searchsorted(s, breaks[1:-1]).tolist()
+    found: Array = np.empty_like(s)
+    for piece, (low, high) in enumerate(itertools.pairwise([0, *first, len(s)])):
+        # One multiplication and one addition a pixel, no division: what makes it cheap.
+        np.multiply(s[low:high], steps[piece], out=found[low:high])
+        found[low:high] += t[piece] - steps[piece] * breaks[piece]
+    return found
+
+
+def _on_screen(edge: Edge, t: Array) -> Array:
+    """Where points even in the world are on the screen, s from 0 to 1."""
+    one, other = float(edge.start[3]), float(edge.end[3])
+    s: Array = t * other / (one + t * (other - one))
+    return s
+
+
+def bound(edge: Edge, splits: int) -> float:
+    """The largest error of `affine`, in parts of the edge: the formula above."""
+    t = np.arange(splits + 1) / splits
+    w = float(edge.start[3]) + t * float(edge.end[3] - edge.start[3])
+    ratios = np.maximum(w[1:] / w[:-1], w[:-1] / w[1:])
+    root = np.sqrt(ratios)
+    return float(((root - 1.0) / (root + 1.0)).max()) / splits
+
+
+def truth(edge: Edge, s: Array) -> Array:
+    """Which point of the edge is seen at a place of the screen: by meeting the pixel's ray.
+
+    Nothing is interpolated: the point ``P + t (Q - P)`` of clip space has the screen coordinate x
+    where ``(P_x + t (Q_x - P_x)) = x (P_w + t (Q_w - P_w))``, solved for t in extended precision.
+    """
+    p, q = edge.start.astype(np.longdouble), edge.end.astype(np.longdouble)
+    axis = int(np.argmax(np.abs(q[:2] / q[3] - p[:2] / p[3])))
+    low, high = p[axis] / p[3], q[axis] / q[3]
+    x = low + s.astype(np.longdouble) * (high - low)
+    t = (x * p[3] - p[axis]) / ((q[axis] - p[axis]) - x * (q[3] - p[3]))
+    found: Array = t.astype(np.float64)
+    return found
+
+
+def measure(
+    projection: Projection, corners_world: Array, seconds: float = 10.0, watch: Watch = unwatched
+) -> Trade:
+    """Measure trade 2.
+
+    Parameters
+    ----------
+    projection : Projection
+    corners_world : (8, 3) array
+        Of the box round all that is drawn.
+    seconds : float
+        For the timing.
+    watch : Watch
+
+    Raises
+    ------
+    Cancelled
+        By `watch`; with the errors, and the times so far.
+    """
+    edge = steepest_edge(projection, corners_world)
+    if edge is None:
+        nothing = Choice("perspective-correct", None, None, None, note=NOTHING)
+        return Trade("interpolation", "ns", "texels", (nothing,), 0)
+    s = np.linspace(0.0, 1.0, max(2, math.ceil(SAMPLES_A_PIXEL * edge.length_px)))
+    right = truth(edge, s)
+    runs: dict[str, Callable[[], Array]] = {"perspective-correct": partial(correct, edge, s)}
+    for splits in SPLITS:
+        name = f"affine, {splits} pieces" if splits > 1 else "affine"
+        runs[name] = partial(affine, edge, s, splits)
+    complete = True
+    try:
+        times = in_turns(runs, seconds, watch)
+    except Cancelled as cancelled:
+        times, complete = cancelled.partial, False
+    choices = []
+    for (name, run), splits in zip(runs.items(), (0, *SPLITS), strict=True):
+        error = TEXELS * float(np.abs(run() - right).max())
+        predicted = TEXELS * bound(edge, splits) if splits else None
+        cost, p95, _ = times.get(name, (None, None, 0))
+        choices.append(
+            Choice(
+                name,
+                None if cost is None else 1e9 * cost / len(s),
+                None if p95 is None else 1e9 * p95 / len(s),
+                error,
+                predicted,
+                {"triangles": 2.0 * max(1, splits)},
+                PARALLEL if edge.ratio == 1.0 else "",
+                {"interpolation": "affine" if splits else "correct", "pieces": str(splits or 1)},
+            )
+        )
+    rounds = min((each.rounds for each in times.values()), default=0)
+    trade = Trade("interpolation", "ns", "texels", tuple(choices), rounds, complete)
+    if not complete:
+        raise Cancelled(trade)
+    return trade

@@ -1,0 +1,92 @@
+"""What a trade means here, in one sentence."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from app.measure.results import Choice, Trade
+
+GOOD_ENOUGH = {
+    "arithmetic": 0.01,
+    "interpolation": 0.5,
+    "smoothing": 5.0,
+    "detail": 1.0,
+}
+"""Error that nobody sees, in the trade's unit: a hundredth of a pixel, half a texel, ..."""
+
+FASTEST_IS_BEST = "{0} is the fastest ({1}) and the most exact ({2}): there is nothing to trade."
+TRADE_OFF = (
+    "{0} is the fastest ({1}, off by {2}), {3} the most exact ({4}, off by {5}); the cheapest"
+    " that is off by less than {6} is {7}."
+)
+NONE_GOOD = (
+    "{0} is the fastest ({1}, off by {2}), {3} the most exact ({4}, off by {5}); none is off by"
+    " less than {6}."
+)
+DEPTH = (
+    "At the target, {0} tells surfaces apart from {1} world units on with {2}; the finest,"
+    " {3} with {4}, from {5} on."
+)
+NOTHING = "Nothing could be measured: {0}."
+SENTENCES = (FASTEST_IS_BEST, TRADE_OFF, NONE_GOOD, DEPTH, NOTHING)
+"""Every template of `meaning`, for translators."""
+
+
+@dataclass(frozen=True)
+class Meaning:
+    """A sentence: its template, one of `SENTENCES`, and what stands in it."""
+
+    template: str
+    values: tuple[str, ...]
+
+    def sentence(self, translate: Callable[[str], str] = str) -> str:
+        """The sentence in another language."""
+        return translate(self.template).format(*self.values)
+
+
+def meaning(trade: Trade) -> Meaning:
+    """What a trade's measurements say, for somebody who has to choose.
+
+    Parameters
+    ----------
+    trade : Trade
+
+    Returns
+    -------
+    Meaning
+    """
+    frontier = trade.frontier
+    if not frontier:
+        notes = [choice.note for choice in trade.choices if choice.note]
+        return Meaning(NOTHING, (notes[0] if notes else "-",))
+    first, last = frontier[0], frontier[-1]
+    if trade.name == "depth":
+        parts = [choice.name.partition(", ") for choice in (first, last)]
+        (cheap, _, cheap_mapping), (fine, _, fine_mapping) = parts
+        values = (cheap, _plain(first.error), cheap_mapping, fine, fine_mapping, _plain(last.error))
+        return Meaning(DEPTH, values)
+    cost = f" {trade.cost_unit}"
+    error = f" {trade.error_unit}"
+    if first is last:
+        return Meaning(
+            FASTEST_IS_BEST, (first.name, _plain(first.cost) + cost, _plain(first.error) + error)
+        )
+    limit = GOOD_ENOUGH[trade.name]
+    good = cheapest(trade, limit)
+    ends = (
+        first.name, _plain(first.cost) + cost, _plain(first.error) + error,
+        last.name, _plain(last.cost) + cost, _plain(last.error) + error,
+        f"{limit:g}{error}",
+    )  # fmt: skip
+    return Meaning(TRADE_OFF, (*ends, good.name)) if good else Meaning(NONE_GOOD, ends)
+
+
+def _plain(value: float | None) -> str:
+    return "-" if value is None else f"{value:.2g}"
+
+
+def cheapest(trade: Trade, limit: float) -> Choice | None:
+    """The cheapest choice whose error is at most `limit`."""
+    good = [choice for choice in trade.frontier if (choice.error or 0.0) <= limit]
+    return good[0] if good else None

@@ -1,0 +1,412 @@
+"""What measurements find, and the file they are kept in; numpy and the standard library only.
+
+A `Trade` is one chart: choices with a cost and an error each. A `Sweep` is the error of several
+choices over the whole range of one parameter. `Results` are all that one run measured, with what
+is needed to repeat it::
+
+    {"format": "frustum-lab-measurements", "version": 1,
+     "date": "2026-11-21T08:46:06+00:00", "complete": true,
+     "machine": {"system": ..., "processor": ..., "cores": ..., "opengl": ...},
+     "versions": {"frustum-lab": ..., "python": ..., "numpy": ..., "vtk": ...},
+     "document": {...},
+     "trades": [{"name": "arithmetic", "complete": true, "rounds": 41,
+                 "cost": {"unit": "ns"}, "error": {"unit": "px"},
+                 "columns": ["error_depth"],
+                 "choices": [{"name": "float32", "cost": 12.1, "cost_p95": 12.9,
+                              "error": 3.1e-4, "predicted": 3.1e-4,
+                              "values": {"error_depth": 6e-8}, "note": "", "use": {}}]}],
+     "sweeps": [{"parameter": "near", "unit": "", "values": [...],
+                 "complete": true, "choices": {"float32": {"error": [...], "error_depth": [...],
+                                                           "predicted": [...],
+                                                           "predicted_depth": [...],
+                                                           "notes": ["", ...]}}}]}
+
+An error that is not a number (the choice answered NaN or nothing) is ``null``, and the note says
+what happened; an infinite one is ``"inf"``.
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field, fields
+from typing import Any
+
+FORMAT = "frustum-lab-measurements"
+VERSION = 1
+
+NOT_RESULTS = "{0}: is not a file of measurements."
+NEWER_RESULTS = "{0}: was measured by another Frustum Lab: its version is {1}, this one reads {2}."
+DAMAGED = "{0}: is damaged: {1}."
+SENTENCES = (NOT_RESULTS, NEWER_RESULTS, DAMAGED)
+"""Every sentence of a `ResultsError`, for translators."""
+
+
+class ResultsError(ValueError):
+    """A file of measurements that cannot be used.
+
+    Parameters
+    ----------
+    template : str
+        One of `SENTENCES`.
+    *values : object
+        What stands for ``{0}``, ``{1}``.
+    """
+
+    def __init__(self, template: str, *values: object) -> None:
+        self.template, self.values = template, values
+        super().__init__(template.format(*values))
+
+
+@dataclass(frozen=True)
+class Choice:
+    """One point of a chart.
+
+    Attributes
+    ----------
+    name : str
+    cost, cost_p95 : float or None
+        Median and 95th percentile, in the trade's unit; None if it was not measured.
+    error : float or None
+        Largest one; None if there is no number, and then `note` says what happened.
+    predicted : float or None
+        What the model said before it was measured.
+    values : mapping of str to float
+        Further columns of the table.
+    note : str
+    use : mapping of str to str
+        What the panes switch to when somebody chooses it: ``{"rung": "float32"}``.
+    """
+
+    name: str
+    cost: float | None
+    cost_p95: float | None
+    error: float | None
+    predicted: float | None = None
+    values: Mapping[str, float] = field(default_factory=dict)
+    note: str = ""
+    use: Mapping[str, str] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Trade:
+    """Choices that trade speed for accuracy.
+
+    Attributes
+    ----------
+    name : str
+        ``"arithmetic"``, ``"interpolation"``, ``"depth"``, ``"smoothing"`` or ``"detail"``.
+    cost_unit, error_unit : str
+    choices : tuple of Choice
+    rounds : int
+        How often each was run, in turns.
+    complete : bool
+        False if it was cancelled.
+    """
+
+    name: str
+    cost_unit: str
+    error_unit: str
+    choices: tuple[Choice, ...]
+    rounds: int
+    complete: bool = True
+
+    @property
+    def columns(self) -> tuple[str, ...]:
+        """Names of all further columns, in order."""
+        return tuple(dict.fromkeys(name for choice in self.choices for name in choice.values))
+
+    @property
+    def frontier(self) -> tuple[Choice, ...]:
+        """The choices that no other one beats in both cost and error, from the cheapest."""
+        placed = [c for c in self.choices if c.cost is not None and c.error is not None]
+        placed.sort(key=lambda c: (c.cost, c.error))
+        found: list[Choice] = []
+        for choice in placed:
+            assert choice.error is not None
+            if not found or choice.error < (found[-1].error or 0.0):
+                found.append(choice)
+        return tuple(found)
+
+
+@dataclass(frozen=True)
+class Curve:
+    """The errors of one choice over a sweep, in px and in depth: as many as it has values.
+
+    See `Choice` for what is None, predicted and noted.
+    """
+
+    errors: tuple[float | None, ...]
+    errors_depth: tuple[float | None, ...]
+    predicted: tuple[float | None, ...]
+    predicted_depth: tuple[float | None, ...]
+    notes: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Sweep:
+    """One parameter over its whole range.
+
+    Attributes
+    ----------
+    parameter, unit : str
+    values : tuple of float
+        Logarithmically spaced.
+    curves : mapping of str to Curve
+    complete : bool
+    """
+
+    parameter: str
+    unit: str
+    values: tuple[float, ...]
+    curves: Mapping[str, Curve]
+    complete: bool = True
+
+
+@dataclass(frozen=True)
+class Results:
+    """All that one run measured.
+
+    Attributes
+    ----------
+    date : str
+        ISO 8601 with its time zone.
+    machine, versions : mapping of str to str
+    document : mapping
+        The scene and the projection, as their document has them.
+    trades : tuple of Trade
+    sweeps : tuple of Sweep
+    complete : bool
+        False if it was cancelled before all was measured.
+    """
+
+    date: str
+    machine: Mapping[str, str]
+    versions: Mapping[str, str]
+    document: Mapping[str, Any]
+    trades: tuple[Trade, ...] = ()
+    sweeps: tuple[Sweep, ...] = ()
+    complete: bool = True
+
+
+# --------------------------------------------------------------------------- text
+
+
+def _number(value: float | None) -> float | str | None:
+    if value is None or math.isnan(value):
+        return None
+    return "inf" if value == math.inf else value
+
+
+def to_json(results: Results) -> str:
+    """The file of some results; `from_json` gives them back."""
+    tree = {
+        "format": FORMAT,
+        "version": VERSION,
+        "date": results.date,
+        "complete": results.complete,
+        "machine": dict(results.machine),
+        "versions": dict(results.versions),
+        "document": dict(results.document),
+        "trades": [
+            {
+                "name": trade.name,
+                "complete": trade.complete,
+                "rounds": trade.rounds,
+                "cost": {"unit": trade.cost_unit},
+                "error": {"unit": trade.error_unit},
+                "columns": list(trade.columns),
+                "choices": [
+                    {
+                        "name": choice.name,
+                        "cost": _number(choice.cost),
+                        "cost_p95": _number(choice.cost_p95),
+                        "error": _number(choice.error),
+                        "predicted": _number(choice.predicted),
+                        "values": {name: _number(v) for name, v in choice.values.items()},
+                        "note": choice.note,
+                        "use": dict(choice.use),
+                    }
+                    for choice in trade.choices
+                ],
+            }
+            for trade in results.trades
+        ],
+        "sweeps": [
+            {
+                "parameter": sweep.parameter,
+                "unit": sweep.unit,
+                "values": list(map(_number, sweep.values)),
+                "complete": sweep.complete,
+                "choices": {
+                    name: {
+                        "error": list(map(_number, curve.errors)),
+                        "error_depth": list(map(_number, curve.errors_depth)),
+                        "predicted": list(map(_number, curve.predicted)),
+                        "predicted_depth": list(map(_number, curve.predicted_depth)),
+                        "notes": list(curve.notes),
+                    }
+                    for name, curve in sweep.curves.items()
+                },
+            }
+            for sweep in results.sweeps
+        ],
+    }
+    return json.dumps(tree, allow_nan=False, indent=1) + "\n"
+
+
+class _Reader:
+    """A value of the tree that knows where it stands, for `DAMAGED`."""
+
+    def __init__(self, value: Any, path: str, file: str) -> None:
+        self.value, self._path, self._file = value, path, file
+
+    def expect(self, good: bool, what: str) -> None:
+        if not good:
+            raise ResultsError(DAMAGED, self._file, f"{self._path or 'it'} must be {what}")
+
+    def __getitem__(self, key: str) -> _Reader:
+        self.expect(isinstance(self.value, dict), "an object")
+        path = f"{self._path}.{key}" if self._path else key
+        if key not in self.value:
+            raise ResultsError(DAMAGED, self._file, f"{path} is missing")
+        return _Reader(self.value[key], path, self._file)
+
+    def items(self) -> list[tuple[str, _Reader]]:
+        self.expect(isinstance(self.value, dict), "an object")
+        return [(key, self[key]) for key in self.value]
+
+    def parts(self) -> list[_Reader]:
+        self.expect(isinstance(self.value, list), "a list")
+        return [
+            _Reader(part, f"{self._path}[{i}]", self._file) for i, part in enumerate(self.value)
+        ]
+
+    def text(self) -> str:
+        self.expect(isinstance(self.value, str), "a text")
+        return str(self.value)
+
+    def flag(self) -> bool:
+        self.expect(isinstance(self.value, bool), "true or false")
+        return bool(self.value)
+
+    def maybe(self) -> float | None:
+        if self.value is None:
+            return None
+        return self.number()
+
+    def number(self) -> float:
+        if self.value == "inf":
+            return math.inf
+        good = isinstance(self.value, (int, float)) and not isinstance(self.value, bool)
+        self.expect(good, "a number")
+        return float(self.value)
+
+    def texts(self) -> dict[str, str]:
+        return {key: part.text() for key, part in self.items()}
+
+
+def from_json(text: str, file: str = "The file") -> Results:
+    """Read what `to_json` wrote.
+
+    Parameters
+    ----------
+    text : str
+    file : str
+        Its name, for sentences.
+
+    Raises
+    ------
+    ResultsError
+        If it is no file of measurements, of another version, or damaged.
+    """
+    try:
+        tree = json.loads(text)
+    except (ValueError, RecursionError) as error:
+        raise ResultsError(NOT_RESULTS, file) from error
+    if not isinstance(tree, dict) or tree.get("format") != FORMAT:
+        raise ResultsError(NOT_RESULTS, file)
+    if tree.get("version") != VERSION:
+        raise ResultsError(NEWER_RESULTS, file, tree.get("version"), VERSION)
+    root = _Reader(tree, "", file)
+    document = root["document"]
+    document.items()
+    return Results(
+        root["date"].text(),
+        root["machine"].texts(),
+        root["versions"].texts(),
+        document.value,
+        tuple(map(_trade, root["trades"].parts())),
+        tuple(map(_sweep, root["sweeps"].parts())),
+        root["complete"].flag(),
+    )
+
+
+def _trade(tree: _Reader) -> Trade:
+    return Trade(
+        tree["name"].text(),
+        tree["cost"]["unit"].text(),
+        tree["error"]["unit"].text(),
+        tuple(
+            Choice(
+                choice["name"].text(),
+                choice["cost"].maybe(),
+                choice["cost_p95"].maybe(),
+                choice["error"].maybe(),
+                choice["predicted"].maybe(),
+                {name: part.number() for name, part in choice["values"].items()},
+                choice["note"].text(),
+                choice["use"].texts(),
+            )
+            for choice in tree["choices"].parts()
+        ),
+        round(tree["rounds"].number()),
+        tree["complete"].flag(),
+    )
+
+
+def _sweep(tree: _Reader) -> Sweep:
+    values = tuple(part.number() for part in tree["values"].parts())
+    curves = {}
+    for name, curve in tree["choices"].items():
+
+        def column(key: str, curve: _Reader = curve) -> tuple[float | None, ...]:
+            return tuple(part.maybe() for part in curve[key].parts())
+
+        curves[name] = Curve(
+            column("error"),
+            column("error_depth"),
+            column("predicted"),
+            column("predicted_depth"),
+            tuple(part.text() for part in curve["notes"].parts()),
+        )
+        curve.expect(
+            all(len(getattr(curves[name], part.name)) == len(values) for part in fields(Curve)),
+            "as long as the sweep's values",
+        )
+    return Sweep(
+        tree["parameter"].text(), tree["unit"].text(), values, curves, tree["complete"].flag()
+    )
+
+
+def to_csv(part: Trade | Sweep) -> str:
+    """One trade or sweep as a table for a spreadsheet: commas, points, a row of names first."""
+    rows: list[list[object]] = []
+    if isinstance(part, Trade):
+        head = ["choice", f"cost_{part.cost_unit}", f"cost_p95_{part.cost_unit}"]
+        rows.append([*head, f"error_{part.error_unit}", "predicted", *part.columns, "note"])
+        for c in part.choices:
+            row: list[object] = [c.name, c.cost, c.cost_p95, c.error, c.predicted]
+            rows.append([*row, *(c.values.get(name) for name in part.columns), c.note])
+    else:
+        rows.append([part.parameter, *part.curves])
+        for i, value in enumerate(part.values):
+            rows.append([value, *(curve.errors[i] for curve in part.curves.values())])
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    for row in rows:
+        writer.writerow(["" if cell is None else cell for cell in row])
+    return text.getvalue()

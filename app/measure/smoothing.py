@@ -1,0 +1,228 @@
+"""Trade 4, antialiasing and resolution: ms a frame against what the eye would see of it.
+
+The image pane's own drawing is rendered off screen, each time with everything alike but the
+smoothing, and held against the same picture with `REFERENCE` x `REFERENCE` samples a pixel.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.drawings import WORDS
+from app.drawings.image import ImageDrawing
+from app.drawings.style import LIGHT
+from app.figures import Pixels, off_screen, pixels_of
+from app.measure.results import Choice, Trade
+from app.measure.run import Cancelled, Watch, in_turns, unwatched
+from app.projection import Projection
+from app.scene import Scene
+
+REFERENCE = 4
+"""Sixteen samples a pixel, by far the finest that is compared."""
+LARGEST_PX = 640
+"""Longer side of the picture that is timed: about that of a pane."""
+
+FEWER_SAMPLES = "this OpenGL gives {0} samples"
+
+
+class Smoothing(NamedTuple):
+    """One way of smoothing.
+
+    Attributes
+    ----------
+    name : str
+    scale : float
+        Pixels that are drawn for one that is shown, along each side; below 1 they are enlarged.
+    samples : int
+        Of OpenGL's multisampling; 0 for none.
+    fxaa : bool
+        Whether edges are found in the finished picture and blurred along (Lottes, 2009).
+    """
+
+    name: str
+    scale: float = 1.0
+    samples: int = 0
+    fxaa: bool = False
+
+
+SMOOTHINGS = (
+    Smoothing("none"),
+    Smoothing("half resolution", scale=0.5),
+    Smoothing("FXAA", fxaa=True),
+    Smoothing("MSAA 2", samples=2),
+    Smoothing("MSAA 4", samples=4),
+    Smoothing("MSAA 8", samples=8),
+    Smoothing("supersampling 2 x 2", scale=2.0),
+    Smoothing("supersampling 3 x 3", scale=3.0),
+)
+
+
+def measure(
+    scene: Scene, projection: Projection, seconds: float = 10.0, watch: Watch = unwatched
+) -> Trade:
+    """Measure trade 4.
+
+    Parameters
+    ----------
+    scene : Scene
+    projection : Projection
+    seconds : float
+        For the timing.
+    watch : Watch
+
+    Returns
+    -------
+    Trade
+        Cost is ms a frame, error the root mean square of the pixels' differences, in levels of
+        0 to 255.
+
+    Raises
+    ------
+    Cancelled
+        By `watch`; with the pictures' errors, and the times so far.
+    """
+    size = picture_size(projection)
+    with ExitStack() as stack:
+        finest = Smoothing("", scale=REFERENCE)
+        with pane(scene, projection, size, finest) as (draw, read, _):
+            draw()
+            reference = shown(read(), REFERENCE, size)
+        runs: dict[str, Callable[[], Any]] = {}
+        errors, notes = {}, {}
+        for smoothing in SMOOTHINGS:
+            draw, read, samples = stack.enter_context(pane(scene, projection, size, smoothing))
+            draw()
+
+            def frame(
+                draw: Callable[[], None] = draw,
+                read: Callable[[], Pixels] = read,
+                scale: float = smoothing.scale,
+            ) -> None:
+                draw()
+                if scale != 1.0:  # the way to the screen belongs to it
+                    shown(read(), scale, size)
+
+            runs[smoothing.name] = frame
+            difference = shown(read(), smoothing.scale, size) - reference
+            errors[smoothing.name] = float(np.sqrt((difference**2).mean()))
+            too_few = samples < smoothing.samples
+            notes[smoothing.name] = FEWER_SAMPLES.format(samples) if too_few else ""
+        try:
+            times, complete = in_turns(runs, seconds, watch), True
+        except Cancelled as cancelled:
+            times, complete = cancelled.partial, False
+    choices = []
+    for name in runs:
+        cost, p95, _ = times.get(name, (None, None, 0))
+        choices.append(
+            Choice(
+                name,
+                None if cost is None else 1e3 * cost,
+                None if p95 is None else 1e3 * p95,
+                errors[name],
+                note=notes[name],
+                use={"smoothing": name},
+            )
+        )
+    rounds = min((each.rounds for each in times.values()), default=0)
+    trade = Trade("smoothing", "ms", "levels RMS", tuple(choices), rounds, complete)
+    if not complete:
+        raise Cancelled(trade)
+    return trade
+
+
+def picture_size(projection: Projection) -> tuple[int, int]:
+    """The image's proportions, no larger than a pane, and even: (width, height) in pixels."""
+    width, height = projection.image_size
+    scale = LARGEST_PX / max(width, height)
+    return max(2, 2 * round(width * scale / 2)), max(2, 2 * round(height * scale / 2))
+
+
+@contextmanager
+def pane(
+    scene: Scene,
+    projection: Projection,
+    size: tuple[int, int],
+    smoothing: Smoothing = SMOOTHINGS[0],
+    background: bool = True,
+) -> Iterator[tuple[Callable[[], None], Callable[[], Pixels], int]]:
+    """The image pane off screen: what draws it, what reads it, its samples a pixel.
+
+    Parameters
+    ----------
+    scene : Scene
+    projection : Projection
+    size : (int, int)
+        Pixels that are shown.
+    smoothing : Smoothing
+    background : bool
+        Whether there is one; without it the alpha that is read tells what is covered.
+
+    Yields
+    ------
+    draw : callable
+        Draws one frame and waits until it is there.
+    read : callable
+        Its pixels, (height, width, 4) uint8, before they are averaged.
+    samples : int
+    """
+    width, height = (max(1, round(side * smoothing.scale)) for side in size)
+    with off_screen(width, height) as plotter:
+        window = plotter.render_window
+        window.SetMultiSamples(smoothing.samples)
+        style = LIGHT.enlarged(smoothing.scale)
+        drawing = ImageDrawing(plotter, scene, WORDS, style, framed=False)
+        drawing.show_projection(projection)
+        for renderer in window.GetRenderers():
+            renderer.SetUseFXAA(smoothing.fxaa)
+            if not background:
+                renderer.SetBackground(0.0, 0.0, 0.0)
+                renderer.SetBackgroundAlpha(0.0)
+
+        def draw() -> None:
+            window.Render()
+            window.WaitForCompletion()
+
+        window.Render()
+        yield draw, lambda: pixels_of(window), window.GetMultiSamples()
+        drawing.remove()
+
+
+def shown(pixels: Pixels, scale: float, size: tuple[int, int]) -> NDArray[np.float64]:
+    """Colours as they reach the screen: averaged if there are more, repeated if there are fewer.
+
+    Parameters
+    ----------
+    pixels : (height, width, 4) uint8 array
+    scale : float
+        Pixels drawn for one that is shown, along each side.
+    size : (int, int)
+        Pixels that are shown.
+
+    Returns
+    -------
+    (height, width, 3) float64 array
+        From 0 to 255.
+    """
+    colours = pixels[..., :3].astype(np.float64)
+    width, height = size
+    if scale > 1.0:
+        factor = round(scale)
+        means: NDArray[np.float64] = colours.reshape(height, factor, width, factor, 3).mean((1, 3))
+        return means
+    times = round(1.0 / scale)
+    return colours.repeat(times, axis=0).repeat(times, axis=1)
+
+
+def renderer_name() -> str:
+    """What draws here: the graphics card, or a program in its place."""
+    with off_screen(8, 8) as plotter:
+        plotter.render_window.Render()
+        lines = plotter.render_window.ReportCapabilities().splitlines()
+    names = [line.partition(":")[2].strip() for line in lines if "renderer string" in line]
+    return names[0] if names else "unknown"

@@ -1,0 +1,354 @@
+"""Field of view: what the lectures call wide angle and telephoto, with the subject's size held.
+
+The subject's size on the image goes with ``1 / (d tan(fov/2))``, its foreshortening with the
+distance d alone: a ride along n with d tan(fov/2) held (a dolly zoom) shows that perspective is a
+matter of where one stands. Fields of view and the two photographs, 29 mm at 30 cm and 105 mm at
+360 cm, are those of lecture 001; one unit of this scene is 10 cm.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+
+from app.phenomena.exhibit import (
+    QT_TRANSLATE_NOOP,
+    Exhibit,
+    Line,
+    Marks,
+    Phenomenon,
+    Phrase,
+    Reading,
+    Setting,
+    Settings,
+    Subject,
+    Text,
+    number,
+)
+from app.phenomena.picture import seen_lines, seen_texts
+from app.projection import (
+    Array,
+    Camera,
+    Frustum,
+    Perspective,
+    Projection,
+    Vector,
+    fov_x_from_fov_y,
+    fov_y_from_focal_length_35mm,
+)
+from app.shapes import Coloured, box_faces, edges_of, flat, ground_grid, joined
+
+_PARALLEL = QT_TRANSLATE_NOOP("phenomena", "a parallel lens has no field of view, only a width")
+_BEHIND_EYE = QT_TRANSLATE_NOOP("phenomena", "part of the subject is beside the eye or behind it")
+_TOO_LARGE = QT_TRANSLATE_NOOP("phenomena", "too large or too small for a number in pixels")
+
+_NEAREST = QT_TRANSLATE_NOOP("phenomena", "nearest")
+_FARTHEST = QT_TRANSLATE_NOOP("phenomena", "farthest")
+
+_FILM_DIAGONAL_MM = math.hypot(36.0, 24.0)
+_WIDE_MM, _TELE_MM = 29.0, 105.0
+_WIDE_DISTANCE, _TELE_DISTANCE = 3.0, 36.0
+# Horizontal fields of view, lecture 001: without peripheral vision, at a comfortable distance
+# (25 to 30 degrees), "only a few degrees".
+_SEEN_DEG = {"eye": 120.0, "monitor": 30.0, "phone": 5.0}
+
+
+def _head() -> Coloured:
+    """A head of boxes that looks along +z: nose, brow and ears at depths of their own."""
+    skin, dark, light = (225, 180, 140), (120, 84, 60), (245, 242, 230)
+    parts = [
+        ((-0.5, 0.9, -0.5), (0.5, 2.0, 0.4), skin),
+        ((-0.14, 1.2, 0.4), (0.14, 1.5, 0.8), (213, 94, 0)),
+        ((-0.52, 1.78, -0.52), (0.52, 2.1, 0.48), dark),
+        ((-0.36, 1.5, 0.4), (-0.16, 1.66, 0.44), light),
+        ((0.16, 1.5, 0.4), (0.36, 1.66, 0.44), light),
+        ((-0.26, 1.0, 0.4), (0.26, 1.08, 0.44), dark),
+        ((-0.66, 1.2, -0.3), (-0.5, 1.6, 0.0), (0, 158, 115)),
+        ((0.5, 1.2, -0.3), (0.66, 1.6, 0.0), (0, 114, 178)),
+        ((-0.9, 0.0, -0.7), (0.9, 0.75, 0.2), (86, 180, 233)),
+        ((-0.25, 0.75, -0.4), (0.25, 0.9, 0.1), skin),
+    ]
+    shades = (0.92, 0.84, 1.0, 0.6, 0.97, 0.7)  # so that a box's sides are told apart
+    quads, rgb = [], []
+    for lower, upper, colour in parts:
+        quads.append(0.8 * box_faces(lower, upper))
+        rgb += [flat([round(part * shade) for part in colour], 1) for shade in shades]
+    return np.concatenate(quads), np.concatenate(rgb)
+
+
+def _geometry() -> tuple[Coloured, Coloured]:
+    faces = _head()
+    return faces, joined(
+        ground_grid((-6.0, -30.0), (6.0, 3.0), (1.0, 1.0), 0.0), edges_of(faces[0])
+    )
+
+
+class View(NamedTuple):
+    """Distance from the subject in world units, and vertical field of view in degrees."""
+
+    distance: float
+    fov_y_deg: float
+
+
+def _fov_y_deg(half_height: float, distance: float) -> float:
+    return math.degrees(2.0 * math.atan2(half_height, distance))
+
+
+def preset_view(name: str, aspect: float, enlarged: bool = True) -> View:
+    """Where a preset looks from.
+
+    Parameters
+    ----------
+    name : {"wide", "tele", "eye", "monitor", "phone"}
+    aspect : float
+        The image's width over its height. The focal lengths are those of the full-frame camera
+        with the same diagonal field of view, the others are horizontal fields of view.
+    enlarged : bool
+        Whether the 105-mm photograph is enlarged until the subject is as large as on the 29-mm
+        one, which narrows its field of view.
+
+    Returns
+    -------
+    View
+        All with the subject as large as on the 29-mm photograph at 30 cm.
+    """
+    wide_deg = fov_y_from_focal_length_35mm(_WIDE_MM, aspect)
+    half_height = _WIDE_DISTANCE / Perspective(wide_deg).cot_half_fov_y  # at the subject
+    if name == "wide":
+        return View(_WIDE_DISTANCE, wide_deg)
+    if name == "tele":
+        own = fov_y_from_focal_length_35mm(_TELE_MM, aspect)
+        return View(_TELE_DISTANCE, _fov_y_deg(half_height, _TELE_DISTANCE) if enlarged else own)
+    fov_y_deg = fov_x_from_fov_y(_SEEN_DEG[name], 1.0 / aspect)
+    return View(half_height * Perspective(fov_y_deg).cot_half_fov_y, fov_y_deg)
+
+
+def dollied(projection: Projection, factor: float) -> Projection:
+    """Ride along n to `factor` times the distance, and let the target keep its size.
+
+    Raises
+    ------
+    ProjectionError
+        Where the lens or the camera cannot follow.
+    """
+    camera, lens = projection.camera, projection.lens
+    distance = factor * camera.distance
+    moved = replace(projection, camera=_at(camera, distance))
+    if isinstance(lens, Perspective):
+        fov_y_deg = _fov_y_deg(1.0, factor * lens.cot_half_fov_y)
+        return replace(moved, lens=replace(lens, fov_y_deg=fov_y_deg))
+    if isinstance(lens, Frustum):
+        left, right, bottom, top = (side / factor for side in projection.window)
+        lens = replace(lens, left=left, right=right, bottom=bottom, top=top)
+        return replace(moved, lens=lens)
+    return moved
+
+
+def _at(camera: Camera, distance: float) -> Camera:
+    """The camera at another distance from its target, on the same line."""
+    x, y, z = (
+        t + distance * n for t, n in zip(camera.target, camera.frame[2].tolist(), strict=True)
+    )
+    return Camera((x, y, z), camera.target, camera.up)
+
+
+def _follow(projection: Projection, before: Settings, after: Settings) -> Projection:
+    factor = number(after, "distance")
+    if any(before[name] != after[name] for name in ("preset", "enlarged")):
+        view = preset_view(str(after["preset"]), projection.aspect, bool(after["enlarged"]))
+        lens = projection.with_lens("perspective").lens
+        at = Projection(
+            _at(projection.camera, view.distance),
+            Perspective(view.fov_y_deg, lens.near, lens.far),
+            projection.image_size,
+            projection.depth,
+        )
+        return dollied(at, factor) if factor != 1.0 else at
+    if before["distance"] != after["distance"]:
+        return dollied(projection, factor / number(before, "distance"))
+    return projection
+
+
+def _angles(projection: Projection) -> tuple[Reading, ...]:
+    lens = projection.lens
+    labels = (
+        (QT_TRANSLATE_NOOP("phenomena", "vertical field of view"), "°"),
+        (QT_TRANSLATE_NOOP("phenomena", "horizontal field of view"), "°"),
+        (QT_TRANSLATE_NOOP("phenomena", "focal length, 35-mm camera"), "mm"),
+    )
+    values: list[float | None] = [None, None, None]
+    if isinstance(lens, Perspective):
+        cot, aspect = lens.cot_half_fov_y, projection.aspect
+        fov_x_deg = fov_x_from_fov_y(lens.fov_y_deg, aspect)
+        focal_mm = _FILM_DIAGONAL_MM / 2.0 * cot / math.hypot(aspect, 1.0)
+        values = [lens.fov_y_deg, fov_x_deg, focal_mm]
+    elif isinstance(lens, Frustum):
+        left, right, bottom, top = (math.atan2(side, lens.near) for side in projection.window)
+        x_extent, y_extent = (
+            high - low for low, high in (projection.window[:2], projection.window[2:])
+        )
+        focal_mm = _FILM_DIAGONAL_MM * (lens.near / math.hypot(x_extent, y_extent))
+        values = [math.degrees(top - bottom), math.degrees(right - left), focal_mm]
+    note = Phrase(_PARALLEL) if lens.parallel else None
+    return tuple(
+        Reading(label, value, unit, note)
+        for (label, unit), value in zip(labels, values, strict=True)
+    )
+
+
+def _show(projection: Projection, _settings: Settings, subject: Subject) -> Exhibit:
+    camera = projection.camera
+    distance = camera.distance
+    height = subject.upper[1] - subject.lower[1]
+    width = math.hypot(subject.upper[0] - subject.lower[0], subject.upper[2] - subject.lower[2])
+    w = (np.array(camera.eye) - subject.points) @ camera.frame[2]
+    w_near, w_far = float(w.min()), float(w.max())
+    ratio: float | None = 1.0 if projection.lens.parallel else None
+    if ratio is None and w_near > 0.0 and math.isfinite(w_far / w_near):
+        ratio = w_far / w_near
+
+    # The subject's height, upright in the plane through the target: what the ride holds. With a
+    # tick at either end it is a measure beside the subject.
+    x, y, tick = -0.55 * width, height / 2.0, 0.06 * width
+    bar = _beside_target(camera, [(x, -y, 0.0), (x, y, 0.0)])
+    ticks = _beside_target(
+        camera, [(x + side, end, 0.0) for end in (-y, y) for side in (-tick, tick)]
+    )
+    polylines, colours = [bar, ticks[:2], ticks[2:]], ["accent"] * 3
+    names, places = [""], [bar[1]]
+    if ratio is not None:
+        # Two squares of one size at the subject's nearest and farthest depth.
+        polylines += [_square(camera, 0.45 * height, depth) for depth in (w_near, w_far)]
+        colours += ["near", "far"]
+        names += [_NEAREST, _FARTHEST]
+        places += [polylines[-2][2], polylines[-1][2]]
+    segments = np.concatenate([np.stack([p[:-1], p[1:]], axis=1) for p in polylines])
+    of_segments = [c for c, p in zip(colours, polylines, strict=True) for _ in p[1:]]
+    trace = projection.trace(np.concatenate([segments.reshape(-1, 3), places]))
+    size_px = float(trace.image[0, 1] - trace.image[1, 1])
+    size = size_px if size_px > 0.0 else None  # not NaN, either
+
+    readings = (
+        Reading(QT_TRANSLATE_NOOP("phenomena", "distance d to the target"), distance),
+        *_angles(projection),
+        Reading(
+            QT_TRANSLATE_NOOP("phenomena", "size of the subject on the image"),
+            size,
+            "px",
+            Phrase(_TOO_LARGE) if size is None else None,
+        ),
+        Reading(
+            QT_TRANSLATE_NOOP("phenomena", "foreshortening, nearest : farthest"),
+            ratio,
+            "×",
+            Phrase(_BEHIND_EYE) if ratio is None else None,
+        ),
+    )
+    texts = [Text(*text) for text in zip(names, places, colours[:1] + colours[3:], strict=True)]
+    texts[0] = replace(texts[0], text=f"d = {distance:.4g}", point=np.array(camera.target))
+    image_texts = list(texts)
+    image_texts[0] = replace(texts[0], text="–" if size is None else f"{size:.0f} px")
+    axis = Line(np.array([camera.eye, camera.target]), "accent", 1.2)
+    lines = (Line(p, colour, 2.0) for p, colour in zip(polylines, colours, strict=True))
+    segments_clip = trace.clip[: 2 * len(segments)].reshape(-1, 2, 4)
+    return Exhibit(
+        readings,
+        world=Marks((axis, *lines), texts=tuple(texts)),
+        image=Marks(
+            seen_lines(projection, segments_clip, of_segments, 2.0),
+            texts=seen_texts(trace, image_texts),
+        ),
+    )
+
+
+def _square(camera: Camera, side: float, depth: float) -> Array:
+    """A square across the axis at a depth, its first corner again at the end, (5, 3)."""
+    half, z = side / 2.0, camera.distance - depth
+    corners = [(-half, -half), (half, -half), (half, half), (-half, half), (-half, -half)]
+    return _beside_target(camera, [(x, y, z) for x, y in corners])
+
+
+def _beside_target(camera: Camera, offsets_uvn: list[Vector]) -> Array:
+    """World points at offsets along u, v, n from the target, where a far eye costs no digits."""
+    points: Array = np.array(camera.target) + np.array(offsets_uvn) @ camera.frame
+    return points
+
+
+_TARGET = (0.0, 0.95, 0.0)
+_AZIMUTH, _ELEVATION = math.radians(20.0), math.radians(8.0)
+
+
+def _start() -> Projection:
+    view = preset_view("wide", 1280 / 720)
+    n = (
+        math.cos(_ELEVATION) * math.sin(_AZIMUTH),
+        math.sin(_ELEVATION),
+        math.cos(_ELEVATION) * math.cos(_AZIMUTH),
+    )
+    x, y, z = (t + view.distance * part for t, part in zip(_TARGET, n, strict=True))
+    return Projection(Camera((x, y, z), _TARGET), Perspective(view.fov_y_deg, 0.1, 200.0))
+
+
+PHENOMENON = Phenomenon(
+    name="field-of-view",
+    title=QT_TRANSLATE_NOOP("phenomena", "Field of view"),
+    explanation=QT_TRANSLATE_NOOP(
+        "phenomena",
+        "The wider the field of view, the nearer the camera must stand for a subject of the same"
+        " size, and the more its near parts outgrow its far ones: the foreshortening is a matter"
+        " of the distance alone. Ride along n, and the field of view follows so that the subject"
+        " keeps its size (a dolly zoom). One unit is 10 cm.",
+    ),
+    lectures=("L3", "L20"),
+    start=_start(),
+    geometry=_geometry,
+    show=_show,
+    settings=(
+        Setting(
+            "preset",
+            QT_TRANSLATE_NOOP("phenomena", "Seen as by"),
+            QT_TRANSLATE_NOOP(
+                "phenomena",
+                "A field of view of lecture 001; the camera stands where the subject has its size",
+            ),
+            "wide",
+            choices=(
+                ("wide", QT_TRANSLATE_NOOP("phenomena", "Photograph: 29 mm at 30 cm")),
+                ("tele", QT_TRANSLATE_NOOP("phenomena", "Photograph: 105 mm at 360 cm")),
+                ("eye", QT_TRANSLATE_NOOP("phenomena", "Human eye: 120° across")),
+                ("monitor", QT_TRANSLATE_NOOP("phenomena", "Monitor: 30° across")),
+                ("phone", QT_TRANSLATE_NOOP("phenomena", "Phone: 5° across")),
+            ),
+        ),
+        Setting(
+            "distance",
+            QT_TRANSLATE_NOOP("phenomena", "Distance, times the preset's"),
+            QT_TRANSLATE_NOOP(
+                "phenomena", "Moves the eye along n; the field of view holds the subject's size"
+            ),
+            1.0,
+            low=0.05,
+            high=20.0,
+            span=(0.4, 8.0),
+            unit="×",
+            logarithmic=True,
+            per_second=0.5,
+        ),
+        Setting(
+            "enlarged",
+            QT_TRANSLATE_NOOP("phenomena", "Enlarge the 105-mm photograph"),
+            QT_TRANSLATE_NOOP(
+                "phenomena",
+                "Until the subject is as large as on the 29-mm one: the middle of the picture, and"
+                " so a narrower field of view",
+            ),
+            True,
+        ),
+    ),
+    controls=("lens.fov_y_deg", "camera.eye"),
+    follow=_follow,
+    own_mesh=True,
+)

@@ -1,0 +1,164 @@
+"""Field of view: the readout against tangents taken with 80 digits, and what the ride holds."""
+
+from __future__ import annotations
+
+import math
+import random
+
+import numpy as np
+import pytest
+
+from app.phenomena.exhibit import Exhibit
+from app.phenomena.field_of_view import PHENOMENON, preset_view
+from app.projection import Camera, Perspective, Projection, ProjectionError
+from tests.oracles.exact import Exact, dot, minus, mp, vector
+from tests.oracles.exhibits import random_projection, reading, subject_of
+
+SUBJECT = subject_of(PHENOMENON)
+PRESETS = ("wide", "tele", "eye", "monitor", "phone")
+
+
+def shown(projection: Projection) -> Exhibit:
+    return PHENOMENON.show(projection, PHENOMENON.defaults, SUBJECT)
+
+
+def value(exhibit: Exhibit, label: str) -> float:
+    found = reading(exhibit, label).value
+    assert isinstance(found, float), label
+    return found
+
+
+def followed(projection: Projection, **settings: object) -> Projection:
+    after = PHENOMENON.checked(settings)
+    return PHENOMENON.follow(projection, PHENOMENON.defaults, after)
+
+
+def half_tan(fov_deg: float) -> mp.mpf:
+    return mp.tan(mp.mpf(fov_deg) * mp.pi / 360)
+
+
+def test_readings_are_the_formulas_for_fifty_random_rides() -> None:
+    dice = random.Random(1)
+    for _ in range(50):
+        aspect_size = (dice.randint(300, 2000), dice.randint(300, 2000))
+        base = Projection(PHENOMENON.start.camera, Perspective(40.0, 0.1, 200.0), aspect_size)
+        seen = followed(
+            base,
+            preset=dice.choice(PRESETS[1:]),
+            distance=dice.uniform(0.9, 8.0),
+            enlarged=dice.random() < 0.5,
+        )
+        exhibit = shown(seen)
+        lens = seen.lens
+        assert isinstance(lens, Perspective)
+        exact = Exact(seen)
+        n, eye = exact.frame[2], vector(seen.camera.eye)
+        distance = dot(n, minus(eye, vector(seen.camera.target)))
+        height = mp.mpf(SUBJECT.upper[1]) - mp.mpf(SUBJECT.lower[1])
+        aspect = mp.mpf(aspect_size[0]) / aspect_size[1]
+        up = half_tan(lens.fov_y_deg)
+        depths = [dot(n, minus(eye, vector(p))) for p in np.unique(SUBJECT.points, axis=0)]
+        expected = {
+            "distance": distance,
+            "vertical": lens.fov_y_deg,
+            "horizontal": 2 * mp.atan(aspect * up) * 180 / mp.pi,
+            # The film's half-diagonal over the half-diagonal at distance 1.
+            "focal length": mp.sqrt(36**2 + 24**2) / 2 / (up * mp.sqrt(1 + aspect**2)),
+            "size of the subject": height / (2 * distance * up) * aspect_size[1],
+            "foreshortening": max(depths) / min(depths),
+        }
+        for label, formula in expected.items():
+            if min(depths) <= 0 and label == "foreshortening":
+                assert reading(exhibit, label).value is None
+                continue
+            assert value(exhibit, label) == pytest.approx(float(formula), rel=1e-11), label
+
+
+@pytest.mark.parametrize("preset", PRESETS)
+def test_every_preset_and_every_ride_keeps_the_size(preset: str) -> None:
+    size = value(shown(PHENOMENON.start), "size of the subject")
+    before = PHENOMENON.checked({"preset": preset})
+    seen = PHENOMENON.follow(PHENOMENON.start, PHENOMENON.defaults, before)
+    assert value(shown(seen), "size of the subject") == pytest.approx(size, rel=1e-12)
+    for factor in (0.5, 1.7, 6.0):
+        after = PHENOMENON.checked({"preset": preset, "distance": factor})
+        ridden = PHENOMENON.follow(seen, before, after)
+        assert value(shown(ridden), "size of the subject") == pytest.approx(size, rel=1e-12)
+        assert ridden.camera.distance == pytest.approx(factor * seen.camera.distance, rel=1e-12)
+        assert ridden.camera.target == seen.camera.target
+        assert np.allclose(ridden.camera.frame, seen.camera.frame, atol=1e-12)
+
+
+def test_the_lectures_numbers() -> None:
+    """One unit is 10 cm: 30 cm are 3, 360 cm are 36; across 120, 30 and 5 degrees."""
+    wide = preset_view("wide", 16 / 9)
+    assert wide.distance == 3.0
+    # Diagonal of the film 43.27 mm; half of it over 29 mm is 0.7460, of which the height's share
+    # is 9/sqrt(16^2 + 9^2) = 0.4903: the tangent is 0.36573.
+    assert math.tan(math.radians(wide.fov_y_deg / 2)) == pytest.approx(0.36573, abs=1e-5)
+    own = preset_view("tele", 16 / 9, enlarged=False)
+    assert own.distance == 36.0
+    assert math.tan(math.radians(own.fov_y_deg / 2)) == pytest.approx(0.36573 * 29 / 105, abs=1e-5)
+    enlarged = preset_view("tele", 16 / 9)
+    assert enlarged.distance == 36.0
+    assert math.tan(math.radians(enlarged.fov_y_deg / 2)) == pytest.approx(0.36573 / 12, abs=1e-6)
+    for name, across_deg in (("eye", 120.0), ("monitor", 30.0), ("phone", 5.0)):
+        view = preset_view(name, 16 / 9)
+        up = math.tan(math.radians(view.fov_y_deg / 2))
+        assert up * 16 / 9 == pytest.approx(math.tan(math.radians(across_deg / 2)), rel=1e-12)
+        assert view.distance == pytest.approx(3 * 0.36573 / up, rel=1e-4)
+
+
+def test_the_far_photograph_is_flatter_at_the_same_size() -> None:
+    near, far = shown(PHENOMENON.start), shown(followed(PHENOMENON.start, preset="tele"))
+    assert value(near, "foreshortening") > 1.5 > 1.1 > value(far, "foreshortening")
+    own = shown(followed(PHENOMENON.start, preset="tele", enlarged=False))
+    # 105/29 of the size at 12 times the distance.
+    ratio = value(own, "size of the subject") / value(near, "size of the subject")
+    assert ratio == pytest.approx(105 / 29 / 12, rel=1e-12)
+    assert value(own, "focal length") == pytest.approx(105.0, rel=1e-12)
+    assert value(own, "foreshortening") == value(far, "foreshortening")
+
+
+def test_a_ride_keeps_the_size_with_every_lens() -> None:
+    dice = random.Random(2)
+    for _ in range(50):
+        seen = random_projection(dice, PHENOMENON.start)
+        ridden = followed(seen, distance=dice.uniform(0.3, 5.0))
+        before, after = (value(shown(p), "size of the subject") for p in (seen, ridden))
+        assert after == pytest.approx(before, rel=1e-9)
+        assert ridden.lens.kind == seen.lens.kind
+
+
+def test_a_subject_round_the_eye_has_no_foreshortening() -> None:
+    seen = Projection(Camera((0.0, 0.9, 0.0), (0.0, 0.9, -3.0)), Perspective(60.0, 0.1, 50.0))
+    found = reading(shown(seen), "foreshortening")
+    assert found.value is None and found.note is not None
+    assert "behind" in found.note.sentence()
+
+
+def test_a_parallel_lens_has_no_field_of_view() -> None:
+    exhibit = shown(PHENOMENON.start.with_lens("orthographic"))
+    assert reading(exhibit, "vertical").value is None
+    assert value(exhibit, "foreshortening") == 1.0
+
+
+def test_the_two_squares_on_the_image_have_the_ratio() -> None:
+    exhibit = shown(PHENOMENON.start)
+    heights = {}
+    for colour in ("near", "far"):
+        points = np.concatenate(
+            [line.points for line in exhibit.image.lines if line.colour == colour]
+        )
+        heights[colour] = np.ptp(points[:, 1])
+    ratio = heights["near"] / heights["far"]
+    assert ratio == pytest.approx(value(exhibit, "foreshortening"), rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("name", "wrong"),
+    [("distance", 0.0), ("distance", -1.0), ("distance", math.nan), ("preset", "cat")],
+)
+def test_wrong_settings_are_refused_by_name(name: str, wrong: object) -> None:
+    with pytest.raises(ProjectionError, match=f"settings.{name}"):
+        PHENOMENON.checked({name: wrong})

@@ -1,0 +1,298 @@
+"""Taking hold of the camera itself: its handles in the world pane, the picture in the image pane.
+
+::
+
+    canvas.drag_started, dragged --> app.handles: what it makes of a field --> edited(Projection)
+                                                             ProjectionError --> a sentence over
+                                                                                 the pane
+
+A drag is a gesture, and so is a burst of wheel steps. The panes must stand still under the hand,
+so that the sentence of a refusal lies over the pane: the window's own bar would push them down.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from PySide6.QtCore import QEvent, QObject, QPointF, Qt, QTimer, Signal
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QApplication
+
+from app.drawings.image import ImageDrawing
+from app.drawings.world import WorldDrawing
+from app.handles import Change, Handle, changed, dollied, dragged, panned, place, present
+from app.picking import Sight
+from app.projection import NOT_THE_EYE, OTHER_SIDE, Projection, ProjectionError
+from widgets.message_bar import MessageBar
+from widgets.messages import field_name, seen_from, sentence
+from widgets.pane import ZOOM_PER_WHEEL_STEP, Pane
+from widgets.rows import QUIET_MS, short_text
+
+HOLD_WITHIN_PX = 9.0
+"""So near to a mark a drag takes hold of it."""
+
+
+class Manipulation(QObject):
+    """Turns drags on handles and on the picture, and the wheel there, into projections.
+
+    Parameters
+    ----------
+    world, image : Pane
+    parent : QObject
+
+    Attributes
+    ----------
+    message : MessageBar
+        Why a drag goes no further, while it does not.
+    """
+
+    edited = Signal(object)
+    """The hand made this `Projection`."""
+    gesture_started = Signal()
+    gesture_finished = Signal()
+
+    def __init__(self, world: Pane, image: Pane, parent: QObject) -> None:
+        super().__init__(parent)
+        self._world, self._image = world, image
+        self._projection = Projection()
+        self._drag: _Drag | None = None
+        self._in_gesture = False
+        self._watched: QObject | None = None
+        self._plain_tip = self.tr(
+            "Drag a mark to move the eye, the target, a plane or a corner; drag elsewhere to turn, "
+            "Shift-drag to move, wheel to zoom, double-click to reset; click to follow a point"
+        )
+        self.message = MessageBar(world)
+        self._quiet = QTimer(self)
+        self._quiet.setSingleShot(True)
+        self._quiet.setInterval(QUIET_MS)
+        self._quiet.timeout.connect(self._finish)
+        canvas = world.canvas
+        canvas.setToolTip(self._plain_tip)
+        canvas.hovered.connect(self._hover)
+        canvas.left.connect(self._leave)
+        canvas.drag_started.connect(self._take_handle)
+        for pane in (world, image):
+            pane.canvas.dragged.connect(self._move)
+            pane.canvas.drag_ended.connect(self._let_go)
+        image.canvas.scrolled.connect(self._dolly)
+
+    def show_projection(self, projection: Projection) -> None:
+        """Take the model's new value over: what the next drag begins with."""
+        if projection.lens.kind != self._projection.lens.kind:
+            self._drag = None  # undone or reset under the hand: its fields are gone
+        self._projection = projection
+        drawing = self._world.drawing
+        if isinstance(drawing, WorldDrawing) and drawing.held is not None:
+            self._tell(drawing.held)
+
+    # -- what is under the mouse
+
+    def _hover(self, pixel: QPointF) -> None:
+        drawing = self._world.drawing
+        if isinstance(drawing, WorldDrawing) and self._drag is None:
+            self._point_out(drawing, self._handle_at(drawing, pixel))
+
+    def _leave(self) -> None:
+        drawing = self._world.drawing
+        if isinstance(drawing, WorldDrawing) and self._drag is None:
+            self._point_out(drawing, None)
+
+    def _handle_at(self, drawing: WorldDrawing, pixel: QPointF) -> Handle | None:
+        within_px = HOLD_WITHIN_PX * self._world.devicePixelRatioF()
+        return drawing.handle_at((pixel.x(), pixel.y()), within_px)
+
+    def _point_out(self, drawing: WorldDrawing, handle: Handle | None) -> None:
+        if handle == drawing.held:
+            return
+        drawing.hold(handle)
+        self._world.request_repaint()
+        canvas = self._world.canvas
+        if handle is None:
+            canvas.unsetCursor()
+            canvas.setToolTip(self._plain_tip)
+            self._world.note.clear()
+        else:
+            canvas.setCursor(Qt.CursorShape.OpenHandCursor)
+            self._tell(handle)
+
+    def _tell(self, handle: Handle) -> None:
+        """Say what a drag of a handle does, and what it has made so far."""
+        names, text = self._does(handle)
+        values = present(self._projection, names)
+        now = ", ".join(f"{field_name(name)} = {_shown(value)}" for name, value in values.items())
+        self._world.note.setText(f"{text}: {now}")
+        self._world.canvas.setToolTip(self._world.note.text())
+
+    def _does(self, handle: Handle) -> tuple[tuple[str, ...], str]:
+        if handle.name == "eye":
+            return ("eye",), self.tr("Drag the eye (Shift: up and down)")
+        if handle.name == "target":
+            return ("target",), self.tr("Drag the target (Shift: up and down)")
+        if handle.name == "near":
+            return ("near",), self.tr("Drag the near plane")
+        if handle.name == "far":
+            return ("far",), self.tr("Drag the far plane")
+        if self._projection.lens.kind == "perspective":
+            return ("fov_y_deg",), self.tr("Drag to open the lens")
+        right, up = handle.at
+        sides = "right" if right > 0.0 else "left", "top" if up > 0.0 else "bottom"
+        return sides, self.tr("Drag this corner (Shift: both sides)")
+
+    # -- drags
+
+    def _take_handle(self, pixel: QPointF) -> None:
+        """Take hold of the handle that a drag in the world pane starts on."""
+        drawing = self._world.drawing
+        if not isinstance(drawing, WorldDrawing):
+            return
+        handle = self._handle_at(drawing, pixel)
+        if handle is None:
+            return
+        self._world.canvas.keep_view()
+        self._point_out(drawing, handle)
+        sight, drawn = drawing.sight, drawing.planes_drawn
+        spot = sight.seen([place(self._projection, handle, drawn)])[0]
+        grip = handle, drawn, sight, (float(spot[0]), float(spot[1]))
+        self._start(_Drag(self._world, self._projection, grip))
+
+    def take_picture(self, pixel: QPointF) -> None:
+        """Take hold of the picture, if a drag in the image pane starts on it."""
+        drawing = self._image.drawing
+        if isinstance(drawing, ImageDrawing) and drawing.image_pixel(pixel.x(), pixel.y()):
+            self._start(_Drag(self._image, self._projection, None))
+
+    def _start(self, drag: _Drag) -> None:
+        self._finish()
+        self._drag = drag
+        drag.pane.canvas.setCursor(Qt.CursorShape.ClosedHandCursor)
+        # Escape belongs to the drag, whatever has the focus and before it is a shortcut.
+        self._watched = QApplication.focusWidget() or drag.pane.window()
+        self._watched.installEventFilter(self)
+        self._begin()
+
+    def _move(self, away: QPointF, shift: bool) -> None:
+        drag = self._drag
+        if drag is None:
+            return
+        right_px, down_px = away.x(), away.y()
+        if drag.grip is not None:
+            handle, drawn, sight, (x, y) = drag.grip
+            pixel = x + right_px, y + down_px
+            self._attempt(
+                drag.pane, dragged(drag.start, handle, drawn, sight, pixel, shift=shift)
+            )  # fmt: skip
+        elif isinstance(drag.pane.drawing, ImageDrawing):
+            shift_px = drag.pane.drawing.image_shift(right_px, down_px)
+            self._attempt(drag.pane, panned(drag.start, shift_px))
+
+    def _let_go(self) -> None:
+        if self._watched is None:
+            return
+        self._watched.removeEventFilter(self)
+        self._watched = None
+        self._drag = None
+        self._image.canvas.unsetCursor()
+        drawing = self._world.drawing
+        if isinstance(drawing, WorldDrawing) and drawing.held is not None:
+            self._world.canvas.setCursor(Qt.CursorShape.OpenHandCursor)
+        self._finish()
+
+    def _put_back(self) -> None:
+        """Give up the drag: what it changed is as it was at its start."""
+        drag, self._drag = self._drag, None
+        if drag is not None:
+            self.message.hide()
+            self.edited.emit(changed(self._projection, present(drag.start, drag.names)))
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_Escape:
+            if event.type() == QEvent.Type.ShortcutOverride:
+                event.accept()
+            elif event.type() == QEvent.Type.KeyPress:
+                self._put_back()
+            return True
+        return super().eventFilter(watched, event)
+
+    # -- the wheel
+
+    def _dolly(self, steps: float) -> None:
+        if self._drag is None:
+            self._begin()
+            self._quiet.start()
+            self._attempt(self._image, dollied(self._projection, ZOOM_PER_WHEEL_STEP**-steps))
+
+    # -- edits
+
+    def _begin(self) -> None:
+        if not self._in_gesture:
+            self._in_gesture = True
+            self.gesture_started.emit()
+
+    def _finish(self) -> None:
+        self._quiet.stop()
+        self.message.hide()
+        if self._in_gesture:
+            self._in_gesture = False
+            self.gesture_finished.emit()
+
+    def _attempt(self, pane: Pane, change: Change) -> None:
+        if self._drag is not None:
+            self._drag.names.update(change)
+        try:
+            projection = changed(self._projection, change)
+        except ProjectionError as error:
+            self._refuse(pane, _seen_from(change, error))
+        else:
+            self.message.hide()
+            self.edited.emit(projection)
+
+    def _refuse(self, pane: Pane, error: ProjectionError) -> None:
+        bar, width = self.message, pane.width()
+        bar.setParent(pane)
+        bar.say(sentence(error))
+        layout = bar.layout()
+        assert layout is not None
+        bar.setGeometry(0, pane.canvas.y(), width, layout.totalHeightForWidth(width))
+        bar.raise_()
+
+
+class _Drag:
+    """What is held, and how everything was when the hand took it.
+
+    Parameters
+    ----------
+    pane : Pane
+        Where it is dragged.
+    start : Projection
+    grip : (Handle, (float, float), Sight, (float, float)) or None
+        The handle, where the planes were drawn, how the pane looked, and where the handle was in
+        it; None for the picture.
+    """
+
+    def __init__(
+        self,
+        pane: Pane,
+        start: Projection,
+        grip: tuple[Handle, tuple[float, float], Sight, tuple[float, float]] | None,
+    ) -> None:
+        self.pane, self.start, self.grip = pane, start, grip
+        #: The fields that have been dragged at.
+        self.names: set[str] = set()
+
+
+def _seen_from(change: Change, error: ProjectionError) -> ProjectionError:
+    """A refusal as it looks from what was dragged."""
+    side, _ = OTHER_SIDE.get(error.bound, ("", ""))
+    value = change.get(side)
+    if isinstance(value, float):
+        return seen_from(side, "", value, error)
+    if error.bound == NOT_THE_EYE and "eye" in change:
+        return seen_from("eye", "", 0.0, error)
+    return error
+
+
+def _shown(value: Any) -> str:
+    if isinstance(value, tuple):
+        return f"({', '.join(short_text(part) for part in value)})"
+    return short_text(value)
