@@ -186,8 +186,7 @@ def test_all_of_a_built_in_scene_is_in_view_when_it_opens(name: str) -> None:
     scene = load(name)
     assert scene.name == name
     points = world_points(scene)
-    if name != "far-plane-popping":  # which is about what the far plane cuts off
-        assert not outside(scene.start, points)
+    assert not outside(scene.start, points)
     assert np.allclose(points.min(axis=0), scene.lower)
     assert np.allclose(points.max(axis=0), scene.upper)
 
