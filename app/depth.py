@@ -41,7 +41,7 @@ from app.projection import (
 )
 
 Arithmetic: TypeAlias = Literal["float64", "float32"]
-Codes: TypeAlias = NDArray[np.uint16] | NDArray[np.uint32]
+Codes: TypeAlias = NDArray[np.uint8] | NDArray[np.uint16] | NDArray[np.uint32]
 
 
 class DepthFormat(NamedTuple):
@@ -69,6 +69,7 @@ class DepthFormat(NamedTuple):
 
 
 FORMATS: dict[str, DepthFormat] = {
+    "fixed8": DepthFormat(8, 2**8 - 1, np.uint8),
     "fixed16": DepthFormat(16, 2**16 - 1, np.uint16),
     "fixed24": DepthFormat(24, 2**24 - 1, np.uint32),
     "fixed32": DepthFormat(32, 2**32 - 1, np.uint32),
@@ -177,7 +178,7 @@ class DepthBuffer:
 
         Returns
         -------
-        (...) array of uint16 or uint32
+        (...) array of uint8, uint16 or uint32
             ``round(depth (2^bits - 1))``, or the bit pattern of the nearest float. Codes order
             like depths: they fall with the distance if the mapping is reversed.
 

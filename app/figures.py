@@ -255,6 +255,8 @@ def _render_pane(
                 renderer.SetBackground(0.0, 0.0, 0.0)
                 renderer.SetBackgroundAlpha(0.0)
         window.Render()
+        if isinstance(drawing, ImageDrawing) and drawing.problem is not None:  # known from now on
+            window.Render()
         drawn = pixels_of(window)
         drawing.remove()
     return _averaged(drawn, factor, transparent)

@@ -230,11 +230,13 @@ def test_codes_are_of_the_smallest_type_and_keep_the_shape() -> None:
     for name, kind in FORMATS.items():
         codes = DepthBuffer(name, "direct3d").encode(w)
         assert codes.shape == (2, 3) and codes.dtype == kind.code_type
-        assert codes.dtype.itemsize * 8 == {16: 16, 24: 32, 32: 32}[kind.bits]
-    # 15 of 1..30: depth = 30/29 * 14/15 = 28/29; as float32 0x3F772C23, as 24 bits 16198690.
+        assert codes.dtype.itemsize * 8 == {8: 8, 16: 16, 24: 32, 32: 32}[kind.bits]
+    # 15 of 1..30: depth = 30/29 * 14/15 = 28/29; as float32 0x3F772C23, as 24 bits 16198690,
+    # as 8 bits 246.2.
     at_15 = {name: int(DepthBuffer(name, "direct3d").encode(15.0)) for name in FORMATS}
     assert at_15["fixed24"] == round(28 / 29 * (2**24 - 1)) == 16198690
     assert at_15["float32"] == 0x3F772C23
+    assert at_15["fixed8"] == 246
 
 
 @settings(max_examples=100, deadline=None)
@@ -469,7 +471,7 @@ def test_float32_arithmetic_at_infinity_and_past_its_range() -> None:
 @pytest.mark.parametrize(
     ("change", "field"),
     [
-        ({"format": "fixed8"}, "format"),
+        ({"format": "fixed12"}, "format"),
         ({"format": None}, "format"),
         ({"mapping": "vulkan"}, "mapping"),
         ({"mapping": ["opengl"]}, "mapping"),

@@ -123,6 +123,9 @@ ROOMS = {
     "app/drawings/style.py": DRAWING,
     "app/drawings/frame.py": DRAWING,
     "app/drawings/labels.py": DRAWING,
+    "app/drawings/rasterising.py": Room(
+        DRAWING.packages, (*DRAWING.rooms, "app.depth", "app.phenomena")
+    ),
     "app/drawings/pointing.py": DRAWING,
     "app/drawings/probes.py": DRAWING,
     "app/drawings/handles.py": DRAWING,

@@ -31,6 +31,7 @@ from vtkmodules.vtkCommonDataModel import vtkPlane
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
+    vtkCamera,
     vtkCoordinate,
     vtkPolyDataMapper,
     vtkProp,
@@ -62,10 +63,18 @@ _LIFT_STEP = 6e-4  # in NDC of the pane's own camera
 
 
 class Space:
-    """One 4x4, projective or not, that actors stand under; setting it moves them all."""
+    """One 4x4, projective or not, that actors stand under; setting it moves them all.
+
+    Attributes
+    ----------
+    unit : float
+        What `set_projective` took out: w of the homogeneous coordinates is so many times the
+        rasteriser's.
+    """
 
     def __init__(self) -> None:
         self.matrix = vtkMatrix4x4()
+        self.unit = 1.0
 
     def add(self, *actors: vtkActor) -> None:
         """Put actors under this matrix."""
@@ -81,7 +90,9 @@ class Space:
 
         It is taken out as far as it could keep the matrix from fitting into float32.
         """
-        self.set(matrix * 2.0 ** -math.frexp(float(np.abs(matrix).max()))[1])
+        exponent = math.frexp(float(np.abs(matrix).max()))[1]
+        self.unit = 2.0 ** min(exponent, 1023)
+        self.set(matrix * 2.0**-exponent)
 
 
 class Canvas:
@@ -293,6 +304,16 @@ def _font_file(bold: bool) -> str:
         raise ImportError("matplotlib, which brings the labels' font, is not installed")
     folder = Path(spec.submodule_search_locations[0]) / "mpl-data" / "fonts" / "ttf"
     return str(folder / ("DejaVuSans-Bold.ttf" if bold else "DejaVuSans.ttf"))
+
+
+def identity_camera() -> vtkCamera:
+    """A camera that takes clip coordinates as they are."""
+    camera = vtkCamera()
+    camera.SetPosition(0.0, 0.0, 0.0)
+    camera.SetFocalPoint(0.0, 0.0, -1.0)
+    camera.SetExplicitProjectionTransformMatrix(vtkMatrix4x4())
+    camera.UseExplicitProjectionTransformMatrixOn()
+    return camera
 
 
 def unlit_actor(mesh: pv.PolyData) -> vtkActor:

@@ -13,18 +13,18 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from vtkmodules.vtkCommonMath import vtkMatrix4x4
-from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderer
+from vtkmodules.vtkRenderingCore import vtkRenderer
 
 from app.attention import SIDES, Attention, corner_at
-from app.drawings.actors import Canvas, Space, face_actor, lifted
+from app.drawings.actors import Canvas, Space, face_actor, identity_camera, lifted
 from app.drawings.labels import Layout
 from app.drawings.marks import MarksDrawing, Placing
 from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at
 from app.drawings.probes import Mark, Probes
-from app.drawings.rungs import ModelActors
+from app.drawings.rasterising import RASTERISED, Rasteriser
+from app.drawings.rungs import ModelActors, least_tolerance
 from app.drawings.style import Style, rgb
-from app.phenomena.exhibit import Exhibit, Marks
+from app.phenomena.exhibit import Exhibit, Marks, Phrase, Rendering
 from app.picking import Probe, Sight
 from app.precision import DRAWING_TOLERANCE_PX, Rung
 from app.projection import Array, Camera, Projection
@@ -73,7 +73,7 @@ class ImageDrawing:
         framed: bool = True,
     ) -> None:
         self._scene = scene
-        self._model = ModelActors(scene, style, tolerance_px)
+        self._model = ModelActors(scene, style, least_tolerance(scene, tolerance_px))
         self._style = style
         self._framed = framed
         self._canvas = Canvas(plotter, style, self._layout)
@@ -84,8 +84,9 @@ class ImageDrawing:
         self._add_picture()
         self._probes = Probes(self._canvas, style, self._picture)
         self._marks: MarksDrawing | None = None
+        self._rasteriser: Rasteriser | None = None
         self._own_camera = self._canvas.renderer.GetActiveCamera()
-        self._canvas.renderer.SetActiveCamera(_identity_camera())
+        self._canvas.renderer.SetActiveCamera(identity_camera())
         self._emphasis = Emphasis(self._canvas)
         if framed:
             self._canvas.renderer.SetBackground(*rgb(style.margin))
@@ -171,7 +172,31 @@ class ImageDrawing:
             clip = seen.clip_from_world_at(scene.origin)
             nearer = lifted(clip, seen, scene) - clip
             self._marks.place_copies(lambda times: clip + times * nearer)
+        self._rasterise(None if exhibit is None else exhibit.rendering)
         self._place_texts()
+
+    @property
+    def problem(self) -> Phrase | None:
+        """Why the picture is not rasterised as the phenomenon asks, once that is known."""
+        return None if self._rasteriser is None else self._rasteriser.problem
+
+    def _rasterise(self, rendering: Rendering | None) -> None:
+        model, requires = self._model, self._scene.requires & RASTERISED
+        if not requires or model.surface is None or self._marks is None:
+            return
+        if self._rasteriser is None:
+            others = self._marks.copied_faces
+            if model.lines is not None:
+                others.append((model.lines, self._line_space))
+            self._rasteriser = Rasteriser(
+                self._scene,
+                self._style,
+                requires,
+                lambda actor: self._canvas.add(actor, renderer=self._picture),
+                (model.surface, self._surface_space),
+                others,
+            )
+        self._rasteriser.show(rendering or Rendering(), self._seen)
 
     def _place_texts(self) -> None:
         if self._marks is None:
@@ -250,7 +275,7 @@ class ImageDrawing:
     def _add_picture(self) -> None:
         picture = self._picture
         self._canvas.make_ready(picture)
-        picture.SetActiveCamera(_identity_camera())
+        picture.SetActiveCamera(identity_camera())
         picture.SetBackground(*rgb(self._style.background))
         picture.SetLayer(1)
         picture.PreserveColorBufferOff()  # a layer above the first is transparent otherwise
@@ -402,13 +427,3 @@ class ImageDrawing:
 def _at_corner(i: int) -> Attention:
     """The corners of the view volume that are seen in a corner of the picture."""
     return corner_at(SIDES[i - 1], SIDES[i])
-
-
-def _identity_camera() -> vtkCamera:
-    """A camera that takes clip coordinates as they are."""
-    camera = vtkCamera()
-    camera.SetPosition(0.0, 0.0, 0.0)
-    camera.SetFocalPoint(0.0, 0.0, -1.0)
-    camera.SetExplicitProjectionTransformMatrix(vtkMatrix4x4())
-    camera.UseExplicitProjectionTransformMatrixOn()
-    return camera

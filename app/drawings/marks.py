@@ -305,6 +305,13 @@ class MarksDrawing:
                 matrix = pane_from_local(COPY_LINES_LIFT) @ local_from_local
                 actors.lines_space.set_projective(matrix)
 
+    @property
+    def copied_faces(self) -> list[tuple[vtkActor, Space]]:
+        """The faces of all copies there ever were, and what they stand under."""
+        return [
+            (copy.surface, copy.faces_space) for copy in self._copies if copy.surface is not None
+        ]
+
     def copied(self, faces: Array, lines: Array) -> Array:
         """Where the copies have these points of the scene, (n, 4) homogeneous, scene-local.
 

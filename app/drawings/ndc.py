@@ -45,7 +45,8 @@ from app.drawings.labels import Layout
 from app.drawings.marks import MarksDrawing, Placing
 from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at, volume_edges
 from app.drawings.probes import Mark, Probes
-from app.drawings.rungs import ModelActors
+from app.drawings.rasterising import Rasteriser
+from app.drawings.rungs import ModelActors, least_tolerance
 from app.drawings.style import Style, rgb
 from app.morph import (
     CANONICAL_PARALLEL,
@@ -128,6 +129,7 @@ class NdcDrawing:
         self._named: tuple[int, str] | None = None
         self._morph: Morph | None = None
         self._planes = self._cube_planes()
+        tolerance_px = least_tolerance(scene, tolerance_px)
         self._model = ModelActors(scene, style, tolerance_px, self._planes)
         self._add_scene()
         self._add_cube(style)
@@ -138,6 +140,7 @@ class NdcDrawing:
         self._probes = Probes(self._canvas, style)
         self._style = style
         self._marks: MarksDrawing | None = None
+        self._rasteriser: Rasteriser | None = None
         self._exhibit: Exhibit | None = None
         self._set_depth("opengl")
         self.reset_view()
@@ -269,7 +272,25 @@ class NdcDrawing:
         Its marks and copies are those of NDC: at any other stop of the strip there are none.
         """
         self._exhibit = exhibit
+        self._rasterise()
         self._show_marks()
+
+    def _rasterise(self) -> None:
+        """Lay the texture over the faces, at every stop of the strip."""
+        rendering = None if self._exhibit is None else self._exhibit.rendering
+        surface = self._model.surface
+        if rendering is None or surface is None or "texture" not in self._scene.requires:
+            return
+        if self._rasteriser is None:
+            self._rasteriser = Rasteriser(
+                self._scene,
+                self._style,
+                {"texture"},
+                self._canvas.add,
+                (surface, self._space),
+                picture=False,
+            )
+        self._rasteriser.show(rendering, self._seen)
 
     def _show_marks(self) -> None:
         if self._marks is None:

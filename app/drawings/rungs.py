@@ -46,6 +46,14 @@ _LEAST_W = 1e-30  # under a free matrix: what is nearer to w = 0 cannot be divid
 _SHALLOW = 1.0 - 2.0**-22  # of the depth range: or the far plane takes what float32 rounds onto it
 
 
+def least_tolerance(scene: Scene, tolerance_px: float) -> float:
+    """The tolerance at which a scene can be drawn.
+
+    A texture is laid over the scene's own vertices, and so over those that the GPU projects.
+    """
+    return math.inf if "texture" in scene.requires else tolerance_px
+
+
 class ModelActors:
     """The scene's faces and lines, and the vertices that they have under a projection.
 

@@ -39,9 +39,10 @@ from app.drawings.labels import AXES, Labels, Named, PaneView
 from app.drawings.marks import MarksDrawing, Placing
 from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at, volume_edges
 from app.drawings.probes import Probes
+from app.drawings.rasterising import Rasteriser
 from app.drawings.style import Style
 from app.handles import Handle, nearest, shown
-from app.phenomena.exhibit import Exhibit, Marks
+from app.phenomena.exhibit import Exhibit, Marks, Rendering
 from app.picking import Probe, Sight
 from app.projection import (
     Array,
@@ -201,6 +202,8 @@ class WorldDrawing:
             if actor is not None:
                 space.add(actor)
         self._picture = [actor for actor in picture if actor is not None]
+        self._textured = (surface, Space()), (picture[0], self._picture_space)
+        self._rasterisers: list[Rasteriser] = []
         self._canvas.add(*(a for a in (surface, lines) if a is not None), *self._picture)
 
     def _build_camera(self) -> None:
@@ -744,6 +747,26 @@ class WorldDrawing:
             self._steps.place(pane_from_axes, self._projection.camera)
         self._place_handles()
 
+    def _rasterise(self, rendering: Rendering | None) -> None:
+        """Lay the texture over the faces, and over those in the picture on the near plane."""
+        if rendering is None or "texture" not in self._scene.requires:
+            return
+        if not self._rasterisers:
+            self._rasterisers = [
+                Rasteriser(
+                    self._scene,
+                    self._style,
+                    {"texture"},
+                    self._canvas.add,
+                    (actor, space),
+                    picture=False,
+                )
+                for actor, space in self._textured
+                if actor is not None
+            ]
+        for rasteriser in self._rasterisers:
+            rasteriser.show(rendering, self._projection)
+
     def show_probes(self, probes: Sequence[Probe]) -> None:
         """Mark these probes, and no others."""
         self._probes.probes = probes
@@ -751,6 +774,7 @@ class WorldDrawing:
 
     def show_exhibit(self, exhibit: Exhibit | None) -> None:
         """Draw what a phenomenon shows for the projection shown last, and nothing of another."""
+        self._rasterise(None if exhibit is None else exhibit.rendering)
         is_first = self._marks is None
         if self._marks is None:
             if exhibit is None:

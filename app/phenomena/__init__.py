@@ -10,12 +10,15 @@ from types import MappingProxyType
 
 from app.phenomena import (
     affine_depth,
+    depth_buffer,
     eye_plane,
     field_of_view,
     focus,
+    interpolation,
     oblique_drawing,
     off_axis_window,
     planar_shadow,
+    popping,
     similar_triangles,
     vanishing_points,
     view_volumes,
@@ -34,7 +37,10 @@ PHENOMENA = MappingProxyType(
             vanishing_points.PHENOMENON,
             eye_plane.PHENOMENON,
             affine_depth.PHENOMENON,
+            depth_buffer.PHENOMENON,
+            interpolation.PHENOMENON,
             planar_shadow.PHENOMENON,
+            popping.PHENOMENON,
             focus.PHENOMENON,
         )
     }

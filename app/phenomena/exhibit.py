@@ -22,6 +22,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
+from app.depth import DepthBuffer
 from app.projection import (
     AT_LEAST,
     AT_MOST,
@@ -300,9 +301,91 @@ class Diagram:
     y_ticks: Array | None = None
 
 
+@dataclass(frozen=True, eq=False)
+class Texture:
+    """A checkerboard laid over the scene's faces by a parallel projection of its own.
+
+    Attributes
+    ----------
+    texture_from_world : (2, 4) array
+        The texture's s and t of a world point; 0 to 1 across the board.
+    checks : int
+        Along each side.
+    affine : bool
+        Interpolate s and t linearly on the screen, without the divide that makes them right.
+    subdivision : int
+        Each face is drawn as the triangles of so many parts a side.
+    coordinates : bool
+        Show s as red and t as green instead of the checks.
+    """
+
+    texture_from_world: Array
+    checks: int
+    affine: bool = False
+    subdivision: int = 1
+    coordinates: bool = False
+
+
 @dataclass(frozen=True)
+class Fog:
+    """What is far fades into the background.
+
+    Attributes
+    ----------
+    start, end : float
+        Distances from the eye plane between which it thickens, linearly.
+    density : float
+        If greater than 0, what is left falls as ``exp(-density w)`` instead.
+    """
+
+    start: float = 0.0
+    end: float = math.inf
+    density: float = 0.0
+
+    def left(self, distance: float) -> float:
+        """The part of a colour's contrast to the background that is left at a distance, 0..1."""
+        if self.density > 0.0:
+            return math.exp(-self.density * max(distance, 0.0))
+        return min(max((self.end - distance) / (self.end - self.start), 0.0), 1.0)
+
+
+@dataclass(frozen=True, eq=False)
+class Level:
+    """One level of detail of the scene's objects.
+
+    Attributes
+    ----------
+    faces : Coloured
+    objects : (m, 3) array
+        The place, in world coordinates, of the object that each face is a part of.
+    until : float
+        Distance of that place from the eye plane from which the next level is drawn.
+    """
+
+    faces: Coloured
+    objects: Array
+    until: float
+
+
+@dataclass(frozen=True, eq=False)
 class Rendering:
-    """How the scene is rasterised, where it is not the ordinary way."""
+    """How the scene is rasterised, where it is not the ordinary way.
+
+    Attributes
+    ----------
+    buffer : DepthBuffer, optional
+        The picture's depths are rounded to the codes of this one.
+    texture : Texture, optional
+    fog : Fog, optional
+    levels : tuple of Level
+        Drawn in place of the scene's faces: three of them, nearest first, or none. Their faces
+        are those of the first time.
+    """
+
+    buffer: DepthBuffer | None = None
+    texture: Texture | None = None
+    fog: Fog | None = None
+    levels: tuple[Level, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -454,6 +537,6 @@ def point(settings: Settings, name: str) -> Vector:
 
 __all__ = [
     "FINITE_NUMBER", "QT_TRANSLATE_NOOP", "Copy", "Curve", "Diagram", "Dot", "Exhibit", "Face",
-    "Line", "Marks", "Phenomenon", "Phrase", "Reading", "Rendering", "Setting", "Settings",
-    "Subject", "Text", "Value", "number", "point",
+    "Fog", "Level", "Line", "Marks", "Phenomenon", "Phrase", "Reading", "Rendering", "Setting",
+    "Settings", "Subject", "Text", "Texture", "Value", "number", "point",
 ]  # fmt: skip

@@ -1,0 +1,522 @@
+"""What the rasteriser does with a scene's faces, where a phenomenon is about the rasteriser itself.
+
+The picture is still the graphics card's own: its triangles, its interpolation, its depth test.
+What differs is said to it in a few lines of shader that stand in VTK's template, once per scene;
+a change of a setting writes uniforms, which costs neither a new shader nor any work per vertex.
+
+============  ===============================================================================
+depth         each fragment's depth is rounded to the code that a buffer would hold
+texture       s and t as varyings, and s w, t w, w, whose quotients are linear on the screen
+fog           a fragment's colour fades into the background with its distance w
+levels        the vertices of all levels of detail are there; those that are not wanted at an
+              object's distance go where all of them are clipped
+============  ===============================================================================
+
+The depth that is rounded comes from w, ``1/gl_FragCoord.w``, not from z, which the lens has
+squeezed by then. Formats differ in what they do near the far plane, and so the shader works with
+r, the depth from there: ``r = n f/(f - n) (1 - w/f)/w``, which is small where digits matter. Fixed
+codes count ``round(r (2^bits - 1))``, the same for the standard and the reversed range. What is
+written is ``1 - r`` again, rounded, so that a buffer of 24 bits keeps all codes of up to 24 bits
+apart. VTK's own has 32, of fixed point or of a float, of which a float32 shader fills 24: the codes
+of the formats of 32 bits are spread over it by their logarithm, as many as there are.
+"""
+
+from __future__ import annotations
+
+import math
+import weakref
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+from typing import Any, TypeAlias
+
+import numpy as np
+import pyvista as pv
+from numpy.typing import NDArray
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
+from vtkmodules.vtkCommonDataModel import vtkDataObject
+from vtkmodules.vtkRenderingCore import vtkActor
+
+from app.depth import FORMATS, DepthBuffer
+from app.drawings.actors import Canvas, Space, identity_camera, unlit_actor
+from app.drawings.style import LIGHT, Style, rgb
+from app.phenomena.exhibit import QT_TRANSLATE_NOOP, Fog, Level, Phrase, Rendering, Texture
+from app.projection import Array, FreeMatrix, Lens, Projection
+from app.scene import Scene
+
+REFUSED = QT_TRANSLATE_NOOP(
+    "phenomena",
+    "this computer's OpenGL does not take the shader that this scene needs: the picture is drawn"
+    " the ordinary way, and only the computed numbers are right",
+)
+TOO_FINE = QT_TRANSLATE_NOOP(
+    "phenomena",
+    "{0} faces in {1} parts a side are more triangles than can be drawn: the picture has {2}",
+)
+RASTERISED = frozenset({"depth", "texture", "fog", "levels"})
+"""What a scene can require of a `Rasteriser`."""
+MOST_TRIANGLES = 1_000_000
+
+_Uniform: TypeAlias = tuple[str, float | int | tuple[float, ...]]
+_RED, _BLUE = (1.0, 0.0, 0.0), (0.0, 0.0, 1.0)
+
+_W = "float flW = flUnit / gl_FragCoord.w;"
+_DEPTH = f"""
+  gl_FragDepth = gl_FragCoord.z;
+  if (flBuffer > 0) {{
+    {_W}
+    float flR = 1.0 - gl_FragCoord.z;
+    if (flMapping == 1) flR = flA * (1.0 - flW * flInverseFar) / flW;
+    if (flMapping == 2) flR = flA * -log2(flW * flInverseFar);
+    flR = clamp(flR, 0.0, 1.0);
+    float flKey = flR;
+    if (flBuffer == 1) {{
+      flKey = roundEven(flR * flSteps);
+    }} else {{
+      if (flBuffer == 2) flKey = flByNdc > 0.0 ? flByNdc * (1.0 - 2.0 * flR) + flByNdc : 1.0 - flR;
+      if (flSteps > 0.0) {{
+        float flPower = exp2(max(floor(log2(max(flKey, 1e-30))), -14.0));
+        flKey = roundEven(flKey / flPower * flSteps) / flSteps * flPower;
+      }}
+      if (flBuffer == 2) flKey = 1.0 - flKey;
+    }}
+    flKey *= flScale;
+    if (flLog > 0.0) gl_FragDepth = clamp(flLog * -log2(max(flKey, 1e-37)), 0.0, 1.0);
+    else gl_FragDepth = 1.0 - flKey;
+  }}
+"""
+_COLOUR = "//VTK::TCoord::Impl"
+_CHECKS = """
+  if (flChecks > 0.0) {
+    vec2 flST = flAffine > 0 ? flScreenST.xy / flScreenST.z : flSpaceST;
+    if (flCoordinates > 0) {
+      gl_FragData[0].rgb = vec3(clamp(flST, 0.0, 1.0), 0.0);
+    } else {
+      vec2 flCheck = floor(flST * flChecks);
+      if (mod(flCheck.x + flCheck.y, 2.0) > 0.5) gl_FragData[0].rgb *= 0.3;
+    }
+  }"""
+_FOG = f"""
+  if (flFog > 0) {{
+    {_W}
+    if (flSpan > 0.0) flW = flNear + flSpan * gl_FragCoord.z;
+    float flLeft = flFog == 1 ? clamp((flFogEnd - flW) * flFogSlope, 0.0, 1.0)
+                              : exp(-flFogSlope * flW);
+    gl_FragData[0].rgb = mix(flBackground, gl_FragData[0].rgb, flLeft);
+  }}"""
+_POSITION = "//VTK::PositionVC::Impl"
+_VARYINGS = "//VTK::PositionVC::Dec"
+_LEVEL = """
+  float flAway = dot(flDistance, vec4(flObject.xyz, 1.0));
+  float flHere = flAway < flUntil.x ? 0.0 : flAway < flUntil.y ? 1.0 : 2.0;
+  if (flHere != flObject.w) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+"""
+
+
+class Rasteriser:
+    """How a scene's actors are rasterised in one pane; for scenes that require it.
+
+    Parameters
+    ----------
+    scene : Scene
+    style : Style
+    requires : set of {"depth", "texture", "fog", "levels"}
+        What it is to be able to do.
+    add : callable
+        Adds an actor to the pane, for levels of detail: called once, by the first `show` that
+        has some.
+    surface : (vtkActor, Space)
+        The scene's faces and what they stand under.
+    others : iterable of (vtkActor, Space)
+        Its lines and the faces of its copies, which take part in depth and fog.
+    picture : bool
+        Whether the pane shows the picture of the model's own lens. Any other one shows the
+        texture as it is, and nothing else of this.
+
+    Attributes
+    ----------
+    refused : bool
+        Whether this computer's OpenGL did not take the shader: known after the first rendering,
+        in which the faces are missing; from the next one on they are drawn the ordinary way.
+    """
+
+    def __init__(
+        self,
+        scene: Scene,
+        style: Style,
+        requires: Iterable[str],
+        add: Callable[[vtkActor], object],
+        surface: tuple[vtkActor, Space],
+        others: Iterable[tuple[vtkActor, Space]] = (),
+        *,
+        picture: bool = True,
+    ) -> None:
+        self._scene = scene
+        self._picture = picture
+        self._requires = frozenset(requires) & ({*requires} if picture else {"texture"})
+        self._background = rgb(style.background)
+        self._add = add
+        self._surface, space = surface
+        self._plain: Any = self._surface.GetMapper().GetInput()
+        self._divided: dict[int, pv.PolyData] = {}
+        self._note: Phrase | None = None
+        self._shader_parts: list[tuple[vtkActor, Space, list[tuple[bool, str, str]]]] = []
+        self._levels: vtkActor | None = None
+        self._levels_space = Space()
+        self.refused = False
+        self._prepare(self._surface, space, textured="texture" in self._requires)
+        for actor, space in others:
+            self._prepare(actor, space)
+        self.show(Rendering(), scene.start)
+
+    @property
+    def problem(self) -> Phrase | None:
+        """Why the picture is not what was asked for, if it is not."""
+        return Phrase(REFUSED) if self.refused else self._note
+
+    def show(self, rendering: Rendering, projection: Projection) -> None:
+        """Rasterise like this from now on; draws nothing yet.
+
+        To be called after the actors' spaces have been set.
+
+        Parameters
+        ----------
+        rendering : Rendering
+        projection : Projection
+        """
+        if not self._picture:
+            plain = rendering.texture and replace(rendering.texture, affine=False, subdivision=1)
+            rendering = Rendering(texture=plain)
+        if "levels" in self._requires:
+            if self._levels is None and rendering.levels:
+                self._build_levels(rendering.levels)
+            seen = projection.clip_from_world_at(self._scene.origin)
+            self._levels_space.set_projective(seen)
+            self._choose_faces(in_levels=bool(rendering.levels) and not self.refused)
+        self._subdivide(rendering.texture)
+        depth = self._depth_uniforms(rendering.buffer, projection)
+        fog = self._fog_uniforms(rendering.fog, projection.lens)
+        texture = self._texture_uniforms(rendering.texture)
+        until = [min(level.until, 3e38) for level in rendering.levels[:2]]
+        for actor, space, _ in self._shader_parts:
+            shader = actor.GetShaderProperty()
+            fragment = shader.GetFragmentCustomUniforms()
+            if self._requires & {"depth", "fog"}:
+                _set(fragment, "flUnit", space.unit)
+            for name, value in (*depth, *fog):
+                _set(fragment, name, value)
+            if actor is self._levels and rendering.levels:
+                vertex = shader.GetVertexCustomUniforms()
+                _set(vertex, "flDistance", self._distance(projection))
+                vertex.SetUniform2f("flUntil", until)
+            if actor is self._surface and "texture" in self._requires:
+                vertex = shader.GetVertexCustomUniforms()
+                for name, value in texture:
+                    where = vertex if name in ("flS", "flT") else fragment
+                    _set(where, name, value)
+
+    # -- the shaders, once
+
+    def _prepare(self, actor: vtkActor, space: Space, *, textured: bool = False) -> None:
+        parts: list[tuple[bool, str, str]] = []
+        colour = ""
+        if "depth" in self._requires:
+            parts.append((False, "//VTK::Depth::Impl", _DEPTH))
+        if textured:
+            # What GLSL calls noperspective, which Mesa's software rasteriser loses where a face is
+            # cut at the picture's border: two thirds of a board were black.
+            varyings = "{0} vec2 flSpaceST;\n{0} vec3 flScreenST;\n"
+            there = "vec2(dot(flS, vertexMC), dot(flT, vertexMC))"
+            both = f"flSpaceST = {there};\n  flScreenST = vec3(flSpaceST, 1.0) * gl_Position.w;"
+            parts.append((True, _VARYINGS, varyings.format("out")))
+            parts.append((False, _VARYINGS, varyings.format("in")))
+            parts.append((True, _POSITION, f"  {both}\n"))
+            colour += _CHECKS
+        if actor is self._levels:
+            parts.append((True, _VARYINGS, "in vec4 flObject;\n"))
+            parts.append((True, _POSITION, _LEVEL))
+        if "fog" in self._requires:
+            colour += _FOG
+        if colour:
+            parts.append((False, _COLOUR, colour))
+        shader = actor.GetShaderProperty()
+        for in_vertex, place, text in parts:
+            add = (
+                shader.AddVertexShaderReplacement
+                if in_vertex
+                else shader.AddFragmentShaderReplacement
+            )
+            add(place, True, f"{place}\n{text}", False)
+        self._shader_parts.append((actor, space, parts))
+        itself = weakref.ref(self)  # or mapper and rasteriser would keep each other alive
+
+        def fail(_mapper: object, _event: str) -> None:
+            rasteriser = itself()
+            if rasteriser is not None:
+                rasteriser._refuse()
+
+        mapper: Any = actor.GetMapper()
+        mapper.AddObserver("ErrorEvent", fail)
+
+    def _refuse(self) -> None:
+        """Go back to VTK's own shaders: one of ours was not compiled."""
+        if self.refused:
+            return
+        self.refused = True
+        for actor, _, parts in self._shader_parts:
+            shader = actor.GetShaderProperty()
+            for in_vertex, place, _ in parts:
+                clear = (
+                    shader.ClearVertexShaderReplacement
+                    if in_vertex
+                    else shader.ClearFragmentShaderReplacement
+                )
+                clear(place, True)
+        self._choose_faces(in_levels=False)
+
+    def _choose_faces(self, *, in_levels: bool) -> None:
+        if self._levels is not None:
+            self._levels.SetVisibility(in_levels)
+            self._surface.SetVisibility(not in_levels)
+
+    def _build_levels(self, levels: tuple[Level, ...]) -> None:
+        self._levels = unlit_actor(_mesh_of_levels(levels, self._scene.origin))
+        mapper: Any = self._levels.GetMapper()
+        mapper.SetScalarModeToUsePointFieldData()
+        mapper.SelectColorArray("rgb")
+        mapper.SetColorModeToDirectScalars()
+        mapper.ScalarVisibilityOn()
+        mapper.MapDataArrayToVertexAttribute(
+            "flObject", "object", vtkDataObject.FIELD_ASSOCIATION_POINTS, -1
+        )
+        self._levels_space.add(self._levels)
+        self._prepare(self._levels, self._levels_space)
+        self._add(self._levels)
+
+    # -- what they are told
+
+    def _depth_uniforms(self, buffer: DepthBuffer | None, projection: Projection) -> list[_Uniform]:
+        if "depth" not in self._requires:
+            return []
+        if buffer is None:
+            return [
+                *(("flBuffer", 0), ("flMapping", 0), ("flA", 0.0), ("flInverseFar", 0.0)),
+                *(("flSteps", 1.0), ("flScale", 1.0), ("flLog", 0.0), ("flByNdc", 0.0)),
+            ]
+        near, far, kind = buffer.near, buffer.far, FORMATS[buffer.format]
+        mapping, a = (0, 0.0) if buffer.parallel else (1, near)
+        if buffer.mapping == "logarithmic":
+            mapping, a = 2, 1.0 / math.log2(far / near)
+        elif far != math.inf and not buffer.parallel:
+            a = near * (far / (far - near))
+        reversed_ = buffer.mapping == "reversed"
+        scale, log = 1.0, 0.0
+        if kind.float_type is None:
+            which, steps = 1, float(kind.largest)
+            scale = 1.0 / steps
+        else:
+            which = 3 if reversed_ else 2
+            steps = 2.0 ** (kind.digits - 1) if kind.bits < 32 else 0.0  # a float32 already
+        if kind.bits == 32 and which != 2:
+            # More codes than a depth buffer has: as many as there are, evenly over the scene.
+            depths = -projection.trace(self._scene.corners).view[:, 2]
+            ends = np.clip([depths.min(), depths.max()], near, far)
+            rest = buffer.depth(ends) if reversed_ else 1.0 - buffer.depth(ends)
+            largest, smallest = (max(float(part), 1e-30) for part in rest)
+            scale, log = scale / largest, 1.0 / (math.log2(largest / smallest) + 1.0)
+        return [
+            *(("flBuffer", which), ("flMapping", mapping), ("flA", a)),
+            *(("flInverseFar", 1.0 / far if mapping else 0.0), ("flSteps", steps)),
+            *(("flScale", scale), ("flLog", log)),
+            # A half, for z in [-1, 1], which costs a float32 a bit; from here, or a compiler
+            # would see that it is for nothing.
+            ("flByNdc", 0.5 if buffer.mapping == "opengl" else 0.0),
+        ]
+
+    def _texture_uniforms(self, texture: Texture | None) -> list[_Uniform]:
+        if texture is None:
+            zero = (0.0, 0.0, 0.0, 0.0)
+            return [
+                *(("flS", zero), ("flT", zero), ("flChecks", 0.0)),
+                *(("flAffine", 0), ("flCoordinates", 0)),
+            ]
+        # vertexMC is scene-local, and in float32: the origin is taken off here, in float64.
+        local = texture.texture_from_world.copy()
+        local[:, 3] += local[:, :3] @ np.array(self._scene.origin)
+        s, t = (tuple(row) for row in local.tolist())
+        return [
+            *(("flS", s), ("flT", t), ("flChecks", float(texture.checks))),
+            *(("flAffine", int(texture.affine)), ("flCoordinates", int(texture.coordinates))),
+        ]
+
+    def _fog_uniforms(self, fog: Fog | None, lens: Lens) -> list[_Uniform]:
+        if "fog" not in self._requires:
+            return []
+        which, end, slope = 0, 0.0, 0.0
+        if fog is not None and fog.density > 0.0:
+            which, slope = 2, fog.density
+        elif fog is not None:
+            which, end, slope = 1, fog.end, 1.0 / (fog.end - fog.start)
+        near, span = 0.0, 0.0
+        if not isinstance(lens, FreeMatrix):  # which is shown without fog
+            near, span = lens.near, lens.far - lens.near if lens.parallel else 0.0
+        return [
+            *(("flFog", which), ("flFogEnd", end), ("flFogSlope", slope)),
+            ("flBackground", self._background),
+            *(("flNear", near), ("flSpan", span)),
+        ]
+
+    def _distance(self, projection: Projection) -> tuple[float, ...]:
+        """What scene-local coordinates x, y, z, 1 are to be multiplied by to give w."""
+        n = projection.camera.frame[2]
+        eye = np.array(projection.camera.eye) - np.array(self._scene.origin)
+        return (*(-n).tolist(), float(n @ eye))
+
+    def _subdivide(self, texture: Texture | None) -> None:
+        """Give the faces actor the mesh with so many triangles; built when it is first wanted."""
+        parts = 1 if texture is None else texture.subdivision
+        self._note = None
+        if "texture" not in self._requires:
+            return
+        faces = self._plain.GetNumberOfPolys()
+        possible = max(1, math.isqrt(MOST_TRIANGLES // max(1, faces)))
+        if parts > possible:
+            self._note = Phrase(TOO_FINE, (str(faces), str(parts), str(possible)))
+            parts = possible
+        mapper: Any = self._surface.GetMapper()
+        if parts not in self._divided:
+            whole = pv.wrap(self._plain)
+            self._divided[parts] = whole if parts == 1 else subdivided(whole, parts)
+        if mapper.GetInput() is not self._divided[parts]:
+            mapper.SetInputData(self._divided[parts])
+
+
+def _set(uniforms: Any, name: str, value: float | int | tuple[float, ...]) -> None:
+    if isinstance(value, int):
+        uniforms.SetUniformi(name, value)
+    elif isinstance(value, float):
+        uniforms.SetUniformf(name, min(max(value, -3e38), 3e38))  # a float32, as all it meets
+    elif len(value) == 4:
+        uniforms.SetUniform4f(name, list(value))
+    else:
+        uniforms.SetUniform3f(name, list(value))
+
+
+def subdivided(mesh: pv.PolyData, parts: int) -> pv.PolyData:
+    """Each triangle as ``parts**2`` similar ones, in its own colour.
+
+    Parameters
+    ----------
+    mesh : pyvista.PolyData
+        Triangles whose last corner carries their colour in ``point_data["rgb"]``, if there is one.
+    parts : int
+        Of each side.
+
+    Returns
+    -------
+    pyvista.PolyData
+        Neighbours get the same points on a common side: no pixel between them is lost.
+    """
+    column, row = np.meshgrid(np.arange(parts), np.arange(parts))
+    start = np.stack([column, row], axis=-1)[column + row < parts]
+    upper = start[start.sum(axis=1) < parts - 1]
+    corners = np.concatenate(
+        [start[:, None] + ((0, 0), (1, 0), (0, 1)), upper[:, None] + ((1, 0), (1, 1), (0, 1))]
+    ).astype(np.float64)
+    b, c = corners[None, ..., :1], corners[None, ..., 1:]
+    a = parts - b - c
+    triangles = mesh.regular_faces
+    first, second, third = np.asarray(mesh.points, dtype=np.float64)[triangles].swapaxes(0, 1)
+    sums = a * first[:, None, None] + b * second[:, None, None] + c * third[:, None, None]
+    points = (sums / parts).reshape(-1, 3).astype(np.float32)
+    faces: Any = np.arange(len(points)).reshape(-1, 3)
+    made: pv.PolyData = pv.PolyData.from_regular_faces(points, faces)
+    if "rgb" in mesh.point_data:
+        colours = np.asarray(mesh.point_data["rgb"])[triangles[:, 2]]
+        made.point_data["rgb"] = np.repeat(colours, 3 * len(corners), axis=0)
+    return made
+
+
+def _mesh_of_levels(levels: tuple[Level, ...], origin: tuple[float, ...]) -> pv.PolyData:
+    """All levels' faces, each vertex with its object's place and its level."""
+    quads = np.concatenate([level.faces[0] for level in levels])
+    colours = np.concatenate([level.faces[1] for level in levels])
+    objects = np.empty((len(quads), 4))
+    objects[:, :3] = np.concatenate([level.objects for level in levels]) - np.array(origin)
+    objects[:, 3] = np.repeat(np.arange(len(levels)), [len(level.objects) for level in levels])
+    points = (quads.reshape(-1, 3) - np.array(origin)).astype(np.float32)
+    first = 4 * np.arange(len(quads))[:, None, None]
+    triangles = (first + np.array([[0, 1, 2], [0, 2, 3]])).reshape(-1, 3)
+    mesh: pv.PolyData = pv.PolyData.from_regular_faces(points, triangles)
+    mesh.point_data["rgb"] = np.repeat(colours, 4, axis=0)
+    mesh.point_data["object"] = np.repeat(objects, 4, axis=0).astype(np.float32)
+    return mesh
+
+
+def counted_wrong_share(
+    plotter: Any, scene: Scene, projection: Projection, buffer: DepthBuffer, behind: Array
+) -> float | None:
+    """The share of pixels in which a surface behind is drawn over the one in front, counted.
+
+    Parameters
+    ----------
+    plotter : pyvista.Plotter
+        Off screen, and nothing else in it; its size is the picture's.
+    scene : Scene
+        Whose faces are in front.
+    projection : Projection
+    buffer : DepthBuffer
+    behind : (4, 4) array
+        World from world: the same faces again, where they are behind.
+
+    Returns
+    -------
+    float or None
+        0..1, of the pixels that both surfaces cover; None if there are none, or where this
+        computer's OpenGL refuses the shader.
+    """
+    if scene.surface is None:
+        return None
+    window, renderer = plotter.render_window, plotter.renderer
+    Canvas.make_ready(renderer)
+    renderer.SetActiveCamera(identity_camera())
+    renderer.SetBackground(0.0, 0.0, 0.0)
+    actors: list[tuple[vtkActor, Space]] = []
+    origin = np.array(scene.origin)
+    shift, back = np.eye(4), np.eye(4)
+    shift[:3, 3], back[:3, 3] = origin, -origin
+    parallel = projection.standard_lens.parallel
+    seen = projection.with_depth("opengl")
+    clip_from_local = seen.clip_from_world_at(scene.origin)
+    plain = scene.surface.copy(deep=False)
+    plain.clear_cell_data()
+    for matrix, colour in zip((np.eye(4), back @ behind @ shift), (_RED, _BLUE), strict=True):
+        actor, space = unlit_actor(plain), Space()
+        actor.GetProperty().SetColor(*colour)
+        space.add(actor)
+        space.set_projective(clip_from_local @ matrix)
+        renderer.AddViewProp(actor)
+        actors.append((actor, space))
+    rasteriser = Rasteriser(scene, LIGHT, {"depth"}, renderer.AddViewProp, actors[0], actors[1:])
+    rasteriser.show(Rendering(buffer=buffer), seen)
+
+    def drawn(*visible: bool) -> NDArray[np.bool_]:
+        for (actor, _), shown in zip(actors, visible, strict=True):
+            actor.SetVisibility(shown)
+        window.Render()
+        width, height = window.GetSize()
+        pixels = vtkUnsignedCharArray()
+        window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, pixels)
+        found: NDArray[np.bool_] = vtk_to_numpy(pixels)[:, [0, 2]] > 127  # type: ignore[no-untyped-call]
+        return found
+
+    both = drawn(True, False)[:, 0] & drawn(False, True)[:, 1]
+    found = drawn(True, True)[:, 1]
+    true = Rendering(buffer=DepthBuffer("float32", "reversed", buffer.near, buffer.far, parallel))
+    rasteriser.show(true, seen)
+    wrong = found != drawn(True, True)[:, 1]
+    for actor, _ in actors:
+        renderer.RemoveViewProp(actor)
+    if rasteriser.refused or not both.any():
+        return None
+    return float(np.mean(wrong[both]))

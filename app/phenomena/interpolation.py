@@ -1,0 +1,272 @@
+"""Perspective-correct interpolation: why what is half-way on the screen is not half-way there.
+
+On the screen 1/w is linear, and so is s/w for whatever is linear on a face (lectures 002 and 003):
+the rasteriser interpolates both and divides. Along an edge from depth w_a to w_b = k w_a, a part
+sigma of the way on the screen is therefore a part ``sigma / ((1 - sigma) k + sigma)`` of the edge.
+To interpolate s itself (affine interpolation) takes sigma instead, too much by at most
+
+    e(k) = (sqrt k - 1)/(sqrt k + 1)    at sigma = sqrt k/(sqrt k + 1)
+
+of the edge, which follows from setting the derivative of the difference to 0. What belongs at
+that place is drawn, at the most, as far away from it: the same e(k), of the edge on the screen.
+
+Inside a triangle it is never more. With barycentric weights b on the screen and q_i = 1/w_i the
+error of s is ``sum b q s / sum b q - sum b s``. Where its gradient is 0 inside the triangle, its
+second derivative along a direction d is ``-2 (d.q) (d.q(s - s0)) / (b.q)^2``, a product of two
+different linear forms in d that takes both signs: a saddle, no maximum. So the largest error, of s
+or of any direction of the texture, and by the same argument of the place on the screen, is on an
+edge. All edges of the triangles are looked at, the diagonals too.
+"""
+
+from __future__ import annotations
+
+import math
+from functools import cache
+
+import numpy as np
+
+from app.phenomena.exhibit import (
+    QT_TRANSLATE_NOOP,
+    Dot,
+    Exhibit,
+    Line,
+    Marks,
+    Phenomenon,
+    Phrase,
+    Reading,
+    Rendering,
+    Setting,
+    Settings,
+    Subject,
+    Text,
+    Texture,
+    number,
+)
+from app.projection import Array, Camera, Perspective, Projection
+from app.shapes import Coloured, flat, ground_grid
+
+TEXELS = 256
+"""Of the board's texture, each side."""
+
+_CHECKS = 8
+_CORNERS = np.array([(-5.0, 0, 5), (5, 0, 5), (5, 0, -5), (-5, 0, -5)])
+_SIDES = np.array([_CORNERS[0] - _CORNERS[1], _CORNERS[2] - _CORNERS[1]])
+"""From the corner that the diagonal of the two triangles starts at."""
+_RGB = (245, 242, 230)
+
+_OWN_MESH = QT_TRANSLATE_NOOP(
+    "phenomena",
+    "the formula is for the edges of the built-in board; a mesh has its texture laid over its two"
+    " largest extents",
+)
+_CUT = QT_TRANSLATE_NOOP(
+    "phenomena",
+    "the board reaches behind the near plane: there is no picture of the edges that are cut there",
+)
+
+
+def _geometry() -> tuple[Coloured, Coloured]:
+    return (_CORNERS[None], flat(_RGB, 1)), ground_grid((-8.0, -8.0), (8.0, 8.0), (2.0, 2.0), -1.5)
+
+
+def edge_error(ratio: Array) -> Array:
+    """e(k) of the module's text, for k of any size: the part of an edge by which it is missed."""
+    root = np.sqrt(ratio)
+    error: Array = np.abs(root - 1.0) / (root + 1.0)
+    return error
+
+
+def largest_errors(projection: Projection, parts: int) -> tuple[float, float] | None:
+    """The largest error of affine interpolation on the board, in texels and in pixels.
+
+    Parameters
+    ----------
+    projection : Projection
+    parts : int
+        Of each of the board's sides; every part of the board is two triangles.
+
+    Returns
+    -------
+    (texels, px) or None
+        None where the near plane cuts the board.
+    """
+    starts, lengths = _edges_at_rim(parts)
+    trace = projection.trace(_CORNERS[1] + starts / parts @ _SIDES)
+    w, image = trace.clip[..., 3], trace.image
+    if projection.trace(_CORNERS).outside[:, 0].any() or not np.isfinite(image).all():
+        return None
+    error = edge_error(w[1] / w[0])
+    across_px, down_px = (image[1] - image[0]).T
+    texels = float((error * lengths).max()) * TEXELS
+    return texels, float((error * np.hypot(across_px, down_px)).max())
+
+
+@cache
+def _edges_at_rim(parts: int) -> tuple[Array, Array]:
+    """The triangles' edges where an error can be the largest, of each of their three directions.
+
+    Of the edges of one direction the nearest have the largest e. An edge's length on the screen is
+    the length of something affine in its place, times a factor that depends on w alone: along a
+    line of constant w it is convex, and so it is largest where that line meets the rim.
+
+    Returns
+    -------
+    (2, m, 2) and (m,) arrays
+        Ends, in parts along `_SIDES`, and lengths as parts of the board's side.
+    """
+    ends, lengths = [], []
+    for step, length in (((1, 0), 1.0), ((0, 1), 1.0), ((1, 1), math.sqrt(2.0))):
+        last = parts - np.array(step)
+        grid = np.stack(np.meshgrid(*(np.arange(end + 1.0) for end in last)), axis=-1)
+        rim = ((grid == 0.0) | (grid == last)).any(axis=-1)
+        ends.append(np.stack([grid[rim], grid[rim] + step]))
+        lengths.append(np.full(int(rim.sum()), length / parts))
+    return np.concatenate(ends, axis=1), np.concatenate(lengths)
+
+
+def planar_texture(subject: Subject) -> Array:
+    """s and t of a world point along the two largest extents of a subject's bounds, (2, 4)."""
+    low = np.array(subject.lower)
+    extent = np.array(subject.upper) - low
+    axes = sorted(np.argsort(-extent, kind="stable")[:2].tolist())
+    matrix = np.zeros((2, 4))
+    for row, axis in enumerate(axes):
+        scale = 1.0 / (extent[axis] or float(extent.max()))
+        matrix[row, axis], matrix[row, 3] = scale, -low[axis] * scale
+    return matrix
+
+
+def _is_board(subject: Subject) -> bool:
+    points = subject.points
+    return points.shape == (4, 3) and set(map(tuple, points)) == set(map(tuple, _CORNERS))
+
+
+def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhibit:
+    parts, affine = int(number(settings, "subdivision")), settings["interpolation"] == "affine"
+    texture = Texture(
+        planar_texture(subject), _CHECKS, affine, parts, settings["pattern"] == "coordinates"
+    )
+    rendering = Rendering(texture=texture)
+    if not _is_board(subject):
+        return Exhibit(_readings(None, None, Phrase(_OWN_MESH)), rendering=rendering)
+    errors = largest_errors(projection, parts)
+    ends = np.stack([_CORNERS[0], _CORNERS[3]])
+    trace = projection.trace(ends)
+    note = Phrase(_CUT) if errors is None else None
+    if trace.outside[:, 0].any() or not np.isfinite(trace.image).all():
+        return Exhibit(_readings(errors, None, note), rendering=rendering, warning=Phrase(_CUT))
+    w = trace.clip[:, 3]
+    part = 1.0 / (float(w[1] / w[0]) + 1.0)
+    on_screen = trace.image.mean(axis=0)
+    in_world = np.stack([ends.mean(axis=0), ends[0] + part * (ends[1] - ends[0])])
+    half = projection.trace(in_world[0]).image
+    words = (
+        QT_TRANSLATE_NOOP("phenomena", "half-way in the world"),
+        QT_TRANSLATE_NOOP("phenomena", "half-way on the screen"),
+    )
+    colours = ("target", "accent")
+    world = Marks(
+        lines=(Line(ends, "ink", 2.0),),
+        dots=tuple(Dot(place, c, 1.4) for place, c in zip(in_world, colours, strict=True)),
+        texts=tuple(
+            Text(word, place, c) for word, place, c in zip(words, in_world, colours, strict=True)
+        ),
+    )
+    places = (half, on_screen)
+    image = Marks(
+        lines=(Line(trace.image, "ink", 2.0),),
+        dots=tuple(Dot(place, c, 1.4) for place, c in zip(places, colours, strict=True)),
+        texts=tuple(
+            Text(word, place, c) for word, place, c in zip(words, places, colours, strict=True)
+        ),
+    )
+    return Exhibit(
+        _readings(errors, part, note),
+        world=world,
+        image=image,
+        rendering=rendering,
+        warning=note,
+    )
+
+
+def _readings(
+    errors: tuple[float, float] | None, part: float | None, note: Phrase | None
+) -> tuple[Reading, ...]:
+    texels, px = (None, None) if errors is None else errors
+    return (
+        Reading(
+            QT_TRANSLATE_NOOP("phenomena", "largest error of affine, in texels of 256"),
+            texels,
+            note=note,
+        ),
+        Reading(
+            QT_TRANSLATE_NOOP("phenomena", "largest error of affine, on the screen"),
+            px,
+            "px",
+            note,
+        ),
+        Reading(
+            QT_TRANSLATE_NOOP(
+                "phenomena", "half-way along the marked edge on the screen, in the world"
+            ),
+            None if part is None else 100.0 * part,
+            "%",
+            None if part is not None else note or Phrase(_CUT),
+        ),
+    )
+
+
+PHENOMENON = Phenomenon(
+    name="interpolation",
+    title=QT_TRANSLATE_NOOP("phenomena", "Perspective-correct interpolation"),
+    explanation=QT_TRANSLATE_NOOP(
+        "phenomena",
+        "What is half-way on the screen is not half-way in the world: along an edge 1/w is linear"
+        " on the screen, and so is s/w, but s is not. Interpolated linearly (affine), a texture"
+        " bends at the diagonal of every quadrangle. Smaller triangles hide it: twice as many"
+        " parts leave a quarter of the error.",
+    ),
+    lectures=("L18",),
+    start=Projection(
+        Camera((1.5, 4.0, 10.0), (0.0, 0.0, 0.5), (0.0, 1.0, 0.0)),
+        Perspective(fov_y_deg=50.0, near=1.0, far=40.0),
+        (1280, 720),
+    ),
+    geometry=_geometry,
+    show=_show,
+    settings=(
+        Setting(
+            "interpolation",
+            QT_TRANSLATE_NOOP("phenomena", "Interpolation"),
+            QT_TRANSLATE_NOOP("phenomena", "How the texture's coordinates are spread over a face"),
+            "affine",
+            choices=(
+                ("affine", QT_TRANSLATE_NOOP("phenomena", "affine: s linear on the screen")),
+                ("correct", QT_TRANSLATE_NOOP("phenomena", "correct: s/w and 1/w, divided")),
+            ),
+        ),
+        Setting(
+            "subdivision",
+            QT_TRANSLATE_NOOP("phenomena", "Parts a side"),
+            QT_TRANSLATE_NOOP("phenomena", "Into how many parts the board's sides are cut"),
+            1.0,
+            low=1.0,
+            high=64.0,
+            logarithmic=True,
+            whole=True,
+        ),
+        Setting(
+            "pattern",
+            QT_TRANSLATE_NOOP("phenomena", "Texture"),
+            QT_TRANSLATE_NOOP("phenomena", "Checks, or the coordinates themselves as colours"),
+            "checks",
+            choices=(
+                ("checks", QT_TRANSLATE_NOOP("phenomena", "checks")),
+                ("coordinates", QT_TRANSLATE_NOOP("phenomena", "s red, t green")),
+            ),
+        ),
+    ),
+    controls=("camera.eye", "lens.fov_y_deg"),
+    requires=frozenset({"texture"}),
+    own_mesh=True,
+)

@@ -1,0 +1,170 @@
+"""The depth buffer's readings, against rays that are cut with the ramp in world space."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from app.depth import DepthBuffer
+from app.phenomena.depth_buffer import PHENOMENON, RANGES, buffer_of, distances, moved_behind
+from app.phenomena.exhibit import Exhibit, Phrase, Subject
+from app.projection import Array, Camera, Orthographic, Perspective, Projection, ProjectionError
+
+RAMP = np.array([(-5.0, 0, 4), (5, 0, 4), (5, 6, -44), (-5, 6, -44)])
+SUBJECT = Subject((-5.0, 0.0, -44.0), (5.0, 6.0, 4.0), RAMP[[2, 0, 3, 1]])
+
+
+def shown(projection: Projection, **settings: object) -> Exhibit:
+    return PHENOMENON.show(projection, PHENOMENON.checked(settings), SUBJECT)
+
+
+def random_projection(random: np.random.Generator, number: int) -> Projection:
+    eye = (random.uniform(-6, 6), random.uniform(2, 9), random.uniform(8, 16))
+    target = (random.uniform(-2, 2), random.uniform(0, 4), random.uniform(-20, -3))
+    near, far = 10.0 ** random.uniform(-3, 0), 10.0 ** random.uniform(1.8, 4)
+    lens = Perspective(random.uniform(30, 70), near, far)
+    projection = Projection(Camera(eye, target, (0.0, 1.0, 0.0)), lens, (640, 360))
+    return projection.with_lens(("perspective", "frustum", "orthographic", "oblique")[number % 4])
+
+
+def brute_force(projection: Projection, gap: float, random: np.random.Generator) -> Array:
+    """Distances of both surfaces at random pixels, (k, 2), by un-projected rays."""
+    pixels = random.uniform((0, 0), projection.image_size, (20_000, 2))
+    depths = [np.full((len(pixels), 1), part) for part in (0.0, 0.9)]
+    first, last = (
+        projection.world_from_image(np.concatenate([pixels, depth], axis=1)) for depth in depths
+    )
+    across, along = RAMP[1] - RAMP[0], RAMP[3] - RAMP[0]
+    normal = np.cross(across, along)
+    n, eye = projection.camera.frame[2], np.array(projection.camera.eye)
+    found = []
+    for shift in (0.0, -gap * n):
+        part = ((RAMP[0] + shift - first) @ normal) / ((last - first) @ normal)
+        place = first + part[:, None] * (last - first)
+        local = place - RAMP[0] - shift
+        s, t = local @ across / (across @ across), local @ along / (along @ along)
+        w = (eye - place) @ n
+        on = (np.abs(s - 0.5) <= 0.5) & (np.abs(t - 0.5) <= 0.5) & (w >= projection.lens.near)
+        found.append(np.where(on & (w <= projection.lens.far), w, np.nan))
+    both: Array = np.array(found).T
+    return both[np.isfinite(both).all(axis=1)]
+
+
+def test_the_share_is_that_of_rays_cut_with_the_ramp() -> None:
+    """50 settings: codes equal where surface 2 is farther, of 20 000 random pixels; 4 points."""
+    random = np.random.default_rng(17)
+    between = 0
+    for number in range(50):
+        projection = random_projection(random, number)
+        parallel = projection.lens.parallel
+        settings = {
+            "range": RANGES[number % 2] if parallel else RANGES[number // 4 % 4],
+            "format": str(random.choice(["fixed8", "fixed16", "fixed24", "float16", "float32"])),
+        }
+        buffer = buffer_of(projection, settings)
+        assert isinstance(buffer, DepthBuffer)
+        step = min(float(buffer.gap(projection.camera.distance)), 4.0)
+        gap = min(max(step * 10.0 ** random.uniform(-1.0, 0.3), 1e-9), 3.0)
+        w = brute_force(projection, gap, random)
+        codes = buffer.encode(w)
+        wrong = 100.0 * np.mean((codes[:, 0] == codes[:, 1]) & (w[:, 1] > w[:, 0]))
+        reading = shown(projection, gap=gap, **settings).readings[0]
+        assert reading.value == pytest.approx(wrong, abs=4.0), (projection, settings, gap)
+        between += 5.0 < wrong < 95.0
+    assert between >= 20
+
+
+def test_both_distances_at_the_principal_ray_are_a_gap_apart() -> None:
+    """Along n the gap is the gap, whatever the plane: the ray (0, 0, -1) meets both a gap apart."""
+    straight = Projection(
+        Camera((0.0, 6.0, 12.0), (0.0, 2.0, -10.0), (0.0, 1.0, 0.0)),
+        Perspective(0.001, 0.1, 100.0),
+    )
+    first, second = distances(straight, 0.25, SUBJECT)
+    assert len(first) > 1000
+    assert second - first == pytest.approx(0.25, rel=1e-3)
+    matrix = moved_behind(straight, 0.25)
+    moved = matrix[:3, :3] @ RAMP[0] + matrix[:3, 3]
+    n = straight.camera.frame[2]
+    assert (RAMP[0] - moved).tolist() == pytest.approx((0.25 * n).tolist())
+
+
+def test_the_smallest_gap_at_the_target_is_the_lectures() -> None:
+    """w^2/(n 2^24) for 24 bits and far >> near; the same for 16; none beyond far."""
+    camera = Camera((0.0, 6.0, 12.0), (0.0, 2.0, -10.0), (0.0, 1.0, 0.0))
+    for near in (0.01, 0.03, 0.1, 0.3):
+        for bits in (16, 24, 32):
+            at = Projection(camera, Perspective(45.0, near, 1e9))
+            reading = shown(at, format=f"fixed{bits}").readings[1]
+            w = camera.distance
+            step = w**2 / (near * 2**bits)
+            assert reading.value == pytest.approx(step / (1.0 - step / w), rel=2e-2 / near**0.1)
+    behind = shown(Projection(camera, Perspective(45.0, 1.0, 10.0))).readings
+    assert behind[1].value is None and behind[1].note is not None
+
+
+def test_a_surface_that_comes_to_lie_in_front_is_never_wrong() -> None:
+    """Looking up along the ramp, away along n is towards the eye: what is seen is right."""
+    up = Projection(
+        Camera((0.0, 9.0, 12.0), (0.0, 29.0, -28.0), (0.0, 1.0, 0.0)),
+        Perspective(100.0, 0.01, 200.0),
+    )
+    first, second = distances(up, 0.01, SUBJECT)
+    assert len(first) > 100 and (second < first).all()
+    buffer = DepthBuffer("fixed8", "opengl", 0.01, 200.0)
+    assert (buffer.encode(first) == buffer.encode(second)).all()
+    assert shown(up, format="fixed8", gap=0.01).readings[0].value == 0.0
+
+
+def test_a_mesh_has_the_gap_along_w() -> None:
+    random = np.random.default_rng(2)
+    points = random.uniform(-2, 2, (300, 3)) + np.array([0.0, 2.0, -8.0])
+    subject = Subject((-2.0, 0.0, -10.0), (2.0, 4.0, -6.0), points)
+    first, second = distances(PHENOMENON.start, 0.5, subject)
+    inside = ~PHENOMENON.start.trace(points).outside.any(axis=1)
+    eye, n = np.array(PHENOMENON.start.camera.eye), PHENOMENON.start.camera.frame[2]
+    assert first == pytest.approx((eye - points[inside]) @ n)
+    assert second - first == pytest.approx(0.5)
+
+
+def test_what_the_lens_cannot_have_is_said() -> None:
+    start = PHENOMENON.start
+    flat = replace(start, lens=Orthographic(-8.0, 8.0, -5.0, 5.0, 1.0, 80.0))
+    endless = replace(start, lens=Perspective(45.0, 1.0, math.inf))
+    for projection, chosen in (
+        (flat, "logarithmic"),
+        (flat, "infinite"),
+        (endless, "logarithmic"),
+    ):
+        exhibit = shown(projection, range=chosen)
+        assert isinstance(exhibit.warning, Phrase) and exhibit.rendering is None
+        assert len(exhibit.copies) == 1
+    away = replace(start, camera=Camera((0.0, 6.0, 12.0), (0.0, 6.0, 40.0), (0.0, 1.0, 0.0)))
+    reading = shown(away).readings[0]
+    assert reading.value is None and reading.note is not None
+    fine = shown(replace(start, lens=Perspective(45.0, 1.0, 90.0)), format="fixed32", gap=1e-7)
+    assert fine.readings[0].note is not None and fine.readings[0].value is not None
+
+
+def test_the_ticks_are_codes() -> None:
+    """Both axes: 8 bits have 256 codes, of which every 8th and the last is a tick."""
+    diagram = shown(PHENOMENON.start, format="fixed8").diagrams[0]
+    buffer = DepthBuffer("fixed8", "opengl", 0.01, 200.0)
+    assert diagram.y_ticks is not None and diagram.x_ticks is not None
+    assert (diagram.y_ticks * 255.0).tolist() == pytest.approx([*range(0, 255, 8), 255])
+    assert buffer.depth(diagram.x_ticks) == pytest.approx(diagram.y_ticks, abs=1e-12)
+    curve = diagram.curves[0].points
+    assert curve[:, 1] == pytest.approx(buffer.depth(curve[:, 0]))
+    assert shown(PHENOMENON.start).diagrams[0].y_ticks is None
+
+
+@pytest.mark.parametrize(
+    ("name", "value"), [("gap", 0.0), ("gap", -1.0), ("format", "fixed12"), ("range", "linear")]
+)
+def test_a_setting_out_of_bounds_is_named(name: str, value: object) -> None:
+    with pytest.raises(ProjectionError) as error:
+        PHENOMENON.checked({name: value})
+    assert error.value.field == f"settings.{name}"

@@ -1,0 +1,151 @@
+"""Interpolation's readings, against maxima that are searched for."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import pairwise
+
+import mpmath
+import numpy as np
+import pytest
+
+from app.phenomena.exhibit import Exhibit, Subject
+from app.phenomena.interpolation import (
+    PHENOMENON,
+    TEXELS,
+    edge_error,
+    largest_errors,
+    planar_texture,
+)
+from app.projection import Array, Camera, Perspective, Projection, ProjectionError
+
+BOARD = np.array([(-5.0, 0, 5), (5, 0, 5), (5, 0, -5), (-5, 0, -5)])
+SUBJECT = Subject((-5.0, 0.0, -5.0), (5.0, 0.0, 5.0), BOARD[[3, 0, 2, 1]])
+
+
+def shown(projection: Projection, subject: Subject = SUBJECT, **settings: object) -> Exhibit:
+    return PHENOMENON.show(projection, PHENOMENON.checked(settings), subject)
+
+
+def random_projection(random: np.random.Generator) -> Projection:
+    eye = (random.uniform(-5, 5), random.uniform(1, 8), random.uniform(8, 15))
+    target = (random.uniform(-2, 2), random.uniform(-1, 1), random.uniform(-4, 2))
+    lens = Perspective(random.uniform(30, 80), 0.2, 100.0)
+    return Projection(Camera(eye, target, (0.0, 1.0, 0.0)), lens, (1280, 720))
+
+
+def test_the_error_of_an_edge_is_the_largest_difference() -> None:
+    """The formula against a search for the maximum, at 40 digits."""
+    with mpmath.workdps(40):
+        for k in (0.02, 0.5, 1.0001, 2.0, 3.7, 40.0, 1e6):
+            ratio = mpmath.mpf(k)
+
+            def off(sigma: mpmath.mpf, ratio: mpmath.mpf = ratio) -> mpmath.mpf:
+                return sigma - sigma / ((1 - sigma) * ratio + sigma)
+
+            root = mpmath.sqrt(ratio)
+            at = root / (root + 1)
+            largest = abs(off(at))
+            for step in np.linspace(0.0, 1.0, 2001).tolist():
+                assert abs(off(mpmath.mpf(step))) <= largest * (1 + mpmath.mpf(10) ** -30)
+            assert float(edge_error(np.array(k))) == pytest.approx(float(largest), rel=1e-10)
+
+
+def searched(projection: Projection, parts: int, random: np.random.Generator) -> tuple[float, ...]:
+    """The largest errors, in texels and px, over points of all triangles and along all edges."""
+    texels = px = 0.0
+    inner = random.dirichlet((0.6, 0.6, 0.6), 400)
+    line = np.linspace(0.0, 1.0, 401)
+    edges = [np.zeros((401, 3)) for _ in range(3)]
+    for i, edge in enumerate(edges):
+        edge[:, i], edge[:, (i + 1) % 3] = line, 1.0 - line
+    weights = np.concatenate([inner, *edges])
+    side = 10.0 / parts
+    for row in range(parts):
+        for column in range(parts):
+            # Its diagonal goes from far left to near right.
+            x, z = -5.0 + column * side, 5.0 - row * side
+            near_left, near_right = (x, 0.0, z), (x + side, 0.0, z)
+            far_left, far_right = (x, 0.0, z - side), (x + side, 0.0, z - side)
+            for corners in (
+                np.array([near_left, near_right, far_left]),
+                np.array([near_right, far_right, far_left]),
+            ):
+                trace = projection.trace(corners)
+                w = -trace.view[:, 2]
+                correct = weights / w / (weights / w).sum(axis=1, keepdims=True)
+                st: Array = (weights - correct) @ corners[:, [0, 2]] / 10.0
+                texels = max(texels, float(np.hypot(*st.T).max()) * TEXELS)
+                placed = weights * w / (weights * w).sum(axis=1, keepdims=True)
+                off = (weights - placed) @ trace.image
+                px = max(px, float(np.hypot(*off.T).max()))
+    return texels, px
+
+
+def test_the_largest_errors_are_those_that_a_search_finds() -> None:
+    """50 cameras; neither larger anywhere in a triangle nor missed on its edges."""
+    random = np.random.default_rng(23)
+    for number in range(50):
+        projection, parts = random_projection(random), (1, 2, 3, 5)[number % 4]
+        found = largest_errors(projection, parts)
+        assert found is not None
+        for formula, most in zip(found, searched(projection, parts, random), strict=True):
+            assert most <= formula * (1.0 + 1e-9)
+            assert most >= formula * (1.0 - 1e-3)
+        readings = shown(projection, subdivision=parts).readings
+        assert (readings[0].value, readings[1].value) == found
+
+
+def test_half_way_on_the_screen_is_less_in_the_world() -> None:
+    """1/(k + 1) of the edge, k = w_b/w_a: the place that is drawn half-way between the ends."""
+    random = np.random.default_rng(9)
+    for _ in range(50):
+        projection = random_projection(random)
+        exhibit = shown(projection)
+        ends = projection.trace(BOARD[[0, 3]])
+        part = float(exhibit.readings[2].value) / 100.0  # type: ignore[arg-type]
+        place = BOARD[0] + part * (BOARD[3] - BOARD[0])
+        assert projection.trace(place).image == pytest.approx(ends.image.mean(axis=0), abs=1e-8)
+        world, image = exhibit.world.dots, exhibit.image.dots
+        assert world[1].point == pytest.approx(place)
+        assert image[1].point == pytest.approx(ends.image.mean(axis=0))
+        assert world[0].point == pytest.approx((BOARD[0] + BOARD[3]) / 2.0)
+        assert image[0].point == pytest.approx(projection.trace(world[0].point).image)
+
+
+def test_twice_as_many_parts_leave_a_quarter() -> None:
+    errors = [largest_errors(PHENOMENON.start, parts) for parts in (16, 32, 64)]
+    for one, other in pairwise(errors):
+        assert one is not None and other is not None
+        assert one[0] / other[0] == pytest.approx(4.0, rel=0.1)
+
+
+def test_a_board_that_near_cuts_has_no_error() -> None:
+    above = Camera((0.0, 1.0, 3.0), (0.0, 0.5, -4.0), (0.0, 1.0, 0.0))
+    exhibit = shown(replace(PHENOMENON.start, camera=above))
+    assert exhibit.warning is not None and not exhibit.image.dots
+    assert all(reading.value is None and reading.note for reading in exhibit.readings)
+    assert exhibit.rendering is not None and exhibit.rendering.texture is not None
+
+
+def test_a_mesh_has_its_texture_over_its_two_largest_extents() -> None:
+    tall = Subject((1.0, 2.0, 3.0), (2.0, 12.0, 8.0), np.zeros((3, 3)))
+    matrix = planar_texture(tall)
+    low, high = np.array([*tall.lower, 1.0]), np.array([*tall.upper, 1.0])
+    assert (matrix @ low).tolist() == pytest.approx([0.0, 0.0])
+    assert (matrix @ high).tolist() == pytest.approx([1.0, 1.0])
+    assert not matrix[:, 0].any(), "x is the smallest extent"
+    needle = planar_texture(Subject((0.0, 0.0, 0.0), (0.0, 4.0, 0.0), np.zeros((2, 3))))
+    assert np.isfinite(needle).all()
+    readings = shown(PHENOMENON.start, tall).readings
+    assert all(reading.value is None and reading.note is not None for reading in readings)
+
+
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [("subdivision", 0.0), ("subdivision", 65.0), ("subdivision", 2.5), ("pattern", "stripes")],
+)
+def test_a_setting_out_of_bounds_is_named(name: str, value: object) -> None:
+    with pytest.raises(ProjectionError) as error:
+        PHENOMENON.checked({name: value})
+    assert error.value.field == f"settings.{name}"

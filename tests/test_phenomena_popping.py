@@ -1,0 +1,158 @@
+"""Popping's readings, against a drive that counts."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from app.phenomena.exhibit import Exhibit, Subject
+from app.phenomena.popping import (
+    HEIGHT,
+    PHENOMENON,
+    ROWS,
+    SPACING,
+    SPEED,
+    TREES,
+    VERTICES,
+    _levels,
+    places,
+    popped_per_second,
+    trees_in_view,
+)
+from app.projection import Camera, Perspective, Projection, ProjectionError
+
+SUBJECT = Subject((0.0, 0.0, 0.0), (1.0, 1.0, 1.0), np.zeros((1, 3)))
+
+
+def shown(projection: Projection, **settings: object) -> Exhibit:
+    return PHENOMENON.show(projection, PHENOMENON.checked(settings), SUBJECT)
+
+
+def random_projection(random: np.random.Generator) -> Projection:
+    eye = (random.uniform(-2, 2), random.uniform(1, 6), random.uniform(-60, 10))
+    target = (eye[0] + random.uniform(-5, 5), random.uniform(0, 4), eye[2] - 40.0)
+    lens = Perspective(random.uniform(30, 60), 0.5, random.uniform(40, 150))
+    return Projection(Camera(eye, target, (0.0, 1.0, 0.0)), lens)
+
+
+def driven(projection: Projection, by: float) -> Projection:
+    before = PHENOMENON.checked({"position": 0.0})
+    return PHENOMENON.follow(projection, before, PHENOMENON.checked({"position": by}))
+
+
+def test_driving_moves_the_camera_along_the_avenue_and_back() -> None:
+    start = PHENOMENON.start
+    there = driven(start, 30.0)
+    assert there.camera.eye == (start.camera.eye[0], start.camera.eye[1], start.camera.eye[2] - 30)
+    assert there.camera.target[2] == start.camera.target[2] - 30.0
+    one, other = PHENOMENON.checked({"position": 30.0}), PHENOMENON.checked({})
+    assert PHENOMENON.follow(there, one, other) == start
+    assert driven(start, 0.0) is start
+
+
+def test_as_many_pop_in_as_a_drive_counts() -> None:
+    """50 cameras driving ten trees far: those whose middle passes far in the picture, counted."""
+    random = np.random.default_rng(11)
+    rates = set()
+    middles = places() + np.array([0.0, HEIGHT / 2.0, 0.0])
+    for _ in range(50):
+        projection = random_projection(random)
+        x, y, z = projection.camera.target
+        aside = replace(projection.camera, target=(x + random.uniform(-45, 45), y, z))
+        projection = replace(projection, camera=aside)
+        predicted = popped_per_second(projection)
+        popped, before = 0, None
+        # Two whole spacings in small steps, over which the rate is that of the place looked at.
+        for by in np.linspace(0.0, 2.0 * SPACING, 241):
+            now = driven(projection, float(by))
+            beyond = now.trace(middles).outside
+            in_picture = ~beyond[:, 2:].any(axis=1)
+            if before is not None:
+                popped += int((before & ~beyond[:, 1] & in_picture).sum())
+            before = beyond[:, 1]
+        seconds = 2.0 * SPACING / SPEED
+        assert popped / seconds == predicted, projection
+        rates.add(predicted)
+    assert rates == {0.0, 2.0, 4.0}, "one row, both, and none"
+
+
+def test_nothing_pops_past_the_last_tree_or_at_infinity() -> None:
+    start = PHENOMENON.start
+    assert popped_per_second(start) == 2 * SPEED / SPACING
+    end = driven(start, 300.0)
+    assert popped_per_second(replace(end, lens=Perspective(45.0, 1.0, 90.0))) == 0.0
+    endless = shown(replace(start, lens=Perspective(45.0, 1.0, math.inf))).readings
+    assert endless[2].value == 0.0 and endless[3].value is None
+    assert endless[2].note is not None and endless[3].note is not None
+
+
+def test_the_vertices_drawn_are_those_of_the_trees_in_view() -> None:
+    """50 cameras: each tree's own distance and level; in view are all with a vertex that is."""
+    random = np.random.default_rng(31)
+    (quads, _), objects = _levels()[0]
+    per_tree = len(quads) // len(places())
+    assert VERTICES[0] == 4 * per_tree
+    corners = quads.reshape(len(places()), -1, 3)
+    for _ in range(50):
+        projection = random_projection(random)
+        first, second = sorted(random.uniform(5, 120, 2).tolist())
+        seen = trees_in_view(projection)
+        some_inside = ~projection.trace(corners).outside.any(axis=2)
+        assert seen[some_inside.any(axis=1)].all()
+        eye, n = np.array(projection.camera.eye), projection.camera.frame[2]
+        expected = 0
+        for tree in places()[seen]:
+            w = float(n @ (eye - tree))
+            expected += VERTICES[0 if w < first else 1 if w < second else 2]
+        readings = shown(projection, detail=True, detail_1=first, detail_2=second).readings
+        assert readings[0].value == expected
+        assert readings[1].value == VERTICES[0] * int(seen.sum())
+        assert shown(projection).readings[0].value == readings[1].value
+    assert (np.unique(objects, axis=0) == np.unique(places(), axis=0)).all()
+
+
+def test_each_level_has_the_vertices_that_it_says() -> None:
+    for (quads, rgb), objects, count in (
+        (faces, objects, count) for (faces, objects), count in zip(_levels(), VERTICES, strict=True)
+    ):
+        assert len(quads) == len(rgb) == len(objects) == len(ROWS) * TREES * count // 4
+        off = np.abs(quads - objects[:, None])
+        assert off[..., [0, 2]].max() <= 1.5 + 1e-9 and off[..., 1].max() <= HEIGHT + 1e-9
+    assert list(VERTICES) == sorted(VERTICES, reverse=True)
+
+
+def test_the_contrast_at_the_far_plane_is_the_fogs() -> None:
+    random = np.random.default_rng(5)
+    for _ in range(50):
+        projection = random_projection(random)
+        far = projection.lens.far
+        start, end = sorted(random.uniform(0, 200, 2).tolist())
+        density = 10.0 ** random.uniform(-3, -1)
+        linear = shown(projection, fog="linear", fog_start=start, fog_end=end).readings[3]
+        expected = min(max((end - far) / (end - start), 0.0), 1.0)
+        assert linear.value == pytest.approx(100.0 * expected)
+        thick = shown(projection, fog="exponential", fog_density=density)
+        assert thick.readings[3].value == pytest.approx(100.0 * math.exp(-density * far))
+        curve = thick.diagrams[0].curves[0].points
+        assert curve[:, 1] == pytest.approx(100.0 * np.exp(-density * curve[:, 0]))
+        assert shown(projection).readings[3].value == 100.0
+
+
+@pytest.mark.parametrize(
+    ("settings", "field"),
+    [
+        ({"fog_start": 50.0, "fog_end": 50.0}, "settings.fog_end"),
+        ({"detail_1": 70.0}, "settings.detail_2"),
+        ({"fog": "thick"}, "settings.fog"),
+        ({"position": -1.0}, "settings.position"),
+        ({"detail": 1.0}, "settings.detail"),
+        ({"fog_density": math.nan}, "settings.fog_density"),
+    ],
+)
+def test_settings_that_cannot_be_are_named(settings: dict[str, object], field: str) -> None:
+    with pytest.raises(ProjectionError) as error:
+        PHENOMENON.checked(settings)
+    assert error.value.field == field
