@@ -97,7 +97,7 @@ ROOMS = {
     },
     "app/meshes.py": Room(("numpy", *VTK)),
     "app/scene.py": Room(("numpy", *VTK), ("app.projection", "app.shapes", "app.meshes")),
-    "app/document.py": Room(rooms=("app.projection",)),
+    "app/document.py": Room(rooms=("app.projection", "app.phenomena")),
     "app/drawings/__init__.py": DRAWING,
     "app/drawings/actors.py": DRAWING,
     "app/drawings/rungs.py": DRAWING,
@@ -124,7 +124,7 @@ ROOMS = {
         ("numpy",),
         (
             *("app.bootstrap", "app.projection", "app.precision", "app.notation"),
-            *("app.document", "app.doctor"),
+            *("app.document", "app.doctor", "app.phenomena"),
         ),
         late=(*VTK, *QT, "app", "widgets"),
     ),

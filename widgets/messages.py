@@ -62,6 +62,12 @@ PROJECTION_BOUNDS = (
 )
 """Every bound of a `ProjectionError`: the members of `app.projection.BOUNDS`."""
 
+SETTING_BOUNDS = (
+    QT_TRANSLATE_NOOP("ProjectionError", "must be a whole number"),
+    QT_TRANSLATE_NOOP("ProjectionError", "must be true or false"),
+)
+"""What `app.phenomena.exhibit` adds to them; each phenomenon marks what it adds itself."""
+
 DOCUMENT_BOUNDS = (
     QT_TRANSLATE_NOOP("DocumentError", "is missing"),
     QT_TRANSLATE_NOOP("DocumentError", "is empty"),
@@ -95,6 +101,13 @@ DOCUMENT_BOUNDS = (
     QT_TRANSLATE_NOOP("DocumentError", "is a picture without a Frustum Lab document in it"),
     QT_TRANSLATE_NOOP("DocumentError", "is not known; the nearest name is {0}"),
     QT_TRANSLATE_NOOP("DocumentError", "belongs to another lens: set lens.kind as well ({0})"),
+    QT_TRANSLATE_NOOP("DocumentError", "belongs to another scene: set scene as well ({0})"),
+    QT_TRANSLATE_NOOP(
+        "DocumentError", "must be the path of a mesh file ({0}), or empty for none"
+    ),
+    QT_TRANSLATE_NOOP(
+        "DocumentError", "cannot be shown in the scene {0}, which needs its own objects"
+    ),
     QT_TRANSLATE_NOOP("DocumentError", "must be written as NAME=VALUE"),
     QT_TRANSLATE_NOOP("DocumentError", "The document"),
 )
