@@ -153,6 +153,17 @@ ROOMS = {
             *("widgets.messages", "widgets.palette", "widgets.rows"),
         ),
     ),
+    "widgets/diagram.py": Room(
+        ("numpy", *QT), ("app.phenomena", "app.drawings.style", "widgets.messages")
+    ),
+    # Knows what any phenomenon is made of, and none of them.
+    "widgets/scene_panel.py": Room(
+        QT,
+        (
+            *("app.phenomena.exhibit", "app.projection", "app.drawings.style"),
+            *("widgets.animation", "widgets.diagram", "widgets.messages", "widgets.rows"),
+        ),
+    ),
     "widgets/export_dialog.py": Room(QT, ("app.figures", "widgets.messages")),
     # One pane hosts any drawing, so it knows the drawings' values and none of them.
     "widgets/pane.py": Room(
@@ -191,7 +202,7 @@ ROOMS = {
         ("numpy", *QT),
         (
             *("app.projection", "app.morph", "app.picking", "app.scene", "app.document"),
-            "app.drawings",
+            *("app.drawings", "app.phenomena"),
             *("app.store", "app.measure", "widgets"),
         ),
     ),
