@@ -165,6 +165,8 @@ class DiagramView(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._diagram: Diagram | None = None
+        self._names: dict[str, Floats] = {}
+        """Where the curves' names stand, so that they stay while there is room."""
         self._style = LIGHT
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setMinimumSize(150, 110)
@@ -174,6 +176,8 @@ class DiagramView(QWidget):
 
     def show_diagram(self, diagram: Diagram | None) -> None:
         """Show another diagram, or none."""
+        if diagram is self._diagram:
+            return
         self._diagram = diagram
         title = "" if diagram is None else of_phenomena(diagram.title)
         if title != self.accessibleName():
@@ -365,7 +369,10 @@ class DiagramView(QWidget):
                 continue
             text = of_phenomena(curve.label)
             size = metrics.horizontalAdvance(text) + SWATCH_PX + GAP_PX, metrics.height()
-            left, top, right, bottom = _free_place(frame, places, size, taken, curves_px).tolist()
+            kept = self._names.get(curve.label)
+            place = _free_place(frame, places, size, taken, curves_px, kept)
+            self._names[curve.label] = place
+            left, top, right, bottom = place.tolist()
             taken = np.vstack([taken, (left, top, right, bottom)])
             box = QRectF(left, top, right - left, bottom - top)
             plate = QColor(self._style.background)
@@ -420,7 +427,12 @@ def _along(frame: QRectF, points: Floats, *, joined: bool) -> Floats:
 
 
 def _free_place(
-    frame: QRectF, along: Floats, size: tuple[float, float], taken: Floats, curves_px: Floats
+    frame: QRectF,
+    along: Floats,
+    size: tuple[float, float],
+    taken: Floats,
+    curves_px: Floats,
+    kept: Floats | None = None,
 ) -> Floats:
     """A place for a curve's name: beside the curve, free of other names and of curves.
 
@@ -435,6 +447,8 @@ def _free_place(
         Where names are already: left, top, right, bottom.
     curves_px : (k, 2) array
         Places along all curves.
+    kept : (4,) array, optional
+        Where the name stood before: good enough while it is free and beside its curve.
 
     Returns
     -------
@@ -443,14 +457,21 @@ def _free_place(
         the next line of a list at the top left.
     """
     width, height = size
+    lines = np.hstack([curves_px - 1.0, curves_px + 1.0])
+    ends = np.array([frame.left(), frame.top(), -frame.right(), -frame.bottom()])
+    if kept is not None and np.allclose(kept[2:] - kept[:2], size):
+        inside = (kept * (1.0, 1.0, -1.0, -1.0) >= ends).all()
+        free = not _overlap(kept[None], np.vstack([taken, lines])).any()
+        near = kept + height * np.array([-1.0, -1.0, 1.0, 1.0])
+        if inside and free and _overlap(near[None], np.hstack([along, along])).any():
+            return kept
     beside = np.array([(GAP_PX, -height), (-width, -height), (GAP_PX, 1.0), (-width, 1.0)])
     corners = (along[::-1, None, :] + beside).reshape(-1, 2)  # from the right, where curves part
     boxes = np.hstack([corners, corners + size])
-    ends = np.array([frame.left(), frame.top(), -frame.right(), -frame.bottom()])
     boxes = boxes[(boxes * (1.0, 1.0, -1.0, -1.0) >= ends).all(axis=1)]
     boxes = boxes[~_overlap(boxes, taken).any(axis=1)]
     if len(boxes):
-        crossed = _overlap(boxes, np.hstack([curves_px - 1.0, curves_px + 1.0])).sum(axis=1)
+        crossed = _overlap(boxes, lines).sum(axis=1)
         best: Floats = boxes[np.argmin(100 * crossed + np.arange(len(boxes)))]
         return best
     left, top = frame.left() + GAP_PX, frame.top() + GAP_PX
@@ -462,6 +483,7 @@ def _free_place(
 
 def _overlap(boxes: Floats, others: Floats) -> NDArray[np.bool_]:
     """Which boxes overlap which others, (m, n); both have rows of left, top, right, bottom."""
-    here, there = boxes[:, None, :], others[None, :, :]
-    before = (here[..., :2] < there[..., 2:]).all(axis=2)
-    return np.asarray(before & (there[..., :2] < here[..., 2:]).all(axis=2))
+    left, top, right, bottom = boxes.T[:, :, None]
+    other_left, other_top, other_right, other_bottom = others.T[:, None, :]
+    across = (left < other_right) & (other_left < right)
+    return np.asarray(across & (top < other_bottom) & (other_top < bottom))

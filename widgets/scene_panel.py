@@ -20,6 +20,7 @@ from typing import Any
 from PySide6.QtCore import QElapsedTimer, QEvent, QObject, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QHideEvent, QPalette, QShowEvent
 from PySide6.QtWidgets import (
+    QBoxLayout,
     QFrame,
     QGridLayout,
     QHBoxLayout,
@@ -61,6 +62,8 @@ from widgets.rows import (
 
 HEIGHT_PX = 190
 """Of the panel where it opens, at the ordinary font; what is higher scrolls, or it is dragged."""
+COLUMN_PX = 200
+"""Least width of what can scroll to and fro."""
 NAME_CHARACTERS = 24
 """Longest name of a setting that is written in one line."""
 LARGE, LARGER = 1.5, 1.15
@@ -145,19 +148,17 @@ class ScenePanel(QWidget):
         read.addWidget(self.readout)
         read.addStretch(1)
         self._drawn = QHBoxLayout()
-        self._drawn.setContentsMargins(0, 0, 0, 0)
-        self._diagram_column = QWidget()
-        self._diagram_column.setLayout(self._drawn)
         self._text_column = _Column(text, self.tr("What this scene shows"))
-        self._settings_column = _Column(chosen, self.tr("Settings of this scene"))
-        self._readout_column = _Column(read, self.tr("Readout"))
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(4, 0, 4, 2)
-        layout.setSpacing(12)
-        layout.addWidget(self._text_column, 4)
-        layout.addWidget(self._settings_column, 5)
-        layout.addWidget(self._readout_column, 4)
-        layout.addWidget(self._diagram_column, 5)
+        self._settings_column = _Column(chosen, self.tr("Settings of this scene"), 480)
+        self._readout_column = _Column(read, self.tr("Readout"), 440)
+        self._diagram_column = _Column(self._drawn, self.tr("Diagrams"))
+        self._columns = QHBoxLayout(self)
+        self._columns.setContentsMargins(4, 0, 4, 2)
+        self._columns.setSpacing(12)
+        self._columns.addWidget(self._text_column, 4)
+        self._columns.addWidget(self._settings_column, 5)
+        self._columns.addWidget(self._readout_column, 4)
+        self._columns.addWidget(self._diagram_column)
 
     def sizeHint(self) -> QSize:
         """Low: the panes above need the height."""
@@ -342,6 +343,7 @@ class ScenePanel(QWidget):
             view.show_diagram(diagrams[place] if shown else None)
         if self._diagram_column.isHidden() == bool(diagrams):
             self._diagram_column.setVisible(bool(diagrams))
+        self._columns.setStretchFactor(self._diagram_column, 4 * min(3, len(diagrams)))
 
     def _align(self) -> None:
         """Give the names one width: the longest one's, up to a limit."""
@@ -360,26 +362,37 @@ class ScenePanel(QWidget):
 
 
 class _Column(QScrollArea):
-    """A part of the panel that scrolls up and down by itself."""
+    """A part of the panel that scrolls by itself.
 
-    def __init__(self, layout: QVBoxLayout, name: str) -> None:
+    Parameters
+    ----------
+    layout : QBoxLayout
+        What is in it.
+    name : str
+        Translated, for screen readers.
+    whole_px : int
+        Up to this it is at least as wide as what is in it; beyond, it gives way and scrolls.
+    """
+
+    def __init__(self, layout: QBoxLayout, name: str, whole_px: int = COLUMN_PX) -> None:
         super().__init__()
+        self._whole_px = whole_px
         self._inside = QWidget()
         layout.setContentsMargins(0, 0, 4, 0)
         self._inside.setLayout(layout)
         self.setWidget(self._inside)
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
-        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setAccessibleName(name)
         self._inside.installEventFilter(self)
 
     def minimumSizeHint(self) -> QSize:
         bar = self.verticalScrollBar().sizeHint().width()
-        return QSize(self._inside.minimumSizeHint().width() + bar, 60)
+        width = self._inside.minimumSizeHint().width() + bar
+        return QSize(max(COLUMN_PX, min(width, self._whole_px)), 60)
 
     def sizeHint(self) -> QSize:
-        return QSize(max(220, self.minimumSizeHint().width()), HEIGHT_PX)
+        return QSize(self.minimumSizeHint().width(), HEIGHT_PX)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.LayoutRequest:
@@ -589,20 +602,22 @@ def _full(sentence: str) -> str:
 
 
 def value_text(value: Any, write: Callable[[float], str] = figure_text) -> str:
-    """A reading's value: a number, several, a matrix row by row, or a translated word."""
+    """A reading's value: a number, several, a matrix as a table, or a translated word."""
     if value is None:
         return NONE
     if isinstance(value, str):
         return of_phenomena(value)
     if not isinstance(value, tuple):
         return write(value)
+    side = math.isqrt(len(value))
+    if side >= 3 and write is figure_text:
+        write = partial(figure_text, digits=4)
     parts = [write(part) for part in value]
-    side = math.isqrt(len(parts))
     if side < 3 or side * side != len(parts):
         return f"({', '.join(parts)})"
-    width = max(map(len, parts))
     rows = [parts[first : first + side] for first in range(0, len(parts), side)]
-    return "\n".join("  ".join(part.rjust(width, "\u2007") for part in row) for row in rows)
+    cells = ("".join(f"<td align='right'>{part}</td>" for part in row) for row in rows)
+    return f"<table cellpadding='2'>{''.join(f'<tr>{row}</tr>' for row in cells)}</table>"
 
 
 class Readout(QWidget):
@@ -658,6 +673,7 @@ class Readout(QWidget):
         label, value, unit = QLabel(), QLabel(), QLabel()
         for part in (label, value, unit):
             part.setTextFormat(Qt.TextFormat.PlainText)
+        value.setTextFormat(Qt.TextFormat.AutoText)
         value.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         value.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         unit.setForegroundRole(QPalette.ColorRole.PlaceholderText)
@@ -670,8 +686,10 @@ class Readout(QWidget):
 
     def _write(self, line: tuple[QLabel, QLabel, QLabel], reading: Reading, name: str) -> None:
         label, value, unit = line
-        text, is_word = value_text(reading.value), isinstance(reading.value, str)
-        if is_word != value.wordWrap():  # words are longer than numbers, and known by a glance
+        text = value_text(reading.value)
+        # Words and matrices take more room than a number, and are not read from as far.
+        is_word = isinstance(reading.value, str) or text.startswith("<")
+        if is_word != value.wordWrap():
             value.setWordWrap(is_word)
             value.setMinimumWidth(0)
             value.setObjectName("words" if is_word else "number")
@@ -683,7 +701,9 @@ class Readout(QWidget):
                 # It only grows: a number with a digit less does not shift the others.
                 value.setMinimumWidth(max(value.minimumWidth(), value.sizeHint().width()))
         exact = value_text(reading.value, number_text)
-        value.setToolTip(exact if exact != text else "")
+        tip = exact if exact != text else ""
+        if value.toolTip() != tip:
+            value.setToolTip(tip)
         if label.text() != name:
             label.setText(name)
             value.setAccessibleName(name)
