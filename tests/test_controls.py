@@ -27,6 +27,7 @@ from PySide6.QtWidgets import (
 from app import document, figures, health, meshes, projection, scene
 from app.document import DocumentError
 from app.figures import FigureError
+from app.phenomena import exhibit
 from app.projection import (
     AT_LEAST,
     AT_MOST,
@@ -1467,12 +1468,13 @@ def test_a_slider_stays_long_enough_to_use_and_the_column_narrow(enlarged: Contr
     ("listed", "core", "context"),
     [
         (messages.PROJECTION_BOUNDS, projection.BOUNDS, "ProjectionError"),
+        (messages.SETTING_BOUNDS, (exhibit.WHOLE, exhibit.YES_OR_NO), "ProjectionError"),
         (messages.DOCUMENT_BOUNDS, document.BOUNDS, "DocumentError"),
         (messages.SCENE_SENTENCES, meshes.SENTENCES + scene.SENTENCES, "SceneError"),
         (messages.FIGURE_SENTENCES, figures.SENTENCES, "FigureError"),
         (messages.HEALTH_SENTENCES, health.SENTENCES, "Health"),
     ],
-    ids=["projection", "document", "scene", "figure", "health"],
+    ids=["projection", "setting", "document", "scene", "figure", "health"],
 )
 def test_translators_are_given_every_bound(
     listed: tuple[str, ...], core: tuple[str, ...], context: str
