@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QFont, QInputMethodEvent, QWheelEvent
+from PySide6.QtGui import QFont, QInputMethodEvent, QPalette, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QApplication,
@@ -1554,3 +1554,47 @@ def test_sentences_are_translated_before_they_are_filled_in(qapp: QApplication) 
     said = "width = 9000 times scale 2: must be from 96 to 16384 pixels."
     assert sentence(large.value) == str(large.value) == said
     assert sentence(OSError("no space")) == "no space"
+
+
+# -- the controls that matter for a scene
+
+
+def framed(controls: Controls) -> set[str]:
+    return {name for name, row in controls.rows.items() if row.property("framed")}
+
+
+def test_the_controls_that_matter_are_opened_framed_and_scrolled_to(
+    controls: Controls, qapp: QApplication
+) -> None:
+    controls.resize(320, 240)
+    controls.sections["depth"].set_open(False)
+    qapp.processEvents()
+    width = controls.minimumSizeHint().width()
+    controls.bring_to_front(("depth", "camera.eye"))
+    orbit = {"azimuth_deg", "elevation_deg", "distance"}
+    assert framed(controls) == {"depth", "eye_x", "eye_y", "eye_z", *orbit}
+    assert controls.sections["depth"].is_open
+    qapp.processEvents()
+    row = controls.rows["azimuth_deg"]
+    assert not row.visibleRegion().isEmpty(), "the first of them is in view"
+    assert controls.minimumSizeHint().width() == width, "the panes lose no room"
+    frame = row.grab().toImage().pixelColor(row.width() // 2, 0)
+    assert frame == controls.palette().color(QPalette.ColorRole.Highlight)
+    controls.bring_to_front(("lens.near",))
+    assert framed(controls) == {"near"}
+    controls.bring_to_front(())
+    assert framed(controls) == set()
+    assert row.grab().toImage().pixelColor(row.width() // 2, 0) != frame
+
+
+def test_a_frame_stays_with_its_row_in_another_lens_and_camera_mode(
+    controls: Controls, qapp: QApplication
+) -> None:
+    controls.bring_to_front(("camera.up", "lens.far", "image.width"))
+    before = framed(controls)
+    assert before == {"up_x", "up_y", "up_z", "roll_deg", "far", "width"}
+    controls.show_projection(controls.projection.with_lens("orthographic"))
+    mode: Any = controls.rows["camera_mode"]
+    mode.choose("vectors")
+    qapp.processEvents()
+    assert framed(controls) == before and controls.rows["up_x"].isVisible()

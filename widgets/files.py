@@ -82,7 +82,7 @@ class Files(QObject):
     def _load(self, name: str, mesh: str) -> Scene:
         file = mesh or name
         if not is_mesh(file):
-            return load(name)
+            return load(name, mesh=mesh)
         dialog = QProgressDialog(
             self.tr("Opening {0}").format(os.path.basename(file)), self.tr("Cancel"), 0, 100,
             self._window,
@@ -189,10 +189,9 @@ class Files(QObject):
         """
 
         def used() -> Document:
-            mesh = os.path.abspath(path) if path else ""
-            document = replace(self._store.document, mesh=mesh)
-            self.scene(document.scene, document.mesh)
-            return document
+            document, mesh = self._store.document, os.path.abspath(path) if path else ""
+            self.scene(document.scene, mesh)  # which says more of a file than the document would
+            return replace(document, mesh=mesh)
 
         document = self._try(used)
         if document is None:

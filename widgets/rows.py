@@ -987,7 +987,7 @@ class CheckRow(Row):
         self.box.setToolTip(_rich(self._tip))
         self.box.clicked.connect(self._make_edit)  # the user's choice, never the program's
         self.name_label.setBuddy(self.box)
-        self._grid.addWidget(self.box, 0, 1)
+        self._grid.addWidget(self.box, 0, 1, Qt.AlignmentFlag.AlignLeft)
 
     def setValue(self, value: bool) -> None:
         """Show a value; never answered by a signal."""

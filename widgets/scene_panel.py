@@ -469,7 +469,7 @@ def ends_of(setting: Setting) -> tuple[float, float]:
 def scale_of(setting: Setting) -> Scale:
     """The slider's scale: within the bounds, to the last position."""
     low, high = ends_of(setting)
-    if setting.logarithmic:
+    if setting.logarithmic and high >= 2.0 * low:
         scale, position = Log(low, high), 10.0 ** (1 / Log.per_decade)
         low *= position if scale.value_at(0) < setting.low else 1.0
         high /= position if scale.value_at(scale.last) > setting.high else 1.0
