@@ -449,17 +449,19 @@ def test_a_folded_panel_fills_nothing_in_and_is_up_to_date_when_it_opens(
     assert readings(panel)[0] == ("gap", "7", "mm") and panel.rows["gap"].value() == 7.0
 
 
-def test_it_gives_way_to_the_panes(owner: Owner) -> None:
+def test_it_gives_way_to_the_panes(owner: Owner, qapp: QApplication) -> None:
     """In a window of 1366 x 768, whatever a scene shows in it."""
     many = tuple(Reading(f"a long name of number {i}", 1e-5 / 3 + i) for i in range(12))
     (diagram,) = EVERYTHING.show(owner.projection, owner.settings, SUBJECT).diagrams
     owner.panel.show_exhibit(
         Exhibit(many, diagrams=(diagram,) * 4, warning=Phrase("a long warning " * 20))
     )
-    QApplication.processEvents()
-    assert owner.panel.minimumSizeHint().width() <= 1340
+    for projector in (True, False):
+        palette.apply(qapp, dark=False, projector=projector)
+        qapp.processEvents()
+        assert owner.panel.minimumSizeHint().width() <= 1340
     assert owner.panel.minimumSizeHint().height() <= 100
-    assert owner.panel.sizeHint().height() <= 190
+    assert owner.panel.sizeHint().height() <= 225
 
 
 def test_everything_has_a_name_for_a_screen_reader(owner: Owner) -> None:

@@ -169,7 +169,7 @@ class DiagramView(QWidget):
         """Where the curves' names stand, so that they stay while there is room."""
         self._style = LIGHT
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
-        self.setMinimumSize(150, 110)
+        self.setMinimumSize(115, 110)
 
     def sizeHint(self) -> QSize:
         return QSize(260, 180)

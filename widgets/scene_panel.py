@@ -60,14 +60,20 @@ from widgets.rows import (
     align,
 )
 
-HEIGHT_PX = 190
+HEIGHT_PX = 225
 """Of the panel where it opens, at the ordinary font; what is higher scrolls, or it is dragged."""
+LEAST_WINDOW_PX = 1300
+"""In a window that is so wide it must find room."""
 COLUMN_PX = 200
 """Least width of what can scroll to and fro."""
 NAME_CHARACTERS = 24
 """Longest name of a setting that is written in one line."""
 LARGE, LARGER = 1.5, 1.15
 """A reading's number, and its words, against ordinary text: they are read from the back row."""
+LARGE_CHARACTERS = 20
+"""Longest text of numbers that is written so large."""
+LABEL_EM, WORDS_EM = 14, 8
+"""Widths in heights of a line, beyond which labels, and words as values, may wrap."""
 NONE = "–"
 """Stands for a reading that there is not."""
 
@@ -150,7 +156,7 @@ class ScenePanel(QWidget):
         self._drawn = QHBoxLayout()
         self._text_column = _Column(text, self.tr("What this scene shows"))
         self._settings_column = _Column(chosen, self.tr("Settings of this scene"), 480)
-        self._readout_column = _Column(read, self.tr("Readout"), 440)
+        self._readout_column = _Column(read, self.tr("Readout"), 540)
         self._diagram_column = _Column(self._drawn, self.tr("Diagrams"))
         self._columns = QHBoxLayout(self)
         self._columns.setContentsMargins(4, 0, 4, 2)
@@ -162,11 +168,12 @@ class ScenePanel(QWidget):
 
     def sizeHint(self) -> QSize:
         """Low: the panes above need the height."""
-        lines = 11.0 * self.fontMetrics().height()
+        lines = 13.0 * self.fontMetrics().height()
         return QSize(super().sizeHint().width(), max(HEIGHT_PX, round(lines)))
 
     def minimumSizeHint(self) -> QSize:
-        return QSize(super().minimumSizeHint().width(), 80)
+        """Not wider than a window of 1366 pixels: rather are the columns scrolled."""
+        return QSize(min(super().minimumSizeHint().width(), LEAST_WINDOW_PX), 80)
 
     # -- what the owner says
 
@@ -610,7 +617,7 @@ def value_text(value: Any, write: Callable[[float], str] = figure_text) -> str:
     if not isinstance(value, tuple):
         return write(value)
     side = math.isqrt(len(value))
-    if side >= 3 and write is figure_text:
+    if len(value) > 2 and write is figure_text:
         write = partial(figure_text, digits=4)
     parts = [write(part) for part in value]
     if side < 3 or side * side != len(parts):
@@ -673,6 +680,7 @@ class Readout(QWidget):
         label, value, unit = QLabel(), QLabel(), QLabel()
         for part in (label, value, unit):
             part.setTextFormat(Qt.TextFormat.PlainText)
+        label.setWordWrap(True)
         value.setTextFormat(Qt.TextFormat.AutoText)
         value.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         value.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
@@ -687,12 +695,13 @@ class Readout(QWidget):
     def _write(self, line: tuple[QLabel, QLabel, QLabel], reading: Reading, name: str) -> None:
         label, value, unit = line
         text = value_text(reading.value)
-        # Words and matrices take more room than a number, and are not read from as far.
-        is_word = isinstance(reading.value, str) or text.startswith("<")
-        if is_word != value.wordWrap():
+        # What takes more room than a number or two is written smaller, so that it is seen whole.
+        is_word = isinstance(reading.value, str)
+        kind = "number" if not is_word and len(text) <= LARGE_CHARACTERS else "words"
+        if kind != value.objectName() or is_word != value.wordWrap():
             value.setWordWrap(is_word)
-            value.setMinimumWidth(0)
-            value.setObjectName("words" if is_word else "number")
+            value.setMinimumWidth(WORDS_EM * self.fontMetrics().height() if is_word else 0)
+            value.setObjectName(kind)
             value.style().unpolish(value)
             value.style().polish(value)
         if text != value.text():
@@ -707,9 +716,15 @@ class Readout(QWidget):
         if label.text() != name:
             label.setText(name)
             value.setAccessibleName(name)
+            self._widen(label)
         unit_text = "" if reading.value is None else of_phenomena(reading.unit)
         if unit.text() != unit_text:
             unit.setText(unit_text)
+
+    def _widen(self, label: QLabel) -> None:
+        """Let a label wrap only if it is long."""
+        natural = label.fontMetrics().horizontalAdvance(label.text()) + 4
+        label.setMinimumWidth(min(natural, LABEL_EM * self.fontMetrics().height()))
 
     def _dress(self) -> None:
         """Give numbers and words their sizes; a font set by hand ends with the theme."""
@@ -720,9 +735,10 @@ class Readout(QWidget):
             f"#reading {{ font-size: {LARGER * size:g}pt; }}"
         )
         if sheet != self.styleSheet():
-            for _, value, _ in self.lines:
-                value.setMinimumWidth(0)
             self.setStyleSheet(sheet)
+            for label, value, _ in self.lines:
+                value.setMinimumWidth(0)
+                self._widen(label)
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
