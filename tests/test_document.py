@@ -1518,7 +1518,9 @@ def test_a_setting_of_another_scene_names_that_scene() -> None:
     assert "is not known; the nearest name is" in said
 
 
-def test_another_scene_brings_its_default_settings(everything: Document) -> None:
+def test_another_scene_brings_its_default_settings(
+    everything: Document, monkeypatch: pytest.MonkeyPatch
+) -> None:
     used = replace(everything, settings={"gap": 3.0}, mesh="bunny.obj")
     moved = set_values(used, ["settings.distance=3", "scene=similar-triangles"])
     assert dict(moved.settings) == {"distance": 3.0, "point": (1.5, 5.0, 0.5)}
@@ -1526,6 +1528,9 @@ def test_another_scene_brings_its_default_settings(everything: Document) -> None
     assert set_values(used, ["scene=everything"]) == used
     back = set_value(moved, "scene", "everything")
     assert back.settings == EVERYTHING.defaults
+    # Also where the two call their settings alike.
+    monkeypatch.setitem(app.document.PHENOMENA, "alike", replace(EVERYTHING, name="alike"))  # type: ignore[arg-type]
+    assert set_value(used, "scene", "alike").settings == EVERYTHING.defaults
 
 
 def test_the_camera_follows_a_setting_and_what_is_set_itself_holds(everything: Document) -> None:

@@ -384,6 +384,7 @@ class _Column(QScrollArea):
     def __init__(self, layout: QBoxLayout, name: str, whole_px: int = COLUMN_PX) -> None:
         super().__init__()
         self._whole_px = whole_px
+        self._asked_px = 0
         self._inside = QWidget()
         layout.setContentsMargins(0, 0, 4, 0)
         self._inside.setLayout(layout)
@@ -403,7 +404,10 @@ class _Column(QScrollArea):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.LayoutRequest:
-            self.updateGeometry()  # a scroll area does not pass its widget's least width on
+            width = self.minimumSizeHint().width()
+            if width != self._asked_px:  # a scroll area does not pass its widget's least width on
+                self._asked_px = width
+                self.updateGeometry()
         return super().eventFilter(watched, event)
 
 
