@@ -1538,7 +1538,8 @@ def test_sentences_are_translated_before_they_are_filled_in(qapp: QApplication) 
         assert sentence(wrong) == "lens.near = -1: mora biti veće od 0."
         with pytest.raises(SceneError) as unknown:
             scene.load("kube")
-        said = "Nema scene „kube”, možda „cube”? Ima letter-f, cube i posts."
+        *others, last = scene.BUILT_IN
+        said = f"Nema scene „kube”, možda „cube”? Ima {', '.join(others)} i {last}."
         assert sentence(unknown.value) == said
         assert sentence(SceneError(meshes.EMPTY, "{1}.obj")) == "{1}.obj: datoteka je prazna."
         cube = scene.load("cube")
@@ -1549,7 +1550,7 @@ def test_sentences_are_translated_before_they_are_filled_in(qapp: QApplication) 
     finally:
         qapp.removeTranslator(translator)
     assert sentence(caught.value) == "Near = 3: must be less than far, which is 2.5."
-    said = "There is no scene “kube”, only letter-f, cube or posts; did you mean “cube”?"
+    said = f"There is no scene “kube”, only {', '.join(others)} or {last}; did you mean “cube”?"
     assert sentence(unknown.value) == str(unknown.value) == said
     said = "width = 9000 times scale 2: must be from 96 to 16384 pixels."
     assert sentence(large.value) == str(large.value) == said
