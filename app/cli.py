@@ -41,6 +41,7 @@ from app.document import (
 )
 from app.free_matrix import properties
 from app.notation import latex_name, latex_number
+from app.phenomena import PHENOMENA
 from app.precision import RUNGS, Prediction, Rung, predict, rung_for_reading, trace
 from app.projection import (
     BOTTOM_BEFORE_TOP,
@@ -187,7 +188,7 @@ class _Parser(argparse.ArgumentParser):
             default=[],
             metavar="NAME=VALUE",
             help="change a value of the document, such as lens.far=inf; may be given repeatedly; "
-            f"the names are {', '.join(SETTABLE)}",
+            f"the names are {', '.join(SETTABLE)} and settings.NAME of the scene's own",
         )
 
     def add_choice(self, option: str, values: Sequence[str], text: str, default: str = "") -> None:
@@ -252,6 +253,8 @@ def _document(file: str | None, assignments: Sequence[str]) -> Document:
     texts = {key: text.strip() for key, _, text in map(_split, assignments)}
     if file is not None:
         document = _open(file)
+        if texts.get("scene"):
+            _start(texts["scene"])
     else:
         document = _opened(texts["scene"]) if "scene" in texts else Document()
     try:
@@ -305,7 +308,18 @@ def _split(assignment: str) -> tuple[str, str, str]:
 
 def _opened(scene: str) -> Document:
     name = os.path.abspath(scene) if is_mesh(scene) else scene
-    return Document(name, _load(name).start)
+    return Document(name, _start(name))
+
+
+def _start(scene: str) -> Projection:
+    """How a scene opens; only what is no phenomenon has to be loaded for that.
+
+    Raises
+    ------
+    CliError
+        If there is no such scene.
+    """
+    return PHENOMENA[scene].start if scene in PHENOMENA else _load(scene).start
 
 
 def _open(file: str) -> Document:
@@ -327,14 +341,14 @@ def _check_file(word: str) -> None:
 
 
 @functools.cache
-def _load(scene: str) -> Scene:
+def _load(scene: str, mesh: str = "") -> Scene:
     """Load a scene once, with VTK's import failing like any other lack of a library."""
     try:
         from app.scene import SceneError, load
     except ImportError as error:
         raise _cannot_import(error) from error
     try:
-        return load(scene)
+        return load(scene, mesh=mesh)
     except SceneError as error:
         raise CliError(str(error)) from error
 
@@ -375,7 +389,8 @@ def _window(arguments: Sequence[str]) -> int:
         _check_png("--screenshot", found.screenshot)
     file = words[0] if words else None
     document = _document(file, found.set)
-    scene = _load(document.scene) if is_mesh(document.scene) else None
+    from_file = is_mesh(document.scene) or document.mesh
+    scene = _load(document.scene, document.mesh) if from_file else None
     try:
         from widgets import application
         from widgets.opengl import OpenGLError
@@ -433,7 +448,7 @@ def _export(arguments: Sequence[str]) -> int:
     found, (out, *file) = parser.read(arguments, 1, 2)
     _check_png("OUT", out)
     document = _document(file[0] if file else None, found.set)
-    scene = _load(document.scene)
+    scene = _load(document.scene, document.mesh)
     try:
         check_off_screen()
     except RuntimeError as error:
@@ -453,6 +468,7 @@ def _export(arguments: Sequence[str]) -> int:
             transparent=found.transparent,
             style=DARK if found.theme == "dark" else LIGHT,
             views=document.views,
+            settings=document.settings,
         )
         # A mesh is named from the picture's folder, so that both can be moved together.
         write_png(out, pixels, to_json(document, os.path.dirname(os.path.realpath(out))))

@@ -1,4 +1,4 @@
-"""The document: a scene and a projection, kept in a file.
+"""The document: a scene with its settings, and a projection, kept in a file.
 
 It is JSON, described in `to_json`. Everything that comes from outside (files, PNG pictures that
 carry a document, the ``--set`` language of the command line) enters here and is checked here;
@@ -20,11 +20,14 @@ import struct
 import sys
 import time
 import zlib
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, fields, replace
 from functools import partial
+from types import MappingProxyType
 from typing import Any, BinaryIO, NamedTuple, TypeAlias
 
+from app.phenomena import PHENOMENA
+from app.phenomena.exhibit import Setting, Settings
 from app.projection import (
     FINITE_NUMBER,
     FOUR_BY_FOUR,
@@ -89,12 +92,16 @@ NEITHER = "is neither a document (.json), an exported picture (.png) nor a mesh 
 PLAIN_PICTURE = "is a picture without a Frustum Lab document in it"
 UNKNOWN = "is not known; the nearest name is {0}"
 OTHER_LENS = "belongs to another lens: set lens.kind as well ({0})"
+OTHER_SCENE = "belongs to another scene: set scene as well ({0})"
+MESH_NAME = "must be the path of a mesh file ({0}), or empty for none"
+NO_MESH_HERE = "cannot be shown in the scene {0}, which needs its own objects"
 NO_EQUALS = "must be written as NAME=VALUE"
 THE_DOCUMENT = "The document"
 BOUNDS = (
     MISSING, EMPTY, BROKEN, NOT_TEXT, FOREIGN, NEWER, VERSION_NUMBER, TWICE, TOO_DEEP, TOO_LARGE,
     OBJECT, SCENE_NAME, NO_FILE, FOLDER, WRITE_PROTECTED, UNREADABLE, UNWRITABLE, BAD_NAME,
-    BROKEN_PICTURE, NEITHER, PLAIN_PICTURE, UNKNOWN, OTHER_LENS, NO_EQUALS, THE_DOCUMENT,
+    BROKEN_PICTURE, NEITHER, PLAIN_PICTURE, UNKNOWN, OTHER_LENS, OTHER_SCENE, MESH_NAME,
+    NO_MESH_HERE, NO_EQUALS, THE_DOCUMENT,
 )  # fmt: skip
 """Every part of a `DocumentError` beyond those of `app.projection.BOUNDS`, for translators."""
 
@@ -163,25 +170,69 @@ class Document:
     views : dict of str to Camera
         From where a pane (``"world"``, ``"ndc"``) was looked at, if somebody turned it: no part
         of the model, but a figure shall be drawn as it was seen. Not to be changed in place.
+    settings : mapping
+        Of the phenomenon that the scene is; those not given are its defaults. Complete and
+        read-only when it is made, and empty for every other scene.
+    mesh : str
+        Path of the user's mesh that stands in the place of a phenomenon's own objects; empty for
+        none.
 
     Raises
     ------
     DocumentError
-        If the scene is not a name.
+        If the scene is not a name, or the mesh not one that it can show.
+    ProjectionError
+        If the scene cannot have these settings.
     """
 
     scene: str = "letter-f"
     projection: Projection = field(default_factory=Projection)
-    extra: Tree = field(default_factory=dict, hash=False)
-    views: dict[str, Camera] = field(default_factory=dict, hash=False)
+    extra: Tree = field(default_factory=dict)
+    views: dict[str, Camera] = field(default_factory=dict)
+    settings: Settings = field(default_factory=dict)
+    mesh: str = ""
 
     def __post_init__(self) -> None:
         if not isinstance(self.scene, str) or not self.scene or "\0" in self.scene:
             raise DocumentError(SCENE_NAME, field="scene", value=self.scene)
+        phenomenon = PHENOMENA.get(self.scene)
+        settings = phenomenon.checked(self.settings) if phenomenon else MappingProxyType({})
+        object.__setattr__(self, "settings", settings)
+        if self.mesh != "":
+            if not isinstance(self.mesh, str) or "\0" in self.mesh or not is_mesh(self.mesh):
+                bound = MESH_NAME, ", ".join(MESH_ENDINGS)
+                raise DocumentError(*bound, field="mesh", value=self.mesh)
+            if phenomenon is None or not phenomenon.own_mesh:
+                raise DocumentError(NO_MESH_HERE, self.scene, field="mesh", value=self.mesh)
         # A key that the lens before did not know may be a field of the one it was changed to.
         object.__setattr__(
-            self, "extra", _unknown(self.extra, self.projection.lens.kind, self.views)
+            self, "extra", _unknown(self.extra, self.scene, self.projection.lens.kind, self.views)
         )
+
+    def __hash__(self) -> int:
+        return hash((self.scene, self.projection, tuple(self.settings.items()), self.mesh))
+
+    def with_settings(self, settings: Mapping[str, Any]) -> Document:
+        """The document with some settings changed, and the projection that goes with them.
+
+        Parameters
+        ----------
+        settings : mapping
+            New values; what is not in it stays.
+
+        Raises
+        ------
+        ProjectionError
+            If the scene cannot have them, or no projection goes with them.
+        """
+        phenomenon = PHENOMENA.get(self.scene)
+        if phenomenon is None:
+            return self
+        after = phenomenon.checked({**self.settings, **settings})
+        if after == self.settings:
+            return self
+        projection = phenomenon.follow(self.projection, self.settings, after)
+        return replace(self, projection=projection, settings=after)
 
 
 # --------------------------------------------------------------------------- names and values
@@ -191,38 +242,48 @@ _LENS = {kind: tuple(f.name for f in fields(lens)) for kind, lens in LENSES.item
 _LENS[FreeMatrix.kind] = tuple(f.name for f in fields(FreeMatrix))
 _OPTIONAL = ("keep",)
 _MATRICES = ("lens.clip_from_view", "lens.view_from_world")
-_TEXTS = ("scene", "depth", "lens.keep")
+_TEXTS = ("scene", "mesh", "depth", "lens.keep")
 _PATHS = (
     {key: f"camera.{key}" for key in _CAMERA}
     | {key: f"lens.{key}" for names in _LENS.values() for key in ("kind", *names)}
     | {key: f"image.{key}" for key in ("width", "height")}
 )  # of the model's fields in the document, where they are not the same
 SETTABLE = tuple(
-    p for p in dict.fromkeys(("scene", "depth", *_PATHS.values())) if p != "lens.former"
+    path
+    for path in dict.fromkeys(("scene", "mesh", "depth", *_PATHS.values()))
+    if path != "lens.former"
 )
-"""Every path that `set_values` knows, of all lenses."""
+"""Every path that `set_values` knows, of all lenses; and each scene's own ``settings.NAME``."""
 # What float() takes and no document would: 1_000, nan, infinity, digits of other scripts.
 _NUMBER = re.compile(r"[+-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?")
 _LONGEST_SHOWN = 60
 _LONGEST_FILE = 200
 
 
-def _known(kind: object) -> dict[str, tuple[str, ...]]:
+_SECTIONS = ("settings", "camera", "lens", "image")
+
+
+def _known(scene: str, kind: object) -> dict[str, tuple[str, ...]]:
     """The keys that this program knows, by section; the top level is section ``""``."""
     lens = _LENS.get(kind, ()) if isinstance(kind, str) else ()
     return {
-        "": ("format", "version", "scene", "camera", "lens", "depth", "image", "views"),
+        "": ("format", "version", "scene", "mesh", "depth", "views", *_SECTIONS),
+        "settings": tuple(setting.name for setting in _settings_of(scene)),
         "camera": _CAMERA,
         "lens": ("kind", *lens),
         "image": ("width", "height"),
     }
 
 
-def _unknown(tree: Tree, kind: str, views: Iterable[str]) -> Tree:
+def _settings_of(scene: str) -> tuple[Setting, ...]:
+    return PHENOMENA[scene].settings if scene in PHENOMENA else ()
+
+
+def _unknown(tree: Tree, scene: str, kind: str, views: Iterable[str]) -> Tree:
     """What is left of a document without the keys that this program knows."""
-    known = _known(kind)
+    known = _known(scene, kind)
     left = {key: value for key, value in tree.items() if key not in known[""]}
-    for section in ("camera", "lens", "image"):
+    for section in _SECTIONS:
         inside = {k: v for k, v in tree.get(section, {}).items() if k not in known[section]}
         former = tree.get(section, {}).get("former")
         if kind == FreeMatrix.kind and section == "lens" and isinstance(former, dict):
@@ -410,8 +471,15 @@ def _paths() -> Iterator[None]:
 def _document(tree: Tree, folder: Path | None = None) -> Document:
     """Make a document of the current version from its JSON tree."""
     scene = _required(tree, "scene", "scene")
-    if folder is not None and isinstance(scene, str) and is_mesh(scene):
-        scene = os.path.normpath(os.path.join(os.path.realpath(folder), scene))
+    if not isinstance(scene, str):
+        raise DocumentError(SCENE_NAME, field="scene", value=scene)
+    mesh = tree.get("mesh", "")
+    if folder is not None:
+        if is_mesh(scene):
+            scene = os.path.normpath(os.path.join(os.path.realpath(folder), scene))
+        if isinstance(mesh, str) and mesh:
+            mesh = os.path.normpath(os.path.join(os.path.realpath(folder), mesh))
+    settings = _section(tree, "settings") if "settings" in tree else {}
 
     values = _section(tree, "camera")
     camera = Camera(*(_required(values, key, f"camera.{key}") for key in _CAMERA))
@@ -436,7 +504,8 @@ def _document(tree: Tree, folder: Path | None = None) -> Document:
     projection = Projection(camera, lens, (width, height), _required(tree, "depth", "depth"))
     views = _section(tree, "views") if "views" in tree else {}
     cameras = {name: _view(views, name) for name in views}
-    return Document(scene, projection, _unknown(tree, kind, cameras), cameras)
+    unknown = _unknown(tree, scene, kind, cameras)
+    return Document(scene, projection, unknown, cameras, settings, mesh)
 
 
 def _lens(values: Any, path: str) -> StandardLens:
@@ -506,12 +575,15 @@ def to_json(document: Document, folder: Path | None = None) -> str:
               "image": {"width": 1280, "height": 720}
             }
 
-        An infinite far is ``"inf"``; ``views``, if there are any, hold cameras too. Keys that
-        were not known when it was read are there again.
+        An infinite far is ``"inf"``; ``views``, if there are any, hold cameras too. A phenomenon
+        has its ``settings`` after the scene, and perhaps a ``mesh``. Keys that were not known
+        when it was read are there again.
     """
     tree = _tree(document)
     if folder is not None:
-        tree["scene"] = _scene_from(document.scene, folder)
+        for key in ("scene", "mesh"):
+            if key in tree:
+                tree[key] = _mesh_from(tree[key], folder)
     text = _dump(tree, ensure_ascii=False)
     if not text.isascii():
         try:
@@ -534,6 +606,8 @@ def _tree(document: Document) -> Tree:
         "format": FORMAT,
         "version": VERSION,
         "scene": document.scene,
+        **({"mesh": document.mesh} if document.mesh else {}),
+        **({"settings": _settings_tree(document)} if document.settings else {}),
         "camera": _camera_tree(camera),
         "lens": _lens_tree(lens),
         "depth": projection.depth,
@@ -545,11 +619,12 @@ def _tree(document: Document) -> Tree:
             name: _camera_tree(view) | unknown.get(name, {})
             for name, view in document.views.items()
         }
-    for section in ("camera", "lens", "image"):
+    for section in _SECTIONS:
         unknown = dict(extra.get(section, {}))
         if section == "lens" and isinstance(lens, FreeMatrix):
             tree["lens"]["former"] |= unknown.pop("former", {})
-        tree[section] |= unknown
+        if section in tree:
+            tree[section] |= unknown
     return tree | {key: value for key, value in extra.items() if key not in tree}
 
 
@@ -565,16 +640,26 @@ def _lens_tree(lens: Lens) -> Tree:
     return tree | {k: v if isinstance(v, str) else _plain(v) for k, v in values.items()}
 
 
+def _settings_tree(document: Document) -> Tree:
+    tree: Tree = {}
+    for name, value in document.settings.items():
+        if isinstance(value, tuple):
+            tree[name] = [_plain(part) for part in value]
+        else:
+            tree[name] = value if isinstance(value, (bool, str)) else _plain(value)
+    return tree
+
+
 def _camera_tree(camera: Camera) -> Tree:
     return {key: [_plain(part) for part in getattr(camera, key)] for key in _CAMERA}
 
 
-def _scene_from(scene: str, folder: Path) -> str:
+def _mesh_from(path: str, folder: Path) -> str:
     """Name a mesh as seen from a folder, if it is below it or at most two levels beside it."""
-    if not is_mesh(scene):
-        return scene
+    if not is_mesh(path):  # a built-in scene
+        return path
     # The mesh's own name may be a link to a far store of data, and that is how it is wanted.
-    place, name = os.path.split(os.path.abspath(scene))
+    place, name = os.path.split(os.path.abspath(path))
     mesh = os.path.join(os.path.realpath(place), name)
     with contextlib.suppress(ValueError):  # on another drive of Windows
         relative = os.path.relpath(mesh, os.path.realpath(folder))
@@ -598,11 +683,11 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
     ----------
     document : Document
     assignments : iterable of str
-        ``lens.far=inf``, ``camera.eye=3,2,4``, ``depth=reversed``, ``scene=cube``; a matrix as
-        its 16 cells, row after row. Only the
-        outcome of all of them has to be valid, so that their order does not matter; of two
-        for the same path the last holds. A change of ``lens.kind`` comes first and keeps the
-        picture alike.
+        ``lens.far=inf``, ``camera.eye=3,2,4``, ``depth=reversed``, ``scene=cube``,
+        ``settings.distance=2``; a matrix as its 16 cells, row after row. Only the outcome of
+        all of them has to be valid, so that their order does not matter; of two for the same
+        path the last holds. Another scene comes first and has its default settings; then
+        ``lens.kind``, which keeps the picture alike; then settings, which the camera may follow.
 
     Raises
     ------
@@ -616,20 +701,27 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
         if not equals:
             raise DocumentError(NO_EQUALS, field=_printable(path) or repr(path))
         texts[path] = text
+    scene = texts.pop("scene", document.scene)
+    if scene != document.scene:
+        document = replace(document, scene=scene, settings={}, mesh="")
     projection = document.projection
     if "lens.kind" in texts:
         with _paths():
             projection = projection.with_lens(texts.pop("lens.kind"))
-    tree = _tree(replace(document, projection=projection))
-    known = _known(projection.lens.kind)
+    document = replace(document, projection=projection)
+    known = _known(document.scene, projection.lens.kind)
     paths = [path for path in known[""] if path not in (*known, "format", "version", "views")]
     paths += [f"{section}.{key}" for section in known if section for key in known[section]]
     paths = [path for path in paths if path != "lens.former"]
-    for path, text in texts.items():
-        section, _, key = path.rpartition(".")
+    for path in texts:
         if path not in paths:
             raise _unknown_path(path, paths)
-        (tree[section] if section else tree)[key] = _read_text(path, text)
+    document = _set_settings(document, texts)
+    tree = _tree(document)
+    for path, text in texts.items():
+        section, _, key = path.rpartition(".")
+        if section != "settings":
+            (tree[section] if section else tree)[key] = _read_text(path, text)
     try:
         return _document(tree)
     except DocumentError as error:
@@ -641,14 +733,43 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
         raise DocumentError(bound, limit, field=f"lens.{side}", value=value) from error
 
 
+def _set_settings(document: Document, texts: Mapping[str, str]) -> Document:
+    """Set those of the scene's own settings that are among the texts."""
+    values = {
+        setting.name: _read_setting(setting, texts[setting.path])
+        for setting in _settings_of(document.scene)
+        if setting.path in texts
+    }
+    with _paths():
+        return document.with_settings(values)
+
+
+def _read_setting(setting: Setting, text: str) -> Any:
+    if isinstance(setting.default, bool):
+        return {"true": True, "false": False}.get(text, text)
+    if isinstance(setting.default, str):
+        return text
+    if isinstance(setting.default, tuple):
+        return _read_vector(setting.path, text)
+    number = _number(text)
+    if number is None:
+        raise DocumentError(FINITE_NUMBER, field=setting.path, value=text)
+    return number
+
+
+def _read_vector(path: str, text: str) -> list[float]:
+    vector = [_number(part.strip()) for part in text.split(",")]
+    numbers = [part for part in vector if part is not None]
+    if len(vector) != 3 or len(numbers) != 3:
+        raise DocumentError(THREE_NUMBERS, field=path, value=text)
+    return numbers
+
+
 def _read_text(path: str, text: str) -> Any:
     if path in _TEXTS or (path == "lens.far" and text == "inf"):
         return text
     if path.startswith("camera."):
-        vector = [_number(part.strip()) for part in text.split(",")]
-        if len(vector) != 3 or None in vector:
-            raise DocumentError(THREE_NUMBERS, field=path, value=text)
-        return vector
+        return _read_vector(path, text)
     if path in _MATRICES:
         cells = [_number(part.strip()) for part in text.split(",")]
         if len(cells) != 16 or None in cells:
@@ -668,6 +789,10 @@ def _unknown_path(path: str, paths: list[str]) -> DocumentError:
     kinds = [kind for kind, names in _LENS.items() if key in names]
     if section in ("lens", "") and kinds and f"lens.{key}" not in paths:
         return DocumentError(OTHER_LENS, ", ".join(kinds), field=shown)
+    if section == "settings" and not any(known.startswith("settings.") for known in paths):
+        scenes = [name for name in PHENOMENA if key in _known(name, None)["settings"]]
+        if scenes:
+            return DocumentError(OTHER_SCENE, ", ".join(scenes), field=shown)
 
     def likeness(known: str) -> float:
         whole = difflib.SequenceMatcher(None, shown, known).ratio()

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
+from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 
@@ -102,6 +104,16 @@ class Store(QObject):
         """Make an edit of the projection; equal is silent."""
         if projection != self._document.projection:
             self.set_document(replace(self._document, projection=projection))
+
+    def set_settings(self, settings: Mapping[str, Any]) -> None:
+        """Make an edit of some of the scene's settings, which the camera may follow.
+
+        Raises
+        ------
+        ProjectionError
+            If the scene cannot have them; the document stays as it was.
+        """
+        self.set_document(self._document.with_settings(settings))
 
     def begin_gesture(self) -> None:
         """Take the edits until `end_gesture` as one undo step; gestures may overlap."""

@@ -17,9 +17,11 @@ from typing import Any
 
 import numpy as np
 import pytest
+from PIL import Image
 
 from app import cli
 from app.document import Document, embed, read, set_values, to_json, write
+from app.phenomena import PHENOMENA
 from app.precision import RUNGS, Rung, predict, trace
 from app.projection import (
     LARGEST,
@@ -1252,3 +1254,63 @@ def test_a_free_matrix_is_exported(tmp_path: Path) -> None:
 )
 def test_bad_free_matrices_are_refused(setting: str, sentence: str) -> None:
     assert sentence in refused("matrices", "--set", "lens.kind=matrix", "--set", setting)
+
+
+# --------------------------------------------------------------------------- phenomena
+
+
+def test_a_phenomenon_is_named_and_set_on_the_command_line(tmp_path: Path) -> None:
+    own = matrices("--set", "scene=similar-triangles", "--set", "settings.distance=2")
+    start = PHENOMENA["similar-triangles"].start
+    assert own["clip_from_world"] == stage_of(start, "clip_from_world").matrix.tolist()
+    write(BY_HAND, tmp_path / "seen.json")
+    kept = matrices(tmp_path / "seen.json", "--set", "scene=similar-triangles")
+    assert kept["view_from_world"] == BY_HAND.projection.view_from_world.tolist()
+
+
+@pytest.mark.parametrize(
+    ("settings", "sentence"),
+    [
+        (["scene=similar-triangle"], "did you mean “similar-triangles”"),
+        (
+            ["scene=similar-triangles", "settings.distnce=2"],
+            "settings.distnce is not known; the nearest name is settings.distance.",
+        ),
+        (
+            ["scene=similar-triangles", "settings.distance=0"],
+            "settings.distance = 0: must not be 0: the plane would go through the eye",
+        ),
+        (["settings.distance=2"], "set scene as well (similar-triangles)"),
+        (["mesh=bunny.obj"], "cannot be shown in the scene letter-f"),
+        (["scene=similar-triangles", "mesh=bunny"], "must be the path of a mesh file"),
+    ],
+)
+def test_bad_settings_of_a_phenomenon_are_refused(settings: list[str], sentence: str) -> None:
+    options = [option for setting in settings for option in ("--set", setting)]
+    assert sentence in refused("matrices", *options)
+
+
+def test_an_unknown_scene_is_refused_in_a_document_too(by_hand: Path) -> None:
+    assert "did you mean “posts”" in refused("matrices", by_hand, "--set", "scene=post")
+
+
+def test_an_exported_phenomenon_carries_its_settings_and_its_mesh(tmp_path: Path) -> None:
+    mesh = tmp_path / "tetra.obj"
+    mesh.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 1 3 4\nf 2 3 4\n")
+    out, plain = tmp_path / "figure.png", tmp_path / "plain.png"
+    scene = ("--set", "scene=similar-triangles", "--set", "settings.distance=-3")
+    options = ("--panes", "world,image", "--size", "300x150")
+    done = run("export", out, *scene, "--set", f"mesh={mesh}", *options)
+    assert done.returncode == 0, done.stderr
+    document = read(out)
+    assert document.settings["distance"] == -3.0 and document.mesh == str(mesh)
+    assert run("export", plain, *scene, *options).returncode == 0
+    with Image.open(out) as with_mesh, Image.open(plain) as without:
+        assert np.mean(np.asarray(with_mesh) != np.asarray(without)) > 0.01
+    missing = refused("export", out, *scene, "--set", f"mesh={tmp_path / 'gone.obj'}")
+    assert "gone.obj" in missing
+
+
+def test_the_help_says_that_there_are_settings() -> None:
+    said = " ".join(run("export", "--help").stdout.split())
+    assert "mesh" in said and "settings.NAME of the scene's own" in said

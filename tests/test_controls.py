@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QFont, QInputMethodEvent, QWheelEvent
+from PySide6.QtGui import QFont, QInputMethodEvent, QPalette, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QApplication,
@@ -27,6 +27,7 @@ from PySide6.QtWidgets import (
 from app import document, figures, free_matrix, health, meshes, projection, scene
 from app.document import DocumentError
 from app.figures import FigureError
+from app.phenomena import exhibit
 from app.projection import (
     AT_LEAST,
     AT_MOST,
@@ -1467,13 +1468,14 @@ def test_a_slider_stays_long_enough_to_use_and_the_column_narrow(enlarged: Contr
     ("listed", "core", "context"),
     [
         (messages.PROJECTION_BOUNDS, projection.BOUNDS, "ProjectionError"),
+        (messages.SETTING_BOUNDS, (exhibit.WHOLE, exhibit.YES_OR_NO), "ProjectionError"),
         (messages.DOCUMENT_BOUNDS, document.BOUNDS, "DocumentError"),
         (messages.SCENE_SENTENCES, meshes.SENTENCES + scene.SENTENCES, "SceneError"),
         (messages.FIGURE_SENTENCES, figures.SENTENCES, "FigureError"),
         (messages.HEALTH_SENTENCES, health.SENTENCES, "Health"),
         (messages.PROPERTY_SENTENCES, free_matrix.PROPERTIES, "Matrix"),
     ],
-    ids=["projection", "document", "scene", "figure", "health", "matrix"],
+    ids=["projection", "setting", "document", "scene", "figure", "health", "matrix"],
 )
 def test_translators_are_given_every_bound(
     listed: tuple[str, ...], core: tuple[str, ...], context: str
@@ -1537,7 +1539,8 @@ def test_sentences_are_translated_before_they_are_filled_in(qapp: QApplication) 
         assert sentence(wrong) == "lens.near = -1: mora biti veće od 0."
         with pytest.raises(SceneError) as unknown:
             scene.load("kube")
-        said = "Nema scene „kube”, možda „cube”? Ima letter-f, cube i posts."
+        *others, last = scene.BUILT_IN
+        said = f"Nema scene „kube”, možda „cube”? Ima {', '.join(others)} i {last}."
         assert sentence(unknown.value) == said
         assert sentence(SceneError(meshes.EMPTY, "{1}.obj")) == "{1}.obj: datoteka je prazna."
         cube = scene.load("cube")
@@ -1548,8 +1551,52 @@ def test_sentences_are_translated_before_they_are_filled_in(qapp: QApplication) 
     finally:
         qapp.removeTranslator(translator)
     assert sentence(caught.value) == "Near = 3: must be less than far, which is 2.5."
-    said = "There is no scene “kube”, only letter-f, cube or posts; did you mean “cube”?"
+    said = f"There is no scene “kube”, only {', '.join(others)} or {last}; did you mean “cube”?"
     assert sentence(unknown.value) == str(unknown.value) == said
     said = "width = 9000 times scale 2: must be from 96 to 16384 pixels."
     assert sentence(large.value) == str(large.value) == said
     assert sentence(OSError("no space")) == "no space"
+
+
+# -- the controls that matter for a scene
+
+
+def framed(controls: Controls) -> set[str]:
+    return {name for name, row in controls.rows.items() if row.property("framed")}
+
+
+def test_the_controls_that_matter_are_opened_framed_and_scrolled_to(
+    controls: Controls, qapp: QApplication
+) -> None:
+    controls.resize(320, 240)
+    controls.sections["depth"].set_open(False)
+    qapp.processEvents()
+    width = controls.minimumSizeHint().width()
+    controls.bring_to_front(("depth", "camera.eye"))
+    orbit = {"azimuth_deg", "elevation_deg", "distance"}
+    assert framed(controls) == {"depth", "eye_x", "eye_y", "eye_z", *orbit}
+    assert controls.sections["depth"].is_open
+    qapp.processEvents()
+    row = controls.rows["azimuth_deg"]
+    assert not row.visibleRegion().isEmpty(), "the first of them is in view"
+    assert controls.minimumSizeHint().width() == width, "the panes lose no room"
+    frame = row.grab().toImage().pixelColor(row.width() // 2, 0)
+    assert frame == controls.palette().color(QPalette.ColorRole.Highlight)
+    controls.bring_to_front(("lens.near",))
+    assert framed(controls) == {"near"}
+    controls.bring_to_front(())
+    assert framed(controls) == set()
+    assert row.grab().toImage().pixelColor(row.width() // 2, 0) != frame
+
+
+def test_a_frame_stays_with_its_row_in_another_lens_and_camera_mode(
+    controls: Controls, qapp: QApplication
+) -> None:
+    controls.bring_to_front(("camera.up", "lens.far", "image.width"))
+    before = framed(controls)
+    assert before == {"up_x", "up_y", "up_z", "roll_deg", "far", "width"}
+    controls.show_projection(controls.projection.with_lens("orthographic"))
+    mode: Any = controls.rows["camera_mode"]
+    mode.choose("vectors")
+    qapp.processEvents()
+    assert framed(controls) == before and controls.rows["up_x"].isVisible()

@@ -45,6 +45,7 @@ from app.document import (
     write,
     write_bytes_atomically,
 )
+from app.phenomena import PHENOMENA
 from app.projection import (
     ABOVE,
     DEPTH_RANGES,
@@ -57,6 +58,7 @@ from app.projection import (
     Projection,
     ProjectionError,
 )
+from tests.phenomenon import EVERYTHING
 
 DESIGN = """
 {"format": "frustum-lab", "version": 1, "scene": "letter-f",
@@ -1418,3 +1420,219 @@ def test_set_makes_and_changes_a_free_matrix() -> None:
     assert "belongs to another lens" in said
     said = sentence(lambda: set_value(Document(), "lens.clip_from_view", cells))
     assert said.endswith("belongs to another lens: set lens.kind as well (matrix).")
+
+
+# --------------------------------------------------------------------------- settings
+
+
+TRIANGLES = Document("similar-triangles", PHENOMENA["similar-triangles"].start)
+
+
+@pytest.fixture
+def everything(monkeypatch: pytest.MonkeyPatch) -> Document:
+    """A document of a scene with a setting of every kind."""
+    monkeypatch.setattr(app.document, "PHENOMENA", {**PHENOMENA, "everything": EVERYTHING})
+    return Document("everything", EVERYTHING.start)
+
+
+def test_the_settings_of_a_phenomenon_are_complete_and_read_only() -> None:
+    document = replace(TRIANGLES, settings={"distance": 2})
+    assert dict(document.settings) == {"distance": 2.0, "point": (1.5, 5.0, 0.5)}
+    with pytest.raises(TypeError):
+        document.settings["distance"] = 3.0  # type: ignore[index]
+    assert Document("letter-f", settings={"distance": 2.0}).settings == {}
+    with pytest.raises(ProjectionError, match=r"settings\.distance = 0: must not be 0"):
+        replace(TRIANGLES, settings={"distance": 0.0})
+    with pytest.raises(ProjectionError, match=r"settings\.distance = nan: must be"):
+        replace(TRIANGLES, settings={"distance": math.nan})
+
+
+def test_documents_with_other_settings_are_other_documents() -> None:
+    one, other = (replace(TRIANGLES, settings={"distance": d}) for d in (2.0, 3.0))
+    assert one != other and hash(one) != hash(other)
+    assert one == replace(other, settings={"distance": 2.0})
+    assert hash(one) == hash(replace(other, settings={"distance": 2.0}))
+    mesh = replace(one, mesh="bunny.obj")
+    assert mesh != one and hash(mesh) != hash(one)
+
+
+@settings(max_examples=100)
+@given(st.floats(-1e6, 1e6).filter(bool), st.tuples(*[st.floats(-1e100, 1e100)] * 3))
+@example(-5e-324, (-0.0, 1e-300, 0.1))
+def test_settings_come_back_exactly(distance: float, place: tuple[float, float, float]) -> None:
+    document = replace(TRIANGLES, settings={"distance": distance, "point": place})
+    again = parse(to_json(document))
+    assert again == document
+    assert repr(again.settings) == repr(document.settings)  # the sign of 0, too
+
+
+def test_settings_of_every_kind_come_back(everything: Document) -> None:
+    document = replace(
+        everything, settings={"kind": "b", "correct": False, "count": 7.0, "light": (0.5, 1, -2)}
+    )
+    text = to_json(document)
+    assert (
+        '"settings": {"gap": 2, "turn": 0, "count": 7, "kind": "b", "correct": false,'
+        ' "light": [0.5, 1, -2]}'
+    ) in text
+    again = parse(text)
+    assert again == document
+    assert repr(again.settings) == repr(document.settings)  # 7.0, not 7
+
+
+def test_a_document_of_an_older_program_opens_with_default_settings() -> None:
+    document = parse(with_value("scene", "similar-triangles"))
+    assert document.settings == PHENOMENA["similar-triangles"].defaults
+    assert document.mesh == ""
+
+
+def test_unknown_settings_are_kept_for_those_that_know_them() -> None:
+    tree = json.loads(with_value("scene", "similar-triangles"))
+    tree["settings"] = {"distance": 2, "colour": [1, 2]}
+    document = parse(json.dumps(tree))
+    assert document.extra == {"settings": {"colour": [1, 2]}}
+    changed = document.with_settings({"distance": 3.0})
+    assert json.loads(to_json(changed))["settings"] == {
+        "distance": 3, "point": [1.5, 5, 0.5], "colour": [1, 2]
+    }  # fmt: skip
+    tree["scene"] = "letter-f"  # which has none of its own
+    document = parse(json.dumps(tree))
+    assert document.settings == {} and document.extra["settings"] == tree["settings"]
+    assert json.loads(to_json(document))["settings"] == tree["settings"]
+
+
+@pytest.mark.parametrize(
+    ("value", "expected"),
+    [
+        (5, "settings = 5: must be an object with named values in braces."),
+        ({"distance": 0}, "settings.distance = 0: must not be 0"),
+        ({"distance": "2"}, "settings.distance = '2': must be a finite number."),
+        ({"distance": True}, "settings.distance = true: must be a finite number."),
+        ({"distance": 1e7}, "settings.distance = 10000000: must be at most 1000000."),
+        ({"point": [1, 2]}, "settings.point = [1, 2]: must be three finite numbers x, y, z."),
+    ],
+)
+def test_settings_that_cannot_be_are_refused_by_their_paths(value: object, expected: str) -> None:
+    tree = json.loads(with_value("scene", "similar-triangles"))
+    tree["settings"] = value
+    assert sentence(lambda: parse(json.dumps(tree))).startswith(expected)
+
+
+def test_a_mesh_in_the_place_of_a_scene_s_objects_moves_with_the_document(tmp_path: Path) -> None:
+    path = tmp_path / "lesson.json"
+    document = replace(TRIANGLES, mesh=str(tmp_path / "data" / "bunny.obj"))
+    write(document, path)
+    assert json.loads(path.read_text())["mesh"] == "data/bunny.obj"
+    assert read(path) == document
+    path.rename(tmp_path.parent / "moved.json")
+    moved = tmp_path.parent / "data" / "bunny.obj"
+    assert read(tmp_path.parent / "moved.json").mesh == str(moved)
+    assert '"mesh"' not in to_json(TRIANGLES)
+
+
+@pytest.mark.parametrize(
+    ("scene", "mesh", "words"),
+    [
+        ("similar-triangles", "bunny", "must be the path of a mesh file (.obj, .stl"),
+        ("similar-triangles", 5, "must be the path of a mesh file (.obj, .stl"),
+        ("similar-triangles", "a\0.obj", "must be the path of a mesh file (.obj, .stl"),
+        ("letter-f", "bunny.obj", "cannot be shown in the scene letter-f, which needs its own"),
+    ],
+)
+def test_a_mesh_that_cannot_be_there_is_refused(scene: str, mesh: object, words: str) -> None:
+    tree = json.loads(with_value("scene", scene))
+    tree["mesh"] = mesh
+    said = sentence(lambda: parse(json.dumps(tree)))
+    assert said.startswith("mesh = ") and words in said
+
+
+def test_settings_are_set_by_their_paths(everything: Document) -> None:
+    document = set_values(
+        everything,
+        [
+            "settings.gap = 5e-1", "settings.kind=b", "settings.correct=false",
+            "settings.light= 1 ,+2.5, -3", "settings.count=8", "mesh=a=b.obj",
+        ],
+    )  # fmt: skip
+    assert dict(document.settings) == {
+        "gap": 0.5, "turn": 0.0, "count": 8.0, "kind": "b", "correct": False,
+        "light": (1.0, 2.5, -3.0),
+    }  # fmt: skip
+    assert document.mesh == "a=b.obj"
+    assert set_value(document, "settings.correct", "true").settings["correct"] is True
+    assert set_value(document, "mesh", "").mesh == ""
+    # Only the outcome has to be valid: the gap needs the count.
+    both = ["settings.gap=500", "settings.count=64"]
+    assert set_values(document, both) == set_values(document, both[::-1])
+
+
+BAD_SCENE_SETTINGS = [
+    ("settings.gpa=1", "settings.gpa is not known; the nearest name is settings.gap."),
+    ("gap=1", "gap is not known; the nearest name is settings.gap."),
+    ("settings=1", None),
+    ("settings.gap=big", "settings.gap = 'big': must be a finite number."),
+    ("settings.gap=nan", "settings.gap = 'nan': must be a finite number."),
+    ("settings.gap=1e400", "settings.gap = '1e400': must be a finite number."),
+    ("settings.gap=0", "settings.gap = 0: must be at least 0.001."),
+    ("settings.gap=500", "settings.gap = 500: must be less than the count, which is 40.0."),
+    ("settings.count=2.5", "settings.count = 2.5: must be a whole number."),
+    ("settings.correct=yes", "settings.correct = 'yes': must be true or false."),
+    ("settings.correct=1", "settings.correct = '1': must be true or false."),
+    ("settings.kind=c", "settings.kind = 'c': must be one of a, b."),
+    ("settings.light=1,2", "settings.light = '1,2': must be three finite numbers x, y, z."),
+    ("settings.light=1,2,inf", "settings.light = '1,2,inf': must be three finite numbers x, y, z."),
+    ("settings.light=1,2,300", "settings.light = [1, 2, 300]: must be at most 100."),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("assignment", "expected"), BAD_SCENE_SETTINGS)
+def test_a_wrong_setting_of_a_scene_is_refused(
+    everything: Document, assignment: str, expected: str | None
+) -> None:
+    found = sentence(lambda: set_values(everything, [assignment]))
+    assert expected is None or found == expected
+
+
+def test_a_setting_of_another_scene_names_that_scene() -> None:
+    said = sentence(lambda: set_values(parse(DESIGN), ["settings.distance=2"]))
+    assert said == (
+        "settings.distance belongs to another scene: set scene as well (similar-triangles)."
+    )
+    said = sentence(lambda: set_values(parse(DESIGN), ["settings.colour=2"]))
+    assert "is not known; the nearest name is" in said
+
+
+def test_another_scene_brings_its_default_settings(
+    everything: Document, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    used = replace(everything, settings={"gap": 3.0}, mesh="bunny.obj")
+    moved = set_values(used, ["settings.distance=3", "scene=similar-triangles"])
+    assert dict(moved.settings) == {"distance": 3.0, "point": (1.5, 5.0, 0.5)}
+    assert moved.mesh == "" and moved.projection == used.projection
+    assert set_values(used, ["scene=everything"]) == used
+    back = set_value(moved, "scene", "everything")
+    assert back.settings == EVERYTHING.defaults
+    # Also where the two call their settings alike.
+    monkeypatch.setitem(app.document.PHENOMENA, "alike", replace(EVERYTHING, name="alike"))  # type: ignore[arg-type]
+    assert set_value(used, "scene", "alike").settings == EVERYTHING.defaults
+
+
+def test_the_camera_follows_a_setting_and_what_is_set_itself_holds(everything: Document) -> None:
+    followed = set_value(everything, "settings.light", "1,7,3")
+    assert followed.projection.camera.eye == (5.5, 7.0, 9.5)
+    assert followed == everything.with_settings({"light": (1.0, 7.0, 3.0)})
+    assert set_value(everything, "settings.light", "1,3.6,3") == everything
+    both = ["settings.light=1,7,3", "camera.eye=1,2,4"]
+    assert set_values(everything, both).projection.camera.eye == (1.0, 2.0, 4.0)
+    assert set_values(everything, both) == set_values(everything, both[::-1])
+    with pytest.raises(ProjectionError):
+        everything.with_settings({"light": (1.0, 700.0, 3.0)})
+    # A camera that follows to where none can be: below its target, at it.
+    at_target = replace(
+        everything,
+        projection=replace(
+            everything.projection, camera=Camera((5.5, 1.0, 9.5), (5.5, 7.0, 9.5), (0, 0, 1))
+        ),
+    )
+    said = sentence(lambda: set_values(at_target, ["settings.light=1,7,3"]))
+    assert said.startswith("camera.target = [5.5, 7, 9.5]: must differ from the eye")

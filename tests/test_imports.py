@@ -116,7 +116,7 @@ ROOMS = {
     "app/scene.py": Room(
         ("numpy", *VTK), ("app.projection", "app.shapes", "app.meshes", "app.phenomena")
     ),
-    "app/document.py": Room(rooms=("app.projection",)),
+    "app/document.py": Room(rooms=("app.projection", "app.phenomena")),
     "app/drawings/__init__.py": DRAWING,
     "app/drawings/actors.py": DRAWING,
     "app/drawings/rungs.py": DRAWING,
@@ -157,7 +157,7 @@ ROOMS = {
         ("numpy",),
         (
             *("app.bootstrap", "app.projection", "app.precision", "app.notation"),
-            *("app.document", "app.doctor", "app.free_matrix"),
+            *("app.document", "app.doctor", "app.free_matrix", "app.phenomena"),
         ),
         late=(*VTK, *QT, "app", "widgets"),
     ),
@@ -192,6 +192,17 @@ ROOMS = {
         (
             *("app.projection", "app.precision", "app.picking", "app.attention"),
             *("widgets.messages", "widgets.palette", "widgets.rows"),
+        ),
+    ),
+    "widgets/diagram.py": Room(
+        ("numpy", *QT), ("app.phenomena", "app.drawings.style", "widgets.messages")
+    ),
+    # Knows what any phenomenon is made of, and none of them.
+    "widgets/scene_panel.py": Room(
+        QT,
+        (
+            *("app.phenomena.exhibit", "app.projection", "app.drawings.style"),
+            *("widgets.animation", "widgets.diagram", "widgets.messages", "widgets.rows"),
         ),
     ),
     "widgets/export_dialog.py": Room(QT, ("app.figures", "widgets.messages")),
@@ -243,7 +254,7 @@ ROOMS = {
         ("numpy", *QT),
         (
             *("app.projection", "app.morph", "app.picking", "app.scene", "app.document"),
-            *("app.attention", "app.drawings"),
+            *("app.attention", "app.drawings", "app.phenomena"),
             *("app.store", "app.measure", "widgets"),
         ),
     ),

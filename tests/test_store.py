@@ -7,7 +7,8 @@ from dataclasses import replace
 import pytest
 
 from app.document import Document
-from app.projection import Perspective, Projection
+from app.phenomena import PHENOMENA
+from app.projection import Perspective, Projection, ProjectionError
 from app.store import UNDO_LIMIT, Store
 
 
@@ -148,3 +149,18 @@ def test_the_history_is_bounded(store: Store) -> None:
         store.undo()
         steps += 1
     assert steps == UNDO_LIMIT
+
+
+def test_settings_are_edits_like_all_others() -> None:
+    store = Store(Document("similar-triangles", PHENOMENA["similar-triangles"].start))
+    heard: list[object] = []
+    store.changed.connect(lambda document: heard.append(document.settings["distance"]))
+    store.set_settings({"distance": 5.0})
+    store.set_settings({"distance": 5.0})
+    with pytest.raises(ProjectionError):
+        store.set_settings({"distance": 0.0})
+    assert heard == [5.0] and store.modified
+    store.undo()
+    assert heard == [5.0, 4.0] and not store.modified
+    store.redo()
+    assert store.document.settings["distance"] == 5.0

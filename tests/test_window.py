@@ -32,10 +32,14 @@ from PySide6.QtWidgets import (
     QToolButton,
 )
 
+import app.document
+import app.scene
 from app.document import Document, extract, read, write
 from app.figures import render
+from app.phenomena import PHENOMENA
 from app.projection import Camera, Orbit, Orthographic, Perspective, Projection
 from app.scene import load
+from tests.phenomenon import EVERYTHING
 from widgets.application import Settings
 from widgets.autosave import Autosave
 from widgets.export_dialog import ExportChoice, ExportDialog
@@ -824,3 +828,289 @@ def test_random_changes_do_not_pile_up(make_window: Callable[..., MainWindow]) -
     gc.collect()
     assert resident() - start < 10e6
     window.store.end_gesture()
+
+
+# -- phenomena
+
+TRIANGLES = PHENOMENA["similar-triangles"]
+
+
+def on_triangles(**changes: Any) -> Document:
+    return Document("similar-triangles", TRIANGLES.start, **changes)
+
+
+def exhibits_of(window: MainWindow) -> dict[str, list[Any]]:
+    """What each pane is given to show from now on."""
+    given: dict[str, list[Any]] = {}
+    for name, pane in window.panes.items():
+        given[name], show = [], pane.show_exhibit
+
+        def keep(exhibit: Any, to: list[Any] = given[name], show: Any = show) -> None:
+            to.append(exhibit)
+            show(exhibit)
+
+        pane.show_exhibit = keep  # type: ignore[method-assign]
+    return given
+
+
+@pytest.fixture
+def everything(monkeypatch: pytest.MonkeyPatch) -> Document:
+    """A document of a scene with a setting of every kind."""
+    for room in (app.document, app.scene):
+        monkeypatch.setattr(room, "PHENOMENA", {**PHENOMENA, "everything": EVERYTHING})
+    return Document("everything", EVERYTHING.start)
+
+
+def test_choosing_a_phenomenon_opens_its_panel_and_leaving_it_folds_it(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window()
+    assert window.panels.open_panel is None
+    window._choose_scene("similar-triangles")
+    settle(window)
+    assert window.panels.open_panel is window.scene_panel
+    assert window.scene_panel.title.text() == "Similar triangles"
+    assert list(window.scene_panel.rows) == ["distance", "point"]
+    assert not window.controls.rows["azimuth_deg"].isHidden()
+    window.panels.open(None)
+    window.store.set_settings({"distance": 5.0})
+    window.set_theme("dark")
+    assert window.panels.open_panel is None, "it is opened once, and stays folded"
+    window._choose_scene("cube")
+    assert window.scene_panel.rows == {}
+    window.store.undo()
+    assert window.panels.open_panel is window.scene_panel
+    window.store.undo()
+    window.store.undo()
+    assert window.store.document.scene == "letter-f" and window.panels.open_panel is None
+
+
+@pytest.mark.parametrize("size", [(1366, 768), (1920, 1080)])
+def test_the_panes_have_room_above_a_phenomenon(
+    make_window: Callable[..., MainWindow], size: tuple[int, int]
+) -> None:
+    window = make_window(on_triangles())
+    window.resize(*size)
+    settle(window)
+    assert window.scene_panel.isVisible()
+    assert (window.width(), window.height()) == size
+    for pane in window.panes.values():
+        assert pane.width() >= 300 and pane.height() >= 400
+    bar = window.scene_panel._readout_column.verticalScrollBar()
+    assert not bar.isVisible(), "every reading is seen without scrolling"
+
+
+def test_scenes_are_listed_in_the_order_of_the_lectures_by_their_titles(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window(shown=False)
+    names = [action.data() for action in window._scene_group.actions()]
+    assert names[:2] == ["letter-f", "cube"]
+    assert [name for name in names if name in PHENOMENA] == list(PHENOMENA)
+    titles = {action.data(): action.text() for action in window._scene_group.actions()}
+    assert titles["similar-triangles"] == "Similar triangles"
+    box = window._scene_box
+    listed = [box.itemData(index) for index in range(box.count())]
+    assert [name for name in listed if name] == names
+    first = names.index(next(iter(PHENOMENA)))
+    assert listed[first] is None, "a separator before the first phenomenon"
+    window._choose_scene("similar-triangles")
+    assert box.currentText() == "Similar triangles"
+
+
+def test_an_exhibit_is_computed_once_a_change_and_shown_everywhere(
+    make_window: Callable[..., MainWindow], everything: Document, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    made: list[Any] = []
+
+    def show(*arguments: Any) -> Any:
+        made.append(EVERYTHING.show(*arguments))
+        return made[-1]
+
+    counting = replace(EVERYTHING, show=show)
+    monkeypatch.setitem(app.scene.PHENOMENA, "everything", counting)  # type: ignore[arg-type]
+    window = make_window(everything)
+    settle(window)
+    made.clear()
+    given = exhibits_of(window)
+    with counted_repaints(window) as counts:
+        window.store.set_settings({"gap": 3.0})
+        settle(window)
+        window.store.set_projection(seen(window, camera=Camera((-7.0, 3.0, 6.0))))
+        settle(window)
+    assert len(made) == 2
+    assert given == dict.fromkeys(window.panes, made)
+    assert counts == {"world": 2, "ndc": 2, "image": 2}
+    value = window.scene_panel.readout.lines[0][1]
+    assert value.text() == "3"
+    assert made[-1].readings[0].value == 3.0
+
+
+def test_idle_with_an_open_panel_draws_nothing(make_window: Callable[..., MainWindow]) -> None:
+    window = make_window(on_triangles())
+    settle(window)
+    with counted_repaints(window) as counts:
+        QTest.qWait(300)
+    assert counts == {"world": 0, "ndc": 0, "image": 0}
+
+
+def test_no_exhibit_of_one_scene_is_shown_in_another(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window(on_triangles())
+    given = exhibits_of(window)
+    window._choose_scene("posts")
+    assert all(shown == [None] for shown in given.values())
+    window._choose_scene("similar-triangles")
+    for shown in given.values():
+        assert shown[:2] == [None, None] and shown[2] is not None and len(shown) == 3
+
+
+def test_a_setting_is_changed_from_its_row_and_undone_into_it(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window(on_triangles())
+    row: Any = window.scene_panel.rows["distance"]
+    row.slider.setSliderDown(True)
+    for position in (10, 20, 30):
+        row.slider.setValue(position)
+    row.slider.setSliderDown(False)
+    distance = row.value()
+    assert window.store.document.settings["distance"] == distance < 0.0
+    assert window.isWindowModified()
+    assert window.scene_panel.readout.lines[4][1].text() == "upside down and left for right"
+    window.store.undo()
+    assert row.value() == 4.0 and window.store.document == on_triangles()
+    assert window.scene_panel.readout.lines[4][1].text() == "upright"
+    assert not window.store.can_undo and not window.isWindowModified()
+    window.store.redo()
+    assert row.value() == distance
+
+
+def test_a_setting_that_cannot_be_is_refused_at_its_row(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window(on_triangles())
+    row: Any = window.scene_panel.rows["distance"]
+    row.field.setFocus()
+    row.field.selectAll()
+    QTest.keyClicks(row.field, "0")
+    QTest.keyClick(row.field, Qt.Key.Key_Return)
+    assert row.error.startswith("⚠ Not possible. Plane distance d = 0: must not be 0: the plane")
+    assert window.store.document == on_triangles()
+    assert not window.store.can_undo
+
+
+def test_the_camera_follows_in_the_same_step(
+    make_window: Callable[..., MainWindow], everything: Document
+) -> None:
+    window = make_window(everything)
+    row: Any = window.scene_panel.rows["light"]
+    field = row.fields[1]
+    field.setFocus()
+    field.selectAll()
+    QTest.keyClicks(field, "7")
+    QTest.keyClick(field, Qt.Key.Key_Return)
+    assert window.store.document.projection.camera.eye == (5.5, 7.0, 9.5)
+    assert window.controls.projection.camera.eye == (5.5, 7.0, 9.5)
+    window.store.undo()
+    assert window.store.document == everything and not window.store.can_undo
+
+
+def test_a_play_is_one_step_of_undo_and_ends_with_the_scene(
+    make_window: Callable[..., MainWindow], everything: Document
+) -> None:
+    window = make_window(everything)
+    player = window.scene_panel.players["turn"]
+    player.play()
+    for _ in range(5):
+        player.advance(0.25)
+    player.pause()
+    assert window.store.document.settings["turn"] == 112.5
+    window.store.undo()
+    assert window.store.document == everything and not window.store.can_undo
+    player.play()
+    window._choose_scene("cube")
+    assert not player.playing and not window.store.in_gesture
+
+
+def test_closing_while_a_setting_plays(
+    make_window: Callable[..., MainWindow], everything: Document
+) -> None:
+    window = make_window(everything)
+    player = window.scene_panel.players["turn"]
+    player.play()
+    player.advance(0.1)
+    answer(QMessageBox.StandardButton.Discard)
+    assert window.close()
+    assert not player.playing
+
+
+def test_a_reset_of_all_resets_the_settings_and_keeps_the_mesh(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    mesh = tetrahedron(tmp_path)
+    window = make_window(on_triangles(mesh=str(mesh), settings={"distance": -3.0}))
+    window.store.set_projection(seen(window, lens=Perspective(60.0, 2.0, 20.0)))
+    window.reset()
+    assert window.store.document == on_triangles(mesh=str(mesh))
+    window.store.undo()
+    assert window.store.document.settings["distance"] == -3.0
+
+
+def tetrahedron(folder: Path) -> Path:
+    mesh = folder / "tetra.obj"
+    mesh.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 1 3 4\nf 2 3 4\n")
+    return mesh
+
+
+def test_a_mesh_of_the_user_s_takes_the_place_of_the_objects_and_leaves_it(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window(on_triangles(settings={"distance": 5.0}))
+    own = pixels(window, "image")
+    assert window.files.use_mesh(str(tetrahedron(tmp_path)))
+    settle(window)
+    assert (pixels(window, "image") != own).mean() > 0.005
+    assert window.store.document.settings["distance"] == 5.0
+    assert window.scene_panel.remove_mesh.isVisible()
+    document = window.store.document
+    assert window.files.save_to(tmp_path / "lesson.json")
+    assert read(tmp_path / "lesson.json") == document
+    window.scene_panel.remove_mesh.click()
+    settle(window)
+    assert window.store.document.mesh == ""
+    assert (pixels(window, "image") == own).all()
+    window.store.undo()
+    assert window.store.document == document
+    tetrahedron(tmp_path).unlink()
+    window.store.undo()
+    window.store.redo()  # undo cannot fail on a file that has gone meanwhile
+    assert window.store.document == document
+
+
+@pytest.mark.parametrize("name", ["missing.obj", "empty.obj", "notes.txt"])
+def test_a_mesh_that_cannot_be_used_is_a_sentence_and_nothing_else(
+    make_window: Callable[..., MainWindow], tmp_path: Path, name: str
+) -> None:
+    window = make_window(on_triangles())
+    for empty in ("empty.obj", "notes.txt"):
+        (tmp_path / empty).write_text("")
+    assert not window.files.use_mesh(str(tmp_path / name))
+    assert name in window.messages.text and "\n" not in window.messages.text
+    assert window.store.document == on_triangles() and not window.store.can_undo
+
+
+def test_an_exported_phenomenon_brings_its_settings_back(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window(on_triangles(mesh=str(tetrahedron(tmp_path))))
+    window.store.set_settings({"distance": -2.0, "point": (0.0, 1.0, 0.25)})
+    wanted = window.store.document
+    path = tmp_path / "figure.png"
+    assert window.pictures.export(path, ExportChoice(("world", "image"), (600, 300), 1.0, False))
+    window._choose_scene("cube")
+    window.store.mark_saved()
+    drop(window, path)
+    assert window.store.document == wanted
+    assert window.scene_panel.rows["distance"].value() == -2.0

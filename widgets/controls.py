@@ -20,6 +20,7 @@ from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QApplication,
     QFrame,
+    QGridLayout,
     QScrollArea,
     QVBoxLayout,
     QWidget,
@@ -38,7 +39,18 @@ from app.projection import (
 from widgets.animation import AnimationBar
 from widgets.lens_controls import LensControls
 from widgets.messages import field_name, seen_from, sentence
-from widgets.rows import Choice, ChoiceRow, Linear, Log, NumberRow, Row, Scale, align, short_text
+from widgets.rows import (
+    ROW_GAP_PX,
+    Choice,
+    ChoiceRow,
+    Linear,
+    Log,
+    NumberRow,
+    Row,
+    Scale,
+    align,
+    short_text,
+)
 from widgets.section import PARTS, Binding, Section, Typed
 
 RIGHT_MARGIN_PX = 4
@@ -203,6 +215,34 @@ class Controls(QScrollArea):
 
     def _attended(self, key: str, about: Attention, is_attended: bool) -> None:
         self.attended.emit(key, about if is_attended else NOTHING)
+
+    def bring_to_front(self, paths: Collection[str]) -> None:
+        """Point out the controls that matter for the scene, and no others.
+
+        Parameters
+        ----------
+        paths : collection of str
+            Of the document: ``lens.near``, ``camera.eye``. Their sections are opened, the first
+            of them is scrolled to, and all are framed until the next call.
+        """
+        names = {name for path in paths for name in _names(path)}
+        marked = []
+        for section in self.sections.values():
+            for key, binding in section.bindings.items():
+                matters = key in names or binding.field in names
+                _frame(binding.row, matters)
+                if matters:
+                    marked.append(binding.row)
+                    if not section.is_open:
+                        section.set_open(True)
+        if marked:
+            # After the layout has made room; a row that is not in use now may have none.
+            QTimer.singleShot(0, self, partial(self._scroll_to, marked))
+
+    def _scroll_to(self, rows: list[Row]) -> None:
+        _lay_out()
+        for row in reversed([row for row in rows if row.isVisible()]):
+            self.ensureWidgetVisible(row, 0, 4)
 
     # -- the sections
 
@@ -466,6 +506,39 @@ class Controls(QScrollArea):
         super().changeEvent(event)
         if event.type() in (QEvent.Type.FontChange, QEvent.Type.StyleChange) and self.widget():
             self._align()
+
+
+# --------------------------------------------------------------------------- pointing out
+
+_BY_ORBIT = {
+    "eye": ("azimuth_deg", "elevation_deg", "distance"),
+    "up": ("roll_deg",),
+}
+"""How else the camera's vectors are set."""
+
+
+def _names(path: str) -> tuple[str, ...]:
+    """What the rows of a document's path are called, or the fields that they belong to."""
+    name = path.rpartition(".")[2]
+    return (name, *_BY_ORBIT.get(name, ()))
+
+
+def _frame(row: Row, framed: bool) -> None:
+    """Put a frame in the accent colour round a row, or take it away."""
+    if bool(row.property("framed")) != framed:
+        row.setProperty("framed", framed)
+        row.setAttribute(Qt.WidgetAttribute.WA_StyledBackground, framed)
+        kind = type(row).__name__
+        sheet = f"{kind} {{ border: 2px solid palette(highlight); border-radius: 4px; }}"
+        row.setStyleSheet(sheet if framed else "")
+        grid = row.layout()
+        assert isinstance(grid, QGridLayout)
+        if framed:  # what the frame takes at both sides, the gaps give: the column stays as wide
+            grid.setContentsMargins(3, 2, 3, 2)
+            grid.setHorizontalSpacing(ROW_GAP_PX - 2)
+        else:
+            grid.setContentsMargins(0, 0, 0, 0)
+            grid.setHorizontalSpacing(ROW_GAP_PX)
 
 
 # --------------------------------------------------------------------------- reading and writing

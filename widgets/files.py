@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import TypeVar
 
@@ -53,14 +54,14 @@ class Files(QObject):
         super().__init__(window)
         self._window, self._store, self._messages = window, store, messages
         self._with_views = with_views
-        self._scenes: dict[str, Scene] = {}
+        self._scenes: dict[tuple[str, str], Scene] = {}
         self.path: Path | None = None
         self.recent = recent[:RECENT_LIMIT]
 
     # -- scenes
 
-    def scene(self, name: str) -> Scene:
-        """The scene of that name or mesh path, loaded once.
+    def scene(self, name: str, mesh: str = "") -> Scene:
+        """The scene of that name or mesh path, with a mesh in its objects' place, loaded once.
 
         All scenes that the undo history can come back to stay in memory, so that undo cannot
         fail on a file that has gone meanwhile.
@@ -70,19 +71,20 @@ class Files(QObject):
         SceneError
             If it cannot be loaded; `SceneCancelled` if the user stopped it.
         """
-        if name not in self._scenes:
-            self._scenes[name] = self._load(name)
-        return self._scenes[name]
+        if (name, mesh) not in self._scenes:
+            self._scenes[name, mesh] = self._load(name, mesh)
+        return self._scenes[name, mesh]
 
-    def keep(self, name: str, scene: Scene) -> None:
-        """Take a scene that is loaded already."""
-        self._scenes[name] = scene
+    def keep(self, document: Document, scene: Scene) -> None:
+        """Take a document's scene that is loaded already."""
+        self._scenes[document.scene, document.mesh] = scene
 
-    def _load(self, name: str) -> Scene:
-        if not is_mesh(name):
-            return load(name)
+    def _load(self, name: str, mesh: str) -> Scene:
+        file = mesh or name
+        if not is_mesh(file):
+            return load(name, mesh=mesh)
         dialog = QProgressDialog(
-            self.tr("Opening {0}").format(os.path.basename(name)), self.tr("Cancel"), 0, 100,
+            self.tr("Opening {0}").format(os.path.basename(file)), self.tr("Cancel"), 0, 100,
             self._window,
         )  # fmt: skip
         dialog.setWindowModality(Qt.WindowModality.WindowModal)
@@ -93,7 +95,7 @@ class Files(QObject):
             return not dialog.wasCanceled()
 
         try:
-            return load(name, progress)
+            return load(name, progress, mesh)
         finally:
             dialog.close()
             dialog.deleteLater()
@@ -125,13 +127,16 @@ class Files(QObject):
 
         def opened() -> Document:
             document = None if mesh else read(path)
-            scene = self.scene(document.scene if document else path)
-            return document or Document(path, scene.start)
+            if document is None:
+                return Document(path, self.scene(path).start)
+            self.scene(document.scene, document.mesh)
+            return document
 
         document = self._try(opened)
         if document is None or not self.may_discard():
             return False
-        self._scenes = {document.scene: self._scenes[document.scene]}
+        used = document.scene, document.mesh
+        self._scenes = {used: self._scenes[used]}
         self._store.open(document)
         # A picture carries a document but is no place to save one in.
         is_document = not mesh and not path.lower().endswith(".png")
@@ -141,7 +146,8 @@ class Files(QObject):
 
     def open_recovered(self, document: Document) -> bool:
         """Take up a document from an autosave; it is in no file of the user's yet."""
-        if self._try(lambda: self.scene(document.scene)) is None or not self.may_discard():
+        scene = self._try(lambda: self.scene(document.scene, document.mesh))
+        if scene is None or not self.may_discard():
             return False
         self._store.open(document, saved=False)
         self._set_path(None)
@@ -154,6 +160,43 @@ class Files(QObject):
             return False
         if name != self._store.document.scene:
             self._store.set_document(Document(name, scene.start, self._store.document.extra))
+        return True
+
+    def mesh_dialog(self) -> None:
+        """Ask for a mesh to stand in the place of the scene's own objects."""
+        meshes = " ".join(f"*{ending}" for ending in MESH_ENDINGS)
+        path, _ = QFileDialog.getOpenFileName(
+            self._window,
+            self.tr("Use a mesh in the place of the scene's own objects"),
+            os.path.dirname(self._store.document.mesh),
+            self.tr("Meshes ({0});;All files (*)").format(meshes),
+        )
+        if path:
+            self.use_mesh(path)
+
+    def use_mesh(self, path: str) -> bool:
+        """Put a mesh in the place of the scene's own objects, as an edit that can be undone.
+
+        Parameters
+        ----------
+        path : str
+            Empty for the scene's own objects.
+
+        Returns
+        -------
+        bool
+            False if it cannot be shown there.
+        """
+
+        def used() -> Document:
+            document, mesh = self._store.document, os.path.abspath(path) if path else ""
+            self.scene(document.scene, mesh)  # which says more of a file than the document would
+            return replace(document, mesh=mesh)
+
+        document = self._try(used)
+        if document is None:
+            return False
+        self._store.set_document(document)
         return True
 
     # -- saving

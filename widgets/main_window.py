@@ -9,7 +9,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -50,8 +50,10 @@ from app.drawings.image import ImageDrawing
 from app.drawings.ndc import NdcDrawing
 from app.drawings.probes import surface_of
 from app.drawings.world import WorldDrawing
+from app.phenomena import PHENOMENA
+from app.phenomena.exhibit import Value
 from app.picking import VERTEX_WITHIN_PX, Probe, dragged
-from app.projection import Camera, Projection
+from app.projection import Camera, Projection, ProjectionError
 from app.scene import BUILT_IN, Scene
 from app.store import Store
 from widgets import palette
@@ -64,11 +66,12 @@ from widgets.help import Help
 from widgets.manipulation import HOLD_WITHIN_PX, Manipulation
 from widgets.matrix_panel import MatrixPanel
 from widgets.message_bar import MessageBar
-from widgets.messages import sentence
+from widgets.messages import Words, of_phenomena, sentence
 from widgets.pane import Pane
 from widgets.panels import Panels
 from widgets.pictures import Pictures
 from widgets.probe_panel import ProbePanel
+from widgets.scene_panel import ScenePanel
 from widgets.stage_strip import StageStrip
 from widgets.status_line import StatusLine
 
@@ -128,23 +131,26 @@ class MainWindow(QMainWindow):
             "cube": self.tr("Unit cube"),
             "posts": self.tr("Row of posts"),
         }
+        self._scene_titles |= {p.name: of_phenomena(p.title) for p in PHENOMENA.values()}
         # The drawings' words in the window's language; the letters are the lectures'.
-        self._words = {
-            **WORDS,
-            "near": self.tr("near"),
-            "far": self.tr("far"),
-            "eye": self.tr("eye"),
-            "target": self.tr("target"),
-            "look": self.tr("look"),
-            "up": self.tr("up"),
-        }
+        self._words = Words(
+            {
+                **WORDS,
+                "near": self.tr("near"),
+                "far": self.tr("far"),
+                "eye": self.tr("eye"),
+                "target": self.tr("target"),
+                "look": self.tr("look"),
+                "up": self.tr("up"),
+            }
+        )
         self.store = Store(document, self)
         self.attention = Attended(self)
         self.messages = MessageBar()
         self.files = Files(self, self.store, self.messages, settings.recent, self._with_views)
         self.files.path = path
         if scene is not None:
-            self.files.keep(document.scene, scene)
+            self.files.keep(document, scene)
         self.pictures = Pictures(
             self,
             self.messages,
@@ -156,6 +162,8 @@ class MainWindow(QMainWindow):
         self.help = Help(self)
         self._scene: Scene | None = None
         self._views: dict[str, Camera] = {}
+        self._told_about = ""
+        """The scene whose panel was opened or folded by itself."""
         self._held: Probe | None = None
         """The probe that is being dragged in the image, as it was before."""
         data = QStandardPaths.writableLocation(QStandardPaths.StandardLocation.AppDataLocation)
@@ -188,6 +196,11 @@ class MainWindow(QMainWindow):
         self.panels.add(
             self.tr("Probe"), self.probe_panel, self.tr("Follow points through every stage")
         )
+        self.scene_panel = ScenePanel()
+        self.panels.add(
+            self.tr("About this scene"), self.scene_panel,
+            self.tr("What the scene shows, its own settings and its numbers"),
+        )  # fmt: skip
         self._lay_out()
         self._make_actions()
         self._make_status_line()
@@ -300,7 +313,7 @@ class MainWindow(QMainWindow):
         self._redo = self._action(self.tr("&Redo"), self.store.redo, keys.Redo)
         reset = self._action(
             self.tr("Reset &all"), self.reset, "Ctrl+R",
-            self.tr("Put camera, lens and image back to how the scene opens"),
+            self.tr("Put camera, lens, image and settings back to how the scene opens"),
         )  # fmt: skip
         menu.addActions([self._undo, self._redo])
         menu.addSeparator()
@@ -316,6 +329,8 @@ class MainWindow(QMainWindow):
         menu = bar.addMenu(self.tr("&Scenes"))
         self._scene_group = QActionGroup(self)
         for name in BUILT_IN:
+            if name == next(iter(PHENOMENA)):
+                menu.addSeparator()
             action = self._action(self._scene_titles[name], partial(self._choose_scene, name))
             action.setCheckable(True)
             action.setData(name)
@@ -422,7 +437,8 @@ class MainWindow(QMainWindow):
         self.matrices.edited.connect(store.set_projection)
         self.frame_panel.edited.connect(store.set_projection)
         self.frame_panel.step_changed.connect(self.panes["world"].show_step)
-        for source in (controls, controls.animation, self.manipulation, self.frame_panel):
+        dragged_in = (controls, controls.animation, self.manipulation, self.frame_panel)
+        for source in (*dragged_in, self.scene_panel):
             source.gesture_started.connect(store.begin_gesture)
             source.gesture_finished.connect(store.end_gesture)
             source.gesture_started.connect(self.matrices.begin_gesture)
@@ -455,18 +471,22 @@ class MainWindow(QMainWindow):
             place.attended.connect(partial(attend, name))
             self.attention.changed.connect(place.show_attention)
         self.attention.changed.connect(controls.show_attention)
+        self.scene_panel.edited.connect(self._set_settings)
+        self.scene_panel.mesh_wanted.connect(self.files.mesh_dialog)
+        self.scene_panel.mesh_removed.connect(partial(self.files.use_mesh, ""))
         QGuiApplication.styleHints().colorSchemeChanged.connect(self._scheme_changed)
 
     # -- showing the document
 
     def _show_document(self, document: Document) -> None:
-        scene = self.files.scene(document.scene)
+        scene = self.files.scene(document.scene, document.mesh)
         # An edit shares its views with the document before; another document brings its own.
         if scene is not self._scene:
             self.probe_panel.clear()
         if scene is not self._scene or document.views is not self._views:
             self._scene, self._views = scene, document.views
             self.controls.set_scene(scene.size, scene.start)
+            self._tell_about_scene(document, scene)
             self._build_drawings(document.views)
             self._list_scenes()
         self._refine(not (self._software_rendering and self.store.in_gesture))
@@ -477,8 +497,40 @@ class MainWindow(QMainWindow):
         self.matrices.show_projection(document.projection)
         self.frame_panel.show_projection(document.projection)
         self.probe_panel.show_projection(document.projection)
+        self._show_exhibit(document, scene)
         self._show_notes(document.projection, scene)
         self.autosave.schedule()
+
+    def _tell_about_scene(self, document: Document, scene: Scene) -> None:
+        """Show what a scene is about; a phenomenon opens its panel and points out its controls."""
+        for pane in self.panes.values():
+            pane.show_exhibit(None)  # the old scene's, before there is a drawing of the new one
+        title = self._scene_titles.get(document.scene, Path(document.scene).name)
+        self.scene_panel.show_scene(title, scene.phenomenon, Path(document.mesh).name)
+        if document.scene == self._told_about:
+            return
+        self._told_about = document.scene
+        self.controls.bring_to_front(scene.phenomenon.controls if scene.phenomenon else ())
+        if scene.phenomenon is not None:
+            self.panels.open(self.scene_panel)
+        elif self.panels.open_panel is self.scene_panel:
+            self.panels.open(None)
+
+    def _show_exhibit(self, document: Document, scene: Scene) -> None:
+        """Compute what a phenomenon shows, once for panes and panel."""
+        if scene.phenomenon is None:
+            return
+        exhibit = scene.phenomenon.exhibit(document.projection, document.settings, scene.subject)
+        for pane in self.panes.values():
+            pane.show_exhibit(exhibit)
+        self.scene_panel.show_settings(document.settings)
+        self.scene_panel.show_exhibit(exhibit)
+
+    def _set_settings(self, settings: Mapping[str, Value]) -> None:
+        try:
+            self.store.set_settings(settings)
+        except ProjectionError as error:
+            self.scene_panel.refuse(error)
 
     def _build_drawings(self, views: dict[str, Camera]) -> None:
         style = palette.drawing_style(
@@ -488,6 +540,7 @@ class MainWindow(QMainWindow):
         )
         projection = self.store.document.projection
         self.matrices.set_style(style)
+        self.scene_panel.set_style(style)
         for name, pane in self.panes.items():
             # The world pane is looked at by a camera of its own, which is never at an extreme.
             tolerance = () if name == "world" else (self.settings.tolerance_px,)
@@ -530,6 +583,8 @@ class MainWindow(QMainWindow):
         name = self.store.document.scene
         self._scene_box.clear()
         for built_in in BUILT_IN:
+            if built_in == next(iter(PHENOMENA)):
+                self._scene_box.insertSeparator(self._scene_box.count())
             self._scene_box.addItem(self._scene_titles[built_in], built_in)
         if name not in BUILT_IN:
             self._scene_box.addItem(Path(name).name, name)
@@ -542,8 +597,10 @@ class MainWindow(QMainWindow):
         self._list_scenes()
 
     def reset(self) -> None:
-        """Put the projection back to how the scene opens, as an edit that can be undone."""
-        self.store.set_projection(self.files.scene(self.store.document.scene).start)
+        """Put projection and settings back to how the scene opens; it can be undone."""
+        document = self.store.document
+        start = self.files.scene(document.scene, document.mesh).start
+        self.store.set_document(replace(document, projection=start, settings={}))
 
     # -- probes
 
@@ -755,6 +812,7 @@ class MainWindow(QMainWindow):
             return
         self.controls.animation.pause()
         self.strip.pause()
+        self.scene_panel.pause()
         self.settings.geometry = bytes(self.saveGeometry().data())
         self.autosave.close()
         for pane in self.panes.values():

@@ -64,6 +64,12 @@ PROJECTION_BOUNDS = (
 )
 """Every bound of a `ProjectionError`: the members of `app.projection.BOUNDS`."""
 
+SETTING_BOUNDS = (
+    QT_TRANSLATE_NOOP("ProjectionError", "must be a whole number"),
+    QT_TRANSLATE_NOOP("ProjectionError", "must be true or false"),
+)
+"""What `app.phenomena.exhibit` adds to them; each phenomenon marks what it adds itself."""
+
 DOCUMENT_BOUNDS = (
     QT_TRANSLATE_NOOP("DocumentError", "is missing"),
     QT_TRANSLATE_NOOP("DocumentError", "is empty"),
@@ -97,6 +103,11 @@ DOCUMENT_BOUNDS = (
     QT_TRANSLATE_NOOP("DocumentError", "is a picture without a Frustum Lab document in it"),
     QT_TRANSLATE_NOOP("DocumentError", "is not known; the nearest name is {0}"),
     QT_TRANSLATE_NOOP("DocumentError", "belongs to another lens: set lens.kind as well ({0})"),
+    QT_TRANSLATE_NOOP("DocumentError", "belongs to another scene: set scene as well ({0})"),
+    QT_TRANSLATE_NOOP("DocumentError", "must be the path of a mesh file ({0}), or empty for none"),
+    QT_TRANSLATE_NOOP(
+        "DocumentError", "cannot be shown in the scene {0}, which needs its own objects"
+    ),
     QT_TRANSLATE_NOOP("DocumentError", "must be written as NAME=VALUE"),
     QT_TRANSLATE_NOOP("DocumentError", "The document"),
 )
@@ -454,6 +465,42 @@ def _value_text(value: object) -> str:
     if isinstance(value, numbers.Real) and not isinstance(value, bool):
         return number_text(float(value))
     return format_value(value)
+
+
+def figure_text(value: float, digits: int = 6) -> str:
+    """A number to be read from afar: ``0.5``, ``1000``, ``−2.5·10⁻⁵``, ``∞``.
+
+    Parameters
+    ----------
+    value : float
+    digits : int
+        How many are significant.
+    """
+    if math.isinf(value) or value == 0.0 or 1e-3 <= abs(value) < 10.0 ** max(5, digits):
+        text = number_text(value) if math.isinf(value) else f"{value + 0.0:.{digits}g}"
+        if "e" not in text:
+            return text.replace("-", "−")
+    mantissa, _, exponent = f"{value:.{digits - 1}e}".partition("e")
+    factor = mantissa.rstrip("0").rstrip(".") if "." in mantissa else mantissa
+    power = "10" + str(int(exponent)).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
+    text = power if factor in ("1", "-1") else f"{factor.lstrip('-')}·{power}"
+    return f"−{text}" if value < 0.0 else text
+
+
+def of_phenomena(text: str) -> str:
+    """A text of the phenomena in the window's language; numbers and letters stay."""
+    return QCoreApplication.translate("phenomena", text)
+
+
+class Words(dict[str, str]):
+    """The drawings' words in the window's language, those of the phenomena's marks among them."""
+
+    def __missing__(self, word: str) -> str:
+        return of_phenomena(word)
+
+    def get(self, word: str, default: object = None) -> str:
+        """The word in the window's language: there is one for every word."""
+        return self[word]
 
 
 def translated(template: str) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import partial
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import QSize, Signal
 from PySide6.QtWidgets import QHBoxLayout, QStackedWidget, QToolButton, QVBoxLayout, QWidget
 
 
@@ -35,6 +35,14 @@ class Panels(QWidget):
         layout.setSpacing(2)
         layout.addLayout(self._names)
         layout.addWidget(self._stack, 1)
+
+    def sizeHint(self) -> QSize:
+        """As high as the open panel wants to be, not as the highest of them."""
+        hint, panel = super().sizeHint(), self.open_panel
+        if panel is None:
+            return hint
+        others = self._stack.sizeHint().height()
+        return QSize(hint.width(), hint.height() - others + panel.sizeHint().height())
 
     def add(self, name: str, panel: QWidget, tip: str) -> None:
         """Add a panel, folded, under a translated name.

@@ -41,7 +41,7 @@ class Pictures(QObject):
     seen : callable
         The document as it is looked at just now: with the views of the panes.
     scene : callable
-        The loaded scene of a name.
+        The loaded scene of a name and a mesh in it.
     titles : dict
         The panes' names as the window writes them.
     words : mapping
@@ -53,7 +53,7 @@ class Pictures(QObject):
         window: QMainWindow,
         messages: MessageBar,
         seen: Callable[[], Document],
-        scene: Callable[[str], Scene],
+        scene: Callable[[str, str], Scene],
         titles: dict[str, str],
         words: Mapping[str, str],
     ) -> None:
@@ -123,9 +123,10 @@ class Pictures(QObject):
 
         try:
             return render(
-                self._scene(document.scene),
+                self._scene(document.scene, document.mesh),
                 document.projection,
                 views=document.views,
+                settings=document.settings,
                 panes=choice.panes,
                 size=choice.size,
                 scale=choice.scale,

@@ -19,7 +19,7 @@ from abc import abstractmethod
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any, NamedTuple
 
 from PySide6.QtCore import QEvent, QRectF, QSignalBlocker, QSize, Qt, QTimer, Signal
@@ -39,6 +39,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import (
     QButtonGroup,
+    QCheckBox,
     QComboBox,
     QGridLayout,
     QHBoxLayout,
@@ -50,7 +51,14 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.projection import AT_LEAST, AT_MOST, DISTINCT, LARGEST, ProjectionError
+from app.projection import (
+    AT_LEAST,
+    AT_MOST,
+    DISTINCT,
+    FINITE_NUMBER,
+    LARGEST,
+    ProjectionError,
+)
 from widgets.attention import paint_attention
 from widgets.messages import A_NUMBER, A_NUMBER_OR_INFINITY, number_text, sentence
 
@@ -60,6 +68,8 @@ FIELD_CHARACTERS = 8
 """Longest number, without its sign, that a field shows while it is not being edited."""
 INSIDE_FIELD_PX = 2
 """What Qt leaves free on both sides of a field's text."""
+ROW_GAP_PX = 4
+"""Between the parts of a row."""
 LEAST_SLIDER_PX = 90
 """Shorter than this, a slider has more values than a hand can tell apart."""
 
@@ -413,7 +423,7 @@ class Row(QWidget):
         self.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
         self._grid = QGridLayout(self)
         self._grid.setContentsMargins(0, 0, 0, 0)
-        self._grid.setHorizontalSpacing(4)
+        self._grid.setHorizontalSpacing(ROW_GAP_PX)
         self._grid.setVerticalSpacing(1)
         self._grid.setColumnStretch(1, 1)
         self._grid.addWidget(self.name_label, 0, 0)
@@ -906,6 +916,154 @@ class ChoiceRow(Row):
     def _describe(self, error: str) -> None:
         for widget in self.widgets:
             widget.setAccessibleDescription(error)
+
+
+class VectorRow(Row):
+    """Three number fields side by side for a point or a direction.
+
+    Each is typed and refused by itself, as in a `NumberRow`.
+
+    Parameters
+    ----------
+    name, tip : str
+        As in `Row`.
+    """
+
+    def __init__(self, name: str, tip: str, parent: QWidget | None = None) -> None:
+        super().__init__(name, tip, parent)
+        self._value: tuple[float, ...] = (0.0, 0.0, 0.0)
+        self._whole: set[_Field] = set()
+        self.fields = tuple(_Field() for _ in "xyz")
+        line = QHBoxLayout()
+        line.setSpacing(4)
+        for letter, field in zip("xyz", self.fields, strict=True):
+            component = self.tr("{0} {1}").format(name, letter)
+            field.setAccessibleName(component)
+            field.setToolTip(_rich(f"{component}. {self._tip}"))
+            field.editingFinished.connect(partial(self._typed, field, component))
+            field.focused.connect(partial(self._focused, field))
+            field.touched.connect(partial(self._focused, field, True))
+            label = QLabel(letter)
+            label.setForegroundRole(QPalette.ColorRole.PlaceholderText)
+            line.addWidget(label)
+            line.addWidget(field, 1)
+        self.name_label.setBuddy(self.fields[0])
+        self._grid.addLayout(line, 0, 1)
+        self._show_value()
+
+    def setValue(self, value: tuple[float, ...]) -> None:
+        """Show a value; never answered by a signal. A text being typed stays as it is."""
+        if value != self._value:
+            self._value = value
+            self.clear_error()
+            self._show_value()
+
+    def reset(self) -> None:
+        """Go back to the default, as the user's own edit; texts being typed are forgotten."""
+        self._forget_texts()
+        super().reset()
+        self._show_value()
+
+    def _typed(self, field: _Field, component: str) -> None:
+        if not field.isModified():
+            return
+        text, place = field.text(), self.fields.index(field)
+        try:
+            number = parse_number(component, text)
+            if math.isinf(number):
+                raise ProjectionError(component, number, FINITE_NUMBER)
+        except ProjectionError as error:
+            self._refuse(field, text, sentence(error))
+            return
+        self.clear_error()
+        field.setModified(False)
+        value = (*self._value[:place], number, *self._value[place + 1 :])
+        if value != self._value:
+            self._make_edit(value)
+        if self._error is not None:
+            self._refuse(field, text, "")
+        else:
+            self._show_value()
+
+    def _refuse(self, field: _Field, text: str, sentence: str) -> None:
+        """Leave a refused text where it can be put right."""
+        if sentence:
+            self.clear_error()
+            self.show_error(sentence)
+        field.refused = True
+        field.setText(text)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Escape and not self.at_rest:
+            self._forget_texts()
+            self.clear_error()
+            self._show_value()
+        else:
+            super().keyPressEvent(event)
+
+    @property
+    def at_rest(self) -> bool:
+        """Whether the row shows its value, and nothing that was refused or is being typed."""
+        return not any(field.refused or field.isModified() for field in self.fields)
+
+    def clear_error(self) -> None:
+        """Take the error away, and the refused text with it."""
+        for field in self.fields:
+            field.refused = False
+        super().clear_error()
+
+    def _forget_texts(self) -> None:
+        for field in self.fields:
+            field.setModified(False)
+
+    def _focused(self, field: _Field, has_focus: bool) -> None:
+        """Let the user edit all digits, not the few that are shown."""
+        if has_focus != (field in self._whole):
+            (self._whole.add if has_focus else self._whole.discard)(field)
+            self._show_value()
+
+    def _show_value(self) -> None:
+        for number, field in zip(self._value, self.fields, strict=True):
+            if field.refused or field.isModified():
+                continue
+            text = number_text(number) if field in self._whole else short_text(number)
+            if text != field.text():
+                all_selected = field.hasSelectedText() and field.selectedText() == field.text()
+                field.setText(text)
+                field.setCursorPosition(0)
+                if all_selected:
+                    field.select_to_start()
+
+    def _describe(self, error: str) -> None:
+        for field in self.fields:
+            field.setAccessibleDescription(error)
+
+
+class CheckRow(Row):
+    """A switch: a check box behind its name."""
+
+    def __init__(self, name: str, tip: str, parent: QWidget | None = None) -> None:
+        super().__init__(name, tip, parent)
+        self._value = False
+        self.box = QCheckBox()
+        self.box.setAccessibleName(name)
+        self.box.setToolTip(_rich(self._tip))
+        self.box.clicked.connect(self._make_edit)  # the user's choice, never the program's
+        self.name_label.setBuddy(self.box)
+        self._grid.addWidget(self.box, 0, 1, Qt.AlignmentFlag.AlignLeft)
+
+    def setValue(self, value: bool) -> None:
+        """Show a value; never answered by a signal."""
+        if value != self._value:
+            self._value = value
+            self.clear_error()
+            self._show_value()
+
+    def _show_value(self) -> None:
+        self.box.setChecked(self._value)
+
+    def _describe(self, error: str) -> None:
+        self.box.setAccessibleDescription(error)
 
 
 def align(rows: Iterable[Row]) -> None:

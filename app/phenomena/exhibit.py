@@ -32,6 +32,7 @@ from app.projection import (
     FreeMatrix,
     Projection,
     ProjectionError,
+    format_value,
 )
 from app.shapes import Coloured, Vector
 from app.values import finite, finite_vector
@@ -151,9 +152,9 @@ class Setting:
 
     def _check_bounds(self, part: float, value: object) -> None:
         if part < self.low:
-            raise ProjectionError(self.path, value, AT_LEAST, self.low)
+            raise ProjectionError(self.path, value, AT_LEAST, format_value(self.low))
         if part > self.high:
-            raise ProjectionError(self.path, value, AT_MOST, self.high)
+            raise ProjectionError(self.path, value, AT_MOST, format_value(self.high))
 
 
 # --------------------------------------------------------------------------- what is shown

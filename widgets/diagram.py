@@ -1,0 +1,489 @@
+"""A diagram beside the panes: frame, ticks, curves with their names beside them.
+
+It draws an `app.phenomena.exhibit.Diagram`, which is data, with Qt's painter: as crisp as the
+screen is, and repainted only when there is something else to see. Colours are names of `Style`,
+as in the panes. Text is ink on the background; the curve's own colour stands before its name.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPaintEvent, QPen
+from PySide6.QtWidgets import QSizePolicy, QWidget
+
+from app.drawings.style import LIGHT, Style
+from app.phenomena.exhibit import Curve, Diagram
+from widgets.messages import figure_text, of_phenomena
+
+Floats = NDArray[np.float64]
+
+TICK_PX = 4.0
+GAP_PX = 3.0
+DOT_PX = 3.0
+"""Radius of a dot at the ordinary line width."""
+SWATCH_PX = 12.0
+"""Length of a curve's own line before its name."""
+_FAR = 1e6
+"""In windows: what is farther off is drawn as the direction there, or doubles lose the way."""
+
+# --------------------------------------------------------------------------- ticks
+
+
+def round_ticks(low: float, high: float, most: int) -> list[float]:
+    """Multiples of 1, 2 or 5 times a power of ten in an interval.
+
+    Parameters
+    ----------
+    low, high : float
+    most : int
+        How many there may be; at least 2.
+
+    Returns
+    -------
+    list of float
+        Decimal to the eye: 0.3, never 0.30000000000000004.
+    """
+    reach = high - low
+    if not (0.0 < reach < math.inf):
+        return []
+    exponent = math.floor(math.log10(reach / most))
+    for digit, power in ((d, exponent + e) for e in (0, 1) for d in (1, 2, 5)):
+        step = digit * 10.0**power
+        first, last = math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9)
+        if last - first < most:
+            return [float(f"{count * digit}e{power}") for count in range(first, last + 1)]
+    return []
+
+
+def decade_ticks(low: float, high: float, most: int) -> list[float]:
+    """Powers of ten between two numbers above 0, or 1, 2, 5 times them where these are few."""
+    first, last = math.ceil(math.log10(low) - 1e-9), math.floor(math.log10(high) + 1e-9)
+    if last - first >= 1:
+        step = -(-(last - first + 1) // most)
+        return [float(f"1e{power}") for power in range(first, last + 1) if power % step == 0]
+    between = [
+        float(f"{digit}e{power}") for power in range(first - 1, last + 1) for digit in (1, 2, 5)
+    ]
+    between = [value for value in between if low <= value <= high]
+    return between if 2 <= len(between) <= most else round_ticks(low, high, most)
+
+
+@dataclass(frozen=True)
+class _Axis:
+    """One direction of a diagram: its numbers, and where they are on the screen."""
+
+    low: float
+    high: float
+    log: bool
+    ticks: Sequence[float] | None
+
+    @property
+    def usable(self) -> bool:
+        """Whether anything can be placed on it."""
+        low, high = self.unit_ends
+        return math.isfinite(high - low) and low != high
+
+    @property
+    def unit_ends(self) -> tuple[float, float]:
+        if not self.log:
+            return self.low, self.high
+        ends = (self.low, self.high)
+        low, high = (math.log10(end) if end > 0.0 else math.nan for end in ends)
+        return low, high
+
+    def unit(self, values: Floats) -> Floats:
+        """Where numbers are between the ends, 0 to 1; NaN where there is no place for them."""
+        low, high = self.unit_ends
+        with np.errstate(all="ignore"):
+            along = np.log10(values) if self.log else values
+            places: Floats = (along - low) / (high - low)
+        places[~np.isfinite(places)] = np.nan
+        return places
+
+    def marks(self, most: int) -> list[float]:
+        """Ticks within the ends: those that were given, or as many round ones as there is room."""
+        low, high = sorted((self.low, self.high))
+        if self.ticks is not None:
+            return [float(tick) for tick in self.ticks if low <= tick <= high]
+        return (decade_ticks if self.log else round_ticks)(low, high, max(2, most))
+
+
+# --------------------------------------------------------------------------- lines
+
+
+def segments(points: Floats) -> Floats:
+    """The parts of a polyline inside the unit square, (m, 2, 2).
+
+    Parameters
+    ----------
+    points : (n, 2) array
+        In units of the diagram's window; NaN breaks the line.
+
+    Notes
+    -----
+    Liang-Barsky, for all segments at once. An end that is more than `_FAR` windows away is first
+    drawn in along the segment, as seen from the other end.
+    """
+    ends = np.stack([points[:-1], points[1:]], axis=1)
+    ends = ends[np.isfinite(ends).all(axis=(1, 2))]
+    start, end = ends[:, 0], ends[:, 1]
+    with np.errstate(all="ignore"):
+        far = np.maximum(np.abs(end - start).max(axis=1), _FAR)[:, None]
+        nearer_start = (np.abs(start).max(axis=1) <= np.abs(end).max(axis=1))[:, None]
+        direction = (end - start) * (_FAR / far)
+        start = np.where(nearer_start, start, end - direction)
+        enter, leave = np.zeros(len(start)), np.ones(len(start))
+        possible = np.ones(len(start), dtype=bool)
+        for axis in (0, 1):
+            for edge in (0.0, 1.0):
+                # Inward is + at the lower edge and - at the upper one.
+                inward = direction[:, axis] * (1.0 - 2.0 * edge)
+                outside = (edge - start[:, axis]) * (1.0 - 2.0 * edge)
+                at = outside / inward
+                enter = np.where(inward > 0.0, np.maximum(enter, at), enter)
+                leave = np.where(inward < 0.0, np.minimum(leave, at), leave)
+                possible &= (inward != 0.0) | (outside <= 0.0)
+    kept = possible & (enter <= leave)
+    start, direction = start[kept], direction[kept]
+    return np.stack(
+        [start + enter[kept, None] * direction, start + leave[kept, None] * direction], axis=1
+    )
+
+
+# --------------------------------------------------------------------------- the widget
+
+
+class DiagramView(QWidget):
+    """Draws one diagram, as large as it is made."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._diagram: Diagram | None = None
+        self._names: dict[str, Floats] = {}
+        """Where the curves' names stand, so that they stay while there is room."""
+        self._style = LIGHT
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        self.setMinimumSize(115, 110)
+
+    def sizeHint(self) -> QSize:
+        return QSize(260, 180)
+
+    def show_diagram(self, diagram: Diagram | None) -> None:
+        """Show another diagram, or none."""
+        if diagram is self._diagram:
+            return
+        self._diagram = diagram
+        title = "" if diagram is None else of_phenomena(diagram.title)
+        if title != self.accessibleName():
+            self.setAccessibleName(title)
+        self.update()
+
+    def set_style(self, style: Style) -> None:
+        """Draw in other colours and widths; sizes are device pixels, as for the panes."""
+        self._style = style
+        self.update()
+
+    @property
+    def frame(self) -> QRectF:
+        """Where the diagram's window is in the widget, in pixels."""
+        return QRectF() if self._diagram is None else self._layout(self._diagram)[0]
+
+    def to_px(self, x: float, y: float) -> QPointF:
+        """Where a point of the diagram is in the widget."""
+        assert self._diagram is not None
+        frame, (across, up) = self._layout(self._diagram)
+        place = np.array([across.unit(np.array([x]))[0], up.unit(np.array([y]))[0]])
+        return QPointF(*_places(frame, place).tolist())
+
+    # -- layout
+
+    @property
+    def _small(self) -> QFont:
+        font = QFont(self.font())
+        font.setPointSizeF(0.85 * font.pointSizeF())
+        return font
+
+    @property
+    def _bold(self) -> QFont:
+        font = QFont(self.font())
+        font.setBold(True)
+        return font
+
+    def _layout(self, diagram: Diagram) -> tuple[QRectF, tuple[_Axis, _Axis]]:
+        """The frame, and the axes across and up it."""
+        ticks = (diagram.x_ticks, diagram.y_ticks)
+        x_ticks, y_ticks = (None if t is None else list(map(float, t)) for t in ticks)
+        across = _Axis(diagram.left, diagram.right, diagram.x_log, x_ticks)
+        up = _Axis(diagram.bottom, diagram.top, diagram.y_log, y_ticks)
+        small = QFontMetricsF(self._small)
+        line, label = small.height(), QFontMetricsF(self.font()).height()
+        top = (label + GAP_PX if diagram.title else 0.0) + line / 2.0
+        bottom = line + TICK_PX + GAP_PX + (label if diagram.x_label else 0.0)
+        texts = [figure_text(tick) for tick in self._marks(up, self.height() - top - bottom, False)]
+        widest = max((small.horizontalAdvance(text) for text in texts), default=0.0)
+        left = widest + TICK_PX + GAP_PX + (label if diagram.y_label else 0.0) + 1.0
+        right = small.horizontalAdvance("0000") / 2.0
+        frame = QRectF(self.rect()).adjusted(left, top, -right, -bottom)
+        if diagram.equal and across.usable and up.usable and frame.isValid():
+            frame = _in_proportion(frame, abs(across.high - across.low), abs(up.high - up.low))
+        return frame, (across, up)
+
+    def _marks(self, axis: _Axis, length: float, is_across: bool) -> list[float]:
+        """Ticks that leave room between their numbers."""
+        if not axis.usable or length <= 0.0:
+            return []
+        metrics = QFontMetricsF(self._small)
+        each = metrics.horizontalAdvance("000000") if is_across else 1.6 * metrics.height()
+        return axis.marks(max(2, min(9, int(length / each))))
+
+    # -- painting
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        diagram = self._diagram
+        if diagram is None:
+            return
+        frame, (across, up) = self._layout(diagram)
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        self._paint_title(painter, diagram, frame)
+        if frame.isValid():
+            painter.fillRect(frame, QColor(self._style.background))
+            if across.usable and up.usable:
+                self._paint_ticks(painter, frame, across, up)
+                painter.save()
+                painter.setClipRect(frame.adjusted(-1.0, -1.0, 1.0, 1.0))
+                shown = [(c, _unit_points(c, across, up)) for c in diagram.curves]
+                for curve, points in shown:
+                    self._paint_curve(painter, frame, curve, points)
+                self._paint_names(painter, frame, shown)
+                painter.restore()
+            self._paint_frame(painter, frame)
+        painter.end()
+
+    def _colour(self, name: str) -> QColor:
+        return QColor(name if name.startswith("#") else getattr(self._style, name))
+
+    def _pen(self, colour: str, width: float = 1.0) -> QPen:
+        pen = QPen(self._colour(colour))
+        pen.setWidthF(width * self._style.line_width / self.devicePixelRatioF())
+        pen.setCapStyle(Qt.PenCapStyle.RoundCap)
+        return pen
+
+    def _paint_frame(self, painter: QPainter, frame: QRectF) -> None:
+        painter.setPen(self._pen("muted", 0.7))
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.drawRect(frame)
+
+    def _paint_title(self, painter: QPainter, diagram: Diagram, frame: QRectF) -> None:
+        painter.setPen(QColor(self._style.ink))
+        painter.setFont(self._bold)
+        metrics = QFontMetricsF(self._bold)
+        title = metrics.elidedText(
+            of_phenomena(diagram.title), Qt.TextElideMode.ElideRight, self.width()
+        )
+        line = QRectF(0.0, 0.0, self.width(), metrics.height())
+        painter.drawText(line, Qt.AlignmentFlag.AlignHCenter, title)
+        painter.setFont(self.font())
+        height = QFontMetricsF(self.font()).height()
+        if diagram.x_label:
+            below = frame.bottom() + TICK_PX + GAP_PX + QFontMetricsF(self._small).height()
+            line = QRectF(0.0, below, 2.0 * frame.center().x(), height)
+            text = of_phenomena(diagram.x_label)
+            painter.drawText(line, Qt.AlignmentFlag.AlignHCenter, text)
+        if diagram.y_label:
+            painter.save()
+            painter.rotate(-90.0)
+            # Turned, x runs up the widget from its top.
+            line = QRectF(-2.0 * frame.center().y(), 0.0, 2.0 * frame.center().y(), height)
+            text = of_phenomena(diagram.y_label)
+            painter.drawText(line, Qt.AlignmentFlag.AlignHCenter, text)
+            painter.restore()
+
+    def _paint_ticks(self, painter: QPainter, frame: QRectF, across: _Axis, up: _Axis) -> None:
+        painter.setFont(self._small)
+        metrics = QFontMetricsF(self._small)
+        free = -math.inf
+        marks = self._marks(across, frame.width(), True)
+        places = across.unit(np.array(marks)).tolist()
+        for mark, place in sorted(zip(marks, places, strict=True), key=lambda pair: pair[1]):
+            x = frame.left() + place * frame.width()
+            painter.setPen(self._pen("muted", 0.5))
+            painter.drawLine(QLineF(x, frame.bottom(), x, frame.bottom() + TICK_PX))
+            if across.ticks is not None:
+                painter.drawLine(QLineF(x, frame.bottom(), x, frame.top()))
+            text, width = figure_text(mark), metrics.horizontalAdvance(figure_text(mark))
+            if x - width / 2.0 >= free:
+                painter.setPen(QColor(self._style.ink))
+                top = frame.bottom() + TICK_PX
+                box = QRectF(x - width, top, 2.0 * width, metrics.height())
+                painter.drawText(box, Qt.AlignmentFlag.AlignHCenter, text)
+                free = x + width / 2.0 + 2.0 * GAP_PX
+        free = math.inf
+        marks = self._marks(up, frame.height(), False)
+        places = up.unit(np.array(marks)).tolist()
+        for mark, place in sorted(zip(marks, places, strict=True), key=lambda pair: pair[1]):
+            y = frame.bottom() - place * frame.height()
+            painter.setPen(self._pen("muted", 0.5))
+            painter.drawLine(QLineF(frame.left() - TICK_PX, y, frame.left(), y))
+            if up.ticks is not None:
+                painter.drawLine(QLineF(frame.left(), y, frame.right(), y))
+            if y + metrics.height() / 2.0 <= free:
+                painter.setPen(QColor(self._style.ink))
+                top = y - metrics.height() / 2.0
+                box = QRectF(0.0, top, frame.left() - TICK_PX - GAP_PX, metrics.height())
+                painter.drawText(box, Qt.AlignmentFlag.AlignRight, figure_text(mark))
+                free = top - 1.0
+
+    def _paint_curve(self, painter: QPainter, frame: QRectF, curve: Curve, points: Floats) -> None:
+        if curve.dots:
+            radius = DOT_PX * curve.width * self._style.line_width / LIGHT.line_width
+            radius /= self.devicePixelRatioF()
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(self._colour(curve.colour))
+            for x, y in _places(frame, points[_inside(points)]).tolist():
+                painter.drawEllipse(QPointF(x, y), radius, radius)
+            return
+        painter.setPen(self._pen(curve.colour, curve.width))
+        if curve.closed and len(points):
+            points = np.vstack([points, points[:1]])
+        ends_px = _places(frame, segments(points)).reshape(-1, 4).tolist()
+        painter.drawLines([QLineF(*ends) for ends in ends_px])
+
+    def _paint_names(
+        self, painter: QPainter, frame: QRectF, shown: Sequence[tuple[Curve, Floats]]
+    ) -> None:
+        """Write each curve's name beside it, or in a list where there is no room for that."""
+        metrics = QFontMetricsF(self._small)
+        painter.setFont(self._small)
+        along = [_along(frame, points, joined=not curve.dots) for curve, points in shown]
+        curves_px = np.concatenate([np.empty((0, 2)), *along])
+        taken = np.empty((0, 4))
+        for (curve, _), places in zip(shown, along, strict=True):
+            if not curve.label:
+                continue
+            text = of_phenomena(curve.label)
+            size = metrics.horizontalAdvance(text) + SWATCH_PX + GAP_PX, metrics.height()
+            kept = self._names.get(curve.label)
+            place = _free_place(frame, places, size, taken, curves_px, kept)
+            self._names[curve.label] = place
+            left, top, right, bottom = place.tolist()
+            taken = np.vstack([taken, (left, top, right, bottom)])
+            box = QRectF(left, top, right - left, bottom - top)
+            plate = QColor(self._style.background)
+            plate.setAlphaF(0.8)
+            painter.fillRect(box, plate)
+            middle = box.center().y()
+            if curve.dots:
+                painter.setPen(Qt.PenStyle.NoPen)
+                painter.setBrush(self._colour(curve.colour))
+                painter.drawEllipse(QPointF(left + SWATCH_PX / 2.0, middle), 2.5, 2.5)
+            else:
+                painter.setPen(self._pen(curve.colour, curve.width))
+                painter.drawLine(QLineF(left + 1.0, middle, left + SWATCH_PX - 1.0, middle))
+            painter.setPen(QColor(self._style.ink))
+            painter.drawText(
+                box.adjusted(SWATCH_PX + GAP_PX, 0.0, 2.0, 0.0), Qt.AlignmentFlag.AlignLeft, text
+            )
+
+
+def _in_proportion(frame: QRectF, width: float, height: float) -> QRectF:
+    """The largest rectangle of that proportion in the middle of a frame."""
+    scale = min(frame.width() / width, frame.height() / height)
+    inside = QRectF(0.0, 0.0, width * scale, height * scale)
+    inside.moveCenter(frame.center())
+    return inside
+
+
+def _places(frame: QRectF, points: Floats) -> Floats:
+    """Points of the unit square, (..., 2), in pixels."""
+    places: Floats = points * (frame.width(), -frame.height()) + (frame.left(), frame.bottom())
+    return places
+
+
+def _unit_points(curve: Curve, across: _Axis, up: _Axis) -> Floats:
+    points = np.asarray(curve.points, dtype=np.float64).reshape(-1, 2)
+    return np.stack([across.unit(points[:, 0]), up.unit(points[:, 1])], axis=1)
+
+
+def _inside(points: Floats) -> NDArray[np.bool_]:
+    return np.asarray(((points >= 0.0) & (points <= 1.0)).all(axis=1))  # not for NaN
+
+
+def _along(frame: QRectF, points: Floats, *, joined: bool) -> Floats:
+    """Places along what is seen of a curve in pixels, (n, 2), some dozens at most."""
+    if joined:
+        seen = segments(points)
+        parts = np.linspace(0.0, 1.0, max(2, 40 // max(1, len(seen))))[:, None, None]
+        points = (seen[:, 0] + parts * (seen[:, 1] - seen[:, 0])).reshape(-1, 2)
+        points = points[np.argsort(points[:, 0], kind="stable")]
+    points = points[_inside(points)]
+    return _places(frame, points[:: max(1, len(points) // 40)])
+
+
+def _free_place(
+    frame: QRectF,
+    along: Floats,
+    size: tuple[float, float],
+    taken: Floats,
+    curves_px: Floats,
+    kept: Floats | None = None,
+) -> Floats:
+    """A place for a curve's name: beside the curve, free of other names and of curves.
+
+    Parameters
+    ----------
+    frame : QRectF
+    along : (n, 2) array
+        Places along the curve.
+    size : (float, float)
+        Of the name.
+    taken : (m, 4) array
+        Where names are already: left, top, right, bottom.
+    curves_px : (k, 2) array
+        Places along all curves.
+    kept : (4,) array, optional
+        Where the name stood before: good enough while it is free and beside its curve.
+
+    Returns
+    -------
+    (4,) array
+        Left, top, right, bottom. Where there is no free place, or nothing is seen of the curve,
+        the next line of a list at the top left.
+    """
+    width, height = size
+    lines = np.hstack([curves_px - 1.0, curves_px + 1.0])
+    ends = np.array([frame.left(), frame.top(), -frame.right(), -frame.bottom()])
+    if kept is not None and np.allclose(kept[2:] - kept[:2], size):
+        inside = (kept * (1.0, 1.0, -1.0, -1.0) >= ends).all()
+        free = not _overlap(kept[None], np.vstack([taken, lines])).any()
+        near = kept + height * np.array([-1.0, -1.0, 1.0, 1.0])
+        if inside and free and _overlap(near[None], np.hstack([along, along])).any():
+            return kept
+    beside = np.array([(GAP_PX, -height), (-width, -height), (GAP_PX, 1.0), (-width, 1.0)])
+    corners = (along[::-1, None, :] + beside).reshape(-1, 2)  # from the right, where curves part
+    boxes = np.hstack([corners, corners + size])
+    boxes = boxes[(boxes * (1.0, 1.0, -1.0, -1.0) >= ends).all(axis=1)]
+    boxes = boxes[~_overlap(boxes, taken).any(axis=1)]
+    if len(boxes):
+        crossed = _overlap(boxes, lines).sum(axis=1)
+        best: Floats = boxes[np.argmin(100 * crossed + np.arange(len(boxes)))]
+        return best
+    left, top = frame.left() + GAP_PX, frame.top() + GAP_PX
+    box = np.array([left, top, left + width, top + height])
+    while _overlap(box[None], taken).any() and box[3] < frame.bottom():
+        box += (0.0, height, 0.0, height)
+    return box
+
+
+def _overlap(boxes: Floats, others: Floats) -> NDArray[np.bool_]:
+    """Which boxes overlap which others, (m, n); both have rows of left, top, right, bottom."""
+    left, top, right, bottom = boxes.T[:, :, None]
+    other_left, other_top, other_right, other_bottom = others.T[:, None, :]
+    across = (left < other_right) & (other_left < right)
+    return np.asarray(across & (top < other_bottom) & (other_top < bottom))
