@@ -101,6 +101,28 @@ def test_a_click_on_a_vertex_in_any_pane_marks_it_in_all(
         assert marked(window, other, place_in(window, other, CORNER)), other
 
 
+def test_a_double_click_resets_the_view_and_follows_nothing(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window()
+    canvas = window.panes["world"].canvas
+    place = place_in(window, "world", CORNER)
+    pos = QPoint(math.floor(place[0]), math.floor(place[1]))
+
+    def double_click() -> None:
+        QTest.mouseClick(canvas, Qt.MouseButton.LeftButton, pos=pos)
+        assert window.probe_panel.probes
+        QTest.mouseDClick(canvas, Qt.MouseButton.LeftButton, pos=pos)
+        QApplication.processEvents()
+
+    double_click()
+    assert window.probe_panel.probes == () and window.probe_panel.chosen is None
+    window.probe_panel.follow(point=(0.0, 0.0, 0.0))
+    before = window.probe_panel.probes
+    double_click()
+    assert window.probe_panel.probes == before and window.probe_panel.chosen == before[0]
+
+
 @pytest.mark.parametrize("name", ["world", "ndc", "image"])
 def test_a_click_on_a_face_in_any_pane_follows_its_point(
     make_window: Callable[..., MainWindow], name: str

@@ -165,6 +165,7 @@ class MainWindow(QMainWindow):
         self._told_about = ""
         """The scene whose panel was opened or folded by itself."""
         self._held: Probe | None = None
+        self._before_click: tuple[tuple[Probe, ...], int] = ((), 0)
         """The probe that is being dragged in the image, as it was before."""
         data = QStandardPaths.writableLocation(QStandardPaths.StandardLocation.AppDataLocation)
         self.autosave = Autosave(
@@ -454,6 +455,7 @@ class MainWindow(QMainWindow):
             pane.enlarge_requested.connect(partial(self.enlarge, name))
             pane.float_requested.connect(partial(self.toggle_float, name))
             pane.clicked.connect(partial(self._follow, name))
+            pane.double_clicked.connect(self._unfollow)
         canvas = self.panes["image"].canvas
         canvas.drag_started.connect(self._hold_probe)
         canvas.dragged.connect(self._drag_probe)
@@ -606,6 +608,8 @@ class MainWindow(QMainWindow):
 
     def _follow(self, name: str, place: QPointF) -> None:
         """Follow what was clicked in a pane: a point, or a pixel's ray where there is none."""
+        chosen = self.probe_panel.chosen
+        self._before_click = self.probe_panel.probes, chosen.number if chosen else 0
         drawing = self.panes[name].drawing
         assert drawing is not None and self._scene is not None
         x_px, y_px = place.x(), place.y()
@@ -620,6 +624,10 @@ class MainWindow(QMainWindow):
             self.probe_panel.follow(point=hit.point)
         elif pixel is not None:
             self.probe_panel.follow(pixel=pixel)
+
+    def _unfollow(self) -> None:
+        """Forget the click that was the first half of a double-click."""
+        self.probe_panel.restore(*self._before_click)
 
     def _hold_probe(self, place: QPointF) -> None:
         """Take hold of the mark in the image that a drag starts on, or of the picture."""

@@ -284,6 +284,8 @@ class Pane(QFrame):
     """The title was double-clicked."""
     clicked = Signal(QPointF)
     """A place in the canvas, in device pixels from its top left."""
+    double_clicked = Signal()
+    """The canvas was double-clicked: the click before was meant to be no click."""
     float_requested = Signal()
     """The pane shall get, or leave, a window of its own."""
     attended = Signal(object)
@@ -580,4 +582,5 @@ class Pane(QFrame):
         if self.header.geometry().contains(event.position().toPoint()):
             self.enlarge_requested.emit()
         else:
+            self.double_clicked.emit()
             self.reset_view()

@@ -198,6 +198,11 @@ class ProbePanel(QWidget):
         self._chosen = number
         self._put(Probe(number, point, pixel))
 
+    def restore(self, probes: tuple[Probe, ...], chosen: int) -> None:
+        """Go back to earlier probes, of which `chosen` was the chosen one's number; 0 for none."""
+        self._chosen = chosen
+        self._set(probes)
+
     def put(self, number: int, point: Vector) -> None:
         """Put a probe elsewhere, pinned or not."""
         self._put(Probe(number, point))
