@@ -127,6 +127,7 @@ _IMPORT_NAME = {
     "vtk": "vtkmodules",
     "pyside6-essentials": "PySide6",
     "pytest-qt": "pytestqt",
+    "pytest-xdist": "xdist",
 }
 
 

@@ -1,5 +1,7 @@
-"""``python3 -m tests``: set up, find a screen, run every check there is.
+"""``python3 -m tests``: set up, find screens, run every check there is.
 
+Where it starts the X servers itself, there is one for each processor, and the tests are shared
+out among as many processes: two windows on one screen would take each other's keyboard.
 Arguments go to pytest: ``python3 -m tests tests/test_scene.py -k posts``. The exit status is
 pytest's own, and so is the last line. ruff and mypy are tests like the others (``test_quality``).
 """
@@ -17,11 +19,20 @@ from types import FrameType
 
 from app import bootstrap
 
+MOST_SCREENS = 4
+
 
 @contextlib.contextmanager
-def screen() -> Iterator[dict[str, str]]:
-    """Yield the environment for Qt on a real X server: the one that is there, or one of our own."""
+def screens(count: int) -> Iterator[dict[str, str]]:
+    """Yield the environment for Qt on real X servers: the one that is there, or some of our own.
+
+    Parameters
+    ----------
+    count : int
+        Of our own, if there is none. ``TEST_DISPLAYS`` names them, for `tests.conftest`.
+    """
     environment = dict(os.environ)
+    environment.pop("TEST_DISPLAYS", None)
     if not sys.platform.startswith("linux"):
         yield environment
         return
@@ -29,6 +40,16 @@ def screen() -> Iterator[dict[str, str]]:
     if environment.get("DISPLAY"):
         yield environment
         return
+    with contextlib.ExitStack() as stack:
+        displays = [stack.enter_context(_own_screen()) for _ in range(count)]
+        environment["DISPLAY"] = displays[0]
+        environment["TEST_DISPLAYS"] = " ".join(displays)
+        yield environment
+
+
+@contextlib.contextmanager
+def _own_screen() -> Iterator[str]:
+    """Yield the name of an X server of our own."""
     reading, writing = os.pipe()
     # No -auth: without it the server lets in nobody but the user who started it.
     command = f"Xvfb -displayfd {writing} -screen 0 1920x1080x24 +extension GLX -nolisten tcp"
@@ -48,8 +69,7 @@ def screen() -> Iterator[dict[str, str]]:
                 said.seek(0)
                 why = " ".join(said.read().decode(errors="replace").split())
                 bootstrap.fail(f"Xvfb did not start ({why}); start an X server and set DISPLAY")
-            environment["DISPLAY"] = f":{number}"
-            yield environment
+            yield f":{number}"
         finally:
             server.terminate()
             server.wait()
@@ -63,8 +83,11 @@ def main() -> int:
     """Run pytest in a process of its own, so that a crash in it is still tidied up after."""
     bootstrap.start("tests", extras=("test",))
     signal.signal(signal.SIGTERM, _stop)
-    with screen() as environment:
+    with screens(min(os.cpu_count() or 1, MOST_SCREENS)) as environment:
         command = [sys.executable, "-m", "pytest", *sys.argv[1:]]
+        processes = len(environment.get("TEST_DISPLAYS", "").split())
+        if processes > 1:
+            command += ["--numprocesses", str(processes), "--dist", "worksteal"]
         before = None if sys.platform == "win32" else bootstrap.die_with_parent
         with subprocess.Popen(
             command, cwd=bootstrap.ROOT, env=environment, preexec_fn=before

@@ -43,10 +43,10 @@ def main() -> int:
     # The libraries that the points are compared with are wanted for that only.
     extras = ("test", "bench") if options.only in (None, "points") else ("test",)
     bootstrap.start("tests", extras=extras)
-    from tests.__main__ import screen
+    from tests.__main__ import screens
 
     figures: dict[str, Any] = {}
-    with screen() as environment, tempfile.TemporaryDirectory() as home:
+    with screens(1) as environment, tempfile.TemporaryDirectory() as home:
         environment |= {"HOME": home, "XDG_DATA_HOME": home, "XDG_CONFIG_HOME": home}
         for part in [options.only] if options.only else PARTS:
             command = [sys.executable, "-m", "tests.benchmark", "--inside", part]

@@ -13,6 +13,12 @@ from typing import Any
 import pytest
 from hypothesis import settings
 
+# Of the processes that share the tests out, each has a screen of its own.
+_worker = os.environ.get("PYTEST_XDIST_WORKER", "")
+_displays = os.environ.get("TEST_DISPLAYS", "").split()
+if _worker and _displays:
+    os.environ["DISPLAY"] = _displays[int(_worker.removeprefix("gw")) % len(_displays)]
+
 # The same examples every time: what is red was changed, not drawn. `--hypothesis-seed` and
 # `--hypothesis-profile default` search further.
 settings.register_profile("same", derandomize=True)

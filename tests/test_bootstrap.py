@@ -554,9 +554,10 @@ def test_a_version_outside_the_bounds_does_not_pass_for_installed() -> None:
 def test_the_tests_bring_a_screen_and_take_it_away(end: str, tmp_path: Path) -> None:
     """In a process of its own, as a child process with a preparation is started."""
     probe = (
-        "from tests.__main__ import screen\n"
-        "with screen() as environment:\n"
-        "    print(environment['QT_QPA_PLATFORM'], environment['DISPLAY'], flush=True)\n"
+        "from tests.__main__ import screens\n"
+        "with screens(2) as environment:\n"
+        "    print(environment['QT_QPA_PLATFORM'], environment['TEST_DISPLAYS'], flush=True)\n"
+        "    assert environment['TEST_DISPLAYS'].startswith(environment['DISPLAY'])\n"
         f"    {end}\n"
     )
     environment = {key: value for key, value in os.environ.items() if key != "DISPLAY"}
@@ -568,8 +569,9 @@ def test_the_tests_bring_a_screen_and_take_it_away(end: str, tmp_path: Path) -> 
         text=True,
         check=True,
     )
-    platform, display = done.stdout.split()
-    assert platform == "xcb"
-    number = display.removeprefix(":")
-    assert int(number) >= 0
-    assert not Path(f"/tmp/.X11-unix/X{number}").exists()
+    platform, *displays = done.stdout.split()
+    assert platform == "xcb" and len(set(displays)) == 2
+    for display in displays:
+        number = display.removeprefix(":")
+        assert int(number) >= 0
+        assert not Path(f"/tmp/.X11-unix/X{number}").exists()
