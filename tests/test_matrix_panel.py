@@ -460,7 +460,7 @@ def test_what_a_free_matrix_does_is_written_below_it(
         panel, "view_from_world"
     )
     assert "no camera has it" in notes(panel, "view_from_world")
-    sentence = panel.sentence(panel.shown[1], 0, 1)
+    sentence = panel.sentence(panel.shown[1], 0, 2)  # x and y of the world make no row of it 0
     assert "camera's axis" not in sentence and "a shear" in sentence
     for running in (True, False):
         panel.running.setChecked(running)

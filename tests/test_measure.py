@@ -339,7 +339,7 @@ def test_a_cancelled_run_keeps_what_was_done() -> None:
         document,
         LETTER_F,
         ["depth"],
-        ["near"],
+        {"near": (None, None)},
         quick=True,
         watch=watch,  # type: ignore[arg-type]
     )

@@ -790,8 +790,9 @@ class MatrixPanel(QWidget):
     def show_attention(self, attended: Attention) -> None:
         """Mark the cells that speak of what is attended to."""
         self._attention = attended
-        for view in self.views.values():
-            view.show_attention(attended)
+        for box in self._boxes:  # as they are drawn: the model may have gone on since
+            for view in (box.view, *box.factor_views):
+                view.show_attention(attended)
 
     def _edit_cell(self, name: str, row: int, column: int) -> None:
         """Go on in the view of now: another lens has other ones."""

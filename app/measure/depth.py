@@ -99,12 +99,13 @@ def smallest_gap(buffer: DepthBuffer, distance: float) -> float:
     Returns
     -------
     float
-        The largest, over surfaces within a code or two of `distance`, of the least gap that
+        The largest, over surfaces within a code or two before `distance`, of the least gap that
         changes the code; infinite if that of some does not change before far.
     """
     predicted = float(buffer.gap(distance))
-    span = min(predicted, 1e-3 * distance) if math.isfinite(predicted) else 1e-3 * distance
-    nearest = max(buffer.near, distance - 2.0 * span)
+    nearest = buffer.near
+    if math.isfinite(predicted):
+        nearest = max(nearest, distance - 2.0 * predicted)
     starts = np.linspace(nearest, distance, _PHASES)
     codes = buffer.encode(starts)
     if (buffer.encode(np.full_like(starts, min(buffer.far, 1e300))) == codes).any():
