@@ -74,7 +74,7 @@ class ImageDrawing:
     ) -> None:
         self._scene = scene
         self._model = ModelActors(scene, style, least_tolerance(scene, tolerance_px))
-        self._style = style
+        self._style, self._words = style, words
         self._framed = framed
         self._canvas = Canvas(plotter, style, self._layout)
         self._image_size = scene.start.image_size
@@ -156,7 +156,12 @@ class ImageDrawing:
             if exhibit is None:
                 return
             self._marks = MarksDrawing(
-                self._canvas, self._scene, self._style, renderer=self._picture, over=True
+                self._canvas,
+                self._scene,
+                self._style,
+                self._words,
+                renderer=self._picture,
+                over=True,
             )
         width, height = self._image_size
         placing = Placing(

@@ -23,7 +23,7 @@ beforehand.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
@@ -96,6 +96,8 @@ class MarksDrawing:
     scene : Scene
         What copies are copies of.
     style : Style
+    words : mapping
+        Texts that there is a word for are written with it: of another language.
     renderer : vtkRenderer, optional
         Where to draw; the pane's own if not given.
     clip : iterable of vtkPlane
@@ -111,6 +113,7 @@ class MarksDrawing:
         canvas: Canvas,
         scene: Scene,
         style: Style,
+        words: Mapping[str, str],
         *,
         renderer: Any = None,
         clip: Iterable[vtkPlane] = (),
@@ -118,6 +121,7 @@ class MarksDrawing:
         lifts_copies: bool = False,
     ) -> None:
         self._canvas, self._scene, self._style, self._renderer = canvas, scene, style, renderer
+        self._words = words
         self._clip, self._over, self._lifts_copies = tuple(clip), over, lifts_copies
         self._lines: list[_Batch] = []
         self._dots: list[_Batch] = []
@@ -235,16 +239,17 @@ class MarksDrawing:
     def _show_texts(self, texts: Sequence[Text], placing: Placing) -> None:
         points = _placed_each(texts, placing)
         near = np.flatnonzero(_within(points, placing.limit)).tolist()
-        self._text_points, self._texts = points[near], [texts[i].text for i in near]
+        words = [self._words.get(texts[i].text, texts[i].text) for i in near]
+        self._text_points, self._texts = points[near], words
         style = self._style
         while len(self._labels) < len(near):
             label = self._canvas.label(
                 "", renderer=self._renderer, plate=style.ink, in_pixels=True, bold=True
             )
             self._labels.append(label)
-        for label, i in zip(self._labels, near, strict=False):
+        for label, i, word in zip(self._labels, near, words, strict=False):
             label.set_plate(self._named(texts[i].colour or "background"))
-            label.set_text(texts[i].text)
+            label.set_text(word)
         for label in self._labels[len(near) :]:
             label.set_visible(False)
 

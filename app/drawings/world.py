@@ -154,7 +154,7 @@ class WorldDrawing:
         *,
         live: bool = False,
     ) -> None:
-        self._scene, self._style = scene, style
+        self._scene, self._style, self._words = scene, style, words
         self._origin = np.array(scene.origin, dtype=np.float64)
         self._objects = _box_corners(scene.lower, scene.upper) - self._origin
         meshes = [mesh for mesh in (scene.surface, scene.lines) if mesh is not None]
@@ -779,7 +779,7 @@ class WorldDrawing:
         if self._marks is None:
             if exhibit is None:
                 return
-            self._marks = MarksDrawing(self._canvas, self._scene, self._style)
+            self._marks = MarksDrawing(self._canvas, self._scene, self._style, self._words)
         marks, limit = self._marks, _FARTHEST_MARK * self._extent
         copies = () if exhibit is None else exhibit.copies
         marks.show(
