@@ -62,10 +62,16 @@ from widgets.rows import (
 
 HEIGHT_PX = 225
 """Of the panel where it opens, at the ordinary font; what is higher scrolls, or it is dragged."""
+PART = 0.28
+"""Of a large window's height, for the panel."""
 LEAST_WINDOW_PX = 1300
 """In a window that is so wide it must find room."""
 COLUMN_PX = 200
 """Least width of what can scroll to and fro."""
+PICTURE = 16.0 / 9.0
+"""Width of a picture that is compared with others, over its height."""
+MOST_ABREAST = 2
+"""So many diagrams stand beside the settings; for more of them there is more room."""
 NAME_CHARACTERS = 24
 """Longest name of a setting that is written in one line."""
 LARGE, LARGER = 1.5, 1.15
@@ -153,23 +159,30 @@ class ScenePanel(QWidget):
         read.addWidget(self.warning)
         read.addWidget(self.readout)
         read.addStretch(1)
-        self._drawn = QHBoxLayout()
+        self._drawn = QGridLayout()
+        self._drawn.setSpacing(4)
         self._text_column = _Column(text, self.tr("What this scene shows"))
         self._settings_column = _Column(chosen, self.tr("Settings of this scene"), 480)
         self._readout_column = _Column(read, self.tr("Readout"), 540)
         self._diagram_column = _Column(self._drawn, self.tr("Diagrams"))
+        self._columns_of_diagrams = 0
+        self._diagram_column.installEventFilter(self)
         self._columns = QHBoxLayout(self)
         self._columns.setContentsMargins(4, 0, 4, 2)
         self._columns.setSpacing(12)
-        self._columns.addWidget(self._text_column, 4)
-        self._columns.addWidget(self._settings_column, 5)
+        self._said = QBoxLayout(QBoxLayout.Direction.LeftToRight)
+        self._said.setSpacing(self._columns.spacing())
+        self._said.addWidget(self._text_column, 4)
+        self._said.addWidget(self._settings_column, 5)
+        self._columns.addLayout(self._said, 9)
         self._columns.addWidget(self._readout_column, 4)
         self._columns.addWidget(self._diagram_column)
 
     def sizeHint(self) -> QSize:
         """Low: the panes above need the height."""
         lines = 13.0 * self.fontMetrics().height()
-        return QSize(super().sizeHint().width(), max(HEIGHT_PX, round(lines)))
+        part = PART * self.window().height()
+        return QSize(super().sizeHint().width(), round(max(HEIGHT_PX, lines, part)))
 
     def minimumSizeHint(self) -> QSize:
         """Not wider than a window of 1366 pixels: rather are the columns scrolled."""
@@ -342,7 +355,7 @@ class ScenePanel(QWidget):
             view = DiagramView()
             view.set_style(self._style)
             self.diagrams.append(view)
-            self._drawn.addWidget(view, 1)
+            self._place_diagrams()
         for place, view in enumerate(self.diagrams):
             shown = place < len(diagrams)
             if view.isHidden() == shown:
@@ -350,7 +363,41 @@ class ScenePanel(QWidget):
             view.show_diagram(diagrams[place] if shown else None)
         if self._diagram_column.isHidden() == bool(diagrams):
             self._diagram_column.setVisible(bool(diagrams))
-        self._columns.setStretchFactor(self._diagram_column, 4 * min(3, len(diagrams)))
+        self._share_room(len(diagrams))
+
+    def _place_diagrams(self) -> None:
+        """In one row, or in two where they are larger so: many are pictures to be compared."""
+        count, size = len(self.diagrams), self._diagram_column.size()
+        half = -(-count // 2)
+        abreast, above = (
+            min(size.width() / columns / PICTURE, size.height() / rows - self._line)
+            for columns, rows in ((max(1, count), 1), (max(1, half), 2))
+        )
+        columns = half if count > MOST_ABREAST and above > abreast else max(1, count)
+        if self._drawn.count() == count and columns == self._columns_of_diagrams:
+            return
+        self._columns_of_diagrams = columns
+        for place, view in enumerate(self.diagrams):
+            self._drawn.addWidget(view, place // columns, place % columns)
+
+    def _share_room(self, diagrams: int) -> None:
+        """Many diagrams are what the scene is about: the settings then stand under the text."""
+        many = diagrams > MOST_ABREAST
+        direction = QBoxLayout.Direction.TopToBottom if many else QBoxLayout.Direction.LeftToRight
+        self._said.setDirection(direction)
+        self._said.setStretch(1, 0 if many else 5)
+        said = 4 if many or self._settings_column.isHidden() else 9
+        self._columns.setStretch(0, said)
+        self._columns.setStretchFactor(self._diagram_column, 16 if many else 4 * diagrams)
+
+    @property
+    def _line(self) -> int:
+        return self.fontMetrics().height()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.Resize:
+            self._place_diagrams()
+        return super().eventFilter(watched, event)
 
     def _align(self) -> None:
         """Give the names one width: the longest one's, up to a limit."""
@@ -400,7 +447,8 @@ class _Column(QScrollArea):
         return QSize(max(COLUMN_PX, min(width, self._whole_px)), 60)
 
     def sizeHint(self) -> QSize:
-        return QSize(self.minimumSizeHint().width(), HEIGHT_PX)
+        inside = self._inside.sizeHint().height()
+        return QSize(self.minimumSizeHint().width(), min(HEIGHT_PX, inside))
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.LayoutRequest:

@@ -282,9 +282,10 @@ class Diagram:
         Its window; with `bottom` greater than `top` y runs down, as in an image.
     x_log, y_log : bool
     equal : bool
-        Whether both axes have the same scale, as in a picture.
+        Whether both axes have the same scale, as in a picture; a picture whose axes have no
+        names has no numbers either.
     x_ticks, y_ticks : (n,) arrays, optional
-        Drawn as ticks instead of round numbers: the codes of a depth buffer.
+        Where lines are drawn across: the codes of a depth buffer.
     """
 
     title: str

@@ -43,7 +43,7 @@ _SIDES = ("left", "right", "bottom", "top")
 _THROUGH_EYE = 1e-14  # sine of the angle between the ends' rays below which they are one ray
 _RADIUS = 0.93  # of the arc of the naive divide, inside the circle of radius 1
 _STEPS = np.linspace(0.0, 1.0, 65)
-_MARGIN = 0.06  # of the picture's size, round the frame
+_MARGIN = 0.02  # of the picture's size, round the frame
 
 CASES = (
     QT_TRANSLATE_NOOP("phenomena", "1: both ends in front of the eye"),
