@@ -205,6 +205,13 @@ ROOMS = {
             *("widgets.animation", "widgets.diagram", "widgets.messages", "widgets.rows"),
         ),
     ),
+    "widgets/counting.py": Room(
+        QT,
+        (
+            *("app.phenomena.exhibit", "app.projection", "app.scene"),
+            *("app.drawings.rasterising", "app.figures"),
+        ),
+    ),
     "widgets/export_dialog.py": Room(QT, ("app.figures", "widgets.messages")),
     # One pane hosts any drawing, so it knows the drawings' values and none of them.
     "widgets/pane.py": Room(

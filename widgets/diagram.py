@@ -240,9 +240,7 @@ class DiagramView(QWidget):
             frame = _in_proportion(frame, abs(across.high - across.low), abs(up.high - up.low))
         return frame, (across, up)
 
-    def _marks(
-        self, diagram: Diagram, axis: _Axis, length: float, is_across: bool
-    ) -> list[float]:
+    def _marks(self, diagram: Diagram, axis: _Axis, length: float, is_across: bool) -> list[float]:
         """Ticks that leave room between their numbers; a picture has none."""
         if not axis.usable or length <= 0.0 or _is_picture(diagram):
             return []

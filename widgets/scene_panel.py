@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from functools import partial
 from typing import Any
@@ -38,6 +39,7 @@ from app.phenomena.exhibit import (
     Diagram,
     Exhibit,
     Phenomenon,
+    Phrase,
     Reading,
     Setting,
     Settings,
@@ -110,6 +112,8 @@ class ScenePanel(QWidget):
         self._phenomenon: Phenomenon | None = None
         self._settings: Settings = {}
         self._exhibit: Exhibit | None = None
+        self._counted: float | None = None
+        self._problem: Phrase | None = None
         self._style = LIGHT
         self._stale = False
         self._edits: Row | None = None
@@ -205,6 +209,7 @@ class ScenePanel(QWidget):
         if phenomenon is not self._phenomenon or phenomenon is None:
             self.pause()
             self._phenomenon, self._settings, self._exhibit = phenomenon, {}, None
+            self._problem = None
             self._make_rows(() if phenomenon is None else phenomenon.settings)
         self.title.setText(title)
         lectures = () if phenomenon is None else phenomenon.lectures
@@ -232,8 +237,22 @@ class ScenePanel(QWidget):
     def show_exhibit(self, exhibit: Exhibit | None) -> None:
         """Show readout, warning and diagrams: at once if visible, else on appearing."""
         if exhibit is not self._exhibit:
-            self._exhibit = exhibit
+            self._exhibit, self._counted = exhibit, None
             self._refresh()
+
+    def show_count(self, exhibit: Exhibit, share: float) -> None:
+        """Show what was counted in the picture of an exhibit, unless that is shown no more."""
+        if exhibit is self._exhibit:
+            self._counted = 100.0 * share
+            self._refresh()
+
+    def show_problem(self, problem: Phrase | None) -> bool:
+        """Say why the picture is not drawn as the scene asks, if so; tell whether that is new."""
+        if problem == self._problem:
+            return False
+        self._problem = problem
+        self._refresh()
+        return True
 
     def set_style(self, style: Style) -> None:
         """Draw the diagrams in other colours and sizes; those of the panes."""
@@ -345,8 +364,11 @@ class ScenePanel(QWidget):
             if name in self.players:
                 self.players[name].show_value(float(value))  # type: ignore[arg-type]
         exhibit = self._exhibit
-        self.readout.show_readings(() if exhibit is None else exhibit.readings)
-        warning = None if exhibit is None else exhibit.warning
+        readings = () if exhibit is None else exhibit.readings
+        self.readout.show_readings(
+            [replace(r, value=self._counted) if r.counted else r for r in readings]
+        )
+        warning = self._problem if exhibit is None else exhibit.warning or self._problem
         self.warning.say("" if warning is None else f"⚠ {_full(warning.sentence(of_phenomena))}")
         self._show_diagrams(() if exhibit is None else exhibit.diagrams)
 

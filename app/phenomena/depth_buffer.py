@@ -236,6 +236,12 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
             note,
         ),
         Reading(
+            QT_TRANSLATE_NOOP("phenomena", "the same, counted in the picture"),
+            None,
+            "%",
+            counted=True,
+        ),
+        Reading(
             QT_TRANSLATE_NOOP("phenomena", "smallest gap that is sure at the target"),
             smallest if math.isfinite(smallest) else None,
             note=None if math.isfinite(smallest) else why,

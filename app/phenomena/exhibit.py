@@ -173,12 +173,16 @@ class Reading:
     unit : str
         ``"px"``, ``"°"``, ``"%"``, ``"×"``, or empty for world units.
     note : Phrase, optional
+    counted : bool
+        Whether the value is not computed but counted in the picture's pixels, by somebody who can
+        draw; until then it is None.
     """
 
     label: str
     value: float | tuple[float, ...] | str | None
     unit: str = ""
     note: Phrase | None = None
+    counted: bool = False
 
 
 @dataclass(frozen=True, eq=False)
