@@ -98,7 +98,7 @@ def test_the_smallest_gap_at_the_target_is_the_lectures() -> None:
     for near in (0.01, 0.03, 0.1, 0.3):
         for bits in (16, 24, 32):
             at = Projection(camera, Perspective(45.0, near, 1e9))
-            reading = shown(at, format=f"fixed{bits}").readings[1]
+            reading = shown(at, format=f"fixed{bits}").readings[2]
             w = camera.distance
             step = w**2 / (near * 2**bits)
             assert reading.value == pytest.approx(step / (1.0 - step / w), rel=2e-2 / near**0.1)

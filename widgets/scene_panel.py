@@ -26,6 +26,7 @@ from PySide6.QtWidgets import (
     QGridLayout,
     QHBoxLayout,
     QLabel,
+    QLayout,
     QPushButton,
     QScrollArea,
     QSizePolicy,
@@ -442,7 +443,7 @@ class _Column(QScrollArea):
 
     Parameters
     ----------
-    layout : QBoxLayout
+    layout : QLayout
         What is in it.
     name : str
         Translated, for screen readers.
@@ -450,7 +451,7 @@ class _Column(QScrollArea):
         Up to this it is at least as wide as what is in it; beyond, it gives way and scrolls.
     """
 
-    def __init__(self, layout: QBoxLayout, name: str, whole_px: int = COLUMN_PX) -> None:
+    def __init__(self, layout: QLayout, name: str, whole_px: int = COLUMN_PX) -> None:
         super().__init__()
         self._whole_px = whole_px
         self._asked_px = 0
