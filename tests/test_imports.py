@@ -223,9 +223,10 @@ ROOMS = {
     ),
     # Between two panes and the window: it knows what they draw, and not the store.
     "widgets/manipulation.py": Room(
-        QT,
+        ("numpy", *QT),
         (
             *("app.projection", "app.picking", "app.handles", "app.drawings"),
+            "app.phenomena.exhibit",
             *("widgets.message_bar", "widgets.messages", "widgets.pane", "widgets.rows"),
         ),
     ),

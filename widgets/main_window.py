@@ -474,6 +474,7 @@ class MainWindow(QMainWindow):
             self.attention.changed.connect(place.show_attention)
         self.attention.changed.connect(controls.show_attention)
         self.scene_panel.edited.connect(self._set_settings)
+        self.manipulation.setting_edited.connect(self._set_by_hand)
         canvas.frameSwapped.connect(self._tell_problem)  # only a rendering finds out
         self.counting.counted.connect(self.scene_panel.show_count)
         self.scene_panel.mesh_wanted.connect(self.files.mesh_dialog)
@@ -524,11 +525,13 @@ class MainWindow(QMainWindow):
         """Compute what a phenomenon shows, once for panes and panel."""
         if scene.phenomenon is None:
             self.counting.show(scene, document.projection, None)
+            self.manipulation.show_exhibit(None)
             return
         exhibit = scene.phenomenon.exhibit(document.projection, document.settings, scene.subject)
         self.counting.show(scene, document.projection, exhibit)
         for pane in self.panes.values():
             pane.show_exhibit(exhibit)
+        self.manipulation.show_exhibit(exhibit, document.settings)
         self.scene_panel.show_settings(document.settings)
         self.scene_panel.show_exhibit(exhibit)
 
@@ -548,6 +551,12 @@ class MainWindow(QMainWindow):
             self.store.set_settings(settings)
         except ProjectionError as error:
             self.scene_panel.refuse(error)
+
+    def _set_by_hand(self, settings: Mapping[str, Value]) -> None:
+        try:
+            self.store.set_settings(settings)
+        except ProjectionError as error:
+            self.manipulation.refuse(self.scene_panel.named(error))
 
     def _build_drawings(self, views: dict[str, Camera]) -> None:
         style = palette.drawing_style(

@@ -263,13 +263,17 @@ class ScenePanel(QWidget):
 
     def refuse(self, error: ProjectionError) -> None:
         """Say at the row that was just edited why that cannot be; the last value stays."""
+        row = self._edits or self.rows[next(iter(self.rows))]
+        row.show_error(sentence(self.named(error)))
+
+    def named(self, error: ProjectionError) -> ProjectionError:
+        """A refusal under the label of the setting that it is about."""
         assert self._phenomenon is not None
         labels = {setting.path: setting.label for setting in self._phenomenon.settings}
-        if error.field in labels:
-            name = of_phenomena(labels[error.field])
-            error = ProjectionError(name, error.value, error.bound, *error.limits)
-        row = self._edits or self.rows[next(iter(self.rows))]
-        row.show_error(sentence(error))
+        if error.field not in labels:
+            return error
+        name = of_phenomena(labels[error.field])
+        return ProjectionError(name, error.value, error.bound, *error.limits)
 
     def pause(self) -> None:
         """Let all that is played stand still."""

@@ -178,6 +178,7 @@ class WorldDrawing:
         self._steps: FrameSteps | None = None
         self._marks: MarksDrawing | None = None
         self._marked = np.empty((0, 3))
+        self._grips: dict[str, Array] = {}
         self._reach: _Reach | None = None
         self._placed: tuple[float, ...] | None = None
         self._framed = self._objects
@@ -781,6 +782,7 @@ class WorldDrawing:
                 return
             self._marks = MarksDrawing(self._canvas, self._scene, self._style, self._words)
         marks, limit = self._marks, _FARTHEST_MARK * self._extent
+        self._grips = {} if exhibit is None else {g.setting: g.point for g in exhibit.grips}
         copies = () if exhibit is None else exhibit.copies
         marks.show(
             Marks() if exhibit is None else exhibit.world,
@@ -852,7 +854,8 @@ class WorldDrawing:
             size_px = self._pane.size_px
             self._handles.show(
                 shown(
-                    self._projection, self.planes_drawn, self.sight, size_px, apart_px, held
+                    self._projection, self.planes_drawn, self.sight, size_px, apart_px, held,
+                    self._grips,
                 ),
                 size_px[1],
             )  # fmt: skip

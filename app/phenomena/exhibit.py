@@ -222,6 +222,25 @@ class Text:
 
 
 @dataclass(frozen=True, eq=False)
+class Grip:
+    """Where a setting that is a point or a direction is taken hold of in the world pane.
+
+    Attributes
+    ----------
+    setting : str
+        Its name.
+    point : (3,) array
+        World coordinates.
+    base : tuple of 3 floats
+        The setting is ``point - base``: 0 for a point, where it is held from for a direction.
+    """
+
+    setting: str
+    point: Array
+    base: Vector = (0.0, 0.0, 0.0)
+
+
+@dataclass(frozen=True, eq=False)
 class Marks:
     """What is drawn over one pane.
 
@@ -408,6 +427,7 @@ class Exhibit:
     rendering : Rendering, optional
     warning : Phrase, optional
         Why something cannot be shown as things are.
+    grips : tuple of Grip
     """
 
     readings: tuple[Reading, ...]
@@ -418,6 +438,7 @@ class Exhibit:
     diagrams: tuple[Diagram, ...] = ()
     rendering: Rendering | None = None
     warning: Phrase | None = None
+    grips: tuple[Grip, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)

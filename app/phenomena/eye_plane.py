@@ -25,6 +25,7 @@ from app.phenomena.exhibit import (
     Dot,
     Exhibit,
     Face,
+    Grip,
     Line,
     Marks,
     Phenomenon,
@@ -326,6 +327,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
         image=_image_marks(drawn),
         diagrams=diagrams,
         warning=warning,
+        grips=(Grip("start", a), Grip("end", b)),
     )
 
 
