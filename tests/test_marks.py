@@ -245,6 +245,19 @@ def test_a_text_is_written_in_the_window_s_language(pane: str, shown: Callable[.
     assert (pictures[0] != pictures[2]).any()
 
 
+@pytest.mark.parametrize("pane", ["world", "image"])
+def test_a_text_gets_out_of_the_way_of_what_the_scene_shows(
+    pane: str, shown: Callable[..., Shown]
+) -> None:
+    """Beside the stem's left edge: the first place, to the right, is over the letter."""
+    one = shown(pane)
+    place = (-1.5, 2.2, 0.5)
+    lit = drawn(one.show(one.marks([place], lambda p: Marks(texts=(Text("stem", p[0], RED),)))),
+                (255, 0, 0))  # fmt: skip
+    assert lit.sum() > 100
+    assert middle(lit)[0] < one.seen([place])[0][0] - 10.0
+
+
 def test_texts_of_one_place_do_not_hide_one_another(shown: Callable[..., Shown]) -> None:
     one = shown("image")
     middle_px = np.array(START.image_size) * (0.25, 0.4)

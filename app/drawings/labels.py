@@ -49,6 +49,7 @@ _BELOW_PLANE = (
 )  # fmt: skip
 _ABOVE_PLANE = tuple((x, -y) for x, y in (_BELOW_PLANE[1:3] + _BELOW_PLANE[:1] + _BELOW_PLANE[3:]))
 _GAPS_EM = (0.5, 1.6, 3.0, 5.0, 8.0, 12.0)  # between a label and its point, best first
+_HIDES = (0.01, 0.05, 0.1)  # parts of the subject that a label may hide, rather than more
 _LEADER_FROM_EM = 1.2  # a label as far from its point is joined to it by a line
 _OTHER_PLANE_EM = 2.0  # as far is each plane's label from the other one's corners
 _STAYS_WITHIN_EM = 3.0  # a label as near to its point stays where it is while something moves
@@ -321,6 +322,7 @@ class Layout:
         *,
         gaps: int = len(_GAPS_EM),
         apart_from: Sequence[Spot] = (),
+        subject: Array | None = None,
     ) -> bool:
         """Put a label as near as can be to one of these points, where it hides no other one.
 
@@ -341,6 +343,8 @@ class Layout:
             How many of `_GAPS_EM` to try.
         apart_from : sequence of Spot
             What the label must not seem to belong to.
+        subject : (n, 2) array, optional
+            Pixels all over what the scene is about: the less of them a place hides, the better.
 
         Returns
         -------
@@ -362,7 +366,10 @@ class Layout:
         if kept is not None and leader is not None and kept[1] in usable:
             found = search([kept])
         if found is None or not found[2]:
-            found = search(product(_GAPS_EM[:gaps], usable, sides))
+            places: Iterable[_Candidate] = product(_GAPS_EM[:gaps], usable, sides)
+            if subject is not None and len(subject):
+                places = self._least_hiding(list(places), points, half, subject)
+            found = search(places)
         if found is None:
             label.set_visible(False)
             if leader is not None:
@@ -375,6 +382,22 @@ class Layout:
                 self.settled[label] = candidate
         self._put(label, leader, points[candidate[1]][:2], box)
         return True
+
+    def _least_hiding(
+        self,
+        places: list[_Candidate],
+        points: Sequence[Spot],
+        half: tuple[float, float],
+        subject: Array,
+    ) -> list[_Candidate]:
+        """The same places, those first that hide nothing of the subject, then little of it."""
+        if not places:
+            return places
+        away = np.array([(half[0] + g * self._em, half[1] + g * self._em) for g, _, _ in places])
+        centres = np.array([points[i][:2] for _, i, _ in places]) + away * [s for *_, s in places]
+        hidden = (np.abs(subject - centres[:, None]) < half).all(axis=2).mean(axis=1)
+        order = np.argsort(np.digitize(hidden, _HIDES), kind="stable")
+        return [places[i] for i in order.tolist()]
 
     def _search(
         self,

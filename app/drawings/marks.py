@@ -59,6 +59,8 @@ ground and not the grid that is drawn on it."""
 _LINE_STEPS, _FACE_STEPS = 3, 0.7  # of `lift_lines`
 _FLAT_LINES = -5e-5  # of the depth range, before faces, where all marks are in one plane
 _DEPTH_ALONE = 1.0 / 512.0  # an opacity that colours nothing in 8 bits, and is not 0
+_SPREAD, _GOLDEN = 200, 0.7548776662466927  # points over the subject; 1/plastic number
+_MOST_FACES = 20_000  # of a subject that texts get out of the way of
 _SINGULAR = 1e-12  # ratio of the singular values of a matrix that flattens
 # Right and up of a text from its point, in half texts, best first.
 _BESIDE = ((1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0), (0.0, 1.0), (0.0, -1.0))
@@ -253,7 +255,12 @@ class MarksDrawing:
         for label in self._labels[len(near) :]:
             label.set_visible(False)
 
-    def place_texts(self, layout: Layout, seen: Callable[[Array], Sequence[Spot]]) -> None:
+    def place_texts(
+        self,
+        layout: Layout,
+        seen: Callable[[Array], Sequence[Spot]],
+        subject: Array | None = None,
+    ) -> None:
         """Put each text beside its point, where it hides no dot and no other label.
 
         Parameters
@@ -262,6 +269,8 @@ class MarksDrawing:
             Of the renderer, where other labels have their places already.
         seen : callable
             From points of the pane's actors, (n, 3), to where they are in the renderer.
+        subject : (n, 2) array, optional
+            Where `spread_over` of the scene is seen: what texts rather do not hide.
         """
         if not self._texts:
             return
@@ -269,7 +278,7 @@ class MarksDrawing:
         spots = seen(np.concatenate([self._text_points, self._dot_points]))
         layout.keep_free([spot for spot in spots[count:] if spot[2] > 0.0])
         for label, text, spot in zip(self._labels, self._texts, spots, strict=False):
-            if layout.place(label, text, [spot], _BESIDE, gaps=2):
+            if layout.place(label, text, [spot], _BESIDE, gaps=3, subject=subject):
                 label.set_visible(True)
 
     # -- copies
@@ -427,6 +436,25 @@ class MarksDrawing:
         self._canvas.add(batch.actor, renderer=self._renderer)
         self._bring_depths_last()
         return batch
+
+
+def spread_over(scene: Scene) -> Array:
+    """Points all over a scene's faces, evenly by area, (`_SPREAD`, 3) scene-local; or none."""
+    if scene.surface is None or scene.surface.n_cells > _MOST_FACES:
+        return np.empty((0, 3))
+    mesh = scene.surface.triangulate()
+    corners = np.asarray(mesh.points, dtype=np.float64)[mesh.regular_faces]
+    sides = corners[:, 1:] - corners[:, :1]
+    ends = np.cumsum(np.linalg.norm(np.cross(sides[:, 0], sides[:, 1]), axis=1))
+    if not ends[-1] > 0.0:
+        return np.empty((0, 3))
+    at, u = (np.arange(_SPREAD) + 0.5) / _SPREAD, np.arange(_SPREAD) * _GOLDEN % 1.0
+    v = np.arange(_SPREAD) * _GOLDEN**2 % 1.0
+    u, v = np.where(u + v > 1.0, 1.0 - u, u), np.where(u + v > 1.0, 1.0 - v, v)
+    which = np.minimum(np.searchsorted(ends, at * ends[-1]), len(ends) - 1)
+    one, other = sides[which, 0], sides[which, 1]
+    spread: Array = corners[which, 0] + u[:, None] * one + v[:, None] * other
+    return spread
 
 
 class _CopyActors:

@@ -23,7 +23,7 @@ lies beyond is drawn at the limit, behind a visible break, with its true distanc
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -35,8 +35,8 @@ from app.drawings import actors
 from app.drawings.actors import Canvas, Space
 from app.drawings.frame import DIMMED, LARGER, TIPS, FrameSteps, arrow, arrow_tips, is_built
 from app.drawings.handles import APART_EM, HandleMarks
-from app.drawings.labels import AXES, Labels, Named, PaneView
-from app.drawings.marks import MarksDrawing, Placing
+from app.drawings.labels import AXES, Labels, Layout, Named, PaneView
+from app.drawings.marks import MarksDrawing, Placing, spread_over
 from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at, volume_edges
 from app.drawings.probes import Probes
 from app.drawings.rasterising import Rasteriser
@@ -177,7 +177,7 @@ class WorldDrawing:
         self._step: int | None = None
         self._steps: FrameSteps | None = None
         self._marks: MarksDrawing | None = None
-        self._marked = np.empty((0, 3))
+        self._marked = self._subject = np.empty((0, 3))
         self._grips: dict[str, Array] = {}
         self._reach: _Reach | None = None
         self._placed: tuple[float, ...] | None = None
@@ -493,8 +493,13 @@ class WorldDrawing:
         seen = not isinstance(lens, FreeMatrix) or self._projection.frustum_sign != 0
         corners = self._corners if seen else None
         named = Named(self._eye, self._target, arrows, tips, body, corners, planes)
-        first = None if self._marks is None else self._marks.place_texts
+        first = None if self._marks is None else self._place_texts
         return self._labels.lay_out(self._pane, named, afresh=afresh, first=first)
+
+    def _place_texts(self, layout: Layout, seen: Callable[[Array], Sequence[Spot]]) -> None:
+        assert self._marks is not None
+        subject = [spot[:2] for spot in seen(self._subject) if spot[2] > 0.0]
+        self._marks.place_texts(layout, seen, np.array(subject).reshape(-1, 2))
 
     def _tint_planes(self) -> None:
         """The planes' tints, which fade where they would flood the pane."""
@@ -780,6 +785,7 @@ class WorldDrawing:
         if self._marks is None:
             if exhibit is None:
                 return
+            self._subject = spread_over(self._scene)
             self._marks = MarksDrawing(self._canvas, self._scene, self._style, self._words)
         marks, limit = self._marks, _FARTHEST_MARK * self._extent
         self._grips = {} if exhibit is None else {g.setting: g.point for g in exhibit.grips}

@@ -322,8 +322,8 @@ def _marks(
 
 
 _START = Projection(
-    Camera((8.5, 7.5, 10.5), (-0.8, 1.4, -0.8), (0.0, 1.0, 0.0)),
-    Perspective(fov_y_deg=45.0, near=1.0, far=40.0),
+    Camera((6.0, 7.5, 12.0), (1.9, 1.7, -0.6), (0.0, 1.0, 0.0)),
+    Perspective(fov_y_deg=32.0, near=4.0, far=24.0),
     (1280, 720),
 )
 
