@@ -168,7 +168,7 @@ class ScenePanel(QWidget):
         self._drawn.setSpacing(4)
         self._text_column = _Column(text, self.tr("What this scene shows"))
         self._settings_column = _Column(chosen, self.tr("Settings of this scene"), 480)
-        self._readout_column = _Column(read, self.tr("Readout"), 540)
+        self._readout_column = _Column(read, self.tr("Readout"), 590)
         self._diagram_column = _Column(self._drawn, self.tr("Diagrams"))
         self._columns_of_diagrams = 0
         self._diagram_column.installEventFilter(self)

@@ -322,7 +322,7 @@ class Layout:
         *,
         gaps: int = len(_GAPS_EM),
         apart_from: Sequence[Spot] = (),
-        subject: Array | None = None,
+        best: Sequence[int] = (),
     ) -> bool:
         """Put a label as near as can be to one of these points, where it hides no other one.
 
@@ -343,8 +343,8 @@ class Layout:
             How many of `_GAPS_EM` to try.
         apart_from : sequence of Spot
             What the label must not seem to belong to.
-        subject : (n, 2) array, optional
-            Pixels all over what the scene is about: the less of them a place hides, the better.
+        best : sequence of int, optional
+            As `least_hiding` gives it: another order of the places beside a single point.
 
         Returns
         -------
@@ -352,8 +352,7 @@ class Layout:
             Whether there was a place for it.
         """
         width_px, height_px = self._size_px
-        # As wide as DejaVu Sans, and a line high.
-        half = self._em * (0.26 * (len(text) + 2) + 0.15), self._em * 0.72
+        half = self._half(text)
         usable = [
             i
             for i, (x, y, depth) in enumerate(points)
@@ -367,8 +366,9 @@ class Layout:
             found = search([kept])
         if found is None or not found[2]:
             places: Iterable[_Candidate] = product(_GAPS_EM[:gaps], usable, sides)
-            if subject is not None and len(subject):
-                places = self._least_hiding(list(places), points, half, subject)
+            if best and usable:
+                places = list(places)
+                places = [places[i] for i in best]
             found = search(places)
         if found is None:
             label.set_visible(False)
@@ -383,21 +383,40 @@ class Layout:
         self._put(label, leader, points[candidate[1]][:2], box)
         return True
 
-    def _least_hiding(
+    def least_hiding(
         self,
-        places: list[_Candidate],
-        points: Sequence[Spot],
-        half: tuple[float, float],
+        text: str,
+        point: Spot,
+        sides: Sequence[tuple[float, float]],
+        gaps: int,
         subject: Array,
-    ) -> list[_Candidate]:
-        """The same places, those first that hide nothing of the subject, then little of it."""
-        if not places:
-            return places
-        away = np.array([(half[0] + g * self._em, half[1] + g * self._em) for g, _, _ in places])
-        centres = np.array([points[i][:2] for _, i, _ in places]) + away * [s for *_, s in places]
+    ) -> list[int]:
+        """The places beside a point, those first that hide nothing, or little, of something.
+
+        Parameters
+        ----------
+        text, point, sides, gaps
+            As for `place`.
+        subject : (n, 2) array
+            Pixels all over what is not to be hidden.
+
+        Returns
+        -------
+        list of int
+            For `place`.
+        """
+        if not len(subject):
+            return []
+        half = np.array(self._half(text))
+        away = half + self._em * np.repeat(_GAPS_EM[:gaps], len(sides))[:, None]
+        centres = point[:2] + away * np.tile(sides, (gaps, 1))
         hidden = (np.abs(subject - centres[:, None]) < half).all(axis=2).mean(axis=1)
-        order = np.argsort(np.digitize(hidden, _HIDES), kind="stable")
-        return [places[i] for i in order.tolist()]
+        order: list[int] = np.argsort(np.digitize(hidden, _HIDES), kind="stable").tolist()
+        return order
+
+    def _half(self, text: str) -> tuple[float, float]:
+        """Half the width and height of a label: as wide as DejaVu Sans, and a line high."""
+        return self._em * (0.26 * (len(text) + 2) + 0.15), self._em * 0.72
 
     def _search(
         self,

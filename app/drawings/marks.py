@@ -59,10 +59,11 @@ ground and not the grid that is drawn on it."""
 _LINE_STEPS, _FACE_STEPS = 3, 0.7  # of `lift_lines`
 _FLAT_LINES = -5e-5  # of the depth range, before faces, where all marks are in one plane
 _DEPTH_ALONE = 1.0 / 512.0  # an opacity that colours nothing in 8 bits, and is not 0
-_SPREAD, _GOLDEN = 200, 0.7548776662466927  # points over the subject; 1/plastic number
+_SPREAD, _GOLDEN = 120, 0.7548776662466927  # points over the subject; 1/plastic number
 _MOST_FACES = 20_000  # of a subject that texts get out of the way of
 _SINGULAR = 1e-12  # ratio of the singular values of a matrix that flattens
 # Right and up of a text from its point, in half texts, best first.
+_GAPS = 3
 _BESIDE = ((1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0), (0.0, 1.0), (0.0, -1.0))
 
 
@@ -129,6 +130,7 @@ class MarksDrawing:
         self._dots: list[_Batch] = []
         self._faces: dict[bool, _Batch] = {}
         self._labels: list[Label] = []
+        self._best: dict[Label, Sequence[int]] = {}
         self._copies: list[_CopyActors] = []
         self._colours: dict[tuple[str, int], NDArray[np.uint8]] = {}
         self._texts: list[str] = []
@@ -270,7 +272,8 @@ class MarksDrawing:
         seen : callable
             From points of the pane's actors, (n, 3), to where they are in the renderer.
         subject : (n, 2) array, optional
-            Where `spread_over` of the scene is seen: what texts rather do not hide.
+            Where `spread_over` of the scene is seen: what texts rather do not hide. If it is not
+            given, they stay on the sides that were best then, so that a drag makes none jump.
         """
         if not self._texts:
             return
@@ -278,7 +281,10 @@ class MarksDrawing:
         spots = seen(np.concatenate([self._text_points, self._dot_points]))
         layout.keep_free([spot for spot in spots[count:] if spot[2] > 0.0])
         for label, text, spot in zip(self._labels, self._texts, spots, strict=False):
-            if layout.place(label, text, [spot], _BESIDE, gaps=3, subject=subject):
+            if subject is not None:
+                self._best[label] = layout.least_hiding(text, spot, _BESIDE, _GAPS, subject)
+            best = self._best.get(label, ())
+            if layout.place(label, text, [spot], _BESIDE, gaps=_GAPS, best=best):
                 label.set_visible(True)
 
     # -- copies

@@ -24,6 +24,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -493,13 +494,18 @@ class WorldDrawing:
         seen = not isinstance(lens, FreeMatrix) or self._projection.frustum_sign != 0
         corners = self._corners if seen else None
         named = Named(self._eye, self._target, arrows, tips, body, corners, planes)
-        first = None if self._marks is None else self._place_texts
+        first = None if self._marks is None else partial(self._place_texts, afresh=afresh)
         return self._labels.lay_out(self._pane, named, afresh=afresh, first=first)
 
-    def _place_texts(self, layout: Layout, seen: Callable[[Array], Sequence[Spot]]) -> None:
+    def _place_texts(
+        self, layout: Layout, seen: Callable[[Array], Sequence[Spot]], *, afresh: bool
+    ) -> None:
         assert self._marks is not None
-        subject = [spot[:2] for spot in seen(self._subject) if spot[2] > 0.0]
-        self._marks.place_texts(layout, seen, np.array(subject).reshape(-1, 2))
+        subject = None
+        if afresh:
+            spots = [spot[:2] for spot in seen(self._subject) if spot[2] > 0.0]
+            subject = np.array(spots).reshape(-1, 2)
+        self._marks.place_texts(layout, seen, subject)
 
     def _tint_planes(self) -> None:
         """The planes' tints, which fade where they would flood the pane."""

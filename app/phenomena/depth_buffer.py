@@ -278,7 +278,7 @@ def _diagram(buffer: DepthBuffer, target: float | None) -> Diagram:
     x_ticks = np.sort(buffer.decode(codes))
     x_ticks = x_ticks[x_ticks <= right]
     return Diagram(
-        QT_TRANSLATE_NOOP("phenomena", "Depth d over w, and 32 of the codes"),
+        QT_TRANSLATE_NOOP("phenomena", "d over w, 32 of the codes"),
         tuple(curves),
         near,
         right,

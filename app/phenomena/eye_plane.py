@@ -296,7 +296,7 @@ def _circle(angles: tuple[float, float] | None) -> Diagram:
             Curve(_arc(b, b, 1.0)[:1], "ink", "B'", dots=True),
         ]
     return Diagram(
-        QT_TRANSLATE_NOOP("phenomena", "the line's image as a circle"),
+        QT_TRANSLATE_NOOP("phenomena", "the line as a circle"),
         tuple(curves), left=-1.4, right=1.4, bottom=-1.4, top=1.4, equal=True,
     )  # fmt: skip
 

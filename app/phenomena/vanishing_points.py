@@ -438,7 +438,7 @@ def _diagrams(
         curves.append(Curve(pixel[None], _COLOURS[axis], f"V_{_AXES[axis]}", dots=True))
     return (
         Diagram(
-            QT_TRANSLATE_NOOP("phenomena", "The image and its vanishing points"),
+            QT_TRANSLATE_NOOP("phenomena", "Vanishing points"),
             tuple(curves),
             *(float(low[0]), float(high[0]), float(high[1]), float(low[1])),
             x_label="x (px)",
