@@ -15,6 +15,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
+from types import MappingProxyType
 from typing import Literal, NamedTuple, TypeAlias
 
 import numpy as np
@@ -42,16 +43,19 @@ class Handle(NamedTuple):
 
     Attributes
     ----------
-    name : {"eye", "target", "near", "far", "corner"}
+    name : {"eye", "target", "near", "far", "corner", "grip"}
     face : {"", "near", "far"}
         On which face of the view volume it is, if on one.
     at : (float, float)
         Where on that face, from -1 to 1.
+    setting : str
+        Of a grip: which of the scene's settings it moves.
     """
 
-    name: Literal["eye", "target", "near", "far", "corner"]
+    name: Literal["eye", "target", "near", "far", "corner", "grip"]
     face: Literal["", "near", "far"] = ""
     at: tuple[float, float] = (0.0, 0.0)
+    setting: str = ""
 
 
 EYE, TARGET = Handle("eye"), Handle("target")
@@ -78,11 +82,12 @@ def shown(
     size_px: tuple[int, int],
     apart_px: float,
     kept: Handle | None = None,
+    grips: Mapping[str, Array] = MappingProxyType({}),
 ) -> list[tuple[Handle, Spot]]:
     """The handles for which a pane has room, and where they are in it.
 
-    Those that stand in the pane and not on one another; the first of eye, target, near, far and
-    corners is kept. The corners are the near face's, or the far face's where that one is small.
+    Those that stand in the pane and not on one another; the first of grips, eye, target, near, far
+    and corners is kept. The corners are the near face's, or the far face's where that one is small.
 
     Parameters
     ----------
@@ -96,14 +101,18 @@ def shown(
         The least distance of two handles.
     kept : Handle, optional
         Stays, whatever it stands on: it is under the hand.
+    grips : mapping of setting to (3,) array, optional
+        Points of the world that settings of the scene are held at.
     """
     free = isinstance(projection.lens, FreeMatrix)
-    if free and not has_camera(projection):
-        return []
+    held = [Handle("grip", setting=name) for name in grips]
+    held_at = sight.seen(np.array(list(grips.values())).reshape(-1, 3)).tolist()
+    spots = dict(zip(held, map(tuple, held_at), strict=True))
+    cameras = [] if free and not has_camera(projection) else [EYE, TARGET]
     places = np.array([projection.camera.eye, projection.camera.target])
     if not free:  # a free matrix has no planes and no window
         places = np.vstack([places, _places(projection, drawn)])
-    spots = dict(zip(_ALL, map(tuple, sight.seen(places).tolist()), strict=False))
+    spots |= zip(_ALL, map(tuple, sight.seen(places).tolist()), strict=False)
     width_px, height_px = size_px
     found: list[tuple[Handle, Spot]] = []
 
@@ -116,10 +125,12 @@ def shown(
         found.append((handle, (x, y)))
         return True
 
-    if kept is not None:
+    if kept is not None and kept in spots:
         found.append((kept, spots[kept]))
-    for alternatives in ([EYE], [TARGET]) if free else ([EYE], [TARGET], _NEAR, _FAR):
-        if kept is None or alternatives[0].name != kept.name:
+    single = [[handle] for handle in (*held, *cameras)]
+    for alternatives in single if free else (*single, _NEAR, _FAR):
+        same = kept is not None and alternatives[0].name == kept.name != "grip"
+        if not same and alternatives[0] != kept:
             any(take(handle) for handle in alternatives)
     if free:
         return found
@@ -197,12 +208,18 @@ def dragged(
     in proportion.
     """
     if handle.name in _CAMERA:
-        return {handle.name: _moved_point(projection, handle.name, sight, pixel, shift)}
+        before = getattr(projection.camera, handle.name)
+        return {handle.name: _moved_point(before, sight, pixel, shift)}
     if handle.name in ("near", "far"):
         return {handle.name: _moved_plane(projection, handle, drawn, sight, pixel)}
     if isinstance(projection.lens, Perspective):
         return {"fov_y_deg": _opened(projection, projection.lens, handle, drawn, sight, pixel)}
     return _resized(projection, handle, drawn, sight, pixel, shift)
+
+
+def dragged_grip(point: Vector, sight: Sight, pixel: Spot, *, shift: bool = False) -> Vector:
+    """Where a point of the world is dragged to: as the eye is, see `dragged`."""
+    return _moved_point(point, sight, pixel, shift)
 
 
 def panned(projection: Projection, shift_px: tuple[float, float]) -> Change:
@@ -419,10 +436,7 @@ def _on_window(
 # --------------------------------------------------------------------------- on the screen
 
 
-def _moved_point(
-    projection: Projection, name: str, sight: Sight, pixel: Spot, shift: bool
-) -> Vector:
-    before: Vector = getattr(projection.camera, name)
+def _moved_point(before: Vector, sight: Sight, pixel: Spot, shift: bool) -> Vector:
     point = np.array(before)
     if shift:
         up, per_px = _slide(sight, point, np.array([0.0, 1.0, 0.0]), pixel)

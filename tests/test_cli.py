@@ -796,7 +796,10 @@ def test_a_mistyped_command_is_told_before_what_follows_it(rest: list[str]) -> N
 
 
 def test_a_word_like_no_command_is_answered_with_all() -> None:
-    said = "is neither a file nor a command; the commands are export, project, matrices, doctor.\n"
+    said = (
+        "is neither a file nor a command; the commands are export, project, matrices, measure,"
+        " doctor.\n"
+    )
     assert refused("frobnicate") == f"'frobnicate' {said}"
     assert refused("letter-f", "out.png") == f"'letter-f' {said}"
 
@@ -809,11 +812,6 @@ def test_a_file_needs_no_ending_and_two_are_still_too_many(by_hand: Path, tmp_pa
         check=False,
     )  # fmt: skip
     assert done.stderr == "The window takes [FILE], and 2 names were given.\n"
-
-
-def test_measure_is_not_offered_yet() -> None:
-    assert "'measure' is neither a file nor a command" in refused("measure")
-    assert "measure" not in run("--help").stdout
 
 
 def test_a_command_wins_over_a_file_of_its_name(tmp_path: Path) -> None:
@@ -836,7 +834,7 @@ def test_help_names_every_command_and_none_that_is_not_there() -> None:
     done = run("--help")
     assert (done.returncode, done.stderr) == (0, "")
     assert re.findall(r"^  ([a-z]+) ", done.stdout.partition("commands,")[2], re.MULTILINE) == [
-        "export", "project", "matrices", "doctor",
+        "export", "project", "matrices", "measure", "doctor",
     ]  # fmt: skip
 
 
@@ -1280,7 +1278,7 @@ def test_a_phenomenon_is_named_and_set_on_the_command_line(tmp_path: Path) -> No
             ["scene=similar-triangles", "settings.distance=0"],
             "settings.distance = 0: must not be 0: the plane would go through the eye",
         ),
-        (["settings.distance=2"], "set scene as well (similar-triangles)"),
+        (["settings.distance=2"], "set scene as well (similar-triangles, field-of-view)"),
         (["mesh=bunny.obj"], "cannot be shown in the scene letter-f"),
         (["scene=similar-triangles", "mesh=bunny"], "must be the path of a mesh file"),
     ],

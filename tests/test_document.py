@@ -1596,7 +1596,8 @@ def test_a_wrong_setting_of_a_scene_is_refused(
 def test_a_setting_of_another_scene_names_that_scene() -> None:
     said = sentence(lambda: set_values(parse(DESIGN), ["settings.distance=2"]))
     assert said == (
-        "settings.distance belongs to another scene: set scene as well (similar-triangles)."
+        "settings.distance belongs to another scene: set scene as well (similar-triangles,"
+        " field-of-view)."
     )
     said = sentence(lambda: set_values(parse(DESIGN), ["settings.colour=2"]))
     assert "is not known; the nearest name is" in said

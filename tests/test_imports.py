@@ -205,6 +205,13 @@ ROOMS = {
             *("widgets.animation", "widgets.diagram", "widgets.messages", "widgets.rows"),
         ),
     ),
+    "widgets/counting.py": Room(
+        QT,
+        (
+            *("app.phenomena.exhibit", "app.projection", "app.scene"),
+            *("app.drawings.rasterising", "app.figures"),
+        ),
+    ),
     "widgets/export_dialog.py": Room(QT, ("app.figures", "widgets.messages")),
     # One pane hosts any drawing, so it knows the drawings' values and none of them.
     "widgets/pane.py": Room(
@@ -216,9 +223,10 @@ ROOMS = {
     ),
     # Between two panes and the window: it knows what they draw, and not the store.
     "widgets/manipulation.py": Room(
-        QT,
+        ("numpy", *QT),
         (
             *("app.projection", "app.picking", "app.handles", "app.drawings"),
+            "app.phenomena.exhibit",
             *("widgets.message_bar", "widgets.messages", "widgets.pane", "widgets.rows"),
         ),
     ),

@@ -15,6 +15,7 @@ from PySide6.QtGui import QImage, QMouseEvent, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
+from app.document import Document
 from app.drawings import WORDS
 from app.drawings.style import DARK, LIGHT, rgb
 from app.drawings.world import WorldDrawing
@@ -553,3 +554,85 @@ def test_the_wheel_stops_before_the_target_and_says_so(
 def test_a_held_handle_is_known_by_its_name() -> None:
     """`Handle` is a value: what is held stays the same mark from step to step."""
     assert Handle("eye") == EYE != TARGET and len({EYE, Handle("eye"), TARGET}) == 2
+
+
+# -- points of a scene's settings
+
+
+@pytest.fixture
+def make_scene(make_window: Callable[..., MainWindow]) -> Callable[[str], MainWindow]:
+    return lambda name: make_window(Document(name, load(name).start))
+
+
+def grip(window: MainWindow, setting: str) -> tuple[Handle, tuple[float, float]]:
+    return next((h, spot) for h, spot in marks(window).items() if h.setting == setting)
+
+
+POINTS = [
+    ("similar-triangles", "point"), ("eye-plane", "start"), ("eye-plane", "end"),
+    ("affine-depth", "start"), ("planar-shadow", "light"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("scene", "setting"), POINTS)
+def test_a_point_of_the_scene_goes_where_the_hand_goes_and_that_is_one_step(
+    make_scene: Callable[[str], MainWindow], scene: str, setting: str
+) -> None:
+    window = make_scene(scene)
+    before, seen_before = window.store.document, view(window)
+    _, spot = grip(window, setting)
+    drag(window, "world", point(spot), (6, 0), (14, -9))
+    assert window.store.document.settings[setting] != before.settings[setting]
+    now = grip(window, setting)[1]
+    assert np.subtract(now, spot) == pytest.approx((14, -9), abs=1.0)
+    assert model(window) == before.projection and view(window) == seen_before
+    window.store.undo()
+    assert window.store.document == before and not window.store.can_undo
+
+
+def test_the_sun_is_held_by_its_direction(make_scene: Callable[[str], MainWindow]) -> None:
+    window = make_scene("planar-shadow")
+    window.store.set_settings({"kind": "sun", "light": (-1.0, 2.0, 1.0)})
+    settle()
+    _, spot = grip(window, "light")
+    at = point(spot)
+    drag(window, "world", at, (-20, 0))
+    turned = np.array(window.store.document.settings["light"])
+    assert np.subtract(grip(window, "light")[1], spot)[0] < -5.0
+    window.store.undo()
+    settle()
+    press(window, "world", at)
+    move(window, "world", at + QPoint(9, 9))
+    assert tuple(window.store.document.settings["light"]) != (-1.0, 2.0, 1.0)
+    QTest.keyClick(window, Qt.Key.Key_Escape)
+    assert window.store.document.settings["light"] == (-1.0, 2.0, 1.0)
+    release(window, "world", at)
+    assert not np.allclose(turned / np.linalg.norm(turned), np.array([-1, 2, 1]) / math.sqrt(6.0))
+
+
+def test_a_light_that_is_dragged_under_the_plane_is_refused_over_the_pane(
+    make_scene: Callable[[str], MainWindow],
+) -> None:
+    window = make_scene("planar-shadow")
+    _, spot = grip(window, "light")
+    at = point(spot)
+    press(window, "world", at)
+    move(window, "world", at + QPoint(0, 20))
+    last = window.store.document.settings["light"]
+    assert last[1] < 9.0
+    move(window, "world", at + QPoint(0, 400))
+    bar = window.manipulation.message
+    assert bar.isVisible() and "must lie above the plane y = 0" in bar.text
+    assert bar.text.startswith("Light L = ")
+    assert window.store.document.settings["light"] == last
+    move(window, "world", at + QPoint(0, 10))
+    assert not bar.isVisible()
+    release(window, "world", at + QPoint(0, 10))
+
+
+def test_a_scene_without_points_has_no_grips(make_scene: Callable[[str], MainWindow]) -> None:
+    window = make_scene("planar-shadow")
+    assert any(handle.name == "grip" for handle in marks(window))
+    window._choose_scene("letter-f")
+    settle()
+    assert not any(handle.name == "grip" for handle in marks(window))

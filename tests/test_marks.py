@@ -43,10 +43,17 @@ PLACES = ((1.5, 5.0, 0.5), (-1.5, 0.0, 0.5), (0.3, 2.2, -0.5), (-2.0, 0.0, 1.5))
 class Shown:
     """One drawing of a scene in a pane off the screen."""
 
-    def __init__(self, screen: Any, pane: str, scene: Scene = LETTER, style: Any = LIGHT) -> None:
+    def __init__(
+        self,
+        screen: Any,
+        pane: str,
+        scene: Scene = LETTER,
+        style: Any = LIGHT,
+        words: Mapping[str, str] = WORDS,
+    ) -> None:
         self.screen, self.pane = screen, pane
         self.projection = AWAY if pane == "world" else scene.start
-        self.drawing = PANES[pane](screen.plotter, scene, WORDS, style)
+        self.drawing = PANES[pane](screen.plotter, scene, words, style)
         self.drawing.show_projection(self.projection)
         if pane == "world":
             self.drawing.show_view(CLOSE)
@@ -220,6 +227,35 @@ def test_a_text_stands_beside_its_point_on_its_plate(
         # Nothing else of the pane's has been hidden by letters of another colour than readable.
         inside = image[lit.any(axis=1)][:, lit.any(axis=0)]
         assert drawn(inside, (0, 0, 0)).any() or drawn(inside, (255, 255, 255)).any()
+
+
+@pytest.mark.parametrize("pane", PANES)
+def test_a_text_is_written_in_the_window_s_language(pane: str, shown: Callable[..., Shown]) -> None:
+    place = (1.5, 5.0, 0.5)
+    pictures = []
+    for text, words in (
+        ("half-way", {**WORDS, "half-way": "na pola puta"}),
+        ("na pola puta", WORDS),
+        ("half-way", WORDS),
+    ):
+        one = shown(pane, words=words)
+        marks = one.marks([place], lambda p, text=text: Marks(texts=(Text(text, p[0], RED),)))
+        pictures.append(one.show(marks))
+    assert (pictures[0] == pictures[1]).all()
+    assert (pictures[0] != pictures[2]).any()
+
+
+@pytest.mark.parametrize("pane", ["world", "image"])
+def test_a_text_gets_out_of_the_way_of_what_the_scene_shows(
+    pane: str, shown: Callable[..., Shown]
+) -> None:
+    """Beside the stem's left edge: the first place, to the right, is over the letter."""
+    one = shown(pane)
+    place = (-1.5, 2.2, 0.5)
+    lit = drawn(one.show(one.marks([place], lambda p: Marks(texts=(Text("stem", p[0], RED),)))),
+                (255, 0, 0))  # fmt: skip
+    assert lit.sum() > 100
+    assert middle(lit)[0] < one.seen([place])[0][0] - 10.0
 
 
 def test_texts_of_one_place_do_not_hide_one_another(shown: Callable[..., Shown]) -> None:

@@ -113,7 +113,8 @@ def numbers_of(exhibit: Exhibit) -> dict[str, np.ndarray]:
         elif isinstance(reading.value, (int, float)):
             values.append(reading.value)
         elif reading.value is None:
-            assert reading.note is not None, f"{reading.label} has no value and says nothing"
+            said = reading.note is not None or reading.counted  # not counted yet
+            assert said, f"{reading.label} has no value and says nothing"
     found["readings"] = np.array(values, dtype=float)
     for diagram in exhibit.diagrams:
         assert diagram.curves, diagram.title

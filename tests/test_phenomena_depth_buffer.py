@@ -98,12 +98,12 @@ def test_the_smallest_gap_at_the_target_is_the_lectures() -> None:
     for near in (0.01, 0.03, 0.1, 0.3):
         for bits in (16, 24, 32):
             at = Projection(camera, Perspective(45.0, near, 1e9))
-            reading = shown(at, format=f"fixed{bits}").readings[1]
+            reading = shown(at, format=f"fixed{bits}").readings[2]
             w = camera.distance
             step = w**2 / (near * 2**bits)
             assert reading.value == pytest.approx(step / (1.0 - step / w), rel=2e-2 / near**0.1)
     behind = shown(Projection(camera, Perspective(45.0, 1.0, 10.0))).readings
-    assert behind[1].value is None and behind[1].note is not None
+    assert behind[2].value is None and behind[2].note is not None
 
 
 def test_a_surface_that_comes_to_lie_in_front_is_never_wrong() -> None:
@@ -149,16 +149,27 @@ def test_what_the_lens_cannot_have_is_said() -> None:
     assert fine.readings[0].note is not None and fine.readings[0].value is not None
 
 
-def test_the_ticks_are_codes() -> None:
-    """Both axes: 8 bits have 256 codes, of which every 8th and the last is a tick."""
-    diagram = shown(PHENOMENON.start, format="fixed8").diagrams[0]
-    buffer = DepthBuffer("fixed8", "opengl", 0.01, 200.0)
+@pytest.mark.parametrize(("name", "largest"), [("fixed8", 2**8 - 1), ("fixed24", 2**24 - 1)])
+def test_the_ticks_are_codes(name: str, largest: int) -> None:
+    """Both axes: every 32nd part of the codes, and the last one; 8 bits: every 8th code."""
+    diagram = shown(PHENOMENON.start, format=name).diagrams[0]
+    buffer = DepthBuffer(name, "opengl", 0.01, 200.0)
     assert diagram.y_ticks is not None and diagram.x_ticks is not None
-    assert (diagram.y_ticks * 255.0).tolist() == pytest.approx([*range(0, 255, 8), 255])
+    expected = [*range(0, largest, (largest + 1) // 32), largest]
+    assert (diagram.y_ticks * largest).tolist() == pytest.approx(expected)
     assert buffer.depth(diagram.x_ticks) == pytest.approx(diagram.y_ticks, abs=1e-12)
     curve = diagram.curves[0].points
     assert curve[:, 1] == pytest.approx(buffer.depth(curve[:, 0]))
-    assert shown(PHENOMENON.start).diagrams[0].y_ticks is None
+
+
+def test_the_codes_of_a_float_crowd_where_the_reversed_range_needs_them() -> None:
+    """Reversed floats spread their codes over the distances; fixed ones stay behind near."""
+    fixed, floating = (
+        shown(PHENOMENON.start, format=name, range="reversed").diagrams[0].x_ticks
+        for name in ("fixed32", "float32")
+    )
+    assert fixed is not None and floating is not None
+    assert np.median(fixed) < 0.03 < 1.0 < np.median(floating)
 
 
 @pytest.mark.parametrize(

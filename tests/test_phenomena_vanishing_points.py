@@ -163,7 +163,7 @@ def test_the_running_point_goes_to_the_vanishing_point() -> None:
             if found.value is None:
                 gaps.append(math.inf)
                 continue
-            rest = reading(exhibit, "from there to").value
+            rest = reading(exhibit, "from P to V").value
             assert isinstance(rest, float)
             expected = math.dist(pixel(exhibit, "image of P"), pixel(exhibit, f"along {axis}"))
             assert rest == pytest.approx(expected, abs=1e-9)

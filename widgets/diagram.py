@@ -106,11 +106,14 @@ class _Axis:
         places[~np.isfinite(places)] = np.nan
         return places
 
-    def marks(self, most: int) -> list[float]:
-        """Ticks within the ends: those that were given, or as many round ones as there is room."""
+    def given(self) -> list[float]:
+        """The ticks that were given, within the ends."""
         low, high = sorted((self.low, self.high))
-        if self.ticks is not None:
-            return [float(tick) for tick in self.ticks if low <= tick <= high]
+        return [float(tick) for tick in self.ticks or () if low <= tick <= high]
+
+    def marks(self, most: int) -> list[float]:
+        """As many round numbers within the ends as there is room for."""
+        low, high = sorted((self.low, self.high))
         return (decade_ticks if self.log else round_ticks)(low, high, max(2, most))
 
 
@@ -169,7 +172,7 @@ class DiagramView(QWidget):
         """Where the curves' names stand, so that they stay while there is room."""
         self._style = LIGHT
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
-        self.setMinimumSize(115, 110)
+        self.setMinimumSize(115, 90)
 
     def sizeHint(self) -> QSize:
         return QSize(260, 180)
@@ -223,9 +226,12 @@ class DiagramView(QWidget):
         up = _Axis(diagram.bottom, diagram.top, diagram.y_log, y_ticks)
         small = QFontMetricsF(self._small)
         line, label = small.height(), QFontMetricsF(self.font()).height()
-        top = (label + GAP_PX if diagram.title else 0.0) + line / 2.0
-        bottom = line + TICK_PX + GAP_PX + (label if diagram.x_label else 0.0)
-        texts = [figure_text(tick) for tick in self._marks(up, self.height() - top - bottom, False)]
+        top = label + GAP_PX if diagram.title else 0.0
+        top += 0.0 if _is_picture(diagram) else line / 2.0
+        bottom = GAP_PX if _is_picture(diagram) else line + TICK_PX + GAP_PX
+        bottom += label if diagram.x_label else 0.0
+        marks = self._marks(diagram, up, self.height() - top - bottom, False)
+        texts = [figure_text(mark) for mark in marks]
         widest = max((small.horizontalAdvance(text) for text in texts), default=0.0)
         left = widest + TICK_PX + GAP_PX + (label if diagram.y_label else 0.0) + 1.0
         right = small.horizontalAdvance("0000") / 2.0
@@ -234,9 +240,9 @@ class DiagramView(QWidget):
             frame = _in_proportion(frame, abs(across.high - across.low), abs(up.high - up.low))
         return frame, (across, up)
 
-    def _marks(self, axis: _Axis, length: float, is_across: bool) -> list[float]:
-        """Ticks that leave room between their numbers."""
-        if not axis.usable or length <= 0.0:
+    def _marks(self, diagram: Diagram, axis: _Axis, length: float, is_across: bool) -> list[float]:
+        """Ticks that leave room between their numbers; a picture has none."""
+        if not axis.usable or length <= 0.0 or _is_picture(diagram):
             return []
         metrics = QFontMetricsF(self._small)
         each = metrics.horizontalAdvance("000000") if is_across else 1.6 * metrics.height()
@@ -255,7 +261,7 @@ class DiagramView(QWidget):
         if frame.isValid():
             painter.fillRect(frame, QColor(self._style.background))
             if across.usable and up.usable:
-                self._paint_ticks(painter, frame, across, up)
+                self._paint_ticks(painter, diagram, frame, (across, up))
                 painter.save()
                 painter.setClipRect(frame.adjusted(-1.0, -1.0, 1.0, 1.0))
                 shown = [(c, _unit_points(c, across, up)) for c in diagram.curves]
@@ -305,18 +311,26 @@ class DiagramView(QWidget):
             painter.drawText(line, Qt.AlignmentFlag.AlignHCenter, text)
             painter.restore()
 
-    def _paint_ticks(self, painter: QPainter, frame: QRectF, across: _Axis, up: _Axis) -> None:
+    def _paint_ticks(
+        self, painter: QPainter, diagram: Diagram, frame: QRectF, axes: tuple[_Axis, _Axis]
+    ) -> None:
+        across, up = axes
+        painter.setPen(self._pen("muted", 0.5))
+        for place in across.unit(np.array(across.given())).tolist():
+            x = frame.left() + place * frame.width()
+            painter.drawLine(QLineF(x, frame.bottom(), x, frame.top()))
+        for place in up.unit(np.array(up.given())).tolist():
+            y = frame.bottom() - place * frame.height()
+            painter.drawLine(QLineF(frame.left(), y, frame.right(), y))
         painter.setFont(self._small)
         metrics = QFontMetricsF(self._small)
         free = -math.inf
-        marks = self._marks(across, frame.width(), True)
+        marks = self._marks(diagram, across, frame.width(), True)
         places = across.unit(np.array(marks)).tolist()
         for mark, place in sorted(zip(marks, places, strict=True), key=lambda pair: pair[1]):
             x = frame.left() + place * frame.width()
             painter.setPen(self._pen("muted", 0.5))
             painter.drawLine(QLineF(x, frame.bottom(), x, frame.bottom() + TICK_PX))
-            if across.ticks is not None:
-                painter.drawLine(QLineF(x, frame.bottom(), x, frame.top()))
             text, width = figure_text(mark), metrics.horizontalAdvance(figure_text(mark))
             if x - width / 2.0 >= free:
                 painter.setPen(QColor(self._style.ink))
@@ -325,14 +339,12 @@ class DiagramView(QWidget):
                 painter.drawText(box, Qt.AlignmentFlag.AlignHCenter, text)
                 free = x + width / 2.0 + 2.0 * GAP_PX
         free = math.inf
-        marks = self._marks(up, frame.height(), False)
+        marks = self._marks(diagram, up, frame.height(), False)
         places = up.unit(np.array(marks)).tolist()
         for mark, place in sorted(zip(marks, places, strict=True), key=lambda pair: pair[1]):
             y = frame.bottom() - place * frame.height()
             painter.setPen(self._pen("muted", 0.5))
             painter.drawLine(QLineF(frame.left() - TICK_PX, y, frame.left(), y))
-            if up.ticks is not None:
-                painter.drawLine(QLineF(frame.left(), y, frame.right(), y))
             if y + metrics.height() / 2.0 <= free:
                 painter.setPen(QColor(self._style.ink))
                 top = y - metrics.height() / 2.0
@@ -390,6 +402,11 @@ class DiagramView(QWidget):
             painter.drawText(
                 box.adjusted(SWATCH_PX + GAP_PX, 0.0, 2.0, 0.0), Qt.AlignmentFlag.AlignLeft, text
             )
+
+
+def _is_picture(diagram: Diagram) -> bool:
+    """Whether it is looked at and not read off: it has no numbers, and all the room."""
+    return diagram.equal and not (diagram.x_label or diagram.y_label)
 
 
 def _in_proportion(frame: QRectF, width: float, height: float) -> QRectF:

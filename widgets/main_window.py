@@ -60,6 +60,7 @@ from widgets import palette
 from widgets.attention import Attended
 from widgets.autosave import Autosave
 from widgets.controls import Controls
+from widgets.counting import Counting
 from widgets.files import Files
 from widgets.frame_panel import FramePanel
 from widgets.help import Help
@@ -198,6 +199,7 @@ class MainWindow(QMainWindow):
             self.tr("Probe"), self.probe_panel, self.tr("Follow points through every stage")
         )
         self.scene_panel = ScenePanel()
+        self.counting = Counting(self._in_motion, self)
         self.panels.add(
             self.tr("About this scene"), self.scene_panel,
             self.tr("What the scene shows, its own settings and its numbers"),
@@ -474,6 +476,9 @@ class MainWindow(QMainWindow):
             self.attention.changed.connect(place.show_attention)
         self.attention.changed.connect(controls.show_attention)
         self.scene_panel.edited.connect(self._set_settings)
+        self.manipulation.setting_edited.connect(self._set_by_hand)
+        canvas.frameSwapped.connect(self._tell_problem)  # only a rendering finds out
+        self.counting.counted.connect(self.scene_panel.show_count)
         self.scene_panel.mesh_wanted.connect(self.files.mesh_dialog)
         self.scene_panel.mesh_removed.connect(partial(self.files.use_mesh, ""))
         QGuiApplication.styleHints().colorSchemeChanged.connect(self._scheme_changed)
@@ -521,18 +526,39 @@ class MainWindow(QMainWindow):
     def _show_exhibit(self, document: Document, scene: Scene) -> None:
         """Compute what a phenomenon shows, once for panes and panel."""
         if scene.phenomenon is None:
+            self.counting.show(scene, document.projection, None)
+            self.manipulation.show_exhibit(None)
             return
         exhibit = scene.phenomenon.exhibit(document.projection, document.settings, scene.subject)
+        self.counting.show(scene, document.projection, exhibit)
         for pane in self.panes.values():
             pane.show_exhibit(exhibit)
+        self.manipulation.show_exhibit(exhibit, document.settings)
         self.scene_panel.show_settings(document.settings)
         self.scene_panel.show_exhibit(exhibit)
+
+    def _in_motion(self) -> bool:
+        return self.store.in_gesture
+
+    def _tell_problem(self) -> None:
+        """Say, and draw again, where this computer's OpenGL refused a scene's own shader."""
+        pane = self.panes["image"]
+        if isinstance(pane.drawing, ImageDrawing):
+            problem = pane.drawing.problem
+            if self.scene_panel.show_problem(problem) and problem is not None:
+                pane.request_repaint()
 
     def _set_settings(self, settings: Mapping[str, Value]) -> None:
         try:
             self.store.set_settings(settings)
         except ProjectionError as error:
             self.scene_panel.refuse(error)
+
+    def _set_by_hand(self, settings: Mapping[str, Value]) -> None:
+        try:
+            self.store.set_settings(settings)
+        except ProjectionError as error:
+            self.manipulation.refuse(self.scene_panel.named(error))
 
     def _build_drawings(self, views: dict[str, Camera]) -> None:
         style = palette.drawing_style(
@@ -821,6 +847,7 @@ class MainWindow(QMainWindow):
         self.controls.animation.pause()
         self.strip.pause()
         self.scene_panel.pause()
+        self.counting.stop()
         self.settings.geometry = bytes(self.saveGeometry().data())
         self.autosave.close()
         for pane in self.panes.values():

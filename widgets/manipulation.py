@@ -3,6 +3,7 @@
 ::
 
     canvas.drag_started, dragged --> app.handles: what it makes of a field --> edited(Projection)
+                                                  or of the scene's setting --> setting_edited
                                                              ProjectionError --> a sentence over
                                                                                  the pane
 
@@ -13,23 +14,39 @@ so that the sentence of a refusal lies over the pane: the window's own bar would
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
+from types import MappingProxyType
 from typing import Any
 
+import numpy as np
 from PySide6.QtCore import QEvent, QObject, QPointF, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QApplication
 
 from app.drawings.image import ImageDrawing
 from app.drawings.world import WorldDrawing
-from app.handles import Change, Handle, changed, dollied, dragged, panned, place, present
+from app.handles import (
+    Change,
+    Handle,
+    Spot,
+    changed,
+    dollied,
+    dragged,
+    dragged_grip,
+    panned,
+    place,
+    present,
+)
+from app.phenomena.exhibit import Exhibit, Grip, Settings
 from app.picking import Sight
-from app.projection import NOT_THE_EYE, OTHER_SIDE, Projection, ProjectionError
+from app.projection import NOT_THE_EYE, OTHER_SIDE, Projection, ProjectionError, Vector
 from widgets.message_bar import MessageBar
 from widgets.messages import field_name, seen_from, sentence
 from widgets.pane import ZOOM_PER_WHEEL_STEP, Pane
 from widgets.rows import QUIET_MS, short_text
 
+NO_SETTINGS: Settings = MappingProxyType({})
 HOLD_WITHIN_PX = 9.0
 """So near to a mark a drag takes hold of it."""
 
@@ -50,6 +67,8 @@ class Manipulation(QObject):
 
     edited = Signal(object)
     """The hand made this `Projection`."""
+    setting_edited = Signal(object)
+    """The hand gave the scene's settings these values, by name; `refuse` says if they cannot be."""
     gesture_started = Signal()
     gesture_finished = Signal()
 
@@ -57,6 +76,8 @@ class Manipulation(QObject):
         super().__init__(parent)
         self._world, self._image = world, image
         self._projection = Projection()
+        self._grips: dict[str, Grip] = {}
+        self._values: Settings = NO_SETTINGS
         self._drag: _Drag | None = None
         self._in_gesture = False
         self._watched: QObject | None = None
@@ -84,6 +105,17 @@ class Manipulation(QObject):
         if projection.lens.kind != self._projection.lens.kind:
             self._drag = None  # undone or reset under the hand: its fields are gone
         self._projection = projection
+        drawing = self._world.drawing
+        if isinstance(drawing, WorldDrawing) and drawing.held is not None:
+            self._tell(drawing.held)
+
+    def show_exhibit(self, exhibit: Exhibit | None, settings: Settings = NO_SETTINGS) -> None:
+        """Take over where the scene's settings are held; None for a scene that has none."""
+        self._values = settings
+        self._grips = {} if exhibit is None else {grip.setting: grip for grip in exhibit.grips}
+        drag = self._drag
+        if drag is not None and drag.held is not None and drag.held.setting not in self._grips:
+            self._drag = None  # another scene under the hand
         drawing = self._world.drawing
         if isinstance(drawing, WorldDrawing) and drawing.held is not None:
             self._tell(drawing.held)
@@ -120,6 +152,13 @@ class Manipulation(QObject):
 
     def _tell(self, handle: Handle) -> None:
         """Say what a drag of a handle does, and what it has made so far."""
+        if handle.name == "grip":
+            if handle.setting in self._grips:
+                value = _shown(_value(self._grips[handle.setting]))
+                text = self.tr("Drag this point (Shift: up and down)")
+                self._world.note.setText(f"{text}: {value}")
+                self._world.canvas.setToolTip(self._world.note.text())
+            return
         names, text = self._does(handle)
         values = present(self._projection, names)
         now = ", ".join(f"{field_name(name)} = {_shown(value)}" for name, value in values.items())
@@ -154,9 +193,13 @@ class Manipulation(QObject):
         self._world.canvas.keep_view()
         self._point_out(drawing, handle)
         sight, drawn = drawing.sight, drawing.planes_drawn
-        spot = sight.seen([place(self._projection, handle, drawn)])[0]
+        held = self._grips.get(handle.setting)
+        at = place(self._projection, handle, drawn) if held is None else held.point
+        spot = sight.seen([at])[0]
         grip = handle, drawn, sight, (float(spot[0]), float(spot[1]))
-        self._start(_Drag(self._world, self._projection, grip))
+        self._start(
+            _Drag(self._world, self._projection, grip, held, self._values.get(handle.setting))
+        )
 
     def take_picture(self, pixel: QPointF) -> None:
         """Take hold of the picture, if a drag in the image pane starts on it."""
@@ -181,12 +224,31 @@ class Manipulation(QObject):
         if drag.grip is not None:
             handle, drawn, sight, (x, y) = drag.grip
             pixel = x + right_px, y + down_px
+            if drag.held is not None:
+                self._drag_point(drag, drag.held, sight, pixel, shift=shift)
+                return
             self._attempt(
                 drag.pane, partial(dragged, drag.start, handle, drawn, sight, pixel, shift=shift)
             )
         elif isinstance(drag.pane.drawing, ImageDrawing):
             shift_px = drag.pane.drawing.image_shift(right_px, down_px)
             self._attempt(drag.pane, partial(panned, drag.start, shift_px))
+
+    def _drag_point(
+        self, drag: _Drag, held: Grip, sight: Sight, pixel: Spot, *, shift: bool
+    ) -> None:
+        before: Vector = tuple(held.point.tolist())
+        self.message.hide()
+        point = dragged_grip(before, sight, pixel, shift=shift)
+        if point == before:  # the hand is back
+            self.setting_edited.emit({held.setting: drag.before})
+        else:
+            moved = replace(held, point=np.array(point))
+            self.setting_edited.emit({held.setting: _value(moved)})
+
+    def refuse(self, error: ProjectionError) -> None:
+        """Say over the pane why a setting cannot be what the hand made of it."""
+        self._refuse(self._world, error)
 
     def _let_go(self) -> None:
         if self._watched is None:
@@ -203,7 +265,10 @@ class Manipulation(QObject):
     def _put_back(self) -> None:
         """Give up the drag: what it changed is as it was at its start."""
         drag, self._drag = self._drag, None
-        if drag is not None:
+        if drag is not None and drag.held is not None:
+            self.message.hide()
+            self.setting_edited.emit({drag.held.setting: drag.before})
+        elif drag is not None:
             self.message.hide()
             self.edited.emit(changed(self._projection, present(drag.start, drag.names)))
 
@@ -273,6 +338,10 @@ class _Drag:
     grip : (Handle, (float, float), Sight, (float, float)) or None
         The handle, where the planes were drawn, how the pane looked, and where the handle was in
         it; None for the picture.
+    held : Grip, optional
+        The setting that is dragged, as it was held.
+    before : tuple of 3 floats, optional
+        Its value then.
     """
 
     def __init__(
@@ -280,8 +349,10 @@ class _Drag:
         pane: Pane,
         start: Projection,
         grip: tuple[Handle, tuple[float, float], Sight, tuple[float, float]] | None,
+        held: Grip | None = None,
+        before: Any = None,
     ) -> None:
-        self.pane, self.start, self.grip = pane, start, grip
+        self.pane, self.start, self.grip, self.held, self.before = pane, start, grip, held, before
         #: The fields that have been dragged at.
         self.names: set[str] = set()
 
@@ -295,6 +366,12 @@ def _seen_from(change: Change, error: ProjectionError) -> ProjectionError:
     if error.bound == NOT_THE_EYE and "eye" in change:
         return seen_from("eye", "", 0.0, error)
     return error
+
+
+def _value(grip: Grip) -> Vector:
+    """The setting that a grip stands for."""
+    x, y, z = (p - b for p, b in zip(grip.point.tolist(), grip.base, strict=True))
+    return x, y, z
 
 
 def _shown(value: Any) -> str:

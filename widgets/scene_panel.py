@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from functools import partial
 from typing import Any
@@ -25,6 +26,7 @@ from PySide6.QtWidgets import (
     QGridLayout,
     QHBoxLayout,
     QLabel,
+    QLayout,
     QPushButton,
     QScrollArea,
     QSizePolicy,
@@ -38,6 +40,7 @@ from app.phenomena.exhibit import (
     Diagram,
     Exhibit,
     Phenomenon,
+    Phrase,
     Reading,
     Setting,
     Settings,
@@ -62,10 +65,16 @@ from widgets.rows import (
 
 HEIGHT_PX = 225
 """Of the panel where it opens, at the ordinary font; what is higher scrolls, or it is dragged."""
+PART = 0.28
+"""Of a large window's height, for the panel."""
 LEAST_WINDOW_PX = 1300
 """In a window that is so wide it must find room."""
 COLUMN_PX = 200
 """Least width of what can scroll to and fro."""
+PICTURE = 16.0 / 9.0
+"""Width of a picture that is compared with others, over its height."""
+MOST_ABREAST = 2
+"""So many diagrams stand beside the settings; for more of them there is more room."""
 NAME_CHARACTERS = 24
 """Longest name of a setting that is written in one line."""
 LARGE, LARGER = 1.5, 1.15
@@ -104,6 +113,8 @@ class ScenePanel(QWidget):
         self._phenomenon: Phenomenon | None = None
         self._settings: Settings = {}
         self._exhibit: Exhibit | None = None
+        self._counted: float | None = None
+        self._problem: Phrase | None = None
         self._style = LIGHT
         self._stale = False
         self._edits: Row | None = None
@@ -153,23 +164,30 @@ class ScenePanel(QWidget):
         read.addWidget(self.warning)
         read.addWidget(self.readout)
         read.addStretch(1)
-        self._drawn = QHBoxLayout()
+        self._drawn = QGridLayout()
+        self._drawn.setSpacing(4)
         self._text_column = _Column(text, self.tr("What this scene shows"))
         self._settings_column = _Column(chosen, self.tr("Settings of this scene"), 480)
-        self._readout_column = _Column(read, self.tr("Readout"), 540)
+        self._readout_column = _Column(read, self.tr("Readout"), 590)
         self._diagram_column = _Column(self._drawn, self.tr("Diagrams"))
+        self._columns_of_diagrams = 0
+        self._diagram_column.installEventFilter(self)
         self._columns = QHBoxLayout(self)
         self._columns.setContentsMargins(4, 0, 4, 2)
         self._columns.setSpacing(12)
-        self._columns.addWidget(self._text_column, 4)
-        self._columns.addWidget(self._settings_column, 5)
+        self._said = QBoxLayout(QBoxLayout.Direction.LeftToRight)
+        self._said.setSpacing(self._columns.spacing())
+        self._said.addWidget(self._text_column, 4)
+        self._said.addWidget(self._settings_column, 5)
+        self._columns.addLayout(self._said, 9)
         self._columns.addWidget(self._readout_column, 4)
         self._columns.addWidget(self._diagram_column)
 
     def sizeHint(self) -> QSize:
         """Low: the panes above need the height."""
         lines = 13.0 * self.fontMetrics().height()
-        return QSize(super().sizeHint().width(), max(HEIGHT_PX, round(lines)))
+        part = PART * self.window().height()
+        return QSize(super().sizeHint().width(), round(max(HEIGHT_PX, lines, part)))
 
     def minimumSizeHint(self) -> QSize:
         """Not wider than a window of 1366 pixels: rather are the columns scrolled."""
@@ -192,6 +210,7 @@ class ScenePanel(QWidget):
         if phenomenon is not self._phenomenon or phenomenon is None:
             self.pause()
             self._phenomenon, self._settings, self._exhibit = phenomenon, {}, None
+            self._problem = None
             self._make_rows(() if phenomenon is None else phenomenon.settings)
         self.title.setText(title)
         lectures = () if phenomenon is None else phenomenon.lectures
@@ -219,8 +238,22 @@ class ScenePanel(QWidget):
     def show_exhibit(self, exhibit: Exhibit | None) -> None:
         """Show readout, warning and diagrams: at once if visible, else on appearing."""
         if exhibit is not self._exhibit:
-            self._exhibit = exhibit
+            self._exhibit, self._counted = exhibit, None
             self._refresh()
+
+    def show_count(self, exhibit: Exhibit, share: float) -> None:
+        """Show what was counted in the picture of an exhibit, unless that is shown no more."""
+        if exhibit is self._exhibit:
+            self._counted = 100.0 * share
+            self._refresh()
+
+    def show_problem(self, problem: Phrase | None) -> bool:
+        """Say why the picture is not drawn as the scene asks, if so; tell whether that is new."""
+        if problem == self._problem:
+            return False
+        self._problem = problem
+        self._refresh()
+        return True
 
     def set_style(self, style: Style) -> None:
         """Draw the diagrams in other colours and sizes; those of the panes."""
@@ -230,13 +263,17 @@ class ScenePanel(QWidget):
 
     def refuse(self, error: ProjectionError) -> None:
         """Say at the row that was just edited why that cannot be; the last value stays."""
+        row = self._edits or self.rows[next(iter(self.rows))]
+        row.show_error(sentence(self.named(error)))
+
+    def named(self, error: ProjectionError) -> ProjectionError:
+        """A refusal under the label of the setting that it is about."""
         assert self._phenomenon is not None
         labels = {setting.path: setting.label for setting in self._phenomenon.settings}
-        if error.field in labels:
-            name = of_phenomena(labels[error.field])
-            error = ProjectionError(name, error.value, error.bound, *error.limits)
-        row = self._edits or self.rows[next(iter(self.rows))]
-        row.show_error(sentence(error))
+        if error.field not in labels:
+            return error
+        name = of_phenomena(labels[error.field])
+        return ProjectionError(name, error.value, error.bound, *error.limits)
 
     def pause(self) -> None:
         """Let all that is played stand still."""
@@ -332,8 +369,11 @@ class ScenePanel(QWidget):
             if name in self.players:
                 self.players[name].show_value(float(value))  # type: ignore[arg-type]
         exhibit = self._exhibit
-        self.readout.show_readings(() if exhibit is None else exhibit.readings)
-        warning = None if exhibit is None else exhibit.warning
+        readings = () if exhibit is None else exhibit.readings
+        self.readout.show_readings(
+            [replace(r, value=self._counted) if r.counted else r for r in readings]
+        )
+        warning = self._problem if exhibit is None else exhibit.warning or self._problem
         self.warning.say("" if warning is None else f"⚠ {_full(warning.sentence(of_phenomena))}")
         self._show_diagrams(() if exhibit is None else exhibit.diagrams)
 
@@ -342,7 +382,7 @@ class ScenePanel(QWidget):
             view = DiagramView()
             view.set_style(self._style)
             self.diagrams.append(view)
-            self._drawn.addWidget(view, 1)
+            self._place_diagrams()
         for place, view in enumerate(self.diagrams):
             shown = place < len(diagrams)
             if view.isHidden() == shown:
@@ -350,7 +390,41 @@ class ScenePanel(QWidget):
             view.show_diagram(diagrams[place] if shown else None)
         if self._diagram_column.isHidden() == bool(diagrams):
             self._diagram_column.setVisible(bool(diagrams))
-        self._columns.setStretchFactor(self._diagram_column, 4 * min(3, len(diagrams)))
+        self._share_room(len(diagrams))
+
+    def _place_diagrams(self) -> None:
+        """In one row, or in two where they are larger so: many are pictures to be compared."""
+        count, size = len(self.diagrams), self._diagram_column.size()
+        half = -(-count // 2)
+        abreast, above = (
+            min(size.width() / columns / PICTURE, size.height() / rows - self._line)
+            for columns, rows in ((max(1, count), 1), (max(1, half), 2))
+        )
+        columns = half if count > MOST_ABREAST and above > abreast else max(1, count)
+        if self._drawn.count() == count and columns == self._columns_of_diagrams:
+            return
+        self._columns_of_diagrams = columns
+        for place, view in enumerate(self.diagrams):
+            self._drawn.addWidget(view, place // columns, place % columns)
+
+    def _share_room(self, diagrams: int) -> None:
+        """Many diagrams are what the scene is about: the settings then stand under the text."""
+        many = diagrams > MOST_ABREAST
+        direction = QBoxLayout.Direction.TopToBottom if many else QBoxLayout.Direction.LeftToRight
+        self._said.setDirection(direction)
+        self._said.setStretch(1, 0 if many else 5)
+        said = 4 if many or self._settings_column.isHidden() else 9
+        self._columns.setStretch(0, said)
+        self._columns.setStretchFactor(self._diagram_column, 16 if many else 4 * diagrams)
+
+    @property
+    def _line(self) -> int:
+        return self.fontMetrics().height()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.Resize:
+            self._place_diagrams()
+        return super().eventFilter(watched, event)
 
     def _align(self) -> None:
         """Give the names one width: the longest one's, up to a limit."""
@@ -373,7 +447,7 @@ class _Column(QScrollArea):
 
     Parameters
     ----------
-    layout : QBoxLayout
+    layout : QLayout
         What is in it.
     name : str
         Translated, for screen readers.
@@ -381,7 +455,7 @@ class _Column(QScrollArea):
         Up to this it is at least as wide as what is in it; beyond, it gives way and scrolls.
     """
 
-    def __init__(self, layout: QBoxLayout, name: str, whole_px: int = COLUMN_PX) -> None:
+    def __init__(self, layout: QLayout, name: str, whole_px: int = COLUMN_PX) -> None:
         super().__init__()
         self._whole_px = whole_px
         self._asked_px = 0
@@ -400,7 +474,8 @@ class _Column(QScrollArea):
         return QSize(max(COLUMN_PX, min(width, self._whole_px)), 60)
 
     def sizeHint(self) -> QSize:
-        return QSize(self.minimumSizeHint().width(), HEIGHT_PX)
+        inside = self._inside.sizeHint().height()
+        return QSize(self.minimumSizeHint().width(), min(HEIGHT_PX, inside))
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.LayoutRequest:

@@ -24,12 +24,18 @@ from app.handles import Handle, Spot
 APART_EM = 0.9
 """Of two marks at least."""
 
-_SHAPES = {"eye": (16, 0.44), "target": (16, 0.44), "near": (4, 0.46), "far": (4, 0.46)}
+_SHAPES = {
+    "eye": (16, 0.44),
+    "target": (16, 0.44),
+    "near": (4, 0.46),
+    "far": (4, 0.46),
+    "grip": (16, 0.44),
+}
 _CORNER = 4, 0.5  # corners of the mark, and its radius in em
 _RIM_EM = 0.11
 _POINTS = 16  # of each outline
 _POINTED_OUT = 1.4  # times as large
-_MOST = 8  # eye, target, near, far and four corners
+_MOST = 10  # eye, target, near, far, four corners, and two points of a scene's settings
 _AWAY_PX = -1e4
 
 
@@ -53,6 +59,7 @@ class HandleMarks:
         self.held: Handle | None = None
         self.shown: list[tuple[Handle, Spot]] = []
         fills = {"eye": style.background, "corner": style.background}
+        fills |= {"grip": style.background}
         fills |= {name: getattr(style, name) for name in ("target", "near", "far")}
         self._fills = {name: _bytes(colour) for name, colour in fills.items()}
         self._accent, self._ink = _bytes(style.accent), _bytes(style.ink)
@@ -91,7 +98,7 @@ class HandleMarks:
         height_px : int
             Of the pane, whose pixels VTK counts from below.
         """
-        self.shown = list(handles)
+        self.shown = list(handles)[:_MOST]
         self._places[len(self.shown) :, ..., :2] = _AWAY_PX
         for i, (handle, (x, y)) in enumerate(self.shown):
             if not (math.isfinite(x) and math.isfinite(y)):  # held, and not to be seen

@@ -18,7 +18,7 @@ from vtkmodules.vtkRenderingCore import vtkRenderer
 from app.attention import SIDES, Attention, corner_at
 from app.drawings.actors import Canvas, Space, face_actor, identity_camera, lifted
 from app.drawings.labels import Layout
-from app.drawings.marks import MarksDrawing, Placing
+from app.drawings.marks import MarksDrawing, Placing, spread_over
 from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at
 from app.drawings.probes import Mark, Probes
 from app.drawings.rasterising import RASTERISED, Rasteriser
@@ -74,7 +74,7 @@ class ImageDrawing:
     ) -> None:
         self._scene = scene
         self._model = ModelActors(scene, style, least_tolerance(scene, tolerance_px))
-        self._style = style
+        self._style, self._words = style, words
         self._framed = framed
         self._canvas = Canvas(plotter, style, self._layout)
         self._image_size = scene.start.image_size
@@ -84,6 +84,8 @@ class ImageDrawing:
         self._add_picture()
         self._probes = Probes(self._canvas, style, self._picture)
         self._marks: MarksDrawing | None = None
+        self._homogeneous = np.empty((0, 4))
+        """Points all over the scene's faces, (n, 4), which texts rather do not hide."""
         self._rasteriser: Rasteriser | None = None
         self._own_camera = self._canvas.renderer.GetActiveCamera()
         self._canvas.renderer.SetActiveCamera(identity_camera())
@@ -155,8 +157,15 @@ class ImageDrawing:
         if self._marks is None:
             if exhibit is None:
                 return
+            subject = spread_over(self._scene)
+            self._homogeneous = np.column_stack([subject, np.ones(len(subject))])
             self._marks = MarksDrawing(
-                self._canvas, self._scene, self._style, renderer=self._picture, over=True
+                self._canvas,
+                self._scene,
+                self._style,
+                self._words,
+                renderer=self._picture,
+                over=True,
             )
         width, height = self._image_size
         placing = Placing(
@@ -209,7 +218,11 @@ class ImageDrawing:
             return [(x, y, 1.0) for x, y in spots.tolist()]
 
         layout = Layout((rectangle.width, rectangle.height), self._style.font_size, {})
-        self._marks.place_texts(layout, seen)
+        clip = self._homogeneous @ self._projection.clip_from_world_at(self._scene.origin).T
+        clip = clip[clip[:, 3] > 0.0]
+        with np.errstate(over="ignore", invalid="ignore"):
+            subject = (clip[:, :2] / clip[:, 3:] + 1.0) * half
+        self._marks.place_texts(layout, seen, subject)
 
     @property
     def sight(self) -> Sight:

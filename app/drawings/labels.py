@@ -49,6 +49,7 @@ _BELOW_PLANE = (
 )  # fmt: skip
 _ABOVE_PLANE = tuple((x, -y) for x, y in (_BELOW_PLANE[1:3] + _BELOW_PLANE[:1] + _BELOW_PLANE[3:]))
 _GAPS_EM = (0.5, 1.6, 3.0, 5.0, 8.0, 12.0)  # between a label and its point, best first
+_HIDES = (0.01, 0.05, 0.1)  # parts of the subject that a label may hide, rather than more
 _LEADER_FROM_EM = 1.2  # a label as far from its point is joined to it by a line
 _OTHER_PLANE_EM = 2.0  # as far is each plane's label from the other one's corners
 _STAYS_WITHIN_EM = 3.0  # a label as near to its point stays where it is while something moves
@@ -321,6 +322,7 @@ class Layout:
         *,
         gaps: int = len(_GAPS_EM),
         apart_from: Sequence[Spot] = (),
+        best: Sequence[int] = (),
     ) -> bool:
         """Put a label as near as can be to one of these points, where it hides no other one.
 
@@ -341,6 +343,8 @@ class Layout:
             How many of `_GAPS_EM` to try.
         apart_from : sequence of Spot
             What the label must not seem to belong to.
+        best : sequence of int, optional
+            As `least_hiding` gives it: another order of the places beside a single point.
 
         Returns
         -------
@@ -348,8 +352,7 @@ class Layout:
             Whether there was a place for it.
         """
         width_px, height_px = self._size_px
-        # As wide as DejaVu Sans, and a line high.
-        half = self._em * (0.26 * (len(text) + 2) + 0.15), self._em * 0.72
+        half = self._half(text)
         usable = [
             i
             for i, (x, y, depth) in enumerate(points)
@@ -362,7 +365,11 @@ class Layout:
         if kept is not None and leader is not None and kept[1] in usable:
             found = search([kept])
         if found is None or not found[2]:
-            found = search(product(_GAPS_EM[:gaps], usable, sides))
+            places: Iterable[_Candidate] = product(_GAPS_EM[:gaps], usable, sides)
+            if best and usable:
+                places = list(places)
+                places = [places[i] for i in best]
+            found = search(places)
         if found is None:
             label.set_visible(False)
             if leader is not None:
@@ -375,6 +382,41 @@ class Layout:
                 self.settled[label] = candidate
         self._put(label, leader, points[candidate[1]][:2], box)
         return True
+
+    def least_hiding(
+        self,
+        text: str,
+        point: Spot,
+        sides: Sequence[tuple[float, float]],
+        gaps: int,
+        subject: Array,
+    ) -> list[int]:
+        """The places beside a point, those first that hide nothing, or little, of something.
+
+        Parameters
+        ----------
+        text, point, sides, gaps
+            As for `place`.
+        subject : (n, 2) array
+            Pixels all over what is not to be hidden.
+
+        Returns
+        -------
+        list of int
+            For `place`.
+        """
+        if not len(subject):
+            return []
+        half = np.array(self._half(text))
+        away = half + self._em * np.repeat(_GAPS_EM[:gaps], len(sides))[:, None]
+        centres = point[:2] + away * np.tile(sides, (gaps, 1))
+        hidden = (np.abs(subject - centres[:, None]) < half).all(axis=2).mean(axis=1)
+        order: list[int] = np.argsort(np.digitize(hidden, _HIDES), kind="stable").tolist()
+        return order
+
+    def _half(self, text: str) -> tuple[float, float]:
+        """Half the width and height of a label: as wide as DejaVu Sans, and a line high."""
+        return self._em * (0.26 * (len(text) + 2) + 0.15), self._em * 0.72
 
     def _search(
         self,

@@ -23,7 +23,7 @@ beforehand.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
@@ -59,8 +59,11 @@ ground and not the grid that is drawn on it."""
 _LINE_STEPS, _FACE_STEPS = 3, 0.7  # of `lift_lines`
 _FLAT_LINES = -5e-5  # of the depth range, before faces, where all marks are in one plane
 _DEPTH_ALONE = 1.0 / 512.0  # an opacity that colours nothing in 8 bits, and is not 0
+_SPREAD, _GOLDEN = 120, 0.7548776662466927  # points over the subject; 1/plastic number
+_MOST_FACES = 20_000  # of a subject that texts get out of the way of
 _SINGULAR = 1e-12  # ratio of the singular values of a matrix that flattens
 # Right and up of a text from its point, in half texts, best first.
+_GAPS = 3
 _BESIDE = ((1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0), (0.0, 1.0), (0.0, -1.0))
 
 
@@ -96,6 +99,8 @@ class MarksDrawing:
     scene : Scene
         What copies are copies of.
     style : Style
+    words : mapping
+        Texts that there is a word for are written with it: of another language.
     renderer : vtkRenderer, optional
         Where to draw; the pane's own if not given.
     clip : iterable of vtkPlane
@@ -111,6 +116,7 @@ class MarksDrawing:
         canvas: Canvas,
         scene: Scene,
         style: Style,
+        words: Mapping[str, str],
         *,
         renderer: Any = None,
         clip: Iterable[vtkPlane] = (),
@@ -118,11 +124,13 @@ class MarksDrawing:
         lifts_copies: bool = False,
     ) -> None:
         self._canvas, self._scene, self._style, self._renderer = canvas, scene, style, renderer
+        self._words = words
         self._clip, self._over, self._lifts_copies = tuple(clip), over, lifts_copies
         self._lines: list[_Batch] = []
         self._dots: list[_Batch] = []
         self._faces: dict[bool, _Batch] = {}
         self._labels: list[Label] = []
+        self._best: dict[Label, Sequence[int]] = {}
         self._copies: list[_CopyActors] = []
         self._colours: dict[tuple[str, int], NDArray[np.uint8]] = {}
         self._texts: list[str] = []
@@ -235,20 +243,26 @@ class MarksDrawing:
     def _show_texts(self, texts: Sequence[Text], placing: Placing) -> None:
         points = _placed_each(texts, placing)
         near = np.flatnonzero(_within(points, placing.limit)).tolist()
-        self._text_points, self._texts = points[near], [texts[i].text for i in near]
+        words = [self._words.get(texts[i].text, texts[i].text) for i in near]
+        self._text_points, self._texts = points[near], words
         style = self._style
         while len(self._labels) < len(near):
             label = self._canvas.label(
                 "", renderer=self._renderer, plate=style.ink, in_pixels=True, bold=True
             )
             self._labels.append(label)
-        for label, i in zip(self._labels, near, strict=False):
+        for label, i, word in zip(self._labels, near, words, strict=False):
             label.set_plate(self._named(texts[i].colour or "background"))
-            label.set_text(texts[i].text)
+            label.set_text(word)
         for label in self._labels[len(near) :]:
             label.set_visible(False)
 
-    def place_texts(self, layout: Layout, seen: Callable[[Array], Sequence[Spot]]) -> None:
+    def place_texts(
+        self,
+        layout: Layout,
+        seen: Callable[[Array], Sequence[Spot]],
+        subject: Array | None = None,
+    ) -> None:
         """Put each text beside its point, where it hides no dot and no other label.
 
         Parameters
@@ -257,6 +271,9 @@ class MarksDrawing:
             Of the renderer, where other labels have their places already.
         seen : callable
             From points of the pane's actors, (n, 3), to where they are in the renderer.
+        subject : (n, 2) array, optional
+            Where `spread_over` of the scene is seen: what texts rather do not hide. If it is not
+            given, they stay on the sides that were best then, so that a drag makes none jump.
         """
         if not self._texts:
             return
@@ -264,7 +281,10 @@ class MarksDrawing:
         spots = seen(np.concatenate([self._text_points, self._dot_points]))
         layout.keep_free([spot for spot in spots[count:] if spot[2] > 0.0])
         for label, text, spot in zip(self._labels, self._texts, spots, strict=False):
-            if layout.place(label, text, [spot], _BESIDE, gaps=2):
+            if subject is not None:
+                self._best[label] = layout.least_hiding(text, spot, _BESIDE, _GAPS, subject)
+            best = self._best.get(label, ())
+            if layout.place(label, text, [spot], _BESIDE, gaps=_GAPS, best=best):
                 label.set_visible(True)
 
     # -- copies
@@ -422,6 +442,25 @@ class MarksDrawing:
         self._canvas.add(batch.actor, renderer=self._renderer)
         self._bring_depths_last()
         return batch
+
+
+def spread_over(scene: Scene) -> Array:
+    """Points all over a scene's faces, evenly by area, (`_SPREAD`, 3) scene-local; or none."""
+    if scene.surface is None or scene.surface.n_cells > _MOST_FACES:
+        return np.empty((0, 3))
+    mesh = scene.surface.triangulate()
+    corners = np.asarray(mesh.points, dtype=np.float64)[mesh.regular_faces]
+    sides = corners[:, 1:] - corners[:, :1]
+    ends = np.cumsum(np.linalg.norm(np.cross(sides[:, 0], sides[:, 1]), axis=1))
+    if not ends[-1] > 0.0:
+        return np.empty((0, 3))
+    at, u = (np.arange(_SPREAD) + 0.5) / _SPREAD, np.arange(_SPREAD) * _GOLDEN % 1.0
+    v = np.arange(_SPREAD) * _GOLDEN**2 % 1.0
+    u, v = np.where(u + v > 1.0, 1.0 - u, u), np.where(u + v > 1.0, 1.0 - v, v)
+    which = np.minimum(np.searchsorted(ends, at * ends[-1]), len(ends) - 1)
+    one, other = sides[which, 0], sides[which, 1]
+    spread: Array = corners[which, 0] + u[:, None] * one + v[:, None] * other
+    return spread
 
 
 class _CopyActors:

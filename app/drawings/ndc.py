@@ -297,7 +297,12 @@ class NdcDrawing:
             if self._exhibit is None:
                 return
             self._marks = MarksDrawing(
-                self._canvas, self._scene, self._style, clip=self._planes, lifts_copies=True
+                self._canvas,
+                self._scene,
+                self._style,
+                self._words,
+                clip=self._planes,
+                lifts_copies=True,
             )
         marks, exhibit = self._marks, self._exhibit
         if exhibit is None or self._position != NDC:

@@ -23,7 +23,8 @@ lies beyond is drawn at the limit, behind a visible break, with its true distanc
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -35,8 +36,8 @@ from app.drawings import actors
 from app.drawings.actors import Canvas, Space
 from app.drawings.frame import DIMMED, LARGER, TIPS, FrameSteps, arrow, arrow_tips, is_built
 from app.drawings.handles import APART_EM, HandleMarks
-from app.drawings.labels import AXES, Labels, Named, PaneView
-from app.drawings.marks import MarksDrawing, Placing
+from app.drawings.labels import AXES, Labels, Layout, Named, PaneView
+from app.drawings.marks import MarksDrawing, Placing, spread_over
 from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at, volume_edges
 from app.drawings.probes import Probes
 from app.drawings.rasterising import Rasteriser
@@ -154,7 +155,7 @@ class WorldDrawing:
         *,
         live: bool = False,
     ) -> None:
-        self._scene, self._style = scene, style
+        self._scene, self._style, self._words = scene, style, words
         self._origin = np.array(scene.origin, dtype=np.float64)
         self._objects = _box_corners(scene.lower, scene.upper) - self._origin
         meshes = [mesh for mesh in (scene.surface, scene.lines) if mesh is not None]
@@ -177,7 +178,8 @@ class WorldDrawing:
         self._step: int | None = None
         self._steps: FrameSteps | None = None
         self._marks: MarksDrawing | None = None
-        self._marked = np.empty((0, 3))
+        self._marked = self._subject = np.empty((0, 3))
+        self._grips: dict[str, Array] = {}
         self._reach: _Reach | None = None
         self._placed: tuple[float, ...] | None = None
         self._framed = self._objects
@@ -492,8 +494,18 @@ class WorldDrawing:
         seen = not isinstance(lens, FreeMatrix) or self._projection.frustum_sign != 0
         corners = self._corners if seen else None
         named = Named(self._eye, self._target, arrows, tips, body, corners, planes)
-        first = None if self._marks is None else self._marks.place_texts
+        first = None if self._marks is None else partial(self._place_texts, afresh=afresh)
         return self._labels.lay_out(self._pane, named, afresh=afresh, first=first)
+
+    def _place_texts(
+        self, layout: Layout, seen: Callable[[Array], Sequence[Spot]], *, afresh: bool
+    ) -> None:
+        assert self._marks is not None
+        subject = None
+        if afresh:
+            spots = [spot[:2] for spot in seen(self._subject) if spot[2] > 0.0]
+            subject = np.array(spots).reshape(-1, 2)
+        self._marks.place_texts(layout, seen, subject)
 
     def _tint_planes(self) -> None:
         """The planes' tints, which fade where they would flood the pane."""
@@ -779,8 +791,10 @@ class WorldDrawing:
         if self._marks is None:
             if exhibit is None:
                 return
-            self._marks = MarksDrawing(self._canvas, self._scene, self._style)
+            self._subject = spread_over(self._scene)
+            self._marks = MarksDrawing(self._canvas, self._scene, self._style, self._words)
         marks, limit = self._marks, _FARTHEST_MARK * self._extent
+        self._grips = {} if exhibit is None else {g.setting: g.point for g in exhibit.grips}
         copies = () if exhibit is None else exhibit.copies
         marks.show(
             Marks() if exhibit is None else exhibit.world,
@@ -852,7 +866,8 @@ class WorldDrawing:
             size_px = self._pane.size_px
             self._handles.show(
                 shown(
-                    self._projection, self.planes_drawn, self.sight, size_px, apart_px, held
+                    self._projection, self.planes_drawn, self.sight, size_px, apart_px, held,
+                    self._grips,
                 ),
                 size_px[1],
             )  # fmt: skip

@@ -19,6 +19,7 @@ from app.phenomena.exhibit import (
     QT_TRANSLATE_NOOP,
     Dot,
     Exhibit,
+    Grip,
     Line,
     Marks,
     Phenomenon,
@@ -185,8 +186,10 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
         dots=(Dot(ends[0], "accent"), Dot(ends[1], "accent")),
         texts=(Text("P", ends[0], "accent"), Text("Q", ends[1], "accent")),
     )
+    grips = Grip("start", ends[0]), Grip("end", ends[1])
     if projection.standard_lens.far == math.inf:
-        return Exhibit(_readings(None, None, Phrase(_INFINITE)), world, warning=Phrase(_INFINITE))
+        readings, why = _readings(None, None, Phrase(_INFINITE)), Phrase(_INFINITE)
+        return Exhibit(readings, world, warning=why, grips=grips)
     part = inside(projection, np.concatenate([ends[None], _EDGES]))
     if projection.standard_lens.parallel:
         lines = [Line(pair, "muted") for pair in part.ndc[part.rows > 0]]
@@ -198,6 +201,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
             Marks(tuple(lines)),
             _in_picture(projection, part.ndc[part.rows == 0]),
             warning=Phrase(_PARALLEL),
+            grips=grips,
         )
     found = deviation(projection, part)
     own = part.rows == 0
@@ -237,6 +241,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
         Marks(tuple(lines), (), tuple(dots), tuple(texts)),
         _in_picture(projection, part.ndc[own]),
         warning=note,
+        grips=grips,
     )
 
 

@@ -66,7 +66,7 @@ _CORNERS = np.array([(-5.0, 0, 4), (5, 0, 4), (5, 6, -44), (-5, 6, -44)])
 _SAMPLES, _STRIDE = 1597, 987
 """A Fibonacci lattice: as many rows and columns as places, since stripes are rows or columns."""
 _LATTICE = (np.arange(_SAMPLES)[:, None] * (1, _STRIDE) % _SAMPLES + 0.5) / _SAMPLES
-_EVERY = 8  # code of 8 bits that is a tick
+_TICKS = 32  # of all codes, evenly spread
 RANGES = ("standard", "reversed", "infinite", "logarithmic")
 """Of depth, the choices there are."""
 _MAPPINGS = {"standard": "opengl", "infinite": "opengl"}
@@ -236,6 +236,12 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
             note,
         ),
         Reading(
+            QT_TRANSLATE_NOOP("phenomena", "the same, counted in the picture"),
+            None,
+            "%",
+            counted=True,
+        ),
+        Reading(
             QT_TRANSLATE_NOOP("phenomena", "smallest gap that is sure at the target"),
             smallest if math.isfinite(smallest) else None,
             note=None if math.isfinite(smallest) else why,
@@ -267,14 +273,12 @@ def _diagram(buffer: DepthBuffer, target: float | None) -> Diagram:
     curves = [Curve(np.stack([w, buffer.depth(w)], axis=1), "accent", width=2.0)]
     if target is not None and target <= right:
         curves.append(Curve(np.array([(target, float(buffer.depth(target)))]), "target", dots=True))
-    x_ticks = y_ticks = None
-    if buffer.format == "fixed8":
-        codes = np.append(np.arange(0, 255, _EVERY), 255)
-        y_ticks = codes / 255.0
-        x_ticks = buffer.decode(codes)
-        x_ticks = np.sort(x_ticks[x_ticks <= right])
+    last = FORMATS[buffer.format].largest
+    codes = np.append(np.arange(_TICKS) * ((last + 1) // _TICKS), last)
+    x_ticks = np.sort(buffer.decode(codes))
+    x_ticks = x_ticks[x_ticks <= right]
     return Diagram(
-        QT_TRANSLATE_NOOP("phenomena", "Depth d over distance w; ticks: every 8th code of 8 bits"),
+        QT_TRANSLATE_NOOP("phenomena", "d over w, 32 of the codes"),
         tuple(curves),
         near,
         right,
@@ -284,7 +288,7 @@ def _diagram(buffer: DepthBuffer, target: float | None) -> Diagram:
         y_label="d",
         x_log=not buffer.parallel,
         x_ticks=x_ticks,
-        y_ticks=y_ticks,
+        y_ticks=buffer.depth(x_ticks),
     )
 
 

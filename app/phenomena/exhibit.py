@@ -173,12 +173,16 @@ class Reading:
     unit : str
         ``"px"``, ``"°"``, ``"%"``, ``"×"``, or empty for world units.
     note : Phrase, optional
+    counted : bool
+        Whether the value is not computed but counted in the picture's pixels, by somebody who can
+        draw; until then it is None.
     """
 
     label: str
     value: float | tuple[float, ...] | str | None
     unit: str = ""
     note: Phrase | None = None
+    counted: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -215,6 +219,25 @@ class Text:
     text: str
     point: Array
     colour: str = ""
+
+
+@dataclass(frozen=True, eq=False)
+class Grip:
+    """Where a setting that is a point or a direction is taken hold of in the world pane.
+
+    Attributes
+    ----------
+    setting : str
+        Its name.
+    point : (3,) array
+        World coordinates.
+    base : tuple of 3 floats
+        The setting is ``point - base``: 0 for a point, where it is held from for a direction.
+    """
+
+    setting: str
+    point: Array
+    base: Vector = (0.0, 0.0, 0.0)
 
 
 @dataclass(frozen=True, eq=False)
@@ -282,9 +305,10 @@ class Diagram:
         Its window; with `bottom` greater than `top` y runs down, as in an image.
     x_log, y_log : bool
     equal : bool
-        Whether both axes have the same scale, as in a picture.
+        Whether both axes have the same scale, as in a picture; a picture whose axes have no
+        names has no numbers either.
     x_ticks, y_ticks : (n,) arrays, optional
-        Drawn as ticks instead of round numbers: the codes of a depth buffer.
+        Where lines are drawn across: the codes of a depth buffer.
     """
 
     title: str
@@ -403,6 +427,7 @@ class Exhibit:
     rendering : Rendering, optional
     warning : Phrase, optional
         Why something cannot be shown as things are.
+    grips : tuple of Grip
     """
 
     readings: tuple[Reading, ...]
@@ -413,6 +438,7 @@ class Exhibit:
     diagrams: tuple[Diagram, ...] = ()
     rendering: Rendering | None = None
     warning: Phrase | None = None
+    grips: tuple[Grip, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)

@@ -25,6 +25,7 @@ from app.phenomena.exhibit import (
     Dot,
     Exhibit,
     Face,
+    Grip,
     Line,
     Marks,
     Phenomenon,
@@ -43,7 +44,7 @@ _SIDES = ("left", "right", "bottom", "top")
 _THROUGH_EYE = 1e-14  # sine of the angle between the ends' rays below which they are one ray
 _RADIUS = 0.93  # of the arc of the naive divide, inside the circle of radius 1
 _STEPS = np.linspace(0.0, 1.0, 65)
-_MARGIN = 0.06  # of the picture's size, round the frame
+_MARGIN = 0.02  # of the picture's size, round the frame
 
 CASES = (
     QT_TRANSLATE_NOOP("phenomena", "1: both ends in front of the eye"),
@@ -295,7 +296,7 @@ def _circle(angles: tuple[float, float] | None) -> Diagram:
             Curve(_arc(b, b, 1.0)[:1], "ink", "B'", dots=True),
         ]
     return Diagram(
-        QT_TRANSLATE_NOOP("phenomena", "the line's image as a circle"),
+        QT_TRANSLATE_NOOP("phenomena", "the line as a circle"),
         tuple(curves), left=-1.4, right=1.4, bottom=-1.4, top=1.4, equal=True,
     )  # fmt: skip
 
@@ -326,6 +327,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
         image=_image_marks(drawn),
         diagrams=diagrams,
         warning=warning,
+        grips=(Grip("start", a), Grip("end", b)),
     )
 
 

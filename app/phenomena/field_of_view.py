@@ -82,7 +82,7 @@ def _head() -> Coloured:
 def _geometry() -> tuple[Coloured, Coloured]:
     faces = _head()
     return faces, joined(
-        ground_grid((-6.0, -30.0), (6.0, 3.0), (1.0, 1.0), 0.0), edges_of(faces[0])
+        ground_grid((-6.0, -12.0), (6.0, 2.0), (1.0, 1.0), 0.0), edges_of(faces[0])
     )
 
 

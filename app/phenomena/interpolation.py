@@ -161,8 +161,8 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
     in_world = np.stack([ends.mean(axis=0), ends[0] + part * (ends[1] - ends[0])])
     half = projection.trace(in_world[0]).image
     words = (
-        QT_TRANSLATE_NOOP("phenomena", "half-way in the world"),
-        QT_TRANSLATE_NOOP("phenomena", "half-way on the screen"),
+        QT_TRANSLATE_NOOP("phenomena", "½ in the world"),
+        QT_TRANSLATE_NOOP("phenomena", "½ on the screen"),
     )
     colours = ("target", "accent")
     world = Marks(

@@ -26,6 +26,7 @@ from app.phenomena.exhibit import (
     Dot,
     Exhibit,
     Face,
+    Grip,
     Line,
     Marks,
     Phenomenon,
@@ -189,6 +190,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
         image=image,
         copies=tuple(copies),
         warning=warning,
+        grips=(_grip(light, subject),),
     )
 
 
@@ -246,6 +248,21 @@ def _if_none(value: object, note: Phrase) -> Phrase | None:
     return note if value is None else None
 
 
+def _reach(subject: Subject) -> tuple[Array, float]:
+    """The object's middle, and how far from it the plane and the sun are drawn."""
+    low, high = np.array(subject.lower), np.array(subject.upper)
+    return (low + high) / 2.0, 1.5 * float(np.linalg.norm(high - low))
+
+
+def _grip(light: Array, subject: Subject) -> Grip:
+    """The lamp where it is; the sun where its direction is drawn."""
+    if light[3] == 1.0:
+        return Grip("light", light[:3])
+    middle, reach = _reach(subject)
+    x, y, z = middle.tolist()
+    return Grip("light", middle + reach * light[:3] / np.linalg.norm(light[:3]), (x, y, z))
+
+
 def _marks(
     projection: Projection,
     settings: Settings,
@@ -257,7 +274,7 @@ def _marks(
     """World and image: the plane, the light, and the rays through the object's highest corners."""
     low, high = np.array(subject.lower), np.array(subject.upper)
     height = number(settings, "height")
-    middle, reach = (low + high) / 2.0, 1.5 * float(np.linalg.norm(high - low))
+    middle, reach = _reach(subject)
     corners = np.array(
         [
             (middle[0] + x * reach, height, middle[2] + z * reach)
@@ -305,8 +322,8 @@ def _marks(
 
 
 _START = Projection(
-    Camera((8.5, 7.5, 10.5), (-0.8, 1.4, -0.8), (0.0, 1.0, 0.0)),
-    Perspective(fov_y_deg=45.0, near=1.0, far=40.0),
+    Camera((6.0, 7.5, 12.0), (1.9, 1.7, -0.6), (0.0, 1.0, 0.0)),
+    Perspective(fov_y_deg=32.0, near=4.0, far=24.0),
     (1280, 720),
 )
 

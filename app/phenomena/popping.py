@@ -237,7 +237,7 @@ def _diagram(fog: Fog | None, far: float) -> Diagram:
         word = QT_TRANSLATE_NOOP("phenomena", "far")
         curves.append(Curve(np.array([(far, 0.0), (far, 100.0)]), "far", word))
     return Diagram(
-        QT_TRANSLATE_NOOP("phenomena", "Contrast that fog leaves, over distance"),
+        QT_TRANSLATE_NOOP("phenomena", "Contrast left by fog"),
         tuple(curves),
         0.0,
         1.1 * right,

@@ -18,6 +18,7 @@ from app.phenomena.exhibit import (
     Dot,
     Exhibit,
     Face,
+    Grip,
     Line,
     Marks,
     Phenomenon,
@@ -175,6 +176,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
         ndc=_marked(trace.ndc),
         image=_marked(trace.image),
         copies=(Copy(onto_plane(projection, distance, slab)),),
+        grips=(Grip("point", place),),
     )
 
 

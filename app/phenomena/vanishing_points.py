@@ -59,9 +59,9 @@ _KINDS = (
     QT_TRANSLATE_NOOP("phenomena", "3-point perspective"),
 )
 _LABELS = (
-    QT_TRANSLATE_NOOP("phenomena", "vanishing point of edges along x"),
-    QT_TRANSLATE_NOOP("phenomena", "vanishing point of edges along y"),
-    QT_TRANSLATE_NOOP("phenomena", "vanishing point of edges along z"),
+    QT_TRANSLATE_NOOP("phenomena", "V_x of edges along x"),
+    QT_TRANSLATE_NOOP("phenomena", "V_y of edges along y"),
+    QT_TRANSLATE_NOOP("phenomena", "V_z of edges along z"),
 )
 _HORIZON = QT_TRANSLATE_NOOP("phenomena", "horizon")
 _AXES, _COLOURS = ("x", "y", "z"), ("u", "v", "n")
@@ -318,7 +318,7 @@ def _running_readings(projection: Projection, point: Vanishing, at: Running) -> 
         Reading(QT_TRANSLATE_NOOP("phenomena", "w of P = (1 − t)·C + t·(D : 0)"), at.w),
         Reading(QT_TRANSLATE_NOOP("phenomena", "image of P"), pixel, "px", note),
         Reading(
-            QT_TRANSLATE_NOOP("phenomena", "from there to the vanishing point"),
+            QT_TRANSLATE_NOOP("phenomena", "from P to V"),
             rest,
             "px",
             why_no_rest if rest is None else None,
@@ -438,7 +438,7 @@ def _diagrams(
         curves.append(Curve(pixel[None], _COLOURS[axis], f"V_{_AXES[axis]}", dots=True))
     return (
         Diagram(
-            QT_TRANSLATE_NOOP("phenomena", "The image and its vanishing points"),
+            QT_TRANSLATE_NOOP("phenomena", "Vanishing points"),
             tuple(curves),
             *(float(low[0]), float(high[0]), float(high[1]), float(low[1])),
             x_label="x (px)",
