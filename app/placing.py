@@ -1,0 +1,77 @@
+"""Where the names of points stand: beside them, free of each other; numpy only.
+
+Greedy: one name after the other takes the free place that costs least. Of n names with the few
+places that are tried for each this is n^2 comparisons of boxes at once.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+
+_DIRECTIONS = np.array(
+    [(1, 0), (1, -1), (1, 1), (-1, 0), (-1, -1), (-1, 1), (0, -1), (0, 1)], dtype=np.float64
+)
+"""From a point to its name, the better ones first."""
+_STEPS = 7
+"""Heights of a name that it may be away from its point."""
+
+
+def beside(
+    points: Floats, sizes: Floats, frame: Floats, along: Floats, gap: float = 4.0
+) -> list[Floats | None]:
+    """Places for the names of points.
+
+    Parameters
+    ----------
+    points : (n, 2) array
+        In pixels; the first ones choose first.
+    sizes : (n, 2) array
+        Widths and heights of the names; those of no width need no place.
+    frame : (4,) array
+        Left, low, right, high: where names may be.
+    along : (m, 2) array
+        Places along curves, which a name had better not hide.
+    gap : float
+        From a point to its name.
+
+    Returns
+    -------
+    list of n (4,) arrays or None
+        Boxes like `frame`; None where there is no free place.
+    """
+    dots = np.hstack([points - gap + 1.0, points + gap - 1.0])
+    crossed = np.hstack([along - 1.0, along + 1.0])
+    taken = np.empty((0, 4))
+    found: list[Floats | None] = []
+    for point, size in zip(points, sizes, strict=True):
+        if size[0] <= 0.0:
+            found.append(None)
+            continue
+        steps = np.repeat(np.arange(_STEPS), len(_DIRECTIONS))
+        away = gap + size[1] * steps[:, None]
+        directions = np.tile(_DIRECTIONS, (_STEPS, 1))
+        centres = point + directions * (size / 2.0 + away)
+        # To the side of a point a name need not be farther up too.
+        centres[steps == 0, 1] -= (directions * gap)[steps == 0, 1]
+        boxes = np.hstack([centres - size / 2.0, centres + size / 2.0])
+        free = (boxes[:, :2] >= frame[:2]).all(axis=1) & (boxes[:, 2:] <= frame[2:]).all(axis=1)
+        free &= ~_overlap(boxes, np.vstack([taken, dots])).any(axis=1)
+        if not free.any():
+            found.append(None)
+            continue
+        cost = 4.0 * steps + 3.0 * _overlap(boxes, crossed).sum(axis=1)
+        cost += 0.1 * np.tile(np.arange(len(_DIRECTIONS)), _STEPS)
+        best: Floats = boxes[np.argmin(np.where(free, cost, np.inf))]
+        taken = np.vstack([taken, best])
+        found.append(best)
+    return found
+
+
+def _overlap(boxes: Floats, others: Floats) -> NDArray[np.bool_]:
+    left, low, right, high = boxes.T[:, :, None]
+    other_left, other_low, other_right, other_high = others.T[:, None, :]
+    across = (left < other_right) & (other_left < right)
+    return np.asarray(across & (low < other_high) & (other_low < high))
