@@ -277,7 +277,7 @@ ROOMS = {
         ("numpy", *QT),
         (
             *("app.projection", "app.morph", "app.picking", "app.scene", "app.document"),
-            *("app.attention", "app.drawings", "app.phenomena"),
+            *("app.attention", "app.drawings", "app.phenomena", "app.precision"),
             *("app.store", "app.measure", "widgets"),
         ),
     ),

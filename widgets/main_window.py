@@ -53,6 +53,7 @@ from app.drawings.world import WorldDrawing
 from app.phenomena import PHENOMENA
 from app.phenomena.exhibit import Value
 from app.picking import VERTEX_WITHIN_PX, Probe, dragged
+from app.precision import rung_for_drawing
 from app.projection import Camera, Projection, ProjectionError
 from app.scene import BUILT_IN, Scene
 from app.store import Store
@@ -65,6 +66,7 @@ from widgets.frame_panel import FramePanel
 from widgets.help import Help
 from widgets.manipulation import HOLD_WITHIN_PX, Manipulation
 from widgets.matrix_panel import MatrixPanel
+from widgets.measure_panel import MeasurePanel
 from widgets.message_bar import MessageBar
 from widgets.messages import Words, of_phenomena, sentence
 from widgets.pane import Pane
@@ -200,6 +202,11 @@ class MainWindow(QMainWindow):
         self.panels.add(
             self.tr("About this scene"), self.scene_panel,
             self.tr("What the scene shows, its own settings and its numbers"),
+        )  # fmt: skip
+        self.measure_panel = MeasurePanel(lambda: self.store.document, self._in_use)
+        self.panels.add(
+            self.tr("Measure"), self.measure_panel,
+            self.tr("What speed costs in accuracy, measured here for this scene and camera"),
         )  # fmt: skip
         self._lay_out()
         self._make_actions()
@@ -443,6 +450,12 @@ class MainWindow(QMainWindow):
             source.gesture_finished.connect(store.end_gesture)
             source.gesture_started.connect(self.matrices.begin_gesture)
             source.gesture_finished.connect(self.matrices.end_gesture)
+            source.gesture_started.connect(self.measure_panel.begin_gesture)
+            source.gesture_finished.connect(self.measure_panel.end_gesture)
+        self.strip.gesture_started.connect(self.measure_panel.begin_gesture)
+        self.strip.gesture_finished.connect(self.measure_panel.end_gesture)
+        self.measure_panel.refused.connect(self.messages.say)
+        self.measure_panel.succeeded.connect(self.messages.done)
         controls.animation.playing_changed.connect(self._playing_changed)
         self.strip.moved.connect(self._stage_moved)
         self.strip.gesture_started.connect(partial(self._refine_ndc, False))
@@ -541,10 +554,26 @@ class MainWindow(QMainWindow):
         projection = self.store.document.projection
         self.matrices.set_style(style)
         self.scene_panel.set_style(style)
+        self.measure_panel.set_style(style)
         for name, pane in self.panes.items():
             # The world pane is looked at by a camera of its own, which is never at an extreme.
             tolerance = () if name == "world" else (self.settings.tolerance_px,)
             pane.build(projection, views.get(name), self._scene, self._words, style, *tolerance)
+
+    def _in_use(self) -> dict[str, str]:
+        """Which choices of the trades the panes are drawn with, as `Choice.use` has them."""
+        projection, scene = self.store.document.projection, self._scene
+        assert scene is not None
+        tolerance_px = self.settings.tolerance_px
+        return {
+            "rung": rung_for_drawing(projection, scene.corners, scene.origin, tolerance_px),
+            "depth_format": "fixed24",
+            "depth_mapping": projection.depth,
+            "smoothing": "FXAA",
+            "detail": "1",
+            "interpolation": "correct",
+            "pieces": "1",
+        }
 
     def _views_now(self) -> dict[str, Camera]:
         """From where the panes are looked at, of those that somebody turned."""
@@ -813,6 +842,7 @@ class MainWindow(QMainWindow):
         self.controls.animation.pause()
         self.strip.pause()
         self.scene_panel.pause()
+        self.measure_panel.close_process()
         self.settings.geometry = bytes(self.saveGeometry().data())
         self.autosave.close()
         for pane in self.panes.values():

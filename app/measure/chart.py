@@ -497,7 +497,8 @@ def _name(ax: Axes, chart: Diagram) -> None:
         nearest = np.clip(point, place[:2], place[2:])
         if math.hypot(*(nearest - point)) > 12.0:
             ax.annotate(
-                "", tuple(ax.transData.inverted().transform(point)), tuple((nearest - point) * to_points),
+                "", tuple(ax.transData.inverted().transform(point)),
+                tuple((nearest - point) * to_points),
                 textcoords="offset points",
                 arrowprops={"arrowstyle": "-", "color": LIGHT.muted, "linewidth": 0.5},
             )  # fmt: skip
