@@ -20,7 +20,7 @@ _STEPS = 7
 
 
 def beside(
-    points: Floats, sizes: Floats, frame: Floats, along: Floats, gap: float = 4.0
+    points: Floats, sizes: Floats, frame: Floats, along: Floats, gaps: Floats
 ) -> list[Floats | None]:
     """Places for the names of points.
 
@@ -34,25 +34,26 @@ def beside(
         Left, low, right, high: where names may be.
     along : (m, 2) array
         Places along curves, which a name had better not hide.
-    gap : float
-        From a point to its name.
+    gaps : (n,) array
+        From each point to its name.
 
     Returns
     -------
     list of n (4,) arrays or None
         Boxes like `frame`; None where there is no free place.
     """
-    dots = np.hstack([points - gap + 1.0, points + gap - 1.0])
+    reach = gaps[:, None] - 1.0
+    dots = np.hstack([points - reach, points + reach])
     crossed = np.hstack([along - 1.0, along + 1.0])
     taken = np.empty((0, 4))
+    steps = np.repeat(np.arange(_STEPS), len(_DIRECTIONS))
+    directions = np.tile(_DIRECTIONS, (_STEPS, 1))
     found: list[Floats | None] = []
-    for point, size in zip(points, sizes, strict=True):
+    for point, size, gap in zip(points, sizes, gaps, strict=True):
         if size[0] <= 0.0:
             found.append(None)
             continue
-        steps = np.repeat(np.arange(_STEPS), len(_DIRECTIONS))
         away = gap + size[1] * steps[:, None]
-        directions = np.tile(_DIRECTIONS, (_STEPS, 1))
         centres = point + directions * (size / 2.0 + away)
         # To the side of a point a name need not be farther up too.
         centres[steps == 0, 1] -= (directions * gap)[steps == 0, 1]
@@ -64,10 +65,23 @@ def beside(
             continue
         cost = 4.0 * steps + 3.0 * _overlap(boxes, crossed).sum(axis=1)
         cost += 0.1 * np.tile(np.arange(len(_DIRECTIONS)), _STEPS)
-        best: Floats = boxes[np.argmin(np.where(free, cost, np.inf))]
-        taken = np.vstack([taken, best])
+        # The line from a point to its name runs through no other name.
+        lines = _line(point, np.clip(point, boxes[:, :2], boxes[:, 2:]))
+        struck = _overlap(lines.reshape(-1, 4), taken).reshape(*lines.shape[:2], -1)
+        cost += 40.0 * struck.any(axis=(1, 2))
+        chosen = int(np.argmin(np.where(free, cost, np.inf)))
+        best: Floats = boxes[chosen]
+        # Nor is a later name put on it, but on its point's end, where dots are alone anyway.
+        taken = np.vstack([taken, best, *(lines[chosen][2:] if steps[chosen] else ())])
         found.append(best)
     return found
+
+
+def _line(point: Floats, ends: Floats) -> Floats:
+    """Small boxes along lines from a point, (n, 8, 4)."""
+    parts = np.linspace(0.1, 0.9, 8)[:, None]
+    places = point + parts * (ends - point)[:, None, :]
+    return np.concatenate([places - 1.0, places + 1.0], axis=-1)
 
 
 def _overlap(boxes: Floats, others: Floats) -> NDArray[np.bool_]:

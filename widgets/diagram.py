@@ -486,7 +486,9 @@ class DiagramView(QWidget):
         sizes[~shown, 0] = 0.0
         along = [np.empty((0, 2)), *(_along(frame, each, joined=True) for each in curves)]
         bounds = np.array([frame.left(), frame.top(), frame.right(), frame.bottom()])
-        names = beside(np.nan_to_num(points), sizes, bounds, np.vstack(along), radius + GAP_PX)
+        rings = np.array([1.5 * radius if spot.marked else 0.0 for spot in spots])
+        gaps = radius + GAP_PX + rings
+        names = beside(np.nan_to_num(points), sizes, bounds, np.vstack(along), gaps)
         self.spot_names = {}
         for spot, place, box in zip(spots, points, names, strict=True):
             if box is None:

@@ -9,6 +9,7 @@
 from __future__ import annotations
 
 import math
+import time
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
@@ -166,6 +167,9 @@ class MainWindow(QMainWindow):
         self._views: dict[str, Camera] = {}
         self._told_about = ""
         """The scene whose panel was opened or folded by itself."""
+        self._model_ms = 0.0
+        self._costs: dict[str, tuple[float, float]] = {}
+        """Of the last step, by the panes' titles: matrices and repaint, in ms."""
         self._held: Probe | None = None
         """The probe that is being dragged in the image, as it was before."""
         data = QStandardPaths.writableLocation(QStandardPaths.StandardLocation.AppDataLocation)
@@ -364,7 +368,11 @@ class MainWindow(QMainWindow):
         self._projector.setToolTip(
             self.tr("Larger text and thicker lines, for the back row (Ctrl+P)")
         )
-        menu.addActions([self._show_controls, self._projector])
+        self._show_cost = self._toggle(self.tr("Show &cost"), self.set_cost_shown, False)
+        self._show_cost.setToolTip(
+            self.tr("Measure what every step takes: the model, each pane's matrices and repaint")
+        )
+        menu.addActions([self._show_controls, self._show_cost, self._projector])
         themes = menu.addMenu(self.tr("&Theme"))
         self._theme_group = QActionGroup(self)
         for theme, text in (
@@ -467,6 +475,7 @@ class MainWindow(QMainWindow):
             pane.enlarge_requested.connect(partial(self.enlarge, name))
             pane.float_requested.connect(partial(self.toggle_float, name))
             pane.clicked.connect(partial(self._follow, name))
+            pane.timed.connect(partial(self._pane_timed, name))
         canvas = self.panes["image"].canvas
         canvas.drag_started.connect(self._hold_probe)
         canvas.dragged.connect(self._drag_probe)
@@ -503,6 +512,8 @@ class MainWindow(QMainWindow):
             self._build_drawings(document.views)
             self._list_scenes()
         self._refine(not (self._software_rendering and self.store.in_gesture))
+        if self._show_cost.isChecked():
+            self._time_model(document.projection)
         for pane in self.panes.values():
             pane.show_projection(document.projection)
         self.controls.show_projection(document.projection)
@@ -793,6 +804,25 @@ class MainWindow(QMainWindow):
         self.settings.projector = on
         self._dress()
         self._build_drawings(self._views_now())
+
+    def set_cost_shown(self, on: bool) -> None:
+        """Measure every step, and show what it takes in the status line; or do not."""
+        self._costs = {}
+        self.status.cost.setVisible(on)
+        for pane in self.panes.values():
+            pane.set_timed(on)
+
+    def _pane_timed(self, name: str, matrices_ms: float, repaint_ms: float) -> None:
+        self._costs[self._titles[name]] = matrices_ms, repaint_ms
+        seen = [title for pane, title in self._titles.items() if self.panes[pane].isVisible()]
+        costs = {title: self._costs[title] for title in seen if title in self._costs}
+        self.status.show_cost(self._model_ms, costs)
+
+    def _time_model(self, projection: Projection) -> None:
+        """Compute now what every pane shares, which the first of them would be charged for."""
+        began = time.perf_counter()
+        _ = projection.clip_from_world, projection.image_from_ndc
+        self._model_ms = 1e3 * (time.perf_counter() - began)
 
     def set_theme(self, theme: str) -> None:
         """Switch to ``"light"``, ``"dark"`` or ``"system"``."""

@@ -251,6 +251,7 @@ class MeasurePanel(QWidget):
         self._style = style
         for diagram in self.diagrams:
             diagram.set_style(style)
+        self._refresh()  # with the style goes the font, and with that the widths of columns
 
     def close_process(self) -> None:
         """End what is being measured, for good."""
@@ -428,6 +429,7 @@ class MeasurePanel(QWidget):
             self.where.set_text("")
             self.seen.set_text("")
             self.sentence.setText(self.words.get(self.name) or self.tr("Not measured yet."))
+            self.sentence.show()
             return
         part = _part(shown)
         said = meaning(part).sentence(translated) if isinstance(part, Trade) else ""

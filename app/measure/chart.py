@@ -486,9 +486,9 @@ def _name(ax: Axes, chart: Diagram) -> None:
         left, low, right, high = legend.get_window_extent().extents
         grid = np.meshgrid(np.arange(left, right, 5.0), np.arange(low, high, 5.0))
         along = np.vstack([along, np.stack(grid, axis=-1).reshape(-1, 2)])
-    for text, point, place in zip(
-        texts, points, beside(points, sizes, frame, along, gap=6.0), strict=True
-    ):
+    gaps = np.array([9.0 if spot.marked else 6.0 for spot in chart.spots])
+    places = beside(points, sizes, frame, along, gaps)
+    for text, point, place in zip(texts, points, places, strict=True):
         if place is None:
             text.remove()
             continue
