@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import io
 import math
+import os
 import textwrap
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import groupby
@@ -122,7 +123,7 @@ def seen(results: Results, translate: Callable[[str], str] = str) -> str:
     camera, lens = plain("camera"), plain("lens")
     kind = [str(lens.get("kind", "")), *(f"{k} {short(v)}" for k, v in lens.items() if k != "kind")]
     return translate(SEEN).format(
-        results.document.get("mesh") or results.document.get("scene", ""),
+        os.path.basename(str(results.document.get("mesh") or results.document.get("scene", ""))),
         vector(camera.get("eye")), vector(camera.get("target")), ", ".join(kind),
     )  # fmt: skip
 
@@ -419,7 +420,8 @@ def picture(
         figure.savefig(drawn, format="png")
         # A few colours, and what lies between them: a third of the size, alike to the eye.
         with Image.open(drawn) as image:
-            image.convert("RGB").quantize(64).save(out, "png", optimize=True)
+            few = image.convert("RGB").quantize(256, Image.Quantize.MAXCOVERAGE)
+            few.save(out, "png", optimize=True)
     return out.getvalue()
 
 
@@ -439,6 +441,15 @@ def _draw(ax: Axes, chart: Diagram) -> None:
     ax.set_xlim(chart.left, chart.right)
     ax.set_ylim(chart.bottom, chart.top)
     ax.tick_params(labelsize=7, which="both")
+    for axis, low, high in (
+        (ax.xaxis, chart.left, chart.right),
+        (ax.yaxis, chart.bottom, chart.top),
+    ):
+        if axis.get_scale() == "log" and 1e-3 < high / low < 1e3:  # few powers of ten: plain
+            axis.set_major_formatter(lambda value, _place: f"{value:g}")
+            axis.set_minor_formatter(
+                lambda value, _place: f"{value:g}" if f"{value:e}"[0] in "25" else ""
+            )
     ax.grid(True, color=LIGHT.margin, linewidth=0.7)
     ax.set_axisbelow(True)
     for curve in chart.curves:
@@ -509,6 +520,6 @@ def _along(ax: Axes, curve: Curve) -> Any:
     points = np.asarray(curve.points, dtype=np.float64).reshape(-1, 2)
     places = ax.transData.transform(points)
     if not curve.dots and len(places) > 1:
-        parts = np.linspace(0.0, 1.0, 12)[:, None, None]
+        parts = np.linspace(0.0, 1.0, 60)[:, None, None]
         places = (places[:-1] + parts * (places[1:] - places[:-1])).reshape(-1, 2)
     return places[np.isfinite(places).all(axis=1)]
