@@ -20,7 +20,7 @@ _STEPS = 7
 
 
 def beside(
-    points: Floats, sizes: Floats, frame: Floats, along: Floats, gaps: Floats
+    points: Floats, sizes: Floats, frame: Floats, along: Floats, gaps: Floats, taken: Floats
 ) -> list[Floats | None]:
     """Places for the names of points.
 
@@ -36,6 +36,8 @@ def beside(
         Places along curves, which a name had better not hide.
     gaps : (n,) array
         From each point to its name.
+    taken : (k, 4) array
+        Boxes like `frame` where other names stand already.
 
     Returns
     -------
@@ -45,7 +47,6 @@ def beside(
     reach = gaps[:, None] - 1.0
     dots = np.hstack([points - reach, points + reach])
     crossed = np.hstack([along - 1.0, along + 1.0])
-    taken = np.empty((0, 4))
     steps = np.repeat(np.arange(_STEPS), len(_DIRECTIONS))
     directions = np.tile(_DIRECTIONS, (_STEPS, 1))
     found: list[Floats | None] = []

@@ -198,6 +198,8 @@ def test_a_table_has_a_word_for_what_has_no_number() -> None:
 
 # -- names
 
+NONE = np.empty((0, 4))
+
 
 @given(
     st.lists(
@@ -210,7 +212,7 @@ def test_names_never_hide_each_other_nor_dots_and_stay_inside(
     points = np.array([point[:2] for point in given_points])
     sizes = np.array([(point[2], 12.0) for point in given_points])
     frame = np.array([0.0, 0.0, 400.0, 300.0])
-    places = beside(points, sizes, frame, np.empty((0, 2)), np.full(len(points), 5.0))
+    places = beside(points, sizes, frame, np.empty((0, 2)), np.full(len(points), 5.0), NONE)
     boxes = [box for box in places if box is not None]
     for i, box in enumerate(boxes):
         assert (box[:2] >= 0.0).all() and box[2] <= 400.0 and box[3] <= 300.0
@@ -224,13 +226,16 @@ def test_names_never_hide_each_other_nor_dots_and_stay_inside(
 def test_a_name_stands_right_beside_a_lonely_point() -> None:
     frame = np.array([0.0, 0.0, 400.0, 300.0])
     one, size = np.array([[200.0, 150.0]]), np.array([[60.0, 12.0]])
-    (box,) = beside(one, size, frame, np.empty((0, 2)), np.array([5.0]))
+    (box,) = beside(one, size, frame, np.empty((0, 2)), np.array([5.0]), NONE)
     assert box is not None and box.tolist() == [205.0, 144.0, 265.0, 156.0]
     line = np.column_stack([np.linspace(200.0, 400.0, 100), np.full(100, 150.0)])
-    (box,) = beside(one, size, frame, line, np.array([5.0]))
+    (box,) = beside(one, size, frame, line, np.array([5.0]), NONE)
     assert box is not None and not (box[1] < 150.0 < box[3] and box[0] >= 200.0)
+    name = np.array([[210.0, 140.0, 300.0, 160.0]])
+    (box,) = beside(one, size, frame, np.empty((0, 2)), np.array([5.0]), name)
+    assert box is not None and (box[2] <= 210.0 or box[3] <= 140.0 or box[1] >= 160.0)
     full = np.array([0.0, 0.0, 30.0, 300.0])
-    assert beside(np.array([[15.0, 150.0]]), size, full, line, np.array([5.0])) == [None]
+    assert beside(np.array([[15.0, 150.0]]), size, full, line, np.array([5.0]), NONE) == [None]
 
 
 # -- pictures

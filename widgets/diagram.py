@@ -336,7 +336,7 @@ class DiagramView(QWidget):
                     self._paint_curve(painter, frame, curve, points)
                 self._paint_names(painter, frame, shown)
                 painter.restore()
-                self._paint_spots(painter, frame, diagram.spots, [points for _, points in shown])
+                self._paint_spots(painter, frame, diagram.spots, shown)
             self._paint_frame(painter, frame)
         painter.end()
 
@@ -470,7 +470,7 @@ class DiagramView(QWidget):
         painter: QPainter,
         frame: QRectF,
         spots: Sequence[Spot],
-        curves: Sequence[Floats],
+        curves: Sequence[tuple[Curve, Floats]],
     ) -> None:
         """Draw the spots, and their names beside them, with a line to those farther away."""
         if not spots:
@@ -484,11 +484,13 @@ class DiagramView(QWidget):
         widths = [metrics.horizontalAdvance(spot.name) for spot in spots]
         sizes = np.array([(width + 2.0 if width else 0.0, metrics.height()) for width in widths])
         sizes[~shown, 0] = 0.0
-        along = [np.empty((0, 2)), *(_along(frame, each, joined=True) for each in curves)]
+        along = [np.empty((0, 2)), *(_along(frame, each, joined=True) for _, each in curves)]
         bounds = np.array([frame.left(), frame.top(), frame.right(), frame.bottom()])
         rings = np.array([1.5 * radius if spot.marked else 0.0 for spot in spots])
         gaps = radius + GAP_PX + rings
-        names = beside(np.nan_to_num(points), sizes, bounds, np.vstack(along), gaps)
+        named = [self._names[curve.label] for curve, _ in curves if curve.label]
+        taken = np.vstack([np.empty((0, 4)), *named])
+        names = beside(np.nan_to_num(points), sizes, bounds, np.vstack(along), gaps, taken)
         self.spot_names = {}
         for spot, place, box in zip(spots, points, names, strict=True):
             if box is None:

@@ -566,9 +566,10 @@ def _read(path: Path) -> Results:
 
 
 def _other_rows(other: Results) -> tuple[list[str], list[list[str]]]:
+    """The table of other results; whose they are is in the last column, the only wide one."""
     heads, *rows = table(_part(other))
     name = chart.machine(other)
-    return heads, [[f"{first} ({name})", *rest] for first, *rest in rows]
+    return heads, [[*cells, "; ".join(filter(None, (name, note)))] for *cells, note in rows]
 
 
 def _joined(

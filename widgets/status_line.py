@@ -98,7 +98,7 @@ class StatusLine(QStatusBar):
         self.cost = _Elided("cost")
         self.cost.setAccessibleName(self.tr("Cost of a step"))
         self.cost.hide()
-        self.addWidget(self.cost, 2)
+        self.addWidget(self.cost, 8)  # of health the sign is left, and its tooltip
         self._rest = QTimer(self)
         self._rest.setSingleShot(True)
         self._rest.setInterval(RESTS_AFTER_MS)
@@ -293,7 +293,7 @@ class _Elided(QLabel):
         """Show one line, and as its tooltip all that it stands for."""
         self._sentence = text
         self.setToolTip(tip)
-        self.setAccessibleDescription(tip)
+        self.setAccessibleDescription(tip.replace("\n", " "))
         self._elide()
 
     def show_sentences(self, sentences: list[str]) -> None:

@@ -493,12 +493,9 @@ def _name(ax: Axes, chart: Diagram) -> None:
     frame = np.array(ax.get_window_extent().extents)
     along = np.vstack([np.empty((0, 2)), *(_along(ax, curve) for curve in chart.curves)])
     legend = ax.get_legend()
-    if legend is not None:  # as good as taken
-        left, low, right, high = legend.get_window_extent().extents
-        grid = np.meshgrid(np.arange(left, right, 5.0), np.arange(low, high, 5.0))
-        along = np.vstack([along, np.stack(grid, axis=-1).reshape(-1, 2)])
+    taken = [] if legend is None else [legend.get_window_extent().extents]
     gaps = np.array([9.0 if spot.marked else 6.0 for spot in chart.spots])
-    places = beside(points, sizes, frame, along, gaps)
+    places = beside(points, sizes, frame, along, gaps, np.reshape(taken, (-1, 4)))
     for text, point, place in zip(texts, points, places, strict=True):
         if place is None:
             text.remove()
