@@ -815,6 +815,7 @@ def _doctor(arguments: Sequence[str]) -> int:
 def _measure(arguments: Sequence[str]) -> int:
     try:
         from app import measure
+        from app.measure import chart
         from app.measure.arithmetic import SWEEPS
         from app.measure.results import to_csv
         from app.measure.results import to_json as results_to_json
@@ -835,6 +836,7 @@ def _measure(arguments: Sequence[str]) -> int:
     parser.add_argument("--quick", action="store_true", help="in half a minute, less exactly")
     parser.add_argument("--json", metavar="FILE", help="write all that was measured; - for here")
     parser.add_argument("--csv", metavar="FILE", help="write the tables, one after the other")
+    parser.add_argument("--chart", metavar="FILE", help="draw it all: .png, or .pdf in vectors")
     parser.add_argument(
         "--attended", action="store_true",
         help="tell the fraction done, a line each, and obey pause, resume and cancel from"
@@ -842,11 +844,13 @@ def _measure(arguments: Sequence[str]) -> int:
     )  # fmt: skip
     parser.add_set()
     found, words = parser.read(arguments, 0, 1)
-    for option in ("json", "csv"):
+    for option in ("json", "csv", "chart"):
         _check_folder(f"--{option}", getattr(found, option))
+    if found.chart is not None and not found.chart.lower().endswith(chart.ENDINGS):
+        raise CliError(f"--chart = {found.chart!r}: must end in {' or '.join(chart.ENDINGS)}.")
     settings = [*found.set, *([f"scene={found.scene}"] if found.scene else [])]
     document = _document(words[0] if words else None, settings)
-    scene = _load(document.scene)
+    scene = _load(document.scene, document.mesh)
     everything = not (found.trade or found.sweep)
     trades = list(dict.fromkeys(found.trade or (measure.TRADES if everything else ())))
     swept = dict(found.sweep or ())
@@ -876,6 +880,8 @@ def _measure(arguments: Sequence[str]) -> int:
         _write(found.json, json_text)
     if found.csv is not None:
         _write(found.csv, "\n".join([*map(to_csv, results.trades), *map(to_csv, results.sweeps)]))
+    if found.chart is not None:
+        write_bytes_atomically(found.chart, chart.picture(results, found.chart))
     return 0 if results.complete else INTERRUPTED
 
 
@@ -956,39 +962,24 @@ def _watched(attended: bool) -> Iterator[Callable[[float], None]]:
 def _measured(results: Results) -> Iterator[str]:
     """Tables to read, with what each trade means."""
     from app.measure.meaning import meaning
+    from app.measure.results import table
 
     for trade in results.trades:
         yield f"{trade.name}{'' if trade.complete else ' (cancelled)'}\n"
-        columns = trade.columns
-        rows = [["", trade.cost_unit, "p95", trade.error_unit, "predicted", *columns]]
-        for choice in trade.choices:
-            numbers = [choice.cost, choice.cost_p95, choice.error, choice.predicted]
-            numbers += [choice.values.get(name) for name in columns]
-            cells = ["-" if number is None else f"{number:.3g}" for number in numbers]
-            rows.append([choice.name, *cells])
-        notes = ["", *(choice.note for choice in trade.choices)]
-        widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
-        for row, note in zip(rows, notes, strict=True):
-            cells = [cell.rjust(width) for cell, width in zip(row[1:], widths[1:], strict=True)]
-            yield f"  {'  '.join([row[0].ljust(widths[0]), *cells, note]).rstrip()}\n"
+        yield from _lines_of(table(trade), str.ljust)
         yield f"{meaning(trade).sentence()}\n\n"
     for sweep in results.sweeps:
         yield f"{sweep.parameter}, largest error in px{'' if sweep.complete else ' (cancelled)'}\n"
-        names = list(sweep.curves)
-        yield "  " + "  ".join([sweep.parameter.rjust(17), *names]) + "\n"
-        for i, value in enumerate(sweep.values):
-            cells = []
-            for name in names:
-                error = sweep.curves[name].errors[i]
-                cells.append(("-" if error is None else f"{error:.2g}").rjust(len(name)))
-            notes = [
-                f"{name} {sweep.curves[name].notes[i]}"
-                for name in names
-                if sweep.curves[name].notes[i]
-            ]
-            row = [f"{value:.12g}".rjust(17), *cells, "; ".join(notes)]
-            yield f"  {'  '.join(row).rstrip()}\n"
+        yield from _lines_of(table(sweep), str.rjust)
         yield "\n"
+
+
+def _lines_of(rows: list[list[str]], align_names: Callable[[str, int], str]) -> Iterator[str]:
+    """A table's lines; names as they are wanted, numbers to the right, notes at the end."""
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    for name, *cells, note in rows:
+        numbers = [cell.rjust(width) for cell, width in zip(cells, widths[1:-1], strict=True)]
+        yield f"  {'  '.join([align_names(name, widths[0]), *numbers, note]).rstrip()}\n"
 
 
 _SUMMARIES = {

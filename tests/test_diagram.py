@@ -11,12 +11,12 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from PySide6.QtCore import QPointF, QRectF
+from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QImage
 from pytestqt.qtbot import QtBot
 
 from app.drawings.style import DARK, LIGHT
-from app.phenomena.exhibit import Curve, Diagram
+from app.phenomena.exhibit import Curve, Diagram, Spot
 from widgets.diagram import DiagramView, decade_ticks, round_ticks, segments
 from widgets.messages import figure_text
 
@@ -338,3 +338,44 @@ def test_a_screen_reader_hears_the_title(view: DiagramView) -> None:
     assert view.accessibleName() == "A line"
     view.show_diagram(None)
     assert view.accessibleName() == ""
+
+
+# -- spots
+
+
+def test_spots_are_at_their_places_in_their_shapes(view: DiagramView) -> None:
+    dot = Spot(2.0, 2.0, colour=MAGENTA, key="dot")
+    view.show_diagram(replace(PLAIN, curves=(), spots=(dot,)))
+    assert near(view, view.to_px(2.0, 2.0), MAGENTA) and count(view, MAGENTA) > 20
+    whole = count(view, MAGENTA)
+    view.show_diagram(replace(PLAIN, curves=(), spots=(replace(dot, faded=True),)))
+    assert count(view, MAGENTA) == 0 and near(view, view.to_px(2.0, 2.0), LIGHT.muted)
+    view.show_diagram(replace(PLAIN, curves=(), spots=(replace(dot, broken=True),)))
+    assert 0 < count(view, MAGENTA) < whole
+    assert count(view, LIGHT.u) == 0
+    view.show_diagram(replace(PLAIN, curves=(), spots=(replace(dot, marked=True),)))
+    assert count(view, LIGHT.u) > 10 and near(view, view.to_px(2.0, 2.0), MAGENTA)
+    view.show_diagram(replace(PLAIN, curves=(), spots=(replace(dot, x=math.nan, name="no"),)))
+    assert count(view, MAGENTA) == 0 and view.spot_names == {}
+
+
+def test_a_click_on_a_spot_tells_its_key_and_beside_it_nothing(
+    view: DiagramView, qtbot: QtBot
+) -> None:
+    view.show_diagram(
+        replace(PLAIN, spots=(Spot(2.0, 2.0, key="a"), Spot(8.0, 8.0, key="b"), Spot(5.0, 2.0)))
+    )
+    told: list[str] = []
+    view.spot_clicked.connect(told.append)
+    left = Qt.MouseButton.LeftButton
+    for x, y in ((2.0, 2.0), (8.0, 8.0), (5.0, 2.0), (5.0, 9.0)):
+        qtbot.mouseClick(view, left, pos=view.to_px(x, y).toPoint())
+    assert told == ["a", "b"]
+    qtbot.mousePress(view, left, pos=view.to_px(2.0, 2.0).toPoint())
+    qtbot.mouseRelease(view, left, pos=view.to_px(8.0, 8.0).toPoint())
+    qtbot.mouseClick(view, Qt.MouseButton.RightButton, pos=view.to_px(2.0, 2.0).toPoint())
+    assert told == ["a", "b"]
+    qtbot.mouseMove(view, view.to_px(2.0, 2.0).toPoint())
+    qtbot.waitUntil(lambda: view.cursor().shape() == Qt.CursorShape.PointingHandCursor)
+    qtbot.mouseMove(view, view.to_px(5.0, 9.0).toPoint())
+    qtbot.waitUntil(lambda: view.cursor().shape() == Qt.CursorShape.ArrowCursor)

@@ -105,6 +105,7 @@ ROOMS = {
     "app/camera_frame.py": Room(("numpy",), ("app.double_double", "app.values", "app.projection")),
     "app/picking.py": Room(("numpy",), ("app.projection",)),
     "app/handles.py": Room(("numpy",), ("app.projection", "app.picking")),
+    "app/placing.py": CORE,
     "app/health.py": Room(rooms=("app.projection", "app.precision", "app.depth")),
     "app/shapes.py": CORE,
     # Each phenomenon is numpy only: the command line reads its settings without VTK.
@@ -143,6 +144,15 @@ ROOMS = {
     # What is measured, and how it is kept, needs no OpenGL until a picture is timed.
     "app/measure/results.py": Room(),
     "app/measure/run.py": Room(),
+    # matplotlib only when a picture is drawn without a window.
+    "app/measure/chart.py": Room(
+        ("numpy",),
+        (
+            *("app.measure", "app.phenomena.exhibit"),
+            *("app.placing", "app.drawings.style"),
+        ),
+        late=("matplotlib", "PIL"),
+    ),
     "app/measure/meaning.py": Room(rooms=("app.measure.results",)),
     "app/measure/depth.py": MEASURE,
     "app/measure/arithmetic.py": MEASURE,
@@ -195,7 +205,20 @@ ROOMS = {
         ),
     ),
     "widgets/diagram.py": Room(
-        ("numpy", *QT), ("app.phenomena", "app.drawings.style", "widgets.messages")
+        ("numpy", *QT),
+        ("app.phenomena", "app.placing", "app.drawings.style", "widgets.messages"),
+    ),
+    # The measurement runs as a process of its own: nothing of it stops the window.
+    "widgets/measuring.py": Room(
+        QT, ("app.bootstrap", "app.document", "app.measure.results", "widgets.messages")
+    ),
+    "widgets/measure_panel.py": Room(
+        QT,
+        (
+            *("app.document", "app.measure.results", "app.measure.meaning", "app.measure.chart"),
+            *("app.phenomena.exhibit", "app.drawings.style"),
+            *("widgets.diagram", "widgets.measuring", "widgets.messages"),
+        ),
     ),
     # Knows what any phenomenon is made of, and none of them.
     "widgets/scene_panel.py": Room(
@@ -262,7 +285,7 @@ ROOMS = {
         ("numpy", *QT),
         (
             *("app.projection", "app.morph", "app.picking", "app.scene", "app.document"),
-            *("app.attention", "app.drawings", "app.phenomena"),
+            *("app.attention", "app.drawings", "app.phenomena", "app.precision"),
             *("app.store", "app.measure", "widgets"),
         ),
     ),

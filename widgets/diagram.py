@@ -13,12 +13,22 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPaintEvent, QPen
-from PySide6.QtWidgets import QSizePolicy, QWidget
+from PySide6.QtCore import QEvent, QLineF, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import (
+    QColor,
+    QFont,
+    QFontMetricsF,
+    QHelpEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPen,
+)
+from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 from app.drawings.style import LIGHT, Style
-from app.phenomena.exhibit import Curve, Diagram
+from app.phenomena.exhibit import Curve, Diagram, Spot
+from app.placing import beside
 from widgets.messages import figure_text, of_phenomena
 
 Floats = NDArray[np.float64]
@@ -29,6 +39,8 @@ DOT_PX = 3.0
 """Radius of a dot at the ordinary line width."""
 SWATCH_PX = 12.0
 """Length of a curve's own line before its name."""
+HIT_PX = 9.0
+"""How near to a spot a click may be that means it."""
 _FAR = 1e6
 """In windows: what is farther off is drawn as the direction there, or doubles lose the way."""
 
@@ -165,12 +177,19 @@ def segments(points: Floats) -> Floats:
 class DiagramView(QWidget):
     """Draws one diagram, as large as it is made."""
 
+    spot_clicked = Signal(str)
+    """The key of a `Spot` that was clicked."""
+
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._diagram: Diagram | None = None
         self._names: dict[str, Floats] = {}
         """Where the curves' names stand, so that they stay while there is room."""
+        self.spot_names: dict[str, QRectF] = {}
+        """Where the spots' names stand."""
         self._style = LIGHT
+        self._pressed = ""
+        """The key of the spot on which the mouse went down."""
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setMinimumSize(115, 90)
 
@@ -182,6 +201,7 @@ class DiagramView(QWidget):
         if diagram is self._diagram:
             return
         self._diagram = diagram
+        self.setMouseTracking(diagram is not None and bool(diagram.spots))
         title = "" if diagram is None else of_phenomena(diagram.title)
         if title != self.accessibleName():
             self.setAccessibleName(title)
@@ -203,6 +223,59 @@ class DiagramView(QWidget):
         frame, (across, up) = self._layout(self._diagram)
         place = np.array([across.unit(np.array([x]))[0], up.unit(np.array([y]))[0]])
         return QPointF(*_places(frame, place).tolist())
+
+    # -- spots
+
+    def spot_at(self, place: QPointF, key_only: bool = False) -> Spot | None:
+        """The spot nearest to a place of the widget, if it is near.
+
+        Parameters
+        ----------
+        place : QPointF
+        key_only : bool
+            Leave out those that cannot be chosen.
+        """
+        nearest, found = HIT_PX, None
+        for spot in self._diagram.spots if self._diagram is not None else ():
+            away = self.to_px(spot.x, spot.y) - place
+            distance = math.hypot(away.x(), away.y())
+            if distance < nearest and (spot.key or not key_only):
+                nearest, found = distance, spot
+        return found
+
+    def _key_at(self, place: QPointF) -> str:
+        spot = self.spot_at(place, key_only=True)
+        return "" if spot is None else spot.key
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        is_left = event.button() == Qt.MouseButton.LeftButton
+        self._pressed = self._key_at(event.position()) if is_left else ""
+        if not self._pressed:
+            super().mousePressEvent(event)
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        pressed, self._pressed = self._pressed, ""
+        if pressed and pressed == self._key_at(event.position()):
+            self.spot_clicked.emit(pressed)
+        else:
+            super().mouseReleaseEvent(event)
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        shapes = Qt.CursorShape
+        over = bool(self._key_at(event.position()))
+        shape = shapes.PointingHandCursor if over else shapes.ArrowCursor
+        if shape != self.cursor().shape():
+            self.setCursor(shape)
+        super().mouseMoveEvent(event)
+
+    def event(self, event: QEvent) -> bool:
+        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
+            spot = self.spot_at(QPointF(event.pos()))
+            if spot is not None and spot.tip:
+                QToolTip.showText(event.globalPos(), spot.tip, self)
+                return True
+            QToolTip.hideText()
+        return super().event(event)
 
     # -- layout
 
@@ -269,6 +342,7 @@ class DiagramView(QWidget):
                     self._paint_curve(painter, frame, curve, points)
                 self._paint_names(painter, frame, shown)
                 painter.restore()
+                self._paint_spots(painter, frame, diagram.spots, shown)
             self._paint_frame(painter, frame)
         painter.end()
 
@@ -402,6 +476,63 @@ class DiagramView(QWidget):
             painter.drawText(
                 box.adjusted(SWATCH_PX + GAP_PX, 0.0, 2.0, 0.0), Qt.AlignmentFlag.AlignLeft, text
             )
+
+    def _paint_spots(
+        self,
+        painter: QPainter,
+        frame: QRectF,
+        spots: Sequence[Spot],
+        curves: Sequence[tuple[Curve, Floats]],
+    ) -> None:
+        """Draw the spots, and their names beside them, with a line to those farther away."""
+        if not spots:
+            return
+        metrics = QFontMetricsF(self._small)
+        painter.setFont(self._small)
+        radius = DOT_PX * self._style.line_width / LIGHT.line_width / self.devicePixelRatioF()
+        places = [self.to_px(spot.x, spot.y) for spot in spots]
+        points = np.array([(place.x(), place.y()) for place in places])
+        shown = np.isfinite(points).all(axis=1)
+        widths = [metrics.horizontalAdvance(spot.name) for spot in spots]
+        sizes = np.array([(width + 2.0 if width else 0.0, metrics.height()) for width in widths])
+        sizes[~shown, 0] = 0.0
+        along = [np.empty((0, 2)), *(_along(frame, each, joined=True) for _, each in curves)]
+        bounds = np.array([frame.left(), frame.top(), frame.right(), frame.bottom()])
+        rings = np.array([1.5 * radius if spot.marked else 0.0 for spot in spots])
+        gaps = radius + GAP_PX + rings
+        named = [self._names[curve.label] for curve, _ in curves if curve.label]
+        taken = np.vstack([np.empty((0, 4)), *named])
+        names = beside(np.nan_to_num(points), sizes, bounds, np.vstack(along), gaps, taken)
+        self.spot_names = {}
+        for spot, place, box in zip(spots, points, names, strict=True):
+            if box is None:
+                continue
+            left, top, right, bottom = box.tolist()
+            self.spot_names[spot.name] = QRectF(left, top, right - left, bottom - top)
+            nearest = np.clip(place, box[:2], box[2:])
+            if math.hypot(*(nearest - place)) > 3.0 * (radius + GAP_PX):
+                painter.setPen(self._pen("muted", 0.4))
+                painter.drawLine(QLineF(*place.tolist(), *nearest.tolist()))
+            painter.setPen(self._colour("muted" if spot.faded else "ink"))
+            painter.drawText(
+                self.spot_names[spot.name], Qt.AlignmentFlag.AlignCenter, of_phenomena(spot.name)
+            )
+        for spot, (x, y) in zip(reversed(spots), points[::-1].tolist(), strict=True):
+            if not math.isfinite(x + y):
+                continue
+            if spot.broken:
+                painter.setPen(self._pen(spot.colour, 1.3))
+                painter.drawLine(QLineF(x - radius, y - radius, x + radius, y + radius))
+                painter.drawLine(QLineF(x - radius, y + radius, x + radius, y - radius))
+                continue
+            size = 0.8 * radius if spot.faded else 1.2 * radius
+            painter.setPen(Qt.PenStyle.NoPen)
+            painter.setBrush(self._colour("muted" if spot.faded else spot.colour))
+            painter.drawEllipse(QPointF(x, y), size, size)
+            if spot.marked:
+                painter.setBrush(Qt.BrushStyle.NoBrush)
+                painter.setPen(self._pen("u", 1.3))
+                painter.drawEllipse(QPointF(x, y), 2.2 * radius, 2.2 * radius)
 
 
 def _is_picture(diagram: Diagram) -> bool:

@@ -9,6 +9,7 @@
 from __future__ import annotations
 
 import math
+import time
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
@@ -53,6 +54,7 @@ from app.drawings.world import WorldDrawing
 from app.phenomena import PHENOMENA
 from app.phenomena.exhibit import Value
 from app.picking import VERTEX_WITHIN_PX, Probe, dragged
+from app.precision import rung_for_drawing
 from app.projection import Camera, Projection, ProjectionError
 from app.scene import BUILT_IN, Scene
 from app.store import Store
@@ -66,6 +68,7 @@ from widgets.frame_panel import FramePanel
 from widgets.help import Help
 from widgets.manipulation import HOLD_WITHIN_PX, Manipulation
 from widgets.matrix_panel import MatrixPanel
+from widgets.measure_panel import MeasurePanel
 from widgets.message_bar import MessageBar
 from widgets.messages import Words, of_phenomena, sentence
 from widgets.pane import Pane
@@ -165,6 +168,9 @@ class MainWindow(QMainWindow):
         self._views: dict[str, Camera] = {}
         self._told_about = ""
         """The scene whose panel was opened or folded by itself."""
+        self._model_ms = 0.0
+        self._costs: dict[str, tuple[float, float]] = {}
+        """Of the last step, by the panes' titles: matrices and repaint, in ms."""
         self._held: Probe | None = None
         self._before_click: tuple[tuple[Probe, ...], int] = ((), 0)
         """The probe that is being dragged in the image, as it was before."""
@@ -203,6 +209,11 @@ class MainWindow(QMainWindow):
         self.panels.add(
             self.tr("About this scene"), self.scene_panel,
             self.tr("What the scene shows, its own settings and its numbers"),
+        )  # fmt: skip
+        self.measure_panel = MeasurePanel(lambda: self.store.document, self._in_use)
+        self.panels.add(
+            self.tr("Measure"), self.measure_panel,
+            self.tr("What speed costs in accuracy, measured here for this scene and camera"),
         )  # fmt: skip
         self._lay_out()
         self._make_actions()
@@ -360,7 +371,11 @@ class MainWindow(QMainWindow):
         self._projector.setToolTip(
             self.tr("Larger text and thicker lines, for the back row (Ctrl+P)")
         )
-        menu.addActions([self._show_controls, self._projector])
+        self._show_cost = self._toggle(self.tr("Show &cost"), self.set_cost_shown, False)
+        self._show_cost.setToolTip(
+            self.tr("Measure what every step takes: the model, each pane's matrices and repaint")
+        )
+        menu.addActions([self._show_controls, self._show_cost, self._projector])
         themes = menu.addMenu(self.tr("&Theme"))
         self._theme_group = QActionGroup(self)
         for theme, text in (
@@ -446,6 +461,12 @@ class MainWindow(QMainWindow):
             source.gesture_finished.connect(store.end_gesture)
             source.gesture_started.connect(self.matrices.begin_gesture)
             source.gesture_finished.connect(self.matrices.end_gesture)
+            source.gesture_started.connect(self.measure_panel.begin_gesture)
+            source.gesture_finished.connect(self.measure_panel.end_gesture)
+        self.strip.gesture_started.connect(self.measure_panel.begin_gesture)
+        self.strip.gesture_finished.connect(self.measure_panel.end_gesture)
+        self.measure_panel.refused.connect(self.messages.say)
+        self.measure_panel.succeeded.connect(self.messages.done)
         controls.animation.playing_changed.connect(self._playing_changed)
         self.strip.moved.connect(self._stage_moved)
         self.strip.gesture_started.connect(partial(self._refine_ndc, False))
@@ -458,6 +479,7 @@ class MainWindow(QMainWindow):
             pane.float_requested.connect(partial(self.toggle_float, name))
             pane.clicked.connect(partial(self._follow, name))
             pane.double_clicked.connect(self._unfollow)
+            pane.timed.connect(partial(self._pane_timed, name))
         canvas = self.panes["image"].canvas
         canvas.drag_started.connect(self._hold_probe)
         canvas.dragged.connect(self._drag_probe)
@@ -497,6 +519,8 @@ class MainWindow(QMainWindow):
             self._build_drawings(document.views)
             self._list_scenes()
         self._refine(not (self._software_rendering and self.store.in_gesture))
+        if self._show_cost.isChecked():
+            self._time_model(document.projection)
         for pane in self.panes.values():
             pane.show_projection(document.projection)
         self.controls.show_projection(document.projection)
@@ -569,10 +593,26 @@ class MainWindow(QMainWindow):
         projection = self.store.document.projection
         self.matrices.set_style(style)
         self.scene_panel.set_style(style)
+        self.measure_panel.set_style(style)
         for name, pane in self.panes.items():
             # The world pane is looked at by a camera of its own, which is never at an extreme.
             tolerance = () if name == "world" else (self.settings.tolerance_px,)
             pane.build(projection, views.get(name), self._scene, self._words, style, *tolerance)
+
+    def _in_use(self) -> dict[str, str]:
+        """Which choices of the trades the panes are drawn with, as `Choice.use` has them."""
+        projection, scene = self.store.document.projection, self._scene
+        assert scene is not None
+        tolerance_px = self.settings.tolerance_px
+        return {
+            "rung": rung_for_drawing(projection, scene.corners, scene.origin, tolerance_px),
+            "depth_format": "fixed24",
+            "depth_mapping": projection.depth,
+            "smoothing": "FXAA",
+            "detail": "1",
+            "interpolation": "correct",
+            "pieces": "1",
+        }
 
     def _views_now(self) -> dict[str, Camera]:
         """From where the panes are looked at, of those that somebody turned."""
@@ -799,6 +839,25 @@ class MainWindow(QMainWindow):
         self._dress()
         self._build_drawings(self._views_now())
 
+    def set_cost_shown(self, on: bool) -> None:
+        """Measure every step, and show what it takes in the status line; or do not."""
+        self._costs = {}
+        self.status.cost.setVisible(on)
+        for pane in self.panes.values():
+            pane.set_timed(on)
+
+    def _pane_timed(self, name: str, matrices_ms: float, repaint_ms: float) -> None:
+        self._costs[self._titles[name]] = matrices_ms, repaint_ms
+        seen = [title for pane, title in self._titles.items() if self.panes[pane].isVisible()]
+        costs = {title: self._costs[title] for title in seen if title in self._costs}
+        self.status.show_cost(self._model_ms, costs)
+
+    def _time_model(self, projection: Projection) -> None:
+        """Compute now what every pane shares, which the first of them would be charged for."""
+        began = time.perf_counter()
+        _ = projection.clip_from_world, projection.image_from_ndc
+        self._model_ms = 1e3 * (time.perf_counter() - began)
+
     def set_theme(self, theme: str) -> None:
         """Switch to ``"light"``, ``"dark"`` or ``"system"``."""
         self.settings.theme = theme
@@ -848,6 +907,7 @@ class MainWindow(QMainWindow):
         self.strip.pause()
         self.scene_panel.pause()
         self.counting.stop()
+        self.measure_panel.close_process()
         self.settings.geometry = bytes(self.saveGeometry().data())
         self.autosave.close()
         for pane in self.panes.values():

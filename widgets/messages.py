@@ -341,6 +341,86 @@ HEALTH_SENTENCES = (
 )
 """Every `app.health.Risk`: the members of `app.health.SENTENCES`."""
 
+MEASURE_SENTENCES = (
+    QT_TRANSLATE_NOOP(
+        "Measure", "{0} is the fastest ({1}) and the most exact ({2}): there is nothing to trade."
+    ),
+    QT_TRANSLATE_NOOP(
+        "Measure",
+        "{0} is the fastest ({1}, off by {2}), {3} the most exact ({4}, off by {5}); the "
+        "cheapest that is off by less than {6} is {7}.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "Measure",
+        "{0} is the fastest ({1}, off by {2}), {3} the most exact ({4}, off by {5}); none"
+        " is off by less than {6}.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "Measure",
+        "At the target, {0} tells surfaces apart from {1} world units on with {2}; the "
+        "finest, {3} with {4}, from {5} on.",
+    ),
+    QT_TRANSLATE_NOOP("Measure", "Nothing could be measured: {0}."),
+    QT_TRANSLATE_NOOP("Measure", "{0}: is not a file of measurements."),
+    QT_TRANSLATE_NOOP(
+        "Measure",
+        "{0}: was measured by another Frustum Lab: its version is {1}, this one reads {2}.",
+    ),
+    QT_TRANSLATE_NOOP("Measure", "{0}: is damaged: {1}."),
+)
+"""Members of `app.measure.meaning.SENTENCES` and `app.measure.results.SENTENCES`."""
+
+MEASURE_NOTES = (
+    QT_TRANSLATE_NOOP(
+        "Measure", "no vertex is in front of the eye, so that there is nothing to measure"
+    ),
+    QT_TRANSLATE_NOOP("Measure", "not installed"),
+    QT_TRANSLATE_NOOP("Measure", "answers NaN"),
+    QT_TRANSLATE_NOOP("Measure", "overflows"),
+    QT_TRANSLATE_NOOP("Measure", "no edge of the scene's box is in the picture"),
+    QT_TRANSLATE_NOOP("Measure", "all of the edge is equally far away: nothing is wrong"),
+    QT_TRANSLATE_NOOP("Measure", "the target lies outside of near and far"),
+    QT_TRANSLATE_NOOP("Measure", "the scene has too few triangles to leave any out"),
+    QT_TRANSLATE_NOOP("Measure", "nothing of the scene is in the picture"),
+    QT_TRANSLATE_NOOP("Measure", "cancelled"),
+)
+"""Why there is no number, where no value stands in it."""
+
+CHART_TEXTS = (
+    QT_TRANSLATE_NOOP("Measure", "Arithmetic"),
+    QT_TRANSLATE_NOOP("Measure", "Interpolation"),
+    QT_TRANSLATE_NOOP("Measure", "Depth buffer"),
+    QT_TRANSLATE_NOOP("Measure", "Antialiasing and resolution"),
+    QT_TRANSLATE_NOOP("Measure", "Detail"),
+    QT_TRANSLATE_NOOP("Measure", "Sweep of near"),
+    QT_TRANSLATE_NOOP("Measure", "Sweep of far"),
+    QT_TRANSLATE_NOOP("Measure", "Sweep of the field of view"),
+    QT_TRANSLATE_NOOP("Measure", "Sweep of the distance from the origin"),
+    QT_TRANSLATE_NOOP("Measure", "Sweep of up"),
+    QT_TRANSLATE_NOOP("Measure", "Sweep of the aspect"),
+    QT_TRANSLATE_NOOP("Measure", "ns a point"),
+    QT_TRANSLATE_NOOP("Measure", "ns a pixel"),
+    QT_TRANSLATE_NOOP("Measure", "bytes a pixel"),
+    QT_TRANSLATE_NOOP("Measure", "ms a frame"),
+    QT_TRANSLATE_NOOP("Measure", "near"),
+    QT_TRANSLATE_NOOP("Measure", "far"),
+    QT_TRANSLATE_NOOP("Measure", "vertical fov, degrees"),
+    QT_TRANSLATE_NOOP("Measure", "distance from the origin"),
+    QT_TRANSLATE_NOOP("Measure", "angle of up and view direction, degrees"),
+    QT_TRANSLATE_NOOP("Measure", "aspect of the window"),
+    QT_TRANSLATE_NOOP("Measure", "180 − vertical fov, degrees"),
+    QT_TRANSLATE_NOOP("Measure", "error, px"),
+    QT_TRANSLATE_NOOP("Measure", "error, texels"),
+    QT_TRANSLATE_NOOP("Measure", "gap, world units"),
+    QT_TRANSLATE_NOOP("Measure", "error, levels of 255"),
+    QT_TRANSLATE_NOOP("Measure", "silhouette, px"),
+    QT_TRANSLATE_NOOP("Measure", "largest error, px"),
+    QT_TRANSLATE_NOOP("Measure", "{0} (cancelled)"),
+    QT_TRANSLATE_NOOP("Measure", "{0} (now)"),
+    QT_TRANSLATE_NOOP("Measure", "{0}; eye {1}, target {2}, {3}"),
+)
+"""Members of `app.measure.chart.TEXTS`."""
+
 PROPERTY_SENTENCES = (
     QT_TRANSLATE_NOOP("Matrix", "affine: w is {0} everywhere"),
     QT_TRANSLATE_NOOP("Matrix", "not affine: w depends on {0}"),
@@ -391,6 +471,7 @@ _CONTEXTS = {
         ("FigureError", FIGURE_SENTENCES),
         ("Health", HEALTH_SENTENCES),
         ("Matrix", PROPERTY_SENTENCES),
+        ("Measure", MEASURE_SENTENCES + MEASURE_NOTES + CHART_TEXTS),
     )
     for template in templates
 }

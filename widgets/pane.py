@@ -16,6 +16,7 @@ drag, and bind plain keys to changes of the scene.
 from __future__ import annotations
 
 import math
+import time
 from collections.abc import Callable, Sequence
 from typing import Any, Protocol, cast
 
@@ -114,6 +115,8 @@ class _Canvas(QtInteractor):
     """The mouse is over this place, no button held: the middle of that pixel, in device pixels."""
     left = Signal()
     """The mouse is over the canvas no more."""
+    painted = Signal(float)
+    """A repaint was done, in so many ms; only while `timed`."""
     scrolled = Signal(float)
     """The wheel was turned by so many steps, away from the user, where it is not a zoom."""
 
@@ -123,11 +126,21 @@ class _Canvas(QtInteractor):
         self.setAcceptDrops(False)  # the window takes drops; pyvistaqt would add the file here
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.setMinimumSize(120, 120)
+        self.timed = False
         self._orbits = orbits
         self._last: QPointF | None = None
         self._pressed: QPointF | None = None
         """Where the left button went down, as long as it may be a click."""
         self._dragged_from: QPointF | None = None
+
+    def paintGL(self) -> None:
+        began = time.perf_counter()
+        super().paintGL()  # type: ignore[no-untyped-call]
+        if not self.timed:
+            return
+        window: Any = self.render_window
+        window.WaitForCompletion()  # drawing goes on after the call otherwise
+        self.painted.emit(1e3 * (time.perf_counter() - began))
 
     def keyPressEvent(self, event: Any) -> None:
         event.ignore()
@@ -290,6 +303,8 @@ class Pane(QFrame):
     """The pane shall get, or leave, a window of its own."""
     attended = Signal(object)
     """The `Attention` that the mouse draws to what is under it; only when that changes."""
+    timed = Signal(float, float)
+    """What the last step's matrices and a repaint took, in ms; only after `set_timed`."""
 
     def __init__(
         self,
@@ -317,6 +332,7 @@ class Pane(QFrame):
         self._stale = False
         self._probes_stale = self._exhibit_is_stale = False
         self._smooth = False
+        self._matrices_ms = 0.0
 
         self.title = QLabel(title)
         self.title.setObjectName("paneTitle")
@@ -345,6 +361,7 @@ class Pane(QFrame):
         self.canvas.clicked.connect(self.clicked)
         self.canvas.hovered.connect(self._hovered)
         self.canvas.left.connect(self._left)
+        self.canvas.painted.connect(lambda ms: self.timed.emit(self._matrices_ms, ms))
         if orbits:
             self.canvas.setToolTip(
                 self.tr(
@@ -481,7 +498,9 @@ class Pane(QFrame):
             self.drawing.show_probes(self._probes)
         elif self.drawing is not None:
             if self._stale:
+                began = time.perf_counter()
                 self.drawing.show_projection(self._projection)
+                self._matrices_ms = 1e3 * (time.perf_counter() - began)
             if self._probes_stale:
                 self.drawing.show_probes(self._probes)
             if self._exhibit_is_stale:
@@ -514,6 +533,12 @@ class Pane(QFrame):
         if smooth != self._smooth:
             self._smooth = smooth
             self._apply_smoothing()
+            self.request_repaint()
+
+    def set_timed(self, timed: bool) -> None:
+        """Tell with every repaint what it cost, and wait for its end; or do not."""
+        self.canvas.timed = timed
+        if timed:
             self.request_repaint()
 
     def _apply_smoothing(self) -> None:

@@ -8,6 +8,7 @@ while nobody can see it.
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 
 from PySide6.QtCore import QEvent, QRectF, Qt, QTimer, Signal
 from PySide6.QtGui import QEnterEvent, QPainter, QPaintEvent, QResizeEvent, QShowEvent
@@ -68,7 +69,7 @@ class StatusLine(QStatusBar):
         self._predictions: dict[Rung, Prediction] | None = None
         self._drawn: Rung = "float32"
         self.labels = {name: _Figure(_ABOUT[name]) for name in ("fov", "planes", "camera")}
-        self.health = _Elided()
+        self.health = _Elided("health")
         self.health.setAccessibleName(self.tr("Numerical health"))
         for name, tip in (
             ("fov", self.tr("Field of view, vertical × horizontal, and 35-mm equivalent")),
@@ -94,6 +95,10 @@ class StatusLine(QStatusBar):
         )
         self.rung.menu().aboutToShow.connect(self._fill_menu)
         self.addWidget(self.health, 1)
+        self.cost = _Elided("cost")
+        self.cost.setAccessibleName(self.tr("Cost of a step"))
+        self.cost.hide()
+        self.addWidget(self.cost, 8)  # of health the sign is left, and its tooltip
         self._rest = QTimer(self)
         self._rest.setSingleShot(True)
         self._rest.setInterval(RESTS_AFTER_MS)
@@ -110,6 +115,27 @@ class StatusLine(QStatusBar):
         self._projection, self._scene = projection, scene
         self._show_lens(projection)
         self._wait_for_rest()
+
+    def show_cost(self, model_ms: float, panes: Mapping[str, tuple[float, float]]) -> None:
+        """Show what the last step took.
+
+        Parameters
+        ----------
+        model_ms : float
+            To compute the model's matrices.
+        panes : mapping of str to (float, float)
+            By the panes' titles: to hand the matrices to the drawing, and to repaint it, in ms.
+        """
+        parts = [
+            self.tr("{0} {1} + {2}").format(title, f"{matrices:.1f}", f"{repaint:.1f}")
+            for title, (matrices, repaint) in panes.items()
+        ]
+        model = self.tr("model {0}").format(f"{model_ms:.1f}")
+        text = self.tr("{0} ms").format("  ".join([model, *parts]))
+        tip = self.tr(
+            "Of the last step, in ms: the model; for each pane its matrices + its repaint"
+        )
+        self.cost.show_text(text, f"{tip}\n{text}")
 
     def show_attention(self, attended: Attention) -> None:
         """Mark the figures that are about what is attended to."""
@@ -256,22 +282,24 @@ class _Figure(QLabel):
 class _Elided(QLabel):
     """As much of the worst sentence as there is room for; all of them as its tooltip."""
 
-    def __init__(self) -> None:
+    def __init__(self, name: str) -> None:
         super().__init__()
-        self.setObjectName("health")
+        self.setObjectName(name)
         # Neither a long sentence nor its sign, which another font has, may resize the panes.
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Ignored)
         self._sentence = ""
 
+    def show_text(self, text: str, tip: str) -> None:
+        """Show one line, and as its tooltip all that it stands for."""
+        self._sentence = text
+        self.setToolTip(tip)
+        self.setAccessibleDescription(tip.replace("\n", " "))
+        self._elide()
+
     def show_sentences(self, sentences: list[str]) -> None:
         """Show the first, or nothing if there is none."""
-        self._sentence = ""
-        if sentences:
-            more = f" (+{len(sentences) - 1})" if sentences[1:] else ""
-            self._sentence = f"⚠ {sentences[0]}{more}"
-        self.setToolTip("\n".join(sentences))
-        self.setAccessibleDescription(" ".join(sentences))
-        self._elide()
+        more = f" (+{len(sentences) - 1})" if sentences[1:] else ""
+        self.show_text(f"⚠ {sentences[0]}{more}" if sentences else "", "\n".join(sentences))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)

@@ -31,7 +31,7 @@ import csv
 import io
 import json
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, fields
 from typing import Any
 
@@ -59,6 +59,10 @@ class ResultsError(ValueError):
     def __init__(self, template: str, *values: object) -> None:
         self.template, self.values = template, values
         super().__init__(template.format(*values))
+
+    def sentence(self, translate: Callable[[str], str] = str) -> str:
+        """The sentence in another language."""
+        return translate(self.template).format(*self.values)
 
 
 @dataclass(frozen=True)
@@ -410,3 +414,39 @@ def to_csv(part: Trade | Sweep) -> str:
     for row in rows:
         writer.writerow(["" if cell is None else cell for cell in row])
     return text.getvalue()
+
+
+CANCELLED = "cancelled"
+"""The note of a choice whose turn did not come."""
+
+
+def table(part: Trade | Sweep) -> list[list[str]]:
+    """One trade or sweep to be read: a row of names, a row for each choice or value.
+
+    Parameters
+    ----------
+    part : Trade or Sweep
+
+    Returns
+    -------
+    list of list of str
+        Numbers of three digits; ``-`` where there is none, and then the last cell says why.
+    """
+    if isinstance(part, Trade):
+        columns = part.columns
+        rows = [["", part.cost_unit, "p95", part.error_unit, "predicted", *columns, ""]]
+        for choice in part.choices:
+            numbers = [choice.cost, choice.cost_p95, choice.error, choice.predicted]
+            numbers += [choice.values.get(name) for name in columns]
+            cells = ["-" if number is None else f"{number:.3g}" for number in numbers]
+            unmeasured = choice.cost is None and not part.complete
+            note = choice.note or (CANCELLED if unmeasured else "")
+            rows.append([choice.name, *cells, note])
+        return rows
+    rows = [[part.parameter, *part.curves, ""]]
+    for i, value in enumerate(part.values):
+        errors = [curve.errors[i] for curve in part.curves.values()]
+        notes = [f"{name} {c.notes[i]}" for name, c in part.curves.items() if c.notes[i]]
+        cells = ["-" if error is None else f"{error:.2g}" for error in errors]
+        rows.append([f"{value:.12g}", *cells, "; ".join(notes)])
+    return rows

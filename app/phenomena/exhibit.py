@@ -291,6 +291,39 @@ class Curve:
 
 
 @dataclass(frozen=True, eq=False)
+class Spot:
+    """A point of a diagram that has a name, and can be chosen if it has a key.
+
+    Attributes
+    ----------
+    x, y : float
+        In the diagram's units.
+    name : str
+        Written beside it, where there is room; it is in `tip` too.
+    key : str
+        What is told when it is clicked; empty if it cannot be chosen.
+    tip : str
+    colour : str
+    faded : bool
+        Whether there is better: dot and name step back.
+    marked : bool
+        Whether it is the present choice.
+    broken : bool
+        Whether it is where something ends: a cross instead of a dot.
+    """
+
+    x: float
+    y: float
+    name: str = ""
+    key: str = ""
+    tip: str = ""
+    colour: str = "ink"
+    faded: bool = False
+    marked: bool = False
+    broken: bool = False
+
+
+@dataclass(frozen=True, eq=False)
 class Diagram:
     """A small picture or chart beside the panes.
 
@@ -309,6 +342,8 @@ class Diagram:
         names has no numbers either.
     x_ticks, y_ticks : (n,) arrays, optional
         Where lines are drawn across: the codes of a depth buffer.
+    spots : tuple of Spot
+        Drawn over the curves; those named first get the better places.
     """
 
     title: str
@@ -324,6 +359,7 @@ class Diagram:
     equal: bool = False
     x_ticks: Array | None = None
     y_ticks: Array | None = None
+    spots: tuple[Spot, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)

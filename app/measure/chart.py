@@ -1,0 +1,522 @@
+"""Charts of what was measured: as data that the window draws, and as pictures without one.
+
+A trade is time against error with the choices as points; those that no other one beats in both
+are joined, the others faded. A sweep is a curve for each way of computing, with a cross where it
+breaks and a bar along the top as far as it has no answer. Both axes are logarithmic, but for
+memory. An error of 0 or infinity has its place at the edge, and its name says so.
+"""
+
+from __future__ import annotations
+
+import io
+import math
+import os
+import textwrap
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from itertools import groupby
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from app.drawings.style import LIGHT
+from app.measure.meaning import meaning
+from app.measure.results import Choice, Results, Sweep, Trade
+from app.phenomena.exhibit import Curve, Diagram, Spot
+from app.placing import beside
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+ENDINGS = (".png", ".pdf")
+TITLES = {
+    "arithmetic": "Arithmetic",
+    "interpolation": "Interpolation",
+    "depth": "Depth buffer",
+    "smoothing": "Antialiasing and resolution",
+    "detail": "Detail",
+    "near": "Sweep of near",
+    "far": "Sweep of far",
+    "fov": "Sweep of the field of view",
+    "distance": "Sweep of the distance from the origin",
+    "up": "Sweep of up",
+    "aspect": "Sweep of the aspect",
+}
+"""Of every trade and every sweep."""
+_ACROSS = {
+    "arithmetic": "ns a point",
+    "interpolation": "ns a pixel",
+    "depth": "bytes a pixel",
+    "smoothing": "ms a frame",
+    "detail": "ms a frame",
+    "near": "near",
+    "far": "far",
+    "fov": "vertical fov, degrees",
+    "distance": "distance from the origin",
+    "up": "angle of up and view direction, degrees",
+    "aspect": "aspect of the window",
+}
+FROM_180 = "180 − vertical fov, degrees"
+_UP = {
+    "arithmetic": "error, px",
+    "interpolation": "error, texels",
+    "depth": "gap, world units",
+    "smoothing": "error, levels of 255",
+    "detail": "silhouette, px",
+}
+ERROR_PX = "largest error, px"
+CANCELLED_TITLE = "{0} (cancelled)"
+CURRENT = "{0} (now)"
+SEEN = "{0}; eye {1}, target {2}, {3}"
+TEXTS = tuple(
+    dict.fromkeys(
+        [
+            *(*TITLES.values(), *_ACROSS.values(), FROM_180, *_UP.values()),
+            *(ERROR_PX, CANCELLED_TITLE, CURRENT, SEEN),
+        ]
+    )
+)
+"""Everything that is written, for translators."""
+
+_COLOURS = ("u", "n", "v", "accent", "near", "far")
+_WIDEST = 1e6
+"""Errors in px above which a sweep's curve leaves the chart: nothing is where it should be."""
+_SAME = 0.005
+"""Of a decade: points so near to each other share one name."""
+_HEIGHT = 0.07
+"""Of the chart, between bars along its top."""
+
+
+def title(part: Trade | Sweep, translate: Callable[[str], str] = str) -> str:
+    """What a trade or sweep is called, and whether it was cancelled."""
+    name = part.name if isinstance(part, Trade) else part.parameter
+    text = translate(TITLES[name])
+    return text if part.complete else translate(CANCELLED_TITLE).format(text)
+
+
+def where(results: Results) -> str:
+    """On what and with what results were measured, and when."""
+    parts = {**results.machine, "cores": f"{results.machine.get('cores', '?')} cores"}
+    machine = ", ".join(filter(None, parts.values()))
+    versions = ", ".join(f"{name} {version}" for name, version in results.versions.items())
+    return f"{results.date} · {machine} · {versions}"
+
+
+def machine(results: Results) -> str:
+    """The machine and the date, to tell two results apart."""
+    names = (results.machine.get(key, "") for key in ("system", "processor", "opengl"))
+    return ", ".join(filter(None, (*names, results.date)))
+
+
+def seen(results: Results, translate: Callable[[str], str] = str) -> str:
+    """The scene and the camera that results are about."""
+
+    def plain(section: str) -> dict[str, Any]:
+        found = results.document.get(section)
+        return found if isinstance(found, dict) else {}
+
+    def short(value: object) -> str:
+        return f"{value:.6g}" if isinstance(value, float) else str(value)
+
+    def vector(value: object) -> str:
+        return f"({', '.join(map(short, value if isinstance(value, list) else []))})"
+
+    camera, lens = plain("camera"), plain("lens")
+    kind = [str(lens.get("kind", "")), *(f"{k} {short(v)}" for k, v in lens.items() if k != "kind")]
+    return translate(SEEN).format(
+        os.path.basename(str(results.document.get("mesh") or results.document.get("scene", ""))),
+        vector(camera.get("eye")), vector(camera.get("target")), ", ".join(kind),
+    )  # fmt: skip
+
+
+# --------------------------------------------------------------------------- as data
+
+
+def diagrams(
+    part: Trade | Sweep,
+    current: Mapping[str, str] | None = None,
+    other: Trade | Sweep | None = None,
+    other_name: str = "",
+    translate: Callable[[str], str] = str,
+) -> tuple[Diagram, ...]:
+    """The chart of a trade or sweep.
+
+    Parameters
+    ----------
+    part : Trade or Sweep
+    current : mapping of str to str, optional
+        What is in use now, as `Choice.use` has it; that choice is marked.
+    other : Trade or Sweep, optional
+        The same of another machine, drawn thinner.
+    other_name : str
+        Which one that is.
+    translate : callable
+        Texts of `TEXTS` into another language.
+
+    Returns
+    -------
+    tuple of Diagram
+        Two for fields of view on both sides of 90 degrees; none if there is no number.
+    """
+    if isinstance(part, Trade):
+        overlaid = other if isinstance(other, Trade) else None
+        return _of_trade(part, current or {}, overlaid, other_name, translate)
+    overlaid_sweep = other if isinstance(other, Sweep) else None
+    return _of_sweep(part, overlaid_sweep, other_name, translate)
+
+
+def is_current(choice: Choice, current: Mapping[str, str]) -> bool:
+    """Whether a choice is what is in use now."""
+    return bool(choice.use) and all(current.get(key) == use for key, use in choice.use.items())
+
+
+def _ends(values: Iterable[float | None], pad: float) -> tuple[float, float] | None:
+    """The ends of a logarithmic axis with room beside what is finite and above 0."""
+    placed = [v for v in values if v is not None and 0.0 < v < math.inf]
+    if not placed:
+        return None
+    low, high = min(placed), max(placed)
+    room = max(0.25, pad * math.log10(high / low)) if high / low < math.inf else 10.0
+    return max(low / 10.0**room, 1e-307), min(high * 10.0**room, 1e307)
+
+
+def _placed(error: float, bottom: float, top: float) -> float:
+    """Where an error is drawn: 0 and what is infinite just inside the edges."""
+    edge = math.pow(top / bottom, 0.04)
+    return min(max(error, bottom * edge), top / edge)
+
+
+def _of_trade(
+    trade: Trade,
+    current: Mapping[str, str],
+    other: Trade | None,
+    other_name: str,
+    translate: Callable[[str], str],
+) -> tuple[Diagram, ...]:
+    memory = trade.name == "depth"
+    shown = [trade, *([other] if other else [])]
+    both = [c for each in shown for c in each.choices if c.error is not None]
+    costs = [c.cost for c in both if c.cost is not None and 0.0 < c.cost < math.inf]
+    if not costs or not any(c.cost in costs for c in trade.choices):
+        return ()
+    across = (0.0, max(costs) + 1.0) if memory else _ends(costs, 0.2) or (0.1, 10.0)
+    up = _ends((c.error for c in both), 0.15) or (1e-16, 1.0)
+
+    def point(choice: Choice) -> tuple[float, float]:
+        return choice.cost or 0.0, _placed(choice.error or 0.0, *up)
+
+    def points(choices: Iterable[Choice]) -> Any:
+        return np.array([point(c) for c in choices if c.cost in costs]).reshape(-1, 2)
+
+    curves = []
+    if other is not None:
+        curves.append(Curve(points(other.frontier), "v", width=0.6))
+        dots = [c for c in other.choices if c.error is not None]
+        curves.append(Curve(points(dots), "v", other_name, width=0.7, dots=True))
+    frontier = trade.frontier
+    curves.append(Curve(points(frontier), "n", width=1.3))
+    placed = [c for c in trade.choices if c.cost in costs and c.error is not None]
+    # What matters chooses its name's place first.
+    placed.sort(key=lambda c: (not is_current(c, current), c not in frontier))
+    spots: list[Spot] = []
+    named: list[tuple[float, float]] = []
+    for choice in placed:
+        x, y = point(choice)
+        here = [c for c in placed if _is_near(point(c), (x, y))]
+        name = "" if any(_is_near(p, (x, y)) for p in named) else _common(here)
+        named.append((x, y))
+        marked = is_current(choice, current)
+        spots.append(
+            Spot(
+                x, y, name, choice.name, f"{choice.name}: {_said(trade, choice)}", "n",
+                faded=choice not in frontier, marked=marked,
+            )
+        )  # fmt: skip
+    if any(spot.marked for spot in spots):
+        first = spots[0]
+        named_now = translate(CURRENT).format(first.name)
+        spots[0] = Spot(
+            first.x, first.y, named_now, first.key, first.tip, "n", first.faded, marked=True
+        )
+    return (
+        Diagram(
+            title(trade, translate), tuple(curves), *across, *up,
+            translate(_ACROSS[trade.name]), translate(_UP[trade.name]),
+            x_log=not memory, y_log=True, spots=tuple(spots),
+        ),
+    )  # fmt: skip
+
+
+def _is_near(one: tuple[float, float], other: tuple[float, float]) -> bool:
+    return all(abs(math.log10(a / b)) < _SAME for a, b in zip(one, other, strict=True))
+
+
+def _common(choices: Sequence[Choice]) -> str:
+    """One name for choices at one place: ``fixed24, opengl / direct3d``."""
+    names = [
+        choice.name + {0.0: " (0)", math.inf: " (∞)"}.get(choice.error or 0.0, "")
+        for choice in choices
+    ]
+    heads, _, tails = zip(*(name.partition(", ") for name in names), strict=True)
+    if len(set(heads)) == 1 and all(tails):
+        return f"{heads[0]}, {' / '.join(tails)}"
+    return " / ".join(names)
+
+
+def _said(trade: Trade, choice: Choice) -> str:
+    said = f"{choice.cost:.3g} {trade.cost_unit}, {choice.error:.3g} {trade.error_unit}"
+    return f"{said}; {choice.note}" if choice.note else said
+
+
+def _of_sweep(
+    sweep: Sweep, other: Sweep | None, other_name: str, translate: Callable[[str], str]
+) -> tuple[Diagram, ...]:
+    shown = [sweep, *([other] if other else [])]
+    errors = [e for each in shown for c in each.curves.values() for e in c.errors]
+    within = [e if e is None else min(max(e, 1e-20), _WIDEST) for e in errors]
+    up = _ends((e for e in within if e), 0.12) or (1e-16, 1.0)
+    up = up[0], up[1] * (up[1] / up[0]) ** (_HEIGHT * len(sweep.curves))
+    values = [v for each in shown for v in each.values if 0.0 < v < math.inf]
+    sides: list[tuple[Callable[[float], float], list[float], str]] = [
+        (float, values, _ACROSS[sweep.parameter])
+    ]
+    if sweep.parameter == "fov":
+        sides = [
+            (float, [v for v in values if v <= 90.0], _ACROSS["fov"]),
+            (lambda v: 180.0 - v, [v for v in values if 90.0 <= v < 180.0], FROM_180),
+        ]
+    found = []
+    for of_value, inside, label in sides:
+        if len(set(inside)) < 2:
+            continue
+        across = of_value(min(inside)), of_value(max(inside))
+        curves: list[Curve] = []
+        spots: list[Spot] = []
+        for each in reversed(shown):
+            kept = [i for i, v in enumerate(each.values) if min(inside) <= v <= max(inside)]
+            xs = [of_value(each.values[i]) for i in kept]
+            width = 1.3 if each is sweep else 0.5
+            if each is not sweep:
+                curves.append(Curve(np.empty((0, 2)), "muted", other_name, width))
+            for number, (name, curve) in enumerate(each.curves.items()):
+                colour = _COLOURS[number % len(_COLOURS)]
+                ys = [curve.errors[i] for i in kept]
+                places = [math.nan if y is None else max(y, up[0] * 1.3) for y in ys]
+                line = np.column_stack([xs, places])
+                curves.append(Curve(line, colour, name if each is sweep else "", width))
+                if each is sweep:
+                    bar_y = up[1] / (up[1] / up[0]) ** (_HEIGHT * (number + 0.5))
+                    notes = [curve.notes[i] for i in kept]
+                    bars, crosses = _breaks(name, colour, xs, ys, notes, bar_y)
+                    curves += bars
+                    spots += crosses
+        text = title(sweep, translate)
+        found.append(
+            Diagram(
+                text, tuple(curves), *across, *up, translate(label), translate(ERROR_PX),
+                x_log=True, y_log=True, spots=tuple(spots),
+            )
+        )  # fmt: skip
+    return tuple(found)
+
+
+def _breaks(
+    name: str,
+    colour: str,
+    xs: Sequence[float],
+    ys: Sequence[float | None],
+    notes: Sequence[str],
+    bar_y: float,
+) -> tuple[list[Curve], list[Spot]]:
+    """Where a curve stops to be what was asked for: bars for no answer, crosses at the ends."""
+    bars, crosses = [], []
+
+    def kind(i: int) -> tuple[bool, bool]:
+        return bool(notes[i]) or ys[i] is None, ys[i] is None
+
+    for (noted, unanswered), run in groupby(range(len(xs)), kind):
+        members = list(run)
+        if not noted:
+            continue
+        at = members[-1] if members[0] == 0 else members[0]  # next to where all is well
+        y = ys[at]
+        if unanswered or y is None:
+            ends = [(xs[members[0]], bar_y), (xs[members[-1]], bar_y)]
+            bars.append(Curve(np.array(ends), colour, width=2.5))
+        place = bar_y if y is None else min(y, bar_y)
+        text = f"{name}: {notes[at]}"
+        crosses.append(Spot(xs[at], place, text, "", text, colour, broken=True))
+    return bars, crosses
+
+
+# --------------------------------------------------------------------------- as pictures
+
+
+def picture(
+    results: Results,
+    file: str,
+    current: Mapping[str, str] | None = None,
+    other: Results | None = None,
+    translate: Callable[[str], str] = str,
+) -> bytes:
+    """Draw all charts of some results with matplotlib, without a window.
+
+    Parameters
+    ----------
+    results : Results
+    file : str
+        Its ending says which format: one of `ENDINGS`.
+    current : mapping, optional
+        As for `diagrams`.
+    other : Results, optional
+        Drawn thinner over those of the same name.
+    translate : callable
+
+    Returns
+    -------
+    bytes
+        Of the file.
+    """
+    from matplotlib.figure import Figure
+    from PIL import Image
+
+    parts: list[Trade | Sweep] = [*results.trades, *results.sweeps]
+    others: dict[str, Trade | Sweep] = {}
+    if other is not None:
+        others = {t.name: t for t in other.trades} | {s.parameter: s for s in other.sweeps}
+    shown: list[tuple[Diagram | None, Trade | Sweep]] = []
+    for part in parts:
+        name = part.name if isinstance(part, Trade) else part.parameter
+        over = others.get(name)
+        charts = diagrams(part, current, over, machine(other) if other else "", translate)
+        shown += [(chart, part) for chart in charts or (None,)]
+    columns = 1 if len(shown) == 1 else 2
+    rows = max(1, -(-len(shown) // columns))
+    width, height = (8.0, 4.9) if columns == 1 else (11.0, 3.5 * rows + 0.4)
+    figure = Figure(figsize=(width, height), dpi=100, layout="constrained", facecolor="white")
+    axes = [figure.add_subplot(rows, columns, i + 1) for i in range(len(shown))]
+    for ax, (chart, part) in zip(axes, shown, strict=True):
+        if chart is None:
+            ax.set_axis_off()
+            said = meaning(part).sentence(translate) if isinstance(part, Trade) else "-"
+            text = f"{title(part, translate)}\n\n" + "\n".join(textwrap.wrap(said, 60))
+            ax.text(0.5, 0.5, text, ha="center", va="center")
+        else:
+            _draw(ax, chart)
+    lines = [seen(results, translate), where(results)]
+    if len(parts) == 1 and isinstance(parts[0], Trade):
+        lines.insert(0, meaning(parts[0]).sentence(translate))
+    wrapped = [piece for line in lines for piece in textwrap.wrap(line, round(15 * width))]
+    figure.supxlabel("\n".join(wrapped), fontsize=7, color=LIGHT.muted)
+    figure.draw_without_rendering()  # which lays it out: then there is something to measure
+    for ax, (chart, _) in zip(axes, shown, strict=True):
+        if chart is not None:
+            _name(ax, chart)
+    figure.set_layout_engine("none")
+    out = io.BytesIO()
+    if file.lower().endswith(".pdf"):
+        figure.savefig(out, format="pdf", metadata={"CreationDate": None})
+    else:
+        drawn = io.BytesIO()
+        figure.savefig(drawn, format="png")
+        # A few colours, and what lies between them: a third of the size, alike to the eye.
+        with Image.open(drawn) as image:
+            few = image.convert("RGB").quantize(256, Image.Quantize.MAXCOVERAGE)
+            few.save(out, "png", optimize=True)
+    return out.getvalue()
+
+
+def _colour(name: str) -> str:
+    return name if name.startswith("#") else str(getattr(LIGHT, name))
+
+
+def _draw(ax: Axes, chart: Diagram) -> None:
+    """Axes, curves and dots."""
+    ax.set_title(chart.title, fontsize=10, fontweight="bold")
+    ax.set_xlabel(chart.x_label, fontsize=8)
+    ax.set_ylabel(chart.y_label, fontsize=8)
+    if chart.x_log:
+        ax.set_xscale("log")
+    if chart.y_log:
+        ax.set_yscale("log")
+    ax.set_xlim(chart.left, chart.right)
+    ax.set_ylim(chart.bottom, chart.top)
+    ax.tick_params(labelsize=7, which="both")
+    for axis, low, high in (
+        (ax.xaxis, chart.left, chart.right),
+        (ax.yaxis, chart.bottom, chart.top),
+    ):
+        if axis.get_scale() == "log" and 1e-3 < high / low < 1e3:  # few powers of ten: plain
+            axis.set_major_formatter(lambda value, _place: f"{value:g}")
+            axis.set_minor_formatter(
+                lambda value, _place: f"{value:g}" if f"{value:e}"[0] in "25" else ""
+            )
+    ax.grid(True, color=LIGHT.margin, linewidth=0.7)
+    ax.set_axisbelow(True)
+    for curve in chart.curves:
+        xs, ys = np.asarray(curve.points, dtype=np.float64).reshape(-1, 2).T
+        shape: dict[str, Any] = {"linewidth": 1.2 * curve.width}
+        if curve.dots:
+            shape = {"linestyle": "none", "marker": "o", "markersize": 4.0 * curve.width}
+        ax.plot(xs, ys, color=_colour(curve.colour), label=curve.label or "_", **shape)
+    for spot in chart.spots:
+        colour = _colour("muted" if spot.faded else spot.colour)
+        marker, size = ("x", 6.0) if spot.broken else ("o", 4.0 if spot.faded else 5.5)
+        ax.plot([spot.x], [spot.y], marker, color=colour, markersize=size, clip_on=False)
+        if spot.marked:
+            ax.plot([spot.x], [spot.y], "o", mfc="none", mec=LIGHT.u, markersize=10.0, mew=1.5)
+    if any(curve.label for curve in chart.curves):
+        ax.legend(fontsize=7, loc="best", framealpha=0.85, edgecolor=LIGHT.margin)
+
+
+def _name(ax: Axes, chart: Diagram) -> None:
+    """The spots' names, free of each other, with a line to those that stand away."""
+    figure = ax.get_figure(root=True)
+    assert figure is not None
+    to_points = 72.0 / figure.dpi
+    texts = [
+        ax.annotate(
+            spot.name, (spot.x, spot.y), (0.0, 0.0), textcoords="offset points", fontsize=7,
+            ha="center", va="center", color=LIGHT.muted if spot.faded else LIGHT.ink,
+        )
+        for spot in chart.spots
+    ]  # fmt: skip
+    if not texts:
+        return
+    boxes = [text.get_window_extent() for text in texts]
+    sizes = np.array(
+        [
+            (box.width + 2.0, box.height) if spot.name else (0.0, 0.0)
+            for box, spot in zip(boxes, chart.spots, strict=True)
+        ]
+    )
+    points = ax.transData.transform([(spot.x, spot.y) for spot in chart.spots])
+    frame = np.array(ax.get_window_extent().extents)
+    along = np.vstack([np.empty((0, 2)), *(_along(ax, curve) for curve in chart.curves)])
+    legend = ax.get_legend()
+    taken = [] if legend is None else [legend.get_window_extent().extents]
+    gaps = np.array([9.0 if spot.marked else 6.0 for spot in chart.spots])
+    places = beside(points, sizes, frame, along, gaps, np.reshape(taken, (-1, 4)))
+    for text, point, place in zip(texts, points, places, strict=True):
+        if place is None:
+            text.remove()
+            continue
+        centre = (place[:2] + place[2:]) / 2.0
+        text.set_position(tuple((centre - point) * to_points))
+        nearest = np.clip(point, place[:2], place[2:])
+        if math.hypot(*(nearest - point)) > 12.0:
+            ax.annotate(
+                "", tuple(ax.transData.inverted().transform(point)),
+                tuple((nearest - point) * to_points),
+                textcoords="offset points",
+                arrowprops={"arrowstyle": "-", "color": LIGHT.muted, "linewidth": 0.5},
+            )  # fmt: skip
+
+
+def _along(ax: Axes, curve: Curve) -> Any:
+    """Places along a curve, some pixels apart."""
+    points = np.asarray(curve.points, dtype=np.float64).reshape(-1, 2)
+    places = ax.transData.transform(points)
+    if not curve.dots and len(places) > 1:
+        parts = np.linspace(0.0, 1.0, 60)[:, None, None]
+        places = (places[:-1] + parts * (places[1:] - places[:-1])).reshape(-1, 2)
+    return places[np.isfinite(places).all(axis=1)]

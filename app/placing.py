@@ -1,0 +1,92 @@
+"""Where the names of points stand: beside them, free of each other; numpy only.
+
+Greedy: one name after the other takes the free place that costs least. Of n names with the few
+places that are tried for each this is n^2 comparisons of boxes at once.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+
+_DIRECTIONS = np.array(
+    [(1, 0), (1, -1), (1, 1), (-1, 0), (-1, -1), (-1, 1), (0, -1), (0, 1)], dtype=np.float64
+)
+"""From a point to its name, the better ones first."""
+_STEPS = 7
+"""Heights of a name that it may be away from its point."""
+
+
+def beside(
+    points: Floats, sizes: Floats, frame: Floats, along: Floats, gaps: Floats, taken: Floats
+) -> list[Floats | None]:
+    """Places for the names of points.
+
+    Parameters
+    ----------
+    points : (n, 2) array
+        In pixels; the first ones choose first.
+    sizes : (n, 2) array
+        Widths and heights of the names; those of no width need no place.
+    frame : (4,) array
+        Left, low, right, high: where names may be.
+    along : (m, 2) array
+        Places along curves, which a name had better not hide.
+    gaps : (n,) array
+        From each point to its name.
+    taken : (k, 4) array
+        Boxes like `frame` where other names stand already.
+
+    Returns
+    -------
+    list of n (4,) arrays or None
+        Boxes like `frame`; None where there is no free place.
+    """
+    reach = gaps[:, None] - 1.0
+    dots = np.hstack([points - reach, points + reach])
+    crossed = np.hstack([along - 1.0, along + 1.0])
+    steps = np.repeat(np.arange(_STEPS), len(_DIRECTIONS))
+    directions = np.tile(_DIRECTIONS, (_STEPS, 1))
+    found: list[Floats | None] = []
+    for point, size, gap in zip(points, sizes, gaps, strict=True):
+        if size[0] <= 0.0:
+            found.append(None)
+            continue
+        away = gap + size[1] * steps[:, None]
+        centres = point + directions * (size / 2.0 + away)
+        # To the side of a point a name need not be farther up too.
+        centres[steps == 0, 1] -= (directions * gap)[steps == 0, 1]
+        boxes = np.hstack([centres - size / 2.0, centres + size / 2.0])
+        free = (boxes[:, :2] >= frame[:2]).all(axis=1) & (boxes[:, 2:] <= frame[2:]).all(axis=1)
+        free &= ~_overlap(boxes, np.vstack([taken, dots])).any(axis=1)
+        if not free.any():
+            found.append(None)
+            continue
+        cost = 4.0 * steps + 3.0 * _overlap(boxes, crossed).sum(axis=1)
+        cost += 0.1 * np.tile(np.arange(len(_DIRECTIONS)), _STEPS)
+        # The line from a point to its name runs through no other name.
+        lines = _line(point, np.clip(point, boxes[:, :2], boxes[:, 2:]))
+        struck = _overlap(lines.reshape(-1, 4), taken).reshape(*lines.shape[:2], -1)
+        cost += 40.0 * struck.any(axis=(1, 2))
+        chosen = int(np.argmin(np.where(free, cost, np.inf)))
+        best: Floats = boxes[chosen]
+        # Nor is a later name put on it, but on its point's end, where dots are alone anyway.
+        taken = np.vstack([taken, best, *(lines[chosen][2:] if steps[chosen] else ())])
+        found.append(best)
+    return found
+
+
+def _line(point: Floats, ends: Floats) -> Floats:
+    """Small boxes along lines from a point, (n, 8, 4)."""
+    parts = np.linspace(0.1, 0.9, 8)[:, None]
+    places = point + parts * (ends - point)[:, None, :]
+    return np.concatenate([places - 1.0, places + 1.0], axis=-1)
+
+
+def _overlap(boxes: Floats, others: Floats) -> NDArray[np.bool_]:
+    left, low, right, high = boxes.T[:, :, None]
+    other_left, other_low, other_right, other_high = others.T[:, None, :]
+    across = (left < other_right) & (other_left < right)
+    return np.asarray(across & (low < other_high) & (other_low < high))
