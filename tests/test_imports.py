@@ -46,7 +46,7 @@ DRAWING = Room(
     ("numpy", *VTK),
     (
         *("app.projection", "app.precision", "app.morph", "app.picking", "app.clipping"),
-        *("app.attention", "app.camera_frame", "app.handles"),
+        *("app.attention", "app.camera_frame", "app.handles", "app.quality"),
         *("app.scene", "app.phenomena", "app.drawings"),
     ),
 )
@@ -116,7 +116,9 @@ ROOMS = {
     "app/scene.py": Room(
         ("numpy", *VTK), ("app.projection", "app.shapes", "app.meshes", "app.phenomena")
     ),
-    "app/document.py": Room(rooms=("app.projection", "app.phenomena")),
+    "app/quality.py": Room(rooms=("app.projection", "app.depth")),
+    "app/pace.py": Room(),
+    "app/document.py": Room(rooms=("app.projection", "app.phenomena", "app.quality")),
     "app/drawings/__init__.py": DRAWING,
     "app/drawings/actors.py": DRAWING,
     "app/drawings/rungs.py": DRAWING,
@@ -137,7 +139,7 @@ ROOMS = {
         ("numpy", "PIL", *VTK),
         (
             *("app.projection", "app.meshes", "app.scene", "app.phenomena"),
-            *("app.drawings", "app.document"),
+            *("app.drawings", "app.document", "app.detail", "app.precision", "app.quality"),
         ),
     ),
     # What is measured, and how it is kept, needs no OpenGL until a picture is timed.
