@@ -61,6 +61,13 @@ def reduced(scene: Scene, share: float) -> Scene:
     return made[share]
 
 
+def is_made(scene: Scene, share: float) -> bool:
+    """Whether `reduced` would give its answer at once."""
+    if share >= 1.0 or share in _reduced.get(scene, {}):
+        return True
+    return not can_be_reduced(scene)
+
+
 def _triangles(surface: pv.PolyData) -> pv.PolyData:
     return surface if surface.is_all_triangles else surface.triangulate()
 

@@ -214,7 +214,9 @@ class Document:
         )
 
     def __hash__(self) -> int:
-        return hash((self.scene, self.projection, tuple(self.settings.items()), self.mesh, self.quality))
+        return hash(
+            (self.scene, self.projection, tuple(self.settings.items()), self.mesh, self.quality)
+        )
 
     def with_settings(self, settings: Mapping[str, Any]) -> Document:
         """The document with some settings changed, and the projection that goes with them.

@@ -10,10 +10,14 @@ from collections import deque
 from collections.abc import Sequence
 from typing import NamedTuple
 
+FRAME_MS = 33.0
+"""Longest frame that is wanted, as long as nobody says otherwise: thirty a second."""
+LARGEST_FRAME_MS = 1000.0
+
 _WINDOW = 20  # frames that a level is judged by
 _HIGH = 0.9  # of them must be in time
 _ROOM = 0.8  # of the target, for what is tried next
-_FRAMES_TO_RISE = 10
+_FRAMES_TO_JUDGE = 10
 _REMEMBERED = 300  # frames after which a level's time is no longer believed
 _SMOOTH_COSTS = 2.0  # times as much as without, until it is known
 
@@ -71,7 +75,8 @@ class Pace:
     def is_late(self) -> bool:
         """Whether not even the coarsest level holds the target."""
         coarsest = self._now == len(self._levels) - 1
-        return coarsest and 0.0 < self.target_ms < self.frame_ms
+        known = len(self._recent) >= _FRAMES_TO_JUDGE
+        return coarsest and known and 0.0 < self.target_ms < self.frame_ms
 
     def frame(self, ms: float) -> None:
         """Take note of how long a frame at the present level took, and choose the next one's.
@@ -97,7 +102,7 @@ class Pace:
                 self._go(fitting[0] if fitting else coarser[-1])
         elif (
             self._now > 0
-            and len(self._recent) >= _FRAMES_TO_RISE
+            and len(self._recent) >= _FRAMES_TO_JUDGE
             and self._expected(self._now - 1) <= _ROOM * self.target_ms
         ):
             self._go(self._now - 1)

@@ -249,21 +249,25 @@ ROOMS = {
         QT,
         (
             *("app.projection", "app.precision", "app.health", "app.scene", "app.attention"),
-            *("widgets.attention", "widgets.messages", "widgets.rows"),
+            *("app.pace", "app.quality", "widgets.attention", "widgets.messages", "widgets.rows"),
         ),
+    ),
+    # Between the panes and the window: it knows how long frames take, and not the store.
+    "widgets/adaptive.py": Room(
+        QT, ("app.detail", "app.pace", "app.quality", "app.scene", "widgets.pane")
     ),
     "widgets/main_window.py": Room(
         ("numpy", *QT),
         (
             *("app.projection", "app.morph", "app.picking", "app.scene", "app.document"),
-            *("app.attention", "app.drawings", "app.phenomena"),
+            *("app.attention", "app.drawings", "app.phenomena", "app.quality"),
             *("app.store", "app.measure", "widgets"),
         ),
     ),
     # Starts and ends the program round the window.
     "widgets/application.py": Room(
         QT,
-        ("app.document", "app.precision", "widgets.opengl"),
+        ("app.document", "app.pace", "app.precision", "widgets.opengl"),
         late=(*VTK, "app.scene", "widgets.main_window"),
     ),
 }

@@ -152,11 +152,10 @@ class ImageDrawing:
         self._place_probes()
 
     def show_detail(self, fewer: Scene | None) -> None:
-        """Draw the faces of a scene with fewer triangles, or all for None; draw nothing yet."""
+        """Take a scene's fewer triangles, or all for None; then show a projection."""
         self._model.show_detail(fewer)
         if self._marks is not None:
             self._marks.show_detail(fewer)
-        self.show_projection(self._projection)
 
     def show_probes(self, probes: Sequence[Probe]) -> None:
         """Mark these probes, and no others."""

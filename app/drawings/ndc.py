@@ -167,11 +167,10 @@ class NdcDrawing:
         self._place_probes()
 
     def show_detail(self, fewer: Scene | None) -> None:
-        """Draw the faces of a scene with fewer triangles, or all for None; draw nothing yet."""
+        """Take a scene's fewer triangles, or all for None; then show a projection."""
         self._model.show_detail(fewer)
         if self._marks is not None:
             self._marks.show_detail(fewer)
-        self.show_projection(self._projection)
 
     def show_stage(self, position: float) -> None:
         """Move to a position of the stage strip; draws nothing yet.

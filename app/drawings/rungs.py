@@ -85,7 +85,7 @@ class ModelActors:
         self.show_detail(None)
 
     def show_detail(self, fewer: Scene | None) -> None:
-        """Take the faces of a scene with fewer triangles, or None for all; then show a projection."""
+        """Take a scene's fewer triangles, or None for all; then show a projection."""
         self.show_local()
         self._detail.show(fewer)
         self._made = [_Made(actor) for actor in (self.surface, self.lines) if actor is not None]

@@ -386,7 +386,7 @@ class WorldDrawing:
     # -- the model
 
     def show_detail(self, fewer: Scene | None) -> None:
-        """Draw the faces of a scene with fewer triangles, or all for None; draw nothing yet."""
+        """Take the faces of a scene with fewer triangles, or all for None; draw nothing yet."""
         self._detail.show(fewer)
         if self._marks is not None:
             self._marks.show_detail(fewer)
