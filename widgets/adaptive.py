@@ -54,7 +54,7 @@ class Adaptive(QObject):
     ) -> None:
         super().__init__(window)
         self._panes, self._window = panes, window
-        self._software_rendering = software_rendering
+        self.software_rendering = software_rendering
         self._target_ms = target_ms
         self._scene: Scene | None = None
         self.quality = AUTOMATIC
@@ -100,11 +100,11 @@ class Adaptive(QObject):
         given = min(pane.samples for pane in self._panes.values())
         return given if given < multisamples(self.quality.smoothing) else 0
 
-    def smoothing(self, at_rest: bool) -> str:
-        """How a pane smooths: as was chosen, or, at rest or where it costs little, well."""
+    def smoothing(self, smooth: bool) -> str:
+        """How a pane smooths: as was chosen, or else well or not at all."""
         if self.quality.smoothing in SMOOTHINGS:
             return self.quality.smoothing
-        return "FXAA" if at_rest or not self._software_rendering else "none"
+        return "FXAA" if smooth else "none"
 
     def step(self, dragging: bool) -> None:
         """The document has changed, or the hand has come to rest: to be called before drawing."""
@@ -135,7 +135,7 @@ class Adaptive(QObject):
         assert self._scene is not None
         share = self.quality.detail
         levels = [Level(False, share)]
-        if self.smoothing(at_rest=False) == "FXAA" and self.quality.smoothing != "FXAA":
+        if not self.software_rendering and self.quality.smoothing not in SMOOTHINGS:
             levels.insert(0, Level(True, share))
         if self._is_large(self._scene):
             levels += [Level(False, s) for s in SHARES if s < share and is_made(self._scene, s)]

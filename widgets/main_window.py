@@ -627,7 +627,9 @@ class MainWindow(QMainWindow):
         return replace(document, views=self._views_now())
 
     def _refine_ndc(self, smooth: bool) -> None:
-        self.panes["ndc"].set_smoothing(self.adaptive.smoothing(smooth))
+        self.panes["ndc"].set_smoothing(
+            self.adaptive.smoothing(smooth or not self.adaptive.software_rendering)
+        )
 
     def _stage_moved(self, position: float) -> None:
         self.panes["ndc"].show_stage(position)

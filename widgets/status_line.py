@@ -107,6 +107,8 @@ class StatusLine(QStatusBar):
         self.rung.menu().aboutToShow.connect(self._fill_menu)
         self.quality = QToolButton()
         self.quality.setAutoRaise(True)
+        # Or it would be as high as an icon as long as it has no text, and the panes less high.
+        self.quality.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
         self.quality.setAccessibleName(self.tr("Chosen quality"))
         self.quality.setToolTip(
             self.tr("The panes are drawn with a chosen quality; click for the automatic one")
@@ -252,12 +254,12 @@ class StatusLine(QStatusBar):
             ]
             menu.addAction(f"{line}  ({', '.join(uses)})" if uses else line).setEnabled(False)
         menu.addSeparator()
-        text = self.tr("Drawing tolerance {0} px…").format(f"{self.tolerance_px:g}")
-        menu.addAction(text).triggered.connect(self._ask_tolerance)
         text = self.tr("Frames of at most {0} ms while dragging…").format(f"{self._frame_ms:g}")
         if not self._frame_ms:
             text = self.tr("Frames of any length while dragging…")
         menu.addAction(text).triggered.connect(self._ask_frame)
+        text = self.tr("Drawing tolerance {0} px…").format(f"{self.tolerance_px:g}")
+        menu.addAction(text).triggered.connect(self._ask_tolerance)
 
     def _ask_frame(self) -> None:
         frame_ms, is_set = QInputDialog.getDouble(
