@@ -223,6 +223,26 @@ def test_what_a_pane_cannot_do_is_said_and_it_stays_as_it_was(
     assert sentence not in window.status.health.toolTip()
 
 
+@pytest.mark.parametrize(
+    ("scene", "choice", "sentence"),
+    [
+        ("letter-f", {"detail": "0.5"}, "The scene has too few triangles to leave any out."),
+        ("interpolation", {"rung": "float64"}, "What has a texture can be drawn in float32 only."),
+    ],
+)
+def test_what_a_scene_cannot_have_is_said_and_it_stays_as_it_was(
+    make_window: Callable[..., MainWindow], scene: str, choice: dict[str, str], sentence: str
+) -> None:
+    window = make_window(Document(scene, load(scene).start))
+    before = pictures(window)
+    window._use(choice)
+    assert same(pictures(window), before) == ALL_SAME
+    assert sentence in window.status.health.toolTip().splitlines()
+    window.store.undo()
+    settle(window)
+    assert sentence not in window.status.health.toolTip()
+
+
 def test_too_few_samples_are_told(make_window: Callable[..., MainWindow]) -> None:
     window = make_window()
     window._use({"smoothing": "MSAA 8"})

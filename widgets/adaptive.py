@@ -73,9 +73,10 @@ class Adaptive(QObject):
         if scene is not self._scene or quality != self.quality:
             if not is_made(scene, quality.detail):
                 self._make(scene, (quality.detail,), can_be_cancelled=False)
+            if scene is not self._scene:
+                self._idle.start()
             self._scene, self.quality = scene, quality
             self._plan()
-            self._idle.start()
 
     def set_target(self, target_ms: float) -> None:
         """Set the longest frame that is wanted while a control is dragged; 0 for any."""
@@ -97,8 +98,9 @@ class Adaptive(QObject):
     @property
     def samples(self) -> int:
         """How many samples a pixel OpenGL gives, where it is fewer than were chosen; else 0."""
-        given = min(pane.samples for pane in self._panes.values())
-        return given if given < multisamples(self.quality.smoothing) else 0
+        wanted = multisamples(self.quality.smoothing)
+        given = min(pane.samples for pane in self._panes.values()) if wanted else 0
+        return given if given < wanted else 0
 
     def smoothing(self, smooth: bool) -> str:
         """How a pane smooths: as was chosen, or else well or not at all."""

@@ -475,7 +475,11 @@ class MainWindow(QMainWindow):
                     self.adaptive.samples, quality.smoothing
                 )
             )
+        if quality.detail < 1.0 and self.adaptive.drawn is self._scene:
+            notes.append(self.tr("The scene has too few triangles to leave any out"))
         image = self.panes["image"].drawing
+        if isinstance(image, ImageDrawing) and quality.rung == "float64" != image.rung:
+            notes.append(self.tr("What has a texture can be drawn in float32 only"))
         if isinstance(image, ImageDrawing) and image.refused_depth is not None:
             reason = sentence(image.refused_depth).rstrip(".")
             notes.append(self.tr("The image has its ordinary depth buffer: {0}").format(reason))
