@@ -469,6 +469,7 @@ def _export(arguments: Sequence[str]) -> int:
             style=DARK if found.theme == "dark" else LIGHT,
             views=document.views,
             settings=document.settings,
+            quality=document.quality,
         )
         # A mesh is named from the picture's folder, so that both can be moved together.
         write_png(out, pixels, to_json(document, os.path.dirname(os.path.realpath(out))))

@@ -34,7 +34,11 @@ _reduced: WeakKeyDictionary[Scene, dict[float, Scene]] = WeakKeyDictionary()
 
 def can_be_reduced(scene: Scene) -> bool:
     """Whether the scene has enough triangles for fewer to make a difference."""
-    return scene.surface is not None and _triangles(scene.surface).n_cells >= LEAST_TRIANGLES
+    surface = scene.surface
+    if surface is None:
+        return False
+    # A face is a triangle at least, and to make triangles of a million faces takes long.
+    return surface.n_cells >= LEAST_TRIANGLES or _triangles(surface).n_cells >= LEAST_TRIANGLES
 
 
 def reduced(scene: Scene, share: float) -> Scene:
@@ -52,13 +56,20 @@ def reduced(scene: Scene, share: float) -> Scene:
         With the same origin, bounds, lines and first camera. A scene that cannot be reduced is
         given back.
     """
-    if share >= 1.0 or not can_be_reduced(scene):
-        return scene
     made = _reduced.setdefault(scene, {})
     if share not in made:
+        if share >= 1.0 or not can_be_reduced(scene):
+            return scene
         assert scene.surface is not None
         made[share] = replace(scene, surface=_fewer(_triangles(scene.surface), share))
     return made[share]
+
+
+def is_made(scene: Scene, share: float) -> bool:
+    """Whether `reduced` would give its answer at once."""
+    if share >= 1.0 or share in _reduced.get(scene, {}):
+        return True
+    return not can_be_reduced(scene)
 
 
 def _triangles(surface: pv.PolyData) -> pv.PolyData:

@@ -46,6 +46,7 @@ from app.projection import (
     StandardLens,
     format_value,
 )
+from app.quality import AUTOMATIC, Quality
 
 if sys.platform != "win32":
     import fcntl
@@ -176,6 +177,8 @@ class Document:
     mesh : str
         Path of the user's mesh that stands in the place of a phenomenon's own objects; empty for
         none.
+    quality : Quality
+        How exactly and how finely it is drawn.
 
     Raises
     ------
@@ -191,6 +194,7 @@ class Document:
     views: dict[str, Camera] = field(default_factory=dict)
     settings: Settings = field(default_factory=dict)
     mesh: str = ""
+    quality: Quality = AUTOMATIC
 
     def __post_init__(self) -> None:
         if not isinstance(self.scene, str) or not self.scene or "\0" in self.scene:
@@ -210,7 +214,9 @@ class Document:
         )
 
     def __hash__(self) -> int:
-        return hash((self.scene, self.projection, tuple(self.settings.items()), self.mesh))
+        return hash(
+            (self.scene, self.projection, tuple(self.settings.items()), self.mesh, self.quality)
+        )
 
     def with_settings(self, settings: Mapping[str, Any]) -> Document:
         """The document with some settings changed, and the projection that goes with them.
@@ -240,9 +246,13 @@ class Document:
 _CAMERA = tuple(f.name for f in fields(Camera))
 _LENS = {kind: tuple(f.name for f in fields(lens)) for kind, lens in LENSES.items()}
 _LENS[FreeMatrix.kind] = tuple(f.name for f in fields(FreeMatrix))
+_QUALITY = tuple(f.name for f in fields(Quality))
 _OPTIONAL = ("keep",)
 _MATRICES = ("lens.clip_from_view", "lens.view_from_world")
-_TEXTS = ("scene", "mesh", "depth", "lens.keep")
+_TEXTS = (
+    *("scene", "mesh", "depth", "lens.keep"),
+    *(f"quality.{key}" for key in _QUALITY if key != "detail"),
+)
 _PATHS = (
     {key: f"camera.{key}" for key in _CAMERA}
     | {key: f"lens.{key}" for names in _LENS.values() for key in ("kind", *names)}
@@ -250,7 +260,9 @@ _PATHS = (
 )  # of the model's fields in the document, where they are not the same
 SETTABLE = tuple(
     path
-    for path in dict.fromkeys(("scene", "mesh", "depth", *_PATHS.values()))
+    for path in dict.fromkeys(
+        ("scene", "mesh", "depth", *_PATHS.values(), *(f"quality.{key}" for key in _QUALITY))
+    )
     if path != "lens.former"
 )
 """Every path that `set_values` knows, of all lenses; and each scene's own ``settings.NAME``."""
@@ -260,7 +272,7 @@ _LONGEST_SHOWN = 60
 _LONGEST_FILE = 200
 
 
-_SECTIONS = ("settings", "camera", "lens", "image")
+_SECTIONS = ("settings", "camera", "lens", "image", "quality")
 
 
 def _known(scene: str, kind: object) -> dict[str, tuple[str, ...]]:
@@ -272,6 +284,7 @@ def _known(scene: str, kind: object) -> dict[str, tuple[str, ...]]:
         "camera": _CAMERA,
         "lens": ("kind", *lens),
         "image": ("width", "height"),
+        "quality": _QUALITY,
     }
 
 
@@ -504,8 +517,10 @@ def _document(tree: Tree, folder: Path | None = None) -> Document:
     projection = Projection(camera, lens, (width, height), _required(tree, "depth", "depth"))
     views = _section(tree, "views") if "views" in tree else {}
     cameras = {name: _view(views, name) for name in views}
+    values = _section(tree, "quality") if "quality" in tree else {}
+    quality = Quality(**{key: values[key] for key in _QUALITY if key in values})
     unknown = _unknown(tree, scene, kind, cameras)
-    return Document(scene, projection, unknown, cameras, settings, mesh)
+    return Document(scene, projection, unknown, cameras, settings, mesh, quality)
 
 
 def _lens(values: Any, path: str) -> StandardLens:
@@ -576,7 +591,8 @@ def to_json(document: Document, folder: Path | None = None) -> str:
             }
 
         An infinite far is ``"inf"``; ``views``, if there are any, hold cameras too. A phenomenon
-        has its ``settings`` after the scene, and perhaps a ``mesh``. Keys that were not known
+        has its ``settings`` after the scene, and perhaps a ``mesh``; ``quality`` holds what of it
+        is not automatic. Keys that were not known
         when it was read are there again.
     """
     tree = _tree(document)
@@ -613,6 +629,11 @@ def _tree(document: Document) -> Tree:
         "depth": projection.depth,
         "image": {"width": width, "height": height},
     }
+    if document.quality.chosen:
+        tree["quality"] = {
+            key: _plain(value) if isinstance(value, float) else value
+            for key, value in document.quality.chosen.items()
+        }
     if document.views:
         unknown = extra.get("views", {})
         tree["views"] = {
@@ -721,7 +742,7 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
     for path, text in texts.items():
         section, _, key = path.rpartition(".")
         if section != "settings":
-            (tree[section] if section else tree)[key] = _read_text(path, text)
+            (tree.setdefault(section, {}) if section else tree)[key] = _read_text(path, text)
     try:
         return _document(tree)
     except DocumentError as error:

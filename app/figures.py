@@ -24,6 +24,7 @@ from PIL import Image
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 
+from app.detail import reduced
 from app.document import embed, write_bytes_atomically
 from app.drawings import WORDS
 from app.drawings.image import ImageDrawing
@@ -32,7 +33,9 @@ from app.drawings.style import LIGHT, Style
 from app.drawings.world import WorldDrawing
 from app.meshes import Refusal
 from app.phenomena.exhibit import Exhibit
+from app.precision import DRAWING_TOLERANCE_PX
 from app.projection import LARGEST_IMAGE_PX, Camera, Projection
+from app.quality import AUTOMATIC, Quality
 from app.scene import Scene
 
 Pixels = NDArray[np.uint8]
@@ -87,6 +90,7 @@ def render(
     views: Mapping[str, Camera] = MappingProxyType({}),
     progress: Callable[[float], bool] | None = None,
     settings: Mapping[str, Any] | None = None,
+    quality: Quality = AUTOMATIC,
 ) -> Pixels:
     """Draw one pane, or several side by side.
 
@@ -112,6 +116,8 @@ def render(
         Called before each pane with the fraction done; when it returns False, drawing stops.
     settings : mapping, optional
         Those of the scene's phenomenon, by name; one that is not there has its default.
+    quality : Quality, optional
+        The smoothing is none of a figure's choices: it is always averaged.
 
     Returns
     -------
@@ -138,6 +144,7 @@ def render(
     if scene.phenomenon is not None:
         chosen = scene.phenomenon.checked(settings or {})
         exhibit = scene.phenomenon.exhibit(projection, chosen, scene.subject)
+    scene = reduced(scene, quality.detail)
     edges = [round(i * width / len(panes)) for i in range(len(panes) + 1)]
     parts: list[Pixels] = []
     for pane, left, right in zip(panes, edges[:-1], edges[1:], strict=True):
@@ -155,6 +162,7 @@ def render(
                 words,
                 framed=len(panes) > 1,
                 view=views.get(pane),
+                quality=quality,
             )
         )
     return parts[0] if len(parts) == 1 else np.concatenate(parts, axis=1)
@@ -238,10 +246,15 @@ def _render_pane(
     words: Mapping[str, str],
     framed: bool,
     view: Camera | None,
+    quality: Quality,
 ) -> Pixels:
     factor = _oversampling(size)
     width, height = (factor * side for side in size)
-    options = {"framed": framed} if pane == "image" else {}
+    options: dict[str, Any] = {}
+    if pane != "world":
+        options["tolerance_px"] = quality.tolerance_px(DRAWING_TOLERANCE_PX)
+    if pane == "image":
+        options |= {"framed": framed, "quality": quality}
     with off_screen(width, height) as plotter:
         window = plotter.render_window
         drawing = _DRAWINGS[pane](plotter, scene, words, style.enlarged(factor), **options)

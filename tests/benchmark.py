@@ -227,6 +227,47 @@ def strip_step(scale: float) -> dict[str, Any]:
     return figures
 
 
+def adaptive(scale: float) -> dict[str, Any]:
+    """Frames while the field of view is dragged, in four drags: from the step to what is shown.
+
+    With the target frame time and without any, in the same window; the first drag, which has to
+    find the quality, counts like the others.
+    """
+    figures: dict[str, Any] = {}
+    for vertices in VERTICES:
+        window = open_window(sphere(vertices))
+        app = application()
+        row = window.controls.rows["fov_y_deg"]
+        target_ms = window.settings.frame_ms
+        for target in (0.0, target_ms):
+            window.adaptive.set_target(target)
+            settle(app)
+            frames: list[float] = []
+            for _ in range(4):
+                window.store.begin_gesture()
+                for turn in range(max(15, round(scale * (60 if target else 15)))):
+                    began = time.perf_counter()
+                    row.slider.setValue(row.slider.value() + (1 if turn // 40 % 2 else -1))
+                    app.processEvents()
+                    frames.append(time.perf_counter() - began)
+                level, late_ms = window.adaptive.pace.level, window.adaptive.late_ms
+                window.store.end_gesture()
+                settle(app)
+            name = f"target {target:g} ms" if target else "no target"
+            figures[f"{vertices} vertices, {name}: p50, p95, longest (ms)"] = [
+                rounded(statistics.median(frames)),
+                rounded(percentile95(frames)),
+                rounded(max(frames)),
+            ]
+            if target:
+                figures[f"{vertices} vertices: share of the triangles, said to be late"] = [
+                    level.share,
+                    bool(late_ms),
+                ]
+        close_window(window)
+    return figures
+
+
 def percentile95(values: list[float]) -> float:
     return statistics.quantiles(values, n=20)[-1]
 
@@ -604,6 +645,7 @@ while True:
 PARTS: dict[str, Callable[[float], dict[str, Any]]] = {
     "step": step_over_repaint,
     "strip": strip_step,
+    "adaptive": adaptive,
     "repaints": repaints,
     "first-frame": first_frame,
     "cycles": open_and_close,

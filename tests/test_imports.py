@@ -46,7 +46,7 @@ DRAWING = Room(
     ("numpy", *VTK),
     (
         *("app.projection", "app.precision", "app.morph", "app.picking", "app.clipping"),
-        *("app.attention", "app.camera_frame", "app.handles"),
+        *("app.attention", "app.camera_frame", "app.handles", "app.quality"),
         *("app.scene", "app.phenomena", "app.drawings"),
     ),
 )
@@ -117,7 +117,9 @@ ROOMS = {
     "app/scene.py": Room(
         ("numpy", *VTK), ("app.projection", "app.shapes", "app.meshes", "app.phenomena")
     ),
-    "app/document.py": Room(rooms=("app.projection", "app.phenomena")),
+    "app/quality.py": Room(rooms=("app.projection", "app.depth")),
+    "app/pace.py": Room(),
+    "app/document.py": Room(rooms=("app.projection", "app.phenomena", "app.quality")),
     "app/drawings/__init__.py": DRAWING,
     "app/drawings/actors.py": DRAWING,
     "app/drawings/rungs.py": DRAWING,
@@ -138,7 +140,7 @@ ROOMS = {
         ("numpy", "PIL", *VTK),
         (
             *("app.projection", "app.meshes", "app.scene", "app.phenomena"),
-            *("app.drawings", "app.document"),
+            *("app.drawings", "app.document", "app.detail", "app.precision", "app.quality"),
         ),
     ),
     # What is measured, and how it is kept, needs no OpenGL until a picture is timed.
@@ -278,21 +280,25 @@ ROOMS = {
         QT,
         (
             *("app.projection", "app.precision", "app.health", "app.scene", "app.attention"),
-            *("widgets.attention", "widgets.messages", "widgets.rows"),
+            *("app.pace", "app.quality", "widgets.attention", "widgets.messages", "widgets.rows"),
         ),
+    ),
+    # Between the panes and the window: it knows how long frames take, and not the store.
+    "widgets/adaptive.py": Room(
+        QT, ("app.detail", "app.pace", "app.quality", "app.scene", "widgets.pane")
     ),
     "widgets/main_window.py": Room(
         ("numpy", *QT),
         (
             *("app.projection", "app.morph", "app.picking", "app.scene", "app.document"),
-            *("app.attention", "app.drawings", "app.phenomena", "app.precision"),
+            *("app.attention", "app.drawings", "app.phenomena", "app.precision", "app.quality"),
             *("app.store", "app.measure", "widgets"),
         ),
     ),
     # Starts and ends the program round the window.
     "widgets/application.py": Room(
         QT,
-        ("app.document", "app.precision", "widgets.opengl"),
+        ("app.document", "app.pace", "app.precision", "widgets.opengl"),
         late=(*VTK, "app.scene", "widgets.main_window"),
     ),
 }

@@ -67,6 +67,7 @@ from PySide6.QtWidgets import (
 
 from app import __version__
 from app.document import Document, write_bytes_atomically
+from app.pace import FRAME_MS, LARGEST_FRAME_MS
 from app.precision import DRAWING_TOLERANCE_PX, LARGEST_TOLERANCE_PX, LEAST_TOLERANCE_PX
 from widgets import opengl
 
@@ -208,6 +209,15 @@ class Settings:
         self._write("tolerance", repr(tolerance_px))
 
     @property
+    def frame_ms(self) -> float:
+        """Longest frame that is wanted while a control is dragged, in ms; 0 for any."""
+        return self._read("frame", _frame, FRAME_MS)
+
+    @frame_ms.setter
+    def frame_ms(self, frame_ms: float) -> None:
+        self._write("frame", repr(frame_ms))
+
+    @property
     def geometry(self) -> bytes | None:
         """The window's place as Qt wrote it, None before the first time."""
         return self._read("geometry", _bytes, None)
@@ -274,6 +284,13 @@ def _tolerance(text: str) -> float:
     if not LEAST_TOLERANCE_PX <= tolerance_px <= LARGEST_TOLERANCE_PX:
         raise ValueError
     return tolerance_px
+
+
+def _frame(text: str) -> float:
+    frame_ms = float(text)
+    if not 0.0 <= frame_ms <= LARGEST_FRAME_MS:
+        raise ValueError
+    return frame_ms
 
 
 def _language(text: str) -> str:

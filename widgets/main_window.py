@@ -45,7 +45,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.document import Document, DocumentError
+from app.document import Document, DocumentError, set_values
 from app.drawings import WORDS
 from app.drawings.image import ImageDrawing
 from app.drawings.ndc import NdcDrawing
@@ -56,9 +56,11 @@ from app.phenomena.exhibit import Value
 from app.picking import VERTEX_WITHIN_PX, Probe, dragged
 from app.precision import rung_for_drawing
 from app.projection import Camera, Projection, ProjectionError
+from app.quality import AUTO, AUTOMATIC
 from app.scene import BUILT_IN, Scene
 from app.store import Store
 from widgets import palette
+from widgets.adaptive import Adaptive
 from widgets.attention import Attended
 from widgets.autosave import Autosave
 from widgets.controls import Controls
@@ -71,7 +73,7 @@ from widgets.matrix_panel import MatrixPanel
 from widgets.measure_panel import MeasurePanel
 from widgets.message_bar import MessageBar
 from widgets.messages import Words, of_phenomena, sentence
-from widgets.pane import Pane
+from widgets.pane import SCALES, SMOOTHINGS, Pane
 from widgets.panels import Panels
 from widgets.pictures import Pictures
 from widgets.probe_panel import ProbePanel
@@ -124,7 +126,6 @@ class MainWindow(QMainWindow):
         self.setAcceptDrops(True)
         self.settings = settings
         self._dress()  # before there are widgets, which would keep the font of before
-        self._software_rendering = software_rendering
         self._titles = {
             "world": self.tr("World"),
             "ndc": self.tr("NDC cube"),
@@ -185,6 +186,12 @@ class MainWindow(QMainWindow):
             name: Pane(title, DRAWINGS[name], orbits=name != "image")
             for name, title in self._titles.items()
         }
+        self.adaptive = Adaptive(
+            self.panes,
+            software_rendering=software_rendering,
+            target_ms=settings.frame_ms,
+            window=self,
+        )
         self.manipulation = Manipulation(self.panes["world"], self.panes["image"], self)
         self.strip = StageStrip()
         self.panes["ndc"].add_below(self.strip)
@@ -439,12 +446,79 @@ class MainWindow(QMainWindow):
         self.status = StatusLine()
         self.status.set_tolerance(self.settings.tolerance_px)
         self.status.tolerance_edited.connect(self._set_tolerance)
+        self.status.set_frame(self.settings.frame_ms)
+        self.status.frame_edited.connect(self._set_frame)
+        self.status.automatic_wanted.connect(self._automatic)
+        self.adaptive.changed.connect(self._show_quality)
         self.setStatusBar(self.status)
 
     def _set_tolerance(self, tolerance_px: float) -> None:
         self.settings.tolerance_px = tolerance_px
         self.status.set_tolerance(tolerance_px)
         self._build_drawings(self._views_now())
+
+    def _set_frame(self, frame_ms: float) -> None:
+        self.settings.frame_ms = frame_ms
+        self.status.set_frame(frame_ms)
+        self.adaptive.set_target(frame_ms)
+        self._show_quality()
+
+    def _use(self, choice: Mapping[str, str]) -> None:
+        """Draw with what a measurement has offered, as an edit that can be undone.
+
+        Parameters
+        ----------
+        choice : mapping of str to str
+            Fields of `app.quality.Quality`, or a scene and paths in its document, and their values.
+        """
+        self.store.begin_gesture()  # one step to undo
+        scene = choice.get("scene", self.store.document.scene)
+        if scene != self.store.document.scene:
+            self._choose_scene(scene)
+        texts = [
+            f"{key if '.' in key else f'quality.{key}'}={value}"
+            for key, value in choice.items()
+            if key != "scene"
+        ]
+        try:
+            self.store.set_document(set_values(self.store.document, texts))
+        except DocumentError as error:
+            self.messages.say(sentence(error))
+        finally:
+            self.store.end_gesture()
+
+    def _automatic(self) -> None:
+        self.store.set_document(replace(self.store.document, quality=AUTOMATIC))
+
+    def _show_quality(self) -> None:
+        """What is not automatic, and what of it a pane cannot do."""
+        self.measure_panel.show_current()
+        quality, notes = self.store.document.quality, []
+        if quality.smoothing not in (AUTO, *SMOOTHINGS):
+            notes.append(
+                self.tr("A pane cannot draw with {0}: it smooths as ever").format(quality.smoothing)
+            )
+        if self.adaptive.samples:
+            notes.append(
+                self.tr("This computer's OpenGL gives {0} samples a pixel instead of {1}").format(
+                    self.adaptive.samples, quality.smoothing
+                )
+            )
+        if quality.detail < 1.0 and self.adaptive.drawn is self._scene:
+            notes.append(self.tr("The scene has too few triangles to leave any out"))
+        image = self.panes["image"].drawing
+        if isinstance(image, ImageDrawing) and quality.rung == "float64" != image.rung:
+            notes.append(self.tr("What has a texture can be drawn in float32 only"))
+        if isinstance(image, ImageDrawing) and image.refused_depth is not None:
+            reason = sentence(image.refused_depth).rstrip(".")
+            notes.append(self.tr("The image has its ordinary depth buffer: {0}").format(reason))
+        if self.adaptive.late_ms:
+            notes.append(
+                self.tr("Even the coarsest picture takes {0} ms a frame, not {1}").format(
+                    f"{self.adaptive.late_ms:.0f}", f"{self.settings.frame_ms:g}"
+                )
+            )
+        self.status.show_quality(quality, notes)
 
     def _wire(self) -> None:
         store, controls = self.store, self.controls
@@ -486,6 +560,7 @@ class MainWindow(QMainWindow):
         canvas.drag_ended.connect(self._let_probe_go)
         self.probe_panel.changed.connect(self._show_probes)
         self.probe_panel.refused.connect(self.messages.say)
+        self.measure_panel.used.connect(self._use)
         attend = self.attention.attend
         controls.attended.connect(attend)
         pointing: dict[str, Pane | MatrixPanel | FramePanel | ProbePanel | StatusLine] = {
@@ -514,11 +589,15 @@ class MainWindow(QMainWindow):
             self.probe_panel.clear()
         if scene is not self._scene or document.views is not self._views:
             self._scene, self._views = scene, document.views
+            self.adaptive.show(scene, document.quality)
             self.controls.set_scene(scene.size, scene.start)
             self._tell_about_scene(document, scene)
             self._build_drawings(document.views)
             self._list_scenes()
-        self._refine(not (self._software_rendering and self.store.in_gesture))
+        elif document.quality != self.adaptive.quality:
+            self.adaptive.show(scene, document.quality)
+            self._build_drawings(self._views_now())
+        self.adaptive.step(self.store.in_gesture)
         if self._show_cost.isChecked():
             self._time_model(document.projection)
         for pane in self.panes.values():
@@ -590,28 +669,43 @@ class MainWindow(QMainWindow):
             projector=self.settings.projector,
             device_pixel_ratio=self.devicePixelRatioF(),
         )
-        projection = self.store.document.projection
+        projection, quality = self.store.document.projection, self.adaptive.quality
         self.matrices.set_style(style)
         self.scene_panel.set_style(style)
         self.measure_panel.set_style(style)
         for name, pane in self.panes.items():
             # The world pane is looked at by a camera of its own, which is never at an extreme.
-            tolerance = () if name == "world" else (self.settings.tolerance_px,)
-            pane.build(projection, views.get(name), self._scene, self._words, style, *tolerance)
+            how: tuple[object, ...] = ()
+            if name != "world":
+                how = (quality.tolerance_px(self.settings.tolerance_px),)
+            if name == "image":
+                how += (quality,)
+            drawn = (
+                self.adaptive.drawn,
+                self._words,
+                style.enlarged(SCALES.get(quality.smoothing, 1)),
+            )
+            pane.build(projection, views.get(name), *drawn, *how)
 
     def _in_use(self) -> dict[str, str]:
         """Which choices of the trades the panes are drawn with, as `Choice.use` has them."""
-        projection, scene = self.store.document.projection, self._scene
+        document, scene = self.store.document, self._scene
         assert scene is not None
-        tolerance_px = self.settings.tolerance_px
+        projection, quality = document.projection, document.quality
+        rung = quality.rung
+        if rung == AUTO:
+            tolerance_px = self.settings.tolerance_px
+            rung = rung_for_drawing(projection, scene.corners, scene.origin, tolerance_px)
+        settings = document.settings
         return {
-            "rung": rung_for_drawing(projection, scene.corners, scene.origin, tolerance_px),
-            "depth_format": "fixed24",
-            "depth_mapping": projection.depth,
-            "smoothing": "FXAA",
-            "detail": "1",
-            "interpolation": "correct",
-            "pieces": "1",
+            "rung": rung,
+            "depth_format": quality.depth_format or "fixed24",
+            "depth_mapping": quality.depth_mapping or projection.depth,
+            "smoothing": "FXAA" if quality.smoothing == AUTO else quality.smoothing,
+            "detail": f"{quality.detail:g}",
+            "scene": document.scene,
+            "settings.interpolation": str(settings.get("interpolation", "correct")),
+            "settings.subdivision": f"{settings.get('subdivision', 1.0):g}",
         }
 
     def _views_now(self) -> dict[str, Camera]:
@@ -622,12 +716,10 @@ class MainWindow(QMainWindow):
     def _with_views(self, document: Document) -> Document:
         return replace(document, views=self._views_now())
 
-    def _refine(self, smooth: bool) -> None:
-        for pane in self.panes.values():
-            pane.set_smooth(smooth)
-
     def _refine_ndc(self, smooth: bool) -> None:
-        self.panes["ndc"].set_smooth(smooth or not self._software_rendering)
+        self.panes["ndc"].set_smoothing(
+            self.adaptive.smoothing(smooth or not self.adaptive.software_rendering)
+        )
 
     def _stage_moved(self, position: float) -> None:
         self.panes["ndc"].show_stage(position)
@@ -643,6 +735,7 @@ class MainWindow(QMainWindow):
 
     def _show_notes(self, projection: Projection, scene: Scene) -> None:
         self.status.show_projection(projection, scene)
+        self._show_quality()
         width, height = projection.image_size
         self.panes["image"].note.setText(f"{width} × {height}")
         self._name_stage(projection)
@@ -684,7 +777,7 @@ class MainWindow(QMainWindow):
             pixel = drawing.image_pixel(x_px, y_px)
             if pixel is None:  # beside the picture
                 return
-        vertex_px = VERTEX_WITHIN_PX * self.panes[name].devicePixelRatioF()
+        vertex_px = VERTEX_WITHIN_PX * self.panes[name].canvas.pixel_ratio
         hit = surface_of(self._scene).pick(drawing.sight, (x_px, y_px), vertex_px)
         if hit is not None:
             self.probe_panel.follow(point=hit.point)
@@ -700,7 +793,7 @@ class MainWindow(QMainWindow):
         drawing = self.panes["image"].drawing
         if drawing is None:
             return
-        nearest = HOLD_WITHIN_PX * self.panes["image"].devicePixelRatioF()
+        nearest = HOLD_WITHIN_PX * self.panes["image"].canvas.pixel_ratio
         for probe in self.probe_panel.probes:
             if probe.point is None:
                 continue
@@ -739,7 +832,7 @@ class MainWindow(QMainWindow):
         if self.isWindowModified() != self.store.modified:  # it costs as much as a drawing
             self.setWindowModified(self.store.modified)
         if not self.store.in_gesture:
-            self._refine(True)
+            self.adaptive.step(dragging=False)
             for pane in self.panes.values():
                 pane.refit()
 

@@ -133,7 +133,7 @@ class Manipulation(QObject):
             self._point_out(drawing, None)
 
     def _handle_at(self, drawing: WorldDrawing, pixel: QPointF) -> Handle | None:
-        within_px = HOLD_WITHIN_PX * self._world.devicePixelRatioF()
+        within_px = HOLD_WITHIN_PX * self._world.canvas.pixel_ratio
         return drawing.handle_at((pixel.x(), pixel.y()), within_px)
 
     def _point_out(self, drawing: WorldDrawing, handle: Handle | None) -> None:

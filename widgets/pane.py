@@ -38,10 +38,21 @@ from app.attention import NOTHING, Attention
 from app.phenomena.exhibit import Exhibit
 from app.picking import Probe, Sight
 from app.projection import Camera, Projection
+from app.scene import Scene
 
 ORBIT_DEG_PER_PX = 0.4
 ZOOM_PER_WHEEL_STEP = 1.15
 HIGHEST_DEG = 89.0
+SCALES = {"half resolution": 0.5, "supersampling 2 x 2": 2.0}
+"""Pixels that are drawn for one that is shown, along each side, where that is not one."""
+SMOOTHINGS = ("none", "FXAA", "MSAA 2", "MSAA 4", "MSAA 8", *SCALES)
+"""What a pane can do: of larger pictures Qt takes four pixels at the most for one."""
+
+
+def multisamples(smoothing: str) -> int:
+    """The samples a pixel that one of `SMOOTHINGS` asks OpenGL for."""
+    kind, _, samples = smoothing.partition(" ")
+    return int(samples) if kind == "MSAA" else 0
 
 
 class Drawing(Protocol):
@@ -49,6 +60,9 @@ class Drawing(Protocol):
 
     def show_projection(self, projection: Projection) -> None:
         """Take over the model's matrices; draw nothing yet."""
+
+    def show_detail(self, fewer: Scene | None) -> None:
+        """Take a scene's fewer triangles, or all for None; then show a projection."""
 
     def reset_view(self) -> None:
         """Put the pane's own camera where the whole drawing is in view."""
@@ -132,6 +146,25 @@ class _Canvas(QtInteractor):
         self._pressed: QPointF | None = None
         """Where the left button went down, as long as it may be a click."""
         self._dragged_from: QPointF | None = None
+        self._finer = 1.0
+
+    @property
+    def pixel_ratio(self) -> float:
+        """Pixels that VTK draws for one of Qt's, along each side."""
+        return self.devicePixelRatioF() * self._finer
+
+    def draw_finer(self, times: float) -> None:
+        """Draw so many pixels for one that the screen shows, along each side."""
+        if times != self._finer:
+            self._finer = times
+            self.resizeGL(self.width(), self.height())
+
+    def resizeGL(self, w: int, h: int) -> None:
+        super().resizeGL(w, h)  # type: ignore[no-untyped-call]
+        window: Any = self.render_window
+        if self._finer != 1.0:
+            sides = (max(1, round(side * self.pixel_ratio)) for side in (w, h))
+            window.GetInteractor().UpdateSize(*sides)
 
     def paintGL(self) -> None:
         began = time.perf_counter()
@@ -174,7 +207,7 @@ class _Canvas(QtInteractor):
 
     def _middle(self, position: QPointF) -> QPointF:
         """Of the pixel at a position, in device pixels."""
-        return (position + QPointF(0.5, 0.5)) * self.devicePixelRatioF()
+        return (position + QPointF(0.5, 0.5)) * self.pixel_ratio
 
     def keep_view(self) -> None:
         """The drag that has just started is about what was under it: the view stays."""
@@ -194,10 +227,10 @@ class _Canvas(QtInteractor):
             if moved < QApplication.startDragDistance():  # a hand that trembles turns nothing
                 return
             self._dragged_from, self._pressed = self._pressed, None
-            self.drag_started.emit(self._dragged_from * self.devicePixelRatioF())
+            self.drag_started.emit(self._dragged_from * self.pixel_ratio)
         if self._dragged_from is not None:
             shift = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
-            away = (event.position() - self._dragged_from) * self.devicePixelRatioF()
+            away = (event.position() - self._dragged_from) * self.pixel_ratio
             self.dragged.emit(away, shift)
         if self._last is None or not self._orbits:
             return
@@ -331,7 +364,9 @@ class Pane(QFrame):
         self._exhibit: Exhibit | None = None
         self._stale = False
         self._probes_stale = self._exhibit_is_stale = False
-        self._smooth = False
+        self._smoothing = "none"
+        self._fewer: Scene | None = None
+        self._detail_is_stale = False
         self._matrices_ms = 0.0
 
         self.title = QLabel(title)
@@ -496,8 +531,11 @@ class Pane(QFrame):
             if self._view is not None:
                 self.drawing.show_view(self._view)
             self.drawing.show_probes(self._probes)
+            self._fewer, self._detail_is_stale = None, False
         elif self.drawing is not None:
-            if self._stale:
+            if self._detail_is_stale:
+                self.drawing.show_detail(self._fewer)
+            if self._stale or self._detail_is_stale:
                 began = time.perf_counter()
                 self.drawing.show_projection(self._projection)
                 self._matrices_ms = 1e3 * (time.perf_counter() - began)
@@ -513,6 +551,7 @@ class Pane(QFrame):
         if self.drawing is not None:
             self.drawing.show_attention(self._attention)
         self._stale = self._probes_stale = self._exhibit_is_stale = False
+        self._detail_is_stale = False
         self.request_repaint()
 
     def _take_stage(self, drawing: Drawing) -> None:
@@ -528,10 +567,10 @@ class Pane(QFrame):
         """Name what the pane shows now; its own name, for screen readers, stays."""
         self.title.setText(title)
 
-    def set_smooth(self, smooth: bool) -> None:
-        """Switch antialiasing; the next repaint shows it."""
-        if smooth != self._smooth:
-            self._smooth = smooth
+    def set_smoothing(self, smoothing: str) -> None:
+        """Change antialiasing, to one of `SMOOTHINGS`; the next repaint shows it."""
+        if smoothing != self._smoothing:
+            self._smoothing = smoothing
             self._apply_smoothing()
             self.request_repaint()
 
@@ -541,10 +580,25 @@ class Pane(QFrame):
         if timed:
             self.request_repaint()
 
+    def set_detail(self, fewer: Scene | None) -> None:
+        """Draw the faces of a scene with fewer triangles, or None for all: now, or on appearing."""
+        if fewer is not self._fewer:
+            self._fewer, self._detail_is_stale = fewer, True
+            if self.isVisible():
+                self._refresh()
+
+    @property
+    def samples(self) -> int:
+        """Of each pixel, by OpenGL's multisampling: fewer than asked for where it has no more."""
+        window: Any = self.canvas.render_window
+        return int(window.GetMultiSamples())
+
     def _apply_smoothing(self) -> None:
         window: Any = self.canvas.render_window
         for renderer in window.GetRenderers():
-            renderer.SetUseFXAA(self._smooth)
+            renderer.SetUseFXAA(self._smoothing == "FXAA")
+        window.SetMultiSamples(multisamples(self._smoothing))
+        self.canvas.draw_finer(SCALES.get(self._smoothing, 1.0))
 
     def request_repaint(self) -> None:
         """Ask Qt for one repaint, however often it is asked before the next paint."""

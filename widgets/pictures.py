@@ -127,6 +127,7 @@ class Pictures(QObject):
                 document.projection,
                 views=document.views,
                 settings=document.settings,
+                quality=document.quality,
                 panes=choice.panes,
                 size=choice.size,
                 scale=choice.scale,

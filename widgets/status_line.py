@@ -16,6 +16,7 @@ from PySide6.QtWidgets import QInputDialog, QLabel, QMenu, QSizePolicy, QStatusB
 
 from app.attention import NOTHING, Attention, made_of
 from app.health import risks
+from app.pace import LARGEST_FRAME_MS
 from app.precision import (
     DRAWING_TOLERANCE_PX,
     LARGEST_TOLERANCE_PX,
@@ -34,6 +35,7 @@ from app.projection import (
     format_value,
     fov_x_from_fov_y,
 )
+from app.quality import AUTOMATIC, Quality
 from app.scene import Scene
 from widgets.attention import paint_attention
 from widgets.messages import field_name, translated
@@ -55,9 +57,15 @@ class StatusLine(QStatusBar):
     ----------
     tolerance_edited : Signal(float)
         The error in pixels up to which a GPU's own arithmetic may draw, set by the user.
+    frame_edited : Signal(float)
+        The longest frame that is wanted while a control is dragged, in ms; 0 for any.
+    automatic_wanted : Signal()
+        Quality shall be automatic again.
     """
 
     tolerance_edited = Signal(float)
+    frame_edited = Signal(float)
+    automatic_wanted = Signal()
     attended = Signal(object)
     """The `Attention` that the figure under the mouse draws."""
 
@@ -68,6 +76,10 @@ class StatusLine(QStatusBar):
         self.tolerance_px = DRAWING_TOLERANCE_PX
         self._predictions: dict[Rung, Prediction] | None = None
         self._drawn: Rung = "float32"
+        self._quality = AUTOMATIC
+        self._frame_ms = 0.0
+        self._risks: list[str] = []
+        self._notes: list[str] = []
         self.labels = {name: _Figure(_ABOUT[name]) for name in ("fov", "planes", "camera")}
         self.health = _Elided("health")
         self.health.setAccessibleName(self.tr("Numerical health"))
@@ -94,6 +106,17 @@ class StatusLine(QStatusBar):
             )
         )
         self.rung.menu().aboutToShow.connect(self._fill_menu)
+        self.quality = QToolButton()
+        self.quality.setAutoRaise(True)
+        # Or it would be as high as an icon as long as it has no text, and the panes less high.
+        self.quality.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
+        self.quality.setAccessibleName(self.tr("Chosen quality"))
+        self.quality.setToolTip(
+            self.tr("The panes are drawn with a chosen quality; click for the automatic one")
+        )
+        self.quality.clicked.connect(self.automatic_wanted)
+        self.quality.hide()
+        self.addWidget(self.quality)
         self.addWidget(self.health, 1)
         self.cost = _Elided("cost")
         self.cost.setAccessibleName(self.tr("Cost of a step"))
@@ -147,6 +170,34 @@ class StatusLine(QStatusBar):
         self.tolerance_px = tolerance_px
         self._wait_for_rest()
 
+    def set_frame(self, frame_ms: float) -> None:
+        """Set the longest frame that is wanted while a control is dragged, in ms; 0 for any."""
+        self._frame_ms = frame_ms
+
+    def show_quality(self, quality: Quality, notes: list[str]) -> None:
+        """Show what of the quality is not automatic, and what of it cannot be had here.
+
+        Parameters
+        ----------
+        quality : Quality
+        notes : list of str
+            Sentences without their full stops, for the health of the picture.
+        """
+        if (quality, notes) == (self._quality, self._notes):
+            return
+        chosen = [
+            f"{100.0 * v:g} %" if isinstance(v, float) else v for v in quality.chosen.values()
+        ]
+        self.quality.setText(self.tr("quality: {0}").format(", ".join(chosen)))
+        self.quality.setVisible(bool(chosen))
+        if quality.rung != self._quality.rung:
+            self._wait_for_rest()
+        self._quality, self._notes = quality, notes
+        self._show_health()
+
+    def _show_health(self) -> None:
+        self.health.show_sentences([f"{text}." for text in (*self._risks, *self._notes)])
+
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         QTimer.singleShot(0, self._predict)  # nothing moves yet that it could hold up
@@ -189,16 +240,15 @@ class StatusLine(QStatusBar):
             return
         projection, scene = self._projection, self._scene
         self._predictions = predict(projection, scene.sample, scene.origin)
-        self._drawn = rung_for_drawing(projection, scene.corners, scene.origin, self.tolerance_px)
-        self._show_rungs(self._drawn, self._predictions)
-        self.health.show_sentences(
-            [
-                f"{translated(risk.template).format(*map(field_name, risk.figures))}."
-                for risk in risks(
-                    projection, scene.lower, scene.upper, self._drawn, self._predictions
-                )
-            ]
+        self._drawn = rung_for_drawing(
+            projection, scene.corners, scene.origin, self._quality.tolerance_px(self.tolerance_px)
         )
+        self._show_rungs(self._drawn, self._predictions)
+        self._risks = [
+            translated(risk.template).format(*map(field_name, risk.figures))
+            for risk in risks(projection, scene.lower, scene.upper, self._drawn, self._predictions)
+        ]
+        self._show_health()
 
     def _show_rungs(self, drawn: Rung, predictions: dict[Rung, Prediction] | None) -> None:
         read = rung_for_reading(predictions)
@@ -230,8 +280,28 @@ class StatusLine(QStatusBar):
             ]
             menu.addAction(f"{line}  ({', '.join(uses)})" if uses else line).setEnabled(False)
         menu.addSeparator()
+        text = self.tr("Frames of at most {0} ms while dragging…").format(f"{self._frame_ms:g}")
+        if not self._frame_ms:
+            text = self.tr("Frames of any length while dragging…")
+        menu.addAction(text).triggered.connect(self._ask_frame)
         text = self.tr("Drawing tolerance {0} px…").format(f"{self.tolerance_px:g}")
         menu.addAction(text).triggered.connect(self._ask_tolerance)
+
+    def _ask_frame(self) -> None:
+        frame_ms, is_set = QInputDialog.getDouble(
+            self,
+            self.tr("Frame time"),
+            self.tr(
+                "While a control is dragged, antialiasing and triangles may be left out so that a "
+                "frame takes at most so many milliseconds; 0 for whatever it takes:"
+            ),
+            self._frame_ms,
+            0.0,
+            LARGEST_FRAME_MS,
+            1,
+        )
+        if is_set:
+            self.frame_edited.emit(frame_ms)
 
     def _ask_tolerance(self) -> None:
         tolerance_px, is_set = QInputDialog.getDouble(

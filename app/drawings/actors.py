@@ -399,6 +399,42 @@ def _faces_actor(scene: Scene, surface: pv.PolyData) -> vtkActor:
     return actor
 
 
+class Detail:
+    """Faces actors of one scene that can show another one's faces: the same with fewer triangles.
+
+    Parameters
+    ----------
+    *actors : vtkActor or None
+        As `scene_actors` made them.
+    """
+
+    def __init__(self, *actors: vtkActor | None) -> None:
+        self._actors = [actor for actor in actors if actor is not None]
+        self._whole = [actor.GetMapper() for actor in self._actors]
+        self._fewer: WeakKeyDictionary[Scene, list[Any]] = WeakKeyDictionary()
+
+    def show(self, fewer: Scene | None) -> None:
+        """Show the faces of a scene, which has some, or None for the actors' own.
+
+        What was shown once stays on the graphics card, so that only the first time takes long.
+        """
+        mappers = self._whole if fewer is None else self._fewer.get(fewer)
+        if mappers is None:
+            assert fewer is not None and fewer.surface is not None
+            mappers = []
+            for whole in self._whole:
+                mapper = _faces_actor(fewer, fewer.surface).GetMapper()
+                if whole.GetClippingPlanes() is not None:
+                    mapper.SetClippingPlanes(whole.GetClippingPlanes())
+                mappers.append(mapper)
+            self._fewer[fewer] = mappers
+        for actor, mapper in zip(self._actors, mappers, strict=True):
+            former: Any = actor.GetMapper()
+            if former is not mapper:
+                mapper.SetScalarVisibility(former.GetScalarVisibility())
+                actor.SetMapper(mapper)
+
+
 _provoking: WeakKeyDictionary[Scene, pv.PolyData] = WeakKeyDictionary()
 """`_with_provoking_corners` of each scene, so that all drawings of it share one."""
 

@@ -9,6 +9,7 @@ what the depth buffer here takes.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -27,7 +28,8 @@ from app.drawings.style import Style, rgb
 from app.phenomena.exhibit import Exhibit, Marks, Phrase, Rendering
 from app.picking import Probe, Sight
 from app.precision import DRAWING_TOLERANCE_PX, Rung
-from app.projection import Array, Camera, Projection
+from app.projection import Array, Camera, Projection, ProjectionError
+from app.quality import AUTOMATIC, Quality
 from app.scene import Scene
 
 _SQUARE = ((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (1.0, 1.0, 0.0), (0.0, 1.0, 0.0))
@@ -57,6 +59,8 @@ class ImageDrawing:
     style : Style
     tolerance_px : float
         Error up to which the GPU's own float32 may draw.
+    quality : Quality
+        Of which the depth buffer is drawn with, unless the scene is about a buffer itself.
     framed : bool
         Draw frame, axes and margins round the picture. Without them it fills the pane as far as
         its aspect allows: wholly, if the pane has the image's size.
@@ -69,6 +73,7 @@ class ImageDrawing:
         words: Mapping[str, str],
         style: Style,
         tolerance_px: float = DRAWING_TOLERANCE_PX,
+        quality: Quality = AUTOMATIC,
         *,
         framed: bool = True,
     ) -> None:
@@ -87,6 +92,10 @@ class ImageDrawing:
         self._homogeneous = np.empty((0, 4))
         """Points all over the scene's faces, (n, 4), which texts rather do not hide."""
         self._rasteriser: Rasteriser | None = None
+        self._rendering = Rendering()
+        self._quality = quality
+        self.refused_depth: ProjectionError | None = None
+        """Why the picture does not have the depth buffer that was chosen, if it has not."""
         self._own_camera = self._canvas.renderer.GetActiveCamera()
         self._canvas.renderer.SetActiveCamera(identity_camera())
         self._emphasis = Emphasis(self._canvas)
@@ -140,7 +149,15 @@ class ImageDrawing:
         clip_from_vertex = self._model.show_projection(seen)
         self._surface_space.set_projective(clip_from_vertex)
         self._line_space.set_projective(lifted(clip_from_vertex, seen, self._scene))
+        if self._quality.has_depth and (self._scene.phenomenon is None or self._rasteriser):
+            self._rasterise()
         self._place_probes()
+
+    def show_detail(self, fewer: Scene | None) -> None:
+        """Take a scene's fewer triangles, or all for None; then show a projection."""
+        self._model.show_detail(fewer)
+        if self._marks is not None:
+            self._marks.show_detail(fewer)
 
     def show_probes(self, probes: Sequence[Probe]) -> None:
         """Mark these probes, and no others."""
@@ -181,7 +198,9 @@ class ImageDrawing:
             clip = seen.clip_from_world_at(scene.origin)
             nearer = lifted(clip, seen, scene) - clip
             self._marks.place_copies(lambda times: clip + times * nearer)
-        self._rasterise(None if exhibit is None else exhibit.rendering)
+        rendering = None if exhibit is None else exhibit.rendering
+        self._rendering = rendering or Rendering()
+        self._rasterise()
         self._place_texts()
 
     @property
@@ -189,12 +208,14 @@ class ImageDrawing:
         """Why the picture is not rasterised as the phenomenon asks, once that is known."""
         return None if self._rasteriser is None else self._rasteriser.problem
 
-    def _rasterise(self, rendering: Rendering | None) -> None:
+    def _rasterise(self) -> None:
         model, requires = self._model, self._scene.requires & RASTERISED
-        if not requires or model.surface is None or self._marks is None:
+        if self._quality.has_depth:
+            requires |= {"depth"}
+        if not requires or model.surface is None:
             return
         if self._rasteriser is None:
-            others = self._marks.copied_faces
+            others = [] if self._marks is None else self._marks.copied_faces
             if model.lines is not None:
                 others.append((model.lines, self._line_space))
             self._rasteriser = Rasteriser(
@@ -205,7 +226,15 @@ class ImageDrawing:
                 (model.surface, self._surface_space),
                 others,
             )
-        self._rasteriser.show(rendering or Rendering(), self._seen)
+        rendering = self._rendering
+        self.refused_depth = None
+        if self._quality.has_depth and rendering.buffer is None:
+            try:
+                buffer = self._quality.depth_buffer(self._projection)
+                rendering = replace(rendering, buffer=buffer)
+            except ProjectionError as error:
+                self.refused_depth = error
+        self._rasteriser.show(rendering, self._seen)
 
     def _place_texts(self) -> None:
         if self._marks is None:

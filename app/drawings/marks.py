@@ -37,6 +37,7 @@ from vtkmodules.vtkRenderingCore import vtkActor
 from app.clipping import LARGEST_CLIP, clip_polygon, clip_segments
 from app.drawings.actors import (
     Canvas,
+    Detail,
     Label,
     Space,
     lift_lines,
@@ -346,6 +347,12 @@ class MarksDrawing:
                 parts.append(np.column_stack([points, np.ones(len(points))]) @ matrix.T)
         return np.concatenate(parts)
 
+    def show_detail(self, fewer: Scene | None) -> None:
+        """Draw copies of a scene with fewer triangles, or of all that there are for None."""
+        for copy in self._copies:
+            for detail in copy.details:
+                detail.show(fewer)
+
     def _build(self, actors: _CopyActors, copy: Copy) -> bool:
         """Make what a copy needs and has not got; whether that was anything."""
         translucent = copy.opacity < 1.0
@@ -373,6 +380,8 @@ class MarksDrawing:
             if faces
             else (lines, actors.lines_space, COPY_LINES_LIFT)
         )
+        if faces:
+            actors.details.append(Detail(surface))
         if actor is not None:
             space.add(actor)
             if self._lifts_copies:
@@ -472,6 +481,7 @@ class _CopyActors:
         self.depths: vtkActor | None = None
         self.lines: vtkActor | None = None
         self.faces_space, self.lines_space = Space(), Space()
+        self.details: list[Detail] = []
 
 
 class _Batch:

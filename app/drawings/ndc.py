@@ -166,6 +166,12 @@ class NdcDrawing:
         self._space.set_projective(self._display_from_ndc @ self._model.show_projection(seen))
         self._place_probes()
 
+    def show_detail(self, fewer: Scene | None) -> None:
+        """Take a scene's fewer triangles, or all for None; then show a projection."""
+        self._model.show_detail(fewer)
+        if self._marks is not None:
+            self._marks.show_detail(fewer)
+
     def show_stage(self, position: float) -> None:
         """Move to a position of the stage strip; draws nothing yet.
 

@@ -157,7 +157,8 @@ class Rasteriser:
         self._background = rgb(style.background)
         self._add = add
         self._surface, space = surface
-        self._plain: Any = self._surface.GetMapper().GetInput()
+        self._mapper: Any = self._surface.GetMapper()  # of all triangles, whatever is shown now
+        self._plain: Any = self._mapper.GetInput()
         self._divided: dict[int, pv.PolyData] = {}
         self._note: Phrase | None = None
         self._shader_parts: list[tuple[vtkActor, Space, list[tuple[bool, str, str]]]] = []
@@ -383,7 +384,7 @@ class Rasteriser:
         if parts > possible:
             self._note = Phrase(TOO_FINE, (str(faces), str(parts), str(possible)))
             parts = possible
-        mapper: Any = self._surface.GetMapper()
+        mapper = self._mapper
         if parts not in self._divided:
             whole = pv.wrap(self._plain)
             self._divided[parts] = whole if parts == 1 else subdivided(whole, parts)

@@ -35,7 +35,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPlane, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor
 
-from app.drawings.actors import scene_actors
+from app.drawings.actors import Detail, scene_actors
 from app.drawings.style import Style
 from app.precision import Rung, rung_for_drawing
 from app.projection import Array, FreeMatrix, Projection
@@ -79,8 +79,16 @@ class ModelActors:
         self._scene = scene
         self._tolerance_px = tolerance_px
         self.surface, self.lines = scene_actors(scene, style, clip)
-        self._made = [_Made(actor) for actor in (self.surface, self.lines) if actor is not None]
+        self._detail = Detail(self.surface)
+        self._made: list[_Made] = []
         self.rung: Rung = "float32"
+        self.show_detail(None)
+
+    def show_detail(self, fewer: Scene | None) -> None:
+        """Take a scene's fewer triangles, or None for all; then show a projection."""
+        self.show_local()
+        self._detail.show(fewer)
+        self._made = [_Made(actor) for actor in (self.surface, self.lines) if actor is not None]
 
     def show_projection(self, projection: Projection) -> Array:
         """Choose the rung and give the actors its vertices.

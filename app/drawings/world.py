@@ -204,6 +204,7 @@ class WorldDrawing:
             if actor is not None:
                 space.add(actor)
         self._picture = [actor for actor in picture if actor is not None]
+        self._detail = actors.Detail(surface, picture[0])
         self._textured = (surface, Space()), (picture[0], self._picture_space)
         self._rasterisers: list[Rasteriser] = []
         self._canvas.add(*(a for a in (surface, lines) if a is not None), *self._picture)
@@ -385,6 +386,12 @@ class WorldDrawing:
         ]
 
     # -- the model
+
+    def show_detail(self, fewer: Scene | None) -> None:
+        """Take the faces of a scene with fewer triangles, or all for None; draw nothing yet."""
+        self._detail.show(fewer)
+        if self._marks is not None:
+            self._marks.show_detail(fewer)
 
     def show_projection(self, projection: Projection) -> None:
         """Take over the model's matrices; draw nothing yet.

@@ -272,7 +272,7 @@ def measure(
                 None if prediction is None else prediction.px,
                 values,
                 note,
-                {"rung": _RUNGS[name]} if name in _RUNGS else {},
+                {"rung": _RUNGS[name]} if name in _RUNGS and name != "exact" else {},
             )
         )
     choices += [Choice(name, None, None, None, note=note) for name, note in missing.items()]

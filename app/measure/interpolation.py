@@ -202,7 +202,11 @@ def measure(
                 predicted,
                 {"triangles": 2.0 * max(1, splits)},
                 PARALLEL if edge.ratio == 1.0 else "",
-                {"interpolation": "affine" if splits else "correct", "pieces": str(splits or 1)},
+                {
+                    "scene": "interpolation",
+                    "settings.interpolation": "affine" if splits else "correct",
+                    "settings.subdivision": str(splits or 1),
+                },
             )
         )
     rounds = min((each.rounds for each in times.values()), default=0)

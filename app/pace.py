@@ -1,0 +1,132 @@
+"""Which quality holds a target frame time while a control is dragged.
+
+Levels are tried from the finest on. What a level that was not tried yet would take is reckoned
+from those that were, as a fixed time and one in proportion to what is drawn.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Sequence
+from typing import NamedTuple
+
+FRAME_MS = 33.0
+"""Longest frame that is wanted, as long as nobody says otherwise: thirty a second."""
+LARGEST_FRAME_MS = 1000.0
+
+_WINDOW = 20  # frames that a level is judged by
+_HIGH = 0.9  # of them must be in time
+_ROOM = 0.8  # of the target, for what is tried next
+_FRAMES_TO_JUDGE = 10
+_REMEMBERED = 300  # frames after which a level's time is no longer believed
+_SMOOTH_COSTS = 2.0  # times as much as without, until it is known
+
+
+class Level(NamedTuple):
+    """One quality.
+
+    Attributes
+    ----------
+    smooth : bool
+    share : float
+        Of the triangles, 0..1.
+    """
+
+    smooth: bool
+    share: float
+
+    @property
+    def weight(self) -> float:
+        """What is drawn, compared with other levels."""
+        return self.share * (_SMOOTH_COSTS if self.smooth else 1.0)
+
+
+class Pace:
+    """Chooses a level frame by frame.
+
+    Parameters
+    ----------
+    levels : sequence of Level
+        From the finest to the coarsest; at least one.
+    target_ms : float
+        Longest frame that is wanted, in ms; 0 for any.
+    """
+
+    def __init__(self, levels: Sequence[Level], target_ms: float) -> None:
+        self._levels = tuple(levels)
+        self.target_ms = target_ms
+        self._now = 0
+        self._count = 0
+        self._recent: deque[float] = deque(maxlen=_WINDOW)
+        self._known: dict[int, tuple[float, int]] = {}
+        self._is_new = False
+
+    @property
+    def level(self) -> Level:
+        """What the next frame is to be drawn with."""
+        return self._levels[self._now]
+
+    @property
+    def frame_ms(self) -> float:
+        """What nearly all frames of this level take at the most; 0 before there are any."""
+        return self._high() if self._recent else 0.0
+
+    @property
+    def is_late(self) -> bool:
+        """Whether not even the coarsest level holds the target."""
+        coarsest = self._now == len(self._levels) - 1
+        known = len(self._recent) >= _FRAMES_TO_JUDGE
+        return coarsest and known and 0.0 < self.target_ms < self.frame_ms
+
+    def frame(self, ms: float) -> None:
+        """Take note of how long a frame at the present level took, and choose the next one's.
+
+        Parameters
+        ----------
+        ms : float
+        """
+        self._count += 1
+        if self.target_ms <= 0.0:
+            return
+        if self._is_new:  # its triangles went to the graphics card first
+            self._is_new = False
+            return
+        self._recent.append(ms)
+        high = self._high()
+        self._known[self._now] = high, self._count
+        if high > self.target_ms:
+            coarser = range(self._now + 1, len(self._levels))
+            room = _ROOM * self.target_ms
+            fitting = [i for i in coarser if self._expected(i) <= room]
+            if coarser:
+                self._go(fitting[0] if fitting else coarser[-1])
+        elif (
+            self._now > 0
+            and len(self._recent) >= _FRAMES_TO_JUDGE
+            and self._expected(self._now - 1) <= _ROOM * self.target_ms
+        ):
+            self._go(self._now - 1)
+
+    def _high(self) -> float:
+        ordered = sorted(self._recent)
+        return ordered[int(_HIGH * (len(ordered) - 1))]
+
+    def _go(self, level: int) -> None:
+        self._is_new = level not in self._known
+        self._now = level
+        self._recent.clear()
+
+    def _expected(self, level: int) -> float:
+        """What a frame of a level would take, in ms."""
+        known = {i: ms for i, (ms, at) in self._known.items() if self._count - at < _REMEMBERED}
+        if level in known:
+            return known[level]
+        weight, here = self._levels[level].weight, self._levels[self._now].weight
+        ms = known[self._now]
+        # The line through here and another known level; in proportion if there is none.
+        others = [i for i in known if self._levels[i].weight != here]
+        if not others:
+            return ms * weight / here
+        other = min(others, key=lambda i: abs(i - level))
+        slope = (known[other] - ms) / (self._levels[other].weight - here)
+        return ms + max(0.0, slope) * (weight - here)
