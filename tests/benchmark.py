@@ -181,6 +181,73 @@ def step_over_repaint(scale: float) -> dict[str, Any]:
     return figures
 
 
+def in_a_drag(window: Any, row: Any, turns: int) -> tuple[list[float], list[float]]:
+    """Seconds of bare repaints and of a slider's steps, in turn, in the middle of a drag."""
+    app = application()
+    window.store.begin_gesture()
+    bare, step = [], []
+    for turn in range(turns + 3):
+        began = time.perf_counter()
+        for pane in window.panes.values():
+            pane.request_repaint()
+        app.processEvents()
+        middle = time.perf_counter()
+        row.slider.setValue(row.slider.value() + (1 if turn // 40 % 2 else -1))
+        app.processEvents()
+        if turn >= 3:
+            bare.append(middle - began)
+            step.append(time.perf_counter() - middle)
+    window.store.end_gesture()
+    return bare, step
+
+
+def scene_steps(scale: float) -> dict[str, Any]:
+    """A step of the camera over the bare repaint in each phenomenon's scene, its panel open."""
+    from app.phenomena import PHENOMENA
+
+    figures: dict[str, Any] = {}
+    for name in PHENOMENA:
+        window = open_window(name)
+        row = window.controls.rows["azimuth_deg"]
+        bare, step = in_a_drag(window, row, max(8, round(100 * scale)))
+        figures[f"{name}: p50, p95 of step / bare repaint"] = [
+            round(statistics.median(step) / statistics.median(bare), 3),
+            round(percentile95(step) / percentile95(bare), 3),
+        ]
+        close_window(window)
+    return figures
+
+
+def panel_steps(scale: float) -> dict[str, Any]:
+    """A step over the bare repaint, with and without the matrices and three probes.
+
+    In turn in one process: what is compared is what the open panel adds to the step.
+    """
+    rounds: dict[str, list[float]] = {}
+    for _ in range(3):
+        for panel in ("", "matrices", "probe_panel"):
+            window = open_window()
+            for point in ((0.0, 0.0, 0.0), (1.0, 2.0, 0.5), (0.5, 4.0, 0.0)) if panel else ():
+                window.probe_panel.follow(point=point)
+                window.probe_panel.pin.click()
+            window.panels.open(getattr(window, panel) if panel else None)
+            settle(application())
+            row = window.controls.rows["azimuth_deg"]
+            bare, step = in_a_drag(window, row, max(8, round(60 * scale)))
+            ratio = statistics.median(step) / statistics.median(bare)
+            rounds.setdefault(panel, []).append(ratio)
+            close_window(window)
+    names = {"": "no panel", "matrices": "matrices and three probes",
+             "probe_panel": "the probes' numbers"}  # fmt: skip
+    ratios = {panel: statistics.median(found) for panel, found in rounds.items()}
+    figures: dict[str, Any] = {
+        f"{names[panel]}: step / bare repaint": round(ratio, 3) for panel, ratio in ratios.items()
+    }
+    for panel in ("matrices", "probe_panel"):
+        figures[f"{names[panel]}: against the step without"] = round(ratios[panel] / ratios[""], 3)
+    return figures
+
+
 def strip_step(scale: float) -> dict[str, Any]:
     """A step of the stage strip against the bare repaint of its pane at the same position.
 
@@ -644,6 +711,8 @@ while True:
 
 PARTS: dict[str, Callable[[float], dict[str, Any]]] = {
     "step": step_over_repaint,
+    "scenes": scene_steps,
+    "panels": panel_steps,
     "strip": strip_step,
     "adaptive": adaptive,
     "repaints": repaints,
