@@ -82,6 +82,7 @@ from app.values import (
     INVERTIBLE,
     LARGEST,
     LARGEST_IMAGE_PX,
+    LARGEST_INVERSE,
     LARGEST_SHEAR,
     LEFT_BEFORE_RIGHT,
     NEAR_BEFORE_FAR,
@@ -93,6 +94,7 @@ from app.values import (
     OTHER_SIDE,
     PLANES,
     RIGHT_OF_LEFT,
+    SMALL_INVERSE,
     SMALLEST,
     SMALLEST_FIELD,
     SMALLEST_OPENING,
@@ -681,14 +683,19 @@ class Projection:
     def _eye_from_clip(self) -> Rationals:
         """The inverse of `exact_from_eye`'s clip matrix, or a `ProjectionError`."""
         view_from_clip = _inverse("clip_from_view", self.direct_stages[0].exact)
-        return product(_inverse("view_from_world", self.exact_from_eye[0]), view_from_clip)
+        inverse = product(_inverse("view_from_world", self.exact_from_eye[0]), view_from_clip)
+        if max(abs(part) for row in inverse for part in row) > LARGEST_INVERSE:
+            cells = self.clip_from_view.tolist()
+            raise ProjectionError("clip_from_view", cells, SMALL_INVERSE)
+        return inverse
 
     @cached_property
     def frustum_sign(self) -> int:
         """The sign of w at all eight of the cube's corners un-projected; 0 for no frustum.
 
         A lens always has one, whose far corners may be at infinity. A free matrix has none
-        without an inverse, or where infinity lies in or on its volume.
+        without an inverse, with one too large to be drawn, or where infinity lies in or on its
+        volume.
         """
         if not isinstance(self.lens, FreeMatrix):
             return 1
@@ -719,7 +726,7 @@ class Projection:
         Raises
         ------
         ProjectionError
-            For a free matrix without an inverse.
+            For a free matrix without an inverse, or one that float64 cannot hold.
         """
         shift = _translation(self.camera.eye - np.asarray(origin, dtype=np.float64))
         if isinstance(self.lens, FreeMatrix):

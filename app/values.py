@@ -38,6 +38,10 @@ SMALLEST_FIELD = 1e-90
 """Smallest field of view in degrees; its inverse is the steepest ray to a window's edge."""
 SMALLEST_OPENING = 1e-98
 """Smallest side of a frustum's window in units of near: that of the smallest field, and less."""
+SMALLEST_CELL = 1e-75
+"""Smallest cell of a free matrix but 0: its square, and a product of two, is far from underflow."""
+LARGEST_INVERSE = 10**150
+"""Largest cell of a free matrix' inverse, for the same reason."""
 LARGEST_SHEAR = 1e6
 """Largest cotangent of an oblique lens' angles; theirs start at 5.8e-5 degrees."""
 SMALLEST_UP_ANGLE = 1e-15
@@ -93,11 +97,13 @@ WIDER = "is too close to {0} for a plane as far from the eye as near is"
 NO_POINT = "is at infinity, where there is no point but a direction"
 INVERTIBLE = "must have an inverse, but its rank is {0}"
 FOUR_BY_FOUR = "must be four rows of four finite numbers"
+ZERO_OR_AT_LEAST = "must be 0 or at least {0} in size"
+SMALL_INVERSE = "must have an inverse that float64 can hold, and multiply"
 BOUNDS = (
     FINITE_NUMBER, ABOVE, AT_LEAST, AT_MOST, BETWEEN, NEAR_BEFORE_FAR, LEFT_BEFORE_RIGHT,
     BOTTOM_BEFORE_TOP, THREE_NUMBERS, NOT_THE_EYE, NOT_ZERO, NOT_PARALLEL, WHOLE_PIXELS, ONE_OF,
     FAR_BEYOND_NEAR, RIGHT_OF_LEFT, TOP_ABOVE_BOTTOM, DISTINCT, WIDER, NO_POINT,
-    INVERTIBLE, FOUR_BY_FOUR,
+    INVERTIBLE, FOUR_BY_FOUR, ZERO_OR_AT_LEAST, SMALL_INVERSE,
 )  # fmt: skip
 """Every sentence a `ProjectionError` can end with, for translators."""
 OTHER_SIDE = {
@@ -187,12 +193,18 @@ def finite_matrix(field: str, value: Any) -> Cells:
             raise TypeError
     except TypeError:
         raise ProjectionError(field, value, FOUR_BY_FOUR) from None
-    # Minus zero is a zero here: 0 typed is what is kept.
     checked = tuple(
-        tuple(finite(f"{field}[{i}, {j}]", part) + 0.0 for j, part in enumerate(row))
+        tuple(_cell(f"{field}[{i}, {j}]", part) for j, part in enumerate(row))
         for i, row in enumerate(rows)
     )
     return checked  # type: ignore[return-value]
+
+
+def _cell(field: str, value: Any) -> float:
+    number = finite(field, value)
+    if number != 0.0 and abs(number) < SMALLEST_CELL:
+        raise ProjectionError(field, number, ZERO_OR_AT_LEAST, SMALLEST_CELL)
+    return number + 0.0  # minus zero is a zero here: 0 typed is what is kept
 
 
 def cos_sin_deg(angle_deg: float) -> tuple[float, float]:

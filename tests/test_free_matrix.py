@@ -495,3 +495,23 @@ def test_the_largest_cells_overflow_nothing() -> None:
     projection = Projection(lens=FreeMatrix(largest, largest))  # type: ignore[arg-type]
     trace = projection.trace([[LARGEST] * 3, [0.0, 0.0, 0.0]])
     assert np.isfinite(trace.clip).all()
+
+
+@pytest.mark.parametrize("cell", [1e-310, 1e-300, -1e-76])
+def test_a_cell_too_small_to_multiply_is_refused(cell: float) -> None:
+    rows = [[cell, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]
+    with pytest.raises(
+        ProjectionError, match=r"clip_from_view\[0, 0\] = .*: must be 0 or at least"
+    ):
+        FreeMatrix(rows)  # type: ignore[arg-type]
+    with pytest.raises(ProjectionError, match=r"view_from_world\[0, 0\]"):
+        FreeMatrix(np.eye(4).tolist(), rows)  # type: ignore[arg-type]
+
+
+def test_an_inverse_too_large_for_float64_has_no_frustum() -> None:
+    tiny = 1e-60
+    rows = [[tiny, 1, 0, 0], [0, tiny, 1, 0], [0, 0, tiny, 1], [0, 0, 0, tiny]]
+    projection = replace(Projection(), lens=FreeMatrix(rows))  # type: ignore[arg-type]
+    assert projection.frustum_sign == 0
+    with pytest.raises(ProjectionError, match="an inverse that float64 can hold"):
+        projection.world_from_clip_at((0.0, 0.0, 0.0))

@@ -17,6 +17,7 @@ from PySide6.QtWidgets import QApplication
 
 from app.document import Document
 from app.drawings import WORDS
+from app.drawings.image import ImageDrawing
 from app.drawings.style import DARK, LIGHT, rgb
 from app.drawings.world import WorldDrawing
 from app.handles import EYE, TARGET, Handle
@@ -636,3 +637,30 @@ def test_a_scene_without_points_has_no_grips(make_scene: Callable[[str], MainWin
     window._choose_scene("letter-f")
     settle()
     assert not any(handle.name == "grip" for handle in marks(window))
+
+
+@pytest.mark.parametrize("name", ["world", "image"])
+def test_another_scene_under_the_hand_ends_the_drag(
+    make_window: Callable[..., MainWindow], name: str
+) -> None:
+    """Its own camera stays, and undo goes back to where the drag had come to."""
+    window = opened(make_window)
+    at = point(mark(window, "target")[1])
+    if name == "image":
+        drawing = window.panes["image"].drawing
+        assert isinstance(drawing, ImageDrawing)
+        left, top, width, height = drawing.picture_rectangle_px
+        at = QPoint(left + width // 2, top + height // 2)
+    press(window, name, at)
+    for way in (20, 40):
+        move(window, name, at + QPoint(way, 5))
+    dragged = model(window)
+    assert window.store.in_gesture
+    window._choose_scene("cube")
+    start = model(window)
+    for way in (60, 80):
+        move(window, name, at + QPoint(way, 5))
+    release(window, name, at + QPoint(80, 5))
+    assert model(window) == start and not window.store.in_gesture
+    window.store.undo()
+    assert (window.store.document.scene, model(window)) == ("letter-f", dragged)

@@ -69,6 +69,7 @@ from app.projection import (
     oblique_angles,
     receding_of,
 )
+from app.values import SMALL_INVERSE, ZERO_OR_AT_LEAST
 from tests.oracles import exact
 from widgets import messages
 
@@ -1549,6 +1550,13 @@ REFUSED: list[tuple[Callable[[], object], str, str, str]] = [
     (lambda: Projection(lens=FreeMatrix(((0.0,) * 4,) * 4)).view_from_clip, "clip_from_view",
      INVERTIBLE, "clip_from_view = ((0, 0, 0, 0), (0, 0, 0, 0), (0, 0, 0, 0), (0, 0, 0, 0)): must"
      " have an inverse, but its rank is 0."),
+    (lambda: FreeMatrix(((1e-76, 0, 0, 0), *((0.0,) * 4,) * 3)), "clip_from_view[0, 0]",
+     ZERO_OR_AT_LEAST, "clip_from_view[0, 0] = 1e-76: must be 0 or at least 1e-75 in size."),
+    (lambda: Projection(lens=FreeMatrix(
+        ((1e-60, 1, 0, 0), (0, 1e-60, 1, 0), (0, 0, 1e-60, 1), (0, 0, 0, 1e-60)))).world_from_clip,
+     "clip_from_view", SMALL_INVERSE, "clip_from_view = ((1e-60, 1, 0, 0), (0, 1e-60, 1, 0),"
+     " (0, 0, 1e-60, 1), (0, 0, 0, 1e-60)): must have an inverse that float64 can hold, and"
+     " multiply."),
     # planes, focal lengths and intrinsics
     (lambda: Projection(lens=Frustum()).between(0, 5), "near", ABOVE,
      "near = 0: must be greater than 0."),

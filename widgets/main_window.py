@@ -474,7 +474,9 @@ class MainWindow(QMainWindow):
         self.store.begin_gesture()  # one step to undo
         scene = choice.get("scene", self.store.document.scene)
         if scene != self.store.document.scene:
+            panel = self.panels.open_panel
             self._choose_scene(scene)
+            self.panels.open(panel)  # the one that offered it stays
         texts = [
             f"{key if '.' in key else f'quality.{key}'}={value}"
             for key, value in choice.items()
@@ -586,6 +588,7 @@ class MainWindow(QMainWindow):
         scene = self.files.scene(document.scene, document.mesh)
         # An edit shares its views with the document before; another document brings its own.
         if scene is not self._scene:
+            self.manipulation.let_go()
             self.probe_panel.clear()
         if scene is not self._scene or document.views is not self._views:
             self._scene, self._views = scene, document.views
@@ -754,6 +757,7 @@ class MainWindow(QMainWindow):
             action.setChecked(action.data() == name)
 
     def _choose_scene(self, name: str) -> None:
+        self.manipulation.let_go()  # what is held belongs to the scene before
         self.files.choose_scene(name)
         self._list_scenes()
 

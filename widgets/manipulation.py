@@ -97,7 +97,7 @@ class Manipulation(QObject):
         canvas.drag_started.connect(self._take_handle)
         for pane in (world, image):
             pane.canvas.dragged.connect(self._move)
-            pane.canvas.drag_ended.connect(self._let_go)
+            pane.canvas.drag_ended.connect(self.let_go)
         image.canvas.scrolled.connect(self._dolly)
 
     def show_projection(self, projection: Projection) -> None:
@@ -250,7 +250,8 @@ class Manipulation(QObject):
         """Say over the pane why a setting cannot be what the hand made of it."""
         self._refuse(self._world, error)
 
-    def _let_go(self) -> None:
+    def let_go(self) -> None:
+        """End a drag where it is; whatever the hand does until it lets go is none."""
         if self._watched is None:
             return
         self._watched.removeEventFilter(self)

@@ -506,6 +506,9 @@ class MeasurePanel(QWidget):
     def _use(self, choice: Choice) -> None:
         if choice.use:
             self.used.emit(dict(choice.use))
+        elif choice.name:
+            text = self.tr("{0} is measured only: the panes are not drawn with it.")
+            self.refused.emit(text.format(choice.name))
 
 
 class _Line(QLabel):

@@ -61,6 +61,10 @@ PROJECTION_BOUNDS = (
     QT_TRANSLATE_NOOP("ProjectionError", "is at infinity, where there is no point but a direction"),
     QT_TRANSLATE_NOOP("ProjectionError", "must have an inverse, but its rank is {0}"),
     QT_TRANSLATE_NOOP("ProjectionError", "must be four rows of four finite numbers"),
+    QT_TRANSLATE_NOOP("ProjectionError", "must be 0 or at least {0} in size"),
+    QT_TRANSLATE_NOOP(
+        "ProjectionError", "must have an inverse that float64 can hold, and multiply"
+    ),
 )
 """Every bound of a `ProjectionError`: the members of `app.projection.BOUNDS`."""
 
