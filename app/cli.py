@@ -49,11 +49,13 @@ from app.projection import (
     LARGEST,
     LARGEST_IMAGE_PX,
     LEFT_BEFORE_RIGHT,
+    LENSES,
     NEAR_BEFORE_FAR,
     NOT_THE_EYE,
     PLANES,
     WHOLE_PIXELS,
     Array,
+    FreeMatrix,
     Perspective,
     Projection,
     ProjectionError,
@@ -852,6 +854,11 @@ def _measure(arguments: Sequence[str]) -> int:
     settings = [*found.set, *([f"scene={found.scene}"] if found.scene else [])]
     document = _document(words[0] if words else None, settings)
     scene = _load(document.scene, document.mesh)
+    if isinstance(document.projection.lens, FreeMatrix):
+        raise CliError(
+            "lens.kind = matrix: a free matrix has no near, no far and no angle to measure; it must"
+            f" be one of {', '.join(LENSES)}."
+        )
     everything = not (found.trade or found.sweep)
     trades = list(dict.fromkeys(found.trade or (measure.TRADES if everything else ())))
     swept = dict(found.sweep or ())

@@ -73,6 +73,7 @@ def test_without_opengl_the_first_three_trades_still_run() -> None:
         (["--json=/nowhere/a.json"], "there is no folder /nowhere"),
         (["--csv=/nowhere/a.csv"], "there is no folder /nowhere"),
         (["--set=lens.near=0"], "lens.near"),
+        (["--set=lens.kind=matrix"], "lens.kind = matrix: a free matrix has no near, no far"),
         (["--tradee=depth"], "the nearest is --trade"),
     ],
 )
