@@ -501,8 +501,24 @@ class WorldDrawing:
         seen = not isinstance(lens, FreeMatrix) or self._projection.frustum_sign != 0
         corners = self._corners if seen else None
         named = Named(self._eye, self._target, arrows, tips, body, corners, planes)
-        first = None if self._marks is None else partial(self._place_texts, afresh=afresh)
+        first = None
+        if self._marks is not None or (self._handles is not None and seen):
+            first = partial(self._place_first, afresh=afresh, corners=corners)
         return self._labels.lay_out(self._pane, named, afresh=afresh, first=first)
+
+    def _place_first(
+        self,
+        layout: Layout,
+        seen: Callable[[Array], Sequence[Spot]],
+        *,
+        afresh: bool,
+        corners: Array | None,
+    ) -> None:
+        """What the labels keep off: the far corners' handles, and the texts of a scene."""
+        if self._handles is not None and corners is not None:
+            layout.keep_free(seen(corners[4:]))
+        if self._marks is not None:
+            self._place_texts(layout, seen, afresh=afresh)
 
     def _place_texts(
         self, layout: Layout, seen: Callable[[Array], Sequence[Spot]], *, afresh: bool
