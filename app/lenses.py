@@ -19,6 +19,7 @@ from app.values import (
     NEAR_BEFORE_FAR,
     ONE_OF,
     SMALLEST,
+    SMALLEST_CELL,
     SMALLEST_FIELD,
     SMALLEST_OPENING,
     SMALLEST_WINDOW,
@@ -374,7 +375,8 @@ class FreeMatrix:
     Raises
     ------
     ProjectionError
-        Naming the cell, as ``clip_from_view[0, 2]``, that is not finite or beyond `LARGEST`.
+        Naming the cell, as ``clip_from_view[0, 2]``, that is not finite, beyond `LARGEST`, or
+        below `SMALLEST_CELL` in size and not 0.
     """
 
     kind: ClassVar[str] = "matrix"
@@ -384,9 +386,11 @@ class FreeMatrix:
     former: StandardLens = Perspective()
 
     def __post_init__(self) -> None:
-        keep_checked(self, clip_from_view=finite_matrix("clip_from_view", self.clip_from_view))
+        keep_checked(
+            self, clip_from_view=finite_matrix("clip_from_view", self.clip_from_view, SMALLEST_CELL)
+        )
         if self.view_from_world is not None:
-            view_from_world = finite_matrix("view_from_world", self.view_from_world)
+            view_from_world = finite_matrix("view_from_world", self.view_from_world, SMALLEST_CELL)
             keep_checked(self, view_from_world=view_from_world)
 
 

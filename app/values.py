@@ -185,8 +185,8 @@ def finite_vector(field: str, value: Any) -> Vector:
     return x, y, z
 
 
-def finite_matrix(field: str, value: Any) -> Cells:
-    """Four rows of four finite numbers, or a `ProjectionError` that names the cell."""
+def finite_matrix(field: str, value: Any, smallest: float = 0.0) -> Cells:
+    """Four rows of four finite numbers, 0 or at least as large, or an error that names the cell."""
     try:
         rows = [tuple(row) for row in value]
         if len(rows) != 4 or any(len(row) != 4 for row in rows):
@@ -194,16 +194,16 @@ def finite_matrix(field: str, value: Any) -> Cells:
     except TypeError:
         raise ProjectionError(field, value, FOUR_BY_FOUR) from None
     checked = tuple(
-        tuple(_cell(f"{field}[{i}, {j}]", part) for j, part in enumerate(row))
+        tuple(_cell(f"{field}[{i}, {j}]", part, smallest) for j, part in enumerate(row))
         for i, row in enumerate(rows)
     )
     return checked  # type: ignore[return-value]
 
 
-def _cell(field: str, value: Any) -> float:
+def _cell(field: str, value: Any, smallest: float) -> float:
     number = finite(field, value)
-    if number != 0.0 and abs(number) < SMALLEST_CELL:
-        raise ProjectionError(field, number, ZERO_OR_AT_LEAST, SMALLEST_CELL)
+    if number != 0.0 and abs(number) < smallest:
+        raise ProjectionError(field, number, ZERO_OR_AT_LEAST, smallest)
     return number + 0.0  # minus zero is a zero here: 0 typed is what is kept
 
 
