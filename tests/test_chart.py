@@ -275,7 +275,7 @@ def test_a_chart_names_machine_versions_scene_camera_and_date() -> None:
         "letter-f; eye (6, 5, 9), target (0, 2.25, 0), perspective, fov_y_deg 45"
     )
     assert chart.machine(RESULTS) == "Box 7, softpipe, 2026-11-21T08:46:06+00:00"
-    mesh = replace(RESULTS, document={"scene": "/home/me/cow.obj", "camera": 5})
+    mesh = replace(RESULTS, document={"scene": "meshes/cow.obj", "camera": 5})
     assert chart.seen(mesh) == "cow.obj; eye (), target (), "
 
 
