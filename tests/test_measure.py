@@ -171,6 +171,22 @@ def test_a_swept_point_is_what_the_oracle_says() -> None:
         assert error == pytest.approx(px, rel=0.01), parameter
 
 
+def test_a_sweep_sets_what_it_is_named_after() -> None:
+    def swept(parameter: str, value: float) -> Projection:
+        return SWEEPS[parameter].set(START, value)[0]
+
+    assert swept("near", 0.25).lens.near == 0.25 and swept("near", 99.0).lens.near == 99.0
+    assert swept("far", 0.5).lens.far == 0.5
+    assert swept("fov", 120.0).lens.fov_y_deg == 120.0
+    assert swept("aspect", 7.0).window[1] / swept("aspect", 7.0).window[3] == pytest.approx(7.0)
+    moved = np.array(swept("distance", 1e6).camera.eye) - START.camera.eye
+    assert np.linalg.norm(moved) == pytest.approx(1e6)
+    np.testing.assert_allclose(SWEEPS["distance"].set(START, 1e6)[1], moved)
+    camera = swept("up", 3.0).camera
+    cosine = np.array(camera.up) @ -camera.frame[2] / np.linalg.norm(camera.up)
+    assert math.degrees(math.acos(cosine)) == pytest.approx(3.0)
+
+
 @pytest.mark.parametrize("parameter", list(SWEEPS))
 def test_a_sweep_covers_its_range_and_can_be_narrowed(parameter: str) -> None:
     values = values_of(parameter, 9)
