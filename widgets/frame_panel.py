@@ -16,7 +16,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 from typing import NamedTuple
 
-from PySide6.QtCore import QEvent, QRectF, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QRectF, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QEnterEvent,
     QFont,
@@ -294,6 +294,10 @@ class FramePanel(QWidget):
         )
 
     # -- the model
+
+    def sizeHint(self) -> QSize:
+        """High enough for the four rows of the last step's matrix."""
+        return super().sizeHint() + QSize(0, 3 * self.fontMetrics().height())
 
     def show_projection(self, projection: Projection) -> None:
         """Show this camera's numbers: now if visible, else on appearing.
