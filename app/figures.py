@@ -258,8 +258,7 @@ def _render_pane(
     with off_screen(width, height) as plotter:
         window = plotter.render_window
         drawing = _DRAWINGS[pane](plotter, scene, words, style.enlarged(factor), **options)
-        drawing.show_projection(projection)
-        drawing.show_exhibit(exhibit)
+        drawing.show_projection(projection, exhibit)
         drawing.reset_view()
         if view is not None:
             drawing.show_view(view)

@@ -59,7 +59,7 @@ class Shown:
             self.drawing.show_view(CLOSE)
 
     def show(self, exhibit: Exhibit | None) -> Pixels:
-        self.drawing.show_exhibit(exhibit)
+        self.drawing.show_projection(self.projection, exhibit)
         pixels: Pixels = self.screen.pixels()
         return pixels
 
@@ -437,7 +437,8 @@ def test_a_copy_of_a_scene_far_from_the_origin_is_as_exact_as_near_it(
         one = shown(pane, scene)
         if pane == "world":
             camera = Camera(tuple(far + AWAY.camera.eye), tuple(far + AWAY.camera.target))
-            one.drawing.show_projection(replace(AWAY, camera=camera))
+            one.projection = replace(AWAY, camera=camera)
+            one.drawing.show_projection(one.projection)
             one.drawing.show_view(scene.start.camera)
         dot = one.marks([far + np.array([0.5, 1.0, 1.0])], dots)
         copies = (Copy(TRANSLATED, (pane,), BLUE),)
@@ -556,6 +557,7 @@ def test_the_world_pane_is_framed_with_its_marks_but_not_with_what_is_far(
     shown: Callable[..., Shown],
 ) -> None:
     one = shown("world")
+    one.projection = START
     one.drawing.show_projection(START)
     one.drawing.reset_view()
     plain = one.drawing.sight.eye
@@ -613,48 +615,48 @@ def test_a_hidden_pane_computes_nothing_and_a_visible_one_paints_once(
     calls: list[Exhibit | None] = []
 
     class Counting(WorldDrawing):
-        def show_exhibit(self, exhibit: Exhibit | None) -> None:
+        def show_projection(
+            self, projection: Projection, exhibit: Exhibit | None = None
+        ) -> None:
             calls.append(exhibit)
-            super().show_exhibit(exhibit)
+            super().show_projection(projection, exhibit)
 
     window = QWidget()
     qtbot.addWidget(window)
     pane = Pane("World", Counting, orbits=True, parent=window)
     pane.resize(400, 300)
     window.resize(400, 300)
-    pane.build(START, None, LETTER, WORDS, LIGHT)
+    pane.build(START, None, None, LETTER, WORDS, LIGHT)
 
     def exhibit(x: float) -> Exhibit:
         return Exhibit((), world=dots(np.array([(x, 5.0, 0.5)])))
 
     first, second = exhibit(0.0), exhibit(1.0)
-    pane.show_exhibit(first)
+    pane.show_projection(START, first)
     assert calls == []
     with qtbot.waitExposed(window):
         window.show()
     render_window: Any = pane.canvas.render_window
     qtbot.waitUntil(lambda: not render_window.GetNeverRendered())
-    assert calls == [first]
+    assert calls[-1] is first
+    calls.clear()
     painted: list[int] = []
     observer = render_window.AddObserver("EndEvent", lambda *_: painted.append(1))
     display.processEvents()
     painted.clear()
-    pane.show_projection(START)
-    pane.show_exhibit(second)
-    pane.show_exhibit(second)  # the same again is no change
+    pane.show_projection(START, second)
     qtbot.waitUntil(lambda: bool(painted))
     display.processEvents()
-    assert (calls, len(painted)) == ([first, second], 1)
+    assert (calls, len(painted)) == ([second], 1)
     pane.hide()
-    pane.show_exhibit(first)
-    pane.show_exhibit(None)
-    assert calls == [first, second]
+    pane.show_projection(START, first)
+    pane.show_projection(START, None)
+    assert calls == [second]
     pane.show()
-    assert calls == [first, second, None]
-    # Another style: the drawing is made anew, and shows what the pane shows.
-    pane.show_exhibit(second)
-    pane.build(START, None, LETTER, WORDS, DARK)
-    assert calls[-2:] == [second, second]
+    assert calls == [second, None]
+    # Another style: the drawing is made anew.
+    pane.build(START, second, None, LETTER, WORDS, DARK)
+    assert calls[2:] == [None, second]  # its own start, then what the pane shows
     image = pane.canvas.grab().toImage()
     ratio = pane.canvas.devicePixelRatioF()
     assert pane.drawing is not None

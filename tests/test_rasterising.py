@@ -66,10 +66,9 @@ class Picture:
         projection = replace(projection or self.phenomenon.start, image_size=SIZE)
         checked = self.phenomenon.checked(settings)
         self.exhibit = self.phenomenon.show(projection, checked, self.scene.subject)
-        self.drawing.show_projection(projection)
         # Texts and dots would cover what is looked at here.
         bare = replace(self.exhibit, image=replace(self.exhibit.image, lines=(), dots=(), texts=()))
-        self.drawing.show_exhibit(bare)
+        self.drawing.show_projection(projection, bare)
         return self
 
     def pixels(self) -> Pixels:
@@ -309,7 +308,7 @@ def test_the_other_panes_show_the_texture_as_it_is(said: Any, kind: Any) -> None
         if choice is not None:
             settings = interpolation.PHENOMENON.checked({"interpolation": choice})
             exhibit = interpolation.PHENOMENON.show(scene.start, settings, scene.subject)
-            drawing.show_exhibit(Exhibit((), rendering=exhibit.rendering))
+            drawing.show_projection(scene.start, Exhibit((), rendering=exhibit.rendering))
         shown.append(pixels_of(plotter.render_window).astype(int))
     plain, affine, correct = shown
     darker = (plain - affine).max(axis=-1) > 60

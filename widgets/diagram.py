@@ -41,6 +41,7 @@ SWATCH_PX = 12.0
 """Length of a curve's own line before its name."""
 HIT_PX = 9.0
 """How near to a spot a click may be that means it."""
+_BREAK = np.full((1, 2), math.nan)  # of a line
 _FAR = 1e6
 """In windows: what is farther off is drawn as the direction there, or doubles lose the way."""
 
@@ -132,22 +133,29 @@ class _Axis:
 # --------------------------------------------------------------------------- lines
 
 
-def segments(points: Floats) -> Floats:
-    """The parts of a polyline inside the unit square, (m, 2, 2).
+def segments(points: Floats) -> tuple[Floats, NDArray[np.intp]]:
+    """The parts of a polyline inside the unit square.
 
     Parameters
     ----------
     points : (n, 2) array
         In units of the diagram's window; NaN breaks the line.
 
+    Returns
+    -------
+    (m, 2, 2) array, (m,) array of int
+        The parts' ends, and at which point each segment begins.
+
     Notes
     -----
     Liang-Barsky, for all segments at once. An end that is more than `_FAR` windows away is first
     drawn in along the segment, as seen from the other end.
     """
-    ends = np.stack([points[:-1], points[1:]], axis=1)
-    ends = ends[np.isfinite(ends).all(axis=(1, 2))]
-    start, end = ends[:, 0], ends[:, 1]
+    finite, within = np.asarray(np.isfinite(points).all(axis=1)), _inside(points)
+    which = np.flatnonzero(finite[:-1] & finite[1:])
+    start, end = points[which], points[which + 1]
+    if (within[which] & within[which + 1]).all():
+        return np.stack([start, end], axis=1), which
     with np.errstate(all="ignore"):
         far = np.maximum(np.abs(end - start).max(axis=1), _FAR)[:, None]
         nearer_start = (np.abs(start).max(axis=1) <= np.abs(end).max(axis=1))[:, None]
@@ -166,9 +174,33 @@ def segments(points: Floats) -> Floats:
                 possible &= (inward != 0.0) | (outside <= 0.0)
     kept = possible & (enter <= leave)
     start, direction = start[kept], direction[kept]
-    return np.stack(
-        [start + enter[kept, None] * direction, start + leave[kept, None] * direction], axis=1
-    )
+    parts = [start + enter[kept, None] * direction, start + leave[kept, None] * direction]
+    return np.stack(parts, axis=1), which[kept]
+
+
+def seen_parts(curves: Sequence[Curve], across: _Axis, up: _Axis) -> list[Floats]:
+    """What is seen of each curve in units of the window: segments (m, 2, 2), or dots (m, 2)."""
+    rows = [np.empty((0, 2))]
+    for curve in curves:
+        points = np.asarray(curve.points, dtype=np.float64).reshape(-1, 2)
+        rows += [points, points[: curve.closed], _BREAK]
+    counts = [len(curve.points) + (curve.closed and len(curve.points) > 0) + 1 for curve in curves]
+    all_points = np.concatenate(rows)
+    # All at once: a diagram has a dozen curves, of a handful of points each.
+    points = np.stack([across.unit(all_points[:, 0]), up.unit(all_points[:, 1])], axis=1)
+    parts, at = segments(points)
+    ends = np.cumsum(counts)
+    bounds = np.searchsorted(at, ends).tolist()
+    seen = []
+    for curve, end, count, first, last in zip(
+        curves, ends.tolist(), counts, [0, *bounds], bounds, strict=False
+    ):
+        if curve.dots:
+            dots = points[end - count : end]
+            seen.append(dots[_inside(dots)])
+        else:
+            seen.append(parts[first:last])
+    return seen
 
 
 # --------------------------------------------------------------------------- the widget
@@ -337,12 +369,13 @@ class DiagramView(QWidget):
                 self._paint_ticks(painter, diagram, frame, (across, up))
                 painter.save()
                 painter.setClipRect(frame.adjusted(-1.0, -1.0, 1.0, 1.0))
-                shown = [(c, _unit_points(c, across, up)) for c in diagram.curves]
-                for curve, points in shown:
-                    self._paint_curve(painter, frame, curve, points)
-                self._paint_names(painter, frame, shown)
+                seen = seen_parts(diagram.curves, across, up)
+                for curve, parts in zip(diagram.curves, seen, strict=True):
+                    self._paint_curve(painter, frame, curve, parts)
+                along = [_along(frame, parts) for parts in seen]
+                self._paint_names(painter, frame, diagram.curves, along)
                 painter.restore()
-                self._paint_spots(painter, frame, diagram.spots, shown)
+                self._paint_spots(painter, frame, diagram, along)
             self._paint_frame(painter, frame)
         painter.end()
 
@@ -426,31 +459,32 @@ class DiagramView(QWidget):
                 painter.drawText(box, Qt.AlignmentFlag.AlignRight, figure_text(mark))
                 free = top - 1.0
 
-    def _paint_curve(self, painter: QPainter, frame: QRectF, curve: Curve, points: Floats) -> None:
+    def _paint_curve(self, painter: QPainter, frame: QRectF, curve: Curve, parts: Floats) -> None:
         if curve.dots:
             radius = DOT_PX * curve.width * self._style.line_width / LIGHT.line_width
             radius /= self.devicePixelRatioF()
             painter.setPen(Qt.PenStyle.NoPen)
             painter.setBrush(self._colour(curve.colour))
-            for x, y in _places(frame, points[_inside(points)]).tolist():
+            for x, y in _places(frame, parts).tolist():
                 painter.drawEllipse(QPointF(x, y), radius, radius)
             return
         painter.setPen(self._pen(curve.colour, curve.width))
-        if curve.closed and len(points):
-            points = np.vstack([points, points[:1]])
-        ends_px = _places(frame, segments(points)).reshape(-1, 4).tolist()
+        ends_px = _places(frame, parts).reshape(-1, 4).tolist()
         painter.drawLines([QLineF(*ends) for ends in ends_px])
 
     def _paint_names(
-        self, painter: QPainter, frame: QRectF, shown: Sequence[tuple[Curve, Floats]]
+        self,
+        painter: QPainter,
+        frame: QRectF,
+        curves: Sequence[Curve],
+        along: Sequence[Floats],
     ) -> None:
         """Write each curve's name beside it, or in a list where there is no room for that."""
         metrics = QFontMetricsF(self._small)
         painter.setFont(self._small)
-        along = [_along(frame, points, joined=not curve.dots) for curve, points in shown]
         curves_px = np.concatenate([np.empty((0, 2)), *along])
         taken = np.empty((0, 4))
-        for (curve, _), places in zip(shown, along, strict=True):
+        for curve, places in zip(curves, along, strict=True):
             if not curve.label:
                 continue
             text = of_phenomena(curve.label)
@@ -481,10 +515,11 @@ class DiagramView(QWidget):
         self,
         painter: QPainter,
         frame: QRectF,
-        spots: Sequence[Spot],
-        curves: Sequence[tuple[Curve, Floats]],
+        diagram: Diagram,
+        along: Sequence[Floats],
     ) -> None:
         """Draw the spots, and their names beside them, with a line to those farther away."""
+        spots = diagram.spots
         if not spots:
             return
         metrics = QFontMetricsF(self._small)
@@ -496,13 +531,13 @@ class DiagramView(QWidget):
         widths = [metrics.horizontalAdvance(spot.name) for spot in spots]
         sizes = np.array([(width + 2.0 if width else 0.0, metrics.height()) for width in widths])
         sizes[~shown, 0] = 0.0
-        along = [np.empty((0, 2)), *(_along(frame, each, joined=True) for _, each in curves)]
         bounds = np.array([frame.left(), frame.top(), frame.right(), frame.bottom()])
         rings = np.array([1.5 * radius if spot.marked else 0.0 for spot in spots])
         gaps = radius + GAP_PX + rings
-        named = [self._names[curve.label] for curve, _ in curves if curve.label]
+        named = [self._names[curve.label] for curve in diagram.curves if curve.label]
         taken = np.vstack([np.empty((0, 4)), *named])
-        names = beside(np.nan_to_num(points), sizes, bounds, np.vstack(along), gaps, taken)
+        curves_px = np.concatenate([np.empty((0, 2)), *along])
+        names = beside(np.nan_to_num(points), sizes, bounds, curves_px, gaps, taken)
         self.spot_names = {}
         for spot, place, box in zip(spots, points, names, strict=True):
             if box is None:
@@ -554,23 +589,18 @@ def _places(frame: QRectF, points: Floats) -> Floats:
     return places
 
 
-def _unit_points(curve: Curve, across: _Axis, up: _Axis) -> Floats:
-    points = np.asarray(curve.points, dtype=np.float64).reshape(-1, 2)
-    return np.stack([across.unit(points[:, 0]), up.unit(points[:, 1])], axis=1)
-
-
 def _inside(points: Floats) -> NDArray[np.bool_]:
     return np.asarray(((points >= 0.0) & (points <= 1.0)).all(axis=1))  # not for NaN
 
 
-def _along(frame: QRectF, points: Floats, *, joined: bool) -> Floats:
+def _along(frame: QRectF, parts: Floats) -> Floats:
     """Places along what is seen of a curve in pixels, (n, 2), some dozens at most."""
-    if joined:
-        seen = segments(points)
-        parts = np.linspace(0.0, 1.0, max(2, 40 // max(1, len(seen))))[:, None, None]
-        points = (seen[:, 0] + parts * (seen[:, 1] - seen[:, 0])).reshape(-1, 2)
+    points = parts
+    if parts.ndim == 3:
+        steps = np.linspace(0.0, 1.0, max(2, 40 // max(1, len(parts))))[:, None, None]
+        points = (parts[:, 0] + steps * (parts[:, 1] - parts[:, 0])).reshape(-1, 2)
         points = points[np.argsort(points[:, 0], kind="stable")]
-    points = points[_inside(points)]
+        points = points[_inside(points)]
     return _places(frame, points[:: max(1, len(points) // 40)])
 
 
@@ -607,7 +637,7 @@ def _free_place(
     width, height = size
     lines = np.hstack([curves_px - 1.0, curves_px + 1.0])
     ends = np.array([frame.left(), frame.top(), -frame.right(), -frame.bottom()])
-    if kept is not None and np.allclose(kept[2:] - kept[:2], size):
+    if kept is not None and np.abs(kept[2:] - kept[:2] - size).max() < 1e-3:
         inside = (kept * (1.0, 1.0, -1.0, -1.0) >= ends).all()
         free = not _overlap(kept[None], np.vstack([taken, lines])).any()
         near = kept + height * np.array([-1.0, -1.0, 1.0, 1.0])

@@ -52,7 +52,7 @@ from app.drawings.ndc import NdcDrawing
 from app.drawings.probes import surface_of
 from app.drawings.world import WorldDrawing
 from app.phenomena import PHENOMENA
-from app.phenomena.exhibit import Value
+from app.phenomena.exhibit import Exhibit, Value
 from app.picking import VERTEX_WITHIN_PX, Probe, dragged
 from app.precision import rung_for_drawing
 from app.projection import Camera, Projection, ProjectionError
@@ -166,6 +166,7 @@ class MainWindow(QMainWindow):
         )
         self.help = Help(self)
         self._scene: Scene | None = None
+        self._exhibit: Exhibit | None = None
         self._views: dict[str, Camera] = {}
         self._told_about = ""
         """The scene whose panel was opened or folded by itself."""
@@ -586,6 +587,11 @@ class MainWindow(QMainWindow):
 
     def _show_document(self, document: Document) -> None:
         scene = self.files.scene(document.scene, document.mesh)
+        self._exhibit = None
+        if scene.phenomenon is not None:  # computed once for panes and panel
+            self._exhibit = scene.phenomenon.exhibit(
+                document.projection, document.settings, scene.subject
+            )
         # An edit shares its views with the document before; another document brings its own.
         if scene is not self._scene:
             self.manipulation.let_go()
@@ -604,20 +610,21 @@ class MainWindow(QMainWindow):
         if self._show_cost.isChecked():
             self._time_model(document.projection)
         for pane in self.panes.values():
-            pane.show_projection(document.projection)
+            pane.show_projection(document.projection, self._exhibit)
         self.controls.show_projection(document.projection)
         self.manipulation.show_projection(document.projection)
         self.matrices.show_projection(document.projection)
         self.frame_panel.show_projection(document.projection)
         self.probe_panel.show_projection(document.projection)
-        self._show_exhibit(document, scene)
+        self.counting.show(scene, document.projection, self._exhibit)
+        self.manipulation.show_exhibit(self._exhibit, document.settings)
+        self.scene_panel.show_settings(document.settings)
+        self.scene_panel.show_exhibit(self._exhibit)
         self._show_notes(document.projection, scene)
         self.autosave.schedule()
 
     def _tell_about_scene(self, document: Document, scene: Scene) -> None:
         """Show what a scene is about; a phenomenon opens its panel and points out its controls."""
-        for pane in self.panes.values():
-            pane.show_exhibit(None)  # the old scene's, before there is a drawing of the new one
         title = self._scene_titles.get(document.scene, Path(document.scene).name)
         self.scene_panel.show_scene(title, scene.phenomenon, Path(document.mesh).name)
         if document.scene == self._told_about:
@@ -628,20 +635,6 @@ class MainWindow(QMainWindow):
             self.panels.open(self.scene_panel)
         elif self.panels.open_panel is self.scene_panel:
             self.panels.open(None)
-
-    def _show_exhibit(self, document: Document, scene: Scene) -> None:
-        """Compute what a phenomenon shows, once for panes and panel."""
-        if scene.phenomenon is None:
-            self.counting.show(scene, document.projection, None)
-            self.manipulation.show_exhibit(None)
-            return
-        exhibit = scene.phenomenon.exhibit(document.projection, document.settings, scene.subject)
-        self.counting.show(scene, document.projection, exhibit)
-        for pane in self.panes.values():
-            pane.show_exhibit(exhibit)
-        self.manipulation.show_exhibit(exhibit, document.settings)
-        self.scene_panel.show_settings(document.settings)
-        self.scene_panel.show_exhibit(exhibit)
 
     def _in_motion(self) -> bool:
         return self.store.in_gesture
@@ -688,7 +681,7 @@ class MainWindow(QMainWindow):
                 self._words,
                 style.enlarged(SCALES.get(quality.smoothing, 1)),
             )
-            pane.build(projection, views.get(name), *drawn, *how)
+            pane.build(projection, self._exhibit, views.get(name), *drawn, *how)
 
     def _in_use(self) -> dict[str, str]:
         """Which choices of the trades the panes are drawn with, as `Choice.use` has them."""

@@ -109,7 +109,7 @@ class Manipulation(QObject):
         if isinstance(drawing, WorldDrawing) and drawing.held is not None:
             self._tell(drawing.held)
 
-    def show_exhibit(self, exhibit: Exhibit | None, settings: Settings = NO_SETTINGS) -> None:
+    def show_exhibit(self, exhibit: Exhibit | None, settings: Settings) -> None:
         """Take over where the scene's settings are held; None for a scene that has none."""
         self._values = settings
         self._grips = {} if exhibit is None else {grip.setting: grip for grip in exhibit.grips}

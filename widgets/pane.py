@@ -58,7 +58,7 @@ def multisamples(smoothing: str) -> int:
 class Drawing(Protocol):
     """What a pane needs of a drawing."""
 
-    def show_projection(self, projection: Projection) -> None:
+    def show_projection(self, projection: Projection, exhibit: Exhibit | None) -> None:
         """Take over the model's matrices; draw nothing yet."""
 
     def show_detail(self, fewer: Scene | None) -> None:
@@ -82,9 +82,6 @@ class Drawing(Protocol):
 
     def show_probes(self, probes: Sequence[Probe]) -> None:
         """Mark these probes, and no others; draw nothing yet."""
-
-    def show_exhibit(self, exhibit: Exhibit | None) -> None:
-        """Draw what a phenomenon shows for the projection shown last; draw nothing yet."""
 
     @property
     def sight(self) -> Sight:
@@ -363,7 +360,7 @@ class Pane(QFrame):
         self._attention = self._pointed_at = NOTHING
         self._exhibit: Exhibit | None = None
         self._stale = False
-        self._probes_stale = self._exhibit_is_stale = False
+        self._probes_stale = False
         self._smoothing = "none"
         self._fewer: Scene | None = None
         self._detail_is_stale = False
@@ -425,19 +422,25 @@ class Pane(QFrame):
         button.setAccessibleName(tip)
         return button
 
-    def build(self, projection: Projection, view: Camera | None, *args: object) -> None:
+    def build(
+        self,
+        projection: Projection,
+        exhibit: Exhibit | None,
+        view: Camera | None,
+        *args: object,
+    ) -> None:
         """Make the drawing anew, for another scene or style: now if visible, else on appearing.
 
         Parameters
         ----------
-        projection : Projection
-            What it shows first.
+        projection, exhibit
+            What it shows first, as for `show_projection`.
         view : Camera or None
             Where the pane's own camera is to stand; None for where everything is in view.
         *args
             Handed to `make_drawing` after the plotter.
         """
-        self._projection = projection
+        self._projection, self._exhibit = projection, exhibit
         self._to_build = args
         self._view = view
         if self.isVisible():
@@ -450,9 +453,9 @@ class Pane(QFrame):
             return self._view
         return self.drawing.view
 
-    def show_projection(self, projection: Projection) -> None:
-        """Show the model's new value: at once if visible, else on appearing."""
-        self._projection = projection
+    def show_projection(self, projection: Projection, exhibit: Exhibit | None = None) -> None:
+        """Show the model's new value, and what a phenomenon shows for it: now, or on appearing."""
+        self._projection, self._exhibit = projection, exhibit
         self._stale = True
         if self.isVisible():
             self._refresh()
@@ -506,13 +509,6 @@ class Pane(QFrame):
             self._pointed_at = attended
             self.attended.emit(attended)
 
-    def show_exhibit(self, exhibit: Exhibit | None) -> None:
-        """Show what a phenomenon has for the projection shown last: at once, or on appearing."""
-        if exhibit is not self._exhibit:
-            self._exhibit, self._exhibit_is_stale = exhibit, True
-            if self.isVisible():
-                self._refresh()
-
     def _refresh(self) -> None:
         """Bring the drawing up to what was asked for while nobody looked."""
         if self._projection is None:
@@ -524,9 +520,8 @@ class Pane(QFrame):
             self._to_build = None
             self._step_is_stale = self._step is not None
             self._apply_smoothing()
-            self.drawing.show_projection(self._projection)
+            self.drawing.show_projection(self._projection, self._exhibit)
             self._take_stage(self.drawing)
-            self.drawing.show_exhibit(self._exhibit)
             self.drawing.reset_view()
             if self._view is not None:
                 self.drawing.show_view(self._view)
@@ -537,12 +532,10 @@ class Pane(QFrame):
                 self.drawing.show_detail(self._fewer)
             if self._stale or self._detail_is_stale:
                 began = time.perf_counter()
-                self.drawing.show_projection(self._projection)
+                self.drawing.show_projection(self._projection, self._exhibit)
                 self._matrices_ms = 1e3 * (time.perf_counter() - began)
             if self._probes_stale:
                 self.drawing.show_probes(self._probes)
-            if self._exhibit_is_stale:
-                self.drawing.show_exhibit(self._exhibit)
         if self._stage_is_stale and self.drawing is not None:
             self._take_stage(self.drawing)
         if self._step_is_stale and self.drawing is not None:
@@ -550,7 +543,7 @@ class Pane(QFrame):
             self._step_is_stale = False
         if self.drawing is not None:
             self.drawing.show_attention(self._attention)
-        self._stale = self._probes_stale = self._exhibit_is_stale = False
+        self._stale = self._probes_stale = False
         self._detail_is_stale = False
         self.request_repaint()
 

@@ -3,14 +3,14 @@
 Every drawing is made once per scene, ``Drawing(plotter, scene, words, style)``, into a pyvista
 plotter that it does not own, and has
 
-- ``show_projection(projection)``: takes the model over by setting matrices; never renders,
+- ``show_projection(projection, exhibit=None)``: takes the model over by setting matrices, and what
+  a phenomenon shows for it; never renders,
 - ``reset_view()``: puts the pane's own camera back,
 - ``refit()``: at a gesture's end, fits a view that nobody has moved to what has left it,
 - ``reset_clipping_range()``: to be called after that camera was moved from outside,
 - ``view`` and ``show_view(view)``: where that camera was moved to, as a `Camera`, and back there,
 - ``show_probes(probes)``: marks these points and rays; ``sight``: how the pane looks at the world,
   for picking,
-- ``show_exhibit(exhibit)``: draws what a phenomenon shows for the projection shown last, or None,
 - ``remove()``: takes everything out of the plotter again.
 
 The world's has besides, if it is ``live``, marks to take hold of the camera by: ``hold(handle)``,

@@ -139,8 +139,8 @@ class ImageDrawing:
         """The arithmetic that the picture is drawn with."""
         return self._model.rung
 
-    def show_projection(self, projection: Projection) -> None:
-        """Take the model's matrices over; draws nothing yet."""
+    def show_projection(self, projection: Projection, exhibit: Exhibit | None = None) -> None:
+        """Take the model's matrices, and what a phenomenon shows for it; draws nothing yet."""
         if projection.image_size != self._image_size:
             self._image_size = projection.image_size
             self._canvas.relayout()
@@ -149,8 +149,7 @@ class ImageDrawing:
         clip_from_vertex = self._model.show_projection(seen)
         self._surface_space.set_projective(clip_from_vertex)
         self._line_space.set_projective(lifted(clip_from_vertex, seen, self._scene))
-        if self._quality.has_depth and (self._scene.phenomenon is None or self._rasteriser):
-            self._rasterise()
+        self._show_exhibit(exhibit)
         self._place_probes()
 
     def show_detail(self, fewer: Scene | None) -> None:
@@ -169,10 +168,12 @@ class ImageDrawing:
         """In OpenGL's range, whatever the model's: the picture is the same."""
         return self._projection.with_depth("opengl")
 
-    def show_exhibit(self, exhibit: Exhibit | None) -> None:
-        """Draw what a phenomenon shows for the projection shown last, and nothing of another."""
+    def _show_exhibit(self, exhibit: Exhibit | None) -> None:
+        rendering = None if exhibit is None else exhibit.rendering
+        self._rendering = rendering or Rendering()
         if self._marks is None:
             if exhibit is None:
+                self._rasterise()
                 return
             subject = spread_over(self._scene)
             self._homogeneous = np.column_stack([subject, np.ones(len(subject))])
@@ -198,8 +199,6 @@ class ImageDrawing:
             clip = seen.clip_from_world_at(scene.origin)
             nearer = lifted(clip, seen, scene) - clip
             self._marks.place_copies(lambda times: clip + times * nearer)
-        rendering = None if exhibit is None else exhibit.rendering
-        self._rendering = rendering or Rendering()
         self._rasterise()
         self._place_texts()
 

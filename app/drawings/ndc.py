@@ -150,9 +150,18 @@ class NdcDrawing:
         """The arithmetic that the scene is drawn with."""
         return self._model.rung
 
-    def show_projection(self, projection: Projection) -> None:
-        """Take the model's matrices over; draws nothing yet."""
-        self._projection, self._morph = projection, None
+    def show_projection(self, projection: Projection, exhibit: Exhibit | None = None) -> None:
+        """Take the model's matrices, and what a phenomenon shows for it; draws nothing yet.
+
+        Marks and copies are those of NDC: at any other stop of the strip there are none.
+        """
+        self._projection, self._exhibit, self._morph = projection, exhibit, None
+        self._place_scene()
+        self._rasterise()
+        self._show_marks()
+
+    def _place_scene(self) -> None:
+        projection = self._projection
         if self._position != NDC:
             moved = self._current_view() != self._view
             self._depth = projection.depth
@@ -189,7 +198,7 @@ class NdcDrawing:
             for actor in self._volume_actors:
                 actor.SetVisibility(True)
             self._set_depth(self._projection.depth)
-            self.show_projection(self._projection)
+            self._place_scene()
         else:
             self._show_moment()
         self._show_marks()
@@ -271,15 +280,6 @@ class NdcDrawing:
         """Mark these probes, and no others."""
         self._probes.probes = probes
         self._place_probes()
-
-    def show_exhibit(self, exhibit: Exhibit | None) -> None:
-        """Draw what a phenomenon shows for the projection shown last, and nothing of another.
-
-        Its marks and copies are those of NDC: at any other stop of the strip there are none.
-        """
-        self._exhibit = exhibit
-        self._rasterise()
-        self._show_marks()
 
     def _rasterise(self) -> None:
         """Lay the texture over the faces, at every stop of the strip."""

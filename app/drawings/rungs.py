@@ -287,11 +287,15 @@ def _cut_at(
     """Cut points, segments or triangles (m, k, 4) at one plane."""
     values = pieces @ normal + offset
     inside = values >= 0.0
+    if inside.all():
+        return pieces, owner
     count = inside.sum(axis=1)
     corners = pieces.shape[1]
     left, owners = [pieces[count == corners]], [owner[count == corners]]
     for held in range(1, corners):
         which = np.flatnonzero(count == held)
+        if not len(which):
+            continue
         # The corner that is alone, or a segment's inside one, comes first.
         alone = np.argmax(inside[which] == (held == 1), axis=1)
         order = (alone[:, None] + np.arange(corners)) % corners

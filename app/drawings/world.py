@@ -393,12 +393,14 @@ class WorldDrawing:
         if self._marks is not None:
             self._marks.show_detail(fewer)
 
-    def show_projection(self, projection: Projection) -> None:
-        """Take over the model's matrices; draw nothing yet.
+    def show_projection(self, projection: Projection, exhibit: Exhibit | None = None) -> None:
+        """Take over the model's matrices, and what a phenomenon shows for it; draw nothing yet.
 
         Parameters
         ----------
         projection : Projection
+        exhibit : Exhibit or None
+            Nothing of another one stays.
         """
         self._projection = projection
         camera, lens = projection.camera, projection.lens
@@ -417,7 +419,12 @@ class WorldDrawing:
             self._show_free_volume(projection)
         else:
             self._show_volume(lens, objects_depth)
-        self._follow_pane(afresh=False)
+        is_first = self._marks is None and exhibit is not None
+        self._show_exhibit(exhibit)
+        if is_first and not self._was_moved():
+            self.reset_view()
+        else:
+            self._follow_pane(afresh=False)
 
     def _show_free_volume(self, projection: Projection) -> None:
         """The cube under the inverse of a free matrix, whole; nothing where it has none."""
@@ -807,10 +814,9 @@ class WorldDrawing:
         self._probes.probes = probes
         self._place_probes()
 
-    def show_exhibit(self, exhibit: Exhibit | None) -> None:
-        """Draw what a phenomenon shows for the projection shown last, and nothing of another."""
+    def _show_exhibit(self, exhibit: Exhibit | None) -> None:
+        """What a phenomenon shows, but for its texts."""
         self._rasterise(None if exhibit is None else exhibit.rendering)
-        is_first = self._marks is None
         if self._marks is None:
             if exhibit is None:
                 return
@@ -831,11 +837,6 @@ class WorldDrawing:
             copied = np.column_stack([x / w, y / w, z / w])
         copied = copied[(np.abs(copied) <= limit).all(axis=1)]
         self._marked = np.concatenate([marks.points, copied])
-        if is_first and not self._was_moved():
-            self.reset_view()
-            return
-        self._place_labels(afresh=False)
-        self._fit_range()
 
     @property
     def sight(self) -> Sight:
