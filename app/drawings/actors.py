@@ -225,7 +225,7 @@ class Label:
         self.actor.UseBoundsOff()
         self._style, self._plate = style, ""
         self._pad = " " if plate else ""
-        self._font_px = style.font_size * size
+        self._font_px, self._dpi = style.font_size * size, _DPI
         self._text: str | None = None
         self._place = vtkCoordinate()
         if in_pixels:
@@ -287,8 +287,15 @@ class Label:
         x, y = self.actor.GetPositionCoordinate().GetComputedDoubleViewportValue(renderer)
         return x + box[0] <= x_px <= x + box[1] and y + box[2] <= y_px <= y + box[3]
 
+    def set_size(self, font_px: float) -> None:
+        """Write in another size, in pixels; the same one costs nothing."""
+        if font_px != self._font_px:
+            self._font_px = font_px
+            self.set_dpi(self._dpi)
+
     def set_dpi(self, dpi: int) -> None:
         """Keep the size in pixels whatever dots per inch the window claims."""
+        self._dpi = dpi
         self.property.SetFontSize(max(1, round(self._font_px * _DPI / dpi)))
 
 

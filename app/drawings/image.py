@@ -35,6 +35,8 @@ from app.scene import Scene
 _SQUARE = ((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (1.0, 1.0, 0.0), (0.0, 1.0, 0.0))
 _MARKS_DEPTH = -0.9999  # just behind near
 _FARTHEST_MARK = 1e3  # of half a picture: where lines toward infinity end
+_EMS_ACROSS, _EMS_DOWN = 22.0, 11.0  # that a picture has at least, for its texts
+_LEAST_EM = 0.6  # of the other panes'
 _EM_OF_DIGIT = 0.64  # width of a digit of the labels' font
 
 
@@ -245,7 +247,10 @@ class ImageDrawing:
             spots = (points[:, :2] + 1.0) * half
             return [(x, y, 1.0) for x, y in spots.tolist()]
 
-        layout = Layout((rectangle.width, rectangle.height), self._style.font_size, {})
+        # Large letters would hide a small picture.
+        em = min(rectangle.width / _EMS_ACROSS, rectangle.height / _EMS_DOWN)
+        em = max(_LEAST_EM * self._style.font_size, min(em, self._style.font_size))
+        layout = Layout((rectangle.width, rectangle.height), em, {})
         clip = self._homogeneous @ self._projection.clip_from_world_at(self._scene.origin).T
         clip = clip[clip[:, 3] > 0.0]
         with np.errstate(over="ignore", invalid="ignore"):
@@ -350,11 +355,11 @@ class ImageDrawing:
         def label(text: str, anchor: tuple[int, int], plate: str | None = None) -> Any:
             return self._canvas.label(text, anchor=anchor, plate=plate, in_pixels=True)
 
-        self._zero = label("0, 0", (1, -1))
+        self._zero = label("0, 0", (-1, -1))
         self._width_label = label("", (1, -1))
-        self._height_label = label("", (1, -1))
-        self._x_label = label(words["x"], (-1, 0), style.u)
-        self._y_label = label(words["y"], (0, 1), style.v)
+        self._height_label = label("", (-1, 1))
+        self._x_label = label(words["x"], (-1, -1), style.u)
+        self._y_label = label(words["y"], (1, 1), style.v)
 
     def _add_sides(self) -> None:
         """Bars and squares over the frame that show while a side or a corner is attended to."""
@@ -398,13 +403,7 @@ class ImageDrawing:
     def _margins_px(self) -> tuple[int, int, int, int]:
         """Left, top, right, bottom: room for the numbers, the arrow heads and their letters."""
         em = self._style.font_size
-        digits = max(len("0, 0"), len(str(self._image_size[1])))
-        return (
-            round((digits * _EM_OF_DIGIT + 1.0) * em),
-            round(2.0 * em),
-            round(3.4 * em),
-            round(3.3 * em),
-        )
+        return round(2.2 * em), round(2.0 * em), round(1.8 * em), round(2.0 * em)
 
     def _layout(self, pane_width_px: int, pane_height_px: int) -> None:
         left, top, width, height = self._fit(pane_width_px, pane_height_px)
@@ -457,12 +456,15 @@ class ImageDrawing:
         gap = 0.35 * em
         self._width_label.set_text(str(self._image_size[0]))
         self._height_label.set_text(str(self._image_size[1]))
-        text_x = len(str(self._image_size[0])) * _EM_OF_DIGIT * em
-        move(self._zero, left - thick - gap, top - thick - gap)
-        move(self._width_label, max(right, left + text_x), top - thick - gap)
-        move(self._height_label, left - thick - gap, bottom)
-        move(self._x_label, right + tip + 2.0 * head + gap, top - thick / 2.0)
-        move(self._y_label, left - thick / 2.0, bottom + tip + 2.0 * head + gap)
+        # Above the picture and below it, where they leave it the width of the pane.
+        zero, above = left - 1.6 * em, top - thick - gap
+        least = zero + (len("0, 0") + len(str(self._image_size[0]))) * _EM_OF_DIGIT * em
+        width_end = max(right - gap, least)
+        move(self._zero, zero, above)
+        move(self._width_label, width_end, above)
+        move(self._x_label, max(right, width_end + gap), above)
+        move(self._height_label, left + head + gap, bottom + thin + gap)
+        move(self._y_label, left - head - gap, bottom + thin + gap)
 
 
 def _at_corner(i: int) -> Attention:

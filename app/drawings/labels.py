@@ -296,14 +296,14 @@ class Layout:
     def __init__(
         self, size_px: tuple[int, int], em: float, kept: Mapping[Label, _Candidate]
     ) -> None:
-        self._size_px, self._em, self._kept = size_px, em, kept
+        self._size_px, self.em, self._kept = size_px, em, kept
         self._taken: list[_Box] = []
         self.settled: dict[Label, _Candidate] = {}
         """Which labels were put right next to their points, and where."""
 
     def keep_free(self, points: Sequence[Spot]) -> None:
         """Let no label hide what is drawn at these points."""
-        half = 0.4 * self._em
+        half = 0.4 * self.em
         self._taken += [_Box(x - half, y - half, x + half, y + half) for x, y, _ in points]
 
     def keep_free_box(self, points: Sequence[Spot]) -> None:
@@ -408,7 +408,7 @@ class Layout:
         if not len(subject):
             return []
         half = np.array(self._half(text))
-        away = half + self._em * np.repeat(_GAPS_EM[:gaps], len(sides))[:, None]
+        away = half + self.em * np.repeat(_GAPS_EM[:gaps], len(sides))[:, None]
         centres = point[:2] + away * np.tile(sides, (gaps, 1))
         hidden = (np.abs(subject - centres[:, None]) < half).all(axis=2).mean(axis=1)
         order: list[int] = np.argsort(np.digitize(hidden, _HIDES), kind="stable").tolist()
@@ -416,7 +416,7 @@ class Layout:
 
     def _half(self, text: str) -> tuple[float, float]:
         """Half the width and height of a label: as wide as DejaVu Sans, and a line high."""
-        return self._em * (0.26 * (len(text) + 2) + 0.15), self._em * 0.72
+        return self.em * (0.26 * (len(text) + 2) + 0.15), self.em * 0.72
 
     def _search(
         self,
@@ -436,7 +436,7 @@ class Layout:
         free : bool
             Whether it hides nothing.
         """
-        em, (width_px, height_px), taken = self._em, self._size_px, self._taken
+        em, (width_px, height_px), taken = self.em, self._size_px, self._taken
         half_width, half_height = half
         least = _OTHER_PLANE_EM * em
         second_best: tuple[_Candidate, _Box] | None = None
@@ -484,7 +484,7 @@ class Layout:
         label.set_visible(True)
         if leader is not None:
             end = box.nearest(anchor)
-            apart = math.dist(end, anchor) > _LEADER_FROM_EM * self._em
+            apart = math.dist(end, anchor) > _LEADER_FROM_EM * self.em
             leader.actor.SetVisibility(apart)
             if apart:  # the plate is a little smaller than the box that is kept free for it
                 plate = _Box(

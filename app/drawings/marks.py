@@ -282,6 +282,7 @@ class MarksDrawing:
         spots = seen(np.concatenate([self._text_points, self._dot_points]))
         layout.keep_free([spot for spot in spots[count:] if spot[2] > 0.0])
         for label, text, spot in zip(self._labels, self._texts, spots, strict=False):
+            label.set_size(layout.em)
             if subject is not None:
                 self._best[label] = layout.least_hiding(text, spot, _BESIDE, _GAPS, subject)
             best = self._best.get(label, ())
