@@ -615,9 +615,7 @@ def test_a_hidden_pane_computes_nothing_and_a_visible_one_paints_once(
     calls: list[Exhibit | None] = []
 
     class Counting(WorldDrawing):
-        def show_projection(
-            self, projection: Projection, exhibit: Exhibit | None = None
-        ) -> None:
+        def show_projection(self, projection: Projection, exhibit: Exhibit | None = None) -> None:
             calls.append(exhibit)
             super().show_projection(projection, exhibit)
 

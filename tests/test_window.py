@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gc
+import itertools
 import json
 import math
 import random
@@ -31,10 +32,12 @@ from PySide6.QtWidgets import (
     QPushButton,
     QToolButton,
 )
+from vtkmodules.vtkRenderingCore import vtkTextActor
 
 import app.document
 import app.scene
 from app.document import Document, extract, read, write
+from app.drawings.image import ImageDrawing
 from app.figures import render
 from app.phenomena import PHENOMENA
 from app.projection import Camera, Orbit, Orthographic, Perspective, Projection
@@ -1114,3 +1117,38 @@ def test_an_exported_phenomenon_brings_its_settings_back(
     drop(window, path)
     assert window.store.document == wanted
     assert window.scene_panel.rows["distance"].value() == -2.0
+
+
+def text_boxes(window: MainWindow) -> dict[str, tuple[float, float, float, float]]:
+    """Left, bottom, right, top of the texts in the picture, in its pixels."""
+    drawing = window.panes["image"].drawing
+    assert isinstance(drawing, ImageDrawing)
+    renderer, boxes = drawing.picture_renderer, {}
+    for actor in renderer.GetViewProps():
+        if isinstance(actor, vtkTextActor) and actor.GetVisibility():
+            box = [0.0] * 4
+            actor.GetBoundingBox(renderer, box)
+            x, y = actor.GetPositionCoordinate().GetComputedDoubleViewportValue(renderer)
+            boxes[actor.GetInput()] = (x + box[0], y + box[2], x + box[1], y + box[3])
+    return boxes
+
+
+def test_on_a_small_projector_no_number_and_no_text_of_a_scene_is_hidden(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window()
+    window.resize(1366, 768)
+    window.set_projector(True)
+    seen = 0
+    for name in PHENOMENA:
+        window._choose_scene(name)
+        settle(window)
+        panel = window.scene_panel
+        for column in (panel._settings_column, panel._readout_column):
+            assert column.horizontalScrollBar().maximum() == 0, name
+        boxes = text_boxes(window)
+        seen += len(boxes)
+        for (one, a), (other, b) in itertools.combinations(boxes.items(), 2):
+            apart = a[2] <= b[0] or b[2] <= a[0] or a[3] <= b[1] or b[3] <= a[1]
+            assert apart, (name, one, other)
+    assert seen > 20

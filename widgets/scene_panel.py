@@ -79,6 +79,8 @@ NAME_CHARACTERS = 24
 """Longest name of a setting that is written in one line."""
 LARGE, LARGER = 1.5, 1.15
 """A reading's number, and its words, against ordinary text: they are read from the back row."""
+ON_A_LINE = 30
+"""Longest text of several numbers that is not broken in two."""
 LARGE_CHARACTERS = 20
 """Longest text of numbers that is written so large."""
 LABEL_EM, WORDS_EM = 14, 8
@@ -167,7 +169,7 @@ class ScenePanel(QWidget):
         self._drawn = QGridLayout()
         self._drawn.setSpacing(4)
         self._text_column = _Column(text, self.tr("What this scene shows"))
-        self._settings_column = _Column(chosen, self.tr("Settings of this scene"), 480)
+        self._settings_column = _Column(chosen, self.tr("Settings of this scene"), 540)
         self._readout_column = _Column(read, self.tr("Readout"), 590)
         self._diagram_column = _Column(self._drawn, self.tr("Diagrams"))
         self._columns_of_diagrams = 0
@@ -700,7 +702,10 @@ def value_text(value: Any, write: Callable[[float], str] = figure_text) -> str:
         write = partial(figure_text, digits=4)
     parts = [write(part) for part in value]
     if side < 3 or side * side != len(parts):
-        return f"({', '.join(parts)})"
+        text, half = f"({', '.join(parts)})", (len(parts) + 1) // 2
+        if write is not number_text and len(text) > ON_A_LINE:
+            return f"({', '.join(parts[:half])},\n{', '.join(parts[half:])})"
+        return text
     rows = [parts[first : first + side] for first in range(0, len(parts), side)]
     cells = ("".join(f"<td align='right'>{part}</td>" for part in row) for row in rows)
     return f"<table cellpadding='2'>{''.join(f'<tr>{row}</tr>' for row in cells)}</table>"
