@@ -41,6 +41,8 @@ SWATCH_PX = 12.0
 """Length of a curve's own line before its name."""
 HIT_PX = 9.0
 """How near to a spot a click may be that means it."""
+_LINES_ACROSS, _LINES_DOWN = 12.0, 8.0  # of names that a small diagram has room for
+_LEAST_NAME = 0.7  # of their ordinary size
 _BREAK = np.full((1, 2), math.nan)  # of a line
 _FAR = 1e6
 """In windows: what is farther off is drawn as the direction there, or doubles lose the way."""
@@ -480,8 +482,12 @@ class DiagramView(QWidget):
         along: Sequence[Floats],
     ) -> None:
         """Write each curve's name beside it, or in a list where there is no room for that."""
-        metrics = QFontMetricsF(self._small)
-        painter.setFont(self._small)
+        font = self._small
+        line = QFontMetricsF(font).height()
+        room = min(frame.width() / (_LINES_ACROSS * line), frame.height() / (_LINES_DOWN * line))
+        font.setPointSizeF(font.pointSizeF() * max(_LEAST_NAME, min(1.0, room)))
+        metrics = QFontMetricsF(font)
+        painter.setFont(font)
         curves_px = np.concatenate([np.empty((0, 2)), *along])
         taken = np.empty((0, 4))
         for curve, places in zip(curves, along, strict=True):
