@@ -28,6 +28,7 @@ VERTEX_WITHIN_PX = 6.0
 LINE_WITHIN_PX = 3.0
 """A line that is seen so close to the pixel is what was meant, not the face under it."""
 
+_BLOCK = 16_384  # triangles: what is made of so many stays in the processor's cache
 _CELLS = 32  # along each axis at most: their numbers fit 16 bits, which numpy sorts by radix
 _PER_CELL = 100.0  # triangles, about, of a surface that fills the cells along a plane
 _TRIED = 16  # vertices: where more are hidden, the mesh is denser than the pixels
@@ -279,21 +280,30 @@ class Surface:
             width = max(float(high) - float(low), 1e-36)  # else no float32 holds the scale
             scale = column.dtype.type(cells * 0.999 / width)
             numbers = numbers * np.uint16(cells) + ((column - low) * scale).astype(np.uint16)
-        a, b, c = (np.ascontiguousarray(triangles[:, corner]) for corner in range(3))
-        of_triangle = numbers.take(a)
+        count = len(triangles)
+        blocks = [slice(at, at + _BLOCK) for at in range(0, count, _BLOCK)]
+        of_triangle = np.empty(count, np.uint16)
+        for block in blocks:
+            of_triangle[block] = numbers.take(triangles[block, 0])
         self._order = np.argsort(of_triangle, kind="stable")
         cell = of_triangle.take(self._order)
-        is_first = np.ones(len(cell), dtype=bool)
+        is_first = np.ones(count, dtype=bool)
         np.not_equal(cell[1:], cell[:-1], out=is_first[1:])
         self._starts = np.flatnonzero(is_first)
-        self._ends = np.append(self._starts[1:], len(cell))
+        self._ends = np.append(self._starts[1:], count)
         lowest, highest = np.empty((2, len(self._starts), 3))
-        for axis, column in enumerate(columns if len(cell) else ()):
-            corners = column.take(a), column.take(b), column.take(c)
-            for sides, choose in ((lowest, np.minimum), (highest, np.maximum)):
-                of_all = choose(corners[0], corners[1])
-                choose(of_all, corners[2], out=of_all)
-                sides[:, axis] = choose.reduceat(of_all.take(self._order), self._starts)
+        least, most, in_order = np.empty((3, count), points.dtype)
+        for axis, column in enumerate(columns if count else ()):
+            for block in blocks:
+                a, b, c = (column.take(corner) for corner in triangles[block].T)
+                np.minimum(np.minimum(a, b), c, out=least[block])
+                np.maximum(np.maximum(a, b), c, out=most[block])
+            for sides, choose, of_all in (
+                (lowest, np.minimum, least),
+                (highest, np.maximum, most),
+            ):
+                np.take(of_all, self._order, out=in_order, mode="clip")  # which needs no copy
+                sides[:, axis] = choose.reduceat(in_order, self._starts)
         self._middles, self._halves = (lowest + highest) / 2.0, (highest - lowest) / 2.0
 
     def pick(
