@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import threading
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -19,8 +20,9 @@ from pytestqt.qtbot import QtBot
 
 from app import cli
 from app.document import Document, write
+from app.drawings import probes
 from app.drawings.style import LIGHT, rgb
-from app.picking import Probe
+from app.picking import Probe, Surface
 from app.projection import LARGEST, Camera, Oblique, Perspective, Projection, format_value
 from app.scene import load
 from widgets.main_window import MainWindow
@@ -137,6 +139,42 @@ def test_a_click_on_a_face_in_any_pane_follows_its_point(
     (probe,) = window.probe_panel.probes
     assert probe.point is not None and probe.point[2] == pytest.approx(0.5, abs=1e-6)
     assert place_in(window, name, probe.point) == pytest.approx((x, y), abs=0.5)
+
+
+@pytest.mark.parametrize("name", ["world", "ndc", "image"])
+def test_a_click_on_a_line_of_the_ground_follows_its_nearest_point(
+    make_window: Callable[..., MainWindow], name: str
+) -> None:
+    window = make_window()
+    window.enlarge(name)
+    QApplication.processEvents()
+    x, y = (math.floor(part) + 0.5 for part in place_in(window, name, (3.0, 0.0, 1.4)))
+    click(window, name, (x, y))
+    (probe,) = window.probe_panel.probes
+    assert probe.point is not None
+    assert probe.point == pytest.approx((3.0, 0.0, 1.4), abs=0.1)
+    assert min(abs(probe.point[0] - 3.0), abs(probe.point[2] - 1.0)) <= 1e-12
+    assert math.dist(place_in(window, name, probe.point), (x, y)) <= 1.0
+
+
+def test_what_a_click_needs_is_made_when_the_scene_is_opened_beside_the_window(
+    make_window: Callable[..., MainWindow], monkeypatch: pytest.MonkeyPatch, qtbot: QtBot
+) -> None:
+    made: list[str] = []
+
+    class Counted(Surface):
+        def __init__(self, *arguments: Any) -> None:
+            made.append(threading.current_thread().name)
+            super().__init__(*arguments)
+
+    monkeypatch.setattr(probes, "Surface", Counted)
+    window = make_window()
+    click(window, "world", place_in(window, "world", CORNER))
+    click(window, "image", place_in(window, "image", CORNER))
+    assert window.probe_panel.probes and len(made) == 1
+    assert made[0] != threading.main_thread().name
+    window.files.choose_scene("cube")
+    qtbot.waitUntil(lambda: len(made) == 2)  # before any click
 
 
 def test_a_drag_makes_no_probe(make_window: Callable[..., MainWindow]) -> None:

@@ -38,10 +38,12 @@ import app.document
 import app.scene
 from app.document import Document, extract, read, write
 from app.drawings.image import ImageDrawing
+from app.drawings.style import LIGHT, rgb
 from app.figures import render
 from app.phenomena import PHENOMENA
 from app.projection import Camera, Orbit, Orthographic, Perspective, Projection
 from app.scene import load
+from app.shapes import GRID_RGB
 from tests.phenomenon import EVERYTHING
 from widgets.application import Settings
 from widgets.autosave import Autosave
@@ -1152,3 +1154,35 @@ def test_on_a_small_projector_no_number_and_no_text_of_a_scene_is_hidden(
             apart = a[2] <= b[0] or b[2] <= a[0] or a[3] <= b[1] or b[3] <= a[1]
             assert apart, (name, one, other)
     assert seen > 20
+
+
+def share_of(window: MainWindow, colour: Any) -> float:
+    """How much of the world pane has exactly this colour."""
+    same = pixels(window, "world") == np.round(255 * np.array(colour))
+    return float(same.all(axis=2).mean())
+
+
+@pytest.mark.parametrize("image_size", [(16384, 1), (4000, 100)])
+def test_edges_that_run_far_behind_the_pane_are_lines(
+    make_window: Callable[..., MainWindow], image_size: tuple[int, int]
+) -> None:
+    """Only a window draws lines by VTK's shader; off the screen OpenGL makes them wide."""
+    window = make_window()
+    window.enlarge("world")
+    start = window.store.document.projection
+    window.store.set_projection(replace(start, image_size=image_size))
+    QApplication.processEvents()
+    for colour in (LIGHT.near, LIGHT.far):
+        assert 0.001 < share_of(window, rgb(colour)) < 0.008
+
+
+def test_a_grid_that_runs_behind_the_pane_is_lines(make_window: Callable[..., MainWindow]) -> None:
+    window = make_window()
+    window.enlarge("world")
+    QApplication.processEvents()
+    canvas = window.panes["world"].canvas
+    canvas.own_camera.SetPosition(0.3, 0.4, 3.2)
+    canvas.own_camera.SetFocalPoint(0.0, 0.3, -3.0)
+    canvas.moved.emit()
+    QApplication.processEvents()
+    assert 0.001 < share_of(window, np.array(GRID_RGB) / 255.0) < 0.0125

@@ -49,11 +49,11 @@ from app.document import Document, DocumentError, set_values
 from app.drawings import WORDS
 from app.drawings.image import ImageDrawing
 from app.drawings.ndc import NdcDrawing
-from app.drawings.probes import surface_of
+from app.drawings.probes import pick_in, sort_ahead
 from app.drawings.world import WorldDrawing
 from app.phenomena import PHENOMENA
 from app.phenomena.exhibit import Exhibit, Value
-from app.picking import VERTEX_WITHIN_PX, Probe, dragged
+from app.picking import Probe, dragged
 from app.precision import rung_for_drawing
 from app.projection import Camera, Projection, ProjectionError
 from app.quality import AUTO, AUTOMATIC
@@ -603,6 +603,7 @@ class MainWindow(QMainWindow):
             self._tell_about_scene(document, scene)
             self._build_drawings(document.views)
             self._list_scenes()
+            sort_ahead(scene)
         elif document.quality != self.adaptive.quality:
             self.adaptive.show(scene, document.quality)
             self._build_drawings(self._views_now())
@@ -774,8 +775,8 @@ class MainWindow(QMainWindow):
             pixel = drawing.image_pixel(x_px, y_px)
             if pixel is None:  # beside the picture
                 return
-        vertex_px = VERTEX_WITHIN_PX * self.panes[name].canvas.pixel_ratio
-        hit = surface_of(self._scene).pick(drawing.sight, (x_px, y_px), vertex_px)
+        pixel_ratio = self.panes[name].canvas.pixel_ratio
+        hit = pick_in(self._scene, drawing.sight, (x_px, y_px), pixel_ratio)
         if hit is not None:
             self.probe_panel.follow(point=hit.point)
         elif pixel is not None:

@@ -57,6 +57,14 @@ _KEEP_OFF_ZERO = """
   float least = 1e-9 * (abs(gl_Position.x) + abs(gl_Position.y));
   if (abs(gl_Position.w) < least) gl_Position.w = gl_Position.w < 0.0 ? -least : least;"""
 # VTK's wide lines divide by the w of both ends: a line that ends exactly beside the eye is lost.
+_END_IN_FRONT = """
+vec4 endInFront(int k)
+{
+  vec4 end = gl_in[k].gl_Position, other = gl_in[1 - k].gl_Position;
+  float least = 1e-5 * max(abs(end.w), abs(other.w));
+  if (end.w >= least || other.w < least) return end;
+  return mix(end, other, (least - end.w) / (other.w - end.w));
+}"""
 _LIFT = 2e-3  # of the distance
 _LIFT_FREE = 2e-4  # of NDC's depth, under a free matrix
 _LIFT_STEP = 6e-4  # in NDC of the pane's own camera
@@ -375,6 +383,8 @@ def scene_actors(
         lines.GetProperty().SetLineWidth(style.line_width)
         _after_position(lines, _KEEP_OFF_ZERO)
     planes = list(clip)
+    if lines is not None and not planes:  # which would have to be cut as well
+        _cut_behind(lines)
     for actor in (surface, lines):
         if actor is not None:
             for plane in planes:
@@ -484,6 +494,7 @@ def line_actor(
     actor.GetProperty().SetColor(*rgb(colour))
     actor.GetProperty().SetLineWidth(width)
     _after_position(actor, _KEEP_OFF_ZERO)
+    _cut_behind(actor)
     return actor
 
 
@@ -547,6 +558,22 @@ def put_in_front(actor: vtkActor) -> None:
 def put_behind(actor: vtkActor) -> None:
     """Draw an actor as if behind everything else: a tint that colours no face of the scene."""
     _after_position(actor, "gl_Position.z = 0.99999 * gl_Position.w;")
+
+
+def _cut_behind(actor: vtkActor) -> None:
+    """Cut an actor's wide lines where they run behind the eye, before they become ribbons.
+
+    VTK makes two triangles of a line. Of one whose second end is behind the eye their common side,
+    from a corner of the one end to the opposite corner of the other, meets the ribbon's sides at
+    infinity instead: they fill a wedge, the wider the farther the line reaches behind.
+    """
+    properties = actor.GetShaderProperty()
+    declared = "layout(triangle_strip, max_vertices = 4) out;"
+    for before, after in (
+        (declared, declared + _END_IN_FRONT),
+        *((f"gl_in[{end}].gl_Position", f"endInFront({end})") for end in "01i"),
+    ):
+        properties.AddGeometryShaderReplacement(before, True, after, True)
 
 
 def _after_position(actor: vtkActor, statement: str) -> None:

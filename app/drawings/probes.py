@@ -11,18 +11,19 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from concurrent.futures import Future, ThreadPoolExecutor
 from typing import Any, NamedTuple
 from weakref import WeakKeyDictionary
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor2D, vtkPolyDataMapper2D
 
 from app.drawings.actors import Canvas, Label, Space, lift_lines, line_actor
 from app.drawings.style import Style, rgb
-from app.picking import Probe, Sight, Surface, projector
+from app.picking import Hit, Lines, Probe, Sight, Surface, pick, projector
 from app.projection import Array, FreeMatrix, Projection
 from app.scene import Scene
 
@@ -243,19 +244,30 @@ def _disc(radius_px: float, colour: str, corners: int = 24) -> vtkActor2D:
     return actor
 
 
-_surfaces: WeakKeyDictionary[Scene, Surface] = WeakKeyDictionary()
+_sorted: WeakKeyDictionary[Scene, tuple[Future[Surface], Lines]] = WeakKeyDictionary()
+_sorting = ThreadPoolExecutor(1, "sorting")
 
 
-def surface_of(scene: Scene) -> Surface:
-    """The scene's faces as they can be picked; sorted at the first pick of a scene."""
-    surface = _surfaces.get(scene)
-    if surface is None:
-        mesh = scene.surface
-        if mesh is None:
-            surface = Surface(np.empty((0, 3), np.float32), np.empty((0, 3), np.int32))
-        else:
-            if not mesh.is_all_triangles:
-                mesh = mesh.triangulate()
-            surface = Surface(np.asarray(mesh.points), mesh.regular_faces, scene.origin)
-        _surfaces[scene] = surface
-    return surface
+def sort_ahead(scene: Scene) -> None:
+    """Sort the scene's faces as they are picked, beside all else: a million vertices take 0.1 s."""
+    if scene in _sorted:
+        return
+    mesh, lines = scene.surface, scene.lines
+    points: NDArray[Any] = np.empty((0, 3), np.float32)
+    triangles: NDArray[Any] = np.empty((0, 3), np.int32)
+    if mesh is not None:
+        if not mesh.is_all_triangles:  # VTK does not let go of Python: here as well as there
+            mesh = mesh.triangulate()
+        points, triangles = np.asarray(mesh.points), mesh.regular_faces
+    ends = np.empty((0, 2, 3)) if lines is None else lines.points[lines.lines.reshape(-1, 3)[:, 1:]]
+    surface = _sorting.submit(Surface, points, triangles, scene.origin)
+    _sorted[scene] = surface, Lines(ends, scene.origin)
+
+
+def pick_in(
+    scene: Scene, sight: Sight, pixel: tuple[float, float], pixel_ratio: float = 1.0
+) -> Hit | None:
+    """What of a scene is seen at a pixel; see `picking.pick`."""
+    sort_ahead(scene)
+    surface, lines = _sorted[scene]
+    return pick(surface.result(), lines, sight, pixel, pixel_ratio)
