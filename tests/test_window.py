@@ -146,7 +146,10 @@ def test_a_hidden_pane_neither_computes_nor_draws_and_catches_up(
     asked: list[Projection] = []
     drawing = window.panes["image"].drawing
     show = drawing.show_projection
-    drawing.show_projection = lambda projection: (asked.append(projection), show(projection))
+    drawing.show_projection = lambda projection, exhibit: (
+        asked.append(projection),
+        show(projection, exhibit),
+    )
     with counted_repaints(window) as counts:
         for step in range(3):
             window.store.set_projection(seen(window, lens=Perspective(46.0 + step, 1.0, 30.0)))
@@ -848,13 +851,21 @@ def exhibits_of(window: MainWindow) -> dict[str, list[Any]]:
     """What each pane is given to show from now on."""
     given: dict[str, list[Any]] = {}
     for name, pane in window.panes.items():
-        given[name], show = [], pane.show_exhibit
+        given[name] = []
+        for method in ("build", "show_projection"):
+            show = getattr(pane, method)
 
-        def keep(exhibit: Any, to: list[Any] = given[name], show: Any = show) -> None:
-            to.append(exhibit)
-            show(exhibit)
+            def keep(
+                projection: Any,
+                exhibit: Any,
+                *args: Any,
+                to: list[Any] = given[name],
+                show: Any = show,
+            ) -> None:
+                to.append(exhibit)
+                show(projection, exhibit, *args)
 
-        pane.show_exhibit = keep  # type: ignore[method-assign]
+            setattr(pane, method, keep)
     return given
 
 
@@ -968,7 +979,7 @@ def test_no_exhibit_of_one_scene_is_shown_in_another(
     assert all(shown == [None] for shown in given.values())
     window._choose_scene("similar-triangles")
     for shown in given.values():
-        assert shown[:2] == [None, None] and shown[2] is not None and len(shown) == 3
+        assert shown[0] is None and shown[1] is not None and len(shown) == 2
 
 
 def test_a_setting_is_changed_from_its_row_and_undone_into_it(

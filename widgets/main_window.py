@@ -587,7 +587,7 @@ class MainWindow(QMainWindow):
 
     def _show_document(self, document: Document) -> None:
         scene = self.files.scene(document.scene, document.mesh)
-        self._exhibit = None
+        built, self._exhibit = False, None
         if scene.phenomenon is not None:  # computed once for panes and panel
             self._exhibit = scene.phenomenon.exhibit(
                 document.projection, document.settings, scene.subject
@@ -604,13 +604,15 @@ class MainWindow(QMainWindow):
             self._build_drawings(document.views)
             self._list_scenes()
             sort_ahead(scene)
+            built = True
         elif document.quality != self.adaptive.quality:
             self.adaptive.show(scene, document.quality)
             self._build_drawings(self._views_now())
+            built = True
         self.adaptive.step(self.store.in_gesture)
         if self._show_cost.isChecked():
             self._time_model(document.projection)
-        for pane in self.panes.values():
+        for pane in () if built else self.panes.values():
             pane.show_projection(document.projection, self._exhibit)
         self.controls.show_projection(document.projection)
         self.manipulation.show_projection(document.projection)
