@@ -42,6 +42,12 @@ LENSES: dict[str, Lens] = {
 }
 
 
+@pytest.fixture(params=[0, 1024], ids=["in blocks", "few at once"], autouse=True)
+def few(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Both ways that a few points can go."""
+    monkeypatch.setattr(room, "_FEW", request.param)
+
+
 def projections() -> list[Any]:
     return [
         pytest.param(Projection(SLANTED, lens, (1920, 1080), depth), id=f"{name}, {depth}")
