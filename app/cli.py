@@ -9,54 +9,51 @@ from __future__ import annotations
 
 import argparse
 import csv
-import difflib
-import functools
 import io
 import json
 import math
 import os
 import re
-import signal
 import sys
-import threading
-from collections.abc import Callable, Container, Iterable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple, NoReturn
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from app import __version__, bootstrap
+from app import __version__
+from app.arguments import (
+    BAD_INPUT,
+    CANNOT_DRAW,
+    INTERRUPTED,
+    SUMMARIES,
+    CliError,
+    Parser,
+    cannot_import,
+    check_file,
+    complain,
+    document_of,
+    load_scene,
+    parse_number,
+    write_out,
+)
 from app.doctor import check_off_screen, examine
 from app.document import (
     MESH_ENDINGS,
-    SETTABLE,
-    Document,
     DocumentError,
     is_mesh,
-    read,
-    set_values,
     to_json,
-    write_bytes_atomically,
 )
 from app.free_matrix import properties
 from app.notation import latex_name, latex_number
-from app.phenomena import PHENOMENA
 from app.precision import RUNGS, Prediction, Rung, predict, rung_for_reading, trace
 from app.projection import (
-    BOTTOM_BEFORE_TOP,
     FINITE_NUMBER,
     LARGEST,
     LARGEST_IMAGE_PX,
-    LEFT_BEFORE_RIGHT,
-    LENSES,
-    NEAR_BEFORE_FAR,
-    NOT_THE_EYE,
     PLANES,
     WHOLE_PIXELS,
     Array,
-    FreeMatrix,
-    Perspective,
     Projection,
     ProjectionError,
     Stage,
@@ -64,25 +61,9 @@ from app.projection import (
     format_value,
 )
 
-if TYPE_CHECKING:
-    from app.measure.results import Results
-    from app.scene import Scene
-
-BAD_INPUT = 2
-CANNOT_DRAW = 3
-INTERRUPTED = 130
-
 THEMES = ("light", "dark")
 LARGEST_INPUT = 2**30
 """Most bytes of points that are read."""
-
-
-class CliError(Exception):
-    """One sentence for standard error, and the exit status."""
-
-    def __init__(self, sentence: str, status: int = BAD_INPUT) -> None:
-        super().__init__(sentence)
-        self.status = status
 
 
 def main(argv: list[str] | None = None) -> int:
@@ -102,9 +83,9 @@ def main(argv: list[str] | None = None) -> int:
     try:
         return _run(arguments)
     except CliError as error:
-        return _complain(str(error), error.status)
+        return complain(str(error), error.status)
     except (DocumentError, ProjectionError) as error:
-        return _complain(str(error), BAD_INPUT)
+        return complain(str(error), BAD_INPUT)
     except SystemExit as done:  # argparse, after --help and --version
         return int(done.code or 0)
     except BrokenPipeError:  # “| head” has seen enough
@@ -113,109 +94,15 @@ def main(argv: list[str] | None = None) -> int:
         return INTERRUPTED
 
 
-def _complain(sentence: str, status: int) -> int:
-    if sys.stderr is not None:
-        print(" ".join(sentence.split()), file=sys.stderr)
-    return status
-
-
-def _print(texts: Iterable[str]) -> None:
-    """Write to standard output, now: an error must come here, not when Python ends."""
-    try:
-        for text in texts:
-            sys.stdout.write(text)
-        sys.stdout.flush()
-    except OSError as error:
-        # What is still buffered must not fail once more at exit.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        if isinstance(error, BrokenPipeError):
-            raise
-        raise CliError(f"Standard output cannot be written: {error.strerror}.") from error
-
-
 def _run(arguments: Sequence[str]) -> int:
     if arguments and arguments[0] in COMMANDS:
         return COMMANDS[arguments[0]](arguments[1:])
     if arguments:
-        _check_file(arguments[0])  # first: what follows a mistyped command is none of the window's
+        check_file(arguments[0])  # first: what follows a mistyped command is none of the window's
     return _window(arguments)
 
 
 # --------------------------------------------------------------------------- arguments
-
-
-class _Parser(argparse.ArgumentParser):
-    """An argument parser whose complaints are sentences, and name the nearest option."""
-
-    def __init__(
-        self, command: str, names: str, text: str, description: str, epilog: str = ""
-    ) -> None:
-        usage = " ".join(f"python3 -m app {command} [options] {names}".split())
-        super().__init__(
-            usage=usage,
-            description=description,
-            epilog=epilog,
-            formatter_class=argparse.RawDescriptionHelpFormatter,
-            allow_abbrev=False,
-        )
-        self._command = command
-        self._names = names
-        self.add_argument("words", nargs="*", metavar=names, help=text)
-
-    def error(self, message: str) -> NoReturn:
-        raise CliError(f"{message[0].upper()}{message[1:]}.")
-
-    def read(
-        self, arguments: Sequence[str], least: int, most: int
-    ) -> tuple[argparse.Namespace, list[str]]:
-        """Parse options and words in any order; refuse too few words and too many."""
-        found, extra = self.parse_known_intermixed_args(arguments)
-        for word in extra:
-            option = word.partition("=")[0]
-            names = [name for action in self._actions for name in action.option_strings]
-            where = f"an option of {self._command}" if self._command else "an option of the window"
-            raise CliError(f"{option} is not {where}; the nearest is {_nearest(option, names)}.")
-        words: list[str] = found.words
-        if not least <= len(words) <= most:
-            command = self._command or "The window"
-            takes = self._names or "no names"
-            raise CliError(f"{command} takes {takes}, and {len(words)} names were given.")
-        return found, words
-
-    def add_set(self) -> None:
-        """Take ``--set``."""
-        self.add_argument(
-            "--set",
-            action="append",
-            default=[],
-            metavar="NAME=VALUE",
-            help="change a value of the document, such as lens.far=inf; may be given repeatedly; "
-            f"the names are {', '.join(SETTABLE)} and settings.NAME of the scene's own",
-        )
-
-    def add_choice(self, option: str, values: Sequence[str], text: str, default: str = "") -> None:
-        """Take one of several values."""
-        self.add_argument(
-            option,
-            type=lambda value: _one_of(option, value, values),
-            metavar="|".join(values),
-            default=default or None,
-            help=text,
-        )
-
-
-def _nearest(word: str, known: Iterable[str]) -> str:
-    def likeness(name: str) -> float:
-        return difflib.SequenceMatcher(None, word.lower(), name).ratio()
-
-    return max(known, key=likeness)
-
-
-def _one_of(option: str, value: str, values: Sequence[str]) -> str:
-    # CliError is none of the errors that argparse would put into words of its own.
-    if value not in values:
-        raise CliError(f"{option} = {value!r}: must be one of {', '.join(values)}.")
-    return value
 
 
 def _size(value: str) -> tuple[int, int]:
@@ -232,144 +119,17 @@ def _size(value: str) -> tuple[int, int]:
 
 def _scale(value: str) -> float:
     try:
-        return _number(value)
+        return parse_number(value)
     except ValueError:
         raise CliError(f"--scale = {value!r}: {FINITE_NUMBER}.") from None
-
-
-def _number(text: str) -> float:
-    """A number in the C locale; not what only Python writes, such as 1_000."""
-    if "_" in text:
-        raise ValueError(text)
-    return float(text)
-
-
-# --------------------------------------------------------------------------- files
-
-
-def _document(file: str | None, assignments: Sequence[str]) -> Document:
-    """The document that a FILE is, holds, or opens with, after the values set by ``--set``.
-
-    Without a FILE, ``scene=NAME`` opens that scene as the menu does: seen with its own camera.
-    """
-    texts = {key: text.strip() for key, _, text in map(_split, assignments)}
-    if file is not None:
-        document = _open(file)
-        if texts.get("scene"):
-            _start(texts["scene"])
-    else:
-        document = _opened(texts["scene"]) if "scene" in texts else Document()
-    try:
-        return set_values(document, assignments)
-    except DocumentError as error:
-        kind = texts.get("lens.kind", document.projection.lens.kind)
-        raise _seen_from(texts, kind, error) from error
-
-
-_OTHER_SIDE = {
-    ("lens.near", NEAR_BEFORE_FAR): ("lens.far", "must be greater than near, which is {0}"),
-    ("lens.left", LEFT_BEFORE_RIGHT): ("lens.right", "must be greater than left, which is {0}"),
-    ("lens.bottom", BOTTOM_BEFORE_TOP): ("lens.top", "must be greater than bottom, which is {0}"),
-}
-
-
-def _seen_from(texts: Container[str], kind: str, error: DocumentError) -> DocumentError:
-    """Turn a complaint so that it speaks of what was set.
-
-    The model says "near must be less than far" whichever of the two was set.
-
-    Parameters
-    ----------
-    texts : container of str
-        The paths that were set.
-    kind : str
-        The lens, perhaps set as well.
-    error : DocumentError
-        What the document answered.
-    """
-    if error.field == "lens.far" and error.bound == FINITE_NUMBER and kind == Perspective.kind:
-        return DocumentError(f"{FINITE_NUMBER} or inf", field=error.field, value=error.value)
-    if error.field in texts:
-        return error
-    if error.bound == NOT_THE_EYE and "camera.eye" in texts:
-        bound = "must differ from the target, or the camera looks nowhere"
-        return DocumentError(bound, field="camera.eye", value=error.value)
-    other, bound = _OTHER_SIDE.get((error.field, error.bound), ("", ""))
-    if other in texts:
-        (refused,) = error.limits
-        return DocumentError(
-            bound, format_value(error.value), field=other, value=float(str(refused))
-        )
-    return error
-
-
-def _split(assignment: str) -> tuple[str, str, str]:
-    key, equals, text = assignment.partition("=")
-    return key.strip(), equals, text
-
-
-def _opened(scene: str) -> Document:
-    name = os.path.abspath(scene) if is_mesh(scene) else scene
-    return Document(name, _start(name))
-
-
-def _start(scene: str) -> Projection:
-    """How a scene opens; only what is no phenomenon has to be loaded for that.
-
-    Raises
-    ------
-    CliError
-        If there is no such scene.
-    """
-    return PHENOMENA[scene].start if scene in PHENOMENA else _load(scene).start
-
-
-def _open(file: str) -> Document:
-    if is_mesh(file):
-        return _opened(file)
-    _check_file(file)
-    return read(file)
-
-
-def _check_file(word: str) -> None:
-    """Take a word that is no file and looks like none for the command that it was to be."""
-    if os.path.lexists(word) or not re.fullmatch(r"\w[\w-]*", word):
-        return
-    if word in COMMANDS:
-        raise CliError(f"{word} is a command and must come first: python3 -m app {word} ...")
-    near = difflib.get_close_matches(word.lower(), COMMANDS, 1)
-    known = f"nearest command is {near[0]}" if near else f"commands are {', '.join(COMMANDS)}"
-    raise CliError(f"{word!r} is neither a file nor a command; the {known}.")
-
-
-@functools.cache
-def _load(scene: str, mesh: str = "") -> Scene:
-    """Load a scene once, with VTK's import failing like any other lack of a library."""
-    try:
-        from app.scene import SceneError, load
-    except ImportError as error:
-        raise _cannot_import(error) from error
-    try:
-        return load(scene, mesh=mesh)
-    except SceneError as error:
-        raise CliError(str(error)) from error
-
-
-def _cannot_import(error: ImportError) -> CliError:
-    missing = bootstrap.missing_system("window")
-    if missing:
-        return CliError(f"{bootstrap.advice(missing)}.", CANNOT_DRAW)
-    return CliError(
-        f"A library cannot be loaded ({error}); python3 -m app doctor says more.", CANNOT_DRAW
-    )
 
 
 # --------------------------------------------------------------------------- the window
 
 
 def _window(arguments: Sequence[str]) -> int:
-    lines = "\n".join(f"  {name:<10}{text}" for name, text in _SUMMARIES.items())
-    parser = _Parser(
+    lines = "\n".join(f"  {name:<10}{text}" for name, text in SUMMARIES.items())
+    parser = Parser(
         "",
         "[FILE]",
         "a document, an exported PNG picture or a mesh (the letter F)",
@@ -390,17 +150,17 @@ def _window(arguments: Sequence[str]) -> int:
     if found.screenshot is not None:
         _check_png("--screenshot", found.screenshot)
     file = words[0] if words else None
-    document = _document(file, found.set)
+    document = document_of(file, found.set)
     from_file = is_mesh(document.scene) or document.mesh
-    scene = _load(document.scene, document.mesh) if from_file else None
+    scene = load_scene(document.scene, document.mesh) if from_file else None
     try:
         from widgets import application
         from widgets.opengl import OpenGLError
     except ImportError as error:
-        raise _cannot_import(error) from error
+        raise cannot_import(error) from error
     if found.reset:
         try:
-            _print([f"{application.delete_settings()}\n"])
+            write_out([f"{application.delete_settings()}\n"])
         except OSError as error:
             raise CliError(f"The settings cannot be deleted: {error}.") from error
     is_document = file is not None and not is_mesh(file) and not file.lower().endswith(".png")
@@ -428,7 +188,7 @@ def _check_png(name: str, out: str) -> None:
 
 def _export(arguments: Sequence[str]) -> int:
     text = "the picture (.png), and a document, picture or mesh that it shows (the letter F)"
-    parser = _Parser("export", "OUT [FILE]", text, _SUMMARIES["export"])
+    parser = Parser("export", "OUT [FILE]", text, SUMMARIES["export"])
     parser.add_argument(
         "--panes",
         default="world,ndc,image",
@@ -449,8 +209,8 @@ def _export(arguments: Sequence[str]) -> int:
     parser.add_set()
     found, (out, *file) = parser.read(arguments, 1, 2)
     _check_png("OUT", out)
-    document = _document(file[0] if file else None, found.set)
-    scene = _load(document.scene, document.mesh)
+    document = document_of(file[0] if file else None, found.set)
+    scene = load_scene(document.scene, document.mesh)
     try:
         check_off_screen()
     except RuntimeError as error:
@@ -459,7 +219,7 @@ def _export(arguments: Sequence[str]) -> int:
         from app.drawings.style import DARK, LIGHT
         from app.figures import FigureError, render, write_png
     except ImportError as error:
-        raise _cannot_import(error) from error
+        raise cannot_import(error) from error
     try:
         pixels = render(
             scene,
@@ -488,14 +248,14 @@ def _project(arguments: Sequence[str]) -> int:
         "a document, picture or mesh whose camera is used (the letter F's), and the points: "
         "CSV with the columns x,y,z, or - for standard input"
     )
-    parser = _Parser("project", "[FILE] POINTS", text, _SUMMARIES["project"])
+    parser = Parser("project", "[FILE] POINTS", text, SUMMARIES["project"])
     parser.add_choice("--format", tuple(_PROJECT_FORMATS), "form of the output (table)", "table")
     parser.add_choice("--rung", RUNGS, "arithmetic (float64, or exact where that is needed)")
     parser.add_set()
     found, (*file, source) = parser.read(arguments, 1, 2)
     if not file and source.lower().endswith((".json", *MESH_ENDINGS)):
         raise CliError(f"POINTS is missing: {source} is what the camera is read from.")
-    projection = _document(file[0] if file else None, found.set).projection
+    projection = document_of(file[0] if file else None, found.set).projection
     points = _read_points(source)
     predictions = predict(projection, points)
     rung = found.rung or rung_for_reading(predictions)
@@ -505,7 +265,7 @@ def _project(arguments: Sequence[str]) -> int:
         number = int(beyond.argmax()) + 1
         raise CliError(f"--rung = {rung!r}: point {number} leads to numbers that it cannot hold.")
     answer = _Answer(projection, traced, rung, predictions)
-    _print(_PROJECT_FORMATS[found.format](answer))
+    write_out(_PROJECT_FORMATS[found.format](answer))
     return 0
 
 
@@ -568,7 +328,7 @@ def _point(cells: list[str], where: str) -> tuple[float, float, float]:
     values = []
     for name, cell in zip("xyz", cells, strict=True):
         try:
-            value = _number(cell)
+            value = parse_number(cell)
         except ValueError:
             value = math.nan
         if not math.isfinite(value):
@@ -718,12 +478,12 @@ def _aligned(rows: Sequence[Sequence[str]]) -> list[str]:
 
 def _matrices(arguments: Sequence[str]) -> int:
     text = "a document, picture or mesh whose camera is used (the letter F's)"
-    parser = _Parser("matrices", "[FILE]", text, _SUMMARIES["matrices"])
+    parser = Parser("matrices", "[FILE]", text, SUMMARIES["matrices"])
     parser.add_choice("--format", tuple(_MATRIX_FORMATS), "form of the output (text)", "text")
     parser.add_set()
     found, words = parser.read(arguments, 0, 1)
-    projection = _document(words[0] if words else None, found.set).projection
-    _print([_MATRIX_FORMATS[found.format](projection)])
+    projection = document_of(words[0] if words else None, found.set).projection
+    write_out([_MATRIX_FORMATS[found.format](projection)])
     return 0
 
 
@@ -798,18 +558,21 @@ _MATRIX_FORMATS: dict[str, Callable[[Projection], str]] = {
 
 
 def _doctor(arguments: Sequence[str]) -> int:
-    _Parser("doctor", "", argparse.SUPPRESS, _SUMMARIES["doctor"]).read(arguments, 0, 0)
+    Parser("doctor", "", argparse.SUPPRESS, SUMMARIES["doctor"]).read(arguments, 0, 0)
     missing = []
     for finding in examine():
-        _print([f"{finding.name:<20}{finding.text}\n"])
+        write_out([f"{finding.name:<20}{finding.text}\n"])
         if finding.remedy:
             missing.append(finding)
     if not missing:
-        _print(["\nEverything needed is here.\n"])
+        write_out(["\nEverything needed is here.\n"])
         return 0
     lines = [f"  {finding.name}: {finding.remedy}\n" for finding in missing]
-    _print(["\nThis is missing:\n", *lines])
+    write_out(["\nThis is missing:\n", *lines])
     return CANNOT_DRAW
+
+
+# --------------------------------------------------------------------------- measure
 
 
 # --------------------------------------------------------------------------- measure
@@ -817,186 +580,11 @@ def _doctor(arguments: Sequence[str]) -> int:
 
 def _measure(arguments: Sequence[str]) -> int:
     try:
-        from app import measure
-        from app.measure import chart
-        from app.measure.arithmetic import SWEEPS
-        from app.measure.results import to_csv
-        from app.measure.results import to_json as results_to_json
+        from app.measure import command
     except ImportError as error:
-        raise _cannot_import(error) from error
-    text = "a document, picture or mesh to measure (the letter F)"
-    parser = _Parser("measure", "[FILE]", text, _SUMMARIES["measure"])
-    parser.add_argument(
-        "--trade", action="append", metavar="|".join(measure.TRADES),
-        type=lambda value: _one_of("--trade", value, tuple(measure.TRADES)),
-        help="measure this one; may be given repeatedly (all, if neither --trade nor --sweep is)",
-    )  # fmt: skip
-    parser.add_argument(
-        "--sweep", action="append", metavar="NAME[=LOW:HIGH]", type=_sweep,
-        help=f"the errors over a parameter's range; NAME is one of {', '.join(SWEEPS)}",
-    )  # fmt: skip
-    parser.add_argument("--scene", metavar="NAME", help="as --set scene=NAME")
-    parser.add_argument("--quick", action="store_true", help="in half a minute, less exactly")
-    parser.add_argument("--json", metavar="FILE", help="write all that was measured; - for here")
-    parser.add_argument("--csv", metavar="FILE", help="write the tables, one after the other")
-    parser.add_argument("--chart", metavar="FILE", help="draw it all: .png, or .pdf in vectors")
-    parser.add_argument(
-        "--attended", action="store_true",
-        help="tell the fraction done, a line each, and obey pause, resume and cancel from"
-        " standard input",
-    )  # fmt: skip
-    parser.add_set()
-    found, words = parser.read(arguments, 0, 1)
-    for option in ("json", "csv", "chart"):
-        _check_folder(f"--{option}", getattr(found, option))
-    if found.chart is not None and not found.chart.lower().endswith(chart.ENDINGS):
-        raise CliError(f"--chart = {found.chart!r}: must end in {' or '.join(chart.ENDINGS)}.")
-    settings = [*found.set, *([f"scene={found.scene}"] if found.scene else [])]
-    document = _document(words[0] if words else None, settings)
-    scene = _load(document.scene, document.mesh)
-    if isinstance(document.projection.lens, FreeMatrix):
-        raise CliError(
-            "lens.kind = matrix: a free matrix has no near, no far and no angle to measure; it must"
-            f" be one of {', '.join(LENSES)}."
-        )
-    everything = not (found.trade or found.sweep)
-    trades = list(dict.fromkeys(found.trade or (measure.TRADES if everything else ())))
-    swept = dict(found.sweep or ())
-    if everything:
-        swept = dict.fromkeys(SWEEPS, (None, None))
-    opengl = True
-    try:
-        check_off_screen()
-    except RuntimeError as error:
-        opengl = False
-        left_out = [name for name in trades if name in measure.NEED_OPENGL]
-        if left_out:
-            _complain(f"{error} Not measured: {', '.join(left_out)}.", 0)
-        trades = [name for name in trades if name not in left_out]
-        if not trades and not swept:
-            return CANNOT_DRAW
-    with _watched(found.attended) as watch:
-        results = measure.measure_all(
-            document, scene, trades, swept, quick=found.quick, opengl=opengl, watch=watch
-        )
-    json_text = results_to_json(results)
-    if found.json == "-":
-        _print([json_text])
-    else:
-        _print(_measured(results))
-    if found.json not in (None, "-"):
-        _write(found.json, json_text)
-    if found.csv is not None:
-        _write(found.csv, "\n".join([*map(to_csv, results.trades), *map(to_csv, results.sweeps)]))
-    if found.chart is not None:
-        write_bytes_atomically(found.chart, chart.picture(results, found.chart))
-    return 0 if results.complete else INTERRUPTED
+        raise cannot_import(error) from error
+    return command.run(arguments)
 
-
-def _sweep(value: str) -> tuple[str, tuple[float | None, float | None]]:
-    """``near`` or ``near=1e-3:10``."""
-    from app.measure.arithmetic import SWEEPS
-
-    name, equals, ends = value.partition("=")
-    _one_of("--sweep", name, tuple(SWEEPS))
-    if not equals:
-        return name, (None, None)
-    try:
-        low, high = (_number(end) for end in ends.split(":"))
-    except ValueError:
-        raise CliError(f"--sweep {name} = {ends!r}: must be LOW:HIGH, such as 0.001:10.") from None
-    whole = SWEEPS[name]
-    if not whole.low <= low < high <= whole.high:
-        raise CliError(
-            f"--sweep {name} = {ends!r}: must rise, and lie between {whole.low:g} and"
-            f" {whole.high:g}."
-        )
-    return name, (low, high)
-
-
-def _check_folder(name: str, out: str | None) -> None:
-    folder = os.path.dirname(out or "") or "."
-    if out != "-" and not os.path.isdir(folder):
-        raise CliError(f"{name} = {out!r}: there is no folder {folder}.")
-
-
-def _write(path: str, text: str) -> None:
-    write_bytes_atomically(path, text.encode())
-
-
-@contextmanager
-def _watched(attended: bool) -> Iterator[Callable[[float], None]]:
-    """Tells how far the measurement is, and stops it when it is told to: Ctrl-C, or ``cancel``."""
-    from app.measure.run import Cancelled
-
-    cancelled, going = threading.Event(), threading.Event()
-    going.set()
-    told = -1.0
-
-    def watch(fraction: float) -> None:
-        nonlocal told
-        going.wait()
-        if cancelled.is_set():
-            raise Cancelled
-        if abs(fraction - told) >= 0.01 and sys.stderr is not None:
-            told = fraction
-            if attended:
-                print(f"{fraction:.3f}", file=sys.stderr, flush=True)
-            elif sys.stderr.isatty():
-                print(f"\r{100.0 * fraction:3.0f} % ", end="", file=sys.stderr, flush=True)
-
-    def obey() -> None:
-        for line in sys.stdin:
-            if line.strip() == "pause":
-                going.clear()
-            elif line.strip() == "resume":
-                going.set()
-            else:
-                break
-        cancelled.set()  # also when whoever attended has gone
-        going.set()
-
-    former = signal.signal(signal.SIGINT, lambda *_: cancelled.set())
-    if attended:
-        threading.Thread(target=obey, daemon=True).start()
-    try:
-        yield watch
-    finally:
-        signal.signal(signal.SIGINT, former)
-        if not attended and sys.stderr is not None and sys.stderr.isatty():
-            print("\r      \r", end="", file=sys.stderr, flush=True)
-
-
-def _measured(results: Results) -> Iterator[str]:
-    """Tables to read, with what each trade means."""
-    from app.measure.meaning import meaning
-    from app.measure.results import table
-
-    for trade in results.trades:
-        yield f"{trade.name}{'' if trade.complete else ' (cancelled)'}\n"
-        yield from _lines_of(table(trade), str.ljust)
-        yield f"{meaning(trade).sentence()}\n\n"
-    for sweep in results.sweeps:
-        yield f"{sweep.parameter}, largest error in px{'' if sweep.complete else ' (cancelled)'}\n"
-        yield from _lines_of(table(sweep), str.rjust)
-        yield "\n"
-
-
-def _lines_of(rows: list[list[str]], align_names: Callable[[str, int], str]) -> Iterator[str]:
-    """A table's lines; names as they are wanted, numbers to the right, notes at the end."""
-    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
-    for name, *cells, note in rows:
-        numbers = [cell.rjust(width) for cell, width in zip(cells, widths[1:-1], strict=True)]
-        yield f"  {'  '.join([align_names(name, widths[0]), *numbers, note]).rstrip()}\n"
-
-
-_SUMMARIES = {
-    "export": "draw a figure into a PNG picture, without a window or display",
-    "project": "follow points through every stage of the projection",
-    "matrices": "print every stage's matrix",
-    "measure": "measure what speed costs in accuracy, here, for a scene and a camera",
-    "doctor": "say what this machine has, what is missing and how to get it",
-}
 
 COMMANDS: dict[str, Callable[[Sequence[str]], int]] = {
     "export": _export,

@@ -211,7 +211,7 @@ def test_json_is_exactly_the_trace_of_the_model(by_hand: Path) -> None:
 
 
 # Near is so close to far that float64 loses the depth of what is off the axis: 5.6e-11 of 1.
-NEAR_NEXT_TO_FAR = ("--set=lens.near=1", "--set=lens.far=1.000000000001")
+NEAR_NEXT_TO_FAR = ("--set=lens.near=1", "--set=lens.far=1.0000000000001")
 OFF_AXIS = "0.3,0.2,3.9999999999995\n"
 
 
@@ -255,7 +255,7 @@ def test_numbers_are_exact_where_float64_would_lose_too_many_digits(by_hand: Pat
         BY_HAND, [word.removeprefix("--set=") for word in (*NEAR_NEXT_TO_FAR, slanted)]
     ).projection
     camera = projection.camera
-    inside = camera.eye + np.array([0.3, 0.2, -1.0000000000005]) @ camera.frame
+    inside = camera.eye + np.array([0.3, 0.2, -1.00000000000005]) @ camera.frame
     text = ",".join(map(repr, inside.tolist()))
     answer = json.loads(run(*command, slanted, text=text).stdout)
     assert answer["rung"] == "exact"

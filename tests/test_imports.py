@@ -162,14 +162,22 @@ ROOMS = {
     "app/measure/smoothing.py": MEASURE,
     "app/measure/detail.py": MEASURE,
     "app/measure/__init__.py": MEASURE,
+    "app/measure/command.py": Room(
+        rooms=("app.arguments", "app.document", "app.doctor", "app.projection", "app.measure")
+    ),
     "app/detail.py": Room(("numpy", *VTK), ("app.scene",)),
     "app/store.py": Room(QT_CORE, ("app.projection", "app.document")),
+    # What the commands share: no command of its own, and a scene only when it is asked for.
+    "app/arguments.py": Room(
+        rooms=("app.bootstrap", "app.projection", "app.document", "app.phenomena"),
+        late=("app.scene",),
+    ),
     # The command line starts with numbers only; pictures and windows come when they are asked for.
     "app/cli.py": Room(
         ("numpy",),
         (
-            *("app.bootstrap", "app.projection", "app.precision", "app.notation"),
-            *("app.document", "app.doctor", "app.free_matrix", "app.phenomena"),
+            *("app.arguments", "app.projection", "app.precision", "app.notation"),
+            *("app.document", "app.doctor", "app.free_matrix"),
         ),
         late=(*VTK, *QT, "app", "widgets"),
     ),

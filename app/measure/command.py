@@ -1,0 +1,210 @@
+"""The command ``measure``: what is to be measured, how far it is, and where the results go."""
+
+from __future__ import annotations
+
+import os
+import signal
+import sys
+import threading
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+
+from app import measure
+from app.arguments import (
+    CANNOT_DRAW,
+    INTERRUPTED,
+    SUMMARIES,
+    CliError,
+    Parser,
+    complain,
+    document_of,
+    load_scene,
+    one_of,
+    parse_number,
+    write_out,
+)
+from app.doctor import check_off_screen
+from app.document import write_bytes_atomically
+from app.measure import chart
+from app.measure.arithmetic import SWEEPS
+from app.measure.meaning import meaning
+from app.measure.results import Results, table, to_csv, to_json
+from app.measure.run import Cancelled
+from app.projection import LENSES, FreeMatrix
+
+
+def run(arguments: Sequence[str]) -> int:
+    """Measure, and print and write what came out, as `app.cli.main` is told.
+
+    Parameters
+    ----------
+    arguments : sequence of str
+        What follows ``measure``.
+
+    Returns
+    -------
+    int
+        The exit status.
+
+    Raises
+    ------
+    CliError
+        For input that is wrong.
+    """
+    text = "a document, picture or mesh to measure (the letter F)"
+    parser = Parser("measure", "[FILE]", text, SUMMARIES["measure"])
+    parser.add_argument(
+        "--trade", action="append", metavar="|".join(measure.TRADES),
+        type=lambda value: one_of("--trade", value, tuple(measure.TRADES)),
+        help="measure this one; may be given repeatedly (all, if neither --trade nor --sweep is)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--sweep", action="append", metavar="NAME[=LOW:HIGH]", type=_sweep,
+        help=f"the errors over a parameter's range; NAME is one of {', '.join(SWEEPS)}",
+    )  # fmt: skip
+    parser.add_argument("--scene", metavar="NAME", help="as --set scene=NAME")
+    parser.add_argument("--quick", action="store_true", help="in half a minute, less exactly")
+    parser.add_argument("--json", metavar="FILE", help="write all that was measured; - for here")
+    parser.add_argument("--csv", metavar="FILE", help="write the tables, one after the other")
+    parser.add_argument("--chart", metavar="FILE", help="draw it all: .png, or .pdf in vectors")
+    parser.add_argument(
+        "--attended", action="store_true",
+        help="tell the fraction done, a line each, and obey pause, resume and cancel from"
+        " standard input",
+    )  # fmt: skip
+    parser.add_set()
+    found, words = parser.read(arguments, 0, 1)
+    for option in ("json", "csv", "chart"):
+        _check_folder(f"--{option}", getattr(found, option))
+    if found.chart is not None and not found.chart.lower().endswith(chart.ENDINGS):
+        raise CliError(f"--chart = {found.chart!r}: must end in {' or '.join(chart.ENDINGS)}.")
+    settings = [*found.set, *([f"scene={found.scene}"] if found.scene else [])]
+    document = document_of(words[0] if words else None, settings)
+    scene = load_scene(document.scene, document.mesh)
+    if isinstance(document.projection.lens, FreeMatrix):
+        raise CliError(
+            "lens.kind = matrix: a free matrix has no near, no far and no angle to measure; it must"
+            f" be one of {', '.join(LENSES)}."
+        )
+    everything = not (found.trade or found.sweep)
+    trades = list(dict.fromkeys(found.trade or (measure.TRADES if everything else ())))
+    swept = dict(found.sweep or ())
+    if everything:
+        swept = dict.fromkeys(SWEEPS, (None, None))
+    opengl = True
+    try:
+        check_off_screen()
+    except RuntimeError as error:
+        opengl = False
+        left_out = [name for name in trades if name in measure.NEED_OPENGL]
+        if left_out:
+            complain(f"{error} Not measured: {', '.join(left_out)}.", 0)
+        trades = [name for name in trades if name not in left_out]
+        if not trades and not swept:
+            return CANNOT_DRAW
+    with _watched(found.attended) as watch:
+        results = measure.measure_all(
+            document, scene, trades, swept, quick=found.quick, opengl=opengl, watch=watch
+        )
+    json_text = to_json(results)
+    if found.json == "-":
+        write_out([json_text])
+    else:
+        write_out(_measured(results))
+    if found.json not in (None, "-"):
+        _write(found.json, json_text)
+    if found.csv is not None:
+        _write(found.csv, "\n".join([*map(to_csv, results.trades), *map(to_csv, results.sweeps)]))
+    if found.chart is not None:
+        write_bytes_atomically(found.chart, chart.picture(results, found.chart))
+    return 0 if results.complete else INTERRUPTED
+
+
+def _sweep(value: str) -> tuple[str, tuple[float | None, float | None]]:
+    """``near`` or ``near=1e-3:10``."""
+    name, equals, ends = value.partition("=")
+    one_of("--sweep", name, tuple(SWEEPS))
+    if not equals:
+        return name, (None, None)
+    try:
+        low, high = (parse_number(end) for end in ends.split(":"))
+    except ValueError:
+        raise CliError(f"--sweep {name} = {ends!r}: must be LOW:HIGH, such as 0.001:10.") from None
+    whole = SWEEPS[name]
+    if not whole.low <= low < high <= whole.high:
+        raise CliError(
+            f"--sweep {name} = {ends!r}: must rise, and lie between {whole.low:g} and"
+            f" {whole.high:g}."
+        )
+    return name, (low, high)
+
+
+def _check_folder(name: str, out: str | None) -> None:
+    folder = os.path.dirname(out or "") or "."
+    if out != "-" and not os.path.isdir(folder):
+        raise CliError(f"{name} = {out!r}: there is no folder {folder}.")
+
+
+def _write(path: str, text: str) -> None:
+    write_bytes_atomically(path, text.encode())
+
+
+@contextmanager
+def _watched(attended: bool) -> Iterator[Callable[[float], None]]:
+    """Tells how far the measurement is, and stops it when it is told to: Ctrl-C, or ``cancel``."""
+    cancelled, going = threading.Event(), threading.Event()
+    going.set()
+    told = -1.0
+
+    def watch(fraction: float) -> None:
+        nonlocal told
+        going.wait()
+        if cancelled.is_set():
+            raise Cancelled
+        if abs(fraction - told) >= 0.01 and sys.stderr is not None:
+            told = fraction
+            if attended:
+                print(f"{fraction:.3f}", file=sys.stderr, flush=True)
+            elif sys.stderr.isatty():
+                print(f"\r{100.0 * fraction:3.0f} % ", end="", file=sys.stderr, flush=True)
+
+    def obey() -> None:
+        for line in sys.stdin:
+            if line.strip() == "pause":
+                going.clear()
+            elif line.strip() == "resume":
+                going.set()
+            else:
+                break
+        cancelled.set()  # also when whoever attended has gone
+        going.set()
+
+    former = signal.signal(signal.SIGINT, lambda *_: cancelled.set())
+    if attended:
+        threading.Thread(target=obey, daemon=True).start()
+    try:
+        yield watch
+    finally:
+        signal.signal(signal.SIGINT, former)
+        if not attended and sys.stderr is not None and sys.stderr.isatty():
+            print("\r      \r", end="", file=sys.stderr, flush=True)
+
+
+def _measured(results: Results) -> Iterator[str]:
+    """Tables to read, with what each trade means."""
+    for trade in results.trades:
+        yield f"{trade.name}{'' if trade.complete else ' (cancelled)'}\n"
+        yield from _lines_of(table(trade), str.ljust)
+        yield f"{meaning(trade).sentence()}\n\n"
+    for sweep in results.sweeps:
+        yield f"{sweep.parameter}, largest error in px{'' if sweep.complete else ' (cancelled)'}\n"
+        yield from _lines_of(table(sweep), str.rjust)
+        yield "\n"
+
+
+def _lines_of(rows: list[list[str]], align_names: Callable[[str, int], str]) -> Iterator[str]:
+    """A table's lines; names as they are wanted, numbers to the right, notes at the end."""
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    for name, *cells, note in rows:
+        numbers = [cell.rjust(width) for cell, width in zip(cells, widths[1:-1], strict=True)]
+        yield f"  {'  '.join([align_names(name, widths[0]), *numbers, note]).rstrip()}\n"
