@@ -303,6 +303,9 @@ def test_far_before_near_speaks_of_far_and_the_fov_of_its_bounds(
     move(window, "world", point(spot) + QPoint(round(1.2 * way[0]), round(1.2 * way[1])))
     assert bar.text.startswith("Far = ")
     assert bar.text.endswith("must be greater than near, which is 1.")
+    # Behind the eye there is no distance for it: what is named is the plane that stops it.
+    move(window, "world", point(spot) + QPoint(2 * way[0], 2 * way[1]))
+    assert bar.text == "Far = 1: must be greater than near, which is 1."
     release(window, "world", point(spot))
     window.store.set_projection(replace(model(window), lens=LENSES["perspective"]))
     handle, spot = mark(window, "corner")

@@ -40,7 +40,14 @@ from app.handles import (
 )
 from app.phenomena.exhibit import Exhibit, Grip, Settings
 from app.picking import Sight
-from app.projection import NOT_THE_EYE, OTHER_SIDE, Projection, ProjectionError, Vector
+from app.projection import (
+    NOT_THE_EYE,
+    OTHER_SIDE,
+    Projection,
+    ProjectionError,
+    Vector,
+    six_digits,
+)
 from widgets.message_bar import MessageBar
 from widgets.messages import field_name, seen_from, sentence
 from widgets.pane import ZOOM_PER_WHEEL_STEP, Pane
@@ -321,7 +328,7 @@ class Manipulation(QObject):
     def _refuse(self, pane: Pane, error: ProjectionError) -> None:
         bar, width = self.message, pane.width()
         bar.setParent(pane)
-        bar.say(sentence(error))
+        bar.say(sentence(six_digits(error)))
         layout = bar.layout()
         assert layout is not None
         bar.setGeometry(0, pane.canvas.y(), width, layout.totalHeightForWidth(width))
