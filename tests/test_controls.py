@@ -35,6 +35,7 @@ from app.projection import (
     LARGEST,
     OBLIQUE_PRESETS,
     Camera,
+    FreeMatrix,
     Frustum,
     Oblique,
     Orbit,
@@ -1587,6 +1588,32 @@ def test_the_controls_that_matter_are_opened_framed_and_scrolled_to(
     controls.bring_to_front(())
     assert framed(controls) == set()
     assert row.grab().toImage().pixelColor(row.width() // 2, 0) != frame
+
+
+def test_of_a_free_matrix_no_control_is_framed_until_there_is_a_lens_again(
+    controls: Controls,
+) -> None:
+    controls.bring_to_front(("camera.up", "lens.far"))
+    before, start = framed(controls), controls.projection
+    assert before == {"up_x", "up_y", "up_z", "roll_deg", "far"}
+    cells: Any = tuple(
+        map(
+            tuple,
+            [
+                [2.0, 0.0, 0.0, 0.0],
+                [0.0, 2.0, 0.0, 0.0],
+                [0.0, 0.0, 1.0, 0.0],
+                [0.0, 0.0, 0.0, 1.0],
+            ],
+        )
+    )
+    controls.show_projection(replace(start, lens=FreeMatrix(cells)))
+    assert framed(controls) == set()
+    controls.bring_to_front(("camera.eye",))
+    assert framed(controls) == set()
+    controls.bring_to_front(("camera.up", "lens.far"))
+    controls.show_projection(start)
+    assert framed(controls) == before
 
 
 def test_a_frame_stays_with_its_row_in_another_lens_and_camera_mode(

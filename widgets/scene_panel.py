@@ -19,7 +19,7 @@ from functools import partial
 from typing import Any
 
 from PySide6.QtCore import QElapsedTimer, QEvent, QObject, QSize, Qt, QTimer, Signal
-from PySide6.QtGui import QHideEvent, QPalette, QShowEvent
+from PySide6.QtGui import QHelpEvent, QHideEvent, QPalette, QShowEvent
 from PySide6.QtWidgets import (
     QBoxLayout,
     QFrame,
@@ -31,6 +31,7 @@ from PySide6.QtWidgets import (
     QScrollArea,
     QSizePolicy,
     QToolButton,
+    QToolTip,
     QVBoxLayout,
     QWidget,
 )
@@ -117,6 +118,7 @@ class ScenePanel(QWidget):
         self._problem: Phrase | None = None
         self._style = LIGHT
         self._stale = False
+        self._why_not = ""
         self._edits: Row | None = None
         self.players: dict[str, Player] = {}
 
@@ -301,6 +303,9 @@ class ScenePanel(QWidget):
             if setting.per_second and isinstance(row, NumberRow):
                 line = self._with_player(setting, row)
             self._rows.addWidget(line)
+            for part in (line, *line.findChildren(QWidget)):
+                part.installEventFilter(self)
+        self._why_not = ""
         self._align()
 
     def _with_player(self, setting: Setting, row: NumberRow) -> QWidget:
@@ -374,8 +379,21 @@ class ScenePanel(QWidget):
             [replace(r, value=self._counted) if r.counted else r for r in readings]
         )
         warning = self._problem if exhibit is None else exhibit.warning or self._problem
-        self.warning.say("" if warning is None else f"⚠ {_full(warning.sentence(of_phenomena))}")
+        why = "" if warning is None else _full(warning.sentence(of_phenomena))
+        self.warning.say(why and f"⚠ {why}")
+        self._let_choose(why if exhibit is not None and exhibit.idle else "")
         self._show_diagrams(() if exhibit is None else exhibit.diagrams)
+
+    def _let_choose(self, why_not: str) -> None:
+        """Let the settings be changed, unless a sentence says why that would change nothing."""
+        if why_not != self._why_not:
+            self._why_not = why_not
+            for place in range(self._rows.count()):
+                line = self._rows.itemAt(place).widget()
+                assert line is not None
+                line.setEnabled(not why_not)
+            if why_not:
+                self.pause()
 
     def _show_diagrams(self, diagrams: Sequence[Diagram]) -> None:
         while len(self.diagrams) < len(diagrams):
@@ -422,7 +440,10 @@ class ScenePanel(QWidget):
         return self.fontMetrics().height()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.Resize:
+        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip and self._why_not:
+            QToolTip.showText(event.globalPos(), self._why_not)  # instead of what it would do
+            return True
+        if event.type() == QEvent.Type.Resize and watched is self._diagram_column:
             self._place_diagrams()
         return super().eventFilter(watched, event)
 

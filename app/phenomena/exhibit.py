@@ -467,6 +467,8 @@ class Exhibit:
     warning : Phrase, optional
         Why something cannot be shown as things are.
     grips : tuple of Grip
+    idle : bool
+        Whether nothing of the phenomenon is shown, whatever its settings; `warning` says why.
     """
 
     readings: tuple[Reading, ...]
@@ -478,6 +480,7 @@ class Exhibit:
     rendering: Rendering | None = None
     warning: Phrase | None = None
     grips: tuple[Grip, ...] = ()
+    idle: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -587,7 +590,8 @@ class Phenomenon:
         """What is shown; of a free matrix, that has no lens to show it with, only that."""
         if isinstance(projection.lens, FreeMatrix):
             hidden = Copy(np.zeros((4, 4)), panes=())
-            return Exhibit((), copies=(hidden,) * self.copies, warning=Phrase(_FREE))
+            copies = (hidden,) * self.copies
+            return Exhibit((), copies=copies, warning=Phrase(_FREE), idle=True)
         return self.show(projection, settings, subject)
 
     def checked(self, values: Mapping[str, Any]) -> Settings:
