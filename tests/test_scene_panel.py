@@ -125,6 +125,18 @@ def test_every_row_makes_its_edit(owner: Owner) -> None:
     ]  # fmt: skip
 
 
+def test_a_refusal_goes_when_another_setting_is_accepted(owner: Owner) -> None:
+    panel = owner.panel
+    light: Any = panel.rows["light"]
+    enter(light.fields[1], "high")
+    assert light.error and light.fields[1].text() == "high"
+    owner.projection = replace(owner.projection, camera=Camera((9.0, 9.0, 9.0)))
+    owner.show()
+    assert light.error and light.fields[1].text() == "high", "its field has the focus"
+    enter(number_row(panel, "gap").field, "0.25")
+    assert not light.error and light.fields[1].text() == "3.6"
+
+
 def test_of_a_free_matrix_nothing_can_be_chosen_and_a_tooltip_says_why(
     owner: Owner, qapp: QApplication
 ) -> None:

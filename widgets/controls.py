@@ -152,14 +152,15 @@ class Controls(QScrollArea):
         ----------
         projection : Projection
         """
-        before = self._projection
-        if projection is before or projection == before:
+        before, changed = self._projection, set[str]()
+        if projection is not before and projection != before:
+            changed = {part for part in PARTS if getattr(projection, part) != getattr(before, part)}
+        for binding in self._bindings.values():
+            if binding.part in changed or (binding.row.error and not binding.row.in_hand):
+                binding.row.clear_error()
+        if not changed:
             return
         self._projection = projection
-        changed = {part for part in PARTS if getattr(projection, part) != getattr(before, part)}
-        for binding in self._bindings.values():
-            if binding.part in changed or (binding.row.error and binding.row.at_rest):
-                binding.row.clear_error()
         if "image_size" in changed:
             changed.add("lens")  # most measures of a field of view have the aspect in them
         if projection.lens.kind != before.lens.kind:

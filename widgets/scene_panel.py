@@ -119,6 +119,7 @@ class ScenePanel(QWidget):
         self._style = LIGHT
         self._stale = False
         self._why_not = ""
+        self._lines: list[QWidget] = []
         self._edits: Row | None = None
         self.players: dict[str, Player] = {}
 
@@ -287,11 +288,11 @@ class ScenePanel(QWidget):
     def _make_rows(self, settings: Iterable[Setting]) -> None:
         for name in self.rows:
             self.players.pop(name, None)
-        while item := self._rows.takeAt(0):
-            line = item.widget()
-            if line is not None:
-                line.hide()
-                line.deleteLater()
+        for line in self._lines:
+            self._rows.removeWidget(line)
+            line.hide()
+            line.deleteLater()
+        self._lines = []
         self.rows = {}
         for setting in settings:
             row = make_row(setting)
@@ -303,6 +304,7 @@ class ScenePanel(QWidget):
             if setting.per_second and isinstance(row, NumberRow):
                 line = self._with_player(setting, row)
             self._rows.addWidget(line)
+            self._lines.append(line)
             for part in (line, *line.findChildren(QWidget)):
                 part.installEventFilter(self)
         self._why_not = ""
@@ -368,7 +370,7 @@ class ScenePanel(QWidget):
         self._stale = False
         for name, value in self._settings.items():
             row = self.rows[name]
-            if row.error and row.at_rest and row is not self._edits:
+            if row.error and not row.in_hand and row is not self._edits:
                 row.clear_error()  # what another value has cured
             row.setValue(value)
             if name in self.players:
@@ -388,9 +390,7 @@ class ScenePanel(QWidget):
         """Let the settings be changed, unless a sentence says why that would change nothing."""
         if why_not != self._why_not:
             self._why_not = why_not
-            for place in range(self._rows.count()):
-                line = self._rows.itemAt(place).widget()
-                assert line is not None
+            for line in self._lines:
                 line.setEnabled(not why_not)
             if why_not:
                 self.pause()
