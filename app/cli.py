@@ -109,12 +109,7 @@ def _size(value: str) -> tuple[int, int]:
     match = re.fullmatch(r"([0-9]{1,9})[xX×]([0-9]{1,9})", value)
     if match is None:
         raise CliError(f"--size = {value!r}: must be WIDTHxHEIGHT in pixels, such as 1800x600.")
-    width, height = int(match[1]), int(match[2])
-    for name, side in (("width", width), ("height", height)):
-        if not 1 <= side <= LARGEST_IMAGE_PX:
-            bound = WHOLE_PIXELS.format(LARGEST_IMAGE_PX)
-            raise CliError(f"--size {name} = {side}: {bound}.")
-    return width, height
+    return int(match[1]), int(match[2])
 
 
 def _scale(value: str) -> float:
@@ -149,6 +144,9 @@ def _window(arguments: Sequence[str]) -> int:
     found, words = parser.read(arguments, 0, 1)
     if found.screenshot is not None:
         _check_png("--screenshot", found.screenshot)
+    for name, side in zip(("width", "height"), found.size or (), strict=False):
+        if not 1 <= side <= LARGEST_IMAGE_PX:
+            raise CliError(f"--size {name} = {side}: {WHOLE_PIXELS.format(LARGEST_IMAGE_PX)}.")
     file = words[0] if words else None
     document = document_of(file, found.set)
     from_file = is_mesh(document.scene) or document.mesh
@@ -236,7 +234,8 @@ def _export(arguments: Sequence[str]) -> int:
         # A mesh is named from the picture's folder, so that both can be moved together.
         write_png(out, pixels, to_json(document, os.path.dirname(os.path.realpath(out))))
     except FigureError as error:
-        raise CliError(str(error)) from error
+        of_size = found.size is not None and str(error).startswith(("width", "height"))
+        raise CliError(f"{'--size ' if of_size else ''}{error}") from error
     return 0
 
 
@@ -252,6 +251,7 @@ def _project(arguments: Sequence[str]) -> int:
     parser.add_choice("--format", tuple(_PROJECT_FORMATS), "form of the output (table)", "table")
     parser.add_choice("--rung", RUNGS, "arithmetic (float64, or exact where that is needed)")
     parser.add_set()
+    _check_typed_points(arguments)
     found, (*file, source) = parser.read(arguments, 1, 2)
     if not file and source.lower().endswith((".json", *MESH_ENDINGS)):
         raise CliError(f"POINTS is missing: {source} is what the camera is read from.")
@@ -276,6 +276,23 @@ class _Answer(NamedTuple):
     trace: Trace
     rung: Rung
     predictions: dict[Rung, Prediction] | None
+
+
+_POINTS = re.compile(r"(?=.*\d)[-+.\deE\s,;()\[\]]+")
+"""What is numbers and what stands between them, and so no file's name."""
+
+
+def _check_typed_points(arguments: Sequence[str]) -> None:
+    """Say how to give coordinates that were typed where a file belongs: 1,2,3, or 1 2 3."""
+    typed = [word for word in arguments if _POINTS.fullmatch(word) and not os.path.lexists(word)]
+    if not typed:
+        return
+    parts = [part for part in re.split(r"[\s,;()\[\]]+", " ".join(typed)) if part]
+    point = ",".join(parts) if len(parts) == 3 else "1,2,3"
+    raise CliError(
+        f"POINTS = {' '.join(typed)!r}: must be a CSV file, or - for standard input; for a point:"
+        f" echo {point} | python3 -m app project -."
+    )
 
 
 def _read_points(source: str) -> list[tuple[float, float, float]]:

@@ -45,6 +45,7 @@ from app.projection import (
     ProjectionError,
     StandardLens,
     format_value,
+    shown_limits,
 )
 from app.quality import AUTOMATIC, Quality
 
@@ -144,7 +145,7 @@ class DocumentError(ValueError):
         translate : callable
             Turns one of `BOUNDS` into another language.
         """
-        bound = translate(self.bound).format(*self.limits)
+        bound = translate(self.bound).format(*shown_limits(self.limits, self.value))
         file = _printable(self.file)
         if len(file) > _LONGEST_FILE:
             file = "..." + file[3 - _LONGEST_FILE :]

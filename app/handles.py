@@ -341,8 +341,8 @@ def _moved_plane(
     before: float = getattr(projection.standard_lens, handle.name)
     drawn_at = drawn[handle.name == "far"]
     distance, per_px = _slide(sight, *_rail(projection, handle, drawn), pixel)
-    if not projection.standard_lens.parallel:  # no plane is in the eye, and none behind it
-        distance = max(distance, 0.0)
+    if not projection.standard_lens.parallel and distance <= 0.0:  # in the eye, or behind it
+        distance = 0.0 if handle.name == "near" else projection.standard_lens.near
     if abs(before) > (1.0 + 1e-9) * abs(drawn_at) and abs(distance) >= abs(drawn_at):
         return float(f"{before * (distance / drawn_at):.6g}")
     return _tidy(distance, before, per_px)

@@ -116,6 +116,8 @@ from app.values import (
     format_value,
     keep_checked,
     read_only,
+    shown_limits,
+    six_digits,
 )
 
 __all__ = [  # the model's one door: what its other rooms hold can be had here
@@ -192,6 +194,8 @@ __all__ = [  # the model's one door: what its other rooms hold can be had here
     "fov_y_from_window",
     "oblique_angles",
     "receding_of",
+    "shown_limits",
+    "six_digits",
 ]
 
 _STRETCH = 8.0  # `Projection.stretch` up to which plain dot products keep 2e-12 px of 1920

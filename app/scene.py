@@ -45,7 +45,7 @@ from app.meshes import (
 from app.meshes import SceneCancelled as SceneCancelled  # `load` raises both
 from app.meshes import SceneError as SceneError
 from app.phenomena import PHENOMENA, Phenomenon
-from app.phenomena.exhibit import Subject
+from app.phenomena.exhibit import OwnMesh, Subject
 from app.projection import Array, Camera, Perspective, Projection
 from app.shapes import (
     EDGE_RGB,
@@ -81,6 +81,8 @@ SAMPLE = 100_000
 """Vertices of a larger mesh stand for all of them when errors are predicted."""
 SUBJECT_SAMPLE = 2_000
 """Vertices of a larger subject stand for all of them in what a phenomenon reckons at each step."""
+SUBJECT_EDGES, SUBJECT_TRIANGLES = 200, 1_000
+"""Of a mesh of more, a phenomenon reckons with the longest."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -103,6 +105,8 @@ class Scene:
         The camera and lens with which the scene opens.
     phenomenon : Phenomenon or None
         What it shows beyond the pipeline itself.
+    own_mesh : bool
+        Whether a mesh from a file is in the place of the phenomenon's subject.
     """
 
     name: str
@@ -113,6 +117,7 @@ class Scene:
     upper: Vector
     start: Projection
     phenomenon: Phenomenon | None = None
+    own_mesh: bool = False
 
     @property
     def requires(self) -> frozenset[str]:
@@ -124,7 +129,11 @@ class Scene:
         """What a phenomenon reckons with: the faces' bounds and vertices, without the grid."""
         points = np.empty((0, 3)) if self.surface is None else self.surface.points
         step = max(1, -(-len(points) // SUBJECT_SAMPLE))
-        return Subject(self.lower, self.upper, points[::step].astype(np.float64) + self.origin)
+        sample = points[::step].astype(np.float64) + self.origin
+        mesh = None
+        if self.own_mesh and self.surface is not None:
+            mesh = _longest_parts(self.surface, self.origin)
+        return Subject(self.lower, self.upper, sample, mesh)
 
     @property
     def size(self) -> float:
@@ -458,9 +467,54 @@ def _scene_of_phenomenon(
         lines=_line_set(joined((lines[0][grid], lines[1][grid]), _edges(mesh))),
         lower=_vector(mesh.points.min(axis=0)),
         upper=_vector(mesh.points.max(axis=0)),
+        own_mesh=True,
     )
     report(progress, 1.0)
     return scene
+
+
+def _longest_parts(surface: pv.PolyData, origin: Vector) -> OwnMesh:
+    """The longest edges of a surface, and the triangles with the longest."""
+    points = np.asarray(surface.points)
+    offsets, corners = cells_of(surface.GetPolys())
+    following = np.roll(corners, -1)
+    following[offsets[1:] - 1] = corners[offsets[:-1]]
+    sides = _lengths(points, corners, following)
+    # Most edges are there from either side, and with the copies of their ends that files make.
+    longest = _largest(sides, 8 * SUBJECT_EDGES)
+    ends = points[np.stack([corners[longest], following[longest]], axis=1)].astype(np.float64)
+    places, index = np.unique(ends.reshape(-1, 3), axis=0, return_inverse=True)
+    pairs = np.unique(np.sort(index.reshape(-1, 2), axis=1), axis=0)
+    edges = places[pairs[pairs[:, 0] != pairs[:, 1]]] if index.any() else ends[:1]
+    edges = edges[np.argsort(-np.linalg.norm(edges[:, 1] - edges[:, 0], axis=1), kind="stable")]
+
+    whole = surface if surface.is_all_triangles else surface.triangulate()
+    triangles = np.asarray(whole.regular_faces, dtype=np.int64)
+    a, b, c = triangles.T
+    span = np.max([_lengths(points, *pair) for pair in ((a, b), (b, c), (c, a))], axis=0)
+    chosen = points[triangles[_largest(span, SUBJECT_TRIANGLES)]].astype(np.float64)
+    if not len(chosen):  # all of them are lines
+        chosen = ends[:1, [0, 0, 1]]
+    return OwnMesh(
+        edges[:SUBJECT_EDGES] + origin,
+        chosen + origin,
+        len(longest) < len(sides) or len(edges) > SUBJECT_EDGES,
+        len(chosen) < len(triangles),
+    )
+
+
+def _lengths(points: NDArray[np.floating], starts: Ints, ends: Ints) -> NDArray[np.floating]:
+    span: NDArray[np.floating] = np.linalg.norm(points[ends] - points[starts], axis=1)
+    return span
+
+
+def _largest(values: NDArray[np.floating], count: int) -> Ints:
+    """Which values are the largest, at most `count`, the largest first."""
+    which: NDArray[np.intp] = np.arange(len(values))
+    if count < len(values):
+        which = np.argpartition(-values, count)[:count]
+    found: Ints = which[np.argsort(-values[which], kind="stable")]
+    return found
 
 
 def _scene_of_mesh(name: str, path: Path, progress: Progress | None) -> Scene:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import numbers
+from collections.abc import Iterable
 from typing import Any, Literal, TypeAlias
 
 import numpy as np
@@ -52,6 +53,8 @@ the frame would be made of their rounding errors.
 """
 
 _SHOWN = 100
+SHOWN_DIGITS = 6
+"""Of a bound, and of a value that a hand has dragged."""
 
 
 class ProjectionError(ValueError):
@@ -72,7 +75,8 @@ class ProjectionError(ValueError):
 
     def __init__(self, field: str, value: object, bound: str, *limits: object) -> None:
         self.field, self.value, self.bound, self.limits = field, value, bound, limits
-        super().__init__(f"{field} = {format_value(value)}: {bound.format(*limits)}.")
+        shown = bound.format(*shown_limits(limits, value))
+        super().__init__(f"{field} = {format_value(value)}: {shown}.")
 
 
 FINITE_NUMBER = "must be a finite number"
@@ -129,6 +133,61 @@ def format_value(value: object) -> str:
         whole: Any = value
         return f"{'-' if whole < 0 else ''}1e{int(math.log10(abs(whole)))}"
     return str(int(number)) if number.is_integer() and abs(number) < 1e15 else repr(number)
+
+
+def shown_limits(limits: Iterable[object], value: object) -> tuple[object, ...]:
+    """Limits to be read: with six digits, unless the refused value lies beyond what is shown.
+
+    Parameters
+    ----------
+    limits : iterable of object
+        Numbers, their texts, and words, which stay.
+    value : object
+        What was refused; a number, or any other thing.
+    """
+    return tuple(_shown_limit(limit, value) for limit in limits)
+
+
+def _shown_limit(limit: object, value: object) -> object:
+    number = _limit_number(limit)
+    shown = _six_digits(number)
+    if shown == number or _sides(value, shown) != _sides(value, number):
+        return limit
+    return format_value(shown)
+
+
+def six_digits(error: ProjectionError) -> ProjectionError:
+    """A refusal of what a hand has made, and nobody typed: its value too is shown with six digits.
+
+    It keeps them all where fewer would put it on the other side of a limit.
+    """
+    value, limits = error.value, shown_limits(error.limits, error.value)
+    short = tuple(map(_six_digits, value)) if isinstance(value, tuple) else _six_digits(value)
+    numbers_shown = [_limit_number(limit) for limit in limits]
+    if any(_sides(short, limit) != _sides(value, limit) for limit in numbers_shown):
+        return error
+    return ProjectionError(error.field, short, error.bound, *limits)
+
+
+def _six_digits(value: Any) -> Any:
+    return float(f"{value:.{SHOWN_DIGITS}g}") if isinstance(value, float) else value
+
+
+def _limit_number(limit: Any) -> Any:
+    """The number that a limit is or is the text of; a word has none, and stays."""
+    try:
+        return float(limit) if isinstance(limit, (float, str)) else limit
+    except ValueError:
+        return limit
+
+
+def _sides(value: object, limit: Any) -> list[tuple[bool, bool]]:
+    """On which side of a limit each number of a value is."""
+    if not isinstance(limit, float):
+        return []
+    parts = value if isinstance(value, (tuple, list)) else (value,)
+    real_parts = [part for part in parts if isinstance(part, (int, float))]
+    return [(part > limit, part < limit) for part in real_parts]
 
 
 def _cut(text: str) -> str:

@@ -462,6 +462,38 @@ def test_an_exception_in_a_slot_is_logged_and_reported(
     assert "Traceback" in caplog.text and "the moon" in caplog.text
 
 
+@pytest.mark.parametrize("when", ["first shown", "opened"])
+def test_what_fails_in_a_panel_while_it_is_shown_is_reported_and_the_window_stays(
+    watch: application.ExceptionWatch, display: Any, qtbot: Any, when: str
+) -> None:
+    from PySide6.QtCore import Qt
+    from PySide6.QtWidgets import QLabel, QToolButton, QWidget
+
+    from widgets.panels import Panels
+
+    class Broken(QWidget):
+        def showEvent(self, event: Any) -> None:
+            super().showEvent(event)
+            raise ValueError("the panel broke")
+
+    panels, broken, whole = Panels(), Broken(), QLabel("all is well")
+    qtbot.addWidget(panels)
+    panels.add("Broken", broken, "")
+    panels.add("Whole", whole, "")
+    if when == "first shown":
+        panels.open(broken)
+    application.show_window(panels)
+    first, second = panels.findChildren(QToolButton)
+    if when == "opened":
+        assert watch.report is None
+        qtbot.mouseClick(first, Qt.MouseButton.LeftButton)
+    display.processEvents()
+    assert watch.report is not None and "the panel broke" in watch.report.text
+    assert panels.isVisible() and panels.open_panel is broken
+    qtbot.mouseClick(second, Qt.MouseButton.LeftButton)
+    assert panels.open_panel is whole and whole.isVisible()
+
+
 def test_repeated_exceptions_do_not_pile_up_windows(
     watch: application.ExceptionWatch, display: Any
 ) -> None:

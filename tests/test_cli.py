@@ -410,6 +410,37 @@ def test_project_without_points_is_refused() -> None:
     assert "project takes [FILE] POINTS, and 0 names were given" in refused("project")
 
 
+@pytest.mark.parametrize(
+    ("words", "typed", "point"),
+    [
+        (["1,2,3"], "1,2,3", "1,2,3"),
+        (["1", "2.5", "-3e1"], "1 2.5 -3e1", "1,2.5,-3e1"),
+        (["-1,2,3"], "-1,2,3", "-1,2,3"),
+        (["(1, 2, 3)", "--set", "camera.eye=1,2,3"], "(1, 2, 3)", "1,2,3"),
+        (["1,2"], "1,2", "1,2,3"),
+        (["1" * 60 + ",2,3,4"], "1" * 60 + ",2,3,4", "1,2,3"),
+    ],
+)
+def test_project_of_typed_coordinates_says_how_to_give_them(
+    words: list[str], typed: str, point: str
+) -> None:
+    assert refused("project", *words) == (
+        f"POINTS = '{typed}': must be a CSV file, or - for standard input; for a point:"
+        f" echo {point} | python3 -m app project -.\n"
+    )
+    assert run("project", "-", text=f"{point}\n").returncode == 0
+
+
+def test_project_reads_a_file_whose_name_is_a_number(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "1,2,3"
+    path.write_text("1,2,3\n")
+    assert run("project", path).returncode == 0
+    monkeypatch.chdir(tmp_path)
+    cli._check_typed_points(["1,2,3", "-", "--set", "lens.far=inf"])
+
+
 def test_project_with_a_document_only_says_that_points_are_missing(by_hand: Path) -> None:
     assert "POINTS is missing" in refused("project", by_hand)
 
@@ -1067,7 +1098,15 @@ def test_export_options_reach_the_picture(tmp_path: Path, by_hand: Path) -> None
         (["figure"], "OUT = 'figure': must end in .png"),
         (["no/such/folder/figure.png"], "there is no folder no/such/folder"),
         (["figure.png", "--size", "0x100"], "--size width = 0: must be a whole number of pixels"),
-        (["figure.png", "--size", "100x100000"], "--size height = 100000: must be a whole number"),
+        (
+            ["figure.png", "--size", "960x100000"],
+            "--size height = 100000: must be a whole number of pixels from 32 to 16384.",
+        ),
+        (
+            ["figure.png", "--size", "10x100", "--panes", "world"],
+            "--size width = 10: must be a whole number of pixels from 32 to 16384.",
+        ),
+        (["figure.png", "--size", "9000x900", "--scale", "2"], "--size width = 9000 times scale 2"),
         (["figure.png", "--size", "big"], "--size = 'big': must be WIDTHxHEIGHT"),
         (["figure.png", "--scale", "0"], "scale = 0: must lie between 0"),
         (["figure.png", "--scale", "nan"], "scale = nan: must lie between 0"),

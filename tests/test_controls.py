@@ -35,6 +35,7 @@ from app.projection import (
     LARGEST,
     OBLIQUE_PRESETS,
     Camera,
+    FreeMatrix,
     Frustum,
     Oblique,
     Orbit,
@@ -1589,6 +1590,32 @@ def test_the_controls_that_matter_are_opened_framed_and_scrolled_to(
     assert row.grab().toImage().pixelColor(row.width() // 2, 0) != frame
 
 
+def test_of_a_free_matrix_no_control_is_framed_until_there_is_a_lens_again(
+    controls: Controls,
+) -> None:
+    controls.bring_to_front(("camera.up", "lens.far"))
+    before, start = framed(controls), controls.projection
+    assert before == {"up_x", "up_y", "up_z", "roll_deg", "far"}
+    cells: Any = tuple(
+        map(
+            tuple,
+            [
+                [2.0, 0.0, 0.0, 0.0],
+                [0.0, 2.0, 0.0, 0.0],
+                [0.0, 0.0, 1.0, 0.0],
+                [0.0, 0.0, 0.0, 1.0],
+            ],
+        )
+    )
+    controls.show_projection(replace(start, lens=FreeMatrix(cells)))
+    assert framed(controls) == set()
+    controls.bring_to_front(("camera.eye",))
+    assert framed(controls) == set()
+    controls.bring_to_front(("camera.up", "lens.far"))
+    controls.show_projection(start)
+    assert framed(controls) == before
+
+
 def test_a_frame_stays_with_its_row_in_another_lens_and_camera_mode(
     controls: Controls, qapp: QApplication
 ) -> None:
@@ -1600,3 +1627,38 @@ def test_a_frame_stays_with_its_row_in_another_lens_and_camera_mode(
     mode.choose("vectors")
     qapp.processEvents()
     assert framed(controls) == before and controls.rows["up_x"].isVisible()
+
+
+# -- a refusal, and what is done next
+
+
+@pytest.mark.parametrize(("other", "text"), [("width", "800"), ("fov_y_deg", "30"), ("eye_x", "1")])
+def test_a_refusal_goes_when_another_field_is_accepted(
+    controls: Controls, record: Record, other: str, text: str
+) -> None:
+    controls.rows["camera_mode"].choose("vectors")  # type: ignore[attr-defined]
+    near = number(controls, "near")
+    enter(near, "5000")
+    assert near.error and near.field.text() == "5000"
+    enter(number(controls, other), "nonsense")
+    assert near.error, "nothing has changed"
+    enter(number(controls, other), text)
+    assert not near.error and not number(controls, other).error
+    assert float(near.field.text()) == START.lens.near
+
+
+def test_a_refusal_stays_where_the_user_is_still_typing(
+    controls: Controls, record: Record, qapp: QApplication
+) -> None:
+    near = number(controls, "near")
+    enter(near, "5000")
+    moved = replace(START, camera=Camera((9.0, 9.0, 9.0)))
+    controls.show_projection(moved)  # as an animation does
+    assert near.error and near.field.text() == "5000"
+    QTest.keyClicks(near.field, "1")
+    controls.show_projection(START)
+    assert near.error and near.field.text() == "15000"
+    number(controls, "far").field.setFocus()
+    assert near.error
+    controls.show_projection(START)  # something else of the document has changed
+    assert not near.error and float(near.field.text()) == START.lens.near

@@ -199,7 +199,7 @@ def test_what_no_model_can_have_is_refused_and_never_nan() -> None:
     assert "must be less than far, which is 30" in refused(near, past)
     assert "must be greater than 0" in refused(near, (seen(near)[0] - right, seen(near)[1] - down))
     back = 2.0 * np.array(seen(near)) - seen(far)
-    assert "must be less than far, which is 0" in refused(far, (back[0], back[1]))
+    assert "must be less than far, which is 1" in refused(far, (back[0], back[1]))
     middle = at(projection, Handle("near", "near"), drawn, sight)
     beyond = 3.0 * middle - 2.0 * at(projection, corner, drawn, sight)
     assert "fov_y_deg = 0: must lie between 0 and 180" in refused(corner, tuple(beyond.tolist()))

@@ -217,7 +217,7 @@ def test_hovering_says_what_a_drag_does_and_costs_one_repaint(
     make_window: Callable[..., MainWindow],
 ) -> None:
     window = opened(make_window)
-    canvas, note = window.panes["world"].canvas, window.panes["world"].note
+    canvas, hand = window.panes["world"].canvas, window.manipulation
     handle, spot = mark(window, "near")
     before, tip = pixels(window, "world"), canvas.toolTip()
     counts = []
@@ -225,8 +225,8 @@ def test_hovering_says_what_a_drag_does_and_costs_one_repaint(
     for way in ((0, 0), (1, 0), (1, 1), (0, 0)):
         move(window, "world", point(spot) + QPoint(*way), button=Qt.MouseButton.NoButton)
     assert len(counts) == 1 and world(window).held == handle
-    assert "near plane" in note.text() and "Near = 1" in note.text()
-    assert canvas.toolTip() == note.text() != tip
+    assert "near plane" in hand.said and "Near = 1" in hand.said
+    assert canvas.toolTip() == hand.said != tip
     assert canvas.cursor().shape() == Qt.CursorShape.OpenHandCursor
     pointed = pixels(window, "world")
     changed = np.argwhere((pointed != before).any(axis=2))
@@ -237,13 +237,69 @@ def test_hovering_says_what_a_drag_does_and_costs_one_repaint(
     for _ in range(2):
         move(window, "world", away, button=Qt.MouseButton.NoButton)
     assert len(counts) == 1 and world(window).held is None
-    assert (note.text(), canvas.toolTip()) == ("", tip)
+    assert (hand.said, canvas.toolTip()) == ("", tip)
     assert canvas.cursor().shape() == Qt.CursorShape.ArrowCursor
     assert (pixels(window, "world") == before).all()
     move(window, "world", point(spot), button=Qt.MouseButton.NoButton)
     QApplication.sendEvent(canvas, QEvent(QEvent.Type.Leave))
     assert world(window).held is None
     canvas.render_window.RemoveObserver(observer)
+
+
+def test_what_is_said_of_a_handle_is_seen_whole_and_does_not_jump(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    """Beside the title where there is room, otherwise in a line over the pane; never in both."""
+    window = opened(make_window)
+    hand, pane = window.manipulation, window.panes["world"]
+    _, spot = mark(window, "eye")
+    at = point(spot)
+
+    def place() -> str:
+        line, note = hand._line, pane.note
+        if line.isVisible():
+            assert note.text() == "" and hand.said == line.text()
+            assert line.geometry().top() == pane.canvas.y() and line.width() == pane.width()
+            assert line.height() >= line.heightForWidth(line.width())
+            return "line"
+        assert hand.said == note.text()
+        assert note.fontMetrics().horizontalAdvance(note.text()) <= note.width()
+        return "title"
+
+    pane.title.setMinimumWidth(pane.width() // 2)  # as on a small screen: little room beside it
+    settle()
+    move(window, "world", at, button=Qt.MouseButton.NoButton)
+    assert "Eye = (6, 5, 9)" in hand.said and place() == "line"
+    press(window, "world", at)
+    for way in ((12, 0), (60, 30), (200, 0)):
+        move(window, "world", at + QPoint(*way))
+        assert "Eye = (" in hand.said and place() == "line"
+    pane.title.setMinimumWidth(0)
+    settle()
+    move(window, "world", at + QPoint(12, 2))
+    assert place() == "line", "it stays where it is while it is held"
+    release(window, "world", at + QPoint(12, 2))
+    move(window, "world", point((3.0, 3.0)), button=Qt.MouseButton.NoButton)
+    assert hand.said == "" and place() == "title"
+    move(window, "world", point(mark(window, "near")[1]), button=Qt.MouseButton.NoButton)
+    assert "Near = 1" in hand.said
+    place()
+
+
+def test_a_refusal_takes_the_place_of_what_is_said_and_gives_it_back(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = opened(make_window)
+    hand = window.manipulation
+    window.panes["world"].title.setMinimumWidth(window.panes["world"].width() // 2)
+    settle()
+    handle, spot = mark(window, "near")
+    far = along(window, handle, near=15.9)
+    press(window, "world", point(spot))
+    move(window, "world", point(spot) + QPoint(round(1.3 * far[0]), round(1.3 * far[1])))
+    assert hand.message.isVisible() and not hand._line.isVisible()
+    release(window, "world", point(spot))
+    assert not hand.message.isVisible() and "Near = " in hand.said and hand._line.isVisible()
 
 
 def test_every_handle_is_named_for_every_lens(make_window: Callable[..., MainWindow]) -> None:
@@ -255,7 +311,7 @@ def test_every_handle_is_named_for_every_lens(make_window: Callable[..., MainWin
         settle()
         for spot in marks(window).values():
             move(window, "world", point(spot), button=Qt.MouseButton.NoButton)
-            texts.add(window.panes["world"].note.text())
+            texts.add(window.manipulation.said)
         QApplication.sendEvent(window.panes["world"].canvas, QEvent(QEvent.Type.Leave))
     said = " | ".join(texts)
     for part in ("Eye = (6, 5, 9)", "Target = (0, 2.2, 0)", "Near = 5", "Far = 16",
@@ -303,6 +359,9 @@ def test_far_before_near_speaks_of_far_and_the_fov_of_its_bounds(
     move(window, "world", point(spot) + QPoint(round(1.2 * way[0]), round(1.2 * way[1])))
     assert bar.text.startswith("Far = ")
     assert bar.text.endswith("must be greater than near, which is 1.")
+    # Behind the eye there is no distance for it: what is named is the plane that stops it.
+    move(window, "world", point(spot) + QPoint(2 * way[0], 2 * way[1]))
+    assert bar.text == "Far = 1: must be greater than near, which is 1."
     release(window, "world", point(spot))
     window.store.set_projection(replace(model(window), lens=LENSES["perspective"]))
     handle, spot = mark(window, "corner")

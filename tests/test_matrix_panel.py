@@ -339,6 +339,23 @@ def test_a_cell_is_typed_and_goes_out_once(
     assert (0, 2) in panel.views["clip_from_view"].lit
 
 
+def test_what_is_made_of_a_fraction_is_said(
+    panel: MatrixPanel, qtbot: QtBot, edits: list[Projection]
+) -> None:
+    told: list[str] = []
+    panel.told.connect(told.append)
+    field = double_click(panel, qtbot, "clip_from_view", 0, 2)
+    assert "1/3" in field.toolTip() and field.placeholderText() == "1/3"
+    assert "a fraction such as 1/3" in panel.explanation.text()
+    type_cell(panel, qtbot, "clip_from_view", 0, 2, "0.25")
+    assert told == []
+    type_cell(panel, qtbot, "clip_from_view", 0, 2, " -1/3")
+    assert told == ["-1/3 is taken as -0.3333333333333333, its quotient to all digits of float64."]
+    assert edits[-1].direct_stages[0].matrix[0, 2] == -1 / 3
+    type_cell(panel, qtbot, "clip_from_view", 0, 2, "1/0")
+    assert len(told) == 1 and "must be a number" in panel.explanation.text()
+
+
 @pytest.mark.parametrize("lens", [Perspective(), Oblique(), OFF_AXIS.lens])
 def test_what_is_typed_as_it_stands_changes_nothing(
     panel: MatrixPanel, qtbot: QtBot, edits: list[Projection], lens: Any

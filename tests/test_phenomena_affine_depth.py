@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import Any
 
 import mpmath as mp
@@ -10,7 +11,7 @@ import numpy as np
 import pytest
 
 from app.phenomena.affine_depth import PHENOMENON, bow, inside
-from app.phenomena.exhibit import Exhibit, Subject
+from app.phenomena.exhibit import Exhibit, OwnMesh, Subject
 from app.projection import (
     Array,
     Camera,
@@ -223,3 +224,26 @@ def test_extremes_leave_no_nan(lens: Lens, depth: Any) -> None:
                         assert np.isfinite(mark.point).all()
                 for value in values(exhibit):
                     assert value is None or (math.isfinite(value) and value >= 0.0)
+
+
+def test_a_mesh_takes_the_letter_s_place() -> None:
+    """Its edges become bows, and the worst of them is the searched one."""
+    camera = Camera((3.0, 3.0, 9.0), (0.0, 2.5, 0.0))
+    projection = Projection(camera, Perspective(60.0, 2.0, 30.0))
+    edges = np.random.default_rng(6).uniform((-1.5, 0.0, -3.0), (1.5, 5.0, 3.0), (9, 2, 3))
+    trace = projection.trace(edges)
+    assert not trace.outside.any()
+    worst = max(searched(projection, *ends.tolist())[0] for ends in trace.view)
+    for more in (False, True):
+        subject = replace(SUBJECT, mesh=OwnMesh(edges, np.empty((0, 3, 3)), more))
+        exhibit = PHENOMENON.show(projection, PHENOMENON.defaults, subject)
+        reading = exhibit.readings[-1]
+        assert reading.label == "worst edge of the mesh"
+        assert reading.value == pytest.approx(float(worst), rel=1e-9)
+        assert (reading.note and reading.note.values) == (("9",) if more else None)
+        bows = [line.points for line in exhibit.ndc.lines if len(line.points) == 9]
+        ends = trace.ndc[..., :2]
+        np.testing.assert_allclose([points[[0, -1], :2] for points in bows], ends, atol=1e-9)
+    away = Projection(Camera((3.0, 3.0, 9.0), (3.0, 3.0, 90.0)), projection.lens)
+    nothing = PHENOMENON.show(away, PHENOMENON.defaults, subject).readings[-1]
+    assert nothing.value is None and nothing.note is not None

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from app.clipping import EYE_Z
-from app.phenomena.exhibit import Exhibit, Subject
+from app.phenomena.exhibit import Exhibit, OwnMesh, Subject
 from app.phenomena.eye_plane import CASES, PHENOMENON, circle_angles, pictures, principal_point
 from app.projection import (
     Array,
@@ -361,3 +361,27 @@ def test_settings_are_checked() -> None:
         PHENOMENON.checked({"end": (math.nan, 0.0, 0.0)})
     with pytest.raises(ProjectionError, match=r"settings\.start"):
         PHENOMENON.checked({"start": (0.0, 1e101, 0.0)})
+
+
+def test_a_mesh_takes_the_letter_s_place() -> None:
+    """Its edges are drawn in all three ways, and what of them is wrong is the sum of all."""
+    edges = np.random.default_rng(4).uniform((-1.5, 0.0, -3.0), (1.5, 5.0, 3.0), (12, 2, 3))
+    wrong = missed = mp.mpf(0)
+    for start, end in edges:
+        if any(view_of(PHENOMENON.start.camera, p)[2] >= 0 for p in (start, end)):
+            naive, _, right = lengths(PHENOMENON.start, start, end)
+            wrong, missed = wrong + naive, missed + right
+    for more in (False, True):
+        subject = replace(SUBJECT, mesh=OwnMesh(edges, np.empty((0, 3, 3)), more))
+        exhibit = PHENOMENON.show(PHENOMENON.start, PHENOMENON.defaults, subject)
+        assert float(wrong) > 100.0
+        assert value(exhibit, "mesh drawn wrongly") == pytest.approx(float(wrong), rel=1e-9)
+        assert value(exhibit, "mesh missed") == pytest.approx(float(missed), rel=1e-9)
+        assert not any(reading.label.startswith("F ") for reading in exhibit.readings)
+        notes = {r.note.values for r in exhibit.readings if r.note and r.label.startswith("mesh")}
+        assert notes == ({("12",)} if more else set())
+        trace = PHENOMENON.start.trace(edges)
+        drawn = pictures(PHENOMENON.start, trace.view, trace.clip)
+        for diagram, part in zip(exhibit.diagrams, drawn[:3], strict=False):
+            shown = diagram.curves[1].points.reshape(-1, 3, 2)[:, :2]
+            np.testing.assert_allclose(shown, part)

@@ -9,7 +9,7 @@ import mpmath
 import numpy as np
 import pytest
 
-from app.phenomena.exhibit import Exhibit, Subject
+from app.phenomena.exhibit import Exhibit, OwnMesh, Subject
 from app.phenomena.interpolation import (
     PHENOMENON,
     TEXELS,
@@ -21,6 +21,8 @@ from app.projection import Array, Camera, Perspective, Projection, ProjectionErr
 
 BOARD = np.array([(-5.0, 0, 5), (5, 0, 5), (5, 0, -5), (-5, 0, -5)])
 SUBJECT = Subject((-5.0, 0.0, -5.0), (5.0, 0.0, 5.0), BOARD[[3, 0, 2, 1]])
+TRIANGLES = np.array([BOARD[[0, 1, 3]], BOARD[[1, 2, 3]]])
+BOARD_TEXTURE = planar_texture(SUBJECT)
 
 
 def shown(projection: Projection, subject: Subject = SUBJECT, **settings: object) -> Exhibit:
@@ -87,7 +89,7 @@ def test_the_largest_errors_are_those_that_a_search_finds() -> None:
     random = np.random.default_rng(23)
     for number in range(50):
         projection, parts = random_projection(random), (1, 2, 3, 5)[number % 4]
-        found = largest_errors(projection, parts)
+        found = largest_errors(projection, TRIANGLES, BOARD_TEXTURE, parts)
         assert found is not None
         for formula, most in zip(found, searched(projection, parts, random), strict=True):
             assert most <= formula * (1.0 + 1e-9)
@@ -114,7 +116,9 @@ def test_half_way_on_the_screen_is_less_in_the_world() -> None:
 
 
 def test_twice_as_many_parts_leave_a_quarter() -> None:
-    errors = [largest_errors(PHENOMENON.start, parts) for parts in (16, 32, 64)]
+    errors = [
+        largest_errors(PHENOMENON.start, TRIANGLES, BOARD_TEXTURE, parts) for parts in (16, 32, 64)
+    ]
     for one, other in pairwise(errors):
         assert one is not None and other is not None
         assert one[0] / other[0] == pytest.approx(4.0, rel=0.1)
@@ -137,8 +141,6 @@ def test_a_mesh_has_its_texture_over_its_two_largest_extents() -> None:
     assert not matrix[:, 0].any(), "x is the smallest extent"
     needle = planar_texture(Subject((0.0, 0.0, 0.0), (0.0, 4.0, 0.0), np.zeros((2, 3))))
     assert np.isfinite(needle).all()
-    readings = shown(PHENOMENON.start, tall).readings
-    assert all(reading.value is None and reading.note is not None for reading in readings)
 
 
 @pytest.mark.parametrize(
@@ -149,3 +151,67 @@ def test_a_setting_out_of_bounds_is_named(name: str, value: object) -> None:
     with pytest.raises(ProjectionError) as error:
         PHENOMENON.checked({name: value})
     assert error.value.field == f"settings.{name}"
+
+
+def own(triangles: Array, more: bool = False) -> Subject:
+    """A mesh of the user's; its first edge is its longest, as a scene hands it out."""
+    points = triangles.reshape(-1, 3)
+    low, high = points.min(axis=0).tolist(), points.max(axis=0).tolist()
+    edges = triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2, 3)
+    edges = edges[np.argsort(-np.linalg.norm(edges[:, 1] - edges[:, 0], axis=1))]
+    return Subject(tuple(low), tuple(high), points, OwnMesh(edges, triangles, more, more))
+
+
+def test_the_readings_of_a_mesh_are_those_that_a_search_finds() -> None:
+    """50 meshes: along every edge of every small triangle, s, t and the place on the screen."""
+    random = np.random.default_rng(31)
+    line = np.linspace(0.0, 1.0, 801)[:, None]
+    for number in range(50):
+        projection, parts = random_projection(random), (1, 2, 3, 4)[number % 4]
+        triangles = random.uniform((-4.0, -1.0, -5.0), (4.0, 2.0, 5.0), (3, 3, 3))
+        subject = own(triangles)
+        if projection.trace(triangles).outside[..., 0].any():
+            continue
+        texture = planar_texture(subject)
+        texels = px = 0.0
+        for a, b, c in triangles:
+            ab, ac = (b - a) / parts, (c - a) / parts
+            for i in range(parts):
+                for j in range(parts - i):
+                    corner = a + i * ab + j * ac
+                    for start, end in (
+                        (corner, corner + ab), (corner + ab, corner + ac), (corner + ac, corner)
+                    ):  # fmt: skip
+                        trace = projection.trace(np.array([start, end]))
+                        q, (one, other) = 1.0 / trace.clip[:, 3], trace.image
+                        part = line * q[1] / ((1.0 - line) * q[0] + line * q[1])
+                        off = (line - part) * (texture[:, :3] @ (end - start))
+                        texels = max(texels, float(np.hypot(*off.T).max()) * TEXELS)
+                        off = (line - part) * (other - one)
+                        px = max(px, float(np.hypot(*off.T).max()))
+        readings = shown(projection, subject, subdivision=parts).readings
+        assert readings[0].value == pytest.approx(texels, rel=1e-4)
+        assert readings[1].value == pytest.approx(px, rel=1e-4)
+        (longest, *_) = subject.mesh.edges  # type: ignore[union-attr]
+        half = longest[0] + float(readings[2].value) / 100.0 * (longest[1] - longest[0])  # type: ignore[arg-type]
+        ends = projection.trace(longest).image
+        assert projection.trace(half).image == pytest.approx(ends.mean(axis=0), abs=1e-8)
+        said = readings[0].note
+        assert said is not None and "two largest extents" in said.template and not said.values
+
+
+def test_of_a_large_mesh_so_many_triangles_are_looked_at_as_is_said() -> None:
+    random = np.random.default_rng(5)
+    triangles = random.uniform((-4.0, -1.0, -5.0), (4.0, 2.0, 5.0), (1000, 3, 3))
+    for parts, count in ((1, 1000), (4, 250), (64, 15)):
+        readings = shown(PHENOMENON.start, own(triangles, True), subdivision=parts).readings
+        first = shown(PHENOMENON.start, own(triangles[:count]), subdivision=parts).readings
+        assert readings[0].note is not None and readings[0].note.values == (str(count),)
+        assert readings[1].value == first[1].value
+
+
+def test_a_mesh_that_near_cuts_has_no_error() -> None:
+    above = Camera((0.0, 1.0, 3.0), (0.0, 0.5, -4.0), (0.0, 1.0, 0.0))
+    exhibit = shown(replace(PHENOMENON.start, camera=above), own(TRIANGLES))
+    assert exhibit.warning is not None and exhibit.warning.template.startswith("the mesh")
+    assert all(reading.value is None and reading.note for reading in exhibit.readings)

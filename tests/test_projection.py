@@ -69,6 +69,8 @@ from app.projection import (
     fov_y_from_window,
     oblique_angles,
     receding_of,
+    shown_limits,
+    six_digits,
 )
 from app.values import SMALL_INVERSE, ZERO_OR_AT_LEAST
 from tests.oracles import exact
@@ -1462,7 +1464,7 @@ REFUSED: list[tuple[Callable[[], object], str, str, str]] = [
     (oblique_with(beta_deg=NAN), "beta_deg", FINITE_NUMBER,
      "beta_deg = nan: must be a finite number."),
     (oblique_with(alpha_deg=1e-5), "alpha_deg", AT_LEAST,
-     "alpha_deg = 1e-05: must be at least 5.729577951308232e-05."),
+     "alpha_deg = 1e-05: must be at least 5.72958e-05."),
     (oblique_with(alpha_deg=179.99999), "alpha_deg", AT_MOST,
      "alpha_deg = 179.99999: must be at most 179.99994270422047."),
     (oblique_with(far=INF), "far", FINITE_NUMBER, "far = inf: must be a finite number."),
@@ -1616,7 +1618,51 @@ def test_refused(make: Callable[[], object], field: str, bound: str, sentence: s
         make()
     assert str(caught.value) == sentence
     assert (caught.value.field, caught.value.bound) == (field, bound)
-    assert sentence.endswith(f": {bound.format(*caught.value.limits)}.")
+    shown = shown_limits(caught.value.limits, caught.value.value)
+    assert sentence.endswith(f": {bound.format(*shown)}.")
+
+
+@pytest.mark.parametrize(
+    ("value", "limit", "shown"),
+    [
+        (50.0, 2.0426315555555554, "2.04263"),
+        (2.0426315555555554, 0.12, "0.12"),
+        (2.04263157, 2.0426315555555554, "2.04263"),
+        (2.04264, "2.0426381", "2.0426381"),  # 2.04264 is no bound that it breaks
+        (2.042639, "2.0426381", "2.0426381"),
+        (2.04263, 2.0426315555555554, "2.0426315555555554"),
+        ((1.0, 2.042639, 3.0), 2.0426381, "2.0426381"),
+        (True, 1 / 3, "0.333333"),
+        ("a word", 1 / 3, "0.333333"),
+        (0.0, "perspective", "perspective"),
+        (0, 1234567, "1234567"),
+        (0.0, 16384, "16384"),
+        (INF, 1e100, "1e+100"),
+    ],
+)
+def test_a_bound_has_six_digits_unless_that_would_tell_another_story(
+    value: object, limit: object, shown: str
+) -> None:
+    (found,) = shown_limits((limit,), value)
+    assert str(found) == shown
+    error = ProjectionError("near", value, "must be less than far, which is {0}", limit)
+    assert str(error).endswith(f" {shown}.")
+
+
+@pytest.mark.parametrize(
+    ("value", "limit", "sentence"),
+    [
+        (2.0426315555555554, "1", "near = 2.04263: must be at least 1."),
+        ((0.1 + 0.2, 1.0, -1 / 3), 0, "near = (0.3, 1, -0.333333): must be at least 0."),
+        (0.99999999, "1", "near = 0.99999999: must be at least 1."),
+        (1.0000001, "1.0000002", "near = 1: must be at least 1.0000002."),
+        ("1/3", "1", "near = '1/3': must be at least 1."),
+    ],
+)
+def test_what_a_hand_has_dragged_has_six_digits(
+    value: object, limit: object, sentence: str
+) -> None:
+    assert str(six_digits(ProjectionError("near", value, AT_LEAST, limit))) == sentence
 
 
 def test_every_bound_is_known_to_translators_and_to_the_table_above() -> None:

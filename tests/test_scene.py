@@ -20,7 +20,17 @@ from hypothesis import strategies as st
 from app import scene as scene_module
 from app.phenomena import PHENOMENA
 from app.projection import Camera, Perspective, Projection
-from app.scene import BUILT_IN, ENDINGS, Scene, SceneCancelled, SceneError, frame_camera, load
+from app.scene import (
+    BUILT_IN,
+    ENDINGS,
+    SUBJECT_EDGES,
+    SUBJECT_TRIANGLES,
+    Scene,
+    SceneCancelled,
+    SceneError,
+    frame_camera,
+    load,
+)
 
 SIDES = ("+x", "-x", "+y", "-y", "+z", "-z")
 
@@ -417,6 +427,44 @@ def test_a_mesh_takes_the_place_of_a_phenomenons_subject(kind: str, tmp_path: Pa
     assert len(ground) > 20 and ground <= drawn
     assert len(drawn - ground) >= 5
     assert not outside(scene.start, world_points(scene))
+
+
+@pytest.mark.parametrize("kind", WRITERS)
+def test_a_mesh_in_a_phenomenon_has_its_edges_once(kind: str, tmp_path: Path) -> None:
+    """Also where the file repeats a vertex for every face."""
+    assert load("eye-plane").subject.mesh is None
+    mesh = load("eye-plane", mesh=str(pyramid_file(tmp_path, kind, 64.0))).subject.mesh
+    assert mesh is not None and not mesh.more_edges and not mesh.more_triangles
+    ends = {frozenset(map(tuple, edge)) for edge in mesh.edges.round(4).tolist()}
+    assert len(ends) == len(mesh.edges)
+    lengths = np.linalg.norm(mesh.edges[:, 1] - mesh.edges[:, 0], axis=1)
+    assert (np.diff(lengths) <= 0.0).all()
+    sides = mesh.triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2, 3)
+    assert ends <= {frozenset(map(tuple, edge)) for edge in sides.round(4).tolist()}
+    assert len(ends) in (8, 9)  # the base may be one face or two
+
+
+def test_a_large_mesh_in_a_phenomenon_has_its_longest_edges(tmp_path: Path) -> None:
+    random = np.random.default_rng(2)
+    points = random.normal(size=(900, 3))
+    lines = [f"v {x} {y} {z}" for x, y, z in points.tolist()]
+    faces = np.stack([np.arange(1, 899), np.arange(2, 900), np.arange(3, 901)], axis=1)
+    faces = np.concatenate([faces, random.permuted(faces, axis=0)])
+    faces = faces[[len(set(face)) == 3 for face in faces.tolist()]]
+    path = tmp_path / "many.obj"
+    path.write_text("\n".join(lines + [f"f {a} {b} {c}" for a, b, c in faces.tolist()]))
+    mesh = load("affine-depth", mesh=str(path)).subject.mesh
+    assert mesh is not None and mesh.more_edges and mesh.more_triangles
+    assert len(mesh.edges) == SUBJECT_EDGES and len(mesh.triangles) == SUBJECT_TRIANGLES
+    pairs = {tuple(sorted(pair)) for a, b, c in faces.tolist() for pair in ((a, b), (b, c), (c, a))}
+    all_lengths = sorted((float(np.linalg.norm(points[a - 1] - points[b - 1])) for a, b in pairs),
+                         reverse=True)  # fmt: skip
+    found = np.linalg.norm(mesh.edges[:, 1] - mesh.edges[:, 0], axis=1)
+    expected = np.array(all_lengths[:SUBJECT_EDGES])
+    assert np.allclose(found / found[0], expected / expected[0], rtol=1e-4)
+    sides = mesh.triangles - np.roll(mesh.triangles, 1, axis=1)
+    longest = np.linalg.norm(sides, axis=2).max(axis=1)
+    assert (np.diff(longest) <= 0.0).all() and np.isclose(longest[0], found[0])
 
 
 def test_a_flat_mesh_and_one_of_another_scale_stand_there_too(tmp_path: Path) -> None:

@@ -11,14 +11,15 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from PySide6.QtCore import QCoreApplication, Qt, QTranslator
+from PySide6.QtCore import QCoreApplication, QEvent, Qt, QTranslator
+from PySide6.QtGui import QHelpEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLineEdit, QSlider
+from PySide6.QtWidgets import QApplication, QLineEdit, QSlider, QToolTip
 from pytestqt.qtbot import QtBot
 
 from app.phenomena import PHENOMENA
 from app.phenomena.exhibit import Exhibit, Phrase, Reading, Setting, Settings, Subject
-from app.projection import Camera, ProjectionError
+from app.projection import Camera, FreeMatrix, ProjectionError
 from tests.phenomenon import EVERYTHING
 from widgets import palette
 from widgets.messages import Words, number_text
@@ -122,6 +123,48 @@ def test_every_row_makes_its_edit(owner: Owner) -> None:
         {"turn": -180.0}, {"gap": 0.25}, {"kind": "b"}, {"correct": False},
         {"light": (1.0, 3.6, 0.25)},
     ]  # fmt: skip
+
+
+def test_a_refusal_goes_when_another_setting_is_accepted(owner: Owner) -> None:
+    panel = owner.panel
+    light: Any = panel.rows["light"]
+    enter(light.fields[1], "high")
+    assert light.error and light.fields[1].text() == "high"
+    owner.projection = replace(owner.projection, camera=Camera((9.0, 9.0, 9.0)))
+    owner.show()
+    assert light.error and light.fields[1].text() == "high", "its field has the focus"
+    enter(number_row(panel, "gap").field, "0.25")
+    assert not light.error and light.fields[1].text() == "3.6"
+
+
+def test_of_a_free_matrix_nothing_can_be_chosen_and_a_tooltip_says_why(
+    owner: Owner, qapp: QApplication
+) -> None:
+    panel = owner.panel
+    start = EVERYTHING.start
+    cells = tuple(map(tuple, np.eye(4).tolist()))
+    free = replace(start, lens=FreeMatrix(cells))
+    panel.players["turn"].play()
+    panel.show_exhibit(EVERYTHING.exhibit(free, owner.settings, SUBJECT))
+    assert not any(row.isEnabled() for row in panel.rows.values())
+    assert not panel.players["turn"].playing and not panel.players["turn"].button.isEnabled()
+    assert panel.use_mesh.isEnabled() and "choose a lens" in panel.warning.text()
+    row = number_row(panel, "gap")
+    for part in (row.slider, row.field, row.name_label):
+        place = part.rect().center()
+        QApplication.sendEvent(
+            part, QHelpEvent(QEvent.Type.ToolTip, place, part.mapToGlobal(place))
+        )
+        assert QToolTip.text().endswith("choose a lens to see this.")
+        QToolTip.hideText()
+    panel.show_exhibit(EVERYTHING.exhibit(start, owner.settings, SUBJECT))
+    assert all(row.isEnabled() for row in panel.rows.values())
+    assert panel.players["turn"].button.isEnabled()
+    place = row.field.rect().center()
+    QApplication.sendEvent(
+        row.field, QHelpEvent(QEvent.Type.ToolTip, place, row.field.mapToGlobal(place))
+    )
+    assert "choose a lens" not in QToolTip.text()
 
 
 def test_shown_values_are_never_answered(owner: Owner) -> None:

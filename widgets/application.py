@@ -803,10 +803,11 @@ def run_window(
             raise WindowError(str(error)) from error
         if options.size:
             window.resize(*options.size)
-        window.show()
         if options.screenshot:
+            window.show()
             _take_screenshot(application, window, options.screenshot)
         else:
+            show_window(window)
             application.exec()
         window.deleteLater()
         application.sendPostedEvents(None, QEvent.Type.DeferredDelete)
@@ -815,6 +816,18 @@ def run_window(
         watch.remove()
         qInstallMessageHandler(None)
     return 0
+
+
+def show_window(window: QWidget) -> None:
+    """Show the window; an exception in one of its parts is reported, and does not end the program.
+
+    In the event loop PySide6 gives such an exception to Python's hook. Here, where Python has
+    called, it raises it, after all of the window has been shown.
+    """
+    try:
+        window.show()
+    except Exception:
+        sys.excepthook(*sys.exc_info())
 
 
 def _take_screenshot(application: QApplication, window: Any, path: Path) -> None:

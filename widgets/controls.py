@@ -102,6 +102,7 @@ class Controls(QScrollArea):
         self._projection = Projection()
         self._defaults = self._projection
         self._size = 10.0
+        self._mattering: set[str] = set()
         self.sections: dict[str, Section] = {}
         self.setWidgetResizable(True)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
@@ -151,17 +152,19 @@ class Controls(QScrollArea):
         ----------
         projection : Projection
         """
-        before = self._projection
-        if projection is before or projection == before:
+        before, changed = self._projection, set[str]()
+        if projection is not before and projection != before:
+            changed = {part for part in PARTS if getattr(projection, part) != getattr(before, part)}
+        for binding in self._bindings.values():
+            if binding.part in changed or (binding.row.error and not binding.row.in_hand):
+                binding.row.clear_error()
+        if not changed:
             return
         self._projection = projection
-        changed = {part for part in PARTS if getattr(projection, part) != getattr(before, part)}
-        for binding in self._bindings.values():
-            if binding.part in changed or (binding.row.error and binding.row.at_rest):
-                binding.row.clear_error()
         if "image_size" in changed:
             changed.add("lens")  # most measures of a field of view have the aspect in them
         if projection.lens.kind != before.lens.kind:
+            self._frame_rows()
             self._lens.fit(projection, self._size, self._defaults)
         elif "lens" in changed:
             self._lens.follow(projection)
@@ -223,21 +226,29 @@ class Controls(QScrollArea):
         ----------
         paths : collection of str
             Of the document: ``lens.near``, ``camera.eye``. Their sections are opened, the first
-            of them is scrolled to, and all are framed until the next call.
+            of them is scrolled to, and all are framed until the next call, while there is a lens.
         """
-        names = {name for path in paths for name in _names(path)}
+        self._mattering = {name for path in paths for name in _names(path)}
         marked = []
         for section in self.sections.values():
             for key, binding in section.bindings.items():
-                matters = key in names or binding.field in names
-                _frame(binding.row, matters)
-                if matters:
+                if self._matters(key, binding):
                     marked.append(binding.row)
                     if not section.is_open:
                         section.set_open(True)
+        self._frame_rows()
         if marked:
             # After the layout has made room; a row that is not in use now may have none.
             QTimer.singleShot(0, self, partial(self._scroll_to, marked))
+
+    def _matters(self, key: str, binding: Binding) -> bool:
+        return key in self._mattering or binding.field in self._mattering
+
+    def _frame_rows(self) -> None:
+        """Frame what matters for the scene; of a free matrix it shows nothing that could."""
+        free = isinstance(self._projection.lens, FreeMatrix)
+        for key, binding in self._bindings.items():
+            _frame(binding.row, self._matters(key, binding) and not free)
 
     def _scroll_to(self, rows: list[Row]) -> None:
         _lay_out()

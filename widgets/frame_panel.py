@@ -325,7 +325,7 @@ class FramePanel(QWidget):
 
     def _show_up(self, up: UpAndView) -> None:
         self.angle.setValue(tidy(up.angle_deg))
-        if self.angle.at_rest:
+        if not self.angle.in_hand:
             self.angle.clear_error()
         self.figures.setText(
             self.tr(

@@ -22,7 +22,7 @@ from typing import Any
 import numpy as np
 from PySide6.QtCore import QEvent, QObject, QPointF, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QLabel
 
 from app.drawings.image import ImageDrawing
 from app.drawings.world import WorldDrawing
@@ -40,7 +40,14 @@ from app.handles import (
 )
 from app.phenomena.exhibit import Exhibit, Grip, Settings
 from app.picking import Sight
-from app.projection import NOT_THE_EYE, OTHER_SIDE, Projection, ProjectionError, Vector
+from app.projection import (
+    NOT_THE_EYE,
+    OTHER_SIDE,
+    Projection,
+    ProjectionError,
+    Vector,
+    six_digits,
+)
 from widgets.message_bar import MessageBar
 from widgets.messages import field_name, seen_from, sentence
 from widgets.pane import ZOOM_PER_WHEEL_STEP, Pane
@@ -86,6 +93,13 @@ class Manipulation(QObject):
             "Shift-drag to move, wheel to zoom, double-click to reset; click to follow a point"
         )
         self.message = MessageBar(world)
+        self._line = QLabel(world)
+        self._line.setObjectName("heldLine")
+        self._line.setWordWrap(True)
+        self._line.setMargin(4)
+        self._line.setAutoFillBackground(True)
+        self._line.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self._line.hide()
         self._quiet = QTimer(self)
         self._quiet.setSingleShot(True)
         self._quiet.setInterval(QUIET_MS)
@@ -142,10 +156,12 @@ class Manipulation(QObject):
         drawing.hold(handle)
         self._world.request_repaint()
         canvas = self._world.canvas
+        self._line.hide()
         if handle is None:
             canvas.unsetCursor()
             canvas.setToolTip(self._plain_tip)
             self._world.note.clear()
+            self._line.clear()
         else:
             canvas.setCursor(Qt.CursorShape.OpenHandCursor)
             self._tell(handle)
@@ -156,14 +172,33 @@ class Manipulation(QObject):
             if handle.setting in self._grips:
                 value = _shown(_value(self._grips[handle.setting]))
                 text = self.tr("Drag this point (Shift: up and down)")
-                self._world.note.setText(f"{text}: {value}")
-                self._world.canvas.setToolTip(self._world.note.text())
+                self._say(f"{text}: {value}")
             return
         names, text = self._does(handle)
         values = present(self._projection, names)
         now = ", ".join(f"{field_name(name)} = {_shown(value)}" for name, value in values.items())
-        self._world.note.setText(f"{text}: {now}")
-        self._world.canvas.setToolTip(self._world.note.text())
+        self._say(f"{text}: {now}")
+
+    def _say(self, text: str) -> None:
+        """Beside the pane's title, or in a line over the pane if that is too narrow.
+
+        What once took the line keeps it: the text does not jump while its numbers change.
+        """
+        self._world.canvas.setToolTip(text)
+        note, line, width = self._world.note, self._line, self._world.width()
+        fits = note.fontMetrics().horizontalAdvance(text) <= note.width()
+        in_line = self.message.isHidden() and (line.isVisible() or not fits)
+        note.setText("" if in_line else text)
+        line.setText(text if in_line else "")
+        line.setVisible(in_line)
+        if in_line:
+            line.setGeometry(0, self._world.canvas.y(), width, line.heightForWidth(width))
+            line.raise_()
+
+    @property
+    def said(self) -> str:
+        """What is said about the handle under the mouse, or in the hand."""
+        return self._line.text() or self._world.note.text()
 
     def _does(self, handle: Handle) -> tuple[tuple[str, ...], str]:
         if handle.name == "eye":
@@ -262,6 +297,8 @@ class Manipulation(QObject):
         if isinstance(drawing, WorldDrawing) and drawing.held is not None:
             self._world.canvas.setCursor(Qt.CursorShape.OpenHandCursor)
         self._finish()
+        if isinstance(drawing, WorldDrawing) and drawing.held is not None:
+            self._tell(drawing.held)  # where a refusal was
 
     def _put_back(self) -> None:
         """Give up the drag: what it changed is as it was at its start."""
@@ -320,8 +357,9 @@ class Manipulation(QObject):
 
     def _refuse(self, pane: Pane, error: ProjectionError) -> None:
         bar, width = self.message, pane.width()
+        self._line.hide()
         bar.setParent(pane)
-        bar.say(sentence(error))
+        bar.say(sentence(six_digits(error)))
         layout = bar.layout()
         assert layout is not None
         bar.setGeometry(0, pane.canvas.y(), width, layout.totalHeightForWidth(width))

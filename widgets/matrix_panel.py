@@ -407,6 +407,10 @@ class MatrixView(QWidget):
         self._cursor = (row, column)
         self._field = field = _CellField(cell_text(self._matrix.values[row][column]), self)
         field.setAccessibleName(f"{self._matrix.name}[{row}, {column}]")
+        field.setPlaceholderText("1/3")
+        field.setToolTip(
+            self.tr("A number, or a fraction such as 1/3, which is divided to all digits")
+        )
         wide = QFontMetricsF(self.font()).horizontalAdvance(field.text() + "00") + 8.0
         rect = self._cell_rect(row, column)
         wide = min(max(wide, rect.width()), float(self.width()))
@@ -677,6 +681,8 @@ class MatrixPanel(QWidget):
     attended = Signal(object)
     """The `Attention` that the cell under the mouse or the cursor draws."""
     edited = Signal(object)
+    told = Signal(str)
+    """What was made of a text that is not the number itself: a sentence."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -805,12 +811,15 @@ class MatrixPanel(QWidget):
         into, of = (column, row) if self._rows else (row, column)
         try:
             value = parse_number(f"{name}[{into}, {of}]", text)
-            value *= cell_sign(self._projection, self._letters, name, into, of)
-            projection = with_cell(self._projection, name, into, of, value)
+            sign = cell_sign(self._projection, self._letters, name, into, of)
+            projection = with_cell(self._projection, name, into, of, sign * value)
         except ProjectionError as error:
             view.refuse()
             self.explanation.setText(sentence(error))
             return
+        if "/" in text:
+            taken = self.tr("{0} is taken as {1}, its quotient to all digits of float64.")
+            self.told.emit(taken.format(text.strip(), cell_text(value)))
         if projection != self._projection:
             self.show_projection(projection)
             self._refresh()
@@ -1025,7 +1034,10 @@ class MatrixPanel(QWidget):
         does = self._does(matrix, into, of, value)
         typed = ""
         if matrix.name in EDITABLE and self.cells.currentData() == "numbers":
-            typed = self.tr("Double-click or press Enter to type another number.") + " "
+            typed = self.tr(
+                "Double-click or press Enter to type another number, or a fraction such as 1/3."
+            )
+            typed += " "
         return f"{matrix.name}, {place}: {cell}. {does} {typed}{depends}"
 
     def _does(self, matrix: Matrix, into: int, of: int, value: float) -> str:

@@ -22,6 +22,7 @@ from app.projection import (
     THREE_NUMBERS,
     ProjectionError,
     format_value,
+    shown_limits,
 )
 
 # PySide6 declares that it takes and gives objects.
@@ -297,8 +298,12 @@ FIGURE_SENTENCES = (
     QT_TRANSLATE_NOOP("FigureError", "panes = {0}: must name at least one of {1}."),
     QT_TRANSLATE_NOOP("FigureError", "pane = {0}: must be one of {1}."),
     QT_TRANSLATE_NOOP("FigureError", "scale = {0}: must lie between 0, excluded, and {1}."),
-    QT_TRANSLATE_NOOP("FigureError", "width = {0}: must be from {1} to {2} pixels."),
-    QT_TRANSLATE_NOOP("FigureError", "height = {0}: must be from {1} to {2} pixels."),
+    QT_TRANSLATE_NOOP(
+        "FigureError", "width = {0}: must be a whole number of pixels from {1} to {2}."
+    ),
+    QT_TRANSLATE_NOOP(
+        "FigureError", "height = {0}: must be a whole number of pixels from {1} to {2}."
+    ),
     QT_TRANSLATE_NOOP(
         "FigureError",
         "width = {0} times scale {3}: must be from {1} to {2} pixels.",
@@ -612,7 +617,7 @@ def sentence(error: Exception) -> str:
     if isinstance(error, _Translatable):
         return error.sentence(translated)
     if isinstance(error, ProjectionError):
-        bound = translated(error.bound).format(*error.limits)
+        bound = translated(error.bound).format(*shown_limits(error.limits, error.value))
         return f"{field_name(error.field)} = {_value_text(error.value)}: {bound}."
     return str(error)
 

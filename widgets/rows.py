@@ -324,6 +324,11 @@ class _Field(QLineEdit):
         super().__init__()
         self.refused = False
 
+    @property
+    def is_typed_in(self) -> bool:
+        """Whether keys go here, or will when the user comes back to the window."""
+        return self.window().focusWidget() is self
+
     def event(self, event: QEvent) -> bool:
         if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
             if event.key() == Qt.Key.Key_Escape and (self.refused or self.isModified()):
@@ -457,6 +462,11 @@ class Row(QWidget):
     def at_rest(self) -> bool:
         """Whether the row shows its value, and nothing that was refused or is being chosen."""
         return True
+
+    @property
+    def in_hand(self) -> bool:
+        """Whether the user is at it: drags it, or types in it."""
+        return False
 
     def show_error(self, sentence: str) -> None:
         """Refuse what was just edited, and say why below the row."""
@@ -756,6 +766,11 @@ class NumberRow(Row):
         """Whether the row shows its value, and nothing that was refused or is being chosen."""
         return not (self._open or self.field.refused or self.field.isModified())
 
+    @property
+    def in_hand(self) -> bool:
+        """Whether the user is at it: drags it, or types in it."""
+        return self._open or (not self.at_rest and self.field.is_typed_in)
+
     def clear_error(self) -> None:
         """Take the error away, and the refused text with it."""
         self.field.refused = False
@@ -1005,6 +1020,11 @@ class VectorRow(Row):
     def at_rest(self) -> bool:
         """Whether the row shows its value, and nothing that was refused or is being typed."""
         return not any(field.refused or field.isModified() for field in self.fields)
+
+    @property
+    def in_hand(self) -> bool:
+        """Whether the user types in it."""
+        return any((f.refused or f.isModified()) and f.is_typed_in for f in self.fields)
 
     def clear_error(self) -> None:
         """Take the error away, and the refused text with it."""

@@ -19,7 +19,7 @@ from functools import partial
 from typing import Any
 
 from PySide6.QtCore import QElapsedTimer, QEvent, QObject, QSize, Qt, QTimer, Signal
-from PySide6.QtGui import QHideEvent, QPalette, QShowEvent
+from PySide6.QtGui import QHelpEvent, QHideEvent, QPalette, QShowEvent
 from PySide6.QtWidgets import (
     QBoxLayout,
     QFrame,
@@ -31,6 +31,7 @@ from PySide6.QtWidgets import (
     QScrollArea,
     QSizePolicy,
     QToolButton,
+    QToolTip,
     QVBoxLayout,
     QWidget,
 )
@@ -119,6 +120,8 @@ class ScenePanel(QWidget):
         self._problem: Phrase | None = None
         self._style = LIGHT
         self._stale = False
+        self._why_not = ""
+        self._lines: list[QWidget] = []
         self._edits: Row | None = None
         self.players: dict[str, Player] = {}
 
@@ -287,11 +290,11 @@ class ScenePanel(QWidget):
     def _make_rows(self, settings: Iterable[Setting]) -> None:
         for name in self.rows:
             self.players.pop(name, None)
-        while item := self._rows.takeAt(0):
-            line = item.widget()
-            if line is not None:
-                line.hide()
-                line.deleteLater()
+        for line in self._lines:
+            self._rows.removeWidget(line)
+            line.hide()
+            line.deleteLater()
+        self._lines = []
         self.rows = {}
         for setting in settings:
             row = make_row(setting)
@@ -303,6 +306,10 @@ class ScenePanel(QWidget):
             if setting.per_second and isinstance(row, NumberRow):
                 line = self._with_player(setting, row)
             self._rows.addWidget(line)
+            self._lines.append(line)
+            for part in (line, *line.findChildren(QWidget)):
+                part.installEventFilter(self)
+        self._why_not = ""
         self._align()
 
     def _with_player(self, setting: Setting, row: NumberRow) -> QWidget:
@@ -365,7 +372,7 @@ class ScenePanel(QWidget):
         self._stale = False
         for name, value in self._settings.items():
             row = self.rows[name]
-            if row.error and row.at_rest and row is not self._edits:
+            if row.error and not row.in_hand and row is not self._edits:
                 row.clear_error()  # what another value has cured
             row.setValue(value)
             if name in self.players:
@@ -376,8 +383,19 @@ class ScenePanel(QWidget):
             [replace(r, value=self._counted) if r.counted else r for r in readings]
         )
         warning = self._problem if exhibit is None else exhibit.warning or self._problem
-        self.warning.say("" if warning is None else f"⚠ {_full(warning.sentence(of_phenomena))}")
+        why = "" if warning is None else _full(warning.sentence(of_phenomena))
+        self.warning.say(why and f"⚠ {why}")
+        self._let_choose(why if exhibit is not None and exhibit.idle else "")
         self._show_diagrams(() if exhibit is None else exhibit.diagrams)
+
+    def _let_choose(self, why_not: str) -> None:
+        """Let the settings be changed, unless a sentence says why that would change nothing."""
+        if why_not != self._why_not:
+            self._why_not = why_not
+            for line in self._lines:
+                line.setEnabled(not why_not)
+            if why_not:
+                self.pause()
 
     def _show_diagrams(self, diagrams: Sequence[Diagram]) -> None:
         while len(self.diagrams) < len(diagrams):
@@ -424,7 +442,10 @@ class ScenePanel(QWidget):
         return self.fontMetrics().height()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.Resize:
+        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip and self._why_not:
+            QToolTip.showText(event.globalPos(), self._why_not)  # instead of what it would do
+            return True
+        if event.type() == QEvent.Type.Resize and watched is self._diagram_column:
             self._place_diagrams()
         return super().eventFilter(watched, event)
 

@@ -17,11 +17,13 @@ from numpy.typing import NDArray
 from app.clipping import clip_segments
 from app.phenomena.exhibit import (
     QT_TRANSLATE_NOOP,
+    SOME_EDGES,
     Dot,
     Exhibit,
     Grip,
     Line,
     Marks,
+    OwnMesh,
     Phenomenon,
     Phrase,
     Reading,
@@ -46,6 +48,9 @@ _PARALLEL = QT_TRANSLATE_NOOP(
 )
 _OUTSIDE = QT_TRANSLATE_NOOP("phenomena", "the segment lies outside the view volume")
 _AWAY = QT_TRANSLATE_NOOP("phenomena", "no edge of the letter lies in the view volume")
+_MESH_AWAY = QT_TRANSLATE_NOOP(
+    "phenomena", "none of the mesh's edges that are looked at lies in the view volume"
+)
 _STRAIGHT = QT_TRANSLATE_NOOP("phenomena", "its image is straight: no place is the farthest")
 _SHORT = QT_TRANSLATE_NOOP("phenomena", "the segment is a single point of the cube")
 
@@ -80,11 +85,11 @@ def inside(projection: Projection, segments_world: Array) -> Inside:
         rows = rows[(clip[..., 3] >= lens.near).any(axis=1)]
         clip = clip[rows]
         beyond = lens.near - clip[..., 3]
-        for row, end in np.argwhere(beyond > 0.0):
-            here, there = beyond[row, end], beyond[row, 1 - end]
-            share = here / (here - there)
-            clip[row, end] = (1.0 - share) * clip[row, end] + share * clip[row, 1 - end]
-            clip[row, end, 2:] = projection.depth_range[0] * lens.near, lens.near
+        row, end = np.nonzero(beyond > 0.0)
+        here, there = beyond[row, end], beyond[row, 1 - end]
+        share = (here / (here - there))[:, None]
+        clip[row, end] = (1.0 - share) * clip[row, end] + share * clip[row, 1 - end]
+        clip[row, end, 2:] = projection.depth_range[0] * lens.near, lens.near
     found = clip_segments(clip[:, 0], clip[:, 1], projection.depth)
     seen = found.visible & (found.points_clip[..., 3] > 0.0).all(axis=1)
     w = found.points_clip[seen, :, 3]
@@ -187,16 +192,17 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
         texts=(Text("P", ends[0], "accent"), Text("Q", ends[1], "accent")),
     )
     grips = Grip("start", ends[0]), Grip("end", ends[1])
+    mesh = subject.mesh
     if projection.standard_lens.far == math.inf:
-        readings, why = _readings(None, None, Phrase(_INFINITE)), Phrase(_INFINITE)
+        readings, why = _readings(None, None, Phrase(_INFINITE), mesh), Phrase(_INFINITE)
         return Exhibit(readings, world, warning=why, grips=grips)
-    part = inside(projection, np.concatenate([ends[None], _EDGES]))
+    part = inside(projection, np.concatenate([ends[None], _EDGES if mesh is None else mesh.edges]))
     if projection.standard_lens.parallel:
         lines = [Line(pair, "muted") for pair in part.ndc[part.rows > 0]]
         lines += [Line(pair, "accent", 2.5) for pair in part.ndc[part.rows == 0]]
         straight = (0.0, 0.0)
         return Exhibit(
-            _readings(straight, 0.0, Phrase(_PARALLEL)),
+            _readings(straight, 0.0, Phrase(_PARALLEL), mesh),
             world,
             Marks(tuple(lines)),
             _in_picture(projection, part.ndc[part.rows == 0]),
@@ -207,7 +213,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
     own = part.rows == 0
     percent = found.percent[~own]
     percent = percent[np.isfinite(percent)]
-    letter = float(percent.max()) if len(percent) else None
+    worst = float(percent.max()) if len(percent) else None
     lines = [Line(points, "u") for points in bow(projection, _of(part, ~own), _EDGE_STEPS)]
     dots: list[Dot] = []
     texts: list[Text] = []
@@ -236,7 +242,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
         note = Phrase(_SHORT)
     at = None if note else (float(found.percent[0]), float(found.w[0]))
     return Exhibit(
-        _readings(at, letter, note),
+        _readings(at, worst, note, mesh),
         world,
         Marks(tuple(lines), (), tuple(dots), tuple(texts)),
         _in_picture(projection, part.ndc[own]),
@@ -253,10 +259,17 @@ def _in_picture(projection: Projection, ndc: Array) -> Marks:
 
 
 def _readings(
-    own: tuple[float, float] | None, letter: float | None, note: Phrase | None
+    own: tuple[float, float] | None,
+    worst: float | None,
+    note: Phrase | None,
+    mesh: OwnMesh | None,
 ) -> tuple[Reading, ...]:
-    """The readout: of PQ percent and distance, of the letter percent."""
+    """The readout: of PQ percent and distance, of the letter's or the mesh's edges percent."""
     percent, w = own or (None, None)
+    label, away, some = QT_TRANSLATE_NOOP("phenomena", "worst edge of the letter F"), _AWAY, None
+    if mesh is not None:
+        label, away = QT_TRANSLATE_NOOP("phenomena", "worst edge of the mesh"), _MESH_AWAY
+        some = Phrase(SOME_EDGES, (str(len(mesh.edges)),)) if mesh.more_edges else None
     straight = percent == 0.0
     return (
         Reading(
@@ -268,10 +281,10 @@ def _readings(
             note=note or (Phrase(_STRAIGHT) if straight else None),
         ),
         Reading(
-            QT_TRANSLATE_NOOP("phenomena", "worst edge of the letter F"),
-            letter,
+            label,
+            worst,
             "%",
-            (note or Phrase(_AWAY)) if letter is None else None,
+            (note or Phrase(away)) if worst is None else some,
         ),
     )
 
@@ -316,4 +329,5 @@ PHENOMENON = Phenomenon(
         ),
     ),
     controls=("lens.near", "lens.far"),
+    own_mesh=True,
 )

@@ -53,6 +53,9 @@ def QT_TRANSLATE_NOOP(_context: str, text: str) -> str:
 _FREE = QT_TRANSLATE_NOOP(
     "phenomena", "a free matrix has no near, no far and no window: choose a lens to see this"
 )
+SOME_EDGES = QT_TRANSLATE_NOOP(
+    "phenomena", "of the mesh only the {0} longest edges are drawn so and counted"
+)
 
 
 @dataclass(frozen=True)
@@ -464,6 +467,8 @@ class Exhibit:
     warning : Phrase, optional
         Why something cannot be shown as things are.
     grips : tuple of Grip
+    idle : bool
+        Whether nothing of the phenomenon is shown, whatever its settings; `warning` says why.
     """
 
     readings: tuple[Reading, ...]
@@ -475,6 +480,27 @@ class Exhibit:
     rendering: Rendering | None = None
     warning: Phrase | None = None
     grips: tuple[Grip, ...] = ()
+    idle: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class OwnMesh:
+    """Of a mesh of the user's what a phenomenon reckons edge by edge, in world coordinates.
+
+    Attributes
+    ----------
+    edges : (m, 2, 3) array
+        Of its faces, each once, the longest first.
+    triangles : (t, 3, 3) array
+        As they are rasterised, those with the longest sides first.
+    more_edges, more_triangles : bool
+        Whether it has more than these.
+    """
+
+    edges: Array
+    triangles: Array
+    more_edges: bool = False
+    more_triangles: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -487,11 +513,14 @@ class Subject:
         World bounds.
     points : (n, 3) array
         Its vertices in world coordinates; those of a large mesh are sampled.
+    mesh : OwnMesh, optional
+        If it is the user's, in the place of the built-in subject.
     """
 
     lower: Vector
     upper: Vector
     points: Array
+    mesh: OwnMesh | None = None
 
 
 def _keep(projection: Projection, _before: Settings, _after: Settings) -> Projection:
@@ -561,7 +590,8 @@ class Phenomenon:
         """What is shown; of a free matrix, that has no lens to show it with, only that."""
         if isinstance(projection.lens, FreeMatrix):
             hidden = Copy(np.zeros((4, 4)), panes=())
-            return Exhibit((), copies=(hidden,) * self.copies, warning=Phrase(_FREE))
+            copies = (hidden,) * self.copies
+            return Exhibit((), copies=copies, warning=Phrase(_FREE), idle=True)
         return self.show(projection, settings, subject)
 
     def checked(self, values: Mapping[str, Any]) -> Settings:
@@ -599,7 +629,30 @@ def point(settings: Settings, name: str) -> Vector:
 
 
 __all__ = [
-    "FINITE_NUMBER", "QT_TRANSLATE_NOOP", "Copy", "Curve", "Diagram", "Dot", "Exhibit", "Face",
-    "Fog", "Level", "Line", "Marks", "Phenomenon", "Phrase", "Reading", "Rendering", "Setting",
-    "Settings", "Subject", "Text", "Texture", "Value", "number", "point",
+    "FINITE_NUMBER",
+    "QT_TRANSLATE_NOOP",
+    "SOME_EDGES",
+    "Copy",
+    "Curve",
+    "Diagram",
+    "Dot",
+    "Exhibit",
+    "Face",
+    "Fog",
+    "Level",
+    "Line",
+    "Marks",
+    "OwnMesh",
+    "Phenomenon",
+    "Phrase",
+    "Reading",
+    "Rendering",
+    "Setting",
+    "Settings",
+    "Subject",
+    "Text",
+    "Texture",
+    "Value",
+    "number",
+    "point",
 ]  # fmt: skip

@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from app.clipping import LARGEST_CLIP, clip_segments, cut_at_eye, naive_ndc
 from app.phenomena.exhibit import (
     QT_TRANSLATE_NOOP,
+    SOME_EDGES,
     Curve,
     Diagram,
     Dot,
@@ -28,6 +29,7 @@ from app.phenomena.exhibit import (
     Grip,
     Line,
     Marks,
+    OwnMesh,
     Phenomenon,
     Phrase,
     Reading,
@@ -303,9 +305,10 @@ def _circle(angles: tuple[float, float] | None) -> Diagram:
 
 def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhibit:
     a, b = np.array(point(settings, "start")), np.array(point(settings, "end"))
+    mesh = subject.mesh
     if projection.standard_lens.parallel:
         return Exhibit((), warning=Phrase(_PARALLEL))
-    segments = np.concatenate([[(a, b)], _EDGES])
+    segments = np.concatenate([[(a, b)], _EDGES if mesh is None else mesh.edges])
     trace = projection.trace(segments)
     drawn = pictures(projection, trace.view, trace.clip)
     angles = circle_angles(projection, trace.clip[0])
@@ -321,7 +324,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
         _circle(angles),
     )  # fmt: skip
     return Exhibit(
-        _readings(projection, drawn, trace.view[0]),
+        _readings(projection, drawn, trace.view[0], mesh),
         world=_world_marks(projection, subject, a, b, -trace.view[0, :, 2]),
         ndc=_ndc_marks(projection, trace.clip[0]),
         image=_image_marks(drawn),
@@ -331,7 +334,9 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
     )
 
 
-def _readings(projection: Projection, drawn: Pictures, view: Array) -> tuple[Reading, ...]:
+def _readings(
+    projection: Projection, drawn: Pictures, view: Array, mesh: OwnMesh | None
+) -> tuple[Reading, ...]:
     behind = [end for end in (1, 0) if view[end, 2] > 0.0]
     ends = mirrored_end(projection, view[behind[0]]) if behind else None
     absent = None if ends else Phrase(_AT_INFINITY if behind else _NONE_BEHIND)
@@ -339,6 +344,13 @@ def _readings(projection: Projection, drawn: Pictures, view: Array) -> tuple[Rea
     off_axis = None
     if any(abs(p - m) > 1e-6 * m for p, m in zip(principal, middle, strict=True)):
         off_axis = Phrase(_OFF_AXIS, tuple(f"{part:.6g}" for part in principal))
+    wrongly = QT_TRANSLATE_NOOP("phenomena", "F drawn wrongly")
+    missed = QT_TRANSLATE_NOOP("phenomena", "F missed")
+    some = None
+    if mesh is not None:
+        wrongly = QT_TRANSLATE_NOOP("phenomena", "mesh drawn wrongly")
+        missed = QT_TRANSLATE_NOOP("phenomena", "mesh missed")
+        some = Phrase(SOME_EDGES, (str(len(mesh.edges)),)) if mesh.more_edges else None
     return (
         Reading(QT_TRANSLATE_NOOP("phenomena", "case"), CASES[int(drawn.case[0]) - 1]),
         Reading(QT_TRANSLATE_NOOP("phenomena", "AB drawn wrongly"), float(drawn.wrong_px[0]), "px"),
@@ -348,12 +360,8 @@ def _readings(projection: Projection, drawn: Pictures, view: Array) -> tuple[Rea
             float(drawn.left_out_px[0]),
             "px",
         ),
-        Reading(
-            QT_TRANSLATE_NOOP("phenomena", "F drawn wrongly"),
-            float(drawn.wrong_px[1:].sum()),
-            "px",
-        ),
-        Reading(QT_TRANSLATE_NOOP("phenomena", "F missed"), float(drawn.missed_px[1:].sum()), "px"),
+        Reading(wrongly, float(drawn.wrong_px[1:].sum()), "px", some),
+        Reading(missed, float(drawn.missed_px[1:].sum()), "px", some),
         Reading(QT_TRANSLATE_NOOP("phenomena", "mirrored end"), ends and ends[0], "px", absent),
         Reading(
             QT_TRANSLATE_NOOP("phenomena", "frame size minus right end"),
@@ -463,4 +471,5 @@ PHENOMENON = Phenomenon(
         ),
     ),
     controls=("camera.eye",),
+    own_mesh=True,
 )

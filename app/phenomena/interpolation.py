@@ -20,7 +20,6 @@ edge. All edges of the triangles are looked at, the diagonals too.
 
 from __future__ import annotations
 
-import math
 from functools import cache
 
 import numpy as np
@@ -50,18 +49,30 @@ TEXELS = 256
 
 _CHECKS = 8
 _CORNERS = np.array([(-5.0, 0, 5), (5, 0, 5), (5, 0, -5), (-5, 0, -5)])
-_SIDES = np.array([_CORNERS[0] - _CORNERS[1], _CORNERS[2] - _CORNERS[1]])
-"""From the corner that the diagonal of the two triangles starts at."""
 _RGB = (245, 242, 230)
 
-_OWN_MESH = QT_TRANSLATE_NOOP(
+_BOARD = _CORNERS[[[0, 1, 3], [1, 2, 3]]]
+"""Its two triangles; the diagonal is that which the rasteriser draws."""
+_MOST_PARTS = 1000
+"""Of this many sides of a mesh's triangles, after they are cut, the readings are found."""
+
+_LAID = QT_TRANSLATE_NOOP(
     "phenomena",
-    "the formula is for the edges of the built-in board; a mesh has its texture laid over its two"
-    " largest extents",
+    "the mesh has the texture laid over its two largest extents; coordinates of its own file are"
+    " not used",
+)
+_SOME = QT_TRANSLATE_NOOP(
+    "phenomena",
+    "the mesh has the texture laid over its two largest extents; only its {0} triangles with the"
+    " longest sides are looked at",
 )
 _CUT = QT_TRANSLATE_NOOP(
     "phenomena",
     "the board reaches behind the near plane: there is no picture of the edges that are cut there",
+)
+_MESH_CUT = QT_TRANSLATE_NOOP(
+    "phenomena",
+    "the mesh reaches behind the near plane: there is no picture of the edges that are cut there",
 )
 
 
@@ -76,52 +87,71 @@ def edge_error(ratio: Array) -> Array:
     return error
 
 
-def largest_errors(projection: Projection, parts: int) -> tuple[float, float] | None:
-    """The largest error of affine interpolation on the board, in texels and in pixels.
+def largest_errors(
+    projection: Projection, triangles: Array, texture_from_world: Array, parts: int
+) -> tuple[float, float] | None:
+    """The largest error of affine interpolation on some triangles, in texels and in pixels.
 
     Parameters
     ----------
     projection : Projection
+    triangles : (t, 3, 3) array
+        World coordinates.
+    texture_from_world : (2, 4) array
     parts : int
-        Of each of the board's sides; every part of the board is two triangles.
+        Of each of the triangles' sides; each triangle is drawn as the square of it.
 
     Returns
     -------
     (texels, px) or None
-        None where the near plane cuts the board.
+        None where the near plane cuts a triangle.
     """
-    starts, lengths = _edges_at_rim(parts)
-    trace = projection.trace(_CORNERS[1] + starts / parts @ _SIDES)
-    w, image = trace.clip[..., 3], trace.image
-    if projection.trace(_CORNERS).outside[:, 0].any() or not np.isfinite(image).all():
+    starts, steps = _edges_at_rim(parts)
+    ends = np.stack([starts, starts + steps]) / parts  # (2, m, 3), of the triangle's corners
+    trace = projection.trace(triangles)
+    if trace.outside[..., 0].any():
         return None
-    error = edge_error(w[1] / w[0])
-    across_px, down_px = (image[1] - image[0]).T
-    texels = float((error * lengths).max()) * TEXELS
-    return texels, float((error * np.hypot(across_px, down_px)).max())
+    width, height = projection.image_size
+    # What is linear on a triangle: clip x, y, w of every edge's two ends, (2, t, m, 3).
+    clip = ends[:, None] @ trace.clip[None, ..., [0, 1, 3]]
+    with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
+        image = clip[..., :2] / clip[..., 2:] * (width / 2.0, height / 2.0)
+        error = edge_error(clip[1, ..., 2] / clip[0, ..., 2])
+        px = error * np.hypot(*np.moveaxis(image[1] - image[0], -1, 0))
+    sides = steps @ (triangles @ texture_from_world[:, :3].T) / parts
+    texels = TEXELS * (error * np.hypot(sides[..., 0], sides[..., 1]))
+    if not (np.isfinite(px).all() and np.isfinite(texels).all()):
+        return None
+    return float(texels.max()), float(px.max())
 
 
 @cache
 def _edges_at_rim(parts: int) -> tuple[Array, Array]:
-    """The triangles' edges where an error can be the largest, of each of their three directions.
+    """The small triangles' edges where an error can be the largest, of each of three directions.
 
     Of the edges of one direction the nearest have the largest e. An edge's length on the screen is
     the length of something affine in its place, times a factor that depends on w alone: along a
-    line of constant w it is convex, and so it is largest where that line meets the rim.
+    line of constant w it is convex, and so it is largest where that line meets the rim of the
+    triangle of the edges' starts.
 
     Returns
     -------
-    (2, m, 2) and (m,) arrays
-        Ends, in parts along `_SIDES`, and lengths as parts of the board's side.
+    (m, 3) and (m, 3) arrays
+        Starts and steps, as multiples of the three corners; the starts add up to `parts`, the
+        steps to 0.
     """
-    ends, lengths = [], []
-    for step, length in (((1, 0), 1.0), ((0, 1), 1.0), ((1, 1), math.sqrt(2.0))):
-        last = parts - np.array(step)
-        grid = np.stack(np.meshgrid(*(np.arange(end + 1.0) for end in last)), axis=-1)
-        rim = ((grid == 0.0) | (grid == last)).any(axis=-1)
-        ends.append(np.stack([grid[rim], grid[rim] + step]))
-        lengths.append(np.full(int(rim.sum()), length / parts))
-    return np.concatenate(ends, axis=1), np.concatenate(lengths)
+    grid = np.array([(a, b) for a in range(parts) for b in range(parts - a)], dtype=np.float64)
+    rest = parts - 1.0 - grid.sum(axis=1, keepdims=True)
+    inner = np.concatenate([grid, rest], axis=1)
+    rim = inner[(inner == 0.0).any(axis=1)]
+    starts, steps = [], []
+    for corner in range(3):
+        start, step = np.zeros(3), np.zeros(3)
+        start[corner] = 1.0
+        step[corner], step[(corner + 1) % 3] = -1.0, 1.0
+        starts.append(rim + start)
+        steps.append(np.broadcast_to(step, rim.shape))
+    return np.concatenate(starts), np.concatenate(steps)
 
 
 def planar_texture(subject: Subject) -> Array:
@@ -136,25 +166,20 @@ def planar_texture(subject: Subject) -> Array:
     return matrix
 
 
-def _is_board(subject: Subject) -> bool:
-    points = subject.points
-    return points.shape == (4, 3) and set(map(tuple, points)) == set(map(tuple, _CORNERS))
-
-
 def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhibit:
     parts, affine = int(number(settings, "subdivision")), settings["interpolation"] == "affine"
     texture = Texture(
         planar_texture(subject), _CHECKS, affine, parts, settings["pattern"] == "coordinates"
     )
     rendering = Rendering(texture=texture)
-    if not _is_board(subject):
-        return Exhibit(_readings(None, None, Phrase(_OWN_MESH)), rendering=rendering)
-    errors = largest_errors(projection, parts)
-    ends = np.stack([_CORNERS[0], _CORNERS[3]])
+    triangles, ends, said, cut = _looked_at(subject, parts)
+    errors = largest_errors(projection, triangles, texture.texture_from_world, parts)
     trace = projection.trace(ends)
-    note = Phrase(_CUT) if errors is None else None
+    note = Phrase(cut) if errors is None else None
     if trace.outside[:, 0].any() or not np.isfinite(trace.image).all():
-        return Exhibit(_readings(errors, None, note), rendering=rendering, warning=Phrase(_CUT))
+        return Exhibit(
+            _readings(errors, None, Phrase(cut), said), rendering=rendering, warning=Phrase(cut)
+        )
     w = trace.clip[:, 3]
     part = 1.0 / (float(w[1] / w[0]) + 1.0)
     on_screen = trace.image.mean(axis=0)
@@ -181,7 +206,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
         ),
     )
     return Exhibit(
-        _readings(errors, part, note),
+        _readings(errors, part, note, said),
         world=world,
         image=image,
         rendering=rendering,
@@ -189,15 +214,30 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
     )
 
 
+def _looked_at(subject: Subject, parts: int) -> tuple[Array, Array, Phrase | None, str]:
+    """Triangles, the edge that is marked, what is to be said of them, and what if near cuts."""
+    mesh = subject.mesh
+    if mesh is None:
+        return _BOARD, _CORNERS[[0, 3]], None, _CUT
+    triangles = mesh.triangles[: max(1, _MOST_PARTS // parts)]
+    some = mesh.more_triangles or len(triangles) < len(mesh.triangles)
+    said = Phrase(_SOME, (str(len(triangles)),)) if some else Phrase(_LAID)
+    return triangles, mesh.edges[0], said, _MESH_CUT
+
+
 def _readings(
-    errors: tuple[float, float] | None, part: float | None, note: Phrase | None
+    errors: tuple[float, float] | None,
+    part: float | None,
+    note: Phrase | None,
+    said: Phrase | None,
 ) -> tuple[Reading, ...]:
+    """The readout; `note` says why there is none, `said` what it is of."""
     texels, px = (None, None) if errors is None else errors
     return (
         Reading(
             QT_TRANSLATE_NOOP("phenomena", "largest error of affine, in texels of 256"),
             texels,
-            note=note,
+            note=note or said,
         ),
         Reading(
             QT_TRANSLATE_NOOP("phenomena", "largest error of affine, on the screen"),
@@ -211,7 +251,7 @@ def _readings(
             ),
             None if part is None else 100.0 * part,
             "%",
-            None if part is not None else note or Phrase(_CUT),
+            None if part is not None else note,
         ),
     )
 
