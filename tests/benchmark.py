@@ -371,6 +371,10 @@ def measuring(scale: float) -> dict[str, Any]:
         last = turn + count
         return lambda: turn >= last
 
+    def seconds(count: float) -> Callable[[], bool]:
+        last = time.monotonic() + count
+        return lambda: time.monotonic() > last
+
     def wait(fraction: float) -> None:
         until = time.monotonic() + 60.0
         while not progress or progress[-1] < fraction:
@@ -389,8 +393,7 @@ def measuring(scale: float) -> dict[str, Any]:
             progress.clear()
             panel.choose(name)
             panel.run()
-            ready = time.monotonic() + 2.0  # it tells nothing while it waits
-            starting = dragged(lambda: time.monotonic() > ready)
+            starting = dragged(seconds(2.0))  # it tells nothing while it waits
             taken.setdefault("dragged while it starts", []).extend(starting)
             wait(0.01)
             taken.setdefault("dragged", []).extend(dragged(some()))
