@@ -538,7 +538,7 @@ def test_what_cannot_be_used_looks_it_and_says_why(panel: MeasurePanel, tmp_path
 @pytest.mark.parametrize("width", [1000, 1340, 1800])
 def test_a_note_in_the_table_is_seen_whole(panel: MeasurePanel, tmp_path: Path, width: int) -> None:
     panel.resize(width, 300)
-    note = smoothing.FEWER_SAMPLES.format(4)
+    note = arithmetic.NO_POINTS
     noted = Choice("MSAA 8", 1.0, 1.0, 2.0, note=note, use={"smoothing": "MSAA 8"})
     trade = Trade("smoothing", "ms", "levels RMS", (noted,), 5)
     panel.load(write(tmp_path / "a.json", replace(RESULTS, trades=(trade,), sweeps=())))
