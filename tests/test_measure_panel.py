@@ -33,6 +33,7 @@ from widgets import measuring, messages, palette
 from widgets.main_window import MainWindow
 from widgets.measure_panel import MeasurePanel
 from widgets.measuring import Measuring
+from widgets.pane import SMOOTHINGS
 
 SOON = 60_000  # ms; a process that imports VTK on a busy machine
 IN_USE = {"depth_format": "fixed24", "depth_mapping": "reversed", "rung": "good"}
@@ -45,7 +46,7 @@ def document() -> Document:
 
 @pytest.fixture
 def panel(qtbot: QtBot, document: Document) -> Iterator[MeasurePanel]:
-    made = MeasurePanel(lambda: document, lambda: IN_USE)
+    made = MeasurePanel(lambda: document, lambda: IN_USE, SMOOTHINGS)
     qtbot.addWidget(made)
     made.resize(1340, 300)
     made.show()

@@ -10,7 +10,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -59,7 +59,6 @@ from app.phenomena.exhibit import Diagram
 from widgets.diagram import DiagramView
 from widgets.measuring import Measuring
 from widgets.messages import sentence, translated
-from widgets.pane import SMOOTHINGS
 
 HEIGHT_PX = 225
 """Of the panel where it opens, at the ordinary font, in a window of 768; more in a higher one."""
@@ -82,6 +81,8 @@ class MeasurePanel(QWidget):
         The document as it stands, to be measured.
     current : callable
         What is in use now, as `Choice.use` has it.
+    smoothings : sequence of str
+        Those that the panes can draw with.
     """
 
     used = Signal(object)
@@ -95,10 +96,11 @@ class MeasurePanel(QWidget):
         self,
         document: Callable[[], Document],
         current: Callable[[], Mapping[str, str]],
+        smoothings: Sequence[str],
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
-        self._document, self._current = document, current
+        self._document, self._current, self._smoothings = document, current, smoothings
         self._style = LIGHT
         self._gestures = 0
         self._stale = True
@@ -486,7 +488,7 @@ class MeasurePanel(QWidget):
         self.table.setColumnCount(len(heads))
         self.table.setHorizontalHeaderLabels([named(head, translated) for head in heads])
         for y, row in enumerate(rows):
-            why = _why_not(choices[y]) if y < len(choices) else ""
+            why = self._why_not(choices[y]) if y < len(choices) else ""
             for x, text in enumerate(row):
                 cell = QTableWidgetItem(named(text, translated))
                 if why:
@@ -529,8 +531,14 @@ class MeasurePanel(QWidget):
                 self._use(choice)
                 return
 
+    def _why_not(self, choice: Choice) -> str:
+        """Why the panes cannot be drawn with a choice; empty if they can."""
+        if choice.use and choice.use.get("smoothing", "none") in self._smoothings:
+            return ""
+        return translated(MEASURED_ONLY).format(named(choice.name, translated))
+
     def _use(self, choice: Choice) -> None:
-        why = _why_not(choice)
+        why = self._why_not(choice)
         if not why:
             self.used.emit(dict(choice.use))
         elif choice.name:
@@ -561,13 +569,6 @@ class _Line(QLabel):
         self.setText(
             self.fontMetrics().elidedText(self._text, Qt.TextElideMode.ElideRight, self.width())
         )
-
-
-def _why_not(choice: Choice) -> str:
-    """Why the panes cannot be drawn with a choice; empty if they can."""
-    if choice.use and choice.use.get("smoothing", SMOOTHINGS[0]) in SMOOTHINGS:
-        return ""
-    return translated(MEASURED_ONLY).format(named(choice.name, translated))
 
 
 def _part(results: Results) -> Trade | Sweep:
