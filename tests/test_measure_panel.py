@@ -130,7 +130,7 @@ def test_what_is_not_saved_is_measured_with_its_mesh(
     monkeypatch.chdir(tmp_path)  # where the process is not
     start = load(str(mesh)).start
     changed = Document("triangle.obj", replace(start, lens=replace(start.lens, far=77.5)))
-    panel = MeasurePanel(lambda: changed, dict)
+    panel = MeasurePanel(lambda: changed, dict, SMOOTHINGS)
     qtbot.addWidget(panel)
     measured(qtbot, panel, "interpolation")
     found = panel.measured["interpolation"].document
@@ -191,7 +191,7 @@ def test_what_the_process_refuses_is_one_sentence(
     qtbot: QtBot, document: Document, tmp_path: Path
 ) -> None:
     gone = replace(document, scene=str(tmp_path / "gone.obj"))
-    panel = MeasurePanel(lambda: gone, dict)
+    panel = MeasurePanel(lambda: gone, dict, SMOOTHINGS)
     qtbot.addWidget(panel)
     refused = QSignalSpy(panel.refused)
     panel.show()
@@ -221,7 +221,7 @@ def test_nothing_before_the_eye_is_words_in_the_table(
     qtbot: QtBot, document: Document, tmp_path: Path
 ) -> None:
     away = replace(document.projection, camera=Camera((0, 0, 500), (0, 0, 900)))
-    panel = MeasurePanel(lambda: replace(document, projection=away), dict)
+    panel = MeasurePanel(lambda: replace(document, projection=away), dict, SMOOTHINGS)
     qtbot.addWidget(panel)
     panel.show()
     measured(qtbot, panel, "arithmetic")
