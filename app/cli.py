@@ -592,9 +592,6 @@ def _doctor(arguments: Sequence[str]) -> int:
 # --------------------------------------------------------------------------- measure
 
 
-# --------------------------------------------------------------------------- measure
-
-
 def _measure(arguments: Sequence[str]) -> int:
     try:
         from app.measure import command

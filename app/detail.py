@@ -24,6 +24,9 @@ SHARES = (0.5, 0.2, 0.1, 0.05, 0.01)
 """Of the triangles that are kept, from fine to coarse."""
 LEAST_TRIANGLES = 1_000
 """A mesh of fewer has nothing to leave out."""
+_DRAGGED = (*SHARES, 0.005, 0.002, 0.001, 0.0005)
+_LEAST_DRAGGED = 500
+"""Triangles: with fewer a frame hardly takes less, and says nothing of the shape any more."""
 QUADRIC_TRIANGLES = 100_000
 
 _MOST_BOXES = 400  # along the longest side; VTK ends the program where memory ends
@@ -63,6 +66,12 @@ def reduced(scene: Scene, share: float) -> Scene:
         assert scene.surface is not None
         made[share] = replace(scene, surface=_fewer(_triangles(scene.surface), share))
     return made[share]
+
+
+def shares_for_dragging(scene: Scene) -> tuple[float, ...]:
+    """The shares that may be drawn while a control is dragged, from fine to coarse."""
+    faces = 0 if scene.surface is None else scene.surface.n_cells
+    return tuple(share for share in _DRAGGED if share * faces >= _LEAST_DRAGGED)
 
 
 def is_made(scene: Scene, share: float) -> bool:

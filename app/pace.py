@@ -14,8 +14,9 @@ FRAME_MS = 33.0
 """Longest frame that is wanted, as long as nobody says otherwise: thirty a second."""
 LARGEST_FRAME_MS = 1000.0
 
-_WINDOW = 20  # frames that a level is judged by
-_HIGH = 0.9  # of them must be in time
+_WINDOW = 40  # frames that a level is judged by
+_HIGH = 0.95  # of them must be in time
+_ENOUGH = 0.9  # of the target: with longer frames, one that is not like the others is late
 _ROOM = 0.8  # of the target, for what is tried next
 _FRAMES_TO_JUDGE = 10
 _REMEMBERED = 300  # frames after which a level's time is no longer believed
@@ -94,7 +95,7 @@ class Pace:
         self._recent.append(ms)
         high = self._high()
         self._known[self._now] = high, self._count
-        if high > self.target_ms:
+        if high > _ENOUGH * self.target_ms:
             coarser = range(self._now + 1, len(self._levels))
             room = _ROOM * self.target_ms
             fitting = [i for i in coarser if self._expected(i) <= room]

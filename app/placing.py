@@ -33,7 +33,7 @@ def beside(
     frame : (4,) array
         Left, low, right, high: where names may be.
     along : (m, 2) array
-        Places along curves, which a name had better not hide.
+        Places along curves, which no name hides.
     gaps : (n,) array
         From each point to its name.
     taken : (k, 4) array
@@ -42,7 +42,8 @@ def beside(
     Returns
     -------
     list of n (4,) arrays or None
-        Boxes like `frame`; None where there is no free place.
+        Boxes like `frame`; None where there is no free place: one that neither the name nor the
+        line to it shares with another name, a dot or, but for the line, a curve.
     """
     reach = gaps[:, None] - 1.0
     dots = np.hstack([points - reach, points + reach])
@@ -61,15 +62,16 @@ def beside(
         boxes = np.hstack([centres - size / 2.0, centres + size / 2.0])
         free = (boxes[:, :2] >= frame[:2]).all(axis=1) & (boxes[:, 2:] <= frame[2:]).all(axis=1)
         free &= ~_overlap(boxes, np.vstack([taken, dots])).any(axis=1)
+        free &= ~_overlap(boxes, crossed).any(axis=1)
+        cost = 4.0 * steps + 0.1 * np.tile(np.arange(len(_DIRECTIONS)), _STEPS)
+        # The line from a point to its name runs through no other name, and no other dot.
+        lines = _line(point, np.clip(point, boxes[:, :2], boxes[:, 2:]))
+        others = dots[np.abs(points - point).max(axis=1) > 2.0 * gap]
+        struck = _overlap(lines.reshape(-1, 4), np.vstack([taken, others]))
+        free &= ~struck.reshape(*lines.shape[:2], -1).any(axis=(1, 2))
         if not free.any():
             found.append(None)
             continue
-        cost = 4.0 * steps + 3.0 * _overlap(boxes, crossed).sum(axis=1)
-        cost += 0.1 * np.tile(np.arange(len(_DIRECTIONS)), _STEPS)
-        # The line from a point to its name runs through no other name.
-        lines = _line(point, np.clip(point, boxes[:, :2], boxes[:, 2:]))
-        struck = _overlap(lines.reshape(-1, 4), taken).reshape(*lines.shape[:2], -1)
-        cost += 40.0 * struck.any(axis=(1, 2))
         chosen = int(np.argmin(np.where(free, cost, np.inf)))
         best: Floats = boxes[chosen]
         # Nor is a later name put on it, but on its point's end, where dots are alone anyway.

@@ -335,6 +335,83 @@ def adaptive(scale: float) -> dict[str, Any]:
     return figures
 
 
+def measuring(scale: float) -> dict[str, Any]:
+    """Slider steps while a measurement runs in its process, over those with none, in turn.
+
+    Dragged, which makes it wait; typed or with keys, one step by one, which does not; and dragged
+    while the process starts, which cannot wait yet.
+    """
+    window = open_window(sphere(10_000))
+    app = application()
+    row, panel = window.controls.rows["fov_y_deg"], window.measure_panel
+    progress: list[float] = []
+    panel.measuring.progressed.connect(progress.append)
+    count = max(10, round(40 * scale))
+    turn = 0
+
+    def steps(until: Callable[[], bool]) -> list[float]:
+        nonlocal turn
+        found = []
+        while not until() or len(found) < 5:
+            began = time.perf_counter()
+            row.slider.setValue(row.slider.value() + (1 if turn // 40 % 2 else -1))
+            app.processEvents()
+            found.append(time.perf_counter() - began)
+            turn += 1
+        return found
+
+    def dragged(until: Callable[[], bool]) -> list[float]:
+        window.controls.gesture_started.emit()
+        found = steps(until)
+        window.controls.gesture_finished.emit()
+        settle(app)
+        return found
+
+    def some() -> Callable[[], bool]:
+        last = turn + count
+        return lambda: turn >= last
+
+    def seconds(count: float) -> Callable[[], bool]:
+        last = time.monotonic() + count
+        return lambda: time.monotonic() > last
+
+    def wait(fraction: float) -> None:
+        until = time.monotonic() + 60.0
+        while not progress or progress[-1] < fraction:
+            assert panel.measuring.running and time.monotonic() < until, (progress, panel.words)
+            app.processEvents()
+            time.sleep(0.01)
+
+    dragged(some())  # finds the quality
+    figures: dict[str, Any] = {}
+    panel.how.setCurrentIndex(panel.how.findData(False))
+    for name in ("arithmetic", "interpolation", "smoothing", "detail", "near"):
+        taken: dict[str, list[float]] = {}
+        for _ in range(max(1, round(2 * scale))):
+            taken.setdefault("dragged alone", []).extend(dragged(some()))
+            taken.setdefault("typed alone", []).extend(steps(some()))
+            progress.clear()
+            panel.choose(name)
+            panel.run()
+            starting = dragged(seconds(2.0))  # it tells nothing while it waits
+            taken.setdefault("dragged while it starts", []).extend(starting)
+            wait(0.01)
+            taken.setdefault("dragged", []).extend(dragged(some()))
+            wait(progress[-1] + 0.01)
+            taken.setdefault("typed", []).extend(steps(some()))
+            assert panel.measuring.running, "steps beside nothing"
+            panel.measuring.kill()
+            settle(app)
+        for kind in ("dragged", "typed", "dragged while it starts"):
+            alone = taken[f"{kind.split()[0]} alone"]
+            figures[f"{name}, {kind}: p50, p95 over a step without"] = [
+                round(statistics.median(taken[kind]) / statistics.median(alone), 2),
+                round(percentile95(taken[kind]) / percentile95(alone), 2),
+            ]
+    close_window(window)
+    return figures
+
+
 def percentile95(values: list[float]) -> float:
     return statistics.quantiles(values, n=20)[-1]
 
@@ -715,6 +792,7 @@ PARTS: dict[str, Callable[[float], dict[str, Any]]] = {
     "panels": panel_steps,
     "strip": strip_step,
     "adaptive": adaptive,
+    "measuring": measuring,
     "repaints": repaints,
     "first-frame": first_frame,
     "cycles": open_and_close,

@@ -223,6 +223,34 @@ def test_names_never_hide_each_other_nor_dots_and_stay_inside(
         assert not inside.any()
 
 
+@given(
+    st.lists(
+        st.tuples(st.floats(10, 390), st.floats(10, 290), st.floats(5, 90)), min_size=2, max_size=14
+    ),
+    st.floats(0, 300),
+    st.floats(0, 300),
+)
+def test_names_and_their_lines_cross_no_curve_no_dot_and_no_earlier_name(
+    given_points: list[tuple[float, float, float]], left: float, right: float
+) -> None:
+    points = np.array([point[:2] for point in given_points])
+    sizes = np.array([(point[2], 12.0) for point in given_points])
+    frame = np.array([0.0, 0.0, 400.0, 300.0])
+    along = np.column_stack([np.linspace(0.0, 400.0, 400), np.linspace(left, right, 400)])
+    places = beside(points, sizes, frame, along, np.full(len(points), 5.0), NONE)
+    for i, box in enumerate(places):
+        if box is None:
+            continue
+        assert not ((along > box[:2]) & (along < box[2:])).all(axis=1).any()
+        end = np.clip(points[i], box[:2], box[2:])
+        line = points[i] + np.linspace(0.1, 0.9, 8)[:, None] * (end - points[i])
+        for other in places[:i]:
+            if other is not None:
+                assert not ((line > other[:2]) & (line < other[2:])).all(axis=1).any()
+        others = points[np.abs(points - points[i]).max(axis=1) > 10.0]
+        assert not (np.abs(line[:, None] - others) < 4.0).all(axis=-1).any()
+
+
 def test_a_name_stands_right_beside_a_lonely_point() -> None:
     frame = np.array([0.0, 0.0, 400.0, 300.0])
     one, size = np.array([[200.0, 150.0]]), np.array([[60.0, 12.0]])

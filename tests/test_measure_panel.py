@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import json
 import os
+import re
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from itertools import pairwise
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import psutil
 import pytest
 from PySide6.QtCore import QPoint, Qt
@@ -18,11 +21,11 @@ from pytestqt.qtbot import QtBot
 
 from app.document import Document
 from app.drawings.style import LIGHT
-from app.measure import arithmetic, chart, depth, detail, interpolation
+from app.measure import arithmetic, chart, depth, detail, interpolation, smoothing
 from app.measure import meaning as meanings
 from app.measure import results as kept
 from app.measure.meaning import meaning
-from app.measure.results import Results, from_json, table, to_csv, to_json
+from app.measure.results import Choice, Results, Trade, from_json, table, to_csv, to_json
 from app.projection import Camera, Perspective
 from app.scene import load
 from tests.test_chart import RESULTS, TRADE
@@ -30,6 +33,7 @@ from widgets import measuring, messages, palette
 from widgets.main_window import MainWindow
 from widgets.measure_panel import MeasurePanel
 from widgets.measuring import Measuring
+from widgets.pane import SMOOTHINGS
 
 SOON = 60_000  # ms; a process that imports VTK on a busy machine
 IN_USE = {"depth_format": "fixed24", "depth_mapping": "reversed", "rung": "good"}
@@ -42,7 +46,7 @@ def document() -> Document:
 
 @pytest.fixture
 def panel(qtbot: QtBot, document: Document) -> Iterator[MeasurePanel]:
-    made = MeasurePanel(lambda: document, lambda: IN_USE)
+    made = MeasurePanel(lambda: document, lambda: IN_USE, SMOOTHINGS)
     qtbot.addWidget(made)
     made.resize(1340, 300)
     made.show()
@@ -126,7 +130,7 @@ def test_what_is_not_saved_is_measured_with_its_mesh(
     monkeypatch.chdir(tmp_path)  # where the process is not
     start = load(str(mesh)).start
     changed = Document("triangle.obj", replace(start, lens=replace(start.lens, far=77.5)))
-    panel = MeasurePanel(lambda: changed, dict)
+    panel = MeasurePanel(lambda: changed, dict, SMOOTHINGS)
     qtbot.addWidget(panel)
     measured(qtbot, panel, "interpolation")
     found = panel.measured["interpolation"].document
@@ -187,7 +191,7 @@ def test_what_the_process_refuses_is_one_sentence(
     qtbot: QtBot, document: Document, tmp_path: Path
 ) -> None:
     gone = replace(document, scene=str(tmp_path / "gone.obj"))
-    panel = MeasurePanel(lambda: gone, dict)
+    panel = MeasurePanel(lambda: gone, dict, SMOOTHINGS)
     qtbot.addWidget(panel)
     refused = QSignalSpy(panel.refused)
     panel.show()
@@ -217,7 +221,7 @@ def test_nothing_before_the_eye_is_words_in_the_table(
     qtbot: QtBot, document: Document, tmp_path: Path
 ) -> None:
     away = replace(document.projection, camera=Camera((0, 0, 500), (0, 0, 900)))
-    panel = MeasurePanel(lambda: replace(document, projection=away), dict)
+    panel = MeasurePanel(lambda: replace(document, projection=away), dict, SMOOTHINGS)
     qtbot.addWidget(panel)
     panel.show()
     measured(qtbot, panel, "arithmetic")
@@ -428,6 +432,30 @@ def test_names_beside_points_do_not_hide_each_other(panel: MeasurePanel, tmp_pat
         assert not any(box.adjusted(0.1, 0.1, -0.1, -0.1).intersects(o) for o in boxes[:i])
 
 
+@pytest.mark.parametrize("projector", [False, True])
+def test_the_depth_chart_s_names_cross_nothing(
+    panel: MeasurePanel, document: Document, tmp_path: Path, projector: bool
+) -> None:
+    """In a panel as low as it opens: no name lies on another one, on a dot or on the frontier."""
+    found = replace(RESULTS, trades=(depth.measure(document.projection),), sweeps=())
+    panel.resize(1340, 225)
+    panel.load(write(tmp_path / "a.json", found))
+    panel.set_style(palette.drawing_style(dark=False, projector=projector, device_pixel_ratio=1.0))
+    view = panel.diagrams[0]
+    view.grab()
+    boxes = list(view.spot_names.values())
+    assert len(boxes) >= 4 and any("(now)" in name for name in view.spot_names)
+    diagram = chart.diagrams(found.trades[0], IN_USE)[0]
+    frontier = [view.to_px(x, y) for x, y in np.asarray(diagram.curves[-1].points).tolist()]
+    places = [one + (other - one) * t for one, other in pairwise(frontier)
+              for t in np.linspace(0.0, 1.0, 200).tolist()]  # fmt: skip
+    places += [view.to_px(spot.x, spot.y) for spot in diagram.spots]
+    for i, box in enumerate(boxes):
+        inner = box.adjusted(0.1, 0.1, -0.1, -0.1)
+        assert not any(inner.intersects(other) for other in boxes[:i])
+        assert not any(inner.contains(place) for place in places)
+
+
 def test_everything_has_a_name_and_a_tip(panel: MeasurePanel) -> None:
     buttons = (
         panel.run_button, panel.cancel_button, panel.export_button, panel.load_button,
@@ -448,8 +476,80 @@ def test_translators_are_given_every_text() -> None:
         *(detail.TOO_FEW, detail.NOT_SEEN, kept.CANCELLED),
     }
     assert set(messages.MEASURE_NOTES) == notes
+    assert messages.MEASURE_WORDS == kept.WORDS
     everything = messages.MEASURE_SENTENCES + messages.MEASURE_NOTES + messages.CHART_TEXTS
+    everything += messages.MEASURE_WORDS
     assert {messages._CONTEXTS[text] for text in everything} == {"Measure"}
+
+
+def test_every_name_of_a_choice_is_put_together_from_translated_parts(
+    document: Document,
+) -> None:
+    """Each part is either a format's or a program's own name, or is looked up."""
+    looked_up: list[str] = []
+
+    def translate(text: str) -> str:
+        looked_up.append(text)
+        return text.upper()
+
+    projection, scene = document.projection, load("letter-f")
+    trades = [
+        arithmetic.measure(projection, scene.corners, scene.origin, seconds=0.01),
+        interpolation.measure(projection, scene.corners, seconds=0.01),
+        depth.measure(projection),
+    ]
+    own = re.compile(r"(float|fixed)\d+|PyGLM|pylinalg|FXAA|MSAA \d|\d+ %|ns|ms|px|B|")
+    names = [c.name for trade in trades for c in trade.choices]
+    names += [each.name for each in smoothing.SMOOTHINGS] + [smoothing.FEWER_SAMPLES.format(4)]
+    names += [head for trade in trades for head in table(trade)[0]]
+    assert len(names) > 50
+    for name in names:
+        for part in name.split(", "):
+            looked_up.clear()
+            said = kept.named(part, translate)
+            assert own.fullmatch(part) or set(looked_up) <= set(kept.WORDS), part
+            assert own.fullmatch(part) or (looked_up and said == said.upper()), part
+    assert kept.named(
+        "affine, 4 pieces", {"affine": "afina", "{0} pieces": "{0} kom."}.__getitem__
+    ) == ("afina, 4 kom.")
+
+
+def test_what_cannot_be_used_looks_it_and_says_why(panel: MeasurePanel, tmp_path: Path) -> None:
+    usable = Choice("MSAA 2", 1.0, 1.0, 2.0, use={"smoothing": "MSAA 2"})
+    finer = replace(usable, name="supersampling 3 x 3", use={"smoothing": "supersampling 3 x 3"})
+    peer = Choice("PyGLM", None, None, None, note="not installed")
+    trade = Trade("smoothing", "ms", "levels RMS", (usable, finer, peer), 5)
+    panel.load(write(tmp_path / "a.json", replace(RESULTS, trades=(trade,), sweeps=())))
+    refused, used = QSignalSpy(panel.refused), QSignalSpy(panel.used)
+    looks = []
+    for row in range(3):
+        cell = panel.table.item(row, 0)
+        assert cell is not None
+        looks.append((cell.font().italic(), cell.foreground(), cell.toolTip()))
+        panel.table.cellClicked.emit(row, 0)
+    (plain, ink, tip), (slanted, grey, why), (_, _, both) = looks
+    assert not plain and slanted and tip == ""
+    assert ink.style() == Qt.BrushStyle.NoBrush and grey.style() != Qt.BrushStyle.NoBrush
+    assert grey.color() != panel.palette().text().color()
+    assert why == "supersampling 3 x 3 is measured only: the panes are not drawn with it."
+    assert both.splitlines()[0] == "not installed" and both.count("measured only") == 1
+    assert used.count() == 1 and refused.count() == 2
+
+
+@pytest.mark.parametrize("width", [1000, 1340, 1800])
+def test_a_note_in_the_table_is_seen_whole(panel: MeasurePanel, tmp_path: Path, width: int) -> None:
+    panel.resize(width, 300)
+    note = arithmetic.NO_POINTS
+    noted = Choice("MSAA 8", 1.0, 1.0, 2.0, note=note, use={"smoothing": "MSAA 8"})
+    trade = Trade("smoothing", "ms", "levels RMS", (noted,), 5)
+    panel.load(write(tmp_path / "a.json", replace(RESULTS, trades=(trade,), sweeps=())))
+    panel.resize(width + 1, 300)
+    last = panel.table.columnCount() - 1
+    cell = panel.table.visualItemRect(panel.table.item(0, last))
+    metrics = panel.table.fontMetrics()
+    inside = cell.adjusted(4, 0, -4, 0)
+    needed = metrics.boundingRect(inside, Qt.TextFlag.TextWordWrap, note)
+    assert needed.width() <= inside.width() and needed.height() <= cell.height()
 
 
 # -- in the window
@@ -529,6 +629,10 @@ def test_the_window_goes_on_during_a_measurement(
     panel.run()
     with qtbot.waitSignal(panel.measuring.progressed, timeout=SOON):
         pass
+    process = panel.measuring._process
+    assert process is not None
+    ours, its = psutil.Process(), psutil.Process(process.processId())
+    assert its.nice() == min(19, ours.nice() + 10), "the window's steps come first"
     projection = window.store.document.projection
     window.store.set_projection(replace(projection, lens=Perspective(30.0, 1.0, 30.0)))
     settle(window)

@@ -16,14 +16,14 @@ from collections.abc import Mapping, Sequence
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from PySide6.QtWidgets import QApplication, QProgressDialog, QWidget
 
-from app.detail import SHARES, is_made, reduced
+from app.detail import is_made, reduced, shares_for_dragging
 from app.pace import Level, Pace
 from app.quality import AUTOMATIC, Quality
 from app.scene import Scene
 from widgets.pane import SMOOTHINGS, Pane, multisamples
 
-MANY_TRIANGLES = 50_000
-"""A scene of fewer is drawn whole, however long that takes: it is not what takes long."""
+MANY_TRIANGLES = 10_000
+"""To make coarser versions of a scene of more takes so long that progress is shown."""
 
 
 class Adaptive(QObject):
@@ -139,21 +139,19 @@ class Adaptive(QObject):
         levels = [Level(False, share)]
         if not self.software_rendering and self.quality.smoothing not in SMOOTHINGS:
             levels.insert(0, Level(True, share))
-        if self._is_large(self._scene):
-            levels += [Level(False, s) for s in SHARES if s < share and is_made(self._scene, s)]
+        coarser = (s for s in shares_for_dragging(self._scene) if s < share)
+        levels += [Level(False, s) for s in coarser if is_made(self._scene, s)]
         self.pace = Pace(levels, self._target_ms)
 
-    @staticmethod
-    def _is_large(scene: Scene) -> bool:
-        return scene.surface is not None and scene.surface.n_cells > MANY_TRIANGLES
-
     def _prepare(self) -> None:
-        """Make what dragging may need of a large scene, before anybody drags."""
+        """Make what dragging may need of the scene, before anybody drags."""
         scene = self._scene
-        if scene is None or self._target_ms <= 0.0 or not self._is_large(scene):
+        if scene is None or self._target_ms <= 0.0:
             return
-        self._make(scene, [share for share in SHARES if not is_made(scene, share)])
-        self._plan()
+        missing = [share for share in shares_for_dragging(scene) if not is_made(scene, share)]
+        if missing:
+            self._make(scene, missing)
+            self._plan()
 
     def _make(
         self, scene: Scene, shares: Sequence[float], *, can_be_cancelled: bool = True
@@ -167,8 +165,9 @@ class Adaptive(QObject):
         if not can_be_cancelled:
             dialog.setCancelButton(None)
         dialog.setWindowModality(Qt.WindowModality.WindowModal)
-        dialog.setMinimumDuration(0)
-        dialog.show()
+        dialog.setMinimumDuration(100)
+        if scene.surface is not None and scene.surface.n_cells > MANY_TRIANGLES:
+            dialog.show()  # the first version alone may take longer
         try:
             for done, share in enumerate(shares):
                 dialog.setValue(done)

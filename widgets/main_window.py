@@ -218,7 +218,7 @@ class MainWindow(QMainWindow):
             self.tr("About this scene"), self.scene_panel,
             self.tr("What the scene shows, its own settings and its numbers"),
         )  # fmt: skip
-        self.measure_panel = MeasurePanel(lambda: self.store.document, self._in_use)
+        self.measure_panel = MeasurePanel(lambda: self.store.document, self._in_use, SMOOTHINGS)
         self.panels.add(
             self.tr("Measure"), self.measure_panel,
             self.tr("What speed costs in accuracy, measured here for this scene and camera"),

@@ -10,12 +10,12 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtGui import QGuiApplication, QResizeEvent, QShowEvent
+from PySide6.QtGui import QFont, QGuiApplication, QPalette, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QComboBox,
@@ -42,6 +42,7 @@ from app.measure.meaning import meaning
 from app.measure.results import (
     CANCELLED,
     DAMAGED,
+    MEASURED_ONLY,
     NOT_RESULTS,
     Choice,
     Results,
@@ -49,6 +50,7 @@ from app.measure.results import (
     Sweep,
     Trade,
     from_json,
+    named,
     table,
     to_csv,
     to_json,
@@ -65,6 +67,8 @@ LEAST_WINDOW_PX = 1300
 """In a window that is so wide it must find room."""
 ENDINGS = (".csv", ".json", *chart.ENDINGS)
 """Of what can be exported."""
+NOTE_LETTERS = 24
+"""As wide as this many letters the column of notes is at the least, if they are as long."""
 SWEPT = ("near", "far", "fov", "distance", "up", "aspect")
 
 
@@ -77,6 +81,8 @@ class MeasurePanel(QWidget):
         The document as it stands, to be measured.
     current : callable
         What is in use now, as `Choice.use` has it.
+    smoothings : sequence of str
+        Those that the panes can draw with.
     """
 
     used = Signal(object)
@@ -90,10 +96,11 @@ class MeasurePanel(QWidget):
         self,
         document: Callable[[], Document],
         current: Callable[[], Mapping[str, str]],
+        smoothings: Sequence[str],
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
-        self._document, self._current = document, current
+        self._document, self._current, self._smoothings = document, current, smoothings
         self._style = LIGHT
         self._gestures = 0
         self._stale = True
@@ -178,12 +185,13 @@ class MeasurePanel(QWidget):
         self.sentence.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.table = QTableWidget()
         self.table.setAccessibleName(self.tr("What was measured"))
-        self.table.setToolTip(self.tr("Click a choice to use it in the panes"))
         self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         self.table.verticalHeader().hide()
         self.table.setMinimumSize(200, 40)
+        # The last column is as wide as there is room, and its text as high as that makes it.
+        self.table.horizontalHeader().sectionResized.connect(self.table.resizeRowsToContents)
         self.table.cellClicked.connect(self._row_used)
         self.table.cellActivated.connect(self._row_used)
 
@@ -467,22 +475,42 @@ class MeasurePanel(QWidget):
                 heads, rows = _joined(heads, rows, *_other_rows(other))
         elif self.name in self.words:
             heads, rows = ["", ""], [["", self.words[self.name]]]
+        choices = self._choices()
+        self.table.setToolTip(
+            self.tr("Click a choice to use it in the panes; those in slanted grey cannot be used")
+            if choices
+            else self.tr("What was measured at each value; there is nothing to use in the panes")
+        )
+        slanted = QFont(self.table.font())
+        slanted.setItalic(True)
+        grey = self.palette().brush(QPalette.ColorRole.PlaceholderText)
         self.table.setRowCount(len(rows))
         self.table.setColumnCount(len(heads))
-        self.table.setHorizontalHeaderLabels([translated(head) for head in heads])
+        self.table.setHorizontalHeaderLabels([named(head, translated) for head in heads])
         for y, row in enumerate(rows):
+            why = self._why_not(choices[y]) if y < len(choices) else ""
             for x, text in enumerate(row):
-                cell = QTableWidgetItem(translated(text) if text else "")
+                cell = QTableWidgetItem(named(text, translated))
+                if why:
+                    cell.setFont(slanted)
+                    cell.setForeground(grey)
+                cell.setToolTip("\n".join(filter(None, (named(row[-1], translated), why))))
                 if 0 < x < len(row) - 1:
                     cell.setTextAlignment(
                         Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
                     )
                 self.table.setItem(y, x, cell)
-        self.table.resizeColumnsToContents()
-        self.table.resizeRowsToContents()
         header = self.table.horizontalHeader()
         header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
-        header.setStretchLastSection(bool(rows))
+        header.setStretchLastSection(False)
+        self.table.resizeColumnsToContents()
+        if rows:
+            # Without notes it needs no room of its own; with them, enough for a few words.
+            words = self.fontMetrics().averageCharWidth() * NOTE_LETTERS
+            header.resizeSection(len(heads) - 1, min(words, header.sectionSize(len(heads) - 1)))
+            room = self.table.viewport().width() - header.length()
+            header.setStretchLastSection(room >= 0)
+        self.table.resizeRowsToContents()
 
     # -- using
 
@@ -503,12 +531,18 @@ class MeasurePanel(QWidget):
                 self._use(choice)
                 return
 
+    def _why_not(self, choice: Choice) -> str:
+        """Why the panes cannot be drawn with a choice; empty if they can."""
+        if choice.use and choice.use.get("smoothing", "none") in self._smoothings:
+            return ""
+        return translated(MEASURED_ONLY).format(named(choice.name, translated))
+
     def _use(self, choice: Choice) -> None:
-        if choice.use:
+        why = self._why_not(choice)
+        if not why:
             self.used.emit(dict(choice.use))
         elif choice.name:
-            text = self.tr("{0} is measured only: the panes are not drawn with it.")
-            self.refused.emit(text.format(choice.name))
+            self.refused.emit(why)
 
 
 class _Line(QLabel):

@@ -376,6 +376,7 @@ MEASURE_SENTENCES = (
         "{0}: was measured by another Frustum Lab: its version is {1}, this one reads {2}.",
     ),
     QT_TRANSLATE_NOOP("Measure", "{0}: is damaged: {1}."),
+    QT_TRANSLATE_NOOP("Measure", "{0} is measured only: the panes are not drawn with it."),
 )
 """Members of `app.measure.meaning.SENTENCES` and `app.measure.results.SENTENCES`."""
 
@@ -394,6 +395,46 @@ MEASURE_NOTES = (
     QT_TRANSLATE_NOOP("Measure", "cancelled"),
 )
 """Why there is no number, where no value stands in it."""
+
+MEASURE_WORDS = (
+    QT_TRANSLATE_NOOP("Measure", "eye first"),
+    QT_TRANSLATE_NOOP("Measure", "concatenated"),
+    QT_TRANSLATE_NOOP("Measure", "rows at once"),
+    QT_TRANSLATE_NOOP("Measure", "exact"),
+    QT_TRANSLATE_NOOP("Measure", "VTK's transform"),
+    QT_TRANSLATE_NOOP("Measure", "matplotlib's proj3d"),
+    QT_TRANSLATE_NOOP("Measure", "perspective-correct"),
+    QT_TRANSLATE_NOOP("Measure", "affine"),
+    QT_TRANSLATE_NOOP("Measure", "{0} pieces"),
+    QT_TRANSLATE_NOOP("Measure", "opengl"),
+    QT_TRANSLATE_NOOP("Measure", "direct3d"),
+    QT_TRANSLATE_NOOP("Measure", "reversed"),
+    QT_TRANSLATE_NOOP("Measure", "logarithmic"),
+    QT_TRANSLATE_NOOP("Measure", "none"),
+    QT_TRANSLATE_NOOP("Measure", "half resolution"),
+    QT_TRANSLATE_NOOP("Measure", "supersampling {0} x {0}"),
+    QT_TRANSLATE_NOOP("Measure", "this OpenGL gives {0} samples"),
+    QT_TRANSLATE_NOOP("Measure", "p95"),
+    QT_TRANSLATE_NOOP("Measure", "predicted"),
+    QT_TRANSLATE_NOOP("Measure", "world units"),
+    QT_TRANSLATE_NOOP("Measure", "texels"),
+    QT_TRANSLATE_NOOP("Measure", "levels RMS"),
+    QT_TRANSLATE_NOOP("Measure", "error_depth"),
+    QT_TRANSLATE_NOOP("Measure", "predicted_depth"),
+    QT_TRANSLATE_NOOP("Measure", "collapsed"),
+    QT_TRANSLATE_NOOP("Measure", "collapsed_predicted"),
+    QT_TRANSLATE_NOOP("Measure", "triangles"),
+    QT_TRANSLATE_NOOP("Measure", "memory_mb"),
+    QT_TRANSLATE_NOOP("Measure", "first_frame_ms"),
+    QT_TRANSLATE_NOOP("Measure", "reduce_ms"),
+    QT_TRANSLATE_NOOP("Measure", "near"),
+    QT_TRANSLATE_NOOP("Measure", "far"),
+    QT_TRANSLATE_NOOP("Measure", "fov"),
+    QT_TRANSLATE_NOOP("Measure", "distance"),
+    QT_TRANSLATE_NOOP("Measure", "up"),
+    QT_TRANSLATE_NOOP("Measure", "aspect"),
+)
+"""Members of `app.measure.results.WORDS`."""
 
 CHART_TEXTS = (
     QT_TRANSLATE_NOOP("Measure", "Arithmetic"),
@@ -480,7 +521,7 @@ _CONTEXTS = {
         ("FigureError", FIGURE_SENTENCES),
         ("Health", HEALTH_SENTENCES),
         ("Matrix", PROPERTY_SENTENCES),
-        ("Measure", MEASURE_SENTENCES + MEASURE_NOTES + CHART_TEXTS),
+        ("Measure", MEASURE_SENTENCES + MEASURE_NOTES + MEASURE_WORDS + CHART_TEXTS),
     )
     for template in templates
 }

@@ -20,7 +20,7 @@ import numpy as np
 
 from app.drawings.style import LIGHT
 from app.measure.meaning import meaning
-from app.measure.results import Choice, Results, Sweep, Trade
+from app.measure.results import MEASURED_ONLY, Choice, Results, Sweep, Trade, named
 from app.phenomena.exhibit import Curve, Diagram, Spot
 from app.placing import beside
 
@@ -222,18 +222,18 @@ def _of_trade(
     for choice in placed:
         x, y = point(choice)
         here = [c for c in placed if _is_near(point(c), (x, y))]
-        name = "" if any(_is_near(p, (x, y)) for p in named) else _common(here)
+        name = "" if any(_is_near(p, (x, y)) for p in named) else _common(here, translate)
         named.append((x, y))
         marked = is_current(choice, current)
         spots.append(
             Spot(
-                x, y, name, choice.name, f"{choice.name}: {_said(trade, choice)}", "n",
+                x, y, name, choice.name, _tip(trade, choice, translate), "n",
                 faded=choice not in frontier, marked=marked,
             )
         )  # fmt: skip
     if any(spot.marked for spot in spots):
         first = spots[0]
-        named_now = translate(CURRENT).format(first.name)
+        named_now = translate(CURRENT).format(_common(placed[:1], translate))  # not its neighbours
         spots[0] = Spot(
             first.x, first.y, named_now, first.key, first.tip, "n", first.faded, marked=True
         )
@@ -250,10 +250,10 @@ def _is_near(one: tuple[float, float], other: tuple[float, float]) -> bool:
     return all(abs(math.log10(a / b)) < _SAME for a, b in zip(one, other, strict=True))
 
 
-def _common(choices: Sequence[Choice]) -> str:
+def _common(choices: Sequence[Choice], translate: Callable[[str], str]) -> str:
     """One name for choices at one place: ``fixed24, opengl / direct3d``."""
     names = [
-        choice.name + {0.0: " (0)", math.inf: " (∞)"}.get(choice.error or 0.0, "")
+        named(choice.name, translate) + {0.0: " (0)", math.inf: " (∞)"}.get(choice.error or 0.0, "")
         for choice in choices
     ]
     heads, _, tails = zip(*(name.partition(", ") for name in names), strict=True)
@@ -262,9 +262,11 @@ def _common(choices: Sequence[Choice]) -> str:
     return " / ".join(names)
 
 
-def _said(trade: Trade, choice: Choice) -> str:
-    said = f"{choice.cost:.3g} {trade.cost_unit}, {choice.error:.3g} {trade.error_unit}"
-    return f"{said}; {choice.note}" if choice.note else said
+def _tip(trade: Trade, choice: Choice, translate: Callable[[str], str]) -> str:
+    name = named(choice.name, translate)
+    said = f"{name}: {choice.cost:.3g} {trade.cost_unit}, {choice.error:.3g} {trade.error_unit}"
+    why = "" if choice.use else translate(MEASURED_ONLY).format(name)
+    return "; ".join(filter(None, (said, named(choice.note, translate), why)))
 
 
 def _of_sweep(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from app.measure.results import Choice, Trade
+from app.measure.results import Choice, Trade, named
 
 GOOD_ENOUGH = {
     "arithmetic": 0.01,
@@ -42,7 +42,7 @@ class Meaning:
 
     def sentence(self, translate: Callable[[str], str] = str) -> str:
         """The sentence in another language."""
-        return translate(self.template).format(*self.values)
+        return translate(self.template).format(*(named(value, translate) for value in self.values))
 
 
 def meaning(trade: Trade) -> Meaning:

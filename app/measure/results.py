@@ -31,6 +31,7 @@ import csv
 import io
 import json
 import math
+import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, fields
 from typing import Any
@@ -41,8 +42,19 @@ VERSION = 1
 NOT_RESULTS = "{0}: is not a file of measurements."
 NEWER_RESULTS = "{0}: was measured by another Frustum Lab: its version is {1}, this one reads {2}."
 DAMAGED = "{0}: is damaged: {1}."
-SENTENCES = (NOT_RESULTS, NEWER_RESULTS, DAMAGED)
-"""Every sentence of a `ResultsError`, for translators."""
+MEASURED_ONLY = "{0} is measured only: the panes are not drawn with it."
+SENTENCES = (NOT_RESULTS, NEWER_RESULTS, DAMAGED, MEASURED_ONLY)
+"""Every sentence of a `ResultsError`, and on choices that cannot be used, for translators."""
+WORDS = (
+    "eye first", "concatenated", "rows at once", "exact", "VTK's transform",
+    "matplotlib's proj3d", "perspective-correct", "affine", "{0} pieces", "opengl", "direct3d",
+    "reversed", "logarithmic", "none", "half resolution", "supersampling {0} x {0}",
+    "this OpenGL gives {0} samples",
+    "p95", "predicted", "world units", "texels", "levels RMS", "error_depth", "predicted_depth",
+    "collapsed", "collapsed_predicted", "triangles", "memory_mb", "first_frame_ms", "reduce_ms",
+    "near", "far", "fov", "distance", "up", "aspect",
+)  # fmt: skip
+"""What names of choices and of columns are put together from, for translators."""
 
 
 class ResultsError(ValueError):
@@ -418,6 +430,28 @@ def to_csv(part: Trade | Sweep) -> str:
 
 CANCELLED = "cancelled"
 """The note of a choice whose turn did not come."""
+
+
+def named(name: str, translate: Callable[[str], str] = str) -> str:
+    """A name of a choice or a column, or a note, in another language, part by part.
+
+    Parameters
+    ----------
+    name : str
+        Such as ``affine, 4 pieces``; what is none of `WORDS` is translated as a whole.
+    translate : callable
+    """
+
+    def part(text: str) -> str:
+        numbers = re.findall(r"(?<![A-Za-z\d])\d+(?![\dA-Za-z.])", text)
+        if numbers and text.replace(numbers[0], "{0}") in WORDS:
+            return translate(text.replace(numbers[0], "{0}")).format(numbers[0])
+        return translate(text) if text in WORDS else text
+
+    parts = name.split(", ")
+    if any(part(text) != text for text in parts):
+        return ", ".join(map(part, parts))
+    return translate(name) if name else name
 
 
 def table(part: Trade | Sweep) -> list[list[str]]:
