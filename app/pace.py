@@ -51,16 +51,18 @@ class Pace:
         From the finest to the coarsest; at least one.
     target_ms : float
         Longest frame that is wanted, in ms; 0 for any.
+    first : int
+        The level of the first frame.
     """
 
-    def __init__(self, levels: Sequence[Level], target_ms: float) -> None:
+    def __init__(self, levels: Sequence[Level], target_ms: float, first: int = 0) -> None:
         self._levels = tuple(levels)
         self.target_ms = target_ms
-        self._now = 0
+        self._now = first
         self._count = 0
         self._recent: deque[float] = deque(maxlen=_WINDOW)
         self._known: dict[int, tuple[float, int]] = {}
-        self._is_new = False
+        self._is_new = first > 0
 
     @property
     def level(self) -> Level:

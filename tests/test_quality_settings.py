@@ -506,6 +506,30 @@ def test_what_dragging_may_leave_out_depends_on_how_much_there_is(
     assert shares_for_dragging(replace(scene, surface=None)) == ()
 
 
+@pytest.mark.parametrize("software", [True, False])
+def test_the_first_step_of_a_drag_waits_for_no_large_mesh(
+    make_window: Callable[..., MainWindow],
+    mesh: str,
+    monkeypatch: pytest.MonkeyPatch,
+    software: bool,
+) -> None:
+    """A software renderer starts with few triangles and takes more while it is in time."""
+    monkeypatch.setattr("widgets.adaptive.AT_FIRST", 3_000)
+    window = make_window(Document(mesh, load(mesh).start), software_rendering=software)
+    window.adaptive.set_target(10_000.0)
+    settle(window)
+    whole = triangles(window)
+    window.store.begin_gesture()
+    step(window, 40.0)
+    assert (window.adaptive.pace.level.share < 1.0) == software
+    fewer = triangles(window)
+    assert all((fewer[name] < whole[name]) == software for name in PANES)
+    for i in range(80):
+        step(window, 41.0 + 0.1 * i)
+    assert window.adaptive.pace.level.share == 1.0 and triangles(window) == whole
+    window.store.end_gesture()
+
+
 def test_a_mesh_of_middling_size_gives_way_as_well(
     make_window: Callable[..., MainWindow], tmp_path: Path
 ) -> None:

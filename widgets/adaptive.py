@@ -22,6 +22,9 @@ from app.quality import AUTOMATIC, Quality
 from app.scene import Scene
 from widgets.pane import SMOOTHINGS, Pane, multisamples
 
+AT_FIRST = 200_000
+"""Triangles that a software renderer is given at first, before it is known how many it draws in
+time: to find that out with a million would hold the first step of a drag for half a second."""
 MANY_TRIANGLES = 10_000
 """To make coarser versions of a scene of more takes so long that progress is shown."""
 
@@ -141,7 +144,12 @@ class Adaptive(QObject):
             levels.insert(0, Level(True, share))
         coarser = (s for s in shares_for_dragging(self._scene) if s < share)
         levels += [Level(False, s) for s in coarser if is_made(self._scene, s)]
-        self.pace = Pace(levels, self._target_ms)
+        first = 0
+        if self.software_rendering and self._target_ms > 0.0 and self._scene.surface is not None:
+            triangles = self._scene.surface.n_cells
+            few = (i for i, level in enumerate(levels) if level.share * triangles <= AT_FIRST)
+            first = next(few, len(levels) - 1)
+        self.pace = Pace(levels, self._target_ms, first)
 
     def _prepare(self) -> None:
         """Make what dragging may need of the scene, before anybody drags."""
