@@ -257,9 +257,9 @@ class Labels:
             else:
                 label.set_visible(False)
         layout.place(
-            self._target, words["target"], [target], _RIGHT_BELOW, leaders["target"], gaps=3
+            self._target, words["target"], [target], _RIGHT_BELOW, leaders["target"]
         )
-        layout.place(self._eye, words["eye"], [eye], _BELOW, leaders["eye"], gaps=3)
+        layout.place(self._eye, words["eye"], [eye], _BELOW, leaders["eye"])
         layout.keep_free_box(spots[len(named.tips) : -16])
         for i, (label, sides, leader) in enumerate(
             (
