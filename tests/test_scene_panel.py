@@ -53,8 +53,8 @@ class Owner:
             self.show()
 
     def show(self) -> None:
-        self.panel.show_settings(self.settings)
-        self.panel.show_exhibit(EVERYTHING.show(self.projection, self.settings, SUBJECT))
+        exhibit = EVERYTHING.show(self.projection, self.settings, SUBJECT)
+        self.panel.show_exhibit(exhibit, self.settings)
 
 
 @pytest.fixture
@@ -145,7 +145,7 @@ def test_of_a_free_matrix_nothing_can_be_chosen_and_a_tooltip_says_why(
     cells = tuple(map(tuple, np.eye(4).tolist()))
     free = replace(start, lens=FreeMatrix(cells))
     panel.players["turn"].play()
-    panel.show_exhibit(EVERYTHING.exhibit(free, owner.settings, SUBJECT))
+    panel.show_exhibit(EVERYTHING.exhibit(free, owner.settings, SUBJECT), owner.settings)
     assert not any(row.isEnabled() for row in panel.rows.values())
     assert not panel.players["turn"].playing and not panel.players["turn"].button.isEnabled()
     assert panel.use_mesh.isEnabled() and "choose a lens" in panel.warning.text()
@@ -157,7 +157,7 @@ def test_of_a_free_matrix_nothing_can_be_chosen_and_a_tooltip_says_why(
         )
         assert QToolTip.text().endswith("choose a lens to see this.")
         QToolTip.hideText()
-    panel.show_exhibit(EVERYTHING.exhibit(start, owner.settings, SUBJECT))
+    panel.show_exhibit(EVERYTHING.exhibit(start, owner.settings, SUBJECT), owner.settings)
     assert all(row.isEnabled() for row in panel.rows.values())
     assert panel.players["turn"].button.isEnabled()
     place = row.field.rect().center()
@@ -472,9 +472,9 @@ def test_there_are_as_many_diagrams_as_the_exhibit_has(owner: Owner) -> None:
     (diagram,) = EVERYTHING.show(owner.projection, owner.settings, SUBJECT).diagrams
     visible: Callable[[], int] = lambda: sum(view.isVisible() for view in panel.diagrams)  # noqa: E731
     assert visible() == 1 and panel.diagrams[0].accessibleName() == "Line"
-    panel.show_exhibit(Exhibit((), diagrams=(diagram, diagram, diagram)))
+    panel.show_exhibit(Exhibit((), diagrams=(diagram, diagram, diagram)), owner.settings)
     assert visible() == 3
-    panel.show_exhibit(Exhibit(()))
+    panel.show_exhibit(Exhibit(()), owner.settings)
     assert visible() == 0 and readings(panel) == []
 
 
@@ -497,7 +497,8 @@ def test_it_gives_way_to_the_panes(owner: Owner, qapp: QApplication) -> None:
     many = tuple(Reading(f"a long name of number {i}", 1e-5 / 3 + i) for i in range(12))
     (diagram,) = EVERYTHING.show(owner.projection, owner.settings, SUBJECT).diagrams
     owner.panel.show_exhibit(
-        Exhibit(many, diagrams=(diagram,) * 4, warning=Phrase("a long warning " * 20))
+        Exhibit(many, diagrams=(diagram,) * 4, warning=Phrase("a long warning " * 20)),
+        owner.settings,
     )
     for projector in (True, False):
         palette.apply(qapp, dark=False, projector=projector)

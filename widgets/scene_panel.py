@@ -3,7 +3,7 @@
 ::
 
     user, Play -> edited({name: value}) -> owner takes it, or calls refuse(error)
-    owner -> show_settings, show_exhibit     never answered by a signal
+    owner -> show_exhibit                    never answered by a signal
 
 Everything here is made from the data of a `Phenomenon`; no phenomenon has code of its own. A panel
 that is folded fills nothing in.
@@ -234,16 +234,10 @@ class ScenePanel(QWidget):
         self._readout_column.setVisible(phenomenon is not None)
         self._show_diagrams(())
 
-    def show_settings(self, settings: Settings) -> None:
-        """Show the values of the settings: at once if visible, else on appearing."""
-        if settings != self._settings:
-            self._settings = settings
-            self._refresh()
-
-    def show_exhibit(self, exhibit: Exhibit | None) -> None:
-        """Show readout, warning and diagrams: at once if visible, else on appearing."""
-        if exhibit is not self._exhibit:
-            self._exhibit, self._counted = exhibit, None
+    def show_exhibit(self, exhibit: Exhibit | None, settings: Settings) -> None:
+        """Show settings, readout, warning and diagrams: at once if visible, else on appearing."""
+        if exhibit is not self._exhibit or settings != self._settings:
+            self._exhibit, self._settings, self._counted = exhibit, settings, None
             self._refresh()
 
     def show_count(self, exhibit: Exhibit, share: float) -> None:

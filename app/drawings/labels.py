@@ -256,9 +256,7 @@ class Labels:
                 layout.place(label, words[name], spots[i:count:step], _ON, gaps=gaps)
             else:
                 label.set_visible(False)
-        layout.place(
-            self._target, words["target"], [target], _RIGHT_BELOW, leaders["target"]
-        )
+        layout.place(self._target, words["target"], [target], _RIGHT_BELOW, leaders["target"])
         layout.place(self._eye, words["eye"], [eye], _BELOW, leaders["eye"])
         layout.keep_free_box(spots[len(named.tips) : -16])
         for i, (label, sides, leader) in enumerate(
