@@ -485,7 +485,8 @@ def _longest_parts(surface: pv.PolyData, origin: Vector) -> OwnMesh:
     ends = points[np.stack([corners[longest], following[longest]], axis=1)].astype(np.float64)
     places, index = np.unique(ends.reshape(-1, 3), axis=0, return_inverse=True)
     pairs = np.unique(np.sort(index.reshape(-1, 2), axis=1), axis=0)
-    edges = places[pairs[pairs[:, 0] != pairs[:, 1]]] if index.any() else ends[:1]
+    pairs = pairs[pairs[:, 0] != pairs[:, 1]]
+    edges = places[pairs] if len(pairs) else ends[:1]  # all of them are points
     edges = edges[np.argsort(-np.linalg.norm(edges[:, 1] - edges[:, 0], axis=1), kind="stable")]
 
     whole = surface if surface.is_all_triangles else surface.triangulate()

@@ -467,6 +467,18 @@ def test_a_large_mesh_in_a_phenomenon_has_its_longest_edges(tmp_path: Path) -> N
     assert (np.diff(longest) <= 0.0).all() and np.isclose(longest[0], found[0])
 
 
+def test_a_mesh_of_points_in_a_phenomenon_has_an_edge(tmp_path: Path) -> None:
+    """Each face is at one place, but not at the same."""
+    path = tmp_path / "points.obj"
+    path.write_text("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 1 1\nf 2 2 2\n")
+    for name in ("interpolation", "affine-depth", "eye-plane"):
+        scene = load(name, mesh=str(path))
+        mesh, phenomenon = scene.subject.mesh, scene.phenomenon
+        assert mesh is not None and mesh.edges.shape == (1, 2, 3)
+        assert phenomenon is not None
+        phenomenon.exhibit(scene.start, phenomenon.checked({}), scene.subject)
+
+
 def test_a_flat_mesh_and_one_of_another_scale_stand_there_too(tmp_path: Path) -> None:
     built_in = load("similar-triangles")
     for number, points in enumerate(
