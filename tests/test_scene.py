@@ -433,7 +433,9 @@ def test_a_mesh_takes_the_place_of_a_phenomenons_subject(kind: str, tmp_path: Pa
 def test_a_mesh_in_a_phenomenon_has_its_edges_once(kind: str, tmp_path: Path) -> None:
     """Also where the file repeats a vertex for every face."""
     assert load("eye-plane").subject.mesh is None
-    mesh = load("eye-plane", mesh=str(pyramid_file(tmp_path, kind, 64.0))).subject.mesh
+    scene = load("eye-plane", mesh=str(pyramid_file(tmp_path, kind, 64.0)))
+    assert "subject" in vars(scene), "found while progress is shown, not by the first drawing"
+    mesh = scene.subject.mesh
     assert mesh is not None and not mesh.more_edges and not mesh.more_triangles
     ends = {frozenset(map(tuple, edge)) for edge in mesh.edges.round(4).tolist()}
     assert len(ends) == len(mesh.edges)
