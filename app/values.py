@@ -141,7 +141,7 @@ def shown_limits(limits: Iterable[object], value: object) -> tuple[object, ...]:
     Parameters
     ----------
     limits : iterable of object
-        Numbers, their texts, and words, which stay.
+        Numbers, their texts, and words, which stay; so does a text beside what is no number.
     value : object
         What was refused; a number, or any other thing.
     """
@@ -150,8 +150,9 @@ def shown_limits(limits: Iterable[object], value: object) -> tuple[object, ...]:
 
 def _shown_limit(limit: object, value: object) -> object:
     number = _limit_number(limit)
-    shown = _six_digits(number)
-    if shown == number or _sides(value, shown) != _sides(value, number):
+    shown, sides = _six_digits(number), _sides(value, number)
+    is_word = isinstance(limit, str) and not sides
+    if shown == number or is_word or _sides(value, shown) != sides:
         return limit
     return format_value(shown)
 

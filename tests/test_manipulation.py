@@ -286,6 +286,26 @@ def test_what_is_said_of_a_handle_is_seen_whole_and_does_not_jump(
     place()
 
 
+@pytest.mark.parametrize("change", ["scene", "style"])
+def test_what_is_said_of_a_handle_goes_with_the_drawing_that_it_was_in(
+    make_window: Callable[..., MainWindow], change: str
+) -> None:
+    window = opened(make_window)
+    hand, pane = window.manipulation, window.panes["world"]
+    tip = pane.canvas.toolTip()
+    pane.title.setMinimumWidth(pane.width() // 2)
+    settle()
+    move(window, "world", point(mark(window, "eye")[1]), button=Qt.MouseButton.NoButton)
+    assert hand.said and hand._line.isVisible()
+    if change == "scene":
+        window._choose_scene("cube")
+    else:
+        window.set_projector(True)
+    assert world(window).held is None
+    assert (hand.said, pane.canvas.toolTip(), hand._line.isVisible()) == ("", tip, False)
+    assert pane.canvas.cursor().shape() == Qt.CursorShape.ArrowCursor
+
+
 def test_a_refusal_takes_the_place_of_what_is_said_and_gives_it_back(
     make_window: Callable[..., MainWindow],
 ) -> None:

@@ -552,6 +552,24 @@ def test_a_note_in_the_table_is_seen_whole(panel: MeasurePanel, tmp_path: Path, 
     assert needed.width() <= inside.width() and needed.height() <= cell.height()
 
 
+def test_notes_take_the_room_that_a_panel_comes_to_have(
+    panel: MeasurePanel, display: Any, tmp_path: Path
+) -> None:
+    noted = Choice("MSAA 8", 1.0, 1.0, 2.0, note=arithmetic.NO_POINTS, use={"smoothing": "MSAA 8"})
+    trade = Trade("smoothing", "ms", "levels RMS", (noted,), 5)
+    panel.resize(700, 300)
+    panel.load(write(tmp_path / "a.json", replace(RESULTS, trades=(trade,), sweeps=())))
+    header, heights = panel.table.horizontalHeader(), []
+    least = header.sectionSize(header.count() - 1)
+    for width in (700, 1800, 700):
+        panel.resize(width, 300)
+        display.processEvents()
+        room = panel.table.viewport().width() - header.length()
+        assert room == 0 or (room < 0 and header.sectionSize(header.count() - 1) == least)
+        heights.append(panel.table.rowHeight(0))
+    assert heights[0] == heights[2] > heights[1]
+
+
 # -- in the window
 
 

@@ -1634,6 +1634,8 @@ def test_refused(make: Callable[[], object], field: str, bound: str, sentence: s
         ((1.0, 2.042639, 3.0), 2.0426381, "2.0426381"),
         (True, 1 / 3, "0.333333"),
         ("a word", 1 / 3, "0.333333"),
+        ("a word", "20260101", "20260101"),  # which may be another word, such as a scene's name
+        (..., "20260101", "20260101"),
         (0.0, "perspective", "perspective"),
         (0, 1234567, "1234567"),
         (0.0, 16384, "16384"),

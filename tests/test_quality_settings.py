@@ -551,6 +551,22 @@ def test_a_mesh_of_middling_size_gives_way_as_well(
     assert triangles(window) == whole
 
 
+def test_while_a_small_mesh_is_made_coarser_unseen_nothing_comes_between(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    """No dialog keeps the user from the window, so that neither a key nor a click may reach it."""
+    path = tmp_path / "small.ply"
+    pv.Sphere(theta_resolution=26, phi_resolution=26).save(path)
+    window, scene = make_window(), load(str(path))
+    shares = shares_for_dragging(scene)
+    assert len(shares) == 1
+    found: list[bool] = []
+    QTimer.singleShot(0, lambda: found.append(is_made(scene, shares[0])))
+    window.adaptive._make(scene, shares)
+    QApplication.processEvents()
+    assert found == [True]
+
+
 def test_a_pane_that_was_hidden_meanwhile_is_whole_as_well(
     make_window: Callable[..., MainWindow], mesh: str, ball: Scene
 ) -> None:

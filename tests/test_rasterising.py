@@ -184,6 +184,13 @@ def test_the_image_pane_shows_the_stripes_that_are_counted(plotter: Any, make: A
     assert start.image_size == SIZE
 
 
+def test_a_picture_is_the_same_whatever_was_shown_before(make: Any) -> None:
+    """Copies of faces have the phenomenon's depth buffer, also those made after a first picture."""
+    fresh, used = make("depth-buffer"), make("depth-buffer")
+    used.drawing.show_projection(replace(used.phenomenon.start, image_size=SIZE))
+    assert (used.show().pixels() == fresh.show().pixels()).all()
+
+
 def test_without_a_depth_buffer_that_lens_can_have_nothing_is_rounded(make: Any) -> None:
     picture = make("depth-buffer")
     start = picture.phenomenon.start

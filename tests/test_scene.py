@@ -433,7 +433,9 @@ def test_a_mesh_takes_the_place_of_a_phenomenons_subject(kind: str, tmp_path: Pa
 def test_a_mesh_in_a_phenomenon_has_its_edges_once(kind: str, tmp_path: Path) -> None:
     """Also where the file repeats a vertex for every face."""
     assert load("eye-plane").subject.mesh is None
-    mesh = load("eye-plane", mesh=str(pyramid_file(tmp_path, kind, 64.0))).subject.mesh
+    scene = load("eye-plane", mesh=str(pyramid_file(tmp_path, kind, 64.0)))
+    assert "subject" in vars(scene), "found while progress is shown, not by the first drawing"
+    mesh = scene.subject.mesh
     assert mesh is not None and not mesh.more_edges and not mesh.more_triangles
     ends = {frozenset(map(tuple, edge)) for edge in mesh.edges.round(4).tolist()}
     assert len(ends) == len(mesh.edges)
@@ -465,6 +467,18 @@ def test_a_large_mesh_in_a_phenomenon_has_its_longest_edges(tmp_path: Path) -> N
     sides = mesh.triangles - np.roll(mesh.triangles, 1, axis=1)
     longest = np.linalg.norm(sides, axis=2).max(axis=1)
     assert (np.diff(longest) <= 0.0).all() and np.isclose(longest[0], found[0])
+
+
+def test_a_mesh_of_points_in_a_phenomenon_has_an_edge(tmp_path: Path) -> None:
+    """Each face is at one place, but not at the same."""
+    path = tmp_path / "points.obj"
+    path.write_text("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 1 1\nf 2 2 2\n")
+    for name in ("interpolation", "affine-depth", "eye-plane"):
+        scene = load(name, mesh=str(path))
+        mesh, phenomenon = scene.subject.mesh, scene.phenomenon
+        assert mesh is not None and mesh.edges.shape == (1, 2, 3)
+        assert phenomenon is not None
+        phenomenon.exhibit(scene.start, phenomenon.checked({}), scene.subject)
 
 
 def test_a_flat_mesh_and_one_of_another_scale_stand_there_too(tmp_path: Path) -> None:

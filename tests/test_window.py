@@ -37,6 +37,7 @@ from vtkmodules.vtkRenderingCore import vtkTextActor
 import app.document
 import app.scene
 from app.document import Document, extract, read, write
+from app.drawings import actors
 from app.drawings.image import ImageDrawing
 from app.drawings.style import LIGHT, rgb
 from app.figures import render
@@ -1197,3 +1198,21 @@ def test_a_grid_that_runs_behind_the_pane_is_lines(make_window: Callable[..., Ma
     canvas.moved.emit()
     QApplication.processEvents()
     assert 0.001 < share_of(window, np.array(GRID_RGB) / 255.0) < 0.0125
+
+
+def test_lines_are_drawn_where_their_shader_declares_itself_in_other_words(
+    make_window: Callable[..., MainWindow], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As another VTK may write it; what is put into its text has to be compiled there as well."""
+    cut_behind = actors._cut_behind
+
+    def cut_another_text(actor: Any) -> None:
+        cut_behind(actor)
+        declared = "layout(lines) in;\nlayout(triangle_strip, max_vertices = 4) out;"
+        other = "layout(lines) in;\nlayout(max_vertices = 4, triangle_strip) out;"
+        actor.GetShaderProperty().AddGeometryShaderReplacement(declared, True, other, True)
+
+    with monkeypatch.context() as patched:
+        patched.setattr(actors, "_cut_behind", cut_another_text)
+        other = make_window()
+    assert np.array_equal(pixels(other, "world"), pixels(make_window(), "world"))

@@ -179,7 +179,8 @@ class Adaptive(QObject):
         try:
             for done, share in enumerate(shares):
                 dialog.setValue(done)
-                QApplication.processEvents()
+                if dialog.isVisible():  # and takes what is meant for the window
+                    QApplication.processEvents()
                 if dialog.wasCanceled():
                     return
                 reduced(scene, share)

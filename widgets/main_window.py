@@ -685,6 +685,7 @@ class MainWindow(QMainWindow):
                 style.enlarged(SCALES.get(quality.smoothing, 1)),
             )
             pane.build(projection, self._exhibit, views.get(name), *drawn, *how)
+        self.manipulation.leave()
 
     def _in_use(self) -> dict[str, str]:
         """Which choices of the trades the panes are drawn with, as `Choice.use` has them."""

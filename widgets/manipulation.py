@@ -107,7 +107,7 @@ class Manipulation(QObject):
         canvas = world.canvas
         canvas.setToolTip(self._plain_tip)
         canvas.hovered.connect(self._hover)
-        canvas.left.connect(self._leave)
+        canvas.left.connect(self.leave)
         canvas.drag_started.connect(self._take_handle)
         for pane in (world, image):
             pane.canvas.dragged.connect(self._move)
@@ -141,7 +141,8 @@ class Manipulation(QObject):
         if isinstance(drawing, WorldDrawing) and self._drag is None:
             self._point_out(drawing, self._handle_at(drawing, pixel))
 
-    def _leave(self) -> None:
+    def leave(self) -> None:
+        """Point out no handle: the mouse, or the drawing that the handle was in, is gone."""
         drawing = self._world.drawing
         if isinstance(drawing, WorldDrawing) and self._drag is None:
             self._point_out(drawing, None)
@@ -151,7 +152,8 @@ class Manipulation(QObject):
         return drawing.handle_at((pixel.x(), pixel.y()), within_px)
 
     def _point_out(self, drawing: WorldDrawing, handle: Handle | None) -> None:
-        if handle == drawing.held:
+        said_of_another = handle is None and self.said  # in a drawing before this one
+        if handle == drawing.held and not said_of_another:
             return
         drawing.hold(handle)
         self._world.request_repaint()

@@ -14,7 +14,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, QSize, Qt, Signal
 from PySide6.QtGui import QFont, QGuiApplication, QPalette, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -190,8 +190,9 @@ class MeasurePanel(QWidget):
         self.table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         self.table.verticalHeader().hide()
         self.table.setMinimumSize(200, 40)
-        # The last column is as wide as there is room, and its text as high as that makes it.
-        self.table.horizontalHeader().sectionResized.connect(self.table.resizeRowsToContents)
+        self._least_notes = 0
+        self.table.horizontalHeader().sectionResized.connect(self._fit_notes)
+        self.table.viewport().installEventFilter(self)
         self.table.cellClicked.connect(self._row_used)
         self.table.cellActivated.connect(self._row_used)
 
@@ -502,15 +503,28 @@ class MeasurePanel(QWidget):
                 self.table.setItem(y, x, cell)
         header = self.table.horizontalHeader()
         header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
-        header.setStretchLastSection(False)
+        self._least_notes = 0
         self.table.resizeColumnsToContents()
         if rows:
             # Without notes it needs no room of its own; with them, enough for a few words.
             words = self.fontMetrics().averageCharWidth() * NOTE_LETTERS
-            header.resizeSection(len(heads) - 1, min(words, header.sectionSize(len(heads) - 1)))
-            room = self.table.viewport().width() - header.length()
-            header.setStretchLastSection(room >= 0)
+            self._least_notes = min(words, header.sectionSize(len(heads) - 1))
+            header.resizeSection(len(heads) - 1, self._least_notes)
+        self._fit_notes()
+
+    def _fit_notes(self) -> None:
+        """Make the last column as wide as there is room, and the rows as high as that makes it."""
+        header = self.table.horizontalHeader()
+        last = header.count() - 1
+        if self._least_notes and last >= 0:
+            room = self.table.viewport().width() - header.sectionPosition(last)
+            header.resizeSection(last, max(room, self._least_notes))
         self.table.resizeRowsToContents()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.Resize:
+            self._fit_notes()
+        return super().eventFilter(watched, event)
 
     # -- using
 

@@ -57,10 +57,9 @@ _KEEP_OFF_ZERO = """
   float least = 1e-9 * (abs(gl_Position.x) + abs(gl_Position.y));
   if (abs(gl_Position.w) < least) gl_Position.w = gl_Position.w < 0.0 ? -least : least;"""
 # VTK's wide lines divide by the w of both ends: a line that ends exactly beside the eye is lost.
-_END_IN_FRONT = """
-vec4 endInFront(int k)
+_IN_FRONT = """
+vec4 inFront(vec4 end, vec4 other)
 {
-  vec4 end = gl_in[k].gl_Position, other = gl_in[1 - k].gl_Position;
   float least = 1e-5 * max(abs(end.w), abs(other.w));
   if (end.w >= least || other.w < least) return end;
   return mix(end, other, (least - end.w) / (other.w - end.w));
@@ -568,12 +567,12 @@ def _cut_behind(actor: vtkActor) -> None:
     infinity instead: they fill a wedge, the wider the farther the line reaches behind.
     """
     properties = actor.GetShaderProperty()
-    declared = "layout(triangle_strip, max_vertices = 4) out;"
-    for before, after in (
-        (declared, declared + _END_IN_FRONT),
-        *((f"gl_in[{end}].gl_Position", f"endInFront({end})") for end in "01i"),
-    ):
-        properties.AddGeometryShaderReplacement(before, True, after, True)
+    start = "//VTK::System::Dec"  # in every shader of VTK's: no use of the function is without it
+    properties.AddGeometryShaderReplacement(start, True, start + _IN_FRONT, True)
+    for end, other in (("0", "1"), ("1", "0"), ("i", "1 - i")):
+        # In brackets, so that what replaces one is not what is looked for as another.
+        cut = f"inFront((gl_in[{end}]).gl_Position, (gl_in[{other}]).gl_Position)"
+        properties.AddGeometryShaderReplacement(f"gl_in[{end}].gl_Position", True, cut, True)
 
 
 def _after_position(actor: vtkActor, statement: str) -> None:

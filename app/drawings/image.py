@@ -175,7 +175,8 @@ class ImageDrawing:
         self._rendering = rendering or Rendering()
         if self._marks is None:
             if exhibit is None:
-                self._rasterise()
+                if self._scene.phenomenon is None:  # else copies of its faces are still to come
+                    self._rasterise()
                 return
             subject = spread_over(self._scene)
             self._homogeneous = np.column_stack([subject, np.ones(len(subject))])
