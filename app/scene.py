@@ -79,6 +79,7 @@ FACES_WITH_EDGES = 5_000
 """Meshes of more faces get no edge lines: they would be denser than the pixels."""
 SAMPLE = 100_000
 """Vertices of a larger mesh stand for all of them when errors are predicted."""
+_DEEPEST = 4.0  # times the bounds' longest side, that a mesh may reach which crosses them
 SUBJECT_SAMPLE = 2_000
 """Vertices of a larger subject stand for all of them in what a phenomenon reckons at each step."""
 SUBJECT_EDGES, SUBJECT_TRIANGLES = 200, 1_000
@@ -449,13 +450,18 @@ def _scene_of_phenomenon(
     if not mesh_path:
         return scene
     mesh, lower, upper = _read_mesh(Path(mesh_path), progress)
-    sides = zip(scene.lower, scene.upper, lower, upper, strict=True)
-    scales = [(b - a) / (high - low) for a, b, low, high in sides if high > low and b > a]
-    scale = min(scales, default=scene.size / math.dist(lower, upper))
-    foot = np.array(_centre(lower, upper))
-    place = np.array(scene.centre)
-    foot[1], place[1] = lower[1], scene.lower[1]
-    mesh.points -= foot
+    room, sides = np.subtract(scene.upper, scene.lower), np.subtract(upper, lower)
+    held, place = np.array(_centre(lower, upper)), np.array(scene.centre)
+    if phenomenon.own_mesh_crosses:
+        held[::2], place[::2] = upper[::2], scene.upper[::2]
+        place[0] += room[0] / 6.0
+        room[2] = _DEEPEST * room.max()
+    else:  # it stands where the subject stood
+        held[1], place[1] = lower[1], scene.lower[1]
+    extended = (sides > 0.0) & (room > 0.0)
+    fallback = scene.size / math.dist(lower, upper)
+    scale = float((room[extended] / sides[extended]).min()) if extended.any() else fallback
+    mesh.points -= held
     mesh.points *= scale
     mesh.points += place
     report(progress, 0.6)

@@ -14,6 +14,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+import pyvista as pv
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -427,6 +428,31 @@ def test_a_mesh_takes_the_place_of_a_phenomenons_subject(kind: str, tmp_path: Pa
     assert len(ground) > 20 and ground <= drawn
     assert len(drawn - ground) >= 5
     assert not outside(scene.start, world_points(scene))
+
+
+@pytest.mark.parametrize(
+    ("sides", "is_seen"),
+    [
+        ((1.0, 1.0, 1.0), True),
+        ((4.0, 1.0, 4.0), True),
+        ((2.0, 3.0, 1.0), True),
+        ((1.0, 1.0, 16.0), False),
+        ((7.0, 0.0, 7.0), True),
+    ],
+)
+def test_a_mesh_in_the_scene_of_the_eye_plane_goes_through_it(
+    sides: tuple[float, float, float], is_seen: bool, tmp_path: Path
+) -> None:
+    path = tmp_path / "box.ply"
+    x, y, z = sides
+    box = pv.Box((5.0, 5.0 + x, 7.0, 7.0 + y, -2.0, z - 2.0)).triangulate().subdivide(3)
+    box.save(path)
+    scene = load("eye-plane", mesh=str(path))
+    trace = scene.start.trace(world_points(scene))
+    assert (trace.clip[:, 3] > 0.0).any() and (trace.clip[:, 3] < 0.0).any()
+    assert (~trace.outside.any(axis=1)).any() == is_seen
+    size = np.subtract(scene.upper, scene.lower)
+    assert size.max() <= 20.0 and np.allclose(size / size.max(), np.array(sides) / max(sides))
 
 
 @pytest.mark.parametrize("kind", WRITERS)

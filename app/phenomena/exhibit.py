@@ -564,6 +564,9 @@ class Phenomenon:
     own_mesh : bool
         Whether a mesh of the user's can take the place of the built-in subject: scaled and moved
         into its bounds.
+    own_mesh_crosses : bool
+        Whether that mesh is rather to reach beyond the bounds: as wide or as high as they are,
+        its front where theirs is, and its right side a sixth of their width farther out.
     """
 
     name: str
@@ -580,6 +583,7 @@ class Phenomenon:
     copies: int = 0
     requires: frozenset[str] = frozenset()
     own_mesh: bool = False
+    own_mesh_crosses: bool = False
 
     @property
     def defaults(self) -> Settings:

@@ -472,4 +472,5 @@ PHENOMENON = Phenomenon(
     ),
     controls=("camera.eye",),
     own_mesh=True,
+    own_mesh_crosses=True,  # what lies on the floor beside the eye crosses nothing
 )
