@@ -222,8 +222,7 @@ def test_a_mark_is_dragged_in_the_image_in_its_plane_or_along_its_ray(
     farther = start().trace(drag(place, 0, -20, shift))
     assert farther.image == pytest.approx(moved.image, abs=1e-9)
     assert farther.view[2] < 1.1 * moved.view[2]
-    beside = place[0] - 40, place[1] - 40
-    drag(beside, 20, 20, none)  # it starts on no mark
+    drag((3.0, 3.0), 20, 20, none)  # it starts on no mark, and beside the picture
     assert start().trace(window.probe_panel.probes[0].point).view == pytest.approx(farther.view)
     assert window.probe_panel.probes[1].point == (0.0, 0.5, 0.5)
     assert not window.store.modified

@@ -24,7 +24,7 @@ from vtkmodules.vtkRenderingCore import vtkActor2D, vtkPolyDataMapper2D
 from app.drawings.actors import Canvas, Label, Space, lift_lines, line_actor
 from app.drawings.style import Style, rgb
 from app.picking import Hit, Lines, Probe, Sight, Surface, pick, projector
-from app.projection import Array, FreeMatrix, Projection
+from app.projection import Array, FreeMatrix, Projection, Trace
 from app.scene import Scene
 
 _RIM_EM, _FILL_EM, _CROSSING_EM = 0.44, 0.32, 0.24  # radii
@@ -105,16 +105,15 @@ class Probes:
         elif not projection.lens.parallel:
             start_at = 0.0
         marks = []
-        for probe in self.probes:
+        for probe, trace in zip(self.probes, self._traces(projection), strict=True):
             line = projector(projection, probe, (near, far, start_at))
-            if probe.point is None:
+            if probe.point is None or trace is None:
                 if line is None:  # under a free matrix without a view volume
                     marks.append(Mark(probe.number, None))
                     continue
                 crossing = sight.seen(line[:1])[0]
                 marks.append(Mark(probe.number, crossing, True, line[:2] - origin))
                 continue
-            trace = projection.trace(probe.point)
             point = np.array(probe.point)
             start = np.array(projection.camera.eye) if line is None else line[2]
             crossing = None if line is None else sight.seen(line[:1])[0]
@@ -128,15 +127,14 @@ class Probes:
     def in_ndc(self, projection: Projection, display_from_ndc: Array, sight: Sight) -> list[Mark]:
         """The marks of the NDC pane; its `sight` takes world points."""
         marks = []
-        for probe in self.probes:
+        for probe, trace in zip(self.probes, self._traces(projection), strict=True):
             z = projection.depth_range
             spot, solid = None, True
-            if probe.point is None:
+            if probe.point is None or trace is None:
                 assert probe.pixel is not None
                 width, height = projection.image_size
                 x, y = 2.0 * probe.pixel[0] / width - 1.0, 1.0 - 2.0 * probe.pixel[1] / height
             else:
-                trace = projection.trace(probe.point)
                 if not trace.in_front:
                     marks.append(Mark(probe.number, None))
                     continue
@@ -153,14 +151,19 @@ class Probes:
         """The marks of the image pane, by an affine (3, 3) from the image's pixels."""
         matrix = np.asarray(pane_from_image, dtype=np.float64)
         marks = []
-        for probe in self.probes:
-            if probe.point is None:
+        for probe, trace in zip(self.probes, self._traces(projection), strict=True):
+            if trace is None:
                 spot, solid = np.array(probe.pixel), True
             else:
-                trace = projection.trace(probe.point)
                 spot, solid = trace.image, not trace.outside.any()
             marks.append(Mark(probe.number, matrix[:2] @ (*spot.tolist(), 1.0), solid))
         return marks
+
+    def _traces(self, projection: Projection) -> list[Trace | None]:
+        """Each probe's point through all stages, all at once; None for a ray."""
+        points = [probe.point for probe in self.probes if probe.point is not None]
+        rows = zip(*projection.trace(points), strict=True) if points else iter(())
+        return [None if probe.point is None else Trace(*next(rows)) for probe in self.probes]
 
 
 class _Slot:
