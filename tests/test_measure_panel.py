@@ -515,25 +515,46 @@ def test_every_name_of_a_choice_is_put_together_from_translated_parts(
 
 
 def test_what_cannot_be_used_looks_it_and_says_why(panel: MeasurePanel, tmp_path: Path) -> None:
-    usable = Choice("MSAA 2", 1.0, 1.0, 2.0, use={"smoothing": "MSAA 2"})
-    finer = replace(usable, name="supersampling 3 x 3", use={"smoothing": "supersampling 3 x 3"})
+    """In italics and in words; grey is something else."""
+    usable = Choice("MSAA 2", 2.0, 2.0, 2.0, use={"smoothing": "MSAA 2"})
+    winner = "supersampling 3 x 3"
+    finer = replace(usable, name=winner, cost=1.0, error=1.0, use={"smoothing": winner})
     peer = Choice("PyGLM", None, None, None, note="not installed")
     trade = Trade("smoothing", "ms", "levels RMS", (usable, finer, peer), 5)
     panel.load(write(tmp_path / "a.json", replace(RESULTS, trades=(trade,), sweeps=())))
     refused, used = QSignalSpy(panel.refused), QSignalSpy(panel.used)
-    looks = []
+    names, italics, greys, tips = [], [], [], []
     for row in range(3):
         cell = panel.table.item(row, 0)
         assert cell is not None
-        looks.append((cell.font().italic(), cell.foreground(), cell.toolTip()))
+        names.append(cell.text())
+        italics.append(cell.font().italic())
+        greys.append(cell.foreground().style() != Qt.BrushStyle.NoBrush)
+        tips.append(cell.toolTip())
         panel.table.cellClicked.emit(row, 0)
-    (plain, ink, tip), (slanted, grey, why), (_, _, both) = looks
-    assert not plain and slanted and tip == ""
-    assert ink.style() == Qt.BrushStyle.NoBrush and grey.style() != Qt.BrushStyle.NoBrush
-    assert grey.color() != panel.palette().text().color()
-    assert why == "supersampling 3 x 3 is measured only: the panes are not drawn with it."
-    assert both.splitlines()[0] == "not installed" and both.count("measured only") == 1
+    assert names == ["MSAA 2", f"{winner} (measured only)", "PyGLM"]
+    assert italics == [False, True, True]
+    assert greys == [True, False, False], "only the first is beaten by another one in both"
+    assert tips[0] == ""
+    assert tips[1] == "supersampling 3 x 3 is measured only: the panes are not drawn with it."
+    assert tips[2].splitlines()[0] == "not installed" and tips[2].count("measured only") == 1
     assert used.count() == 1 and refused.count() == 2
+
+
+def test_grey_is_in_the_table_what_it_is_in_the_chart(panel: MeasurePanel, tmp_path: Path) -> None:
+    other = replace(TRADE, choices=tuple(reversed(TRADE.choices)))
+    panel.measured = {"arithmetic": replace(RESULTS, trades=(TRADE,), sweeps=())}
+    panel.loaded = {"arithmetic": replace(RESULTS, trades=(other,), sweeps=())}
+    panel.show_current()
+    (diagram,) = chart.diagrams(TRADE)
+    faded = {spot.key for spot in diagram.spots if spot.faded}
+    assert faded and len(faded) < len(diagram.spots)
+    names = [panel.table.item(row, 0) for row in range(panel.table.rowCount())]
+    grey = [cell.foreground().style() != Qt.BrushStyle.NoBrush for cell in names]
+    expected = [choice.name in faded for choice in (*TRADE.choices, *other.choices)]
+    assert grey == expected
+    ink = names[expected.index(True)].foreground().color()
+    assert ink != panel.palette().text().color()
 
 
 @pytest.mark.parametrize("width", [1000, 1340, 1800])

@@ -477,8 +477,17 @@ class MeasurePanel(QWidget):
         elif self.name in self.words:
             heads, rows = ["", ""], [["", self.words[self.name]]]
         choices = self._choices()
+        beaten = [
+            part.is_beaten(choice)
+            for part in (_part(each) for each in (shown, other) if each is not None)
+            if isinstance(part, Trade)
+            for choice in part.choices
+        ]
         self.table.setToolTip(
-            self.tr("Click a choice to use it in the panes; those in slanted grey cannot be used")
+            self.tr(
+                "Click a choice to use it in the panes; those in italics cannot be used, and those"
+                " in grey are beaten by another one in both"
+            )
             if choices
             else self.tr("What was measured at each value; there is nothing to use in the panes")
         )
@@ -494,6 +503,9 @@ class MeasurePanel(QWidget):
                 cell = QTableWidgetItem(named(text, translated))
                 if why:
                     cell.setFont(slanted)
+                    if x == 0 and choices[y].cost is not None:
+                        cell.setText(self.tr("{0} (measured only)").format(cell.text()))
+                if y < len(beaten) and beaten[y]:
                     cell.setForeground(grey)
                 cell.setToolTip("\n".join(filter(None, (named(row[-1], translated), why))))
                 if 0 < x < len(row) - 1:

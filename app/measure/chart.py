@@ -228,7 +228,7 @@ def _of_trade(
         spots.append(
             Spot(
                 x, y, name, choice.name, _tip(trade, choice, translate), "n",
-                faded=choice not in frontier, marked=marked,
+                faded=trade.is_beaten(choice), marked=marked,
             )
         )  # fmt: skip
     if any(spot.marked for spot in spots):

@@ -147,6 +147,10 @@ class Trade:
                 found.append(choice)
         return tuple(found)
 
+    def is_beaten(self, choice: Choice) -> bool:
+        """Whether another choice is no worse in both cost and error; grey wherever it is shown."""
+        return None not in (choice.cost, choice.error) and choice not in self.frontier
+
 
 @dataclass(frozen=True)
 class Curve:
