@@ -80,6 +80,12 @@ def click_spot(panel: MeasurePanel, key: str) -> None:
     QTest.mouseClick(view, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier, place)
 
 
+def click_cell(panel: MeasurePanel, row: int) -> None:
+    place = panel.table.visualItemRect(panel.table.item(row, 1)).center()
+    none = Qt.KeyboardModifier.NoModifier
+    QTest.mouseClick(panel.table.viewport(), Qt.MouseButton.LeftButton, none, place)
+
+
 def write(path: Path, results: Results) -> Path:
     path.write_text(to_json(results), encoding="utf-8")
     return path
@@ -227,6 +233,7 @@ def test_nothing_before_the_eye_is_words_in_the_table(
     measured(qtbot, panel, "arithmetic")
     assert cells(panel)[0][-1] == arithmetic.NO_POINTS
     assert panel.sentence.text() == f"Nothing could be measured: {arithmetic.NO_POINTS}."
+    assert panel.list.currentItem().text() == "Arithmetic" and panel.progress.value() == 0
     assert panel.export(tmp_path / "nothing.png")
 
 
@@ -275,13 +282,7 @@ def test_a_click_on_a_point_or_a_row_uses_the_choice(panel: MeasurePanel, tmp_pa
     click_spot(panel, "good")
     assert [used.at(i)[0] for i in range(used.count())] == [{"rung": "good"}]
     assert panel.table.currentRow() == 2
-    box = panel.table.visualItemRect(panel.table.item(0, 1))
-    QTest.mouseClick(
-        panel.table.viewport(),
-        Qt.MouseButton.LeftButton,
-        Qt.KeyboardModifier.NoModifier,
-        box.center(),
-    )
+    click_cell(panel, 0)
     assert used.at(1)[0] == {"rung": "fast"} and used.count() == 2
     (view,) = (view for view in panel.diagrams if view.isVisible())
     QTest.mouseClick(view, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier, QPoint(2, 2))
@@ -294,7 +295,12 @@ def test_what_the_panes_cannot_draw_with_is_not_used(panel: MeasurePanel, tmp_pa
     panel.load(write(tmp_path / "a.json", replace(RESULTS, trades=(peers,))))
     panel.choose("arithmetic")
     click_spot(panel, "good")
-    assert panel.table.currentRow() == 2 and used.count() == 0
+    assert not panel.table.selectedItems() and used.count() == 0
+    click_cell(panel, 1)
+    assert not panel.table.selectedItems() and used.count() == 0
+    panel.load(write(tmp_path / "a.json", RESULTS))
+    click_cell(panel, 1)
+    assert {item.row() for item in panel.table.selectedItems()} == {1} and used.count() == 1
 
 
 def test_the_choice_in_use_is_marked_and_follows(panel: MeasurePanel, tmp_path: Path) -> None:
@@ -627,6 +633,41 @@ def test_a_drag_in_the_window_makes_it_wait_and_a_sentence_reaches_the_bar(
     assert not panel.load(tmp_path / "gone.json")
     assert window.messages.text.startswith("gone.json: cannot be read")
     assert panel.load(write(tmp_path / "a.json", RESULTS)) and window.messages.text == ""
+
+
+def test_what_the_panel_refused_is_said_until_it_is_used_again(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window()
+    panel, bar = window.measure_panel, window.messages
+    window.panels.open(panel)
+    alone = replace(TRADE.choices[0], name="float16", use={})
+    usable = replace(TRADE.choices[2], name="float64", use={"rung": "float64"})
+    trade = replace(TRADE, choices=(alone, usable))
+    panel.load(write(tmp_path / "a.json", replace(RESULTS, trades=(trade,), sweeps=())))
+    settle(window)
+
+    def refuse() -> None:
+        panel.table.cellClicked.emit(0, 0)
+        assert bar.text == "float16 is measured only: the panes are not drawn with it."
+
+    refuse()
+    panel.table.cellClicked.emit(1, 0)
+    assert bar.text == "" and window.store.document.quality.rung == "float64"
+    refuse()
+    click_spot(panel, "float64")
+    assert bar.text == ""
+    refuse()
+    panel.choose("depth")
+    assert bar.text == ""
+    panel.choose("arithmetic")
+    refuse()
+    panel.run()
+    assert bar.text == ""
+    refuse()
+    bar.say("Something else went wrong.")
+    panel.choose("depth")
+    assert bar.text == "Something else went wrong.", "that is not the panel's to take back"
 
 
 def test_the_window_says_what_the_panes_are_drawn_with(
