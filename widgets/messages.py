@@ -529,6 +529,7 @@ _CONTEXTS = {
 # What only a control can refuse: text that is no number, and what the core says of the target
 # as seen from the eye.
 A_NUMBER = QT_TRANSLATE_NOOP("ProjectionError", "must be a number, such as 0.5 or 2e-3")
+A_NUMBER_LIKE = QT_TRANSLATE_NOOP("ProjectionError", "must be a number, such as {0}")
 A_NUMBER_OR_INFINITY = QT_TRANSLATE_NOOP("ProjectionError", "must be a number, or inf for ∞")
 NOT_THE_TARGET = QT_TRANSLATE_NOOP(
     "ProjectionError", "must differ from the target, or the camera looks nowhere"
