@@ -18,6 +18,7 @@ from PySide6.QtWidgets import QApplication
 from app.projection import Camera, Projection, ProjectionError
 from widgets.animation import PERIOD_S, STEP_S, AnimationBar, Motion, camera_at
 from widgets.controls import Controls
+from widgets.rows import NumberRow
 
 # 5 to the +z side of the target and 3 above it.
 START = Camera((0.0, 5.0, 5.0), (0.0, 2.0, 0.0))
@@ -441,3 +442,62 @@ def test_the_walk_comes_out_of_the_controls(display: Any, qtbot: Any) -> None:
     assert edits[-1].camera.orbit.azimuth_deg == pytest.approx(180.0)
     assert gestures == ["start"]  # the row's own; the walk's are the animation's
     controls.animation.pause()
+
+
+def type_into(row: NumberRow, text: str) -> None:
+    row.field.setFocus()
+    row.field.selectAll()
+    QTest.keyClicks(row.field, text)
+    QTest.keyClick(row.field, Qt.Key.Key_Return)
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "said"),
+    [
+        ("speed", "inf", "Speed = ∞: must be at most 3600."),
+        ("speed", "-inf", "Speed = -∞: must be at least -3600."),
+        ("speed", "1e308", "Speed = 1e+308: must be at most 3600."),
+        ("speed", "-3600.5", "Speed = -3600.5: must be at least -3600."),
+        ("lowest", "-inf", "Lowest = -∞: must be at least -1e+100."),
+        ("highest", "inf", "Highest = ∞: must be at most 1e+100."),
+        ("highest", "1e101", "Highest = 1e+101: must be at most 1e+100."),
+        (
+            "speed", "fast",
+            "Speed = “fast”: must be a number, such as 0.5 or 2e-3; must be at least -3600;"
+            " must be at most 3600.",
+        ),
+    ],
+)  # fmt: skip
+def test_what_no_walk_can_have_is_refused_and_the_walk_goes_on(
+    bar: AnimationBar, record: Record, name: str, text: str, said: str
+) -> None:
+    bar.height_mode.choose("swing")
+    row = getattr(bar, name)
+    bar.play()
+    before, motion = row.value(), bar.motion
+    type_into(row, text)
+    assert row.error == f"⚠ Not possible. {said}"
+    assert row.value() == before and bar.motion == motion
+    bar.advance(1.0)
+    assert bar.playing and record.cameras
+    bar.look.choose("level")
+    bar.height_mode.widgets[0].setFocus()
+    bar.look.choose("target")
+    assert row.error == "", "it goes when anything else is accepted"
+
+
+@pytest.mark.parametrize("height", ["fixed", "swing", "steps"])
+def test_the_fastest_walk_between_the_farthest_limits_goes_on_or_says_why_not(
+    bar: AnimationBar, record: Record, height: str
+) -> None:
+    bar.height_mode.choose("swing")
+    for row, text in ((bar.speed, "3600"), (bar.lowest, "-1e100"), (bar.highest, "1e100")):
+        type_into(row, text)
+        assert row.error == "" and row.value() == float(text)
+    bar.height_mode.choose(height)
+    bar.play()
+    for _ in range(5):
+        bar.advance(0.01)
+    stopped = bar._error.text().endswith("The camera would look along its own up vector.")
+    assert bar.playing != stopped and bar.playing == (len(record.cameras) == 5)
+    assert bar.playing == (height != "swing")

@@ -17,7 +17,18 @@ from PIL import Image
 
 from app.measure import TRADES, chart
 from app.measure.arithmetic import SWEEPS
-from app.measure.results import Choice, Curve, Results, Sweep, Trade, table
+from app.measure.meaning import meaning
+from app.measure.results import (
+    COLUMNS,
+    WORDS,
+    Choice,
+    Curve,
+    Results,
+    Sweep,
+    Trade,
+    table,
+    to_csv,
+)
 from app.phenomena.exhibit import Diagram, Spot
 from app.placing import beside
 from tests.test_cli import refused, run
@@ -194,6 +205,42 @@ def test_a_table_has_a_word_for_what_has_no_number() -> None:
     assert table(waiting)[1][-1] == "cancelled"
     assert table(replace(waiting, complete=True))[1][-1] == ""
     assert table(SWEEP)[1] == ["0.01", "-", "1e-09", "float32 answers NaN"]
+
+
+def test_a_table_s_heads_are_words_with_units() -> None:
+    """A file's and a spreadsheet's columns keep their plain names."""
+    values = dict.fromkeys(COLUMNS, 0.5) | {"triangles": 2.0}
+    trade = replace(TRADE, choices=(replace(TRADE.choices[0], values=values),))
+    assert table(trade)[0][5:-1] == [*COLUMNS.values(), "triangles"]
+    assert not any("_" in head for head in table(trade)[0])
+    assert set(COLUMNS.values()) <= set(WORDS)
+    assert to_csv(trade).splitlines()[0].endswith(f"{','.join(values)},note")
+
+
+@pytest.mark.parametrize(
+    ("number", "in_table", "in_sentence"),
+    [
+        (872.4, "872", "872"),
+        (99.6, "99.6", "100"),
+        (999.6, "1000", "1000"),
+        (1234567.0, "1234567", "1234567"),
+        (8.72, "8.72", "8.7"),
+        (1e-9, "1e-09", "1e-09"),
+        (1e20, "1e+20", "1e+20"),
+        (math.inf, "inf", "inf"),
+    ],
+)
+def test_what_one_reads_has_no_exponent_for_thousands(
+    number: float, in_table: str, in_sentence: str
+) -> None:
+    trade = replace(TRADE, choices=(choice("only", number, 1.0), choice("error", 1.0, number)))
+    assert [row[1] for row in table(trade)[1:]] == [in_table, "1"]
+    alone = replace(trade, choices=trade.choices[:1])
+    assert f"only is the fastest ({in_sentence} ns)" in meaning(alone).sentence()
+    (diagram,) = chart.diagrams(replace(trade, choices=trade.choices[1:]))
+    assert spots(diagram)["error"].tip == f"error: 1 ns, {in_table} px"
+    swept = sweep("near", (1.0,), {"a": curve((number,), ("",))})
+    assert table(swept)[1][1] == in_sentence
 
 
 # -- names

@@ -895,6 +895,22 @@ def test_nonsense_is_refused_in_every_field(controls: Controls, key: str) -> Non
         ("width", "100000", "Width = 100000: must be a whole number of pixels from 1 to 16384."),
         ("height", "1.5", "Height = 1.5: must be a whole number of pixels from 1 to 16384."),
         ("height", "inf", "Height = ∞: must be a whole number of pixels from 1 to 16384."),
+        (
+            "width",
+            "abc",
+            "Width = “abc”: must be a number, such as 1280;"
+            " must be a whole number of pixels from 1 to 16384.",
+        ),
+        ("fov_y_deg", "inf", "Vertical fov = ∞: must lie between 0 and 180, both excluded."),
+        *(
+            (key, text, f"{name} = {shown}: must lie between 0 and 180, both excluded.")
+            for key, name in (("fov_y_deg", "Vertical fov"), ("fov_x_deg", "Horizontal fov"))
+            for text, shown in (("1e308", "1e+308"), ("-1e308", "-1e+308"))
+        ),
+        ("near", "1e308", "Near = 1e+308: must be less than far, which is 30."),
+        ("elevation_deg", "-1e308", "Elevation = -1e+308: must be at least -90."),
+        ("azimuth_deg", "1e308", "Azimuth = 1e+308: must be at most 1e+100."),
+        ("far", "1e308", "Far = 1e+308: must be at most 1e+100."),
     ],
 )
 def test_what_the_model_refuses_is_explained_at_the_row(

@@ -80,6 +80,12 @@ def click_spot(panel: MeasurePanel, key: str) -> None:
     QTest.mouseClick(view, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier, place)
 
 
+def click_cell(panel: MeasurePanel, row: int) -> None:
+    place = panel.table.visualItemRect(panel.table.item(row, 1)).center()
+    none = Qt.KeyboardModifier.NoModifier
+    QTest.mouseClick(panel.table.viewport(), Qt.MouseButton.LeftButton, none, place)
+
+
 def write(path: Path, results: Results) -> Path:
     path.write_text(to_json(results), encoding="utf-8")
     return path
@@ -227,6 +233,7 @@ def test_nothing_before_the_eye_is_words_in_the_table(
     measured(qtbot, panel, "arithmetic")
     assert cells(panel)[0][-1] == arithmetic.NO_POINTS
     assert panel.sentence.text() == f"Nothing could be measured: {arithmetic.NO_POINTS}."
+    assert panel.list.currentItem().text() == "Arithmetic" and panel.progress.value() == 0
     assert panel.export(tmp_path / "nothing.png")
 
 
@@ -275,13 +282,7 @@ def test_a_click_on_a_point_or_a_row_uses_the_choice(panel: MeasurePanel, tmp_pa
     click_spot(panel, "good")
     assert [used.at(i)[0] for i in range(used.count())] == [{"rung": "good"}]
     assert panel.table.currentRow() == 2
-    box = panel.table.visualItemRect(panel.table.item(0, 1))
-    QTest.mouseClick(
-        panel.table.viewport(),
-        Qt.MouseButton.LeftButton,
-        Qt.KeyboardModifier.NoModifier,
-        box.center(),
-    )
+    click_cell(panel, 0)
     assert used.at(1)[0] == {"rung": "fast"} and used.count() == 2
     (view,) = (view for view in panel.diagrams if view.isVisible())
     QTest.mouseClick(view, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier, QPoint(2, 2))
@@ -294,7 +295,12 @@ def test_what_the_panes_cannot_draw_with_is_not_used(panel: MeasurePanel, tmp_pa
     panel.load(write(tmp_path / "a.json", replace(RESULTS, trades=(peers,))))
     panel.choose("arithmetic")
     click_spot(panel, "good")
-    assert panel.table.currentRow() == 2 and used.count() == 0
+    assert not panel.table.selectedItems() and used.count() == 0
+    click_cell(panel, 1)
+    assert not panel.table.selectedItems() and used.count() == 0
+    panel.load(write(tmp_path / "a.json", RESULTS))
+    click_cell(panel, 1)
+    assert {item.row() for item in panel.table.selectedItems()} == {1} and used.count() == 1
 
 
 def test_the_choice_in_use_is_marked_and_follows(panel: MeasurePanel, tmp_path: Path) -> None:
@@ -515,25 +521,46 @@ def test_every_name_of_a_choice_is_put_together_from_translated_parts(
 
 
 def test_what_cannot_be_used_looks_it_and_says_why(panel: MeasurePanel, tmp_path: Path) -> None:
-    usable = Choice("MSAA 2", 1.0, 1.0, 2.0, use={"smoothing": "MSAA 2"})
-    finer = replace(usable, name="supersampling 3 x 3", use={"smoothing": "supersampling 3 x 3"})
+    """In italics and in words; grey is something else."""
+    usable = Choice("MSAA 2", 2.0, 2.0, 2.0, use={"smoothing": "MSAA 2"})
+    winner = "supersampling 3 x 3"
+    finer = replace(usable, name=winner, cost=1.0, error=1.0, use={"smoothing": winner})
     peer = Choice("PyGLM", None, None, None, note="not installed")
     trade = Trade("smoothing", "ms", "levels RMS", (usable, finer, peer), 5)
     panel.load(write(tmp_path / "a.json", replace(RESULTS, trades=(trade,), sweeps=())))
     refused, used = QSignalSpy(panel.refused), QSignalSpy(panel.used)
-    looks = []
+    names, italics, greys, tips = [], [], [], []
     for row in range(3):
         cell = panel.table.item(row, 0)
         assert cell is not None
-        looks.append((cell.font().italic(), cell.foreground(), cell.toolTip()))
+        names.append(cell.text())
+        italics.append(cell.font().italic())
+        greys.append(cell.foreground().style() != Qt.BrushStyle.NoBrush)
+        tips.append(cell.toolTip())
         panel.table.cellClicked.emit(row, 0)
-    (plain, ink, tip), (slanted, grey, why), (_, _, both) = looks
-    assert not plain and slanted and tip == ""
-    assert ink.style() == Qt.BrushStyle.NoBrush and grey.style() != Qt.BrushStyle.NoBrush
-    assert grey.color() != panel.palette().text().color()
-    assert why == "supersampling 3 x 3 is measured only: the panes are not drawn with it."
-    assert both.splitlines()[0] == "not installed" and both.count("measured only") == 1
+    assert names == ["MSAA 2", f"{winner} (measured only)", "PyGLM"]
+    assert italics == [False, True, True]
+    assert greys == [True, False, False], "only the first is beaten by another one in both"
+    assert tips[0] == ""
+    assert tips[1] == "supersampling 3 x 3 is measured only: the panes are not drawn with it."
+    assert tips[2].splitlines()[0] == "not installed" and tips[2].count("measured only") == 1
     assert used.count() == 1 and refused.count() == 2
+
+
+def test_grey_is_in_the_table_what_it_is_in_the_chart(panel: MeasurePanel, tmp_path: Path) -> None:
+    other = replace(TRADE, choices=tuple(reversed(TRADE.choices)))
+    panel.measured = {"arithmetic": replace(RESULTS, trades=(TRADE,), sweeps=())}
+    panel.loaded = {"arithmetic": replace(RESULTS, trades=(other,), sweeps=())}
+    panel.show_current()
+    (diagram,) = chart.diagrams(TRADE)
+    faded = {spot.key for spot in diagram.spots if spot.faded}
+    assert faded and len(faded) < len(diagram.spots)
+    names = [panel.table.item(row, 0) for row in range(panel.table.rowCount())]
+    grey = [cell.foreground().style() != Qt.BrushStyle.NoBrush for cell in names]
+    expected = [choice.name in faded for choice in (*TRADE.choices, *other.choices)]
+    assert grey == expected
+    ink = names[expected.index(True)].foreground().color()
+    assert ink != panel.palette().text().color()
 
 
 @pytest.mark.parametrize("width", [1000, 1340, 1800])
@@ -606,6 +633,41 @@ def test_a_drag_in_the_window_makes_it_wait_and_a_sentence_reaches_the_bar(
     assert not panel.load(tmp_path / "gone.json")
     assert window.messages.text.startswith("gone.json: cannot be read")
     assert panel.load(write(tmp_path / "a.json", RESULTS)) and window.messages.text == ""
+
+
+def test_what_the_panel_refused_is_said_until_it_is_used_again(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window()
+    panel, bar = window.measure_panel, window.messages
+    window.panels.open(panel)
+    alone = replace(TRADE.choices[0], name="float16", use={})
+    usable = replace(TRADE.choices[2], name="float64", use={"rung": "float64"})
+    trade = replace(TRADE, choices=(alone, usable))
+    panel.load(write(tmp_path / "a.json", replace(RESULTS, trades=(trade,), sweeps=())))
+    settle(window)
+
+    def refuse() -> None:
+        panel.table.cellClicked.emit(0, 0)
+        assert bar.text == "float16 is measured only: the panes are not drawn with it."
+
+    refuse()
+    panel.table.cellClicked.emit(1, 0)
+    assert bar.text == "" and window.store.document.quality.rung == "float64"
+    refuse()
+    click_spot(panel, "float64")
+    assert bar.text == ""
+    refuse()
+    panel.choose("depth")
+    assert bar.text == ""
+    panel.choose("arithmetic")
+    refuse()
+    panel.run()
+    assert bar.text == ""
+    refuse()
+    bar.say("Something else went wrong.")
+    panel.choose("depth")
+    assert bar.text == "Something else went wrong.", "that is not the panel's to take back"
 
 
 def test_the_window_says_what_the_panes_are_drawn_with(

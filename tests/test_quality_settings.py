@@ -473,7 +473,10 @@ def test_quality_gives_way_while_one_drags_and_comes_back_whole(
         step(window, 40.0 + i)
     assert window.adaptive.pace.level == Level(False, 0.005)
     dragged_pictures = pictures(window)
+    (late,) = said_to_be_late(window)
+    assert late.endswith("ms a frame, not 33.")
     window.store.end_gesture()
+    assert said_to_be_late(window) == []
     settle(window)
     fresh = make_window(window.store.document)
     rested, full = pictures(window), pictures(fresh)
@@ -481,9 +484,40 @@ def test_quality_gives_way_while_one_drags_and_comes_back_whole(
     assert triangles(window) == triangles(fresh), "copies, too, whose pixels may be the same"
     fresh._use({"smoothing": "none"})
     assert not any(same(pictures(fresh), dragged_pictures).values()), "there were fewer triangles"
-    window.status._predict()
-    late = [line for line in window.status.health.toolTip().splitlines() if "coarsest" in line]
-    assert len(late) == 1 and late[0].endswith("ms a frame, not 33.")
+
+
+def said_to_be_late(window: MainWindow) -> list[str]:
+    return [line for line in window.status.health.toolTip().splitlines() if "coarsest" in line]
+
+
+def test_that_frames_are_late_is_said_while_one_drags_and_at_no_cost(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    """At rest nothing is late; the next drag says it again with its first frame."""
+    window = make_window()
+    settle(window)
+    told: list[int] = []
+    window.adaptive.changed.connect(lambda: told.append(len(said_to_be_late(window))))
+    drawn: list[tuple[dict[str, int], dict[str, int]]] = []
+    for target_ms, first in ((1000.0, 20.0), (0.001, 40.0), (0.001, 60.0)):
+        if target_ms != window.adaptive.pace.target_ms:
+            window.adaptive.set_target(target_ms)
+        window.store.begin_gesture()
+        with counted_repaints(window) as dragging:
+            step(window, first)
+            at_first = len(said_to_be_late(window))
+            for i in range(11):
+                step(window, first + 1 + i)
+        late = len(said_to_be_late(window))
+        with counted_repaints(window) as resting:
+            window.store.end_gesture()
+            assert said_to_be_late(window) == []
+            settle(window)
+        assert said_to_be_late(window) == []
+        assert (at_first, late) == {20.0: (0, 0), 40.0: (0, 1), 60.0: (1, 1)}[first]
+        drawn.append((dragging, resting))
+    assert told == [1, 0, 1, 0]
+    assert drawn[0] == drawn[1] == drawn[2] and drawn[0][0] == dict.fromkeys(PANES, 12)
 
 
 @pytest.mark.parametrize(

@@ -44,7 +44,7 @@ class Adaptive(QObject):
     """
 
     changed = Signal()
-    """Whether the target is missed at the coarsest quality, or how many samples there are, is
+    """Whether a drag misses the target at the coarsest quality, or how many samples there are, is
     another answer now."""
 
     def __init__(
@@ -61,6 +61,7 @@ class Adaptive(QObject):
         self._target_ms = target_ms
         self._scene: Scene | None = None
         self.quality = AUTOMATIC
+        self._dragging = False
         self._began: float | None = None
         self._told: tuple[bool, int] = (False, 0)
         self._idle = QTimer(self)
@@ -95,8 +96,11 @@ class Adaptive(QObject):
 
     @property
     def late_ms(self) -> float:
-        """What frames take at the coarsest quality, if that is more than wanted; else 0."""
-        return self.pace.frame_ms if self.pace.is_late else 0.0
+        """What frames take at the coarsest quality, if that is more than wanted; else 0.
+
+        At rest nothing is late: nobody waits for a frame then.
+        """
+        return self.pace.frame_ms if self._dragging and self.pace.is_late else 0.0
 
     @property
     def samples(self) -> int:
@@ -113,6 +117,7 @@ class Adaptive(QObject):
 
     def step(self, dragging: bool) -> None:
         """The document has changed, or the hand has come to rest: to be called before drawing."""
+        self._dragging = dragging
         if dragging:
             self._began = time.perf_counter()
             level = self.pace.level
@@ -124,13 +129,18 @@ class Adaptive(QObject):
         for pane in self._panes.values():
             pane.set_smoothing(smoothing)
             pane.set_detail(None if whole or self._scene is None else reduced(self._scene, share))
+        if not dragging:  # of a drag its first frame tells
+            self._tell()
 
     def _swapped(self) -> None:
         """A pane's picture has reached the screen; with it those of its window's other panes."""
         if self._began is not None:
             ms, self._began = 1e3 * (time.perf_counter() - self._began), None
             self.pace.frame(ms)
-        found = self.pace.is_late, self.samples
+        self._tell()
+
+    def _tell(self) -> None:
+        found = self.late_ms > 0.0, self.samples
         if found != self._told:
             self._told = found
             self.changed.emit()

@@ -8,13 +8,23 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from functools import partial
 from typing import Literal, TypeAlias
 
 from PySide6.QtCore import QElapsedTimer, Qt, QTimer, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
 
-from app.projection import NOT_PARALLEL, NOT_THE_EYE, Camera, ProjectionError, Vector
-from widgets.messages import sentence
+from app.projection import (
+    AT_LEAST,
+    AT_MOST,
+    LARGEST,
+    NOT_PARALLEL,
+    NOT_THE_EYE,
+    Camera,
+    ProjectionError,
+    Vector,
+)
+from widgets.messages import sentence, translated
 from widgets.rows import Choice, ChoiceRow, Linear, NumberRow, Row
 
 HeightMode: TypeAlias = Literal["fixed", "swing", "steps"]
@@ -26,6 +36,8 @@ STEPS_UP = 3
 """Steps from the lowest height to the highest."""
 PERIOD_S = 2.0 * STEPS_UP * STEP_S
 """Once up and down, smoothly or in steps."""
+FASTEST_DEG_S = 3600
+"""Ten turns a second: beyond a sixth of a turn a frame nobody sees which way it goes."""
 
 FRAME_MS = 16
 """Least time between two frames."""
@@ -146,6 +158,12 @@ def _height(start_y: float, elapsed_s: float, motion: Motion) -> float:
     return start_y
 
 
+def _limits(largest: float) -> str:
+    """What holds for any number of a row that takes it in both signs."""
+    bounds = ((AT_LEAST, -largest), (AT_MOST, largest))
+    return "; ".join(translated(bound).format(limit) for bound, limit in bounds)
+
+
 class AnimationBar(QWidget):
     """Plays the walk: one camera a frame, from where the camera is, until paused.
 
@@ -243,7 +261,13 @@ class AnimationBar(QWidget):
         layout.addWidget(self._error)
         for row in self.rows:
             layout.addWidget(row)
-            row.edited.connect(self._settings_edited)
+        for number, largest in (
+            (self.speed, FASTEST_DEG_S), (self.lowest, LARGEST), (self.highest, LARGEST)
+        ):  # fmt: skip
+            number.limits = partial(_limits, largest)
+            number.edited.connect(partial(self._number_edited, number, largest))
+        for choice in (self.height_mode, self.look):
+            choice.edited.connect(self._settings_edited)
         self.speed.setValue(self._motion.speed_deg_s)
         for row in self.rows:
             row.setDefault(row.value())
@@ -277,6 +301,7 @@ class AnimationBar(QWidget):
         if camera == self._shown:
             return
         self._say("")
+        self._forget_refusals()
         before, self._shown = self._shown, camera
         if self._start is None or before is None:
             return
@@ -389,8 +414,22 @@ class AnimationBar(QWidget):
         except ProjectionError:  # the aim is where the eye is now, or straight up from it
             self._start = camera
 
+    def _number_edited(self, row: NumberRow, largest: float, value: float) -> None:
+        if abs(value) > largest:
+            bound, limit = (AT_MOST, largest) if value > 0.0 else (AT_LEAST, -largest)
+            row.show_error(sentence(ProjectionError(row.name, value, bound, limit)))
+        else:
+            self._settings_edited()
+
+    def _forget_refusals(self) -> None:
+        """Something else was accepted."""
+        for row in self.rows:
+            if row.error and not row.in_hand:
+                row.clear_error()
+
     def _settings_edited(self) -> None:
         self._say("")
+        self._forget_refusals()
         if self._start is not None and self._shown is not None:
             self._go_on_from(self._shown, self._start.target[1])
         height, look = self.height_mode.value(), self.look.value()

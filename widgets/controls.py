@@ -384,6 +384,7 @@ class Controls(QScrollArea):
         row = binding.row
         if isinstance(row, NumberRow):
             row.limits = partial(self._limits, binding)
+            row.accepts = partial(self._accepts, binding)
         row.edited.connect(partial(self._edit, binding))
         row.gesture_started.connect(partial(self._gesture_started, row))
         row.gesture_finished.connect(self.gesture_finished)
@@ -401,7 +402,8 @@ class Controls(QScrollArea):
             projection = binding.write(before, value)
         except ProjectionError as error:
             seen = seen_from(binding.field, binding.row.name, value, error)
-            if isinstance(value, float) and math.isinf(value) and seen.bound == FINITE_NUMBER:
+            general = seen.bound == FINITE_NUMBER or seen.limits in ((LARGEST,), (-LARGEST,))
+            if isinstance(value, float) and abs(value) > LARGEST and general:
                 seen = self._limit(binding, value) or seen
             binding.row.show_error(sentence(_as_shown(seen, value)))
             # After the layout has made room for it, and only if it is still there.
@@ -423,7 +425,7 @@ class Controls(QScrollArea):
             bar.setValue(bar.value() + moved.y())
 
     def _limit(self, binding: Binding, value: float) -> ProjectionError | None:
-        """The model's own limit on the side of an infinite value, if it has one there."""
+        """The model's own limit on the side of a value beyond all, if it has one there."""
         probe = math.copysign(LARGEST, value)
         try:
             binding.write(self._projection, probe)
@@ -432,6 +434,13 @@ class Controls(QScrollArea):
             if seen.field == binding.field and seen.value == probe:
                 return ProjectionError(seen.field, value, seen.bound, *seen.limits)
         return None
+
+    def _accepts(self, binding: Binding, value: float) -> bool:
+        try:
+            binding.write(self._projection, value)
+        except ProjectionError:
+            return False
+        return True
 
     def _limits(self, binding: Binding) -> str:
         """What the model asks of a number in this row."""

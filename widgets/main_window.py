@@ -543,6 +543,7 @@ class MainWindow(QMainWindow):
         self.strip.gesture_started.connect(self.measure_panel.begin_gesture)
         self.strip.gesture_finished.connect(self.measure_panel.end_gesture)
         self.measure_panel.refused.connect(self.messages.say)
+        self.measure_panel.went_on.connect(self.messages.take_back)
         self.measure_panel.succeeded.connect(self.messages.done)
         controls.animation.playing_changed.connect(self._playing_changed)
         self.strip.moved.connect(self._stage_moved)

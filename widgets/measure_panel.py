@@ -89,6 +89,8 @@ class MeasurePanel(QWidget):
     """The `use` of a choice that was clicked: a dict of str."""
     refused = Signal(str)
     """What went wrong, in one sentence."""
+    went_on = Signal(str)
+    """That sentence, when the panel is used again and nobody has to read it any more."""
     succeeded = Signal()
     """A file was read or written after all."""
 
@@ -104,6 +106,8 @@ class MeasurePanel(QWidget):
         self._style = LIGHT
         self._gestures = 0
         self._stale = True
+        self._said = ""
+        """What was refused last, until the panel is used again."""
         self._asked: list[str] = []
         """What the running measurement is about."""
         self.measured: dict[str, Results] = {}
@@ -134,6 +138,7 @@ class MeasurePanel(QWidget):
             item.setData(Qt.ItemDataRole.UserRole, name)
             self.list.addItem(item)
         self.list.setCurrentRow(0)
+        self.list.currentItemChanged.connect(self._go_on)
         self.list.currentItemChanged.connect(self._refresh)
         self.how = QComboBox()
         self.how.addItem(self.tr("Quick"), True)
@@ -295,6 +300,7 @@ class MeasurePanel(QWidget):
         """Measure what is chosen."""
         if self.measuring.running:
             return
+        self._go_on()
         self._asked = self.chosen
         self.progress.setValue(0)
         trades = [name for name in self._asked if name not in SWEPT]
@@ -318,8 +324,11 @@ class MeasurePanel(QWidget):
             if results is None or results.complete:  # or an older one is better than nothing
                 self.measured.pop(name, None)
         if missing and (results is None or results.complete):
-            self.refused.emit(said)
-        self.progress.setValue(1000 if results is not None and results.complete else 0)
+            self._refuse(said)
+        done = (
+            results is not None and results.complete and any(map(_says_something, found.values()))
+        )
+        self.progress.setValue(1000 if done else 0)
         self._show_running()
         self._refresh()
 
@@ -352,11 +361,11 @@ class MeasurePanel(QWidget):
         shown, other = self._shown()
         ending = path.suffix.lower()
         if shown is None:
-            self.refused.emit(self.tr("There is nothing to export yet: run a measurement first."))
+            self._refuse(self.tr("There is nothing to export yet: run a measurement first."))
             return False
         if ending not in ENDINGS:
             text = self.tr("{0}: its name must end in one of {1}.")
-            self.refused.emit(text.format(path, ", ".join(ENDINGS)))
+            self._refuse(text.format(path, ", ".join(ENDINGS)))
             return False
         QGuiApplication.setOverrideCursor(Qt.CursorShape.WaitCursor)
         try:
@@ -368,7 +377,7 @@ class MeasurePanel(QWidget):
                 content = chart.picture(shown, path.name, self._current(), other, translated)
             write_bytes_atomically(path, content)
         except DocumentError as error:
-            self.refused.emit(sentence(error))
+            self._refuse(sentence(error))
             return False
         finally:
             QGuiApplication.restoreOverrideCursor()
@@ -390,10 +399,10 @@ class MeasurePanel(QWidget):
             results = _read(path)
         except OSError as error:
             text = self.tr("{0}: cannot be read: {1}.")
-            self.refused.emit(text.format(path.name, error.strerror or error))
+            self._refuse(text.format(path.name, error.strerror or error))
             return False
         except ResultsError as error:
-            self.refused.emit(sentence(error))
+            self._refuse(sentence(error))
             return False
         self.loaded = _split(results)
         if self.name not in self.loaded and self.loaded:
@@ -428,7 +437,8 @@ class MeasurePanel(QWidget):
         self._stale = False
         shown, other = self._shown()
         for row, name in enumerate(chart.TITLES):
-            sign = "✓ " if name in self.measured or name in self.loaded else ""
+            found = (self.measured.get(name), self.loaded.get(name))
+            sign = "✓ " if any(each and _says_something(each) for each in found) else ""
             self.list.item(row).setText(sign + translated(chart.TITLES[name]))
         self.forget_button.setEnabled(bool(self.loaded))
         self.export_button.setEnabled(shown is not None)
@@ -477,8 +487,17 @@ class MeasurePanel(QWidget):
         elif self.name in self.words:
             heads, rows = ["", ""], [["", self.words[self.name]]]
         choices = self._choices()
+        beaten = [
+            part.is_beaten(choice)
+            for part in (_part(each) for each in (shown, other) if each is not None)
+            if isinstance(part, Trade)
+            for choice in part.choices
+        ]
         self.table.setToolTip(
-            self.tr("Click a choice to use it in the panes; those in slanted grey cannot be used")
+            self.tr(
+                "Click a choice to use it in the panes; those in italics cannot be used, and those"
+                " in grey are beaten by another one in both"
+            )
             if choices
             else self.tr("What was measured at each value; there is nothing to use in the panes")
         )
@@ -494,6 +513,9 @@ class MeasurePanel(QWidget):
                 cell = QTableWidgetItem(named(text, translated))
                 if why:
                     cell.setFont(slanted)
+                    if x == 0 and choices[y].cost is not None:
+                        cell.setText(self.tr("{0} (measured only)").format(cell.text()))
+                if y < len(beaten) and beaten[y]:
                     cell.setForeground(grey)
                 cell.setToolTip("\n".join(filter(None, (named(row[-1], translated), why))))
                 if 0 < x < len(row) - 1:
@@ -533,12 +555,24 @@ class MeasurePanel(QWidget):
         parts = [_part(each) for each in self._shown() if each is not None]
         return [c for part in parts if isinstance(part, Trade) for c in part.choices]
 
+    def _refuse(self, text: str) -> None:
+        self._said = text
+        self.refused.emit(text)
+
+    def _go_on(self, *_: object) -> None:
+        """What was refused is past."""
+        if self._said:
+            said, self._said = self._said, ""
+            self.went_on.emit(said)
+
     def _row_used(self, row: int, _column: int = 0) -> None:
+        self._go_on()
         choices = self._choices()
         if row < len(choices):
             self._use(choices[row])
 
     def _spot_used(self, key: str) -> None:
+        self._go_on()
         for row, choice in enumerate(self._choices()):
             if choice.name == key:
                 self.table.selectRow(row)
@@ -555,8 +589,10 @@ class MeasurePanel(QWidget):
         why = self._why_not(choice)
         if not why:
             self.used.emit(dict(choice.use))
-        elif choice.name:
-            self.refused.emit(why)
+            return
+        self.table.clearSelection()  # as if it were used
+        if choice.name:
+            self._refuse(why)
 
 
 class _Line(QLabel):
@@ -589,6 +625,14 @@ def _part(results: Results) -> Trade | Sweep:
     """The one trade or sweep of results that were split."""
     parts: list[Trade | Sweep] = [*results.trades, *results.sweeps]
     return parts[0]
+
+
+def _says_something(results: Results) -> bool:
+    """Whether there is a number in results that were split."""
+    part = _part(results)
+    if isinstance(part, Trade):
+        return bool(part.frontier)
+    return any(error is not None for curve in part.curves.values() for error in curve.errors)
 
 
 def _split(results: Results) -> dict[str, Results]:

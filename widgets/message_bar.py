@@ -63,6 +63,11 @@ class MessageBar(QFrame):
             self._choices.append(button)
         self.show()
 
+    def take_back(self, sentence: str) -> None:
+        """Hide a sentence, if it is still the one that is shown."""
+        if self.text == sentence:
+            self.hide()
+
     def done(self) -> None:
         """Take back what was said of a try that has been made good; an offer stays."""
         if not self._choices:

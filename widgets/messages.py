@@ -419,14 +419,14 @@ MEASURE_WORDS = (
     QT_TRANSLATE_NOOP("Measure", "world units"),
     QT_TRANSLATE_NOOP("Measure", "texels"),
     QT_TRANSLATE_NOOP("Measure", "levels RMS"),
-    QT_TRANSLATE_NOOP("Measure", "error_depth"),
-    QT_TRANSLATE_NOOP("Measure", "predicted_depth"),
-    QT_TRANSLATE_NOOP("Measure", "collapsed"),
-    QT_TRANSLATE_NOOP("Measure", "collapsed_predicted"),
+    QT_TRANSLATE_NOOP("Measure", "depth error (of 1)"),
+    QT_TRANSLATE_NOOP("Measure", "predicted depth error (of 1)"),
+    QT_TRANSLATE_NOOP("Measure", "pairs collapsed (of 1)"),
+    QT_TRANSLATE_NOOP("Measure", "predicted to collapse (of 1)"),
+    QT_TRANSLATE_NOOP("Measure", "memory (MiB)"),
+    QT_TRANSLATE_NOOP("Measure", "first frame (ms)"),
+    QT_TRANSLATE_NOOP("Measure", "reducing (ms)"),
     QT_TRANSLATE_NOOP("Measure", "triangles"),
-    QT_TRANSLATE_NOOP("Measure", "memory_mb"),
-    QT_TRANSLATE_NOOP("Measure", "first_frame_ms"),
-    QT_TRANSLATE_NOOP("Measure", "reduce_ms"),
     QT_TRANSLATE_NOOP("Measure", "near"),
     QT_TRANSLATE_NOOP("Measure", "far"),
     QT_TRANSLATE_NOOP("Measure", "fov"),
@@ -529,6 +529,7 @@ _CONTEXTS = {
 # What only a control can refuse: text that is no number, and what the core says of the target
 # as seen from the eye.
 A_NUMBER = QT_TRANSLATE_NOOP("ProjectionError", "must be a number, such as 0.5 or 2e-3")
+A_NUMBER_LIKE = QT_TRANSLATE_NOOP("ProjectionError", "must be a number, such as {0}")
 A_NUMBER_OR_INFINITY = QT_TRANSLATE_NOOP("ProjectionError", "must be a number, or inf for ∞")
 NOT_THE_TARGET = QT_TRANSLATE_NOOP(
     "ProjectionError", "must differ from the target, or the camera looks nowhere"

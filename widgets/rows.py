@@ -60,7 +60,7 @@ from app.projection import (
     ProjectionError,
 )
 from widgets.attention import paint_attention
-from widgets.messages import A_NUMBER, A_NUMBER_OR_INFINITY, number_text, sentence
+from widgets.messages import A_NUMBER, A_NUMBER_LIKE, A_NUMBER_OR_INFINITY, number_text, sentence
 
 QUIET_MS = 500
 """Keys and wheel steps with less than this between them are one gesture."""
@@ -75,6 +75,8 @@ LEAST_SLIDER_PX = 90
 
 # --------------------------------------------------------------------------- numbers as text
 
+EXAMPLES = (0.5, 2e-3)
+"""The numbers that `A_NUMBER` names."""
 _NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)(e[+-]?\d+)?", re.ASCII | re.IGNORECASE)
 _INFINITY = re.compile(r"([+-]?)(∞|inf|infinity)", re.IGNORECASE)
 
@@ -604,6 +606,8 @@ class NumberRow(Row):
         self._value: float = scale.value_at(0)
         self.limits: Callable[[], str] = str
         """Says what holds for any number here, for whoever typed none; set by the owner."""
+        self.accepts: Callable[[float], bool] = lambda _number: True
+        """Says whether a number could be an example here; set by the owner."""
         self.below: float | None = None
         """A bound that the number never reaches, and must not seem to; set by the owner."""
         self._open = False
@@ -713,8 +717,11 @@ class NumberRow(Row):
         try:
             value = parse_number(self.name, text, self._unit, infinite=self._scale.infinite)
         except ProjectionError as error:
-            said = sentence(error)
             limits = self.limits() if error.bound in (A_NUMBER, A_NUMBER_OR_INFINITY) else ""
+            if error.bound == A_NUMBER and not all(map(self.accepts, EXAMPLES)):
+                example = short_text(self._value)
+                error = ProjectionError(self.name, text.strip(), A_NUMBER_LIKE, example)
+            said = sentence(error)
             self._refuse(text, f"{said.removesuffix('.')}; {limits}." if limits else said)
             return
         self.clear_error()

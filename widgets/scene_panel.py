@@ -541,11 +541,20 @@ def make_row(setting: Setting) -> Row:
     else:
         number = NumberRow(name, tip, scale_of(setting), of_phenomena(setting.unit))
         number.limits = partial(_limits, setting)
+        number.accepts = partial(_accepts, setting)
         row = number
     default: Any = setting.default
     row.setValue(default)
     row.setDefault(default)
     return row
+
+
+def _accepts(setting: Setting, value: float) -> bool:
+    try:
+        setting.checked(value)
+    except ProjectionError:
+        return False
+    return True
 
 
 def _limits(setting: Setting) -> str:

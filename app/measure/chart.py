@@ -20,7 +20,7 @@ import numpy as np
 
 from app.drawings.style import LIGHT
 from app.measure.meaning import meaning
-from app.measure.results import MEASURED_ONLY, Choice, Results, Sweep, Trade, named
+from app.measure.results import MEASURED_ONLY, Choice, Results, Sweep, Trade, named, plain
 from app.phenomena.exhibit import Curve, Diagram, Spot
 from app.placing import beside
 
@@ -110,7 +110,7 @@ def machine(results: Results) -> str:
 def seen(results: Results, translate: Callable[[str], str] = str) -> str:
     """The scene and the camera that results are about."""
 
-    def plain(section: str) -> dict[str, Any]:
+    def tree(section: str) -> dict[str, Any]:
         found = results.document.get(section)
         return found if isinstance(found, dict) else {}
 
@@ -120,7 +120,7 @@ def seen(results: Results, translate: Callable[[str], str] = str) -> str:
     def vector(value: object) -> str:
         return f"({', '.join(map(short, value if isinstance(value, list) else []))})"
 
-    camera, lens = plain("camera"), plain("lens")
+    camera, lens = tree("camera"), tree("lens")
     kind = [str(lens.get("kind", "")), *(f"{k} {short(v)}" for k, v in lens.items() if k != "kind")]
     return translate(SEEN).format(
         os.path.basename(str(results.document.get("mesh") or results.document.get("scene", ""))),
@@ -228,7 +228,7 @@ def _of_trade(
         spots.append(
             Spot(
                 x, y, name, choice.name, _tip(trade, choice, translate), "n",
-                faded=choice not in frontier, marked=marked,
+                faded=trade.is_beaten(choice), marked=marked,
             )
         )  # fmt: skip
     if any(spot.marked for spot in spots):
@@ -264,7 +264,8 @@ def _common(choices: Sequence[Choice], translate: Callable[[str], str]) -> str:
 
 def _tip(trade: Trade, choice: Choice, translate: Callable[[str], str]) -> str:
     name = named(choice.name, translate)
-    said = f"{name}: {choice.cost:.3g} {trade.cost_unit}, {choice.error:.3g} {trade.error_unit}"
+    cost, error = plain(choice.cost, 3), plain(choice.error, 3)
+    said = f"{name}: {cost} {trade.cost_unit}, {error} {trade.error_unit}"
     why = "" if choice.use else translate(MEASURED_ONLY).format(name)
     return "; ".join(filter(None, (said, named(choice.note, translate), why)))
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from app.measure.results import Choice, Trade, named
+from app.measure.results import Choice, Trade, named, plain
 
 GOOD_ENOUGH = {
     "arithmetic": 0.01,
@@ -83,7 +83,7 @@ def meaning(trade: Trade) -> Meaning:
 
 
 def _plain(value: float | None) -> str:
-    return "-" if value is None else f"{value:.2g}"
+    return plain(value, 2)
 
 
 def cheapest(trade: Trade, limit: float) -> Choice | None:

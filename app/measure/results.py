@@ -45,13 +45,22 @@ DAMAGED = "{0}: is damaged: {1}."
 MEASURED_ONLY = "{0} is measured only: the panes are not drawn with it."
 SENTENCES = (NOT_RESULTS, NEWER_RESULTS, DAMAGED, MEASURED_ONLY)
 """Every sentence of a `ResultsError`, and on choices that cannot be used, for translators."""
+COLUMNS = {
+    "error_depth": "depth error (of 1)",
+    "predicted_depth": "predicted depth error (of 1)",
+    "collapsed": "pairs collapsed (of 1)",
+    "collapsed_predicted": "predicted to collapse (of 1)",
+    "memory_mb": "memory (MiB)",
+    "first_frame_ms": "first frame (ms)",
+    "reduce_ms": "reducing (ms)",
+}
+"""What a reader is told of further columns, if their names are not words already."""
 WORDS = (
     "eye first", "concatenated", "rows at once", "exact", "VTK's transform",
     "matplotlib's proj3d", "perspective-correct", "affine", "{0} pieces", "opengl", "direct3d",
     "reversed", "logarithmic", "none", "half resolution", "supersampling {0} x {0}",
     "this OpenGL gives {0} samples",
-    "p95", "predicted", "world units", "texels", "levels RMS", "error_depth", "predicted_depth",
-    "collapsed", "collapsed_predicted", "triangles", "memory_mb", "first_frame_ms", "reduce_ms",
+    "p95", "predicted", "world units", "texels", "levels RMS", *COLUMNS.values(), "triangles",
     "near", "far", "fov", "distance", "up", "aspect",
 )  # fmt: skip
 """What names of choices and of columns are put together from, for translators."""
@@ -146,6 +155,10 @@ class Trade:
             if not found or choice.error < (found[-1].error or 0.0):
                 found.append(choice)
         return tuple(found)
+
+    def is_beaten(self, choice: Choice) -> bool:
+        """Whether another choice is no worse in both cost and error; grey wherever it is shown."""
+        return None not in (choice.cost, choice.error) and choice not in self.frontier
 
 
 @dataclass(frozen=True)
@@ -454,6 +467,14 @@ def named(name: str, translate: Callable[[str], str] = str) -> str:
     return translate(name) if name else name
 
 
+def plain(value: float | None, digits: int) -> str:
+    """A number to be read: of so many digits, in full below ten million; ``-`` for none."""
+    if value is None:
+        return "-"
+    text = f"{value:.{digits}g}"
+    return f"{value:.0f}" if "e+" in text and abs(value) < 1e7 else text
+
+
 def table(part: Trade | Sweep) -> list[list[str]]:
     """One trade or sweep to be read: a row of names, a row for each choice or value.
 
@@ -468,11 +489,12 @@ def table(part: Trade | Sweep) -> list[list[str]]:
     """
     if isinstance(part, Trade):
         columns = part.columns
-        rows = [["", part.cost_unit, "p95", part.error_unit, "predicted", *columns, ""]]
+        rows = [["", part.cost_unit, "p95", part.error_unit, "predicted"]]
+        rows[0] += [*(COLUMNS.get(name, name) for name in columns), ""]
         for choice in part.choices:
             numbers = [choice.cost, choice.cost_p95, choice.error, choice.predicted]
             numbers += [choice.values.get(name) for name in columns]
-            cells = ["-" if number is None else f"{number:.3g}" for number in numbers]
+            cells = [plain(number, 3) for number in numbers]
             unmeasured = choice.cost is None and not part.complete
             note = choice.note or (CANCELLED if unmeasured else "")
             rows.append([choice.name, *cells, note])
@@ -481,6 +503,6 @@ def table(part: Trade | Sweep) -> list[list[str]]:
     for i, value in enumerate(part.values):
         errors = [curve.errors[i] for curve in part.curves.values()]
         notes = [f"{name} {c.notes[i]}" for name, c in part.curves.items() if c.notes[i]]
-        cells = ["-" if error is None else f"{error:.2g}" for error in errors]
+        cells = [plain(error, 2) for error in errors]
         rows.append([f"{value:.12g}", *cells, "; ".join(notes)])
     return rows
