@@ -575,6 +575,7 @@ class MainWindow(QMainWindow):
             place.attended.connect(partial(attend, name))
             self.attention.changed.connect(place.show_attention)
         self.attention.changed.connect(controls.show_attention)
+        self.matrices.outgrown.connect(self._panel_opened)
         self.matrices.told.connect(lambda text: self.statusBar().showMessage(text, 5000))
         self.scene_panel.edited.connect(self._set_settings)
         self.manipulation.setting_edited.connect(self._set_by_hand)

@@ -22,7 +22,16 @@ from fractions import Fraction
 from functools import cached_property, partial
 from typing import Any, NamedTuple
 
-from PySide6.QtCore import QEvent, QRectF, QSignalBlocker, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import (
+    QCoreApplication,
+    QEvent,
+    QRectF,
+    QSignalBlocker,
+    QSize,
+    Qt,
+    QTimer,
+    Signal,
+)
 from PySide6.QtGui import (
     QAction,
     QEnterEvent,
@@ -72,6 +81,16 @@ ROW_GAP_PX = 4
 """Between the parts of a row."""
 LEAST_SLIDER_PX = 90
 """Shorter than this, a slider has more values than a hand can tell apart."""
+
+REFUSAL_SHEET = "QLabel { border: 0px; border-left: 3px solid #d55e00; padding: 1px 0 2px 5px; }"
+"""How a `refusal` looks: in the window's own text colour; the bar, sign and words mark it."""
+
+
+def refusal(sentence: str) -> str:
+    """A sentence that says why something was refused, marked as that."""
+    refused = QCoreApplication.translate("Row", "Not possible.")  # lupdate reads no f-strings
+    return f"⚠ {refused} {sentence}"
+
 
 # --------------------------------------------------------------------------- numbers as text
 
@@ -475,13 +494,9 @@ class Row(QWidget):
             self._error.setWordWrap(True)
             self._error.setTextFormat(Qt.TextFormat.PlainText)
             self._error.setObjectName("rowError")
-            # The window's own text colour, for contrast; the bar, the sign and the words mark it.
-            self._error.setStyleSheet(
-                "#rowError { border: 0px; border-left: 3px solid #d55e00; padding: 1px 0 2px 5px; }"
-            )
+            self._error.setStyleSheet(REFUSAL_SHEET)
             self._grid.addWidget(self._error, 1, 0, 1, self._grid.columnCount())
-        refused = self.tr("Not possible.")  # lupdate reads no f-strings
-        self._error.setText(f"⚠ {refused} {sentence}")
+        self._error.setText(refusal(sentence))
         self._error.show()
         self._describe(self._error.text())
 
