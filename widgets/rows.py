@@ -435,6 +435,7 @@ class Row(QWidget):
         self._value: Any = None
         self._default: Any = None
         self._error: QLabel | None = None
+        self._refused = False
         how_to_reset = self.tr("Double-click the name to reset it.")
         self._tip = f"{tip} {how_to_reset}"
         self.name_label = _Name(name)
@@ -489,6 +490,10 @@ class Row(QWidget):
 
     def show_error(self, sentence: str) -> None:
         """Refuse what was just edited, and say why below the row."""
+        self._refused = True
+        self._show_refusal(refusal(sentence))
+
+    def _show_refusal(self, text: str) -> None:
         if self._error is None:
             self._error = QLabel()
             self._error.setWordWrap(True)
@@ -496,7 +501,7 @@ class Row(QWidget):
             self._error.setObjectName("rowError")
             self._error.setStyleSheet(REFUSAL_SHEET)
             self._grid.addWidget(self._error, 1, 0, 1, self._grid.columnCount())
-        self._error.setText(refusal(sentence))
+        self._error.setText(text)
         self._error.show()
         self._describe(self._error.text())
 
@@ -513,12 +518,14 @@ class Row(QWidget):
     def finish_gesture(self) -> None:
         """End what the user is in the middle of, if anything."""
 
-    def _attempt(self, value: Any) -> None:
-        """Offer a value to the owner; without an objection it is ours."""
+    def _attempt(self, value: Any) -> bool:
+        """Offer a value to the owner; without an objection it is ours. Whether it is."""
         before, self._value = self._value, value
+        self._refused = False
         self.edited.emit(value)
-        if self._error is not None and self._value == value:
+        if self._refused and self._value == value:
             self._value = before
+        return not self._refused
 
     def _make_edit(self, value: Any) -> None:
         self.finish_gesture()
@@ -708,8 +715,25 @@ class NumberRow(Row):
         self.clear_error()
         self._whole = False
         self._set_text(short_text(value, self.below))
-        if value != self._value:
-            self._attempt(value)
+        if value != self._value and not self._attempt(value):
+            self._go_as_far_as_possible(position)
+
+    def _go_as_far_as_possible(self, refused: int) -> None:
+        """Take the last value before a refused position, however fast the hand came there.
+
+        What was said of the refused value stays: that is where the hand is.
+        """
+        said = self.error
+        held = self._scale.position_of(self._value)
+        step = 1 if refused > held else -1
+        trial = held + step  # first: a hand that stays beyond costs one trial each time it moves
+        while abs(refused - held) > 1:
+            if self._attempt(self._scale.value_at(trial)):
+                held = trial
+            else:
+                refused = trial
+            trial = (held + refused) // 2
+        self._show_refusal(said)
 
     def reset(self) -> None:
         """Go back to the default, as the user's own edit; a text being typed is forgotten."""
