@@ -730,9 +730,7 @@ class MainWindow(QMainWindow):
         """Title, axes and limits of what the NDC pane shows."""
         pane = self.panes["ndc"]
         pane.set_title(self.strip.title(projection))
-        note = self.strip.note(projection)
-        pane.note.setText(note)
-        pane.note.setToolTip(note)  # the pane can be narrower
+        pane.note.setText(self.strip.note(projection))
 
     def _show_notes(self, projection: Projection, scene: Scene) -> None:
         self.status.show_projection(projection, scene)
