@@ -23,6 +23,7 @@ from numpy.typing import NDArray
 from PIL import Image
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
+from vtkmodules.vtkRenderingCore import vtkTextActor
 
 from app.detail import reduced
 from app.document import embed, write_bytes_atomically
@@ -264,6 +265,7 @@ def _render_pane(
             drawing.show_view(view)
         if transparent:
             for renderer in window.GetRenderers():
+                _clear_plates(renderer)
                 renderer.SetBackground(0.0, 0.0, 0.0)
                 renderer.SetBackgroundAlpha(0.0)
         window.Render()
@@ -272,6 +274,15 @@ def _render_pane(
         drawn = pixels_of(window)
         drawing.remove()
     return _averaged(drawn, factor, transparent)
+
+
+def _clear_plates(renderer: Any) -> None:
+    """Take the plates away that only have the background's colour: it is not there any more."""
+    for actor in renderer.GetViewProps():
+        if isinstance(actor, vtkTextActor):
+            text = actor.GetTextProperty()
+            if text.GetBackgroundColor() == renderer.GetBackground():
+                text.SetBackgroundOpacity(0.0)
 
 
 def pixels_of(window: Any) -> Pixels:

@@ -464,6 +464,29 @@ def test_the_words_of_a_probe_that_is_outside(make_window: MakeWindow) -> None:
     assert model.data(inside, Qt.ItemDataRole.BackgroundRole) is None
 
 
+@pytest.mark.parametrize("kind", ["perspective", "frustum", "orthographic"])
+def test_a_corner_marks_the_figure_that_its_drag_changes(
+    make_window: MakeWindow, kind: str
+) -> None:
+    window = opened(make_window)
+    window.store.set_projection(START.with_lens(kind))
+    settle()
+    drawing, canvas = window.panes["world"].drawing, window.panes["world"].canvas
+    marks = drawing._handles.shown  # type: ignore[union-attr]
+    x_px, y_px = next(spot for handle, spot in marks if handle.name == "corner")
+    labels = window.status.labels
+    before = {name: label.text() for name, label in labels.items()}
+    point_at(window, "world", x_px / canvas.pixel_ratio, y_px / canvas.pixel_ratio)
+    assert window.attention.now < set(CORNERS)
+    assert {name for name, label in labels.items() if label.is_marked} == {"fov"}
+    start = QPoint(math.floor(x_px), math.floor(y_px))
+    QTest.mousePress(canvas, Qt.MouseButton.LeftButton, pos=start)
+    QTest.mouseMove(canvas, start + QPoint(20, -30))
+    QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=start + QPoint(20, -30))
+    settle()
+    assert {name for name, label in labels.items() if label.text() != before[name]} == {"fov"}
+
+
 @pytest.mark.parametrize(
     ("figure", "named"),
     [("fov", {"fov"}), ("planes", {"near", "far"}), ("camera", {"eye", "target"})],

@@ -390,13 +390,43 @@ def test_a_bad_cell_is_named_and_the_good_state_stays(
     field.selectAll()
     qtbot.keyClicks(field, text) if text else qtbot.keyClick(field, Qt.Key.Key_Delete)
     qtbot.keyClick(field, Qt.Key.Key_Return)
-    assert panel.explanation.text() == f"{name}[0, 2] = {sentence}"
+    cell = f"{stage_title(name)}, row 1, column 3"
+    assert panel.explanation.text() == f"⚠ Not possible. {cell} = {sentence}"
+    assert panel.explanation.styleSheet()
     assert panel.views[name].field is field  # to be mended
     assert edits == [] and panel._projection == OFF_AXIS
     field.selectAll()
     qtbot.keyClicks(field, "0.5")
     qtbot.keyClick(field, Qt.Key.Key_Return)
     assert len(edits) == 1 and panel.views[name].texts != before
+    qtbot.keyClick(panel.views[name], Qt.Key.Key_Right)
+    assert "⚠" not in panel.explanation.text() and not panel.explanation.styleSheet()
+
+
+@pytest.mark.parametrize("size", [(1920, 1080), (1366, 768)])
+@pytest.mark.parametrize("open_first", [True, False])
+def test_what_is_said_of_a_free_matrix_is_seen_whole(
+    make_window: Callable[..., Any], qtbot: QtBot, size: tuple[int, int], open_first: bool
+) -> None:
+    window = make_window()
+    window.resize(*size)
+    panel = window.matrices
+    if open_first:
+        window.panels.open(panel)
+        qtbot.waitUntil(panel.isVisible)
+    projection = window.store.document.projection
+    for row, column, value in ((3, 2, 0.0), (3, 0, 0.1), (3, 3, 0.5), (0, 1, 0.5), (1, 1, 0.0)):
+        projection = with_cell(projection, "clip_from_view", row, column, value)
+    window.store.set_projection(projection)
+    window.panels.open(panel)
+    qtbot.waitUntil(lambda: notes(panel, "clip_from_view").count(": ") >= 3)
+
+    def is_whole() -> bool:
+        box = panel._boxes[2].note
+        bottom = box.mapTo(panel._scroll.viewport(), box.rect().bottomLeft()).y()
+        return bool(bottom < panel._scroll.viewport().height())
+
+    qtbot.waitUntil(is_whole)
 
 
 def test_keys_open_leave_and_go_on(

@@ -21,7 +21,7 @@ import psutil
 import pytest
 from PIL import Image
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QTimer, QUrl
-from PySide6.QtGui import QDropEvent, QImage
+from PySide6.QtGui import QDropEvent, QFont, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QApplication,
@@ -1216,3 +1216,24 @@ def test_lines_are_drawn_where_their_shader_declares_itself_in_other_words(
         patched.setattr(actors, "_cut_behind", cut_another_text)
         other = make_window()
     assert np.array_equal(pixels(other, "world"), pixels(make_window(), "world"))
+
+
+def test_a_note_beside_a_panes_title_ends_in_an_ellipsis_where_it_is_cut(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window()
+    note = window.panes["ndc"].note
+    text = "u, v, n in world units, as the camera has them"
+    note.setText(text)
+    for width in (60, 150, 2000, 100):
+        note.resize(width, note.height())
+        shown = str(QLabel.text(note))
+        assert note.fontMetrics().horizontalAdvance(shown) <= width
+        assert (shown == text) == (width == 2000) and shown.endswith("…") == (width != 2000)
+        assert note.text() == note.toolTip() == text
+    font = QFont(note.font())
+    font.setPointSizeF(2.0 * font.pointSizeF())
+    note.setFont(font)
+    assert note.fontMetrics().horizontalAdvance(QLabel.text(note)) <= 100
+    note.setText("")
+    assert QLabel.text(note) == ""

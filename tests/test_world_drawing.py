@@ -953,6 +953,23 @@ def test_refit_brings_nearer_what_has_nearly_vanished(make_view: MakeView) -> No
     assert np.allclose(view.camera.GetPosition(), before, atol=1e-6)
 
 
+def test_refit_goes_back_to_the_first_framing_when_that_shows_all_again(
+    make_view: MakeView,
+) -> None:
+    view = make_view("letter-f", 412, 670)
+    view.pixels()
+    before = view.camera.GetPosition()
+    free = START
+    for row, column, value in ((3, 2, -0.5), (3, 3, 1.0), (0, 0, 0.01)):
+        free = with_cell(free, "clip_from_view", row, column, value)
+    view.drawing.show_projection(free)
+    assert view.drawing.refit()
+    assert math.dist(view.camera.GetPosition(), before) > 1.0
+    view.drawing.show_projection(START)
+    assert view.drawing.refit() and view.camera.GetPosition() == before
+    assert np.array_equal(view.pixels(), make_view("letter-f", 412, 670).pixels())
+
+
 def test_refit_leaves_alone_what_is_in_the_picture_or_was_moved(make_view: MakeView) -> None:
     view = make_view()
     view.pixels()

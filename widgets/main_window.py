@@ -576,6 +576,7 @@ class MainWindow(QMainWindow):
             place.attended.connect(partial(attend, name))
             self.attention.changed.connect(place.show_attention)
         self.attention.changed.connect(controls.show_attention)
+        self.matrices.outgrown.connect(self._panel_opened)
         self.matrices.told.connect(lambda text: self.statusBar().showMessage(text, 5000))
         self.scene_panel.edited.connect(self._set_settings)
         self.manipulation.setting_edited.connect(self._set_by_hand)
@@ -730,9 +731,7 @@ class MainWindow(QMainWindow):
         """Title, axes and limits of what the NDC pane shows."""
         pane = self.panes["ndc"]
         pane.set_title(self.strip.title(projection))
-        note = self.strip.note(projection)
-        pane.note.setText(note)
-        pane.note.setToolTip(note)  # the pane can be narrower
+        pane.note.setText(self.strip.note(projection))
 
     def _show_notes(self, projection: Projection, scene: Scene) -> None:
         self.status.show_projection(projection, scene)

@@ -162,7 +162,7 @@ class Manipulation(QObject):
         if handle is None:
             canvas.unsetCursor()
             canvas.setToolTip(self._plain_tip)
-            self._world.note.clear()
+            self._world.note.setText("")
             self._line.clear()
         else:
             canvas.setCursor(Qt.CursorShape.OpenHandCursor)

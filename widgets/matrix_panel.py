@@ -22,6 +22,7 @@ from PySide6.QtCore import (
     QCoreApplication,
     QElapsedTimer,
     QEvent,
+    QObject,
     QPointF,
     QRectF,
     QSize,
@@ -80,7 +81,7 @@ from app.notation import (
 from app.projection import FreeMatrix, Projection, ProjectionError
 from widgets.attention import paint_attention
 from widgets.messages import field_name, sentence, stage_title, translated
-from widgets.rows import parse_number, short_text
+from widgets.rows import REFUSAL_SHEET, parse_number, refusal, short_text
 
 _AXES = ("u", "v", "n")
 _VIEW = ("view_from_world", "rotation")
@@ -681,6 +682,8 @@ class MatrixPanel(QWidget):
     attended = Signal(object)
     """The `Attention` that the cell under the mouse or the cursor draws."""
     edited = Signal(object)
+    outgrown = Signal()
+    """The matrices and what is said below them want more height than ever before."""
     told = Signal(str)
     """What was made of a text that is not the number itself: a sentence."""
 
@@ -704,6 +707,7 @@ class MatrixPanel(QWidget):
         self._rest.timeout.connect(self._refresh)
         self._earlier: tuple[object, tuple[Matrix, ...]] = (None, ())
         self._lay_out()
+        self._highest = self._content.sizeHint().height()
 
     def _lay_out(self) -> None:
         self.cells = self._choice(
@@ -760,6 +764,7 @@ class MatrixPanel(QWidget):
         self._scroll = QScrollArea()
         self._scroll.setWidgetResizable(True)
         self._scroll.setWidget(self._content)
+        self._content.installEventFilter(self)
         self._scroll.setFrameShape(QScrollArea.Shape.NoFrame)
         self.explanation = QLabel()
         self.explanation.setWordWrap(True)
@@ -785,7 +790,7 @@ class MatrixPanel(QWidget):
     def new_view(self, name: str) -> MatrixView:
         """A view of one matrix, wired to the explanation, the clipboard and the model."""
         view = MatrixView(self.sentence, editable=name in EDITABLE)
-        view.pointed.connect(self.explanation.setText)
+        view.pointed.connect(self._explain)
         view.copied.connect(self._copy_one)
         view.attended.connect(self.attended)
         view.show_attention(self._attention)
@@ -804,18 +809,25 @@ class MatrixPanel(QWidget):
         """Go on in the view of now: another lens has other ones."""
         self.views[name].edit_cell(row, column)
 
+    def _explain(self, text: str, sheet: str = "") -> None:
+        self.explanation.setStyleSheet(sheet)
+        self.explanation.setText(text)
+
     def _typed(self, view: MatrixView, name: str, row: int, column: int, text: str) -> None:
         """Take a cell that was typed, or say what is wrong with it."""
         if self._projection is None:
             return
         into, of = (column, row) if self._rows else (row, column)
+        cell = self.tr("{0}, row {1}, column {2}").format(stage_title(name), row + 1, column + 1)
         try:
-            value = parse_number(f"{name}[{into}, {of}]", text)
+            value = parse_number(cell, text)
             sign = cell_sign(self._projection, self._letters, name, into, of)
             projection = with_cell(self._projection, name, into, of, sign * value)
         except ProjectionError as error:
             view.refuse()
-            self.explanation.setText(sentence(error))
+            if error.field == f"{name}[{into}, {of}]":  # the core's word for it
+                error = ProjectionError(cell, error.value, error.bound, *error.limits)
+            self._explain(refusal(sentence(error)), REFUSAL_SHEET)
             return
         if "/" in text:
             taken = self.tr("{0} is taken as {1}, its quotient to all digits of float64.")
@@ -884,6 +896,15 @@ class MatrixPanel(QWidget):
         if event.type() == QEvent.Type.FontChange:
             self._plan = None  # widths are measured anew
             self._refresh()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.LayoutRequest and self._boxes:
+            height = self._content.sizeHint().height()
+            if height > self._highest:  # never less: the panes stand still
+                self._highest = height
+                if height > self._scroll.viewport().height():
+                    self.outgrown.emit()
+        return super().eventFilter(watched, event)
 
     def sizeHint(self) -> QSize:
         # Folded, there is no matrix yet to be measured: a title, axes, four rows, a note.

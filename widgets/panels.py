@@ -38,11 +38,13 @@ class Panels(QWidget):
 
     def sizeHint(self) -> QSize:
         """As high as the open panel wants to be, not as the highest of them."""
-        hint, panel = super().sizeHint(), self.open_panel
-        if panel is None:
+        hint, panel, layout = super().sizeHint(), self.open_panel, self.layout()
+        if panel is None or layout is None:
             return hint
-        others = self._stack.sizeHint().height()
-        return QSize(hint.width(), hint.height() - others + panel.sizeHint().height())
+        # From its parts: of what the panel has grown by just now, the layout's own hint knows not.
+        around = self._names.sizeHint().height() + layout.spacing()
+        around += layout.contentsMargins().top() + layout.contentsMargins().bottom()
+        return QSize(hint.width(), around + panel.sizeHint().height())
 
     def add(self, name: str, panel: QWidget, tip: str) -> None:
         """Add a panel, folded, under a translated name.

@@ -51,7 +51,7 @@ from app.projection import (
     format_value,
 )
 from widgets.messages import number_text, sentence
-from widgets.rows import parse_number
+from widgets.rows import REFUSAL_SHEET, parse_number, refusal
 
 MOST_PROBES = 6
 """More than these are no comparison any more."""
@@ -101,6 +101,7 @@ class ProbePanel(QWidget):
         self._clear.clicked.connect(self.clear)
         self.error = QLabel()
         self.error.setObjectName("rowError")
+        self.error.setStyleSheet(REFUSAL_SHEET)
         self.error.setTextFormat(Qt.TextFormat.PlainText)
         self.error.setWordWrap(True)
         self.error.hide()
@@ -257,8 +258,7 @@ class ProbePanel(QWidget):
             try:
                 point[axis] = _coordinate(name, field.text())
             except ProjectionError as error:
-                refused = self.tr("Not possible.")
-                self.error.setText(f"⚠ {refused} {sentence(error)}")
+                self.error.setText(refusal(sentence(error)))
                 self.error.show()
                 field.setAccessibleDescription(self.error.text())
                 return

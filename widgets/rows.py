@@ -22,7 +22,16 @@ from fractions import Fraction
 from functools import cached_property, partial
 from typing import Any, NamedTuple
 
-from PySide6.QtCore import QEvent, QRectF, QSignalBlocker, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import (
+    QCoreApplication,
+    QEvent,
+    QRectF,
+    QSignalBlocker,
+    QSize,
+    Qt,
+    QTimer,
+    Signal,
+)
 from PySide6.QtGui import (
     QAction,
     QEnterEvent,
@@ -72,6 +81,16 @@ ROW_GAP_PX = 4
 """Between the parts of a row."""
 LEAST_SLIDER_PX = 90
 """Shorter than this, a slider has more values than a hand can tell apart."""
+
+REFUSAL_SHEET = "QLabel { border: 0px; border-left: 3px solid #d55e00; padding: 1px 0 2px 5px; }"
+"""How a `refusal` looks: in the window's own text colour; the bar, sign and words mark it."""
+
+
+def refusal(sentence: str) -> str:
+    """A sentence that says why something was refused, marked as that."""
+    refused = QCoreApplication.translate("Row", "Not possible.")  # lupdate reads no f-strings
+    return f"⚠ {refused} {sentence}"
+
 
 # --------------------------------------------------------------------------- numbers as text
 
@@ -418,6 +437,7 @@ class Row(QWidget):
         self._value: Any = None
         self._default: Any = None
         self._error: QLabel | None = None
+        self._refused = False
         how_to_reset = self.tr("Double-click the name to reset it.")
         self._tip = f"{tip} {how_to_reset}"
         self.name_label = _Name(name)
@@ -472,18 +492,18 @@ class Row(QWidget):
 
     def show_error(self, sentence: str) -> None:
         """Refuse what was just edited, and say why below the row."""
+        self._refused = True
+        self._show_refusal(refusal(sentence))
+
+    def _show_refusal(self, text: str) -> None:
         if self._error is None:
             self._error = QLabel()
             self._error.setWordWrap(True)
             self._error.setTextFormat(Qt.TextFormat.PlainText)
             self._error.setObjectName("rowError")
-            # The window's own text colour, for contrast; the bar, the sign and the words mark it.
-            self._error.setStyleSheet(
-                "#rowError { border: 0px; border-left: 3px solid #d55e00; padding: 1px 0 2px 5px; }"
-            )
+            self._error.setStyleSheet(REFUSAL_SHEET)
             self._grid.addWidget(self._error, 1, 0, 1, self._grid.columnCount())
-        refused = self.tr("Not possible.")  # lupdate reads no f-strings
-        self._error.setText(f"⚠ {refused} {sentence}")
+        self._error.setText(text)
         self._error.show()
         self._describe(self._error.text())
 
@@ -500,12 +520,14 @@ class Row(QWidget):
     def finish_gesture(self) -> None:
         """End what the user is in the middle of, if anything."""
 
-    def _attempt(self, value: Any) -> None:
-        """Offer a value to the owner; without an objection it is ours."""
+    def _attempt(self, value: Any) -> bool:
+        """Offer a value to the owner; without an objection it is ours. Whether it is."""
         before, self._value = self._value, value
+        self._refused = False
         self.edited.emit(value)
-        if self._error is not None and self._value == value:
+        if self._refused and self._value == value:
             self._value = before
+        return not self._refused
 
     def _make_edit(self, value: Any) -> None:
         self.finish_gesture()
@@ -697,8 +719,25 @@ class NumberRow(Row):
         self.clear_error()
         self._whole = False
         self._set_text(short_text(value, self.below))
-        if value != self._value:
-            self._attempt(value)
+        if value != self._value and not self._attempt(value):
+            self._go_as_far_as_possible(position)
+
+    def _go_as_far_as_possible(self, refused: int) -> None:
+        """Take the last value before a refused position, however fast the hand came there.
+
+        What was said of the refused value stays: that is where the hand is.
+        """
+        said = self.error
+        held = self._scale.position_of(self._value)
+        step = 1 if refused > held else -1
+        trial = held + step  # first: a hand that stays beyond costs one trial each time it moves
+        while abs(refused - held) > 1:
+            if self._attempt(self._scale.value_at(trial)):
+                held = trial
+            else:
+                refused = trial
+            trial = (held + refused) // 2
+        self._show_refusal(said)
 
     def reset(self) -> None:
         """Go back to the default, as the user's own edit; a text being typed is forgotten."""

@@ -14,7 +14,7 @@ from PySide6.QtCore import QEvent, QRectF, Qt, QTimer, Signal
 from PySide6.QtGui import QEnterEvent, QPainter, QPaintEvent, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QInputDialog, QLabel, QMenu, QSizePolicy, QStatusBar, QToolButton
 
-from app.attention import NOTHING, Attention, made_of
+from app.attention import CORNERS, NOTHING, SIDES, Attention
 from app.health import risks
 from app.pace import LARGEST_FRAME_MS
 from app.precision import (
@@ -46,6 +46,7 @@ _ABOUT: dict[str, Attention] = {
     "planes": frozenset(("near", "far")),
     "camera": frozenset(("eye", "target")),
 }
+_OF_THE_WINDOW: Attention = frozenset((*CORNERS, *SIDES))
 RESTS_AFTER_MS = 150
 """How long nothing must change until errors are predicted."""
 
@@ -162,8 +163,10 @@ class StatusLine(QStatusBar):
 
     def show_attention(self, attended: Attention) -> None:
         """Mark the figures that are about what is attended to."""
+        if attended & _OF_THE_WINDOW:  # a corner is dragged to another field of view
+            attended |= {"fov"}
         for label in self.labels.values():
-            label.show_attention(made_of(attended))
+            label.show_attention(attended)
 
     def set_tolerance(self, tolerance_px: float) -> None:
         """Set up to which error in pixels a GPU's own arithmetic may draw."""

@@ -182,7 +182,7 @@ class WorldDrawing:
         self._grips: dict[str, Array] = {}
         self._reach: _Reach | None = None
         self._placed: tuple[float, ...] | None = None
-        self._framed = self._objects
+        self._framed = self._framed_first = self._objects
         self._look_from_pane()
         self.show_projection(scene.start)
         self.reset_view()
@@ -620,17 +620,18 @@ class WorldDrawing:
         level = math.cos(turn) * beside + math.sin(turn) * behind
         level /= np.linalg.norm(level)
         self._direction = math.cos(rise) * level + np.array([0.0, math.sin(rise), 0.0])
-        self._framed = self._points_to_frame()
+        self._framed = self._framed_first = self._points_to_frame()
         width_px, height_px = self._canvas.window.GetSize()
         self._place_view(max(1, width_px), max(1, height_px))
 
     def refit(self) -> bool:
         """Fit a view that nobody has moved, if what it framed has left it or nearly vanished.
 
-        The direction of looking stays. To be called when a gesture ends, never during one: while
-        a control is dragged the pane stands still, so that the model is what is seen moving. The
-        labels, which stay on their sides as long as they can, are placed afresh: at rest the
-        picture depends on nothing that was before.
+        And go back to what `reset_view` framed as soon as that shows everything again, as after
+        an undo. The direction of looking stays. To be called when a gesture ends, never during
+        one: while a control is dragged the pane stands still, so that the model is what is seen
+        moving. The labels, which stay on their sides as long as they can, are placed afresh: at
+        rest the picture depends on nothing that was before.
 
         Returns
         -------
@@ -640,19 +641,28 @@ class WorldDrawing:
         if self._was_moved():
             return self._place_labels(afresh=True)
         framed = self._points_to_frame()
-        x, y, depth = self._pane.axes @ (framed - self._pane.eye).T
         width_px, height_px = (max(1, side) for side in self._canvas.window.GetSize())
-        if depth.min() > 0.0:
-            # From -1 to 1 in the pane.
-            across = x / (depth * self._pane.slope * width_px / height_px)
-            up = y / (depth * self._pane.slope)
-            largest = max(float(np.ptp(across)), float(np.ptp(up))) / 2.0
-            inside = max(float(np.abs(across).max()), float(np.abs(up).max())) <= 1.0
-            if inside and largest >= _SHRUNK:
-                return self._place_labels(afresh=True)
+        first, now = self._framed_first, self._framed
+        if now is not first and self._fits(framed, self._stand(first, width_px, height_px)[0]):
+            framed = first
+        elif self._fits(framed, self._pane.eye):
+            return self._place_labels(afresh=True)
         self._framed = framed
         self._place_view(width_px, height_px)
         return True
+
+    def _fits(self, points: Array, eye: Array) -> bool:
+        """Whether points are in the view from `eye` in the direction of now, and large enough."""
+        x, y, depth = self._pane.axes @ (points - eye).T
+        if depth.min() <= 0.0:
+            return False
+        width_px, height_px = self._pane.size_px
+        # From -1 to 1 in the pane.
+        across = x / (depth * self._pane.slope * width_px / height_px)
+        up = y / (depth * self._pane.slope)
+        largest = max(float(np.ptp(across)), float(np.ptp(up))) / 2.0
+        inside = max(float(np.abs(across).max()), float(np.abs(up).max())) <= 1.0
+        return inside and largest >= _SHRUNK
 
     def _was_moved(self) -> bool:
         camera = self._own_camera
@@ -696,11 +706,22 @@ class WorldDrawing:
     def _place_view(self, width_px: int, height_px: int) -> None:
         """Stand in `_direction` from the framed points, as near as this window allows."""
         camera = self._own_camera
+        position, seen = self._stand(self._framed, width_px, height_px)
+        camera.SetParallelProjection(False)
+        camera.SetViewAngle(_VIEW_ANGLE_DEG)
+        camera.SetPosition(*position)
+        camera.SetFocalPoint(*seen)
+        camera.SetViewUp(0.0, 1.0, 0.0)
+        self._placed = (*camera.GetPosition(), *camera.GetFocalPoint())
+        self.reset_clipping_range()
+
+    def _stand(self, framed: Array, width_px: int, height_px: int) -> tuple[Array, Array]:
+        """Where to stand for these points, and what to look at: (3,) each."""
         out = self._direction
         right = np.cross((0.0, 1.0, 0.0), out)
         right /= np.linalg.norm(right)
         up = np.cross(out, right)
-        x, y, z = np.stack([right, up, out]) @ self._framed.T
+        x, y, z = np.stack([right, up, out]) @ framed.T
         half = math.tan(math.radians(_VIEW_ANGLE_DEG / 2.0)) * _FILL
         centre, distance = [], -math.inf
         for across, slope in ((x, half * width_px / height_px), (y, half)):
@@ -708,14 +729,8 @@ class WorldDrawing:
             centre.append((high - low) / 2.0)
             distance = max(distance, (high + low) / (2.0 * slope))
         middle = float(self._objects.mean(axis=0) @ out + self._eye @ out) / 2.0
-        position = centre[0] * right + centre[1] * up + distance * out
-        camera.SetParallelProjection(False)
-        camera.SetViewAngle(_VIEW_ANGLE_DEG)
-        camera.SetPosition(*position)
-        camera.SetFocalPoint(*(position + (middle - distance) * out))
-        camera.SetViewUp(0.0, 1.0, 0.0)
-        self._placed = (*camera.GetPosition(), *camera.GetFocalPoint())
-        self.reset_clipping_range()
+        position: Array = centre[0] * right + centre[1] * up + distance * out
+        return position, position + (middle - distance) * out
 
     def _lay_out(self, width_px: int, height_px: int) -> None:
         """Fit a view that nobody has moved into a window of another size."""
