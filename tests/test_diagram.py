@@ -322,6 +322,7 @@ def test_it_paints_only_when_there_is_something_else_to_see(
 
     view.paintEvent = counted  # type: ignore[method-assign]
     view.show_diagram(PLAIN)
+    qtbot.waitUntil(lambda: bool(painted))
     qapp.processEvents()
     assert len(painted) == 1
     view.show_diagram(PLAIN)
@@ -329,6 +330,7 @@ def test_it_paints_only_when_there_is_something_else_to_see(
     assert len(painted) == 1
     view.show_diagram(replace(PLAIN, right=5.0))
     view.show_diagram(replace(PLAIN, right=6.0))
+    qtbot.waitUntil(lambda: len(painted) > 1)
     qapp.processEvents()
     assert len(painted) == 2
 
