@@ -36,7 +36,9 @@ def translated(node: ast.AST, context: str) -> Iterator[tuple[str, str]]:
         called = ast.unparse(node.func)
         if called.endswith(".tr"):
             yield context, ast.literal_eval(node.args[0])
-        elif called == "QT_TRANSLATE_NOOP":
+        elif called == "QT_TRANSLATE_NOOP" or (
+            called == "QCoreApplication.translate" and isinstance(node.args[1], ast.Constant)
+        ):
             yield ast.literal_eval(node.args[0]), ast.literal_eval(node.args[1])
     for child in ast.iter_child_nodes(node):
         yield from translated(child, context)
