@@ -186,6 +186,7 @@ ROOMS = {
     "widgets/palette.py": Room(QT, ("app.drawings.style",)),
     "widgets/attention.py": Room(QT, ("app.attention",)),
     "widgets/messages.py": Room(QT, ("app.projection", "app.document")),
+    "widgets/note.py": Room(QT),
     "widgets/message_bar.py": PANEL,
     "widgets/rows.py": PANEL,
     "widgets/controls.py": PANEL,
@@ -227,7 +228,7 @@ ROOMS = {
         (
             *("app.document", "app.measure.results", "app.measure.meaning", "app.measure.chart"),
             *("app.phenomena.exhibit", "app.drawings.style"),
-            *("widgets.diagram", "widgets.measuring", "widgets.messages"),
+            *("widgets.diagram", "widgets.measuring", "widgets.messages", "widgets.note"),
         ),
     ),
     # Knows what any phenomenon is made of, and none of them.
@@ -251,7 +252,7 @@ ROOMS = {
         ("numpy", "pyvistaqt", *VTK, *QT),
         (
             *("app.projection", "app.picking", "app.attention"),
-            *("app.scene", "app.phenomena", "app.drawings", "widgets.palette"),
+            *("app.scene", "app.phenomena", "app.drawings", "widgets.palette", "widgets.note"),
         ),
     ),
     # Between two panes and the window: it knows what they draw, and not the store.

@@ -15,7 +15,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, QObject, QSize, Qt, Signal
-from PySide6.QtGui import QFont, QGuiApplication, QPalette, QResizeEvent, QShowEvent
+from PySide6.QtGui import QFont, QGuiApplication, QPalette, QShowEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QComboBox,
@@ -59,6 +59,7 @@ from app.phenomena.exhibit import Diagram
 from widgets.diagram import DiagramView
 from widgets.measuring import Measuring
 from widgets.messages import sentence, translated
+from widgets.note import Note
 
 HEIGHT_PX = 225
 """Of the panel where it opens, at the ordinary font, in a window of 768; more in a higher one."""
@@ -180,9 +181,9 @@ class MeasurePanel(QWidget):
         self.diagrams: list[DiagramView] = []
         self._drawn = QHBoxLayout()
         self._drawn.setContentsMargins(0, 0, 0, 0)
-        self.where = _Line("paneNote")
+        self.where = Note()
         self.where.setAccessibleName(self.tr("On what and when it was measured"))
-        self.seen = _Line("paneNote")
+        self.seen = Note()
         self.seen.setAccessibleName(self.tr("The scene and camera that were measured"))
         self.sentence = QLabel()
         self.sentence.setWordWrap(True)
@@ -445,8 +446,8 @@ class MeasurePanel(QWidget):
         self._show_chart(shown, other)
         self._show_table(shown, other)
         if shown is None:
-            self.where.set_text("")
-            self.seen.set_text("")
+            self.where.setText("")
+            self.seen.setText("")
             self.sentence.setText(self.words.get(self.name) or self.tr("Not measured yet."))
             self.sentence.show()
             return
@@ -458,8 +459,8 @@ class MeasurePanel(QWidget):
             said = f"{self.words[self.name]} {said}"
         self.sentence.setText(said)
         self.sentence.setVisible(bool(said))
-        self.where.set_text(chart.where(shown))
-        self.seen.set_text(chart.seen(shown, translated))
+        self.where.setText(chart.where(shown))
+        self.seen.setText(chart.seen(shown, translated))
 
     def _show_chart(self, shown: Results | None, other: Results | None) -> None:
         diagrams: tuple[Diagram, ...] = ()
@@ -593,32 +594,6 @@ class MeasurePanel(QWidget):
         self.table.clearSelection()  # as if it were used
         if choice.name:
             self._refuse(why)
-
-
-class _Line(QLabel):
-    """One line of text, as much as there is room for; all of it as its tooltip."""
-
-    def __init__(self, name: str) -> None:
-        super().__init__()
-        self.setObjectName(name)
-        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-        self.setTextFormat(Qt.TextFormat.PlainText)
-        self._text = ""
-
-    def set_text(self, text: str) -> None:
-        self._text = text
-        self.setToolTip(text)
-        self.setAccessibleDescription(text)
-        self._elide()
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self._elide()
-
-    def _elide(self) -> None:
-        self.setText(
-            self.fontMetrics().elidedText(self._text, Qt.TextElideMode.ElideRight, self.width())
-        )
 
 
 def _part(results: Results) -> Trade | Sweep:

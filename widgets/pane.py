@@ -20,14 +20,13 @@ import time
 from collections.abc import Callable, Sequence
 from typing import Any, Protocol, cast
 
-from PySide6.QtCore import QEvent, QPointF, Qt, Signal
-from PySide6.QtGui import QCloseEvent, QMouseEvent, QResizeEvent, QShowEvent, QWheelEvent
+from PySide6.QtCore import QPointF, Qt, Signal
+from PySide6.QtGui import QCloseEvent, QMouseEvent, QShowEvent, QWheelEvent
 from PySide6.QtWidgets import (
     QApplication,
     QFrame,
     QHBoxLayout,
     QLabel,
-    QSizePolicy,
     QToolButton,
     QVBoxLayout,
     QWidget,
@@ -39,6 +38,7 @@ from app.phenomena.exhibit import Exhibit
 from app.picking import Probe, Sight
 from app.projection import Camera, Projection
 from app.scene import Scene
+from widgets.note import Note
 
 ORBIT_DEG_PER_PX = 0.4
 ZOOM_PER_WHEEL_STEP = 1.15
@@ -306,42 +306,6 @@ def _elevation_deg(camera: Any) -> float:
     return math.degrees(math.asin(max(-1.0, min(1.0, sine))))
 
 
-class _Note(QLabel):
-    """What a pane shows, beside its title: as much as there is room for, all as its tooltip."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.setObjectName("paneNote")
-        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-        self._whole = ""
-
-    def setText(self, text: str) -> None:
-        self._whole = text
-        self.setToolTip(text)
-        self.setAccessibleName(text)
-        self._elide()
-
-    def text(self) -> str:
-        """The whole text."""
-        return self._whole
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self._elide()
-
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.FontChange:
-            self._elide()
-
-    def _elide(self) -> None:
-        shown = self.fontMetrics().elidedText(
-            self._whole, Qt.TextElideMode.ElideRight, self.width()
-        )
-        if shown != super().text():
-            super().setText(shown)
-
-
 class Pane(QFrame):
     """A titled canvas for one drawing.
 
@@ -404,7 +368,7 @@ class Pane(QFrame):
 
         self.title = QLabel(title)
         self.title.setObjectName("paneTitle")
-        self.note = _Note()
+        self.note = Note()
         self._reset = self._button("⌂", self.tr("Reset this pane's own view (double-click)"))
         self._reset.clicked.connect(self.reset_view)
         self._reset.setVisible(orbits)
