@@ -684,18 +684,22 @@ def test_the_window_says_what_the_panes_are_drawn_with(
     assert window._in_use()["depth_mapping"] == "reversed"
 
 
-def test_closing_the_window_ends_the_measurement(
-    make_window: Callable[..., MainWindow], qtbot: QtBot
-) -> None:
-    window = make_window()
-    panel = window.measure_panel
+def run_until_it_goes(panel: MeasurePanel, qtbot: QtBot) -> int:
+    """Start a full measurement; the number of its process, once that has told of progress."""
     panel.how.setCurrentIndex(1)
     panel.run()
     with qtbot.waitSignal(panel.measuring.progressed, timeout=SOON):
         pass
     process = panel.measuring._process
     assert process is not None
-    number = process.processId()
+    return int(process.processId())
+
+
+def test_closing_the_window_ends_the_measurement(
+    make_window: Callable[..., MainWindow], qtbot: QtBot
+) -> None:
+    window = make_window()
+    number = run_until_it_goes(window.measure_panel, qtbot)
     window.close()
     assert not psutil.pid_exists(number)
 
@@ -705,13 +709,8 @@ def test_the_window_goes_on_during_a_measurement(
 ) -> None:
     window = make_window()
     panel = window.measure_panel
-    panel.how.setCurrentIndex(1)
-    panel.run()
-    with qtbot.waitSignal(panel.measuring.progressed, timeout=SOON):
-        pass
-    process = panel.measuring._process
-    assert process is not None
-    ours, its = psutil.Process(), psutil.Process(process.processId())
+    number = run_until_it_goes(panel, qtbot)
+    ours, its = psutil.Process(), psutil.Process(number)
     assert its.nice() == min(19, ours.nice() + 10), "the window's steps come first"
     projection = window.store.document.projection
     window.store.set_projection(replace(projection, lens=Perspective(30.0, 1.0, 30.0)))
