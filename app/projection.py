@@ -31,9 +31,10 @@ from __future__ import annotations
 
 import math
 import numbers
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -202,11 +203,8 @@ _STRETCH = 8.0  # `Projection.stretch` up to which plain dot products keep 2e-12
 _LARGE_STRETCH = 2.0**24  # and up to which those do that have 75 bits
 _ABOVE_OFFSETS = 2.0**27  # added and taken away again, leaves the upper 27 bits of the offsets
 _BEYOND = 1e250  # where double-double products would overflow
+_FLOAT64 = np.dtype(np.float64)
 _CHUNK = 16384  # larger blocks wake OpenBLAS's second thread, which fights a software renderer
-_ROWS = 10_240  # points of which `image_rows` works in the second-level cache
-_MODEST = 1e30  # lengths that no lens takes to an overflow, nor their inverses
-_FEW = 1024  # points for which to set numpy's error handling would cost a tenth of the time
-_NAN_BITS = np.int64(0x7FF8 << 48)
 _FACE = ((-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0))
 
 
@@ -1008,121 +1006,48 @@ class Projection:
         -----
         Eye first as in `trace`, but the rotation, the lens and the viewport are one matrix and
         one division serves all three rows: within `trace`'s bounds, not the same to the last bit.
-        No pass over the points is made to check them: the least w of each block tells a NaN as
-        well, and infinities raise the processor's own flags. That costs 4 % of the time, and
-        points behind the eye up to a fifth in their block. A compensated projection takes as long
-        as `trace`, 8 to 16 times as long as the others.
-
-        Two threads for many points were tried: three quarters of the time on two idle processors,
-        one and a half times it beside anything that is busy, as a software renderer is.
+        All of it is one compiled pass over the points (`app.loops`), bound by the memory's speed;
+        the first call waits for the compiler. A compensated projection takes `trace` instead.
         """
         try:
             points = np.asarray(points_world)
         except ValueError:  # rows of different lengths
             raise ProjectionError("points", points_world, THREE_NUMBERS) from None
-        if points.ndim != 2 or points.shape[0] != 3 or points.dtype.kind not in "iuf":
+        if points.ndim != 2 or len(points) != 3 or points.dtype.kind not in "iuf":
             raise ProjectionError("points", points_world, THREE_NUMBERS)
-        count = points.shape[1]
         if out is None:
-            out = np.empty((3, count))
+            out = np.empty(points.shape)
         elif (
             out.shape != points.shape
-            or out.dtype != np.float64
+            or out.dtype != _FLOAT64
             or not out.flags.writeable
-            or np.may_share_memory(out, points)
+            or out is points
+            # Two that own their memory share none: that is seen in a sixth of the time.
+            or (
+                (out.base is not None or points.base is not None)
+                and np.may_share_memory(out, points)
+            )
         ):
-            raise ValueError(f"out must be a (3, {count}) float64 array apart from the points")
-        if 0 < count <= _FEW and self._image_steps is not None and self._write_few(points, out):
-            return out
-        rows = np.empty((4, min(count, _ROWS)))
-        with np.errstate(divide="raise", over="raise", invalid="raise"):
-            if count <= _ROWS:
-                self._image_block(points, out, rows)
-                return out
-            for start in range(0, count, _ROWS):
-                block = slice(start, start + _ROWS)
-                self._image_block(points[:, block], out[:, block], rows[:, : count - start])
-        return out
-
-    def _image_block(self, points: NDArray[Any], out: Array, rows: Array) -> None:
-        """Write a block of `image_rows`."""
-        if self._image_steps is None:
+            raise ValueError(f"out must be a {points.shape} float64 array apart from the points")
+        project_rows = self._project_rows
+        if project_rows is None:
             trace = self.trace(points.T)
             out[:2], out[2] = trace.image.T, trace.depth
-            return
-        try:
-            if self._write_image(points, out, rows):
-                return
-        except FloatingPointError:  # an overflow, or a product or difference of infinities
-            pass
-        checked_points(points.T)
-        with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-            self._write_image(points, out, rows)
-        out[:, ~np.isfinite(out).all(axis=0)] = np.nan
-
-    def _write_few(self, points: NDArray[Any], out: Array) -> bool:
-        """`_write_image` where nothing can overflow and all are in front; False elsewhere."""
-        assert self._image_steps is not None
-        eye, matrix, shift, factor = self._image_steps
-        np.subtract(points, eye, out)
-        flat = out.ravel()
-        if not (flat[flat.argmin()] > -_MODEST and flat[flat.argmax()] < _MODEST):  # or a NaN
-            return False
-        rows = matrix.dot(out)
-        if len(rows) == 3:
-            np.add(rows, shift, out)
-        else:
-            depth, w = rows[2], rows[3]
-            if w[w.argmin()] < 1.0 / _MODEST:
-                return False
-            np.add(depth, shift, depth)
-            np.divide(1.0, w, w)
-            np.multiply(rows[:3], w, out)
-        if factor != 1.0:
-            np.multiply(out[2], factor, out[2])
-        return True
-
-    def _write_image(self, points: NDArray[Any], out: Array, rows: Array) -> bool:
-        """The arithmetic of `image_rows`; False where a point is not finite."""
-        assert self._image_steps is not None
-        eye, matrix, shift, factor = self._image_steps
-        np.subtract(points, eye, out=out)
-        if self.standard_lens.parallel:
-            np.matmul(matrix, out, out=rows[:3])
-            np.add(rows[:3], shift, out=out)
-            finite = math.isfinite(np.add.reduce(out[2]))
-        else:
-            np.matmul(matrix, out, out=rows)
-            depth, w = rows[2], rows[3]
-            least = w[w.argmin()] if len(w) else 1.0  # the first NaN, if there is one
-            finite = least > -math.inf
-            if least <= 0.0:
-                # Their bits made those of a NaN: to choose costs ten times as much where the
-                # processor cannot guess which point lies behind.
-                bits = w.view(np.int64)
-                np.bitwise_or(bits, np.multiply(w <= 0.0, _NAN_BITS), out=bits)
-            np.add(depth, shift, out=depth)
-            np.divide(1.0, w, out=w)
-            np.multiply(rows[:3], w, out=out)
-        if factor != 1.0:
-            np.multiply(out[2], factor, out=out[2])
-        return bool(finite)
+            return out
+        if points.dtype is not _FLOAT64 or not points.flags.c_contiguous:
+            with np.errstate(over="ignore"):  # of a wider kind: told as infinite below
+                points = np.ascontiguousarray(points, dtype=np.float64)
+        rows = out if out.flags.c_contiguous else np.empty_like(points)
+        if not project_rows(points, rows):
+            checked_points(points.T)
+            rows[:, ~np.isfinite(rows).all(axis=0)] = np.nan
+        if rows is not out:
+            out[...] = rows
+        return out
 
     @cached_property
-    def _image_steps(self) -> tuple[Array, Array, Array | float, float] | None:
-        """What `image_rows` computes with, in order, None where `trace` has to do it.
-
-        Returns
-        -------
-        eye : (3, 1) array
-            Is subtracted from the points.
-        matrix : (4, 3) array, or (3, 3) for a parallel lens
-            Numerators of the three rows, and w.
-        shift : (3, 1) array
-            Is added; for a perspective lens a scalar, and to the numerator of the depth only.
-        factor : float
-            By which the depth is multiplied at the end.
-        """
+    def _project_rows(self) -> Callable[[Array, Array], bool] | None:
+        """`app.loops.project_rows` with this projection's matrix; None where `trace` has to do."""
         if isinstance(self.lens, FreeMatrix) or self.is_compensated:
             return None
         near, far, parallel = self.lens.near, self.lens.far, self.lens.parallel
@@ -1146,12 +1071,11 @@ class Projection:
             if max(abs(near), abs(far)) <= 2.0 * (far - near):
                 image_from_view[2] *= factor
                 factor = 1.0
-        matrix = image_from_view[:, :3] @ self.camera.frame
-        shift = image_from_view[:, 3:]
+        image_from_view[:, :3] = image_from_view[:, :3] @ self.camera.frame
+        from app import loops
+
         eye = read_only(self.camera.eye).reshape(3, 1)
-        if parallel:
-            return eye, matrix[:3], shift[:3], factor
-        return eye, matrix, float(shift[2, 0]), factor
+        return partial(loops.project_rows, eye, image_from_view, factor)
 
     def _view(self, world: Array) -> DoubleDouble:
         """View coordinates (..., 3), rounded once, and what that cut off of z (...).

@@ -89,10 +89,13 @@ ROOMS = {
     "app/camera.py": Room(("numpy",), ("app.double_double", "app.values")),
     "app/lenses.py": Room(rooms=("app.double_double", "app.values")),
     "app/rationals.py": Room(),
+    # Compiled when it is imported, which takes its time.
+    "app/loops.py": Room(("numpy", "numba")),
     # The model's one door: what values, camera and lenses hold is had from here.
     "app/projection.py": Room(
         ("numpy",),
         ("app.double_double", "app.rationals", "app.values", "app.camera", "app.lenses"),
+        late=("app.loops",),
     ),
     "app/precision.py": Room(("numpy",), ("app.double_double", "app.projection")),
     "app/depth.py": Room(("numpy",), ("app.projection",)),
@@ -465,4 +468,5 @@ def test_numbers_start_without_pictures(module: str) -> None:
     )
     loaded = done.stdout.split()
     assert "app" in loaded
-    assert not {"PySide6", "shiboken6", "vtkmodules", "pyvista", "matplotlib"} & set(loaded)
+    slow = {"PySide6", "shiboken6", "vtkmodules", "pyvista", "matplotlib", "numba"}
+    assert not slow & set(loaded)

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import math
+import subprocess
+import sys
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import pytest
 
-from app import projection as room
+from app.bootstrap import ROOT
 from app.projection import (
     DEPTH_RANGES,
     LARGEST,
@@ -40,12 +42,6 @@ LENSES: dict[str, Lens] = {
     "oblique": Oblique(-40.0, 60.0, -30.0, 30.0, -2.0, 20.0),
     "compensated oblique": Oblique(-4.0, 4.0, -4.0, 4.0, 1.0, 30.0),
 }
-
-
-@pytest.fixture(params=[0, 1024], ids=["in blocks", "few at once"], autouse=True)
-def few(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Both ways that a few points can go."""
-    monkeypatch.setattr(room, "_FEW", request.param)
 
 
 def projections() -> list[Any]:
@@ -156,8 +152,7 @@ def test_depth_between_planes_that_nearly_touch(lens: Lens, apart: float, depth:
 
 @pytest.mark.parametrize("name", ["perspective", "frustum", "oblique", "compensated"])
 @pytest.mark.parametrize("count", [0, 1, 2, 15, 16, 17, 31, 32, 33, 100])
-def test_blocks_join(name: str, count: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(room, "_ROWS", 16)
+def test_any_number_of_points(name: str, count: int) -> None:
     projection = Projection(SLANTED, LENSES[name])
     rows = rows_of(seen(projection, count))
     out = np.full((3, count), 7.0)
@@ -167,13 +162,10 @@ def test_blocks_join(name: str, count: int, monkeypatch: pytest.MonkeyPatch) -> 
 
 @pytest.mark.parametrize("depth", DEPTH_RANGES)
 @pytest.mark.parametrize("name", ["perspective", "infinite", "near close to far", "compensated"])
-def test_points_in_or_behind_the_eye_plane_have_no_picture(
-    name: str, depth: str, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(room, "_ROWS", 4)
+def test_points_in_or_behind_the_eye_plane_have_no_picture(name: str, depth: str) -> None:
     camera = Camera((0, 0, 5), (0, 0, 0))
     projection = Projection(camera, LENSES[name], (1920, 1080), depth)
-    # By fours; 5 is the eye plane.
+    # 5 is the eye plane.
     z = [0, 1, 2, 3, 0, 9, 1, 6, 5, 1, 2, 3, 0, 5.5, 1, 2, 5, 9, 8, 7, 4, 5, 4]
     rows = np.array([np.zeros(len(z)), np.full(len(z), 1e-7), z])
     found = projection.image_rows(rows)
@@ -206,11 +198,11 @@ def test_numbers_that_are_not_finite_are_refused(
 
 @pytest.mark.parametrize("name", ["perspective", "orthographic"])
 def test_numbers_too_large_for_a_picture_are_refused(name: str) -> None:
-    rows = np.full((3, 2), 1e308)
+    rows = np.full((3, 2), 1.7e308)
     rows[:, 0] = 0.0
-    with pytest.raises(ProjectionError, match=r"points = .*1e\+308"):
+    with pytest.raises(ProjectionError, match=r"points = .*1\.7e\+308"):
         Projection(SLANTED, LENSES[name]).image_rows(rows)
-    assert np.isfinite(Projection(SLANTED, LENSES["orthographic"]).image_rows(rows / 1e208)).all()
+    assert np.isfinite(Projection(SLANTED, LENSES["orthographic"]).image_rows(rows / 1e209)).all()
     assert rows.max() > LARGEST
 
 
@@ -232,7 +224,12 @@ def test_other_layouts_and_numbers_are_taken_too() -> None:
     projection = Projection(SLANTED)
     whole = np.array([(1, -2, 0), (0, 1, 2), (2, 1, -1)])
     expected = projection.image_rows(whole.astype(np.float64))
-    for same in (whole, whole.tolist(), whole.astype(np.float32), np.asfortranarray(whole)):
+    fixed = whole.astype(np.float64)
+    fixed.setflags(write=False)
+    for same in (
+        *(whole, whole.tolist(), whole.astype(np.float32), whole.astype(">f8"), fixed),
+        *(np.asfortranarray(fixed), whole.astype(np.longdouble)),
+    ):
         np.testing.assert_array_equal(projection.image_rows(same), expected)
 
 
@@ -250,3 +247,20 @@ def test_where_it_cannot_write_is_refused() -> None:
     np.testing.assert_array_equal(
         Projection().image_rows(rows, strided), Projection().image_rows(rows)
     )
+
+
+def test_it_is_compiled_where_nothing_can_be_written() -> None:
+    """A read-only installation and no folder of the user's own, or a full disk."""
+    script = (
+        "import tempfile\n"
+        "def refuse(*_, **__): raise OSError(28, 'No space left on device')\n"
+        "tempfile.TemporaryFile = refuse\n"
+        "from app.projection import Projection\n"
+        "from app.loops import project_rows\n"
+        "print(type(project_rows._cache).__name__)\n"
+        "print(Projection().image_rows([[0.0], [0.0], [0.0]]).shape)\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-W", "error", "-c", script], cwd=ROOT, capture_output=True, text=True
+    )
+    assert (done.stderr, done.stdout.split("\n", 1)) == ("", ["NullCache", "(3, 1)\n"])

@@ -149,17 +149,15 @@ def largest_difference_px(
     float or None
         In float64, over the points in the whole picture, each on the screen that it is on.
     """
-    rows = np.ascontiguousarray(points_world.T)
-    whole = projection.image_rows(rows)
-    width, height = projection.image_size
-    most = np.array([[width], [height], [1]])
-    inside = ((whole >= 0.0) & (whole <= most)).all(axis=0)  # no NaN is
+    trace = projection.trace(points_world)
+    inside = trace.in_front & ~trace.outside.any(axis=-1)
     if not inside.any():
         return None
+    whole = trace.image[inside]
     columns = screens[0].image_size[0]
-    on_left, on_right = (screen.image_rows(rows)[:2] for screen in screens)
-    wall = np.where(whole[0] <= columns, on_left, on_right + np.array([[columns], [0]]))
-    worst = float(np.abs(wall - whole[:2])[:, inside].max())
+    on_left, on_right = (screen.trace(points_world[inside]).image for screen in screens)
+    wall = np.where(whole[:, :1] <= columns, on_left, on_right + np.array((columns, 0)))
+    worst = float(np.abs(wall - whole).max())
     return worst if math.isfinite(worst) else None
 
 
