@@ -20,7 +20,7 @@ import numpy as np
 import psutil
 import pytest
 from PIL import Image
-from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QTimer, QUrl
+from PySide6.QtCore import QEvent, QMimeData, QObject, QPoint, QPointF, Qt, QTimer, QUrl
 from PySide6.QtGui import QDropEvent, QFont, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
@@ -107,6 +107,27 @@ def test_one_change_is_one_repaint_of_each_pane(make_window: Callable[..., MainW
             window.store.set_projection(seen(window, lens=Perspective(46.0 + step, 1.0, 30.0)))
             settle(window)
     assert counts == {"world": 5, "ndc": 5, "image": 5}
+
+
+def test_nothing_under_a_canvas_is_painted(make_window: Callable[..., MainWindow]) -> None:
+    """Qt would, and hand all of it to OpenGL, whenever a slider is painted beside the canvases."""
+    window = make_window()
+    slider = window.controls.rows["fov_y_deg"].slider
+    settle(window)
+    painted: list[QObject] = []
+
+    class Watch(QObject):
+        def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+            if event.type() == QEvent.Type.Paint:
+                painted.append(watched)
+            return False
+
+    watch = Watch()
+    for widget in (slider, *window.panes.values()):
+        widget.installEventFilter(watch)
+    slider.setValue(slider.value() + 1)
+    settle(window)
+    assert painted == [slider]
 
 
 def test_a_drag_repaints_once_a_step_and_once_to_refine(

@@ -133,6 +133,8 @@ class _Canvas(QtInteractor):
 
     def __init__(self, parent: QWidget, *, orbits: bool) -> None:
         super().__init__(parent, auto_update=False, multi_samples=0)
+        # Or Qt paints the window under it, and uploads that, whenever it draws a slider as well.
+        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.setMouseTracking(True)
         self.setAcceptDrops(False)  # the window takes drops; pyvistaqt would add the file here
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
