@@ -262,7 +262,13 @@ class Morph:
 
     def _even(self, stop: int) -> Array:
         """A stop's matrix with w = 1 at the middle of what is seen."""
-        return self._display_stop(stop) * self._evening(stop)
+        if stop not in self._evens:
+            self._evens[stop] = self._display_stop(stop) * self._evening(stop)
+        return self._evens[stop]
+
+    @cached_property
+    def _evens(self) -> dict[int, Array]:
+        return {}
 
     def _evening(self, stop: int) -> float:
         if self._lens.parallel or stop <= CANONICAL_PERSPECTIVE:
@@ -292,7 +298,16 @@ class Morph:
             return matrix
         if part == 0.0:
             return self._box_stop(stop)
-        return (1.0 - part) * self._box_stop(stop) + part * self._box_stop(stop + 1)
+        return (1.0 - part) * self._box_at(stop) + part * self._box_at(stop + 1)
+
+    def _box_at(self, stop: int) -> Array:
+        if stop not in self._boxes:
+            self._boxes[stop] = self._box_stop(stop)
+        return self._boxes[stop]
+
+    @cached_property
+    def _boxes(self) -> dict[int, Array]:
+        return {}
 
     @cached_property
     def _pyramid_from_box(self) -> Array:
