@@ -533,13 +533,11 @@ class MainWindow(QMainWindow):
         self.frame_panel.edited.connect(store.set_projection)
         self.frame_panel.step_changed.connect(self.panes["world"].show_step)
         dragged_in = (controls, controls.animation, self.manipulation, self.frame_panel)
+        paced = (self.matrices, self.probe_panel, self.scene_panel)
         for source in (*dragged_in, self.scene_panel):
-            source.gesture_started.connect(store.begin_gesture)
-            source.gesture_finished.connect(store.end_gesture)
-            source.gesture_started.connect(self.matrices.begin_gesture)
-            source.gesture_finished.connect(self.matrices.end_gesture)
-            source.gesture_started.connect(self.measure_panel.begin_gesture)
-            source.gesture_finished.connect(self.measure_panel.end_gesture)
+            for told in (store, *paced, self.measure_panel):
+                source.gesture_started.connect(told.begin_gesture)
+                source.gesture_finished.connect(told.end_gesture)
         self.strip.gesture_started.connect(self.measure_panel.begin_gesture)
         self.strip.gesture_finished.connect(self.measure_panel.end_gesture)
         self.measure_panel.refused.connect(self.messages.say)
@@ -804,6 +802,7 @@ class MainWindow(QMainWindow):
                 nearest, self._held = away, probe
         if self._held is not None:
             self.probe_panel.choose(self._held.number)
+            self.probe_panel.begin_gesture()
         else:
             self.manipulation.take_picture(place)
 
@@ -818,7 +817,9 @@ class MainWindow(QMainWindow):
             self.probe_panel.put(self._held.number, point)
 
     def _let_probe_go(self) -> None:
-        self._held = None
+        if self._held is not None:
+            self._held = None
+            self.probe_panel.end_gesture()
 
     def _show_probes(self) -> None:
         self._remove_probe.setEnabled(bool(self.probe_panel.probes))

@@ -19,15 +19,12 @@ from functools import partial
 from typing import cast
 
 from PySide6.QtCore import (
-    QCoreApplication,
-    QElapsedTimer,
     QEvent,
     QObject,
     QPointF,
     QRectF,
     QSize,
     Qt,
-    QTimer,
     Signal,
 )
 from PySide6.QtGui import (
@@ -81,13 +78,11 @@ from app.notation import (
 from app.projection import FreeMatrix, Projection, ProjectionError
 from widgets.attention import paint_attention
 from widgets.messages import field_name, sentence, stage_title, translated
+from widgets.readable import Readable
 from widgets.rows import REFUSAL_SHEET, parse_number, refusal, short_text
 
 _AXES = ("u", "v", "n")
 _VIEW = ("view_from_world", "rotation")
-READ_MS = 100
-"""While values run they are shown as often as digits can be read, and once the hand rests."""
-_SHOW = QEvent.Type(QEvent.registerEventType())
 _NOTE_CHARACTERS = 36
 """Characters in a line of a note, which shall not be wider than its matrix."""
 _WIDEST = 16
@@ -670,9 +665,6 @@ class _Box(QWidget):
 class MatrixPanel(QWidget):
     """Every matrix between the object and its picture.
 
-    A change is shown while the panel is visible, and at most every `READ_MS`: a drag costs little
-    more than without the panel, and ends with the value it ends with.
-
     Attributes
     ----------
     edited : Signal(Projection)
@@ -693,18 +685,12 @@ class MatrixPanel(QWidget):
         self._attention = NOTHING
         self._projection: Projection | None = None
         self._before: Projection | None = None
-        self._gestures = 0
+        self._readable = Readable(self, self._refresh)
         self._style = LIGHT
         self._shown: tuple[Matrix, ...] = ()
         self._boxes: list[_Box] = []
         self._plan: object = None
         self._unfolded: set[str] = set()
-        self._pending = self._posted = False
-        self._clock = QElapsedTimer()
-        self._rest = QTimer(self)
-        self._rest.setSingleShot(True)
-        self._rest.setInterval(READ_MS)
-        self._rest.timeout.connect(self._refresh)
         self._earlier: tuple[object, tuple[Matrix, ...]] = (None, ())
         self._lay_out()
         self._highest = self._content.sizeHint().height()
@@ -736,7 +722,7 @@ class MatrixPanel(QWidget):
             self.tr("Also the product of all stages so far, and the view matrix's inverse, whose "
                     "columns are the camera's axes and the eye")
         )  # fmt: skip
-        self.running.toggled.connect(self._refresh)
+        self.running.toggled.connect(self._readable.changed)
         self.copy = QToolButton()
         self.copy.setText(self.tr("Copy all"))
         self.copy.setAccessibleName(self.tr("Copy all matrices"))
@@ -784,7 +770,7 @@ class MatrixPanel(QWidget):
         box.setToolTip(tip)
         for value, text in choices:
             box.addItem(text, value)
-        box.currentIndexChanged.connect(self._refresh)
+        box.currentIndexChanged.connect(self._readable.changed)
         return box
 
     def new_view(self, name: str) -> MatrixView:
@@ -834,7 +820,7 @@ class MatrixPanel(QWidget):
             self.told.emit(taken.format(text.strip(), cell_text(value)))
         if projection != self._projection:
             self.show_projection(projection)
-            self._refresh()
+            self._readable.settle()
             now = self.views[name]
             if now is not view:
                 now.take_over((row, column))
@@ -844,13 +830,13 @@ class MatrixPanel(QWidget):
 
     def begin_gesture(self) -> None:
         """Until `end_gesture`, changes are marked against what is shown now."""
-        if not self._gestures:
+        if not self._readable.in_gesture:
             self._before = self._projection
-        self._gestures += 1
+        self._readable.begin_gesture()
 
     def end_gesture(self) -> None:
         """End the gesture that `begin_gesture` began."""
-        self._gestures = max(self._gestures - 1, 0)
+        self._readable.end_gesture()
 
     def show_projection(self, projection: Projection) -> None:
         """Take over the model.
@@ -861,41 +847,28 @@ class MatrixPanel(QWidget):
         """
         if projection == self._projection:
             return
-        if not self._gestures:
+        if not self._readable.in_gesture:
             self._before = self._projection
         self._projection = projection
         if not self.isVisible():
             self._before = None
-            return
-        self._pending = True
-        if self._clock.hasExpired(READ_MS):
-            if not self._posted:  # before the panes are drawn, so that the window is drawn once
-                self._posted = True
-                QCoreApplication.postEvent(self, QEvent(_SHOW))
-        else:
-            self._rest.start()
-
-    def event(self, event: QEvent) -> bool:
-        if event.type() == _SHOW:
-            self._refresh()
-            return True
-        return super().event(event)
+        self._readable.changed()
 
     def set_style(self, style: Style) -> None:
         """Take over the colours of the drawings."""
         self._style = style
         self.explanation.setMinimumHeight(2 * self.fontMetrics().height())
-        self._refresh()
+        self._readable.changed()
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
-        self._refresh()
+        self._readable.settle()
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() == QEvent.Type.FontChange:
             self._plan = None  # widths are measured anew
-            self._refresh()
+            self._readable.changed()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.LayoutRequest and self._boxes:
@@ -934,11 +907,8 @@ class MatrixPanel(QWidget):
         return views
 
     def _refresh(self) -> None:
-        self._rest.stop()
-        self._pending = self._posted = False
-        if self._projection is None or not self.isVisible():
+        if self._projection is None:
             return
-        self._clock.start()
         self._shown = self._matrices(self._projection)
         before: dict[str, Matrix] = {}
         if self._before is not None:
