@@ -2,11 +2,13 @@
 
 ::
 
-    changed --no gesture--------------------------------> show, at once
-            --in a gesture, READ_MS after the last one--> show, at once: before the panes are drawn
-            --in a gesture, sooner----------------------> show, when it rests or ends
+    changed --no gesture------------------------------> show, at once
+            --in a gesture, after a rest--------------> show, at once: before the panes are drawn
+            --in a gesture, every READ_MS and STEPS---> show, likewise
+            --in a gesture, sooner--------------------> show, when it rests or ends
 
-A drag then costs little more than without what is read, and ends with the value it ends with.
+Most steps of a drag then cost no more than without what is read, however slow the machine is, and
+it ends with the value it ends with.
 """
 
 from __future__ import annotations
@@ -19,6 +21,8 @@ from PySide6.QtWidgets import QWidget
 
 READ_MS = 100
 """Digits that change more often than this are not read."""
+STEPS = 3
+"""Of so many steps, one shows them, where steps are slow."""
 
 
 class Readable(QObject):
@@ -38,10 +42,12 @@ class Readable(QObject):
         self._gestures = 0
         self._pending = False
         self._shown_ms = float("-inf")
+        self._steps = STEPS
+        """Since what changed was shown."""
         self._rest = QTimer(self)
         self._rest.setSingleShot(True)
         self._rest.setInterval(READ_MS)
-        self._rest.timeout.connect(self.settle)
+        self._rest.timeout.connect(self._rested)
 
     @property
     def in_gesture(self) -> bool:
@@ -55,6 +61,8 @@ class Readable(QObject):
 
     def begin_gesture(self) -> None:
         """From now on values run; gestures may overlap."""
+        if not self._gestures:
+            self._steps = STEPS
         self._gestures += 1
 
     def end_gesture(self) -> None:
@@ -66,7 +74,9 @@ class Readable(QObject):
     def changed(self) -> None:
         """Show what is to be seen now, at once or as soon as it can be read."""
         self._pending = True
-        if self._gestures and self.now_ms() - self._shown_ms < READ_MS:
+        self._steps += 1
+        early = self.now_ms() - self._shown_ms < READ_MS or self._steps < STEPS
+        if self._gestures and early:
             self._rest.start()  # anew each time: while steps come, one of them shows it
         else:
             self.settle()
@@ -76,8 +86,12 @@ class Readable(QObject):
         self._rest.stop()
         if self._pending and self._widget.isVisible():
             self._pending = False
-            self._shown_ms = self.now_ms()
+            self._steps, self._shown_ms = 0, self.now_ms()
             self._show()
+
+    def _rested(self) -> None:
+        self.settle()
+        self._steps = STEPS
 
     def now_ms(self) -> float:
         """The clock, in ms."""
