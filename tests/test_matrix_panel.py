@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QContextMenuEvent, QGuiApplication, QMouseEvent
-from PySide6.QtWidgets import QMenu
+from PySide6.QtWidgets import QApplication, QMenu
 from pytestqt.qtbot import QtBot
 
 from app import cli, notation
@@ -280,6 +280,8 @@ def test_the_window_shows_the_current_value_when_the_panel_opens(
     assert not panel.shown
     window.panels.open(panel)
     qtbot.waitUntil(panel.isVisible)
+    QApplication.processEvents()
+    assert panel._scroll.verticalScrollBar().maximum() == 0, "it is as high as its matrices"
     projection = window.store.document.projection
     by_name = {matrix.name: matrix for matrix in panel.shown}
     assert by_name["clip_from_view"].values[1][1] == projection.direct_stages[0].matrix[1, 1]
@@ -422,6 +424,52 @@ def test_what_is_said_of_a_free_matrix_is_seen_whole(
         return bool(bottom < panel._scroll.viewport().height())
 
     qtbot.waitUntil(is_whole)
+
+
+@pytest.mark.parametrize("scrolled", [0.0, 0.5, 1.0])
+def test_a_matrix_stays_under_the_hand_when_its_neighbours_vanish_and_come_back(
+    make_window: Callable[..., Any], qtbot: QtBot, scrolled: float
+) -> None:
+    window = make_window()
+    panel = window.matrices
+    window.panels.open(panel)
+    qtbot.waitUntil(lambda: panel._scroll.horizontalScrollBar().maximum() > 500)
+    bar = panel._scroll.horizontalScrollBar()
+    bar.setValue(round(scrolled * bar.maximum()))
+
+    def left_px() -> int:
+        place: int = panel._left_of(panel.views["clip_from_view"])
+        return place
+
+    left, count = left_px(), len(panel.shown)
+    for text, boxes in (("0.25", count - 4), ("0", count)):
+        view = panel.views["clip_from_view"]
+        view.edit_cell(3, 0)
+        assert view.field is not None
+        view.field.setText(text)
+        view.field.setModified(True)
+        view.field.returnPressed.emit()
+        assert len(panel.shown) == boxes
+        assert left_px() == left  # at once, and when all has found its place
+        for _ in range(3):
+            window.panes["world"].request_repaint()
+            QApplication.processEvents()
+        assert left_px() == left
+    assert panel.window().focusWidget() is panel.views["clip_from_view"]
+
+
+def test_matrices_stand_on_one_line(panel: MatrixPanel, qtbot: QtBot) -> None:
+    panel.running.setChecked(True)
+    panel._boxes[1].fold.click()
+    qtbot.waitUntil(panel.views["view_from_world/rotation"].isVisible)
+    QApplication.processEvents()
+
+    def first_cells_px(seen: bool) -> set[int]:
+        views = [view for view in panel.views.values() if view.isVisible() is seen]
+        return {view.mapTo(panel, view._cell_rect(0, 0).topLeft().toPoint()).y() for view in views}
+
+    assert len(panel.views) > 10 and len(first_cells_px(True)) == 1
+    assert {box.view.height() for box in panel._boxes} == {panel._boxes[0].view.height()}
 
 
 def test_keys_open_leave_and_go_on(

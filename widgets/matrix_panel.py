@@ -19,8 +19,10 @@ from functools import partial
 from typing import cast
 
 from PySide6.QtCore import (
+    QCoreApplication,
     QEvent,
     QObject,
+    QPoint,
     QPointF,
     QRectF,
     QSize,
@@ -53,6 +55,7 @@ from PySide6.QtWidgets import (
     QMenu,
     QScrollArea,
     QSizePolicy,
+    QSpacerItem,
     QToolButton,
     QToolTip,
     QVBoxLayout,
@@ -283,9 +286,12 @@ class MatrixView(QWidget):
 
     @property
     def _margin(self) -> tuple[float, float]:
-        """Left and top of the first cell: room for the axes' letters and the bracket."""
+        """Left and top of the first cell: room for the axes' letters and the bracket.
+
+        Above there is room wherever the letters are, so that all matrices stand on one line.
+        """
         plate = QFontMetricsF(self._small()).height() + 2.0
-        return (plate + 8.0, 2.0) if self._axes_are_rows else (8.0, plate + 2.0)
+        return (plate + 8.0 if self._axes_are_rows else 8.0), plate + 2.0
 
     @property
     def _axes_are_rows(self) -> bool:
@@ -627,6 +633,9 @@ class _Box(QWidget):
         self.fold.setCheckable(True)
         self.fold.setChecked(unfolded)
         self.fold.setVisible(bool(matrix.factors))
+        fixed = self.fold.sizePolicy()
+        fixed.setRetainSizeWhenHidden(True)  # or titles without one would stand higher
+        self.fold.setSizePolicy(fixed)
         self.fold.setAccessibleName(self.tr("Factors of {0}").format(stage_title(matrix.name)))
         self.fold.setToolTip(self.tr("Show the factors that this matrix is the product of"))
         title.addWidget(self.fold)
@@ -635,7 +644,7 @@ class _Box(QWidget):
         row = QHBoxLayout()
         row.setSpacing(4)
         self.view = panel.new_view(matrix.name)
-        row.addWidget(self.view, 0, Qt.AlignmentFlag.AlignBottom)
+        row.addWidget(self.view, 0, Qt.AlignmentFlag.AlignTop)
         self.factors = QWidget()
         self.factors.setVisible(unfolded and bool(matrix.factors))
         self.fold.toggled.connect(self.factors.setVisible)
@@ -647,19 +656,25 @@ class _Box(QWidget):
             inner.addWidget(QLabel("·" if number else "="))
             column = QVBoxLayout()
             column.setSpacing(1)
-            column.addStretch(1)
-            column.addWidget(QLabel(stage_title(factor.name)))
             view = panel.new_view(factor.name)
             self.factor_views.append(view)
             column.addWidget(view)
+            column.addWidget(QLabel(stage_title(factor.name)))
+            column.addStretch(1)
             inner.addLayout(column)
         row.addWidget(self.factors)
         row.addStretch(1)
         layout.addLayout(row)
         self.note = QLabel()
         self.note.setObjectName("paneNote")
+        self.note.hide()
         layout.addWidget(self.note)
         layout.addStretch(1)
+
+    @property
+    def views(self) -> tuple[MatrixView, ...]:
+        """Of the matrix, and of its factors."""
+        return (self.view, *self.factor_views)
 
 
 class MatrixPanel(QWidget):
@@ -691,6 +706,8 @@ class MatrixPanel(QWidget):
         self._boxes: list[_Box] = []
         self._plan: object = None
         self._unfolded: set[str] = set()
+        self._gap: QSpacerItem | None = None
+        """Keeps a matrix in its place whose neighbours have gone."""
         self._earlier: tuple[object, tuple[Matrix, ...]] = (None, ())
         self._lay_out()
         self._highest = self._content.sizeHint().height()
@@ -736,7 +753,7 @@ class MatrixPanel(QWidget):
         ):
             menu.addAction(text, partial(self._copy_all, form))
         self.copy.setMenu(menu)
-        bar = QHBoxLayout()
+        self._bar = bar = QHBoxLayout()
         for widget in (self.cells, self.vectors, self.letters, self.running):
             bar.addWidget(widget)
         bar.addStretch(1)
@@ -788,7 +805,7 @@ class MatrixPanel(QWidget):
         """Mark the cells that speak of what is attended to."""
         self._attention = attended
         for box in self._boxes:  # as they are drawn: the model may have gone on since
-            for view in (box.view, *box.factor_views):
+            for view in box.views:
                 view.show_attention(attended)
 
     def _edit_cell(self, name: str, row: int, column: int) -> None:
@@ -819,12 +836,35 @@ class MatrixPanel(QWidget):
             taken = self.tr("{0} is taken as {1}, its quotient to all digits of float64.")
             self.told.emit(taken.format(text.strip(), cell_text(value)))
         if projection != self._projection:
+            left_px = self._left_of(view)
             self.show_projection(projection)
             self._readable.settle()
             now = self.views[name]
             if now is not view:
+                self._keep_in_place(now, left_px)
                 now.take_over((row, column))
             self.edited.emit(projection)
+
+    def _left_of(self, view: MatrixView) -> int:
+        """Where it stands in what is seen, in px."""
+        return view.mapTo(self._scroll.viewport(), QPoint()).x()
+
+    def _keep_in_place(self, view: MatrixView, left_px: int) -> None:
+        """Put a view where the hand is, though its neighbours have gone or come."""
+        bar = self._scroll.horizontalScrollBar()
+
+        def scroll() -> int:
+            """Scroll as far as that helps; how far to the right it has yet to go, in px."""
+            QCoreApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest.value)
+            bar.setValue(bar.value() + self._left_of(view) - left_px)
+            return left_px - self._left_of(view)
+
+        away = scroll()
+        if away:  # to the left there is no more to scroll to, or to the right
+            self._gap = QSpacerItem(abs(away), 0)
+            before = next(i for i, box in enumerate(self._boxes) if view in box.views)
+            self._row.insertItem(before if away > 0 else len(self._boxes), self._gap)
+            scroll()
 
     # -- the model
 
@@ -885,7 +925,7 @@ class MatrixPanel(QWidget):
             8 * self.fontMetrics().height() + 24, self._content.sizeHint().height()
         )
         around = (
-            self.copy.sizeHint().height(),
+            self._bar.sizeHint().height(),
             self._scroll.horizontalScrollBar().sizeHint().height(),
             self.explanation.minimumHeight(),
         )
@@ -962,6 +1002,9 @@ class MatrixPanel(QWidget):
         )
 
     def _build(self) -> None:
+        if self._gap is not None:
+            self._row.removeItem(self._gap)
+            self._gap = None
         for box in self._boxes:
             self._row.removeWidget(box)
             box.hide()
@@ -973,6 +1016,7 @@ class MatrixPanel(QWidget):
             self._set_arrow(box)
             self._boxes.append(box)
             self._row.insertWidget(place, box, 0, Qt.AlignmentFlag.AlignTop)
+            box.show()
 
     def _folded(self, box: _Box, name: str, unfolded: bool) -> None:
         (self._unfolded.add if unfolded else self._unfolded.discard)(name)
