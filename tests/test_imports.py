@@ -196,11 +196,13 @@ ROOMS = {
     "widgets/section.py": PANEL,
     "widgets/lens_controls.py": PANEL,
     "widgets/animation.py": PANEL,
+    "widgets/readable.py": Room(QT, ()),
     "widgets/matrix_panel.py": Room(
         QT,
         (
             *("app.notation", "app.free_matrix", "app.projection", "app.attention"),
             *("app.drawings.style", "widgets.attention", "widgets.messages", "widgets.rows"),
+            "widgets.readable",
         ),
     ),
     "widgets/frame_panel.py": Room(
@@ -215,7 +217,7 @@ ROOMS = {
         QT,
         (
             *("app.projection", "app.precision", "app.picking", "app.attention"),
-            *("widgets.messages", "widgets.palette", "widgets.rows"),
+            *("widgets.messages", "widgets.palette", "widgets.readable", "widgets.rows"),
         ),
     ),
     "widgets/diagram.py": Room(
@@ -239,7 +241,8 @@ ROOMS = {
         QT,
         (
             *("app.phenomena.exhibit", "app.projection", "app.drawings.style"),
-            *("widgets.animation", "widgets.diagram", "widgets.messages", "widgets.rows"),
+            *("widgets.animation", "widgets.diagram", "widgets.messages", "widgets.readable"),
+            "widgets.rows",
         ),
     ),
     "widgets/counting.py": Room(

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QContextMenuEvent, QGuiApplication, QMouseEvent
-from PySide6.QtWidgets import QMenu
+from PySide6.QtWidgets import QApplication, QMenu
 from pytestqt.qtbot import QtBot
 
 from app import cli, notation
@@ -47,7 +47,7 @@ def moved(projection: Projection, **fields: Any) -> Projection:
 
 def shown_after(panel: MatrixPanel, qtbot: QtBot, projection: Projection) -> None:
     panel.show_projection(projection)
-    qtbot.waitUntil(lambda: not panel._pending)
+    qtbot.waitUntil(lambda: not panel._readable.pending)
 
 
 def choose(box: Any, value: str) -> None:
@@ -91,11 +91,6 @@ def test_folded_computes_nothing(
     qtbot.waitExposed(panel)
     assert calls == [moved(OFF_AXIS, near=1.5)]
     assert not any(view.lit for view in panel.views.values())
-    for near in (1.0, 1.25, 2.0):  # one update for many steps
-        panel.show_projection(moved(OFF_AXIS, near=near))
-    assert len(calls) == 1
-    qtbot.waitUntil(lambda: len(calls) > 1)
-    assert calls[1] == moved(OFF_AXIS, near=2.0)
     count = len(calls)
     panel.hide()
     panel.show_projection(OFF_AXIS)
@@ -285,6 +280,8 @@ def test_the_window_shows_the_current_value_when_the_panel_opens(
     assert not panel.shown
     window.panels.open(panel)
     qtbot.waitUntil(panel.isVisible)
+    QApplication.processEvents()
+    assert panel._scroll.verticalScrollBar().maximum() == 0, "it is as high as its matrices"
     projection = window.store.document.projection
     by_name = {matrix.name: matrix for matrix in panel.shown}
     assert by_name["clip_from_view"].values[1][1] == projection.direct_stages[0].matrix[1, 1]
@@ -292,7 +289,7 @@ def test_the_window_shows_the_current_value_when_the_panel_opens(
     window.controls.gesture_started.emit()
     for near in (1.25, 1.5):
         window.store.set_projection(moved(start, near=near))
-    qtbot.waitUntil(lambda: not panel._pending)
+    qtbot.waitUntil(lambda: not panel._readable.pending)
     assert panel.views["clip_from_view"].lit == {(2, 2), (2, 3)}
     window.controls.gesture_finished.emit()
     assert all(isinstance(view, MatrixView) for view in panel.views.values())
@@ -427,6 +424,52 @@ def test_what_is_said_of_a_free_matrix_is_seen_whole(
         return bool(bottom < panel._scroll.viewport().height())
 
     qtbot.waitUntil(is_whole)
+
+
+@pytest.mark.parametrize("scrolled", [0.0, 0.5, 1.0])
+def test_a_matrix_stays_under_the_hand_when_its_neighbours_vanish_and_come_back(
+    make_window: Callable[..., Any], qtbot: QtBot, scrolled: float
+) -> None:
+    window = make_window()
+    panel = window.matrices
+    window.panels.open(panel)
+    qtbot.waitUntil(lambda: panel._scroll.horizontalScrollBar().maximum() > 500)
+    bar = panel._scroll.horizontalScrollBar()
+    bar.setValue(round(scrolled * bar.maximum()))
+
+    def left_px() -> int:
+        place: int = panel._left_of(panel.views["clip_from_view"])
+        return place
+
+    left, count = left_px(), len(panel.shown)
+    for text, boxes in (("0.25", count - 4), ("0", count)):
+        view = panel.views["clip_from_view"]
+        view.edit_cell(3, 0)
+        assert view.field is not None
+        view.field.setText(text)
+        view.field.setModified(True)
+        view.field.returnPressed.emit()
+        assert len(panel.shown) == boxes
+        assert left_px() == left  # at once, and when all has found its place
+        for _ in range(3):
+            window.panes["world"].request_repaint()
+            QApplication.processEvents()
+        assert left_px() == left
+    assert panel.window().focusWidget() is panel.views["clip_from_view"]
+
+
+def test_matrices_stand_on_one_line(panel: MatrixPanel, qtbot: QtBot) -> None:
+    panel.running.setChecked(True)
+    panel._boxes[1].fold.click()
+    qtbot.waitUntil(panel.views["view_from_world/rotation"].isVisible)
+    QApplication.processEvents()
+
+    def first_cells_px(seen: bool) -> set[int]:
+        views = [view for view in panel.views.values() if view.isVisible() is seen]
+        return {view.mapTo(panel, view._cell_rect(0, 0).topLeft().toPoint()).y() for view in views}
+
+    assert len(panel.views) > 10 and len(first_cells_px(True)) == 1
+    assert {box.view.height() for box in panel._boxes} == {panel._boxes[0].view.height()}
 
 
 def test_keys_open_leave_and_go_on(

@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import Any
+
+import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QLabel, QToolButton
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QLabel, QToolButton
 from pytestqt.qtbot import QtBot
 
 from widgets.panels import Panels
@@ -31,3 +36,56 @@ def test_one_panel_is_open_at_a_time(qtbot: QtBot) -> None:
     assert panels.open_panel is first and not second.isVisible() and not two.isChecked()
     qtbot.mouseClick(one, Qt.MouseButton.LeftButton)
     assert panels.open_panel is None and not first.isVisible() and not one.isChecked()
+
+
+def heights(window: Any) -> list[int]:
+    """Of the panels' part of the window, as their names are clicked from left to right and back."""
+    found = []
+    panels = (window.matrices, window.frame_panel, window.probe_panel, window.scene_panel,
+              window.measure_panel)  # fmt: skip
+    for panel in (*panels, *panels[::-1]):
+        window.panels.open(panel)
+        QApplication.processEvents()
+        found.append(window.panels.height())
+    return found
+
+
+@pytest.mark.parametrize("size", [(1366, 768), (1920, 1080)])
+def test_from_name_to_name_the_panels_only_grow(
+    make_window: Callable[..., Any], size: tuple[int, int]
+) -> None:
+    window = make_window()
+    window.resize(*size)
+    QApplication.processEvents()
+    found = heights(window)
+    assert found == sorted(found) and found[0] < found[-1]
+    assert all(pane.height() >= 400 for pane in window.panes.values())
+    window.panels.open(None)
+    assert set(heights(window)) == {found[-1]}
+    if size[1] > 768:  # in a lower window there is less to give
+        window.resize(1366, 768)
+        QApplication.processEvents()
+        assert max(heights(window)) < found[-1]
+        assert all(pane.height() >= 400 for pane in window.panes.values())
+
+
+def test_a_height_that_the_hand_has_chosen_stays(make_window: Callable[..., Any]) -> None:
+    window = make_window()
+    window.panels.open(window.matrices)
+    QApplication.processEvents()
+    handle = window._column.handle(1)
+    for away in (40, -60):
+        place = handle.rect().center()
+        before = window.panels.height()
+        QTest.mousePress(handle, Qt.MouseButton.LeftButton, pos=place)
+        place.setY(place.y() + away)
+        QTest.mouseMove(handle, place)
+        QTest.mouseRelease(handle, Qt.MouseButton.LeftButton, pos=place)
+        QApplication.processEvents()
+        chosen = window.panels.height()
+        assert chosen == before - away
+        assert set(heights(window)) == {chosen}
+        window.panels.open(None)
+        window.panels.open(window.matrices)
+        QApplication.processEvents()
+        assert window.panels.height() == chosen

@@ -196,7 +196,7 @@ def test_a_mark_is_dragged_in_the_image_in_its_plane_or_along_its_ray(
     window.probe_panel.pin.click()
     window.probe_panel.follow(point=(0.0, 0.5, 0.5))
     canvas = window.panes["image"].canvas
-    before = start().trace(CORNER)
+    before, held = start().trace(CORNER), []
 
     def drag(place: tuple[float, float], right: int, down: int, key: Any) -> Any:
         x, y = (math.floor(part) for part in place)
@@ -209,6 +209,7 @@ def test_a_mark_is_dragged_in_the_image_in_its_plane_or_along_its_ray(
                 Qt.MouseButton.LeftButton, key,
             )  # fmt: skip
             QApplication.sendEvent(canvas, event)
+        held.append(window.probe_panel._readable.in_gesture)
         end = QPoint(x + right, y + down)
         QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, key, pos=end)
         return window.probe_panel.probes[0].point
@@ -225,6 +226,7 @@ def test_a_mark_is_dragged_in_the_image_in_its_plane_or_along_its_ray(
     drag((3.0, 3.0), 20, 20, none)  # it starts on no mark, and beside the picture
     assert start().trace(window.probe_panel.probes[0].point).view == pytest.approx(farther.view)
     assert window.probe_panel.probes[1].point == (0.0, 0.5, 0.5)
+    assert held == [True, True, False] and not window.probe_panel._readable.in_gesture
     assert not window.store.modified
 
 

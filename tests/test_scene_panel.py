@@ -261,6 +261,54 @@ def test_a_drag_is_one_gesture_and_a_typed_number_another(owner: Owner) -> None:
     assert owner.gestures == ["started", "finished"] * 2
 
 
+def test_while_values_run_the_hand_has_its_own_and_the_rest_is_read_at_its_end(
+    owner: Owner, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    panel, turn = owner.panel, number_row(owner.panel, "turn")
+    monkeypatch.setattr(panel._readable, "now_ms", lambda: 0.0)
+    panel.gesture_started.connect(panel.begin_gesture)
+    panel.gesture_finished.connect(panel.end_gesture)
+    owner.edited({"turn": 1.0})
+    before = readings(panel)
+    player = panel.players["turn"]
+    player.play()
+    player.advance(1.0)
+    assert turn.value() == 91.0 == owner.settings["turn"]
+    owner.edited({"gap": 7.0})
+    assert readings(panel) == before and panel.rows["gap"].value() == 2.0
+    player.pause()
+    assert readings(panel)[0] == ("gap", "7", "mm") and panel.rows["gap"].value() == 7.0
+
+
+def test_a_refusal_stays_when_what_was_accepted_before_it_is_shown_at_last(
+    owner: Owner, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    panel, player = owner.panel, owner.panel.players["count"]
+    owner.edited({"gap": 30.0, "count": 4.0})
+    monkeypatch.setattr(panel._readable, "now_ms", lambda: 0.0)
+    panel.begin_gesture()
+    player.play()
+    owner.edited({"turn": 5.0})
+    player._speed = -2.0
+    player.advance(1.0)
+    panel.end_gesture()
+    assert "must be less than the count" in panel.rows["count"].error
+    assert panel.rows["turn"].value() == 5.0
+
+
+def test_another_scene_is_shown_at_once_whatever_runs(
+    owner: Owner, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    panel = owner.panel
+    monkeypatch.setattr(panel._readable, "now_ms", lambda: 0.0)
+    panel.begin_gesture()
+    triangles = PHENOMENA["similar-triangles"]
+    panel.show_scene("Similar triangles", triangles)
+    settings = triangles.checked({"distance": 3.0})
+    panel.show_exhibit(triangles.exhibit(triangles.start, settings, SUBJECT), settings)
+    assert panel.rows["distance"].value() == 3.0 and not panel._readable.pending
+
+
 def test_another_scene_has_other_rows_and_none_of_the_old(
     owner: Owner, qtbot: QtBot, qapp: QApplication
 ) -> None:

@@ -260,6 +260,12 @@ class MainWindow(QMainWindow):
         self._column.setCollapsible(0, False)
         self._column.setCollapsible(1, False)
         self.panels.opened.connect(self._panel_opened)
+        self._column.splitterMoved.connect(self._panels_dragged)
+        self._panels_px: int | None = None
+        """The height that the hand has given them."""
+        self._grown_px = 0
+        """Otherwise the highest that one of them wanted, in a window as it was then."""
+        self._grown_in = (0, False)
         body = QWidget()
         layout = QVBoxLayout(body)
         layout.setContentsMargins(4, 4, 4, 0)
@@ -268,15 +274,28 @@ class MainWindow(QMainWindow):
         self.setCentralWidget(body)
 
     def _panel_opened(self) -> None:
-        """Give an opened panel its height, and a folded row of names no more than it needs."""
+        """Give an opened panel its height, and a folded row of names no more than it needs.
+
+        It is one height for all of them, or the panes would jump from name to name: it only grows,
+        unless the hand has chosen it.
+        """
         height = sum(self._column.sizes())
         names = wanted = self.panels.minimumSizeHint().height()
         if self.panels.open_panel is None:
             self.panels.setMaximumHeight(names)
         else:
             self.panels.setMaximumHeight(16777215)  # QWIDGETSIZE_MAX: as much as there is
-            wanted = max(names, self.panels.sizeHint().height())
+            now = (self.height(), self.settings.projector)
+            if self._panels_px is None:
+                if now != self._grown_in:
+                    self._grown_in, self._grown_px = now, 0
+                self._grown_px = max(self._grown_px, names, self.panels.sizeHint().height())
+            wanted = self._panels_px or self._grown_px
         self._column.setSizes([height - wanted, wanted])
+
+    def _panels_dragged(self) -> None:
+        if self.panels.open_panel is not None:
+            self._panels_px = self._column.sizes()[1]
 
     def _action(
         self,
@@ -533,13 +552,11 @@ class MainWindow(QMainWindow):
         self.frame_panel.edited.connect(store.set_projection)
         self.frame_panel.step_changed.connect(self.panes["world"].show_step)
         dragged_in = (controls, controls.animation, self.manipulation, self.frame_panel)
+        paced = (self.matrices, self.probe_panel, self.scene_panel)
         for source in (*dragged_in, self.scene_panel):
-            source.gesture_started.connect(store.begin_gesture)
-            source.gesture_finished.connect(store.end_gesture)
-            source.gesture_started.connect(self.matrices.begin_gesture)
-            source.gesture_finished.connect(self.matrices.end_gesture)
-            source.gesture_started.connect(self.measure_panel.begin_gesture)
-            source.gesture_finished.connect(self.measure_panel.end_gesture)
+            for told in (store, *paced, self.measure_panel):
+                source.gesture_started.connect(told.begin_gesture)
+                source.gesture_finished.connect(told.end_gesture)
         self.strip.gesture_started.connect(self.measure_panel.begin_gesture)
         self.strip.gesture_finished.connect(self.measure_panel.end_gesture)
         self.measure_panel.refused.connect(self.messages.say)
@@ -804,6 +821,7 @@ class MainWindow(QMainWindow):
                 nearest, self._held = away, probe
         if self._held is not None:
             self.probe_panel.choose(self._held.number)
+            self.probe_panel.begin_gesture()
         else:
             self.manipulation.take_picture(place)
 
@@ -818,7 +836,9 @@ class MainWindow(QMainWindow):
             self.probe_panel.put(self._held.number, point)
 
     def _let_probe_go(self) -> None:
-        self._held = None
+        if self._held is not None:
+            self._held = None
+            self.probe_panel.end_gesture()
 
     def _show_probes(self) -> None:
         self._remove_probe.setEnabled(bool(self.probe_panel.probes))

@@ -20,14 +20,13 @@ from typing import cast
 
 from PySide6.QtCore import (
     QCoreApplication,
-    QElapsedTimer,
     QEvent,
     QObject,
+    QPoint,
     QPointF,
     QRectF,
     QSize,
     Qt,
-    QTimer,
     Signal,
 )
 from PySide6.QtGui import (
@@ -56,6 +55,7 @@ from PySide6.QtWidgets import (
     QMenu,
     QScrollArea,
     QSizePolicy,
+    QSpacerItem,
     QToolButton,
     QToolTip,
     QVBoxLayout,
@@ -81,13 +81,11 @@ from app.notation import (
 from app.projection import FreeMatrix, Projection, ProjectionError
 from widgets.attention import paint_attention
 from widgets.messages import field_name, sentence, stage_title, translated
+from widgets.readable import Readable
 from widgets.rows import REFUSAL_SHEET, parse_number, refusal, short_text
 
 _AXES = ("u", "v", "n")
 _VIEW = ("view_from_world", "rotation")
-READ_MS = 100
-"""While values run they are shown as often as digits can be read, and once the hand rests."""
-_SHOW = QEvent.Type(QEvent.registerEventType())
 _NOTE_CHARACTERS = 36
 """Characters in a line of a note, which shall not be wider than its matrix."""
 _WIDEST = 16
@@ -288,9 +286,12 @@ class MatrixView(QWidget):
 
     @property
     def _margin(self) -> tuple[float, float]:
-        """Left and top of the first cell: room for the axes' letters and the bracket."""
+        """Left and top of the first cell: room for the axes' letters and the bracket.
+
+        Above there is room wherever the letters are, so that all matrices stand on one line.
+        """
         plate = QFontMetricsF(self._small()).height() + 2.0
-        return (plate + 8.0, 2.0) if self._axes_are_rows else (8.0, plate + 2.0)
+        return (plate + 8.0 if self._axes_are_rows else 8.0), plate + 2.0
 
     @property
     def _axes_are_rows(self) -> bool:
@@ -632,6 +633,9 @@ class _Box(QWidget):
         self.fold.setCheckable(True)
         self.fold.setChecked(unfolded)
         self.fold.setVisible(bool(matrix.factors))
+        fixed = self.fold.sizePolicy()
+        fixed.setRetainSizeWhenHidden(True)  # or titles without one would stand higher
+        self.fold.setSizePolicy(fixed)
         self.fold.setAccessibleName(self.tr("Factors of {0}").format(stage_title(matrix.name)))
         self.fold.setToolTip(self.tr("Show the factors that this matrix is the product of"))
         title.addWidget(self.fold)
@@ -640,7 +644,7 @@ class _Box(QWidget):
         row = QHBoxLayout()
         row.setSpacing(4)
         self.view = panel.new_view(matrix.name)
-        row.addWidget(self.view, 0, Qt.AlignmentFlag.AlignBottom)
+        row.addWidget(self.view, 0, Qt.AlignmentFlag.AlignTop)
         self.factors = QWidget()
         self.factors.setVisible(unfolded and bool(matrix.factors))
         self.fold.toggled.connect(self.factors.setVisible)
@@ -652,26 +656,29 @@ class _Box(QWidget):
             inner.addWidget(QLabel("·" if number else "="))
             column = QVBoxLayout()
             column.setSpacing(1)
-            column.addStretch(1)
-            column.addWidget(QLabel(stage_title(factor.name)))
             view = panel.new_view(factor.name)
             self.factor_views.append(view)
             column.addWidget(view)
+            column.addWidget(QLabel(stage_title(factor.name)))
+            column.addStretch(1)
             inner.addLayout(column)
         row.addWidget(self.factors)
         row.addStretch(1)
         layout.addLayout(row)
         self.note = QLabel()
         self.note.setObjectName("paneNote")
+        self.note.hide()
         layout.addWidget(self.note)
         layout.addStretch(1)
+
+    @property
+    def views(self) -> tuple[MatrixView, ...]:
+        """Of the matrix, and of its factors."""
+        return (self.view, *self.factor_views)
 
 
 class MatrixPanel(QWidget):
     """Every matrix between the object and its picture.
-
-    A change is shown while the panel is visible, and at most every `READ_MS`: a drag costs little
-    more than without the panel, and ends with the value it ends with.
 
     Attributes
     ----------
@@ -693,18 +700,14 @@ class MatrixPanel(QWidget):
         self._attention = NOTHING
         self._projection: Projection | None = None
         self._before: Projection | None = None
-        self._gestures = 0
+        self._readable = Readable(self, self._refresh)
         self._style = LIGHT
         self._shown: tuple[Matrix, ...] = ()
         self._boxes: list[_Box] = []
         self._plan: object = None
         self._unfolded: set[str] = set()
-        self._pending = self._posted = False
-        self._clock = QElapsedTimer()
-        self._rest = QTimer(self)
-        self._rest.setSingleShot(True)
-        self._rest.setInterval(READ_MS)
-        self._rest.timeout.connect(self._refresh)
+        self._gap: QSpacerItem | None = None
+        """Keeps a matrix in its place whose neighbours have gone."""
         self._earlier: tuple[object, tuple[Matrix, ...]] = (None, ())
         self._lay_out()
         self._highest = self._content.sizeHint().height()
@@ -736,7 +739,7 @@ class MatrixPanel(QWidget):
             self.tr("Also the product of all stages so far, and the view matrix's inverse, whose "
                     "columns are the camera's axes and the eye")
         )  # fmt: skip
-        self.running.toggled.connect(self._refresh)
+        self.running.toggled.connect(self._readable.changed)
         self.copy = QToolButton()
         self.copy.setText(self.tr("Copy all"))
         self.copy.setAccessibleName(self.tr("Copy all matrices"))
@@ -750,7 +753,7 @@ class MatrixPanel(QWidget):
         ):
             menu.addAction(text, partial(self._copy_all, form))
         self.copy.setMenu(menu)
-        bar = QHBoxLayout()
+        self._bar = bar = QHBoxLayout()
         for widget in (self.cells, self.vectors, self.letters, self.running):
             bar.addWidget(widget)
         bar.addStretch(1)
@@ -784,7 +787,7 @@ class MatrixPanel(QWidget):
         box.setToolTip(tip)
         for value, text in choices:
             box.addItem(text, value)
-        box.currentIndexChanged.connect(self._refresh)
+        box.currentIndexChanged.connect(self._readable.changed)
         return box
 
     def new_view(self, name: str) -> MatrixView:
@@ -802,7 +805,7 @@ class MatrixPanel(QWidget):
         """Mark the cells that speak of what is attended to."""
         self._attention = attended
         for box in self._boxes:  # as they are drawn: the model may have gone on since
-            for view in (box.view, *box.factor_views):
+            for view in box.views:
                 view.show_attention(attended)
 
     def _edit_cell(self, name: str, row: int, column: int) -> None:
@@ -833,24 +836,47 @@ class MatrixPanel(QWidget):
             taken = self.tr("{0} is taken as {1}, its quotient to all digits of float64.")
             self.told.emit(taken.format(text.strip(), cell_text(value)))
         if projection != self._projection:
+            left_px = self._left_of(view)
             self.show_projection(projection)
-            self._refresh()
+            self._readable.settle()
             now = self.views[name]
             if now is not view:
+                self._keep_in_place(now, left_px)
                 now.take_over((row, column))
             self.edited.emit(projection)
+
+    def _left_of(self, view: MatrixView) -> int:
+        """Where it stands in what is seen, in px."""
+        return view.mapTo(self._scroll.viewport(), QPoint()).x()
+
+    def _keep_in_place(self, view: MatrixView, left_px: int) -> None:
+        """Put a view where the hand is, though its neighbours have gone or come."""
+        bar = self._scroll.horizontalScrollBar()
+
+        def scroll() -> int:
+            """Scroll as far as that helps; how far to the right it has yet to go, in px."""
+            QCoreApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest.value)
+            bar.setValue(bar.value() + self._left_of(view) - left_px)
+            return left_px - self._left_of(view)
+
+        away = scroll()
+        if away:  # to the left there is no more to scroll to, or to the right
+            self._gap = QSpacerItem(abs(away), 0)
+            before = next(i for i, box in enumerate(self._boxes) if view in box.views)
+            self._row.insertItem(before if away > 0 else len(self._boxes), self._gap)
+            scroll()
 
     # -- the model
 
     def begin_gesture(self) -> None:
         """Until `end_gesture`, changes are marked against what is shown now."""
-        if not self._gestures:
+        if not self._readable.in_gesture:
             self._before = self._projection
-        self._gestures += 1
+        self._readable.begin_gesture()
 
     def end_gesture(self) -> None:
         """End the gesture that `begin_gesture` began."""
-        self._gestures = max(self._gestures - 1, 0)
+        self._readable.end_gesture()
 
     def show_projection(self, projection: Projection) -> None:
         """Take over the model.
@@ -861,41 +887,28 @@ class MatrixPanel(QWidget):
         """
         if projection == self._projection:
             return
-        if not self._gestures:
+        if not self._readable.in_gesture:
             self._before = self._projection
         self._projection = projection
         if not self.isVisible():
             self._before = None
-            return
-        self._pending = True
-        if self._clock.hasExpired(READ_MS):
-            if not self._posted:  # before the panes are drawn, so that the window is drawn once
-                self._posted = True
-                QCoreApplication.postEvent(self, QEvent(_SHOW))
-        else:
-            self._rest.start()
-
-    def event(self, event: QEvent) -> bool:
-        if event.type() == _SHOW:
-            self._refresh()
-            return True
-        return super().event(event)
+        self._readable.changed()
 
     def set_style(self, style: Style) -> None:
         """Take over the colours of the drawings."""
         self._style = style
         self.explanation.setMinimumHeight(2 * self.fontMetrics().height())
-        self._refresh()
+        self._readable.changed()
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
-        self._refresh()
+        self._readable.settle()
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() == QEvent.Type.FontChange:
             self._plan = None  # widths are measured anew
-            self._refresh()
+            self._readable.changed()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.LayoutRequest and self._boxes:
@@ -912,7 +925,7 @@ class MatrixPanel(QWidget):
             8 * self.fontMetrics().height() + 24, self._content.sizeHint().height()
         )
         around = (
-            self.copy.sizeHint().height(),
+            self._bar.sizeHint().height(),
             self._scroll.horizontalScrollBar().sizeHint().height(),
             self.explanation.minimumHeight(),
         )
@@ -934,11 +947,8 @@ class MatrixPanel(QWidget):
         return views
 
     def _refresh(self) -> None:
-        self._rest.stop()
-        self._pending = self._posted = False
-        if self._projection is None or not self.isVisible():
+        if self._projection is None:
             return
-        self._clock.start()
         self._shown = self._matrices(self._projection)
         before: dict[str, Matrix] = {}
         if self._before is not None:
@@ -992,6 +1002,9 @@ class MatrixPanel(QWidget):
         )
 
     def _build(self) -> None:
+        if self._gap is not None:
+            self._row.removeItem(self._gap)
+            self._gap = None
         for box in self._boxes:
             self._row.removeWidget(box)
             box.hide()
@@ -1003,6 +1016,7 @@ class MatrixPanel(QWidget):
             self._set_arrow(box)
             self._boxes.append(box)
             self._row.insertWidget(place, box, 0, Qt.AlignmentFlag.AlignTop)
+            box.show()
 
     def _folded(self, box: _Box, name: str, unfolded: bool) -> None:
         (self._unfolded.add if unfolded else self._unfolded.discard)(name)

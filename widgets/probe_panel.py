@@ -51,6 +51,7 @@ from app.projection import (
     format_value,
 )
 from widgets.messages import number_text, sentence
+from widgets.readable import Readable
 from widgets.rows import REFUSAL_SHEET, parse_number, refusal
 
 MOST_PROBES = 6
@@ -83,6 +84,9 @@ class ProbePanel(QWidget):
         self._chosen = 0  # number of the probe that is edited; 0 for none
         self._projection: Projection | None = None
         self._spans: list[tuple[int, int]] = []
+        self._readable = Readable(self, self._fill)
+        self.begin_gesture = self._readable.begin_gesture
+        self.end_gesture = self._readable.end_gesture
 
         self.choice = QComboBox()
         self.choice.setAccessibleName(self.tr("Probe"))
@@ -234,7 +238,7 @@ class ProbePanel(QWidget):
         if probes != self.probes:
             self.probes = probes
             self.changed.emit()
-            self._fill()
+            self._readable.changed()
         self._show_choice()
 
     def _pin_clicked(self, pinned: bool) -> None:
@@ -310,13 +314,13 @@ class ProbePanel(QWidget):
         super().changeEvent(event)
         if event.type() == QEvent.Type.FontChange:  # projector mode
             self._fit_rows()
-            self._fill()
+            self._readable.changed()
 
     def show_projection(self, projection: Projection) -> None:
-        """Show the numbers under the model's new value: at once if visible, else on appearing."""
+        """Show the numbers under the model's new value."""
         if projection != self._projection:
             self._projection = projection
-            self._fill()
+            self._readable.changed()
 
     def show_attention(self, attended: Attention) -> None:
         """Mark the words that are about what is attended to."""
@@ -329,10 +333,10 @@ class ProbePanel(QWidget):
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
-        self._fill()
+        self._readable.settle()
 
     def _fill(self) -> None:
-        if not self.isVisible() or self._projection is None:
+        if self._projection is None:
             return
         projection = self._projection
         points = [probe.point for probe in self.probes if probe.point is not None]

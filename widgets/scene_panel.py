@@ -51,6 +51,7 @@ from app.projection import AT_LEAST, AT_MOST, ProjectionError
 from widgets.animation import FRAME_MS, LONGEST_FRAME_S
 from widgets.diagram import DiagramView
 from widgets.messages import figure_text, number_text, of_phenomena, sentence, translated
+from widgets.readable import Readable
 from widgets.rows import (
     CheckRow,
     Choice,
@@ -119,10 +120,12 @@ class ScenePanel(QWidget):
         self._counted: float | None = None
         self._problem: Phrase | None = None
         self._style = LIGHT
-        self._stale = False
+        self._readable = Readable(self, self._fill)
+        self.begin_gesture = self._readable.begin_gesture
+        self.end_gesture = self._readable.end_gesture
         self._why_not = ""
         self._lines: list[QWidget] = []
-        self._edits: Row | None = None
+        self._edits = ""  # name of the setting that the user is changing
         self.players: dict[str, Player] = {}
 
         self.title = QLabel()
@@ -235,23 +238,37 @@ class ScenePanel(QWidget):
         self._show_diagrams(())
 
     def show_exhibit(self, exhibit: Exhibit | None, settings: Settings) -> None:
-        """Show settings, readout, warning and diagrams: at once if visible, else on appearing."""
-        if exhibit is not self._exhibit or settings != self._settings:
-            self._exhibit, self._settings, self._counted = exhibit, settings, None
-            self._refresh()
+        """Show settings, readout, warning and diagrams; a setting in the hand follows it at once.
+
+        Parameters
+        ----------
+        exhibit : Exhibit or None
+        settings : mapping of str to value
+        """
+        if exhibit is self._exhibit and settings == self._settings:
+            return
+        anew = self._exhibit is None
+        self._exhibit, self._settings, self._counted = exhibit, settings, None
+        for name, player in self.players.items():
+            player.show_value(float(settings[name]))  # type: ignore[arg-type]
+        if self._edits in settings and self.isVisible():
+            self.rows[self._edits].setValue(settings[self._edits])
+        self._readable.changed()
+        if anew:  # of the scene before, nothing is to be seen
+            self._readable.settle()
 
     def show_count(self, exhibit: Exhibit, share: float) -> None:
         """Show what was counted in the picture of an exhibit, unless that is shown no more."""
         if exhibit is self._exhibit:
             self._counted = 100.0 * share
-            self._refresh()
+            self._readable.changed()
 
     def show_problem(self, problem: Phrase | None) -> bool:
         """Say why the picture is not drawn as the scene asks, if so; tell whether that is new."""
         if problem == self._problem:
             return False
         self._problem = problem
-        self._refresh()
+        self._readable.changed()
         return True
 
     def set_style(self, style: Style) -> None:
@@ -262,7 +279,8 @@ class ScenePanel(QWidget):
 
     def refuse(self, error: ProjectionError) -> None:
         """Say at the row that was just edited why that cannot be; the last value stays."""
-        row = self._edits or self.rows[next(iter(self.rows))]
+        row = self.rows[self._edits or next(iter(self.rows))]
+        self._readable.settle()  # or what was accepted before would take the sentence back
         row.show_error(sentence(self.named(error)))
 
     def named(self, error: ProjectionError) -> ProjectionError:
@@ -293,7 +311,7 @@ class ScenePanel(QWidget):
         for setting in settings:
             row = make_row(setting)
             self.rows[setting.name] = row
-            row.edited.connect(partial(self._row_edited, setting.name))
+            row.edited.connect(partial(self._edit, setting.name))
             row.gesture_started.connect(partial(self._gesture_started, row))
             row.gesture_finished.connect(self.gesture_finished)
             line = row
@@ -327,17 +345,13 @@ class ScenePanel(QWidget):
         self.gesture_started.emit()
 
     def _played(self, name: str, value: float) -> None:
-        row = self.rows[name]
-        row.clear_error()
-        self._edit(row, name, value)
+        self.rows[name].clear_error()
+        self._edit(name, value)
 
-    def _row_edited(self, name: str, value: Value) -> None:
-        self._edit(self.rows[name], name, value)
-
-    def _edit(self, row: Row, name: str, value: Value) -> None:
-        self._edits = row
+    def _edit(self, name: str, value: Value) -> None:
+        self._edits = name
         self.edited.emit({name: value})
-        self._edits = None
+        self._edits = ""
 
     def _gesture_started(self, row: Row) -> None:
         for other in self.rows.values():
@@ -347,15 +361,9 @@ class ScenePanel(QWidget):
 
     # -- shown
 
-    def _refresh(self) -> None:
-        self._stale = True
-        if self.isVisible():
-            self._fill()
-
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
-        if self._stale:
-            self._fill()
+        self._readable.settle()
 
     def hideEvent(self, event: QHideEvent) -> None:
         super().hideEvent(event)
@@ -363,14 +371,11 @@ class ScenePanel(QWidget):
             self.pause()
 
     def _fill(self) -> None:
-        self._stale = False
         for name, value in self._settings.items():
             row = self.rows[name]
-            if row.error and not row.in_hand and row is not self._edits:
+            if row.error and not row.in_hand and name != self._edits:
                 row.clear_error()  # what another value has cured
             row.setValue(value)
-            if name in self.players:
-                self.players[name].show_value(float(value))  # type: ignore[arg-type]
         exhibit = self._exhibit
         readings = () if exhibit is None else exhibit.readings
         self.readout.show_readings(
