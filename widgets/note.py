@@ -18,6 +18,8 @@ class Note(QLabel):
         self._whole = ""
 
     def setText(self, text: str) -> None:
+        if text == self._whole:
+            return
         self._whole = text
         self.setToolTip(text)
         self.setAccessibleDescription(text)

@@ -211,14 +211,14 @@ class StatusLine(QStatusBar):
 
     def _show_lens(self, projection: Projection) -> None:
         lens, aspect = projection.lens, projection.aspect
-        self.labels["camera"].setText(
+        self.labels["camera"].show_text(
             self.tr("eye to target {0}").format(f"{projection.camera.distance:.4g}")
         )
         if isinstance(lens, FreeMatrix):
-            self.labels["fov"].setText(self.tr("free matrix"))
-            self.labels["planes"].setText("")
+            self.labels["fov"].show_text(self.tr("free matrix"))
+            self.labels["planes"].show_text("")
             if lens.view_from_world is not None:
-                self.labels["camera"].setText(self.tr("free view matrix"))
+                self.labels["camera"].show_text(self.tr("free view matrix"))
             return
         if isinstance(lens, Perspective):
             fov = self.tr("fov {0}° × {1}°, {2} mm").format(
@@ -229,18 +229,20 @@ class StatusLine(QStatusBar):
         else:
             left, right, bottom, top = projection.window
             fov = self.tr("window {0} × {1}").format(f"{right - left:.4g}", f"{top - bottom:.4g}")
-        self.labels["fov"].setText(fov)
+        self.labels["fov"].show_text(fov)
         near, far = f"{lens.near:.4g}", "∞" if lens.far == math.inf else f"{lens.far:.4g}"
         if near == far:  # they never are
             near, far = format_value(lens.near), format_value(lens.far)
         planes = self.tr("near {0} : far {1}").format(near, far)
         if not lens.parallel and lens.far != math.inf:
             planes += self.tr("  (1 : {0})").format(f"{lens.far / lens.near:.4g}")
-        self.labels["planes"].setText(planes)
+        self.labels["planes"].show_text(planes)
 
     def _predict(self) -> None:
         if self._projection is None or self._scene is None:
             return
+        for label in self.labels.values():
+            label.fit()
         projection, scene = self._projection, self._scene
         self._predictions = predict(projection, scene.sample, scene.origin)
         self._drawn = rung_for_drawing(
@@ -321,7 +323,10 @@ class StatusLine(QStatusBar):
 
 
 class _Figure(QLabel):
-    """A figure that draws attention to what it is about, and shows when something else does."""
+    """A figure that draws attention to what it is about, and shows when something else does.
+
+    While its text changes the room it has only grows, so that the steps of a drag lay nothing out.
+    """
 
     attended = Signal(object)
 
@@ -329,6 +334,22 @@ class _Figure(QLabel):
         super().__init__()
         self._about = about
         self.is_marked = False
+
+    def show_text(self, text: str) -> None:
+        """Show a text, in more room if it needs more."""
+        self.setText(text)
+        hint = self.sizeHint()
+        if hint.width() > self.minimumWidth() or hint.height() != self.minimumHeight():
+            self.setFixedSize(hint)  # of any other label Qt lays out its surroundings anew
+
+    def fit(self) -> None:
+        """Take as much room as the text needs."""
+        self.setFixedSize(self.sizeHint())
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() in (QEvent.Type.FontChange, QEvent.Type.StyleChange):
+            self.fit()
 
     def show_attention(self, attended: Attention) -> None:
         marked = bool(attended & self._about)
