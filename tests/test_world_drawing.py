@@ -22,7 +22,7 @@ from vtkmodules.vtkRenderingCore import vtkCamera, vtkTextActor
 from app.drawings import WORDS
 from app.drawings.labels import _SAMPLES
 from app.drawings.style import DARK, LIGHT, Style, rgb
-from app.drawings.world import SLAB, WorldDrawing, _flattened_free, _part, flatten
+from app.drawings.world import SLAB, WorldDrawing, _flattened_free, _part, _view, flatten
 from app.free_matrix import with_cell
 from app.projection import (
     DEPTH_RANGES,
@@ -269,9 +269,8 @@ def test_flattened_points_keep_their_ray_and_their_order(toward_eye: bool) -> No
         if inside.sum() < 2:
             continue
         checked += 1
-        film = flatten(
-            projection, np.zeros(3), (depths.min(), depths.max()), 10.0, toward_eye=toward_eye
-        )
+        view = _view(camera, np.zeros(3))
+        film = flatten(projection, view, (depths.min(), depths.max()), 10.0, toward_eye=toward_eye)
         flat = applied(film.surface, points[inside])
         again = projection.trace(flat)
         assert np.allclose(again.image, trace.image[inside], rtol=0, atol=1e-5)
@@ -299,7 +298,8 @@ def test_the_windows_planes_cut_what_the_model_says_is_outside() -> None:
         if not (depths.max() > near and depths.min() < far):
             continue
         bounds = depths.min(), depths.max()
-        film = flatten(projection, np.zeros(3), bounds, 10.0, toward_eye=True)
+        view = _view(projection.camera, np.zeros(3))
+        film = flatten(projection, view, bounds, 10.0, toward_eye=True)
         flat = points @ film.surface[:, :3].T + film.surface[:, 3]
         cut = ((flat @ film.planes.T) < 0.0).any(axis=1)
         outside = projection.trace(points).outside
