@@ -723,6 +723,28 @@ def test_labels_stay_on_their_sides_while_something_moves(make_view: MakeView) -
     assert 0 < changes[False] <= 0.7 * changes[True]
 
 
+def test_in_a_crowd_an_axis_is_named_from_afar_or_not_at_all(make_view: MakeView) -> None:
+    """A letter lies on no other label; without room by its arrow, a line joins it to the arrow."""
+    view = make_view("letter-f", 300, 340, replace(LIGHT, font_size=22.0))
+    labels, letters = view.drawing._labels, {"u", "v", "n"}
+    hidden = joined = 0
+    for projection in list(history())[::3]:
+        view.drawing.show_projection(projection)
+        view.drawing.reset_view()
+        boxes = view.label_boxes()
+        for one, other in itertools.combinations(boxes, 2):
+            if letters & {one, other}:
+                a, b = boxes[one], boxes[other]
+                apart = a[2] <= b[0] or b[2] <= a[0] or a[3] <= b[1] or b[3] <= a[1]
+                assert apart, (one, other, projection)
+        for letter in letters:
+            hidden += letter not in boxes
+            is_joined = bool(labels._leaders[letter].actor.GetVisibility())
+            assert letter in boxes or not is_joined
+            joined += is_joined
+    assert hidden > 0 and joined > 0
+
+
 def test_at_rest_the_picture_does_not_depend_on_what_was_before(make_view: MakeView) -> None:
     """When a gesture ends, `refit` gives the very pixels of a new drawing; it says so, too."""
     eye, target = np.array((14.0, 9.0, 20.0)), np.array((2.0, 2.0, 4.0))
