@@ -77,7 +77,8 @@ def main(argv: list[str] | None = None) -> int:
     Returns
     -------
     int
-        The exit status: 0 done, 2 bad input, 3 no usable display or OpenGL.
+        The exit status: 0 done, 1 a window that was not shown whole, 2 bad input, 3 no usable
+        display or OpenGL.
     """
     arguments = sys.argv[1:] if argv is None else argv
     try:

@@ -11,7 +11,6 @@ from app.values import (
     ABOVE,
     AT_LEAST,
     AT_MOST,
-    BETWEEN,
     BOTTOM_BEFORE_TOP,
     DISTINCT,
     LARGEST_SHEAR,
@@ -27,6 +26,7 @@ from app.values import (
     Cells,
     Keep,
     ProjectionError,
+    between,
     cos_sin_deg,
     finite,
     finite_matrix,
@@ -76,9 +76,7 @@ class Perspective:
     far: float = 30.0
 
     def __post_init__(self) -> None:
-        fov_y_deg = finite("fov_y_deg", self.fov_y_deg)
-        if not 0.0 < fov_y_deg < 180.0:
-            raise ProjectionError("fov_y_deg", fov_y_deg, BETWEEN, 0, 180)
+        fov_y_deg = between("fov_y_deg", self.fov_y_deg, 0, 180)
         if fov_y_deg < SMALLEST_FIELD:
             raise ProjectionError("fov_y_deg", fov_y_deg, AT_LEAST, SMALLEST_FIELD)
         near, far = check_planes(self.near, self.far, parallel=False)
@@ -277,9 +275,7 @@ class Oblique(Windowed):
     def __post_init__(self) -> None:
         super().__post_init__()
         for name in ("alpha_deg", "beta_deg"):
-            angle_deg = finite(name, getattr(self, name))
-            if not 0.0 < angle_deg < 180.0:
-                raise ProjectionError(name, angle_deg, BETWEEN, 0, 180)
+            angle_deg = between(name, getattr(self, name), 0, 180)
             least = math.degrees(1.0 / LARGEST_SHEAR)
             if not least <= angle_deg <= 180.0 - least:
                 bound, limit = (AT_LEAST, least) if angle_deg < 90.0 else (AT_MOST, 180.0 - least)

@@ -228,6 +228,20 @@ def finite(field: str, value: Any) -> float:
     return number
 
 
+def between(field: str, value: Any, low: int, high: int) -> float:
+    """A number inside an open interval as a float, or a `ProjectionError` that names its ends."""
+    try:
+        number = finite(field, value)
+    except ProjectionError as error:
+        if error.bound == FINITE_NUMBER:
+            raise
+        # Beyond all numbers, and so beyond these.
+        raise ProjectionError(field, error.value, BETWEEN, low, high) from None
+    if not low < number < high:
+        raise ProjectionError(field, number, BETWEEN, low, high)
+    return number
+
+
 def finite_vector(field: str, value: Any) -> Vector:
     """Three finite numbers as a tuple of floats, or a `ProjectionError`."""
     try:

@@ -580,6 +580,48 @@ raise LookupError("lost")
     assert "OpenGL" in text.splitlines()[0]
 
 
+BROKEN = """
+from app.drawings.image import ImageDrawing
+from app.drawings.ndc import NdcDrawing
+from app.drawings.world import WorldDrawing
+
+def broken(*arguments):
+    raise LookupError("no drawing")
+
+for drawing in (ImageDrawing, NdcDrawing, WorldDrawing):
+    drawing.show_projection = broken
+"""
+
+
+def test_drawings_that_fail_when_first_shown_are_told_of() -> None:
+    """Three of them at once: PySide6 forgot such exceptions, and broke when it painted."""
+    act = """
+reports = [w for w in QApplication.topLevelWidgets() if type(w).__name__ == "Report"]
+print(len(reports), reports[0].text.splitlines()[0])
+window.grab()
+reports[0].close()
+window.close()
+"""
+    program = driver(act)
+    program[2] = "from PySide6.QtWidgets import QApplication" + BROKEN + program[2]
+    done = subprocess.run(program, cwd=ROOT, capture_output=True, text=True, timeout=120)
+    told = "An error in the program: LookupError: no drawing. Your work is still there."
+    assert done.stdout == f"1 {told} It or others came 2 more times.\n", done.stderr
+    assert done.returncode == 1
+    assert done.stderr.count("Traceback") == 3
+    assert application.log_path().read_text(encoding="utf-8").count("no drawing") >= 3
+
+
+def test_no_picture_is_taken_of_a_window_that_is_not_whole(tmp_path: Path) -> None:
+    picture = tmp_path / "window.png"
+    command = ["--screenshot", str(picture)]
+    program = [sys.executable, "-c", BROKEN + DRIVER.replace("{act}", "    pass"), *command]
+    done = subprocess.run(program, cwd=ROOT, capture_output=True, text=True, timeout=120)
+    assert done.returncode == 2
+    assert done.stderr.endswith(f"{picture}: the window could not be shown whole.\n")
+    assert not picture.exists()
+
+
 # --------------------------------------------------------------------------- the window
 
 

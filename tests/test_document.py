@@ -292,6 +292,8 @@ BAD_VALUES: list[tuple[str, object, str]] = [
     ("lens.fov_y_deg", 180, "lens.fov_y_deg = 180: must lie between 0 and 180, both excluded."),
     ("lens.fov_y_deg", -1, "lens.fov_y_deg = -1: must lie between 0 and 180, both excluded."),
     ("lens.fov_y_deg", 200, "lens.fov_y_deg = 200: must lie between 0 and 180, both excluded."),
+    ("lens.fov_y_deg", 1e308,
+     "lens.fov_y_deg = 1e+308: must lie between 0 and 180, both excluded."),
     ("lens.kind", "fisheye",
      "lens.kind = 'fisheye': must be one of perspective, frustum, orthographic, oblique, matrix."),
     ("lens.kind", ["perspective"],

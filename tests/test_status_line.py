@@ -8,6 +8,8 @@ from dataclasses import replace
 from typing import Any
 
 import pytest
+from PySide6.QtCore import QEvent, QObject
+from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from app.document import Document
@@ -37,9 +39,8 @@ def line(qtbot: QtBot) -> StatusLine:
 
 def rested(qtbot: QtBot, line: StatusLine, projection: Projection, scene: Scene) -> None:
     """Show a projection and let the hand rest."""
-    line.rung.setText("")
     line.show_projection(projection, scene)
-    qtbot.waitUntil(lambda: line.rung.text() != "")
+    qtbot.waitUntil(lambda: not line._rest.isActive())
 
 
 def test_the_lens_is_in_figures_at_once(line: StatusLine, scene: Scene) -> None:
@@ -115,6 +116,53 @@ def test_a_risk_is_told_and_goes_again(qtbot: QtBot, line: StatusLine, scene: Sc
     qtbot.waitUntil(lambda: line.health.text().endswith("…"))
     rested(qtbot, line, EVERYDAY, scene)
     assert line.health.text() == "" and line.health.toolTip() == ""
+
+
+def test_a_risk_has_the_room_of_what_is_told_elsewhere(
+    qtbot: QtBot, line: StatusLine, scene: Scene
+) -> None:
+    line.resize(2400, 24)
+    rested(qtbot, line, replace(EVERYDAY, lens=Perspective(45.0, 1e-6, 1e6)), scene)
+    whole, told = line.health.text(), line.rung.text()
+    assert whole.startswith("⚠") and "px" in told and line.labels["camera"].isVisible()
+    seen = set()
+    for width in range(2400, 1000, -20):
+        line.resize(width, 24)
+        seen.add((line.rung.text() == told, line.labels["camera"].isVisible()))
+        assert line.health.text() == whole or not line.labels["camera"].isVisible()
+    assert seen == {(True, True), (False, True), (False, False)}
+    line.resize(2400, 24)
+    assert line.rung.text() == told and line.labels["camera"].isVisible()
+
+
+def test_a_figure_keeps_its_room_while_it_changes_and_fits_at_rest(
+    qtbot: QtBot, line: StatusLine, scene: Scene
+) -> None:
+    rested(qtbot, line, replace(EVERYDAY, lens=Perspective(45.12, 1.0, 30.0)), scene)
+    figure, after = line.labels["fov"], line.labels["planes"]
+    wide, place = figure.width(), after.x()
+    requests: list[QEvent.Type] = []
+
+    class Watch(QObject):
+        def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+            requests.append(event.type())
+            return False
+
+    watch = Watch()
+    line.installEventFilter(watch)
+    QApplication.processEvents()
+    requests.clear()
+    for fov_y_deg in (45.01, 45.5, 45.0):
+        lens = Perspective(fov_y_deg, 1.0, 30.0)
+        line.show_projection(replace(EVERYDAY, lens=lens), scene)
+        QApplication.processEvents()
+    assert QEvent.Type.LayoutRequest not in requests
+    assert (figure.width(), after.x()) == (wide, place)
+    qtbot.waitUntil(lambda: figure.width() < wide)
+    line.show_projection(replace(EVERYDAY, lens=Perspective(180 - 3e-12, 1.0, 30.0)), scene)
+    qtbot.waitUntil(lambda: figure.width() > wide)
+    text_px = figure.fontMetrics().horizontalAdvance(figure.text())
+    assert text_px + 2 * figure.indent() <= figure.width()
 
 
 def test_numbers_of_a_narrow_slab_are_read_exactly(

@@ -22,7 +22,7 @@ from vtkmodules.vtkRenderingCore import vtkCamera, vtkTextActor
 from app.drawings import WORDS
 from app.drawings.labels import _SAMPLES
 from app.drawings.style import DARK, LIGHT, Style, rgb
-from app.drawings.world import SLAB, WorldDrawing, _flattened_free, _part, flatten
+from app.drawings.world import SLAB, WorldDrawing, _flattened_free, _part, _view, flatten
 from app.free_matrix import with_cell
 from app.projection import (
     DEPTH_RANGES,
@@ -269,9 +269,8 @@ def test_flattened_points_keep_their_ray_and_their_order(toward_eye: bool) -> No
         if inside.sum() < 2:
             continue
         checked += 1
-        film = flatten(
-            projection, np.zeros(3), (depths.min(), depths.max()), 10.0, toward_eye=toward_eye
-        )
+        view = _view(camera, np.zeros(3))
+        film = flatten(projection, view, (depths.min(), depths.max()), 10.0, toward_eye=toward_eye)
         flat = applied(film.surface, points[inside])
         again = projection.trace(flat)
         assert np.allclose(again.image, trace.image[inside], rtol=0, atol=1e-5)
@@ -299,7 +298,8 @@ def test_the_windows_planes_cut_what_the_model_says_is_outside() -> None:
         if not (depths.max() > near and depths.min() < far):
             continue
         bounds = depths.min(), depths.max()
-        film = flatten(projection, np.zeros(3), bounds, 10.0, toward_eye=True)
+        view = _view(projection.camera, np.zeros(3))
+        film = flatten(projection, view, bounds, 10.0, toward_eye=True)
         flat = points @ film.surface[:, :3].T + film.surface[:, 3]
         cut = ((flat @ film.planes.T) < 0.0).any(axis=1)
         outside = projection.trace(points).outside
@@ -721,6 +721,28 @@ def test_labels_stay_on_their_sides_while_something_moves(make_view: MakeView) -
                     or (one[3] <= other[1] or other[3] <= one[1])
                 ), projection
     assert 0 < changes[False] <= 0.7 * changes[True]
+
+
+def test_in_a_crowd_an_axis_is_named_from_afar_or_not_at_all(make_view: MakeView) -> None:
+    """A letter lies on no other label; without room by its arrow, a line joins it to the arrow."""
+    view = make_view("letter-f", 300, 340, replace(LIGHT, font_size=22.0))
+    labels, letters = view.drawing._labels, {"u", "v", "n"}
+    hidden = joined = 0
+    for projection in list(history())[::3]:
+        view.drawing.show_projection(projection)
+        view.drawing.reset_view()
+        boxes = view.label_boxes()
+        for one, other in itertools.combinations(boxes, 2):
+            if letters & {one, other}:
+                a, b = boxes[one], boxes[other]
+                apart = a[2] <= b[0] or b[2] <= a[0] or a[3] <= b[1] or b[3] <= a[1]
+                assert apart, (one, other, projection)
+        for letter in letters:
+            hidden += letter not in boxes
+            is_joined = bool(labels._leaders[letter].actor.GetVisibility())
+            assert letter in boxes or not is_joined
+            joined += is_joined
+    assert hidden > 0 and joined > 0
 
 
 def test_at_rest_the_picture_does_not_depend_on_what_was_before(make_view: MakeView) -> None:

@@ -522,6 +522,11 @@ class ExceptionWatch(QObject):
     ----------
     log_file : Path or None
         For the report.
+
+    Attributes
+    ----------
+    caught : int
+        How many exceptions there were.
     """
 
     _seen = Signal(str, str)
@@ -530,6 +535,7 @@ class ExceptionWatch(QObject):
         super().__init__()
         self._log_file = log_file
         self.report: Report | None = None
+        self.caught = 0
         # Queued: a thread may not touch widgets, and a slot may be in the middle of a paint.
         self._seen.connect(self._show, Qt.ConnectionType.QueuedConnection)
 
@@ -550,6 +556,7 @@ class ExceptionWatch(QObject):
         if issubclass(kind, KeyboardInterrupt):
             QApplication.closeAllWindows()
             return
+        self.caught += 1
         log.critical("unexpected %s", kind.__name__, exc_info=(kind, error, trace))
         last_line = traceback.format_exception_only(kind, error)[-1].strip()
         details = "".join(traceback.format_exception(kind, error, trace))
@@ -758,14 +765,14 @@ def run_window(
     Returns
     -------
     int
-        0.
+        0; 1 if an exception kept a part of the window from being shown.
 
     Raises
     ------
     DisplayError, OpenGLError
         If no window can be opened here.
     WindowError
-        If the document's scene cannot be loaded, or there is no window to take a picture of.
+        If the document's scene cannot be loaded, or there is no whole window to take a picture of.
     DocumentError
         If the screenshot cannot be written.
     """
@@ -803,11 +810,14 @@ def run_window(
             raise WindowError(str(error)) from error
         if options.size:
             window.resize(*options.size)
+        show_window(window)
+        failed = watch.caught
         if options.screenshot:
-            window.show()
+            if failed:
+                window.close()
+                raise WindowError(f"{options.screenshot}: the window could not be shown whole.")
             _take_screenshot(application, window, options.screenshot)
         else:
-            show_window(window)
             application.exec()
         window.deleteLater()
         application.sendPostedEvents(None, QEvent.Type.DeferredDelete)
@@ -815,7 +825,7 @@ def run_window(
         undo_interrupt()
         watch.remove()
         qInstallMessageHandler(None)
-    return 0
+    return 1 if failed else 0
 
 
 def show_window(window: QWidget) -> None:

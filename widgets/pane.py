@@ -16,6 +16,7 @@ drag, and bind plain keys to changes of the scene.
 from __future__ import annotations
 
 import math
+import sys
 import time
 from collections.abc import Callable, Sequence
 from typing import Any, Protocol, cast
@@ -640,8 +641,11 @@ class Pane(QFrame):
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
-        self._refresh()
-        self.refit()  # gestures may have ended while nobody looked
+        try:
+            self._refresh()
+            self.refit()  # gestures may have ended while nobody looked
+        except Exception:  # PySide6 loses it, or itself, where several panes are shown at once
+            sys.excepthook(*sys.exc_info())
 
     def closeEvent(self, event: QCloseEvent) -> None:
         if self.isWindow():  # floating: its close button docks it again

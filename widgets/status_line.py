@@ -9,8 +9,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from functools import partial
 
-from PySide6.QtCore import QEvent, QRectF, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QRectF, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QEnterEvent, QPainter, QPaintEvent, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QInputDialog, QLabel, QMenu, QSizePolicy, QStatusBar, QToolButton
 
@@ -47,6 +48,7 @@ _ABOUT: dict[str, Attention] = {
     "camera": frozenset(("eye", "target")),
 }
 _OF_THE_WINDOW: Attention = frozenset((*CORNERS, *SIDES))
+_BESIDE_PX, _ABOVE_PX = 8, 2  # round the text of a figure
 RESTS_AFTER_MS = 150
 """How long nothing must change until errors are predicted."""
 
@@ -90,12 +92,12 @@ class StatusLine(QStatusBar):
             ("camera", self.tr("Distance from the eye to the target, in world units")),
         ):
             self.labels[name].setToolTip(tip)
-            self.labels[name].setContentsMargins(8, 0, 8, 0)
             self.labels[name].attended.connect(self.attended)
             self.addWidget(self.labels[name])
         self.rung = QToolButton()
         self.rung.setAutoRaise(True)
-        self.rung.setText(self.tr("drawn {0}, read {1}").format("float32", "float64"))
+        self._show_rungs(self._drawn, None)
+        self.rung.setText(self._rungs)
         self.rung.setAccessibleName(self.tr("Arithmetic"))
         self.rung.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         self.rung.setMenu(QMenu(self.rung))
@@ -200,6 +202,28 @@ class StatusLine(QStatusBar):
 
     def _show_health(self) -> None:
         self.health.show_sentences([f"{text}." for text in (*self._risks, *self._notes)])
+        self._make_room()
+
+    def _make_room(self) -> None:
+        """Let a sentence that has too little room have that of what can be read elsewhere."""
+        self.rung.setText(self._rungs)
+        self.labels["camera"].show()
+        layout = self.layout()
+        if layout is None or not self.cost.isHidden():  # which has all the room there is
+            return
+        for give_way in (
+            partial(self.rung.setText, self._rungs_alone),  # the errors are in its menu
+            self.labels["camera"].hide,  # its distance is among the controls
+        ):
+            layout.activate()
+            if self.health.is_whole:
+                return
+            give_way()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        if self.health.text():
+            self._make_room()
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
@@ -211,14 +235,14 @@ class StatusLine(QStatusBar):
 
     def _show_lens(self, projection: Projection) -> None:
         lens, aspect = projection.lens, projection.aspect
-        self.labels["camera"].setText(
+        self.labels["camera"].show_text(
             self.tr("eye to target {0}").format(f"{projection.camera.distance:.4g}")
         )
         if isinstance(lens, FreeMatrix):
-            self.labels["fov"].setText(self.tr("free matrix"))
-            self.labels["planes"].setText("")
+            self.labels["fov"].show_text(self.tr("free matrix"))
+            self.labels["planes"].show_text("")
             if lens.view_from_world is not None:
-                self.labels["camera"].setText(self.tr("free view matrix"))
+                self.labels["camera"].show_text(self.tr("free view matrix"))
             return
         if isinstance(lens, Perspective):
             fov = self.tr("fov {0}° × {1}°, {2} mm").format(
@@ -229,18 +253,20 @@ class StatusLine(QStatusBar):
         else:
             left, right, bottom, top = projection.window
             fov = self.tr("window {0} × {1}").format(f"{right - left:.4g}", f"{top - bottom:.4g}")
-        self.labels["fov"].setText(fov)
+        self.labels["fov"].show_text(fov)
         near, far = f"{lens.near:.4g}", "∞" if lens.far == math.inf else f"{lens.far:.4g}"
         if near == far:  # they never are
             near, far = format_value(lens.near), format_value(lens.far)
         planes = self.tr("near {0} : far {1}").format(near, far)
         if not lens.parallel and lens.far != math.inf:
             planes += self.tr("  (1 : {0})").format(f"{lens.far / lens.near:.4g}")
-        self.labels["planes"].setText(planes)
+        self.labels["planes"].show_text(planes)
 
     def _predict(self) -> None:
         if self._projection is None or self._scene is None:
             return
+        for label in self.labels.values():
+            label.fit()
         projection, scene = self._projection, self._scene
         self._predictions = predict(projection, scene.sample, scene.origin)
         self._drawn = rung_for_drawing(
@@ -255,18 +281,16 @@ class StatusLine(QStatusBar):
 
     def _show_rungs(self, drawn: Rung, predictions: dict[Rung, Prediction] | None) -> None:
         read = rung_for_reading(predictions)
-        if predictions is None:
-            text = self.tr("drawn {0}, read {1}").format(drawn, read)
-        else:
+        self._rungs = self._rungs_alone = self.tr("drawn {0}, read {1}").format(drawn, read)
+        if predictions is not None:
             # Whatever computed it, a rasteriser is handed float32 in the end.
             at_least_px = max(self._projection.image_size) * 2.0**-24 if self._projection else 0.0
-            text = self.tr("drawn {0} ±{1} px, read {2} ±{3} px").format(
+            self._rungs = self.tr("drawn {0} ±{1} px, read {2} ±{3} px").format(
                 drawn,
                 f"{max(predictions[drawn].px, at_least_px):.1g}",
                 read,
                 f"{predictions[read].px:.1g}",
             )
-        self.rung.setText(text)
 
     def _fill_menu(self) -> None:
         menu = self.rung.menu()
@@ -321,7 +345,10 @@ class StatusLine(QStatusBar):
 
 
 class _Figure(QLabel):
-    """A figure that draws attention to what it is about, and shows when something else does."""
+    """A figure that draws attention to what it is about, and shows when something else does.
+
+    While its text changes the room it has only grows, so that the steps of a drag lay nothing out.
+    """
 
     attended = Signal(object)
 
@@ -329,6 +356,30 @@ class _Figure(QLabel):
         super().__init__()
         self._about = about
         self.is_marked = False
+        self.setIndent(_BESIDE_PX)  # contents margins QFrame forgets when its style changes
+
+    def show_text(self, text: str) -> None:
+        """Show a text, in more room if it needs more."""
+        if text == self.text():
+            return
+        self.setText(text)
+        if self._needed.width() > self.minimumWidth():
+            self.fit()  # round any label whose size is not fixed Qt lays everything out anew
+
+    def fit(self) -> None:
+        """Take as much room as the text needs."""
+        self.setFixedSize(self._needed)
+
+    @property
+    def _needed(self) -> QSize:
+        """Without the least size of now, which QLabel's own hint has in it."""
+        text = self.fontMetrics().size(Qt.TextFlag.TextSingleLine.value, self.text())
+        return text + QSize(2 * _BESIDE_PX, 2 * _ABOVE_PX)
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() in (QEvent.Type.FontChange, QEvent.Type.StyleChange):
+            self.fit()
 
     def show_attention(self, attended: Attention) -> None:
         marked = bool(attended & self._about)
@@ -373,6 +424,11 @@ class _Elided(QLabel):
         """Show the first, or nothing if there is none."""
         more = f" (+{len(sentences) - 1})" if sentences[1:] else ""
         self.show_text(f"⚠ {sentences[0]}{more}" if sentences else "", "\n".join(sentences))
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether there is room for all of the line."""
+        return self.text() == self._sentence
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)

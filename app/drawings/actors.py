@@ -92,6 +92,13 @@ class Space:
         """Write another matrix, (4, 4) for column vectors, in place."""
         self.matrix.DeepCopy(matrix.ravel().tolist())
 
+    def place(self, scale: float, position: NDArray[np.float64]) -> None:
+        """Scale by a factor, then move the origin to a position, (3,)."""
+        x, y, z = position.tolist()
+        self.matrix.DeepCopy(
+            (scale, 0.0, 0.0, x, 0.0, scale, 0.0, y, 0.0, 0.0, scale, z, 0.0, 0.0, 0.0, 1.0)
+        )
+
     def set_projective(self, matrix: NDArray[np.float64]) -> None:
         """Write a matrix of homogeneous coordinates, where a common factor changes nothing.
 

@@ -178,7 +178,7 @@ class Labels:
         # The leaders before all labels, whose plates hide the ends.
         self._leaders = {
             name: _Leader(getattr(style, name), style.line_width)
-            for name in ("eye", "target", "near", "far")
+            for name in ("eye", "target", "near", "far", *AXES)
         }
         canvas.add(*(leader.actor for leader in self._leaders.values()))
         self._arrows = {a: label(words[a], plate=getattr(style, a), bold=True) for a in AXES}
@@ -249,11 +249,18 @@ class Labels:
         if first is not None:
             first(layout, pane.seen)
         count, step = len(named.tips), len(named.arrows)
+        crowded = []
         for name, label in self._arrows.items():
+            if name in leaders:
+                leaders[name].actor.SetVisibility(False)
             if name in named.arrows:
                 i = named.arrows.index(name)
                 gaps = 1 if name in AXES else 3  # up can be anywhere, even on the view direction
-                layout.place(label, words[name], spots[i:count:step], _ON, gaps=gaps)
+                by_the_arrow = partial(
+                    layout.place, label, words[name], spots[i:count:step], _ON, or_hide=True
+                )
+                if not by_the_arrow(gaps=gaps) and name in leaders:
+                    crowded.append(partial(by_the_arrow, leader=leaders[name]))
             else:
                 label.set_visible(False)
         layout.place(self._target, words["target"], [target], _RIGHT_BELOW, leaders["target"])
@@ -272,6 +279,8 @@ class Labels:
             if not layout.place(label, texts[i], planes[i], sides, leader, apart_from=others):
                 inside = pane.covered(corners[4 * i : 4 * i + 4])[:: 1 - 2 * i]
                 layout.place(label, texts[i], inside, _ON[:1], gaps=1, apart_from=others)
+        for by_the_arrow in crowded:  # last: they take no other label's place
+            by_the_arrow(gaps=3)
         self._kept = layout.settled
         return self._kept != before
 
@@ -321,6 +330,7 @@ class Layout:
         gaps: int = len(_GAPS_EM),
         apart_from: Sequence[Spot] = (),
         best: Sequence[int] = (),
+        or_hide: bool = False,
     ) -> bool:
         """Put a label as near as can be to one of these points, where it hides no other one.
 
@@ -343,6 +353,8 @@ class Layout:
             What the label must not seem to belong to.
         best : sequence of int, optional
             As `least_hiding` gives it: another order of the places beside a single point.
+        or_hide : bool
+            Rather than let it hide another one, hide the label.
 
         Returns
         -------
@@ -368,7 +380,7 @@ class Layout:
                 places = list(places)
                 places = [places[i] for i in best]
             found = search(places)
-        if found is None:
+        if found is None or (or_hide and not found[2]):
             label.set_visible(False)
             if leader is not None:
                 leader.actor.SetVisibility(False)

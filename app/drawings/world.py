@@ -24,7 +24,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from functools import partial
+from functools import lru_cache, partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -180,6 +180,7 @@ class WorldDrawing:
         self._marks: MarksDrawing | None = None
         self._marked = self._subject = np.empty((0, 3))
         self._grips: dict[str, Array] = {}
+        self._camera: Camera | None = None
         self._reach: _Reach | None = None
         self._placed: tuple[float, ...] | None = None
         self._framed = self._framed_first = self._objects
@@ -403,28 +404,33 @@ class WorldDrawing:
             Nothing of another one stays.
         """
         self._projection = projection
-        camera, lens = projection.camera, projection.lens
-        self._eye = np.array(camera.eye) - self._origin
-        self._target = np.array(camera.target) - self._origin
-        _, self._local_from_view = _view(projection, self._origin)
-        self._depths = (self._eye - self._everything) @ camera.frame[2]
-        objects_depth = float(((self._eye - self._objects) @ camera.frame[2]).max())
-        self._extent = self._scene.size + math.dist(camera.eye, self._scene.centre)
-
-        self._body_size = _BODY * self._extent
-        self._local_from_body = _scaled(self._local_from_view, self._body_size)
-        self._camera_space.set(self._local_from_body)
-        self._sight_space.set(_scaled(self._local_from_view, camera.distance))
-        if isinstance(lens, FreeMatrix):
+        if projection.camera is not self._camera:
+            self._show_camera(projection.camera)
+        if isinstance(projection.lens, FreeMatrix):
             self._show_free_volume(projection)
         else:
-            self._show_volume(lens, objects_depth)
+            self._show_volume(projection.lens)
         is_first = self._marks is None and exhibit is not None
         self._show_exhibit(exhibit)
         if is_first and not self._was_moved():
             self.reset_view()
         else:
             self._follow_pane(afresh=False)
+
+    def _show_camera(self, camera: Camera) -> None:
+        """What depends on the camera alone, and not on its lens."""
+        self._camera = camera
+        self._view_from_local, self._local_from_view = _view(camera, self._origin)
+        self._eye = np.array(camera.eye) - self._origin
+        self._target = np.array(camera.target) - self._origin
+        depths = (self._eye - self._everything) @ camera.frame[2]
+        self._depths = float(depths.min()), float(depths.max())
+        self._objects_depth = float(((self._eye - self._objects) @ camera.frame[2]).max())
+        self._extent = self._scene.size + math.dist(camera.eye, self._scene.centre)
+        self._body_size = _BODY * self._extent
+        self._local_from_body = _scaled(self._local_from_view, self._body_size)
+        self._camera_space.set(self._local_from_body)
+        self._sight_space.set(_scaled(self._local_from_view, camera.distance))
 
     def _show_free_volume(self, projection: Projection) -> None:
         """The cube under the inverse of a free matrix, whole; nothing where it has none."""
@@ -445,9 +451,9 @@ class WorldDrawing:
             self._frustum_space.set(frustum)
             self._body_space.set(frustum)
 
-    def _show_volume(self, lens: StandardLens, objects_depth: float) -> None:
+    def _show_volume(self, lens: StandardLens) -> None:
         """A lens' frustum, broken where it is too deep to be drawn true to scale."""
-        self._reach = reach = self._reach_of(lens, objects_depth)
+        self._reach = reach = self._reach_of(lens)
         for actor in self._volume:
             actor.SetVisibility(True)
         view_from_cube = self._view_from_cube(reach.near, reach.far)
@@ -472,10 +478,10 @@ class WorldDrawing:
                 base = _normalised(self._local_from_view @ self._view_from_cube(*reach.near_break))
             self._apex_space.set(base @ _CUBE_FROM_PYRAMID)
 
-    def _reach_of(self, lens: StandardLens, objects_depth: float) -> _Reach:
+    def _reach_of(self, lens: StandardLens) -> _Reach:
         size, extent = self._scene.size, self._extent
         nearby_target = min(self._projection.camera.distance, 2.0 * extent)
-        high = _BEYOND * max(objects_depth, nearby_target, 0.5 * size)
+        high = _BEYOND * max(self._objects_depth, nearby_target, 0.5 * size)
         near, far = lens.near, lens.far
         if not lens.parallel:
             low = 0.0
@@ -551,7 +557,7 @@ class WorldDrawing:
         reach, pane, lens = self._reach, self._pane, self._projection.lens
         left_bottom, right_top = self._corners[0], self._corners[2]
         px = math.dist(pane.eye, left_bottom) * 2.0 * pane.slope / pane.size_px[1]
-        depths = float(self._depths.min()), float(self._depths.max())
+        depths = self._depths
         seen = math.dist(left_bottom, right_top) > _LEAST_PICTURE_PX * px
         if isinstance(lens, FreeMatrix):
             seen = seen and self._projection.frustum_sign > 0
@@ -569,9 +575,8 @@ class WorldDrawing:
         else:
             away = pane.eye - self._eye
             from_eye_side = float(away @ self._projection.camera.frame[2]) > -reach.near
-            film = flatten(
-                self._projection, self._origin, depths, reach.high, toward_eye=from_eye_side
-            )
+            view = self._view_from_local, self._local_from_view
+            film = flatten(self._projection, view, depths, reach.high, toward_eye=from_eye_side)
         self._picture_space.set(film.surface)
         self._picture_lines_space.set(film.lines)
         for plane, (*normal, offset) in zip(self._window_planes, film.planes.tolist(), strict=True):
@@ -788,17 +793,18 @@ class WorldDrawing:
         nearest = max(nearest, _NEAREST * camera.GetDistance())
         farthest = max(1.02 * max(float(depths.max()), target_depth), 2.0 * nearest)
         camera.SetClippingRange(nearest, farthest)
-        for space, point, on_top in (
-            (self._eye_space, self._eye, 1.01),
-            (self._target_space, self._target, 1.02),
-            (self._rim_space, self._target, 1.03),
+        # All that is shrunk towards the pane's camera stays on its pixel, but comes before what
+        # would hide it.
+        for space, point, depth, on_top in (
+            (self._eye_space, self._eye, eye_depth, 1.01),
+            (self._target_space, self._target, target_depth, 1.02),
+            (self._rim_space, self._target, target_depth, 1.03),
         ):
-            matrix = self._toward_pane(point, on_top * nearest)
-            matrix[:3, 3] += matrix[0, 0] * point
-            space.set(matrix)
-        before_body = max(nearest, eye_depth - 2.0 * self._axes_size)
-        in_front_of_body = self._toward_pane(self._eye, before_body)
-        pane_from_axes = in_front_of_body @ _scaled(self._local_from_view, self._axes_size)
+            k = _shrinking(depth, on_top * nearest)
+            space.place(k, (1.0 - k) * self._pane.eye + k * point)
+        k = _shrinking(eye_depth, max(nearest, eye_depth - 2.0 * self._axes_size))
+        pane_from_axes = _scaled(self._local_from_view, k * self._axes_size)
+        pane_from_axes[:3, 3] = (1.0 - k) * self._pane.eye + k * self._eye
         self._axes_space.set(pane_from_axes)
         if self._step is not None and self._steps is not None:
             self._steps.place(pane_from_axes, self._projection.camera)
@@ -911,18 +917,6 @@ class WorldDrawing:
                 size_px[1],
             )  # fmt: skip
 
-    def _toward_pane(self, point: Array, depth: float) -> Array:
-        """Shrink everything towards the pane's camera until `point` is at `depth`, (4, 4).
-
-        All stays on its pixel, but comes before what would hide it.
-        """
-        matrix = np.identity(4)
-        away = float((point - self._pane.eye) @ self._pane.axes[2])
-        if away > depth:
-            matrix[:3, :3] *= depth / away
-            matrix[:3, 3] = (1.0 - depth / away) * self._pane.eye
-        return matrix
-
     def _around_body(self) -> Array:
         return self._eye + 3.0 * self._body_size * _SIX_WAYS
 
@@ -946,7 +940,7 @@ class Film(NamedTuple):
 
 def flatten(
     projection: Projection,
-    origin: Array,
+    view: tuple[Array, Array],
     depths: tuple[float, float],
     reach: float,
     *,
@@ -957,8 +951,8 @@ def flatten(
     Parameters
     ----------
     projection : Projection
-    origin : (3,) array
-        The scene's; see `Projection.clip_from_world_at`.
+    view : (4, 4) float64 arrays
+        View from scene-local coordinates, and back.
     depths : (float, float)
         Least and largest distance of anything in the scene from the eye plane, in front (+) or
         behind (-), in world units. The slab's thickness is spent on them.
@@ -983,7 +977,7 @@ def flatten(
     free = max(_MARGIN * (depths[1] - depths[0]), 1e-6 * reach)  # flat scenes have no depth
     start = max(near, depths[0] - free)
     end = max(min(far, depths[1] + free), start + 1e-6 * reach)
-    view_from_local, local_from_view = _view(projection, origin)
+    view_from_local, local_from_view = view
     clip_from_local = _part(projection, start, end)[0] @ view_from_local
     film = _part(projection, near, near + reach if lens.parallel else math.inf)
     film_from_local, local_from_film = film[0] @ view_from_local, local_from_view @ film[1]
@@ -1052,9 +1046,8 @@ def _side_planes(projection: Projection) -> Array:
     return planes
 
 
-def _view(projection: Projection, origin: Array) -> tuple[Array, Array]:
+def _view(camera: Camera, origin: Array) -> tuple[Array, Array]:
     """View from scene-local coordinates and back, both (4, 4); the eye is subtracted first."""
-    camera = projection.camera
     eye = np.array(camera.eye) - origin
     view_from_local, local_from_view = np.identity(4), np.identity(4)
     view_from_local[:3, :3], view_from_local[:3, 3] = camera.frame, camera.frame @ -eye
@@ -1093,8 +1086,8 @@ def _part(projection: Projection, near: float, far: float) -> tuple[Array, Array
     """
     clip_from_view, view_from_clip = projection.clip_from_view.copy(), np.zeros((4, 4))
     lens = projection.standard_lens
+    clip_from_view[2], depth_from_clip = _depth_rows(near, far, lens.parallel)
     if lens.parallel:
-        cut = Projection(lens=Orthographic(near=near, far=far), depth="reversed")
         left, right, bottom, top = projection.window
         for row, (low, high) in enumerate(((left, right), (bottom, top))):
             cot = projection.shear[row]
@@ -1102,13 +1095,24 @@ def _part(projection: Projection, near: float, far: float) -> tuple[Array, Array
             view_from_clip[row, 2] = -cot * (far - near)
             view_from_clip[row, 3] = (low + high) / 2.0 + cot * (far - lens.near)
         view_from_clip[:2] = np.clip(view_from_clip[:2], -_WIDEST, _WIDEST)
-        view_from_clip[2:] = cut.view_from_clip[2:]
+        view_from_clip[2:] = depth_from_clip
     else:
-        cut = Projection(lens=Perspective(near=near, far=far), depth="reversed")
         view_from_clip[:3] = np.clip(projection.view_from_clip[:3], -_STEEPEST, _STEEPEST)
-        view_from_clip[3] = cut.view_from_clip[3]
-    clip_from_view[2] = cut.clip_from_view[2]
+        view_from_clip[3] = depth_from_clip[1]
     return clip_from_view, view_from_clip
+
+
+@lru_cache(maxsize=16)  # the parts of one step, which most sliders leave as they are
+def _depth_rows(near: float, far: float, parallel: bool) -> tuple[Array, Array]:
+    """Row z of `clip_from_view`, (4,), and rows z and w of its inverse, (2, 4), reversed range."""
+    lens = Orthographic(near=near, far=far) if parallel else Perspective(near=near, far=far)
+    part = Projection(lens=lens, depth="reversed")
+    return part.clip_from_view[2], part.view_from_clip[2:]
+
+
+def _shrinking(away: float, depth: float) -> float:
+    """How much all is to be shrunk towards the pane's camera to bring what is away to a depth."""
+    return depth / away if away > depth else 1.0
 
 
 def _scaled(local_from_view: Array, size: float) -> Array:
