@@ -23,7 +23,7 @@ from app.projection import DEPTH_RANGES, LENSES, Camera, Perspective, Projection
 from app.scene import load
 from widgets.attention import Attended
 from widgets.main_window import MainWindow
-from widgets.matrix_panel import MatrixView
+from widgets.matrix_view import MatrixView
 
 START = load("letter-f").start
 PLANES = {"near", "far", "left", "right", "bottom", "top"}

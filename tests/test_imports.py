@@ -197,11 +197,18 @@ ROOMS = {
     "widgets/lens_controls.py": PANEL,
     "widgets/animation.py": PANEL,
     "widgets/readable.py": Room(QT, ()),
+    "widgets/matrix_view.py": Room(
+        QT,
+        (
+            *("app.notation", "app.attention", "app.drawings.style"),
+            *("widgets.attention", "widgets.rows"),
+        ),
+    ),
     "widgets/matrix_panel.py": Room(
         QT,
         (
             *("app.notation", "app.free_matrix", "app.projection", "app.attention"),
-            *("app.drawings.style", "widgets.attention", "widgets.messages", "widgets.rows"),
+            *("app.drawings.style", "widgets.matrix_view", "widgets.messages", "widgets.rows"),
             "widgets.readable",
         ),
     ),

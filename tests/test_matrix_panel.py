@@ -21,7 +21,8 @@ from app.free_matrix import with_cell
 from app.picking import Probe
 from app.projection import Camera, FreeMatrix, Frustum, Oblique, Perspective, Projection
 from widgets import matrix_panel
-from widgets.matrix_panel import MatrixPanel, MatrixView, first_change
+from widgets.matrix_panel import MatrixPanel
+from widgets.matrix_view import MatrixView, first_change
 from widgets.messages import stage_title
 from widgets.rows import short_text
 
