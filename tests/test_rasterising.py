@@ -169,6 +169,22 @@ def test_the_predicted_share_of_wrong_pixels_is_the_counted_one(plotter: Any) ->
     assert between >= 20, "shares of 0 and 1 prove little"
 
 
+@pytest.mark.parametrize("kind", ["fixed8", "fixed16", "float16"])
+@pytest.mark.parametrize("gap", [1e-9, 1e-6, 5e-6, 1e-4])
+def test_a_gap_that_no_buffer_tells_is_counted_too(plotter: Any, kind: str, gap: float) -> None:
+    """What is in front is known, though the picture that tells it has but 24 bits."""
+    scene = load("depth-buffer")
+    settings = {"format": kind, "range": "standard", "gap": gap}
+    reading = depth_buffer.PHENOMENON.show(scene.start, settings, scene.subject).readings[0]
+    buffer = depth_buffer.buffer_of(scene.start, settings)
+    assert isinstance(buffer, DepthBuffer) and isinstance(reading.value, float)
+    behind = depth_buffer.moved_behind(scene.start, gap)
+    counted = counted_wrong_share(plotter, scene, scene.start, buffer, behind)
+    assert counted is not None
+    assert reading.note is None and reading.value > 99.0
+    assert abs(100.0 * counted - reading.value) <= 1.0
+
+
 def test_the_image_pane_shows_the_stripes_that_are_counted(plotter: Any, make: Any) -> None:
     picture = make("depth-buffer").show()
     start = replace(picture.phenomenon.start, image_size=SIZE)

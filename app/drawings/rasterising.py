@@ -40,6 +40,7 @@ from vtkmodules.vtkRenderingCore import vtkActor
 from app.depth import FORMATS, DepthBuffer
 from app.drawings.actors import Canvas, Space, identity_camera, unlit_actor
 from app.drawings.style import LIGHT, Style, rgb
+from app.phenomena.depth_buffer import FINEST
 from app.phenomena.exhibit import QT_TRANSLATE_NOOP, Fog, Level, Phrase, Rendering, Texture
 from app.projection import Array, FreeMatrix, Lens, Projection
 from app.scene import Scene
@@ -515,6 +516,11 @@ def counted_wrong_share(
     found = drawn(True, True)[:, 1]
     true = Rendering(buffer=DepthBuffer("float32", "reversed", buffer.near, buffer.far, parallel))
     rasteriser.show(true, seen)
+    # A gap too fine for this buffer as well is told by one that it can tell.
+    reach = max(math.dist(corner, projection.camera.eye) for corner in scene.corners.tolist())
+    apart, gap = behind.copy(), float(np.linalg.norm(behind[:3, 3]))
+    apart[:3, 3] *= max(1.0, FINEST * reach / gap)
+    actors[1][1].set_projective(clip_from_local @ back @ apart @ shift)
     wrong = found != drawn(True, True)[:, 1]
     for actor, _ in actors:
         renderer.RemoveViewProp(actor)
