@@ -29,7 +29,7 @@ def _compiled(signature: Any) -> Callable[[_Loop], _Loop]:
         compiler = partial(njit, signature, error_model="numpy", fastmath={"contract"})
         try:
             return cast(_Loop, compiler(cache=True)(function))
-        except (RuntimeError, OSError):  # no folder may be written to, or the disk is full
+        except Exception:  # no folder may be written to, the disk is full, a file in it is damaged
             return cast(_Loop, compiler()(function))
 
     return compiled

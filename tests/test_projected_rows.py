@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import math
+import os
 import subprocess
 import sys
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -238,7 +240,8 @@ def test_where_it_cannot_write_is_refused() -> None:
     shared = np.zeros((4, 5))
     fixed = np.zeros((3, 5))
     fixed.setflags(write=False)
-    for out in (np.zeros((5, 3)), np.zeros((3, 4)), np.zeros((3, 5), np.float32), fixed, rows):
+    wrong = (np.zeros((5, 3)), np.zeros((3, 4)), np.zeros((3, 5), np.float32), fixed)
+    for out in (*wrong, rows, rows[:], rows[::-1]):
         with pytest.raises(ValueError, match=r"out must be a \(3, 5\) float64 array"):
             Projection().image_rows(rows, out)
     with pytest.raises(ValueError, match="apart from the points"):
@@ -264,3 +267,28 @@ def test_it_is_compiled_where_nothing_can_be_written() -> None:
         [sys.executable, "-W", "error", "-c", script], cwd=ROOT, capture_output=True, text=True
     )
     assert (done.stderr, done.stdout.split("\n", 1)) == ("", ["NullCache", "(3, 1)\n"])
+
+
+@pytest.mark.parametrize("ending", [".nbi", ".nbc"])
+@pytest.mark.parametrize("left", [0.0, 0.5])
+def test_it_is_compiled_where_what_was_kept_is_damaged(
+    tmp_path: Path, ending: str, left: float
+) -> None:
+    script = "from app.projection import Projection; print(Projection().image_rows([[0]] * 3).T)"
+
+    def printed() -> str:
+        return subprocess.run(
+            [sys.executable, "-c", script], cwd=ROOT, capture_output=True, text=True, check=True,
+            env={**os.environ, "NUMBA_CACHE_DIR": str(tmp_path)},
+        ).stdout  # fmt: skip
+
+    first = printed()
+    (kept,) = tmp_path.glob(f"*/*{ending}")
+    kept.write_bytes(kept.read_bytes()[: int(left * kept.stat().st_size)])
+    assert printed() == first
+
+
+def test_a_depth_that_overflows_alone_is_refused() -> None:
+    projection = Projection(Camera((0, 0, 5), (0, 0, 0)), Orthographic(near=1.0, far=1.001))
+    with pytest.raises(ProjectionError, match=r"points = .*three finite numbers"):
+        projection.image_rows([[0.0], [0.0], [-1.7e308]])

@@ -99,3 +99,27 @@ def test_hidden_it_shows_nothing_until_it_appears(shown: Shown) -> None:
     shown.hide()
     shown.show()
     assert shown.seen == [2], "nothing has changed"
+
+
+def test_what_fails_is_shown_on_appearing_again(shown: Shown) -> None:
+    def fail() -> None:
+        raise ValueError("not now")
+
+    whole, shown.readable._show = shown.readable._show, fail
+    with pytest.raises(ValueError, match="not now"):
+        shown.step(1)
+    shown.readable._show = whole
+    shown.hide()
+    shown.show()
+    assert shown.seen == [1]
+
+
+def test_a_gesture_shows_its_first_value_at_once(shown: Shown) -> None:
+    for number in (1, 2):
+        shown.readable.begin_gesture()
+        shown.step(number, READ_MS)
+        shown.readable.end_gesture()
+        assert shown.seen[-1] == number
+    shown.readable.begin_gesture()
+    shown.step(3, READ_MS)
+    assert shown.seen == [1, 2, 3]

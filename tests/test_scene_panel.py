@@ -17,9 +17,11 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLineEdit, QSlider, QToolTip
 from pytestqt.qtbot import QtBot
 
+from app.document import Document
 from app.phenomena import PHENOMENA
 from app.phenomena.exhibit import Exhibit, Phrase, Reading, Setting, Settings, Subject
 from app.projection import Camera, FreeMatrix, ProjectionError
+from app.scene import load
 from tests.phenomenon import EVERYTHING
 from widgets import palette
 from widgets.messages import Words, number_text
@@ -615,3 +617,13 @@ def test_the_phenomena_s_texts_are_in_the_window_s_language(
         )  # fmt: skip
     finally:
         QCoreApplication.removeTranslator(translator)
+
+
+def test_a_burst_of_keys_ends_with_its_scene(make_window: Callable[..., Any], qtbot: QtBot) -> None:
+    window = make_window(Document("similar-triangles", load("similar-triangles").start))
+    row = next(row for row in window.scene_panel.rows.values() if isinstance(row, NumberRow))
+    qtbot.keyClick(row.slider, Qt.Key.Key_Right)
+    assert window.store.in_gesture
+    window.files.choose_scene("letter-f")
+    assert not window.store.in_gesture
+    assert not window.matrices._readable.in_gesture

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 from PySide6.QtCore import QEvent, QObject
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QMainWindow
 from pytestqt.qtbot import QtBot
 
 from app.document import Document
@@ -195,3 +195,21 @@ def test_points_behind_the_camera_have_no_prediction(
     away = replace(EVERYDAY, camera=Camera((0.0, 2.0, 100.0), (0.0, 2.0, 200.0)))
     rested(qtbot, line, away, scene)
     assert line.rung.text() == "drawn float32, read float64"
+
+
+def test_a_message_stands_alone(qtbot: QtBot, display: Any) -> None:
+    """Qt hides the figures meanwhile; what is shown then would be painted over it."""
+    window = QMainWindow()
+    qtbot.addWidget(window)
+    line, scene = StatusLine(), load("letter-f")
+    window.setStatusBar(line)
+    window.resize(1600, 200)
+    window.show()
+    qtbot.waitExposed(window)
+    rested(qtbot, line, EVERYDAY, scene)
+    figures = (*line.labels.values(), line.rung)
+    line.showMessage("1/3 is taken as 0.333")
+    rested(qtbot, line, replace(EVERYDAY, lens=Perspective(44.0, 1.0, 30.0)), scene)
+    assert not any(figure.isVisible() for figure in figures)
+    line.clearMessage()
+    assert all(figure.isVisible() for figure in figures)

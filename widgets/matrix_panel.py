@@ -159,6 +159,8 @@ class MatrixPanel(QWidget):
         self._boxes: list[_Box] = []
         self._plan: object = None
         self._unfolded: set[str] = set()
+        self._speaker: MatrixView | None = None
+        """Whose cell the explanation is about."""
         self._gap: QSpacerItem | None = None
         """Keeps a matrix in its place whose neighbours have gone."""
         self._earlier: tuple[object, tuple[Matrix, ...]] = (None, ())
@@ -246,7 +248,7 @@ class MatrixPanel(QWidget):
     def new_view(self, name: str) -> MatrixView:
         """A view of one matrix, wired to the explanation, the clipboard and the model."""
         view = MatrixView(self.sentence, editable=name in EDITABLE)
-        view.pointed.connect(self._explain)
+        view.pointed.connect(partial(self._said, view))
         view.copied.connect(self._copy_one)
         view.attended.connect(self.attended)
         view.show_attention(self._attention)
@@ -264,6 +266,10 @@ class MatrixPanel(QWidget):
     def _edit_cell(self, name: str, row: int, column: int) -> None:
         """Go on in the view of now: another lens has other ones."""
         self.views[name].edit_cell(row, column)
+
+    def _said(self, view: MatrixView, text: str) -> None:
+        self._speaker = view
+        self._explain(text)
 
     def _explain(self, text: str, sheet: str = "") -> None:
         self.explanation.setStyleSheet(sheet)
@@ -289,14 +295,17 @@ class MatrixPanel(QWidget):
             taken = self.tr("{0} is taken as {1}, its quotient to all digits of float64.")
             self.told.emit(taken.format(text.strip(), cell_text(value)))
         if projection != self._projection:
-            left_px = self._left_of(view)
             self.show_projection(projection)
             self._readable.settle()
-            now = self.views[name]
-            if now is not view:
-                self._keep_in_place(now, left_px)
-                now.take_over((row, column))
             self.edited.emit(projection)
+
+    def _in_hand(self) -> tuple[str, int, tuple[int, int]] | None:
+        """Name, left edge and cell of the matrix that the keyboard is in."""
+        focus = self.window().focusWidget()
+        for name, view in self.views.items():
+            if focus is not None and focus in (view, view.field):
+                return name, self._left_of(view), view.place
+        return None
 
     def _left_of(self, view: MatrixView) -> int:
         """Where it stands in what is seen, in px."""
@@ -402,6 +411,7 @@ class MatrixPanel(QWidget):
     def _refresh(self) -> None:
         if self._projection is None:
             return
+        in_hand = self._in_hand()
         self._shown = self._matrices(self._projection)
         before: dict[str, Matrix] = {}
         if self._before is not None:
@@ -410,9 +420,9 @@ class MatrixPanel(QWidget):
                 self._earlier = (key, self._matrices(self._before))
             before = {matrix.name: matrix for matrix in self._earlier[1]}
         plan = [(matrix.name, [f.name for f in matrix.factors]) for matrix in self._shown]
-        if plan != self._plan:
+        anew, self._plan = plan != self._plan, plan
+        if anew:
             self._build()
-            self._plan = plan
         settings = {
             "letters": self._letters, "rows": self._rows,
             "formulas": self.cells.currentData() == "formulas", "style": self._style,
@@ -440,6 +450,12 @@ class MatrixPanel(QWidget):
                 view.show_matrix(
                     matrix.factors[number], factors[number] if factors else None, **settings
                 )
+        if anew and in_hand is not None and in_hand[0] in self.views:
+            name, left_px, cell = in_hand
+            self._keep_in_place(self.views[name], left_px)
+            self.views[name].take_over(cell)
+        if self._speaker is not None:
+            self._speaker.say_again()
 
     @property
     def _letters(self) -> Letters:
@@ -454,10 +470,20 @@ class MatrixPanel(QWidget):
             projection, self._letters, rows=self._rows, running=self.running.isChecked()
         )
 
-    def _build(self) -> None:
+    def _close_gap(self) -> None:
         if self._gap is not None:
             self._row.removeItem(self._gap)
             self._gap = None
+
+    def leaveEvent(self, event: QEvent) -> None:
+        super().leaveEvent(event)
+        self._close_gap()  # the hand is elsewhere
+
+    def _build(self) -> None:
+        self._close_gap()
+        if self._speaker is not None:
+            self._speaker = None
+            self._explain("")
         for box in self._boxes:
             self._row.removeWidget(box)
             box.hide()

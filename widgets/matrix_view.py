@@ -152,6 +152,7 @@ class MatrixView(QWidget):
         self._style = LIGHT
         self._cursor = (0, 0)
         self._attention = self._pointed_at = NOTHING
+        self._told: tuple[int, int] | None = None  # of which cell
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
@@ -396,9 +397,15 @@ class MatrixView(QWidget):
         field.show()
         field.setFocus()
 
+    @property
+    def place(self) -> tuple[int, int]:
+        """Row and column of the cell that the keyboard is at."""
+        return self._cursor
+
     def take_over(self, cursor: tuple[int, int]) -> None:
         """Go on at the cell where another view stood."""
         self._cursor = cursor
+        self._say()
         self.setFocus()
 
     def refuse(self) -> None:
@@ -457,14 +464,21 @@ class MatrixView(QWidget):
 
     def _say(self) -> None:
         if self._matrix is not None:
+            self._told = self._cursor
             sentence = self._explain(self._matrix, *self._cursor)
             self.setAccessibleDescription(sentence)
             self.pointed.emit(sentence)
             self._point_at(self._cursor)
 
+    def say_again(self) -> None:
+        """Tell anew what was told of a cell, which may have changed, unless it is being typed."""
+        if self._matrix is not None and self._told is not None and self._field is None:
+            self.pointed.emit(self._explain(self._matrix, *self._told))
+
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         cell = self.cell_at(event.position())
         if cell is not None and self._matrix is not None:
+            self._told = cell
             self.pointed.emit(self._explain(self._matrix, *cell))
         self._point_at(cell)
 

@@ -87,7 +87,11 @@ class Readable(QObject):
         if self._pending and self._widget.isVisible():
             self._pending = False
             self._steps, self._shown_ms = 0, self.now_ms()
-            self._show()
+            try:
+                self._show()
+            except BaseException:
+                self._pending = True  # what failed is shown on appearing again
+                raise
 
     def _rested(self) -> None:
         self.settle()

@@ -300,7 +300,8 @@ class ScenePanel(QWidget):
     # -- rows
 
     def _make_rows(self, settings: Iterable[Setting]) -> None:
-        for name in self.rows:
+        for name, row in self.rows.items():
+            row.finish_gesture()  # a burst of keys that has not gone quiet yet, and never would
             self.players.pop(name, None)
         for line in self._lines:
             self._rows.removeWidget(line)

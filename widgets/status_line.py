@@ -125,6 +125,7 @@ class StatusLine(QStatusBar):
         self.cost.setAccessibleName(self.tr("Cost of a step"))
         self.cost.hide()
         self.addWidget(self.cost, 8)  # of health the sign is left, and its tooltip
+        self.messageChanged.connect(self._make_room)
         self._rest = QTimer(self)
         self._rest.setSingleShot(True)
         self._rest.setInterval(RESTS_AFTER_MS)
@@ -206,6 +207,8 @@ class StatusLine(QStatusBar):
 
     def _make_room(self) -> None:
         """Let a sentence that has too little room have that of what can be read elsewhere."""
+        if self.currentMessage():  # Qt has hidden all of it, and tells when it is gone
+            return
         self.rung.setText(self._rungs)
         self.labels["camera"].show()
         layout = self.layout()
