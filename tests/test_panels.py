@@ -89,3 +89,16 @@ def test_a_height_that_the_hand_has_chosen_stays(make_window: Callable[..., Any]
         window.panels.open(window.matrices)
         QApplication.processEvents()
         assert window.panels.height() == chosen
+
+
+def test_a_chosen_height_is_not_that_of_a_lower_window(make_window: Callable[..., Any]) -> None:
+    window = make_window()
+    window.resize(1600, 1050)
+    window.panels.open(window.matrices)
+    QApplication.processEvents()
+    window._column.moveSplitter(350, 1)
+    assert window.panels.height() > 500
+    window.resize(1366, 768)
+    window.panels.open(window.probe_panel)
+    QApplication.processEvents()
+    assert all(pane.height() >= 400 for pane in window.panes.values())

@@ -262,7 +262,8 @@ class MainWindow(QMainWindow):
         self.panels.opened.connect(self._panel_opened)
         self._column.splitterMoved.connect(self._panels_dragged)
         self._panels_px: int | None = None
-        """The height that the hand has given them."""
+        """The height that the hand has given them, in a window as high as it was then."""
+        self._chosen_in = 0
         self._grown_px = 0
         """Otherwise the highest that one of them wanted, in a window as it was then."""
         self._grown_in = (0, False)
@@ -286,6 +287,8 @@ class MainWindow(QMainWindow):
         else:
             self.panels.setMaximumHeight(16777215)  # QWIDGETSIZE_MAX: as much as there is
             now = (self.height(), self.settings.projector)
+            if now[0] < self._chosen_in:
+                self._panels_px = None  # of a smaller window it would leave the panes too little
             if self._panels_px is None:
                 if now != self._grown_in:
                     self._grown_in, self._grown_px = now, 0
@@ -295,7 +298,7 @@ class MainWindow(QMainWindow):
 
     def _panels_dragged(self) -> None:
         if self.panels.open_panel is not None:
-            self._panels_px = self._column.sizes()[1]
+            self._panels_px, self._chosen_in = self._column.sizes()[1], self.height()
 
     def _action(
         self,
