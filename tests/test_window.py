@@ -37,7 +37,7 @@ from vtkmodules.vtkRenderingCore import vtkTextActor
 import app.document
 import app.scene
 from app.document import Document, extract, read, write
-from app.drawings import actors
+from app.drawings import actors, rungs
 from app.drawings.image import ImageDrawing
 from app.drawings.style import LIGHT, rgb
 from app.figures import render
@@ -1258,3 +1258,28 @@ def test_a_note_beside_a_panes_title_ends_in_an_ellipsis_where_it_is_cut(
     assert note.fontMetrics().horizontalAdvance(QLabel.text(note)) <= 100
     note.setText("")
     assert QLabel.text(note) == ""
+
+
+def test_both_panes_share_what_float64_has_projected(
+    make_window: Callable[..., MainWindow], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    window = make_window()
+    cut, whole = [0], rungs._cut
+
+    def counted(*given: Any) -> Any:
+        cut[0] += 1
+        return whole(*given)
+
+    monkeypatch.setattr(rungs, "_cut", counted)
+    for step in range(3):  # faces and edges, at a field of view that float32 cannot draw
+        window.store.set_projection(seen(window, lens=Perspective(1e-3 + 1e-5 * step, 1.0, 30.0)))
+        assert cut[0] == 2 * (step + 1)
+    assert {window.panes[name].drawing.rung for name in ("ndc", "image")} == {"float64"}  # type: ignore[union-attr]
+    pictures = {name: pixels(window, name) for name in ("ndc", "image")}
+    for name, shown in pictures.items():  # each for itself draws the same
+        rungs._projected.clear()
+        window.panes[name].show_projection(window.store.document.projection)
+        settle(window)
+        assert (pixels(window, name) == shown).all(), name
+    window.store.set_projection(seen(window, lens=Perspective(45.0, 1.0, 30.0)))
+    assert not len(rungs._projected)

@@ -27,6 +27,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from typing import Any, NamedTuple
+from weakref import WeakKeyDictionary
 
 import numpy as np
 from numpy.typing import NDArray
@@ -52,6 +53,10 @@ def least_tolerance(scene: Scene, tolerance_px: float) -> float:
     A texture is laid over the scene's own vertices, and so over those that the GPU projects.
     """
     return math.inf if "texture" in scene.requires else tolerance_px
+
+
+_projected: WeakKeyDictionary[Scene, tuple[Scene | None, Projection, list[_Part]]]
+_projected = WeakKeyDictionary()
 
 
 class ModelActors:
@@ -88,6 +93,7 @@ class ModelActors:
         """Take a scene's fewer triangles, or None for all; then show a projection."""
         self.show_local()
         self._detail.show(fewer)
+        self._fewer = fewer
         self._made = [_Made(actor) for actor in (self.surface, self.lines) if actor is not None]
 
     def show_projection(self, projection: Projection) -> Array:
@@ -118,20 +124,29 @@ class ModelActors:
         """Give the actors the scene's own vertices, scene-local, whatever they stand under."""
         if self.rung != "float32":
             self.rung = "float32"
+            _projected.pop(self._scene, None)
             for made in self._made:
                 made.restore()
 
-    def _project(self, projection: Projection) -> Array:
+    def _parts(self, projection: Projection) -> list[_Part]:
+        """What a projection leaves of the scene, computed once for all panes that show it."""
+        kept = _projected.get(self._scene)
+        if kept is not None and kept[0] is self._fewer and kept[1] == projection:
+            return kept[2]
         planes = _planes(projection)
-        free = isinstance(projection.lens, FreeMatrix)
         parts = []
         for made in self._made:
             world = made.points.astype(np.float64) + self._scene.origin
             part = _cut(projection.trace(world).clip, made.cells, planes)
-            if free:
+            if isinstance(projection.lens, FreeMatrix):
                 w = part.clip[:, 3:]
                 part = part._replace(clip=part.clip / np.where(w > 0.0, w, 1.0))
             parts.append(part)
+        _projected[self._scene] = self._fewer, projection, parts
+        return parts
+
+    def _project(self, projection: Projection) -> Array:
+        parts = self._parts(projection)
         largest = max((float(np.abs(part.clip).max(initial=0.0)) for part in parts), default=0.0)
         # The homogeneous factor is free: as a power of two, whatever there is fits into float32.
         unit = 2.0 ** -math.frexp(largest)[1]
