@@ -24,6 +24,7 @@ from app.drawings.labels import _SAMPLES
 from app.drawings.style import DARK, LIGHT, Style, rgb
 from app.drawings.world import SLAB, WorldDrawing, _flattened_free, _part, _view, flatten
 from app.free_matrix import with_cell
+from app.phenomena import PHENOMENA
 from app.projection import (
     DEPTH_RANGES,
     LENSES,
@@ -721,6 +722,28 @@ def test_labels_stay_on_their_sides_while_something_moves(make_view: MakeView) -
                     or (one[3] <= other[1] or other[3] <= one[1])
                 ), projection
     assert 0 < changes[False] <= 0.7 * changes[True]
+
+
+@pytest.mark.parametrize("size_px", [(300, 400), (370, 420), (600, 700)])
+@pytest.mark.parametrize("name", ["letter-f", "posts", *PHENOMENA])
+def test_no_label_lies_on_another_in_any_scene_of_a_lecture(
+    make_view: MakeView, name: str, size_px: tuple[int, int]
+) -> None:
+    """As the scene opens, in projector mode; in the least pane but what a scene marks itself."""
+    view = make_view(name, *size_px, replace(LIGHT, font_size=22.0))
+    scene = load(name)
+    shown = scene.phenomenon
+    exhibit = None
+    if shown is not None:
+        exhibit = shown.exhibit(scene.start, shown.defaults, scene.subject)
+    view.drawing.show_projection(scene.start, exhibit)
+    view.drawing.reset_view()
+    boxes = view.label_boxes()
+    own = {"eye", "target", "u", "v", "n", *(b for b in boxes if b.startswith(("near", "far")))}
+    for one, other in itertools.combinations(boxes, 2):
+        a, b = boxes[one], boxes[other]
+        apart = a[2] <= b[0] or b[2] <= a[0] or a[3] <= b[1] or b[3] <= a[1]
+        assert apart or (size_px == (300, 400) and not own & {one, other}), (one, other)
 
 
 def test_in_a_crowd_an_axis_is_named_from_afar_or_not_at_all(make_view: MakeView) -> None:

@@ -370,7 +370,7 @@ class Layout:
             if depth > 0.0 and (leader is None or (0.0 <= x <= width_px and 0.0 <= y <= height_px))
         ]
         others = [(x, y) for x, y, depth in apart_from if depth > 0.0]
-        search = partial(self._search, points, half, others, leader is not None)
+        search = partial(self._search, points, half, others, leader is not None, not or_hide)
         kept, found = self._kept.get(label), None
         if kept is not None and leader is not None and kept[1] in usable:
             found = search([kept])
@@ -434,9 +434,13 @@ class Layout:
         half: tuple[float, float],
         others: Sequence[tuple[float, float]],
         has_leader: bool,
+        may_cross: bool,
         candidates: Iterable[_Candidate],
     ) -> tuple[_Candidate, _Box, bool] | None:
         """The first candidate that hides nothing, or else the first that is in the pane at all.
+
+        One whose leader runs under another label, which hides nothing either, is better than one
+        that hides a label.
 
         Returns
         -------
@@ -449,6 +453,7 @@ class Layout:
         em, (width_px, height_px), taken = self.em, self._size_px, self._taken
         half_width, half_height = half
         least = _OTHER_PLANE_EM * em
+        crossing: tuple[_Candidate, _Box] | None = None
         second_best: tuple[_Candidate, _Box] | None = None
         for candidate in candidates:
             gap, i, (to_right, to_top) = candidate
@@ -474,6 +479,9 @@ class Layout:
                     joined = has_leader and gap > _LEADER_FROM_EM
                     if not (joined and self._crosses(points[i], box)):
                         return candidate, box, True
+                    crossing = crossing or (candidate, box)
+        if crossing is not None and may_cross:
+            return (*crossing, True)
         return None if second_best is None else (*second_best, False)
 
     def _crosses(self, anchor: Spot, box: _Box) -> bool:
