@@ -131,6 +131,11 @@ class Store(QObject):
             self._gesture_start = None
             self.history_changed.emit()
 
+    def abandon_gesture(self) -> None:
+        """Put back what the gesture has changed so far, as if it had not; not among several."""
+        if self._gestures == 1 and self._gesture_moved and self._gesture_start is not None:
+            self._show(self._gesture_start)
+
     def undo(self) -> None:
         """Go back one step; during a gesture, to where the gesture began."""
         self._close_gesture()

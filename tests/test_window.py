@@ -30,6 +30,8 @@ from PySide6.QtWidgets import (
     QMessageBox,
     QProgressDialog,
     QPushButton,
+    QStyle,
+    QStyleOptionSlider,
     QToolButton,
 )
 from vtkmodules.vtkRenderingCore import vtkTextActor
@@ -1283,3 +1285,38 @@ def test_both_panes_share_what_float64_has_projected(
         assert (pixels(window, name) == shown).all(), name
     window.store.set_projection(seen(window, lens=Perspective(45.0, 1.0, 30.0)))
     assert not len(rungs._projected)
+
+
+@pytest.mark.parametrize("key", ["fov_x_deg", "far", "azimuth_deg"])
+def test_esc_puts_back_what_a_slider_has_dragged(
+    make_window: Callable[..., MainWindow], key: str
+) -> None:
+    window = make_window()
+    window.probe_panel.follow(point=(0.0, 0.0, 0.0))  # which Esc would remove otherwise
+    before, could_undo = window.store.document, window.store.can_undo
+    row = window.controls.rows[key]
+    window.controls.ensureWidgetVisible(row)
+    slider, text = row.slider, row.field.text()
+    option = QStyleOptionSlider()
+    slider.initStyleOption(option)
+    place = slider.style().subControlRect(
+        QStyle.ComplexControl.CC_Slider, option, QStyle.SubControl.SC_SliderHandle, slider
+    ).center()  # fmt: skip
+    left = Qt.MouseButton.LeftButton
+    QTest.mousePress(slider, left, pos=place)
+    QTest.mouseMove(slider, place + QPoint(15, 0))
+    settle(window)
+    assert window.store.document != before
+    QTest.keyClick(slider, Qt.Key.Key_Escape)
+    settle(window)
+    assert window.store.document == before and not window.store.in_gesture
+    assert (row.field.text(), window.store.can_undo) == (text, could_undo)
+    assert len(window.probe_panel.probes) == 1
+    QTest.mouseMove(slider, place + QPoint(30, 0))  # the hand has let go of it
+    QTest.mouseRelease(slider, left, pos=place + QPoint(30, 0))
+    settle(window)
+    assert window.store.document == before
+    QTest.mousePress(slider, left, pos=place)
+    QTest.mouseMove(slider, place + QPoint(15, 0))
+    QTest.mouseRelease(slider, left, pos=place + QPoint(15, 0))
+    assert window.store.document != before and window.store.can_undo

@@ -94,6 +94,7 @@ class Controls(QScrollArea):
     """The user made this `Projection`: once per action."""
     gesture_started = Signal()
     gesture_finished = Signal()
+    gesture_abandoned = Signal()
     attended = Signal(str, object)
     """The name of a row that the user is at, and the `Attention` it draws; `NOTHING` after it."""
 
@@ -388,6 +389,7 @@ class Controls(QScrollArea):
         row.edited.connect(partial(self._edit, binding))
         row.gesture_started.connect(partial(self._gesture_started, row))
         row.gesture_finished.connect(self.gesture_finished)
+        row.gesture_abandoned.connect(self.gesture_abandoned)
 
     def _number(self, key: str) -> NumberRow:
         row = self._bindings[key].row

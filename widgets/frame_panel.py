@@ -81,6 +81,7 @@ class FramePanel(QWidget):
     """The `Attention` that the formula under the mouse draws."""
     gesture_started = Signal()
     gesture_finished = Signal()
+    gesture_abandoned = Signal()
 
     def __init__(self) -> None:
         super().__init__()
@@ -172,6 +173,7 @@ class FramePanel(QWidget):
         self.angle.edited.connect(self._turn)
         self.angle.gesture_started.connect(self.gesture_started)
         self.angle.gesture_finished.connect(self.gesture_finished)
+        self.angle.gesture_abandoned.connect(self.gesture_abandoned)
         self.angle.attended.connect(lambda is_at: self.attended.emit(_UP if is_at else NOTHING))
         self.nudge = self._button(
             self.tr("Nudge up by {0}° to the side").format(NUDGE_DEG),

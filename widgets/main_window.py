@@ -560,6 +560,8 @@ class MainWindow(QMainWindow):
             for told in (store, *paced, self.measure_panel):
                 source.gesture_started.connect(told.begin_gesture)
                 source.gesture_finished.connect(told.end_gesture)
+        for source in (controls, self.frame_panel, self.scene_panel):
+            source.gesture_abandoned.connect(store.abandon_gesture)
         self.strip.gesture_started.connect(self.measure_panel.begin_gesture)
         self.strip.gesture_finished.connect(self.measure_panel.end_gesture)
         self.measure_panel.refused.connect(self.messages.say)

@@ -7,7 +7,8 @@ model. It speaks only of the user's own actions:
     owner -> row.setValue(value)     never answered by a signal
 
 `gesture_started` and `gesture_finished` enclose the edits that belong together: a drag, a burst
-of keys or wheel steps, one typed value, one reset.
+of keys or wheel steps, one typed value, one reset. `gesture_abandoned` comes before the latter
+where all of it shall be put back.
 """
 
 from __future__ import annotations
@@ -287,10 +288,16 @@ class _Name(QLabel):
 
 
 class _Slider(QSlider):
-    """A slider that leaves the wheel to the column until it is clicked or tabbed into."""
+    """A slider that leaves the wheel to the column until it is clicked or tabbed into.
+
+    Esc lets go of it while the mouse holds it.
+    """
+
+    abandoned = Signal()
 
     def __init__(self) -> None:
         super().__init__(Qt.Orientation.Horizontal)
+        self._is_abandoned = False
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMinimumWidth(LEAST_SLIDER_PX)  # in projector mode, too
 
@@ -299,6 +306,27 @@ class _Slider(QSlider):
             super().wheelEvent(event)
         else:
             event.ignore()
+
+    def event(self, event: QEvent) -> bool:
+        if (
+            isinstance(event, QKeyEvent)
+            and event.key() == Qt.Key.Key_Escape
+            and self.isSliderDown()
+        ):
+            event.accept()  # before it is a shortcut
+            if event.type() == QEvent.Type.KeyPress:
+                self._is_abandoned = True
+                self.abandoned.emit()
+            return True
+        return super().event(event)
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        if not self._is_abandoned:
+            super().mouseMoveEvent(event)
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        self._is_abandoned = False
+        super().mouseReleaseEvent(event)
 
 
 class _Combo(QComboBox):
@@ -426,6 +454,8 @@ class Row(QWidget):
     """The user chose this value."""
     gesture_started = Signal()
     gesture_finished = Signal()
+    gesture_abandoned = Signal()
+    """Esc: what the gesture, which ends now, has changed shall be put back."""
     attended = Signal(bool)
     """The mouse has come over the row or the keyboard into it, or neither is there any more."""
 
@@ -655,6 +685,7 @@ class NumberRow(Row):
         self.slider.valueChanged.connect(self._slid)
         self.slider.sliderPressed.connect(self._pressed)
         self.slider.sliderReleased.connect(self._released)
+        self.slider.abandoned.connect(self._abandon)
         self.field.editingFinished.connect(self._typed)
         self.field.focused.connect(self._focused)
         self.field.touched.connect(self._touched)
@@ -697,6 +728,11 @@ class NumberRow(Row):
     def _released(self) -> None:
         self.finish_gesture()
         self.clear_error()  # the hand rests on the value that holds
+
+    def _abandon(self) -> None:
+        self.gesture_abandoned.emit()
+        self.finish_gesture()
+        self.clear_error()
 
     def _begin(self) -> None:
         if not self._open:

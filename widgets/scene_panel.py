@@ -106,6 +106,7 @@ class ScenePanel(QWidget):
     """The user chose, or a player reached, these settings: a dict of values by name."""
     gesture_started = Signal()
     gesture_finished = Signal()
+    gesture_abandoned = Signal()
     mesh_wanted = Signal()
     """The user wants to choose a mesh for the place of the scene's own objects."""
     mesh_removed = Signal()
@@ -315,6 +316,7 @@ class ScenePanel(QWidget):
             row.edited.connect(partial(self._edit, setting.name))
             row.gesture_started.connect(partial(self._gesture_started, row))
             row.gesture_finished.connect(self.gesture_finished)
+            row.gesture_abandoned.connect(self.gesture_abandoned)
             line = row
             if setting.per_second and isinstance(row, NumberRow):
                 line = self._with_player(setting, row)
