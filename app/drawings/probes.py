@@ -12,6 +12,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
+from functools import lru_cache
 from typing import Any, NamedTuple
 from weakref import WeakKeyDictionary
 
@@ -24,7 +25,7 @@ from vtkmodules.vtkRenderingCore import vtkActor2D, vtkPolyDataMapper2D
 from app.drawings.actors import Canvas, Label, Space, lift_lines, line_actor
 from app.drawings.style import Style, rgb
 from app.picking import Hit, Lines, Probe, Sight, Surface, pick, projector
-from app.projection import Array, FreeMatrix, Projection, Trace
+from app.projection import Array, FreeMatrix, Projection, Trace, Vector
 from app.scene import Scene
 
 _RIM_EM, _FILL_EM, _CROSSING_EM = 0.44, 0.32, 0.24  # radii
@@ -160,10 +161,18 @@ class Probes:
         return marks
 
     def _traces(self, projection: Projection) -> list[Trace | None]:
-        """Each probe's point through all stages, all at once; None for a ray."""
-        points = [probe.point for probe in self.probes if probe.point is not None]
-        rows = zip(*projection.trace(points), strict=True) if points else iter(())
-        return [None if probe.point is None else Trace(*next(rows)) for probe in self.probes]
+        """Each probe's point through all stages; None for a ray."""
+        traces = iter(
+            _traced(projection, tuple(p.point for p in self.probes if p.point is not None))
+        )
+        return [None if probe.point is None else next(traces) for probe in self.probes]
+
+
+@lru_cache(maxsize=2)  # of one step: with the depth range at hand, and with the one the cube has
+def _traced(projection: Projection, points: tuple[Vector, ...]) -> tuple[Trace, ...]:
+    """Points through all stages, all at once for all panes."""
+    rows = zip(*projection.trace(points), strict=True) if points else ()
+    return tuple(Trace(*row) for row in rows)
 
 
 class _Slot:
