@@ -555,3 +555,22 @@ def test_everything_has_a_name_for_a_screen_reader(panel: ProbePanel) -> None:
         assert widget.accessibleName()
     names = [field.accessibleName() for field in panel.fields]
     assert names == ["Probe, world x", "Probe, world y", "Probe, world z"]
+
+
+def test_probes_are_traced_once_for_all_panes(
+    make_window: Callable[..., Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    window = make_window()
+    window.probe_panel.follow(point=(0.125, 1.0, 0.25))
+    QApplication.processEvents()
+    traced, whole = [], Projection.trace
+
+    def counted(projection: Projection, points: Any) -> Any:
+        if np.array_equal(points, [(0.125, 1.0, 0.25)]):
+            traced.append(projection)
+        return whole(projection, points)
+
+    monkeypatch.setattr(Projection, "trace", counted)
+    now = window.store.document.projection
+    window.store.set_projection(replace(now, lens=replace(now.lens, fov_y_deg=50.0)))
+    assert len(traced) == 1

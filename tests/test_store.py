@@ -164,3 +164,17 @@ def test_settings_are_edits_like_all_others() -> None:
     assert heard == [5.0, 4.0] and not store.modified
     store.redo()
     assert store.document.settings["distance"] == 5.0
+
+
+def test_among_several_gestures_none_is_abandoned(store: Store) -> None:
+    """An animation that plays is one, and does not go back with a slider."""
+    store.begin_gesture()
+    store.begin_gesture()
+    store.set_projection(seen(50.0))
+    store.abandon_gesture()
+    assert store.document.projection == seen(50.0)
+    store.end_gesture()
+    store.abandon_gesture()
+    assert store.document.projection == seen(45.0)
+    store.end_gesture()
+    assert not store.can_undo
