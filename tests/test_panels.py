@@ -69,6 +69,25 @@ def test_from_name_to_name_the_panels_only_grow(
         assert all(pane.height() >= 400 for pane in window.panes.values())
 
 
+def test_an_open_panel_has_its_part_of_a_window_that_grows(
+    make_window: Callable[..., Any],
+) -> None:
+    window = make_window()
+    window.resize(1366, 768)
+    window.panels.open(window.scene_panel)
+    QApplication.processEvents()
+    low = window.panels.height()
+    window.resize(1920, 1080)
+    QApplication.processEvents()
+    assert window.panels.height() > 0.28 * 1080 > 1.1 * low
+    window._column.moveSplitter(window._column.sizes()[0] - 100, 1)
+    chosen = window.panels.height()
+    window.resize(1920, 1079)  # by a hair, as when it is moved from screen to screen
+    window.resize(1920, 1100)
+    QApplication.processEvents()
+    assert window.panels.height() == chosen
+
+
 def test_a_height_that_the_hand_has_chosen_stays(make_window: Callable[..., Any]) -> None:
     window = make_window()
     window.panels.open(window.matrices)

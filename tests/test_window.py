@@ -1183,6 +1183,9 @@ def test_on_a_small_projector_no_number_and_no_text_of_a_scene_is_hidden(
         panel = window.scene_panel
         for column in (panel._settings_column, panel._readout_column):
             assert column.horizontalScrollBar().maximum() == 0, name
+        assert panel._readout_column.verticalScrollBar().maximum() == 0, name
+        assert panel._text_column.verticalScrollBar().maximum() < 2 * panel._line, name
+        assert all(pane.height() >= 360 for pane in window.panes.values()), name
         boxes = text_boxes(window)
         seen += len(boxes)
         for (one, a), (other, b) in itertools.combinations(boxes.items(), 2):

@@ -34,6 +34,7 @@ from PySide6.QtGui import (
     QDropEvent,
     QGuiApplication,
     QKeySequence,
+    QResizeEvent,
 )
 from PySide6.QtWidgets import (
     QApplication,
@@ -259,7 +260,7 @@ class MainWindow(QMainWindow):
         self._column.setStretchFactor(1, 0)
         self._column.setCollapsible(0, False)
         self._column.setCollapsible(1, False)
-        self.panels.opened.connect(self._panel_opened)
+        self.panels.opened.connect(self._fit_panels)
         self._column.splitterMoved.connect(self._panels_dragged)
         self._panels_px: int | None = None
         """The height that the hand has given them, in a window as high as it was then."""
@@ -274,8 +275,8 @@ class MainWindow(QMainWindow):
         layout.addWidget(self._column, 1)
         self.setCentralWidget(body)
 
-    def _panel_opened(self) -> None:
-        """Give an opened panel its height, and a folded row of names no more than it needs.
+    def _fit_panels(self) -> None:
+        """Give an open panel its height, and a folded row of names no more than it needs.
 
         It is one height for all of them, or the panes would jump from name to name: it only grows,
         unless the hand has chosen it.
@@ -598,7 +599,8 @@ class MainWindow(QMainWindow):
             place.attended.connect(partial(attend, name))
             self.attention.changed.connect(place.show_attention)
         self.attention.changed.connect(controls.show_attention)
-        self.matrices.outgrown.connect(self._panel_opened)
+        self.matrices.outgrown.connect(self._fit_panels)
+        self.scene_panel.outgrown.connect(self._fit_panels)
         self.matrices.told.connect(lambda text: self.statusBar().showMessage(text, 5000))
         self.scene_panel.edited.connect(self._set_settings)
         self.manipulation.setting_edited.connect(self._set_by_hand)
@@ -1005,6 +1007,11 @@ class MainWindow(QMainWindow):
         if event.type() == QEvent.Type.DevicePixelRatioChange and self.panes["world"].drawing:
             self._build_drawings(self._views_now())
         return super().event(event)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        if self._panels_px is None and event.size().height() != event.oldSize().height():
+            self._fit_panels()
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
         if any(url.isLocalFile() for url in event.mimeData().urls()):

@@ -69,6 +69,8 @@ HEIGHT_PX = 225
 """Of the panel where it opens, at the ordinary font; what is higher scrolls, or it is dragged."""
 PART = 0.28
 """Of a large window's height, for the panel."""
+LARGEST_PART = 0.36
+"""So much of it at most, where text and readout need it."""
 LEAST_WINDOW_PX = 1300
 """In a window that is so wide it must find room."""
 COLUMN_PX = 200
@@ -111,6 +113,8 @@ class ScenePanel(QWidget):
     """The user wants to choose a mesh for the place of the scene's own objects."""
     mesh_removed = Signal()
     """The user wants the scene's own objects back."""
+    outgrown = Signal()
+    """It needs more height than it has, for text or readout."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -181,6 +185,8 @@ class ScenePanel(QWidget):
         self._diagram_column = _Column(self._drawn, self.tr("Diagrams"))
         self._columns_of_diagrams = 0
         self._diagram_column.installEventFilter(self)
+        for column in (self._text_column, self._readout_column):
+            column.overfull.connect(self._tell_outgrown)
         self._columns = QHBoxLayout(self)
         self._columns.setContentsMargins(4, 0, 4, 2)
         self._columns.setSpacing(12)
@@ -193,14 +199,21 @@ class ScenePanel(QWidget):
         self._columns.addWidget(self._diagram_column)
 
     def sizeHint(self) -> QSize:
-        """Low: the panes above need the height."""
+        """Low: the panes above need the height; but few lines are to be cut."""
         lines = 13.0 * self.fontMetrics().height()
-        part = PART * self.window().height()
-        return QSize(super().sizeHint().width(), round(max(HEIGHT_PX, lines, part)))
+        window = self.window().height()
+        whole = max(self._text_column.height_inside, self._readout_column.height_inside)
+        needed = min(LARGEST_PART * window, whole + self._columns.contentsMargins().bottom())
+        height = max(HEIGHT_PX, lines, PART * window, needed)
+        return QSize(super().sizeHint().width(), round(height))
 
     def minimumSizeHint(self) -> QSize:
         """Not wider than a window of 1366 pixels: rather are the columns scrolled."""
         return QSize(min(super().minimumSizeHint().width(), LEAST_WINDOW_PX), 80)
+
+    def _tell_outgrown(self) -> None:
+        if self.sizeHint().height() > self.height():
+            self.outgrown.emit()
 
     # -- what the owner says
 
@@ -480,6 +493,9 @@ class _Column(QScrollArea):
         Up to this it is at least as wide as what is in it; beyond, it gives way and scrolls.
     """
 
+    overfull = Signal()
+    """What is in it has changed, and is higher than what is seen of it."""
+
     def __init__(self, layout: QLayout, name: str, whole_px: int = COLUMN_PX) -> None:
         super().__init__()
         self._whole_px = whole_px
@@ -492,6 +508,12 @@ class _Column(QScrollArea):
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setAccessibleName(name)
         self._inside.installEventFilter(self)
+
+    @property
+    def height_inside(self) -> int:
+        """Of what is in it, in the width that it has."""
+        height = self._inside.heightForWidth(self.viewport().width())
+        return height if height >= 0 else self._inside.sizeHint().height()
 
     def minimumSizeHint(self) -> QSize:
         bar = self.verticalScrollBar().sizeHint().width()
@@ -508,6 +530,10 @@ class _Column(QScrollArea):
             if width != self._asked_px:  # a scroll area does not pass its widget's least width on
                 self._asked_px = width
                 self.updateGeometry()
+        if event.type() in (QEvent.Type.LayoutRequest, QEvent.Type.Resize) and (
+            self.height_inside > self.viewport().height()
+        ):
+            self.overfull.emit()
         return super().eventFilter(watched, event)
 
 
