@@ -16,12 +16,14 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from app.projection import Camera, Projection, ProjectionError
+from app.scene import load
 from widgets.animation import PERIOD_S, STEP_S, AnimationBar, Motion, camera_at
 from widgets.controls import Controls
 from widgets.rows import NumberRow
 
 # 5 to the +z side of the target and 3 above it.
 START = Camera((0.0, 5.0, 5.0), (0.0, 2.0, 0.0))
+AFAR = Camera((0.0, 2.0, 20.0), START.target)
 QUARTER_S = 4.5  # at 20 degrees per second
 SWING = Motion(height="swing", lowest=3.0, highest=7.0, clock_s=PERIOD_S / 4)
 STEPS = Motion(height="steps", lowest=3.0, highest=9.0)
@@ -148,7 +150,7 @@ class Record:
 def bar(display: Any, qtbot: Any) -> Iterator[AnimationBar]:
     widget = AnimationBar()
     qtbot.addWidget(widget)
-    widget.set_scene(4.0, START.target)  # heights from 1 to 6
+    widget.set_scene(4.0, AFAR)  # heights from 1 to 6
     widget.show_camera(START)
     widget.show()
     yield widget
@@ -369,7 +371,7 @@ def test_why_the_walk_stopped_is_forgotten_when_it_is_no_longer_so(bar: Animatio
     bar.show_camera(START)  # a reset, an undo, a slider
     assert not bar._error.isVisible()
     stop(bar)
-    bar.set_scene(4.0, START.target)
+    bar.set_scene(4.0, AFAR)
     assert not bar._error.isVisible()
     stop(bar)
     bar.look.choose("target")
@@ -404,10 +406,20 @@ def test_another_scene_stops_the_walk_and_fits_the_limits(
     bar: AnimationBar, record: Record
 ) -> None:
     bar.play()
-    bar.set_scene(40.0, (0.0, 100.0, 0.0))
+    bar.set_scene(40.0, Camera((0.0, 100.0, 100.0), (0.0, 100.0, 0.0)))
     assert not bar.playing
     assert (bar.lowest.value(), bar.highest.value()) == (90.0, 140.0)
     assert bar.motion.lowest == 90.0 and record.cameras == []
+
+
+@pytest.mark.parametrize("name", ["letter-f", "cube", "posts", "far-plane-popping"])
+def test_a_swing_looks_at_no_scene_from_straight_above(bar: AnimationBar, name: str) -> None:
+    scene = load(name)
+    camera = scene.start.camera
+    bar.set_scene(scene.size, camera)
+    away = math.hypot(camera.eye[0] - camera.target[0], camera.eye[2] - camera.target[2])
+    for row, least, most in ((bar.lowest, -15.0, 0.0), (bar.highest, 15.0, 35.0)):
+        assert least < math.degrees(math.atan2(row.value() - camera.target[1], away)) < most
 
 
 def test_standing_still_is_silent(bar: AnimationBar, record: Record) -> None:

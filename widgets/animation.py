@@ -274,21 +274,24 @@ class AnimationBar(QWidget):
 
     # -- what the owner says
 
-    def set_scene(self, size: float, target: Vector) -> None:
+    def set_scene(self, size: float, camera: Camera) -> None:
         """Fit the limits of the height to a scene, and stand still.
 
         Parameters
         ----------
         size : float
             Diagonal of the scene's bounds, world units.
-        target : Vector
-            The point the scene's own camera looks at, world coordinates.
+        camera : Camera
+            The scene's own.
         """
         self.pause()
-        scale = Linear.about(target[1], 3.0 * size)
+        middle = camera.target[1]
+        scale = Linear.about(middle, 3.0 * size)
+        # Beside a long row of things a swing as high as that would look straight down.
+        reach = min(size, camera.distance / 2.0)
         for row, height in (
-            (self.lowest, target[1] - size / 4.0),
-            (self.highest, target[1] + size),
+            (self.lowest, middle - reach / 4.0),
+            (self.highest, middle + reach),
         ):
             row.setScale(scale)
             row.setValue(scale.value_at(scale.position_of(height)))

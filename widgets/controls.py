@@ -206,7 +206,7 @@ class Controls(QScrollArea):
         for binding in self._bindings.values():
             if binding.part != "lens":
                 binding.row.setDefault(binding.read(defaults))
-        self.animation.set_scene(size, camera.target)
+        self.animation.set_scene(size, camera)
         self.animation.show_camera(self._projection.camera)
         self._show_rows()
 
