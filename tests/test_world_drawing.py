@@ -862,6 +862,16 @@ def test_what_a_plane_covers_of_the_pane_is_what_is_painted(make_view: MakeView)
     assert checked > 200
 
 
+def test_what_is_covered_does_not_depend_on_the_unit(make_view: MakeView) -> None:
+    view = make_view("letter-f", 400, 300)
+    view.drawing.show_projection(with_lens(fov_y_deg=170.0))
+    pane, corners = view.drawing._pane, view.drawing._corners[4:]
+    near = np.array(pane.covered(corners))
+    far = np.array(pane._replace(eye=pane.eye * 1e99).covered(corners * 1e99))
+    assert len(near) > 3
+    assert far == pytest.approx(near * (1.0, 1.0, 1e99), rel=1e-9)
+
+
 # --------------------------------------------------------------------------- behaviour
 
 

@@ -101,6 +101,8 @@ class PaneView(NamedTuple):
         rays = np.column_stack([_SAMPLES * (self.slope * width_px / height_px, self.slope), _ONES])
         # Cramer's rule for depth * ray = middle + s across + t up.
         spanned = np.stack([middle, across, up]) @ self.axes.T
+        scale = float(np.abs(spanned).max()) or 1.0  # a volume from afar would be beyond float64
+        spanned /= scale
         # Row i is the cross product of the other two; much faster than numpy's own of one pair.
         after, before = spanned[_YZX], spanned[_ZXY]
         adjugate = after[:, _YZX] * before[:, _ZXY] - after[:, _ZXY] * before[:, _YZX]
@@ -109,7 +111,7 @@ class PaneView(NamedTuple):
         largest = np.abs(facing)
         on = (facing * volume > 0.0) & (np.abs(s) <= largest) & (np.abs(t) <= largest)
         px = (_SAMPLES[on] + 1.0) / 2.0 * self.size_px
-        return list(map(tuple, np.column_stack([px, volume / facing[on]]).tolist()))
+        return list(map(tuple, np.column_stack([px, scale * volume / facing[on]]).tolist()))
 
     def parts_covered(self, faces: Array, least: float) -> list[float]:
         """How much of the pane parallelograms cover, 0..1 each; 0 where less than `least`.
