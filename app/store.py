@@ -19,7 +19,9 @@ class Store(QObject):
 
     Edits come in as whole values and go out as one `changed(document)`; an edit that changes
     nothing is silent. A gesture (a drag, a play of the animation) is one undo step however many
-    edits it makes.
+    edits it makes; one that comes while another goes on (a drag while the animation plays) is a
+    step of its own, and so is a change of the whole document. What the outer one does afterwards
+    belongs to that step: undo takes back what the user did last.
 
     Parameters
     ----------
@@ -92,18 +94,19 @@ class Store(QObject):
         self.history_changed.emit()
 
     def set_document(self, document: Document) -> None:
-        """Make an edit of the whole document (another scene, say); equal is silent."""
+        """Change the whole document (to another scene, say), always one step; equal is silent."""
         if document == self._document:
             return
-        if not self._gestures:
-            self._remember(self._document)
+        self._close_gesture()
+        self._gesture_start = None
+        self._remember(self._document)
         self._redo.clear()
         self._show(document)
 
     def set_projection(self, projection: Projection) -> None:
         """Make an edit of the projection; equal is silent."""
         if projection != self._document.projection:
-            self.set_document(replace(self._document, projection=projection))
+            self._edit(replace(self._document, projection=projection))
 
     def set_settings(self, settings: Mapping[str, Any]) -> None:
         """Make an edit of some of the scene's settings, which the camera may follow.
@@ -113,12 +116,24 @@ class Store(QObject):
         ProjectionError
             If the scene cannot have them; the document stays as it was.
         """
-        self.set_document(self._document.with_settings(settings))
+        self._edit(self._document.with_settings(settings))
+
+    def _edit(self, document: Document) -> None:
+        if document == self._document:
+            return
+        if not self._gestures:
+            self._remember(self._document)
+        self._redo.clear()
+        self._show(document)
+
+    def show_again(self) -> None:
+        """Announce the document as it stands: a file that it names holds something else now."""
+        self._show(self._document)
 
     def begin_gesture(self) -> None:
         """Take the edits until `end_gesture` as one undo step; gestures may overlap."""
-        if not self._gestures:
-            self._gesture_start = self._document
+        self._close_gesture()
+        self._gesture_start = self._document
         self._gestures += 1
 
     def end_gesture(self) -> None:
@@ -126,10 +141,9 @@ class Store(QObject):
         if not self._gestures:
             return
         self._gestures -= 1
-        if not self._gestures:
-            self._close_gesture()
-            self._gesture_start = None
-            self.history_changed.emit()
+        self._close_gesture()
+        self._gesture_start = None
+        self.history_changed.emit()
 
     def abandon_gesture(self) -> None:
         """Put back what the gesture has changed so far, as if it had not; not among several."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import pytest
 
@@ -76,18 +77,50 @@ def test_a_drag_back_to_its_start_is_no_step(store: Store) -> None:
     assert not store.can_undo
 
 
-def test_a_drag_while_the_animation_plays_is_inside_its_step(store: Store) -> None:
+def undone(store: Store) -> list[Any]:
+    """The fields of view, or scenes, that undo goes back through."""
+    found: list[Any] = []
+    while store.can_undo:
+        scene = store.document.scene
+        store.undo()
+        lens = store.document.projection.lens
+        assert isinstance(lens, Perspective)
+        found.append(store.document.scene if store.document.scene != scene else lens.fov_y_deg)
+    return found
+
+
+def test_a_drag_while_the_animation_plays_is_a_step_of_its_own(store: Store) -> None:
     store.begin_gesture()
     store.set_projection(seen(50.0))
     store.begin_gesture()
+    store.set_projection(seen(55.0))
     store.set_projection(seen(60.0))
     store.end_gesture()
     assert store.in_gesture
-    store.set_projection(seen(70.0))
+    store.set_projection(seen(70.0))  # it plays on: of this no step is made
     store.end_gesture()
     assert not store.in_gesture
-    store.undo()
-    assert store.document.projection == seen(45.0)
+    assert undone(store) == [50.0, 45.0]
+
+
+def test_another_scene_while_the_animation_plays_is_a_step_of_its_own(store: Store) -> None:
+    store.begin_gesture()
+    store.set_projection(seen(50.0))
+    store.set_document(replace(store.document, scene="cube"))
+    store.set_projection(seen(60.0))
+    store.end_gesture()
+    store.set_projection(seen(70.0))
+    assert undone(store) == [60.0, "letter-f", 45.0]
+
+
+def test_a_click_while_the_animation_plays_loses_no_step(store: Store) -> None:
+    store.begin_gesture()
+    store.set_projection(seen(50.0))
+    store.begin_gesture()
+    store.end_gesture()
+    store.set_projection(seen(60.0))
+    store.end_gesture()
+    assert undone(store) == [45.0]
 
 
 def test_undo_in_the_middle_of_a_gesture_goes_to_its_start(store: Store) -> None:
@@ -175,6 +208,6 @@ def test_among_several_gestures_none_is_abandoned(store: Store) -> None:
     assert store.document.projection == seen(50.0)
     store.end_gesture()
     store.abandon_gesture()
-    assert store.document.projection == seen(45.0)
+    assert store.document.projection == seen(50.0)
     store.end_gesture()
-    assert not store.can_undo
+    assert undone(store) == [45.0]

@@ -1057,6 +1057,44 @@ def test_the_camera_follows_in_the_same_step(
     assert window.store.document == everything and not window.store.can_undo
 
 
+def test_undo_while_the_camera_walks_takes_back_what_was_done_last(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window()
+    walk, row = window.controls.animation, window.controls.rows["fov_y_deg"]
+    start = window.store.document.projection
+    walk.play()
+    walk.advance(0.2)
+    walked = window.store.document.projection
+    row.field.selectAll()
+    QTest.keyClicks(row.field, "70")
+    QTest.keyClick(row.field, Qt.Key.Key_Return)
+    walk.advance(0.2)
+    window._undo.trigger()
+    assert window.store.document.projection == walked != start
+    assert not walk.playing and window.store.can_redo  # playing on would leave nothing to redo
+    window._undo.trigger()
+    assert window.store.document.projection == start and not window.store.can_undo
+    window._redo.trigger()
+    window._redo.trigger()
+    assert window.store.document.projection.lens == replace(start.lens, fov_y_deg=70.0)
+
+
+def test_reset_while_the_camera_walks_puts_all_back(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window()
+    start = window.store.document
+    window.controls.animation.play()
+    window.controls.animation.advance(0.2)
+    walked = window.store.document
+    window.reset()
+    settle(window)
+    assert window.store.document == start and not window.controls.animation.playing
+    window._undo.trigger()
+    assert window.store.document == walked
+
+
 def test_a_play_is_one_step_of_undo_and_ends_with_the_scene(
     make_window: Callable[..., MainWindow], everything: Document
 ) -> None:
@@ -1129,6 +1167,47 @@ def test_a_mesh_of_the_user_s_takes_the_place_of_the_objects_and_leaves_it(
     assert window.store.document == document
 
 
+@pytest.mark.parametrize("as_document", [False, True])
+def test_a_file_that_is_opened_again_is_read_again(
+    make_window: Callable[..., MainWindow], tmp_path: Path, as_document: bool
+) -> None:
+    """Out of a modelling program, look, change, out again, look: the same name each time."""
+    window = make_window()
+    path = mesh = tetrahedron(tmp_path)
+    assert window.files.open(mesh)
+    if as_document:
+        path = tmp_path / "lesson.json"
+        assert window.files.save_to(path)
+    size = window._scene.size
+    mesh.write_text(mesh.read_text().replace("v 1 0 0", "v 7 0 0"))
+    assert window.files.open(path)
+    assert window._scene.size > 4.0 * size
+    for text in ("no mesh at all", None):
+        if text is None:
+            mesh.unlink()
+        else:
+            mesh.write_text(text)
+        shown = window._scene
+        assert not window.files.open(path)
+        assert "tetra.obj" in window.messages.text
+        assert window._scene is shown
+
+
+def test_a_mesh_that_is_used_again_is_read_again(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window(on_triangles())
+    mesh = tetrahedron(tmp_path)
+    assert window.files.use_mesh(str(mesh))
+    before = pixels(window, "image")
+    mesh.write_text(mesh.read_text().replace("v 1 0 0", "v 3 0 0"))
+    assert window.files.use_mesh(str(mesh))
+    settle(window)
+    assert (pixels(window, "image") != before).mean() > 0.005
+    window.store.undo()
+    assert window.store.document == on_triangles()
+
+
 @pytest.mark.parametrize("name", ["missing.obj", "empty.obj", "notes.txt"])
 def test_a_mesh_that_cannot_be_used_is_a_sentence_and_nothing_else(
     make_window: Callable[..., MainWindow], tmp_path: Path, name: str
@@ -1154,6 +1233,30 @@ def test_an_exported_phenomenon_brings_its_settings_back(
     drop(window, path)
     assert window.store.document == wanted
     assert window.scene_panel.rows["distance"].value() == -2.0
+
+
+def test_a_picture_that_is_copied_makes_a_failed_export_good(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window()
+    choice = ExportChoice(("image",), (64, 64), 1.0, False)
+    assert not window.pictures.export(tmp_path / "no folder" / "figure.png", choice)
+    assert "figure.png" in window.messages.text
+    assert window.pictures.copy()
+    assert window.messages.text == ""
+
+
+def test_a_long_name_in_a_message_leaves_the_window_as_wide(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window()
+    window.resize(1366, 768)
+    path = tmp_path / f"{'x' * 200}.obj"
+    path.write_text("")
+    assert not window.files.open(path)
+    settle(window)
+    assert path.name in window.messages.text and window.messages.isVisible()
+    assert window.width() == 1366
 
 
 def text_boxes(window: MainWindow) -> dict[str, tuple[float, float, float, float]]:

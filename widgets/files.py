@@ -115,7 +115,7 @@ class Files(QObject):
             self.open(path)
 
     def open(self, path: str | Path) -> bool:
-        """Open a document, a picture with a document inside, or a mesh.
+        """Open a document, a picture with a document inside, or a mesh, as its file is now.
 
         Returns
         -------
@@ -125,18 +125,19 @@ class Files(QObject):
         path = os.path.abspath(path)
         mesh = is_mesh(path)
 
-        def opened() -> Document:
+        def opened() -> tuple[Document, Scene]:
             document = None if mesh else read(path)
             if document is None:
-                return Document(path, self.scene(path).start)
-            self.scene(document.scene, document.mesh)
-            return document
+                scene = self._load(path, "")
+                return Document(path, scene.start), scene
+            return document, self._load(document.scene, document.mesh)
 
-        document = self._try(opened)
-        if document is None or not self.may_discard():
+        found = self._try(opened)
+        if found is None or not self.may_discard():
             return False
-        used = document.scene, document.mesh
-        self._scenes = {used: self._scenes[used]}
+        document, scene = found
+        self._scenes.clear()
+        self.keep(document, scene)
         self._store.open(document)
         # A picture carries a document but is no place to save one in.
         is_document = not mesh and not path.lower().endswith(".png")
@@ -177,6 +178,8 @@ class Files(QObject):
     def use_mesh(self, path: str) -> bool:
         """Put a mesh in the place of the scene's own objects, as an edit that can be undone.
 
+        The file is read as it is now, also for the steps of the history that use it.
+
         Parameters
         ----------
         path : str
@@ -188,15 +191,21 @@ class Files(QObject):
             False if it cannot be shown there.
         """
 
-        def used() -> Document:
-            document, mesh = self._store.document, os.path.abspath(path) if path else ""
-            self.scene(document.scene, mesh)  # which says more of a file than the document would
-            return replace(document, mesh=mesh)
+        before, mesh = self._store.document, os.path.abspath(path) if path else ""
 
-        document = self._try(used)
-        if document is None:
+        def used() -> tuple[Document, Scene]:
+            scene = self._load(before.scene, mesh)  # says more of a file than the document would
+            return replace(before, mesh=mesh), scene
+
+        found = self._try(used)
+        if found is None:
             return False
-        self._store.set_document(document)
+        document, scene = found
+        self.keep(document, scene)
+        if document == before:
+            self._store.show_again()
+        else:
+            self._store.set_document(document)
         return True
 
     # -- saving

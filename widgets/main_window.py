@@ -354,8 +354,8 @@ class MainWindow(QMainWindow):
         menu.addAction(self._action(self.tr("&Quit"), self.close, keys.Quit))
 
         menu = bar.addMenu(self.tr("&Edit"))
-        self._undo = self._action(self.tr("&Undo"), self.store.undo, keys.Undo)
-        self._redo = self._action(self.tr("&Redo"), self.store.redo, keys.Redo)
+        self._undo = self._action(self.tr("&Undo"), self.undo, keys.Undo)
+        self._redo = self._action(self.tr("&Redo"), self.redo, keys.Redo)
         reset = self._action(
             self.tr("Reset &all"), self.reset, "Ctrl+R",
             self.tr("Put camera, lens, image and settings back to how the scene opens"),
@@ -495,23 +495,23 @@ class MainWindow(QMainWindow):
         choice : mapping of str to str
             Fields of `app.quality.Quality`, or a scene and paths in its document, and their values.
         """
-        self.store.begin_gesture()  # one step to undo
-        scene = choice.get("scene", self.store.document.scene)
-        if scene != self.store.document.scene:
-            panel = self.panels.open_panel
-            self._choose_scene(scene)
-            self.panels.open(panel)  # the one that offered it stays
+        document, panel = self.store.document, self.panels.open_panel
+        scene = choice.get("scene", document.scene)
+        if scene != document.scene:
+            document = Document(scene, self.files.scene(scene).start, document.extra)
         texts = [
             f"{key if '.' in key else f'quality.{key}'}={value}"
             for key, value in choice.items()
             if key != "scene"
         ]
         try:
-            self.store.set_document(set_values(self.store.document, texts))
+            document = set_values(document, texts)
         except DocumentError as error:
             self.messages.say(sentence(error))
-        finally:
-            self.store.end_gesture()
+            return
+        self.manipulation.let_go()
+        self.store.set_document(document)
+        self.panels.open(panel)  # the one that offered it stays
 
     def _automatic(self) -> None:
         self.store.set_document(replace(self.store.document, quality=AUTOMATIC))
@@ -786,7 +786,22 @@ class MainWindow(QMainWindow):
         """Put projection and settings back to how the scene opens; it can be undone."""
         document = self.store.document
         start = self.files.scene(document.scene, document.mesh).start
+        self._stand_still()
         self.store.set_document(replace(document, projection=start, settings={}))
+
+    def undo(self) -> None:
+        """Go back one step; what plays stands still, or it would go on from there at once."""
+        self._stand_still()
+        self.store.undo()
+
+    def redo(self) -> None:
+        """Take the last undone step up again."""
+        self._stand_still()
+        self.store.redo()
+
+    def _stand_still(self) -> None:
+        self.controls.animation.pause()
+        self.scene_panel.pause()
 
     # -- probes
 

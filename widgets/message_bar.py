@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QToolButton, QWidget
+
+LONG_WORD = 40
+"""Characters that need not be broken; a path may have more, and would widen the window."""
 
 
 class MessageBar(QFrame):
@@ -20,6 +24,7 @@ class MessageBar(QFrame):
         self._text.setWordWrap(True)
         self._text.setTextFormat(Qt.TextFormat.PlainText)
         self._text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self._said = ""
         self._choices: list[QPushButton] = []
         self._close = QToolButton()
         self._close.setText("✕")
@@ -37,7 +42,7 @@ class MessageBar(QFrame):
     @property
     def text(self) -> str:
         """The sentence shown, or nothing."""
-        return self._text.text() if not self.isHidden() else ""
+        return self._said if not self.isHidden() else ""
 
     def say(self, sentence: str, *choices: tuple[str, Callable[[], object]]) -> None:
         """Show a sentence, with a button for each choice.
@@ -52,7 +57,9 @@ class MessageBar(QFrame):
         for button in self._choices:
             button.deleteLater()
         self._choices = []
-        self._text.setText(sentence)
+        self._said = sentence
+        # Zero-width spaces, where Qt may break a line.
+        self._text.setText(re.sub(rf"(\S{{{LONG_WORD}}})(?=\S)", "\\1\u200b", sentence))
         for label, act in choices:
             button = QPushButton(label)
             button.clicked.connect(self.hide)

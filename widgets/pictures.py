@@ -82,30 +82,38 @@ class Pictures(QObject):
     def export(self, path: Path, choice: ExportChoice) -> bool:
         """Write a picture; False if that failed or the user stopped it."""
         document = self._seen()
-        try:
+
+        def write() -> None:
             write_png(path, self._draw(document, choice), to_json(document, path.parent))
+
+        return self._try(write, self.tr("Exported {0}").format(path))
+
+    def copy(self) -> bool:
+        """Put the three panes on the clipboard; False if that failed or the user stopped it."""
+        document = self._seen()
+
+        def put() -> None:
+            pixels = self._draw(document, ExportChoice(PANES, (1800, 600), 1.0, False))
+            data = QMimeData()
+            png = png_bytes(pixels, to_json(document))
+            data.setImageData(QImage.fromData(png))
+            data.setData("image/png", QByteArray(png))
+            QGuiApplication.clipboard().setMimeData(data)
+
+        return self._try(put, self.tr("Copied the picture"))
+
+    def _try(self, act: Callable[[], object], done: str) -> bool:
+        """Do it and say so, or say in one sentence why not."""
+        try:
+            act()
         except FigureCancelled:
             return False
         except (FigureError, DocumentError) as error:
             self._messages.say(sentence(error))
             return False
         self._messages.done()
-        self._window.statusBar().showMessage(self.tr("Exported {0}").format(path), 5000)
+        self._window.statusBar().showMessage(done, 5000)
         return True
-
-    def copy(self) -> None:
-        """Put the three panes on the clipboard."""
-        document = self._seen()
-        try:
-            pixels = self._draw(document, ExportChoice(PANES, (1800, 600), 1.0, False))
-        except FigureCancelled:
-            return
-        data = QMimeData()
-        png = png_bytes(pixels, to_json(document))
-        data.setImageData(QImage.fromData(png))
-        data.setData("image/png", QByteArray(png))
-        QGuiApplication.clipboard().setMimeData(data)
-        self._window.statusBar().showMessage(self.tr("Copied the picture"), 5000)
 
     def _draw(self, document: Document, choice: ExportChoice) -> Pixels:
         current = QOpenGLContext.currentContext()
