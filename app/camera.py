@@ -197,7 +197,8 @@ class Camera:
         Raises
         ------
         ProjectionError
-            For ``distance <= 0``, an elevation outside -90..90 or numbers that are not finite.
+            For ``distance <= 0``, an elevation outside -90..90, numbers that are not finite, and a
+            distance so small that float64 cannot place the eye there beside the target.
         """
         target = finite_vector("target", target)
         azimuth_deg, elevation_deg, distance, roll_deg = (
@@ -209,8 +210,10 @@ class Camera:
             bound, limit = (AT_MOST, 90) if elevation_deg > 0 else (AT_LEAST, -90)
             raise ProjectionError("elevation_deg", elevation_deg, bound, limit)
         right, upward, backward = _orbit_axes(azimuth_deg, elevation_deg)
-        eye = tuple(t + distance * b for t, b in zip(target, backward, strict=True))
-        if eye == target:
+        offset = [distance * b for b in backward]
+        eye = tuple(t + o for t, o in zip(target, offset, strict=True))
+        held = [e - t for e, t in zip(eye, target, strict=True)]
+        if math.dist(held, offset) > 1e-6 * distance:
             raise ProjectionError("distance", distance, DISTINCT, 0)
         if roll_deg == 0.0 and abs(elevation_deg) < 89.9999:
             up: tuple[float, ...] = (0.0, 1.0, 0.0)

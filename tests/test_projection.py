@@ -1524,6 +1524,9 @@ REFUSED: list[tuple[Callable[[], object], str, str, str]] = [
      "azimuth_deg = inf: must be a finite number."),
     (lambda: Camera.from_orbit((1e9, 1, 1e9), Orbit(0, 0, 1e-9)), "distance", DISTINCT,
      "distance = 1e-09: is too close to 0 for float64 to tell apart."),
+    # x and z could hold it, y could not: it would be another elevation.
+    (lambda: Camera.from_orbit((0, 2.2, 0), Orbit(30, 15, 1e-14)), "distance", DISTINCT,
+     "distance = 1e-14: is too close to 0 for float64 to tell apart."),
     # the image and the depth range
     (projection_with(image_size=(0, 0)), "width", WHOLE_PIXELS,
      "width = 0: must be a whole number of pixels from 1 to 16384."),
