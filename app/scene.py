@@ -70,9 +70,12 @@ WRONG_ENDING = "{0}: a mesh file must end in {1} or {2}; convert it to one of th
 NOT_A_SCENE = "There is no scene “{0}”, only {1} or {2}; a mesh file needs its ending."
 NEARLY_A_SCENE = "There is no scene “{0}”, only {1} or {2}; did you mean “{3}”?"
 ONE_POINT = "{0}: all vertices are at one point, so that there is nothing to see; check the export."
+ONE_LINE = "{0}: all vertices are on one line, so that there is nothing to see; check the export."
 WRONG_SIZE = "{0}: the mesh is {1} units large, but must be between 1e-30 and 1e30; scale it."
 NO_OWN_MESH = "mesh = {1}: the scene “{0}” has a subject of its own, no mesh can take its place."
-SENTENCES = (WRONG_ENDING, NOT_A_SCENE, NEARLY_A_SCENE, ONE_POINT, WRONG_SIZE, NO_OWN_MESH)
+SENTENCES = (
+    WRONG_ENDING, NOT_A_SCENE, NEARLY_A_SCENE, ONE_POINT, ONE_LINE, WRONG_SIZE, NO_OWN_MESH,
+)  # fmt: skip
 """Every further sentence of a `SceneError`, for translators; see also `app.meshes.SENTENCES`."""
 
 FACES_WITH_EDGES = 5_000
@@ -429,7 +432,19 @@ def _read_mesh(path: Path, progress: Progress | None) -> tuple[Mesh, Vector, Vec
         raise SceneError(ONE_POINT, path)
     if not 1e-30 < size < 1e30:  # the GPU's float32 ends near 1e-38 and 1e38
         raise SceneError(WRONG_SIZE, path, f"{size:.2g}")
+    if _is_on_a_line((mesh.points - lower) / size):
+        raise SceneError(ONE_LINE, path)
     return mesh, lower, upper
+
+
+def _is_on_a_line(points: Floats) -> bool:
+    """Whether points (n, 3) of a mesh of size 1 are thinner than float64 tells, in two directions.
+
+    By the principal axes: the second spread is lost in the rounding of the first.
+    """
+    away = points - points.mean(axis=0)
+    _, second, first = np.linalg.eigvalsh(away.T @ away)
+    return bool(second <= 1e-15 * first)
 
 
 def _edges(mesh: Mesh) -> Coloured:

@@ -498,7 +498,7 @@ def test_a_large_mesh_in_a_phenomenon_has_its_longest_edges(tmp_path: Path) -> N
 def test_a_mesh_of_points_in_a_phenomenon_has_an_edge(tmp_path: Path) -> None:
     """Each face is at one place, but not at the same."""
     path = tmp_path / "points.obj"
-    path.write_text("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 1 1\nf 2 2 2\n")
+    path.write_text("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 1 1\nf 2 2 2\nf 3 3 3\n")
     for name in ("interpolation", "affine-depth", "eye-plane"):
         scene = load(name, mesh=str(path))
         mesh, phenomenon = scene.subject.mesh, scene.phenomenon
@@ -938,6 +938,8 @@ def bad_files(folder: Path) -> Iterator[tuple[str, str]]:
         "one.obj": ("v 0 0 0\n", "no faces (one vertex)"),
         "same.obj": ("v 1 2 3\nv 1 2 3\nv 1 2 3\nf 1 2 3\n", "at one point"),
         "corner.obj": ("v 1 2 3\nf 1 1 1\n", "at one point"),
+        "line.obj": ("v 1 2 3\nv 1 2 4\nv 1 2 7\nf 1 2 3\n", "on one line"),
+        "slant.obj": ("v .1 .2 .3\nv .2 .4 .6\nv .7 1.4 2.1\nf 1 2 3\n", "on one line"),
         "index.obj": ("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", "does not exist"),
         "zero.obj": ("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n", "cannot be read as OBJ"),
         "half.obj": ("v 0 0 0\nv 1 0", "cannot be read as OBJ"),

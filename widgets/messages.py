@@ -285,6 +285,10 @@ SCENE_SENTENCES = (
     ),
     QT_TRANSLATE_NOOP(
         "SceneError",
+        "{0}: all vertices are on one line, so that there is nothing to see; check the export.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "SceneError",
         "{0}: the mesh is {1} units large, but must be between 1e-30 and 1e30; scale it.",
     ),
     QT_TRANSLATE_NOOP(
