@@ -682,6 +682,18 @@ def test_a_refused_key_is_explained_until_the_next_change_of_any_kind(
     assert not row.error and row.field.text() == "28.8"
 
 
+def test_the_key_after_a_refused_one_starts_from_the_value_that_holds(
+    controls: Controls, record: Record
+) -> None:
+    row = number(controls, "near")
+    row.slider.setFocus()
+    QTest.keyClick(row.slider, KEY.Key_End)
+    assert row.error and record.edits[-1].lens.near == 28.8
+    QTest.keyClick(row.slider, KEY.Key_Left)
+    assert not row.error
+    assert 27.0 < record.edits[-1].lens.near < 28.8 and row.field.text() != "100"
+
+
 def test_a_refused_place_in_the_hand_is_explained_while_something_else_moves(
     controls: Controls,
 ) -> None:

@@ -773,6 +773,9 @@ class NumberRow(Row):
             else:
                 refused = trial
             trial = (held + refused) // 2
+        if not self.slider.isSliderDown():  # the next key starts from the value that holds
+            with QSignalBlocker(self.slider):
+                self.slider.setValue(held)
         self._show_refusal(said)
 
     def reset(self) -> None:
