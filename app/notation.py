@@ -38,12 +38,15 @@ Formulas: TypeAlias = tuple[tuple[str, ...], ...]
 LETTERS: tuple[Letters, ...] = ("uvn", "000", "001", "002", "003")
 """The program's own (u v n of lecture 004, n f l r b t of 003), and those of four lectures."""
 
+ARROW = "\u20d7"
+"""After the letter of a vector, as the lectures write it above: n is near, and n\u20d7 an axis."""
+
 _OURS = {
     "fov": "fov", "aspect": "aspect", "W": "w", "H": "h", "alpha": "\u03b1", "beta": "β",
-    "axis_u": "u", "axis_v": "v", "axis_n": "n", "eye": "e",
+    "axis_u": f"u{ARROW}", "axis_v": f"v{ARROW}", "axis_n": f"n{ARROW}", "eye": f"e{ARROW}",
     "eye_x": "e_x", "eye_y": "e_y", "eye_z": "e_z", "theta_h": "θ_h", "theta_v": "θ_v",
 }  # fmt: skip
-_EYE_P = {"eye": "P", "eye_x": "x_p", "eye_y": "y_p", "eye_z": "z_p"}
+_EYE_P = {"eye": f"P{ARROW}", "eye_x": "x_p", "eye_y": "y_p", "eye_z": "z_p"}
 _SYMBOLS: dict[str, dict[str, str]] = {
     "uvn": _OURS,
     "000": {
@@ -51,7 +54,7 @@ _SYMBOLS: dict[str, dict[str, str]] = {
         "l": "x_min", "r": "x_max", "b": "y_min", "t": "y_max", "n": "z_min", "f": "z_max",
     },
     "001": {
-        **_OURS, **_EYE_P, "axis_n": "w", "n_x": "w_x", "n_y": "w_y", "n_z": "w_z",
+        **_OURS, **_EYE_P, "axis_n": f"w{ARROW}", "n_x": "w_x", "n_y": "w_y", "n_z": "w_z",
     },
     "002": {
         **_OURS, "l": "x_l", "r": "x_r", "b": "y_b", "t": "y_t", "n": "z_n", "f": "z_f",
@@ -625,7 +628,10 @@ def letter_values(projection: Projection, letters: Letters = "uvn") -> dict[str,
 
 @cache
 def written(formula: str, letters: Letters) -> str:
-    """A formula for a reader, in one line: ``2n/(r−l)``; ``_`` stands before a subscript."""
+    """A formula for a reader, in one line: ``2n/(r−l)``.
+
+    ``_`` stands before a subscript, and `ARROW` after a vector's letter.
+    """
     return _Plain(_SYMBOLS[letters]).write(ast.parse(formula, mode="eval").body)
 
 
@@ -694,6 +700,8 @@ class _Latex(_Plain):
     minus, minus_between, plus, space = "-", " - ", " + ", r" \, "
 
     def symbol(self, name: str) -> str:
+        if name.endswith(ARROW):
+            return rf"\vec{{{name.removesuffix(ARROW)}}}"
         head, _, below = name.partition("_")
         head = _GREEK.get(head, head if len(head) == 1 else rf"\mathrm{{{head}}}")
         if not below:
@@ -703,7 +711,7 @@ class _Latex(_Plain):
         return f"{head}_{{{below}}}"
 
     def dot(self, a: str, b: str) -> str:
-        return rf"\vec{{{a}}} \cdot \vec{{{b}}}"
+        return rf"{a} \cdot {b}"
 
     def call(self, name: str, inside: str) -> str:
         return rf"\{name}\left({inside}\right)"
@@ -724,15 +732,27 @@ def cell_text(value: float) -> str:
     return format_value(value)
 
 
-def as_text(matrix: Matrix) -> str:
-    """The matrix as aligned columns under its name."""
-    cells = [[cell_text(value) for value in row] for row in matrix.values]
-    widths = [max(map(len, column)) for column in zip(*cells, strict=True)]
+def as_text(matrix: Matrix, letters: Letters = "uvn", *, formulas: bool = False) -> str:
+    """The matrix as aligned columns under its name, of numbers or of formulas."""
+    cells = (
+        [[written(cell, letters) for cell in row] for row in matrix.formulas]
+        if formulas
+        else [[cell_text(value) for value in row] for row in matrix.values]
+    )
+    widths = [max(map(_places, column)) for column in zip(*cells, strict=True)]
     lines = (
-        "  " + "  ".join(cell.rjust(width) for cell, width in zip(row, widths, strict=True))
+        "  "
+        + "  ".join(
+            " " * (width - _places(cell)) + cell for cell, width in zip(row, widths, strict=True)
+        )
         for row in cells
     )
     return "\n".join([_title(matrix), *lines]) + "\n"
+
+
+def _places(text: str) -> int:
+    """How many letters wide a text is: an arrow stands above one."""
+    return len(text) - text.count(ARROW)
 
 
 def as_numpy(matrix: Matrix) -> str:
@@ -744,14 +764,15 @@ def as_numpy(matrix: Matrix) -> str:
 
 
 def as_latex(matrix: Matrix, letters: Letters, *, formulas: bool = False) -> str:
-    """The matrix as an equation with a pmatrix (amsmath), of numbers or of formulas."""
+    """The matrix as a displayed equation with a pmatrix (amsmath), of numbers or of formulas."""
     cells = (
         [[latex_formula(cell, letters) for cell in row] for row in matrix.formulas]
         if formulas
         else [[latex_number(value) for value in row] for row in matrix.values]
     )
     body = " \\\\\n".join(" & ".join(row) for row in cells)
-    return f"{latex_name(matrix.name)} = \\begin{{pmatrix}}\n{body}\n\\end{{pmatrix}}\n"
+    equation = f"{latex_name(matrix.name)} = \\begin{{pmatrix}}\n{body}\n\\end{{pmatrix}}"
+    return f"\\[\n{equation}\n\\]\n"
 
 
 def _title(matrix: Matrix) -> str:

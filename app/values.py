@@ -153,7 +153,7 @@ def _shown_limit(limit: object, value: object) -> object:
     shown, sides = _six_digits(number), _sides(value, number)
     is_word = isinstance(limit, str) and not sides
     if shown == number or is_word or _sides(value, shown) != sides:
-        return limit
+        return limit if isinstance(limit, str) else format_value(limit)  # 20, not 20.0
     return format_value(shown)
 
 

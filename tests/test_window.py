@@ -6,6 +6,7 @@ import gc
 import itertools
 import json
 import math
+import os
 import random
 import subprocess
 import sys
@@ -756,6 +757,29 @@ def test_a_broken_autosave_is_one_sentence(
     window.messages.choices[0].click()
     assert "autosave-1-aaaa.json" in window.messages.text
     assert not window.store.modified
+    whole = window.autosave._folder / "autosave-2-aaaa.json"
+    write(Document("posts"), whole)
+    os.utime(whole, (1.0, 1.0))  # older
+    window.messages.choices[1].click()
+    assert not broken.exists()
+    window.messages.choices[0].click()
+    assert window.store.document.scene == "posts"
+
+
+def test_work_whose_mesh_is_not_there_can_be_recovered_when_it_is(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window(shown=False)
+    mesh = tetrahedron(tmp_path)
+    copy = window.autosave._folder / "autosave-1-aaaa.json"
+    write(on_triangles(mesh=str(mesh)), copy)
+    mesh.unlink()
+    window._offer_recovery()
+    window.messages.choices[0].click()
+    assert mesh.name in window.messages.text and copy.exists()
+    tetrahedron(tmp_path)
+    window.messages.choices[0].click()
+    assert window.store.document.mesh == str(mesh) and window.messages.text == ""
 
 
 def test_the_autosave_folder_may_be_unusable(display: Any, tmp_path: Path) -> None:

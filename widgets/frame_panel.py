@@ -57,7 +57,7 @@ _ABOUT: tuple[Attention, ...] = tuple(
 
 
 class _Step(NamedTuple):
-    """Name, formula and sentence of a step."""
+    """Name, formula and sentence of a step; in the formula, which is HTML, vectors are bold."""
 
     name: str
     formula: str
@@ -119,35 +119,37 @@ class FramePanel(QWidget):
     def _make_steps(self) -> tuple[_Step, ...]:
         return (
             _Step(
-                self.tr("eye"), "e",
+                self.tr("eye"), "<b>e</b>",
                 self.tr("The centre of projection: where the camera stands in the world."),
             ),
             _Step(
-                self.tr("look"), "look = target − e",
+                self.tr("look"), "<b>look</b> = target − <b>e</b>",
                 self.tr("The camera looks at the target; only the direction matters."),
             ),
             _Step(
-                self.tr("up"), "up",
+                self.tr("up"), "<b>up</b>",
                 self.tr("The direction that shall be vertical in the picture. It need not be at a"
                         " right angle to the view, and its length does not matter."),
             ),
             _Step(
-                self.tr("n"), "n = (e − target) / |e − target|",
+                self.tr("n"), "<b>n</b> = (<b>e</b> − target) / |<b>e</b> − target|",
                 self.tr("Backwards, from the target to the eye, of length 1: the camera looks"
                         " along −n."),
             ),
             _Step(
-                self.tr("u"), "u = up × n / |up × n|",
+                self.tr("u"), "<b>u</b> = <b>up</b> × <b>n</b> / |<b>up</b> × <b>n</b>|",
                 self.tr("To the right in the picture: at right angles to up and to n, of"
                         " length 1."),
             ),
             _Step(
-                self.tr("v"), "v = n × u",
+                self.tr("v"), "<b>v</b> = <b>n</b> × <b>u</b>",
                 self.tr("Upwards in the picture: at right angles to n and u. It is what is left"
                         " of up across the view."),
             ),
             _Step(
-                self.tr("view matrix"), "M = R T,   R = (u, v, n),   M e = 0",
+                self.tr("view matrix"),
+                "M = R T, &nbsp; R = (<b>u</b>, <b>v</b>, <b>n</b>)<sup>T</sup>, &nbsp; "
+                "M <b>e</b> = <b>0</b>",
                 self.tr("The rows of the rotation R are u, v and n; T moves the eye to the"
                         " origin, so that the last column is −R e."),
             ),
@@ -407,7 +409,7 @@ class _Formula(QLabel):
     def __init__(self) -> None:
         super().__init__()
         self.is_marked = False
-        self.setTextFormat(Qt.TextFormat.PlainText)
+        self.setTextFormat(Qt.TextFormat.RichText)
 
     def set_marked(self, marked: bool) -> None:
         if marked != self.is_marked:

@@ -909,18 +909,28 @@ class MainWindow(QMainWindow):
                         QLocale.FormatType.ShortFormat,
                     )
                 ),
-                (self.tr("Recover it"), partial(self._recover, newest)),
-                (self.tr("Discard it"), partial(self._discard, newest)),
+                *self._ways_with(newest),
             )
+
+    def _ways_with(self, path: Path) -> tuple[tuple[str, Callable[[], object]], ...]:
+        """What can be done with a copy of unsaved work."""
+        return (
+            (self.tr("Recover it"), partial(self._recover, path)),
+            (self.tr("Discard it"), partial(self._discard, path)),
+        )
 
     def _recover(self, path: Path) -> None:
         try:
             document = self.autosave.recover(path)
         except DocumentError as error:
-            self.messages.say(sentence(error))
+            self.messages.say(sentence(error), *self._ways_with(path))
+            return
+        if self.files.open_recovered(document):
+            self._discard(path)
+        elif self.messages.text:  # a mesh that is not there, perhaps only not yet
+            self.messages.say(self.messages.text, *self._ways_with(path))
         else:
-            if self.files.open_recovered(document):
-                self._discard(path)
+            self._offer_recovery()
 
     def _discard(self, path: Path) -> None:
         self.autosave.discard(path)

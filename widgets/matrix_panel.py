@@ -47,6 +47,7 @@ from app.attention import NOTHING, Attention
 from app.drawings.style import LIGHT, Style
 from app.free_matrix import EDITABLE, properties, with_cell
 from app.notation import (
+    ARROW,
     Letters,
     Matrix,
     as_latex,
@@ -59,7 +60,7 @@ from app.notation import (
     written,
 )
 from app.projection import FreeMatrix, Projection, ProjectionError
-from widgets.matrix_view import VIEW, MatrixView, is_a_cameras
+from widgets.matrix_view import VIEW, MatrixView, is_a_cameras, rich
 from widgets.messages import field_name, sentence, stage_title, translated
 from widgets.readable import Readable
 from widgets.rows import REFUSAL_SHEET, parse_number, refusal
@@ -180,7 +181,8 @@ class MatrixPanel(QWidget):
         )  # fmt: skip
         self.letters = self._choice(
             self.tr("Letters"),
-            self.tr("Whose letters the formulas are written in; lecture 002 has its own signs too"),
+            self.tr("Whose letters the formulas are written in: those of vectors are bold; lecture "
+                    "002 has its own signs too"),
             (
                 ("uvn", self.tr("u v n, n f, fov (003, 004)")),
                 ("000", self.tr("z_min z_max (lecture 000)")),
@@ -203,8 +205,8 @@ class MatrixPanel(QWidget):
         menu = QMenu(self.copy)
         for form, text in (
             ("text", self.tr("As text")),
-            ("numpy", self.tr("For NumPy")),
-            ("latex", self.tr("For LaTeX")),
+            ("numpy", self.tr("For NumPy (numbers)")),
+            ("latex", self.tr("For LaTeX (needs amsmath)")),
         ):
             menu.addAction(text, partial(self._copy_all, form))
         self.copy.setMenu(menu)
@@ -273,7 +275,11 @@ class MatrixPanel(QWidget):
 
     def _explain(self, text: str, sheet: str = "") -> None:
         self.explanation.setStyleSheet(sheet)
-        self.explanation.setText(text)
+        vectors = ARROW in text
+        self.explanation.setTextFormat(
+            Qt.TextFormat.RichText if vectors else Qt.TextFormat.PlainText
+        )
+        self.explanation.setText(rich(text) if vectors else text)
 
     def _typed(self, view: MatrixView, name: str, row: int, column: int, text: str) -> None:
         """Take a cell that was typed, or say what is wrong with it."""
@@ -432,8 +438,9 @@ class MatrixPanel(QWidget):
             if properties(self._projection, matrix.name):
                 title = self.tr("{0}, a free matrix").format(title)
             box.title.setText(title)
-            box.title.setToolTip(" = ".join([matrix.name, " · ".join(matrix.product)])
-                                 if matrix.product else matrix.name)  # fmt: skip
+            factors_of = (f"({stage_title(name)})" for name in matrix.product)
+            box.title.setToolTip(" = ".join([stage_title(matrix.name), " · ".join(factors_of)])
+                                 if matrix.product else stage_title(matrix.name))  # fmt: skip
             note = self._note(matrix)
             old = before.get(matrix.name)
             box.view.show_matrix(matrix, old, **settings)
@@ -552,7 +559,7 @@ class MatrixPanel(QWidget):
                 "Double-click or press Enter to type another number, or a fraction such as 1/3."
             )
             typed += " "
-        return f"{matrix.name}, {place}: {cell}. {does} {typed}{depends}"
+        return f"{stage_title(matrix.name)}, {place}: {cell}. {does} {typed}{depends}"
 
     def _does(self, matrix: Matrix, into: int, of: int, value: float) -> str:
         target, source, number = "xyzw"[into], "xyzw"[of], cell_text(value)
@@ -621,7 +628,7 @@ class MatrixPanel(QWidget):
         QGuiApplication.clipboard().setText(text)
 
     def _written_out(self, form: str, matrix: Matrix) -> str:
-        if form == "latex":
-            formulas = self.cells.currentData() == "formulas"
-            return as_latex(matrix, self._letters, formulas=formulas)
-        return as_numpy(matrix) if form == "numpy" else as_text(matrix)
+        if form == "numpy":
+            return as_numpy(matrix)
+        write = as_latex if form == "latex" else as_text
+        return write(matrix, self._letters, formulas=self.cells.currentData() == "formulas")

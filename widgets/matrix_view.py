@@ -6,9 +6,11 @@ underlined.
 
 from __future__ import annotations
 
+import html
+import re
 from collections.abc import Callable, Sequence
 from functools import partial
-from typing import cast
+from typing import TypeAlias, cast
 
 from PySide6.QtCore import (
     QEvent,
@@ -44,6 +46,7 @@ from PySide6.QtWidgets import (
 from app.attention import NOTHING, Attention, made_of
 from app.drawings.style import LIGHT, Style
 from app.notation import (
+    ARROW,
     Letters,
     Matrix,
     cell_text,
@@ -51,6 +54,7 @@ from app.notation import (
     written,
 )
 from widgets.attention import paint_attention
+from widgets.messages import stage_title
 from widgets.rows import short_text
 
 _AXES = ("u", "v", "n")
@@ -205,7 +209,7 @@ class MatrixView(QWidget):
         else:
             self._texts = [[short_text(value) for value in row] for row in matrix.values]
         self._measure(anew or old is None or old.name != matrix.name)
-        self.setAccessibleName(matrix.name)
+        self.setAccessibleName(stage_title(matrix.name))
         if self.hasFocus():
             self._say()
         self.update()
@@ -232,11 +236,17 @@ class MatrixView(QWidget):
         font.setPointSizeF(font.pointSizeF() * 0.75)
         return font
 
+    def _fonts(self) -> _Fonts:
+        """Those of letters, of subscripts and of vectors."""
+        bold = QFont(self.font())
+        bold.setBold(True)
+        return {"": self.font(), "_": self._small(), ARROW: bold}
+
     def _measure(self, anew: bool) -> None:
-        metrics, small = QFontMetricsF(self.font()), QFontMetricsF(self._small())
+        metrics, fonts = QFontMetricsF(self.font()), self._fonts()
         widths = [
             min(
-                max(_width(row[j], metrics, small) for row in self._texts),
+                max(_width(row[j], fonts) for row in self._texts),
                 _WIDEST * metrics.height(),
             )
             + 0.8 * metrics.height()
@@ -317,7 +327,7 @@ class MatrixView(QWidget):
         plate = QFontMetricsF(self._small()).height()
         assert self._matrix is not None
         camera = is_a_cameras(self._matrix)
-        third = written("axis_n", self._letters)
+        third = written("axis_n", self._letters).removesuffix(ARROW)
         names = ("u", "v", third) if camera else ("x", "y", "z")
         for k, (axis, name) in enumerate(zip(_AXES, names, strict=True)):
             colour = QColor(getattr(self._style, axis))
@@ -347,18 +357,21 @@ class MatrixView(QWidget):
             )  # fmt: skip
 
     def _paint_text(self, painter: QPainter, rect: QRectF, text: str, mark: int | None) -> None:
-        font, small = self.font(), self._small()
-        metrics, small_metrics = QFontMetricsF(font), QFontMetricsF(small)
+        fonts, metrics = self._fonts(), QFontMetricsF(self.font())
         pad = 0.4 * metrics.height()
-        if _width(text, metrics, small_metrics) > rect.width() - 1.5 * pad:
-            text = metrics.elidedText(text, Qt.TextElideMode.ElideRight, rect.width() - 1.5 * pad)
-        x = rect.right() - pad - _width(text, metrics, small_metrics)
+        room = rect.width() - 1.5 * pad
+        if _width(text, fonts) > room:
+            while text and _width(f"{text}…", fonts) > room:
+                text = text[:-1]
+            text += "…"
+        x = rect.right() - pad - _width(text, fonts)
         base = rect.center().y() + (metrics.ascent() - metrics.descent()) / 2.0
-        for run, below in _runs(text):
-            painter.setFont(small if below else font)
-            painter.drawText(QPointF(x, base + (0.2 * metrics.height() if below else 0.0)), run)
-            x += (small_metrics if below else metrics).horizontalAdvance(run)
-        painter.setFont(font)
+        for run, kind in _runs(text):
+            painter.setFont(fonts[kind])
+            lower = 0.2 * metrics.height() if kind == "_" else 0.0
+            painter.drawText(QPointF(x, base + lower), run)
+            x += QFontMetricsF(fonts[kind]).horizontalAdvance(run)
+        painter.setFont(self.font())
         if mark is not None:
             end = rect.right() - pad
             start = end - metrics.horizontalAdvance(text[mark:] or text[-1:])
@@ -376,7 +389,9 @@ class MatrixView(QWidget):
         self._close()
         self._cursor = (row, column)
         self._field = field = _CellField(cell_text(self._matrix.values[row][column]), self)
-        field.setAccessibleName(f"{self._matrix.name}[{row}, {column}]")
+        title = stage_title(self._matrix.name)
+        place = self.tr("{0}, row {1}, column {2}")
+        field.setAccessibleName(place.format(title, row + 1, column + 1))
         field.setPlaceholderText("1/3")
         field.setToolTip(
             self.tr("A number, or a fraction such as 1/3, which is divided to all digits")
@@ -551,9 +566,7 @@ class MatrixView(QWidget):
             cell = self.cell_at(QPointF(help_event.pos()))
             if cell is not None:
                 tip = self._explain(self._matrix, *cell)
-                QToolTip.showText(
-                    help_event.globalPos(), f"<p>{tip.replace('<', '&lt;')}</p>", self
-                )
+                QToolTip.showText(help_event.globalPos(), f"<p>{rich(tip)}</p>", self)
                 return True
         return super().event(event)
 
@@ -567,8 +580,8 @@ class MatrixView(QWidget):
     def _forms(self) -> Sequence[tuple[str, str]]:
         return (
             ("text", self.tr("Copy as text")),
-            ("numpy", self.tr("Copy for NumPy")),
-            ("latex", self.tr("Copy for LaTeX")),
+            ("numpy", self.tr("Copy for NumPy (numbers)")),
+            ("latex", self.tr("Copy for LaTeX (needs amsmath)")),
         )
 
 
@@ -578,19 +591,31 @@ def _faded(colour: QColor, alpha: float) -> QColor:
     return faded
 
 
-def _runs(text: str) -> list[tuple[str, bool]]:
-    """A text in pieces, each with whether it is a subscript: what follows ``_``."""
-    runs: list[tuple[str, bool]] = []
-    for number, part in enumerate(text.split("_")):
-        end = 0
-        if number:
-            while end < len(part) and part[end].isalnum():
-                end += 1
-            runs.append((part[:end], True))
-        if part[end:]:
-            runs.append((part[end:], False))
+def rich(text: str) -> str:
+    """A text as HTML, with the letters of vectors bold: few fonts put an arrow above a letter."""
+    return re.sub(f"(.){ARROW}", r"<b>\1</b>", html.escape(text, quote=False))
+
+
+_PIECE = re.compile(f"_(?P<below>[^\\W_]*)|(?P<vector>.){ARROW}|.")
+
+
+def _runs(text: str) -> list[tuple[str, str]]:
+    """A text in pieces, each with what it is: ``"_"`` a subscript, `ARROW` a vector, or nothing."""
+    runs: list[tuple[str, str]] = []
+    for piece in _PIECE.finditer(text):
+        if piece["below"] is not None:
+            runs.append((piece["below"], "_"))
+        elif piece["vector"] is not None:
+            runs.append((piece["vector"], ARROW))
+        elif runs and not runs[-1][1]:
+            runs[-1] = (runs[-1][0] + piece[0], "")
+        else:
+            runs.append((piece[0], ""))
     return runs
 
 
-def _width(text: str, metrics: QFontMetricsF, small: QFontMetricsF) -> float:
-    return sum((small if below else metrics).horizontalAdvance(run) for run, below in _runs(text))
+_Fonts: TypeAlias = dict[str, QFont]
+
+
+def _width(text: str, fonts: _Fonts) -> float:
+    return sum(QFontMetricsF(fonts[kind]).horizontalAdvance(run) for run, kind in _runs(text))
