@@ -346,8 +346,7 @@ def test_a_slider_reaches_only_what_its_setting_can_be(
     if logarithmic:
         low = abs(low) + 1e-3
     if whole:
-        low, reach = float(round(low)), float(math.ceil(reach))
-    logarithmic = logarithmic and not whole
+        low, reach = float(round(low)) + logarithmic, float(math.ceil(reach))
     high = low + reach
     setting = Setting(
         "a", "A", "", (low + high) / 2.0, low, high, (low, high) if spans else None,
@@ -465,6 +464,43 @@ def test_every_reading_is_shown_with_its_unit(owner: Owner) -> None:
     assert ">4.667<" in shown[4][1] and shown[4][1].endswith(">5</td></tr></table>")  # 15/3
     assert owner.panel.readout.lines[0][1].toolTip() == "0.3333333333333333"
     assert not owner.panel.readout.note.isVisible()
+
+
+NUMBERS = [
+    (name, setting)
+    for name, phenomenon in PHENOMENA.items()
+    for setting in phenomenon.settings
+    if type(setting.default) is float
+]
+
+
+@pytest.mark.parametrize(
+    ("name", "setting"), NUMBERS, ids=[f"{name}.{setting.name}" for name, setting in NUMBERS]
+)
+def test_every_place_of_a_slider_is_a_value_of_its_setting(name: str, setting: Setting) -> None:
+    scale = scale_of(setting)
+    assert scale.last >= 10
+    values = [scale.value_at(position) for position in range(scale.last + 1)]
+    assert values == sorted(set(values))
+    assert all(setting.checked(value) == value for value in values)
+    assert [scale.position_of(value) for value in values] == list(range(scale.last + 1))
+
+
+def test_the_parts_of_the_board_can_be_doubled_up_to_its_bound(
+    make_window: Callable[..., Any],
+) -> None:
+    window = make_window(Document("interpolation", load("interpolation").start))
+    row = window.scene_panel.rows["subdivision"]
+    for key, parts in (
+        (Qt.Key.Key_PageUp, 3.0), (Qt.Key.Key_End, 64.0), (Qt.Key.Key_PageDown, 32.0),
+        (Qt.Key.Key_Home, 1.0), (Qt.Key.Key_Right, 2.0),
+    ):  # fmt: skip
+        QTest.keyClick(row.slider, key)
+        assert window.store.document.settings["subdivision"] == parts and not row.error
+    row.field.selectAll()
+    QTest.keyClicks(row.field, "5")
+    QTest.keyClick(row.field, Qt.Key.Key_Return)
+    assert window.store.document.settings["subdivision"] == 5.0  # others can be typed
 
 
 def test_what_is_not_there_says_why_once(owner: Owner) -> None:

@@ -36,7 +36,7 @@ from app.projection import (
     oblique_angles,
     receding_of,
 )
-from widgets.rows import Choice, Linear, Log, NumberRow
+from widgets.rows import Choice, Linear, Log, NumberRow, Scale
 from widgets.section import Binding, Read, Section, Typed, Write, tidy
 
 STANDARD = tuple(LENSES)
@@ -357,7 +357,7 @@ class LensControls(QObject):
                 }
             )
 
-    def _set_scales(self, scales: dict[str, Linear | Log]) -> None:
+    def _set_scales(self, scales: dict[str, Scale]) -> None:
         for key, scale in scales.items():
             if self._scaled_for.get(key) != scale:
                 self._scaled_for[key] = scale

@@ -269,7 +269,44 @@ class Log:
         return min(max(position, 0), self._last_finite)
 
 
-Scale = Linear | Log
+@dataclass(frozen=True)
+class Doubling:
+    """A slider over whole numbers in nearly even ratios: 1, 2, 3, 4, 6, 8, 12, 16, and so on.
+
+    Parameters
+    ----------
+    low, high : float
+        The ends, whole and above 0.
+    page : int
+        How many steps PageUp and PageDown make: 2 double.
+    """
+
+    low: float
+    high: float
+    page: int = 2
+    infinite = False
+
+    @cached_property
+    def _values(self) -> list[float]:
+        powers = [2.0**n for n in range(math.ceil(math.log2(self.high)) + 1)]
+        values = sorted({*powers, *(1.5 * power for power in powers[1:]), self.low, self.high})
+        return [value for value in values if self.low <= value <= self.high]
+
+    @property
+    def last(self) -> int:
+        """The slider's top position; the bottom is 0."""
+        return len(self._values) - 1
+
+    def value_at(self, position: int) -> float:
+        """The value of a slider position."""
+        return self._values[position]
+
+    def position_of(self, value: float) -> int:
+        """The nearest slider position; the ends for values beyond them."""
+        return min(range(len(self._values)), key=lambda at: abs(self._values[at] - value))
+
+
+Scale = Linear | Log | Doubling
 
 # --------------------------------------------------------------------------- parts of a row
 

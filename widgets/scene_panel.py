@@ -56,6 +56,7 @@ from widgets.rows import (
     CheckRow,
     Choice,
     ChoiceRow,
+    Doubling,
     Linear,
     Log,
     NumberRow,
@@ -615,6 +616,8 @@ def ends_of(setting: Setting) -> tuple[float, float]:
 def scale_of(setting: Setting) -> Scale:
     """The slider's scale: within the bounds, to the last position."""
     low, high = ends_of(setting)
+    if setting.logarithmic and setting.whole:
+        return Doubling(low, high)
     if setting.logarithmic and high >= 2.0 * low:
         scale, position = Log(low, high), 10.0 ** (1 / Log.per_decade)
         low *= position if scale.value_at(0) < setting.low else 1.0

@@ -337,7 +337,7 @@ PHENOMENON = Phenomenon(
             60.0,
             low=1e-3,
             high=1e6,
-            span=(0.0, 200.0),
+            span=(1.0, 200.0),
         ),
     ),
     controls=("lens.far",),
