@@ -642,6 +642,11 @@ def test_the_export_dialog_refuses_what_cannot_be_drawn(
     assert save.isEnabled()
     dialog._scale.setCurrentIndex(1)
     assert not save.isEnabled()
+    dialog._scale.setCurrentIndex(0)
+    dialog._width.selectAll()
+    QTest.keyClicks(dialog._width, "777")
+    dialog._boxes["world"].setChecked(True)
+    assert dialog.choice().size == (777, 360)  # what was typed stays
 
 
 def answer(button: QMessageBox.StandardButton) -> None:

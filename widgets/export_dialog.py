@@ -109,8 +109,9 @@ class ExportDialog(QDialog):
             width, height = self._image_size
         else:
             width, height = 600 * max(1, len(chosen)), 600
-        self._width.setText(str(width))
-        self._height.setText(str(height))
+        if not (self._width.isModified() or self._height.isModified()):  # a typed size stays
+            self._width.setText(str(width))
+            self._height.setText(str(height))
         self._check()
 
     def _check(self) -> None:
