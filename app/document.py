@@ -709,7 +709,8 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
         ``settings.distance=2``; a matrix as its 16 cells, row after row. Only the outcome of
         all of them has to be valid, so that their order does not matter; of two for the same
         path the last holds. Another scene comes first and has its default settings; then
-        ``lens.kind``, which keeps the picture alike; then settings, which the camera may follow.
+        ``lens.kind``, which keeps the picture alike; then settings, which the camera and the lens
+        may follow, but not to another kind than the one that was asked for.
 
     Raises
     ------
@@ -726,19 +727,16 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
     scene = texts.pop("scene", document.scene)
     if scene != document.scene:
         document = replace(document, scene=scene, settings={}, mesh="")
-    projection = document.projection
-    if "lens.kind" in texts:
-        with _paths():
-            projection = projection.with_lens(texts.pop("lens.kind"))
-    document = replace(document, projection=projection)
-    known = _known(document.scene, projection.lens.kind)
+    kind = texts.pop("lens.kind", "")
+    document = _with_lens(document, kind)
+    known = _known(document.scene, document.projection.lens.kind)
     paths = [path for path in known[""] if path not in (*known, "format", "version", "views")]
     paths += [f"{section}.{key}" for section in known if section for key in known[section]]
     paths = [path for path in paths if path != "lens.former"]
     for path in texts:
         if path not in paths:
             raise _unknown_path(path, paths)
-    document = _set_settings(document, texts)
+    document = _with_lens(_set_settings(document, texts), kind)
     tree = _tree(document)
     for path, text in texts.items():
         section, _, key = path.rpartition(".")
@@ -753,6 +751,14 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
         # What was set is the other of the two.
         limit, value = format_value(error.value), tree["lens"][side]
         raise DocumentError(bound, limit, field=f"lens.{side}", value=value) from error
+
+
+def _with_lens(document: Document, kind: str) -> Document:
+    """With a lens of that kind; an empty one changes nothing."""
+    if kind in ("", document.projection.lens.kind):
+        return document
+    with _paths():
+        return replace(document, projection=document.projection.with_lens(kind))
 
 
 def _set_settings(document: Document, texts: Mapping[str, str]) -> Document:

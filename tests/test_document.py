@@ -686,6 +686,18 @@ def test_the_order_of_settings_does_not_matter() -> None:
     assert lens_of(*settings) == lens_of(*settings[::-1]) == Perspective(60, 2, 30)
 
 
+@pytest.mark.parametrize(("volume", "kind"), [("cone", "orthographic"), ("box", "perspective")])
+def test_the_lens_that_is_asked_for_is_had_whatever_a_setting_makes_of_it(
+    volume: str, kind: str
+) -> None:
+    document = Document("view-volumes", PHENOMENA["view-volumes"].start)
+    paths = [f"settings.volume={volume}", f"lens.kind={kind}", "lens.near=0.5"]
+    made = set_values(document, paths)
+    assert made == set_values(document, paths[::-1])
+    assert (made.projection.lens.kind, made.projection.lens.near) == (kind, 0.5)
+    assert made.settings["volume"] == volume
+
+
 def test_a_change_of_the_lens_keeps_the_picture_alike() -> None:
     document = parse(DESIGN)
     flat = set_value(document, "lens.kind", "orthographic")
@@ -1576,7 +1588,7 @@ BAD_SCENE_SETTINGS = [
     ("settings.gap=nan", "settings.gap = 'nan': must be a finite number."),
     ("settings.gap=1e400", "settings.gap = '1e400': must be a finite number."),
     ("settings.gap=0", "settings.gap = 0: must be at least 0.001."),
-    ("settings.gap=500", "settings.gap = 500: must be less than the count, which is 40.0."),
+    ("settings.gap=500", "settings.gap = 500: must be less than the count, which is 40."),
     ("settings.count=2.5", "settings.count = 2.5: must be a whole number."),
     ("settings.correct=yes", "settings.correct = 'yes': must be true or false."),
     ("settings.correct=1", "settings.correct = '1': must be true or false."),

@@ -222,7 +222,7 @@ def test_nonsense_is_one_sentence_and_the_last_good_state_stays(
     ("name", "text", "sentence"),
     [
         ("gap", "1e4", "Gap = 10000: must be at most 1000."),
-        ("gap", "500", "Gap = 500: must be less than the count, which is 40.0."),
+        ("gap", "500", "Gap = 500: must be less than the count, which is 40."),
         ("count", "2.5", "Count = 2.5: must be a whole number."),
         ("count", "x", "Count = “x”: must be a number, such as 40; must be at least 1;"
          " must be at most 64."),
