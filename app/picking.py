@@ -27,6 +27,8 @@ VERTEX_WITHIN_PX = 6.0
 """A vertex that is seen so close to the pixel is what was meant, not the face beside it."""
 LINE_WITHIN_PX = 3.0
 """A line that is seen so close to the pixel is what was meant, not the face under it."""
+_COVERS_PX = 0.25
+"""Half as wide as a line is drawn: what is behind it there is not seen."""
 
 _BLOCK = 16_384  # triangles: what is made of so many stays in the processor's cache
 _CELLS = 32  # along each axis at most: their numbers fit 16 bits, which numpy sorts by radix
@@ -500,15 +502,22 @@ def pick(
     -------
     Hit or None
         Of a line only what no face is in front of, where it is and under the pixel; a vertex comes
-        before what is beside or behind it.
+        before whatever else is near, unless a line runs in front of the vertex itself.
     """
     vertex_px, line_px = VERTEX_WITHIN_PX * pixel_ratio, LINE_WITHIN_PX * pixel_ratio
     hit = surface.pick(sight, pixel, vertex_px)
+    at_vertex, is_covered = pixel, False
+    if hit is not None and hit.vertex is not None:
+        x, y = sight.seen([hit.point])[0].tolist()
+        at_vertex = x, y
+        # There: an edge that ends in the vertex and runs to the eye is in front beside it only.
+        over = lines.near(sight, at_vertex, 0.0, _COVERS_PX * pixel_ratio)
+        is_covered = any(_in_front(place.order, hit.order) for _, _, place in over)
     for is_end, spot, place in lines.near(sight, pixel, vertex_px, line_px)[:_TRIED]:
         if hit is not None and hit.vertex is not None:
-            at_vertex = sight.seen([hit.point])[0]
             nearer = math.dist(spot, pixel) < math.dist(at_vertex, pixel)
-            if not (nearer if is_end else _in_front(place.order, hit.order)):
+            covers = is_covered and _in_front(place.order, hit.order)
+            if not (nearer if is_end else covers):
                 continue
         elif hit is not None and _in_front(_order_at(hit, spot), place.order):
             continue

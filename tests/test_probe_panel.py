@@ -21,9 +21,20 @@ from pytestqt.qtbot import QtBot
 from app import cli
 from app.document import Document, write
 from app.drawings import probes
+from app.drawings.probes import pick_in
 from app.drawings.style import LIGHT, rgb
-from app.picking import Probe, Surface
-from app.projection import LARGEST, Camera, Oblique, Perspective, Projection, format_value
+from app.picking import Probe, Sight, Surface
+from app.projection import (
+    LARGEST,
+    Array,
+    Camera,
+    Lens,
+    Oblique,
+    Orthographic,
+    Perspective,
+    Projection,
+    format_value,
+)
 from app.scene import load
 from widgets.main_window import MainWindow
 from widgets.probe_panel import MOST_PROBES, ProbePanel
@@ -101,6 +112,82 @@ def test_a_click_on_a_vertex_in_any_pane_marks_it_in_all(
     assert probe.point == pytest.approx(CORNER, abs=1e-5 * load("letter-f").size)
     for other in window.panes:
         assert marked(window, other, place_in(window, other, CORNER)), other
+
+
+LENSES: dict[str, Lens] = {
+    "perspective": Perspective(45.0, 1.0, 30.0),
+    "orthographic": Orthographic(-6.0, 6.0, -3.5, 3.5, 1.0, 30.0),
+}
+EYES = {
+    "oblique": Camera((6.0, 5.0, 9.0), (0.0, 2.2, 0.0)),
+    "along z": Camera((0.0, 2.5, 14.0), (0.0, 2.5, 0.0)),
+}
+
+
+def is_seen(sight: Sight, vertex: Array, triangles: Array, lines: Array) -> bool:
+    """Whether no face and no line is between a vertex and where the lines of sight come from."""
+    at = np.append(vertex - sight.eye, 1.0)
+    x, y, order, w = sight.rows
+    if (sight.limits @ at < 0.0).any() or w @ at <= 0.0:
+        return False
+    for line in lines:
+        places = np.linspace(*line, 1001)
+        off = np.hypot(*(sight.seen(places) - sight.seen(vertex[None])).T)
+        nearest = np.append(places[np.argmin(np.nan_to_num(off, nan=np.inf))] - sight.eye, 1.0)
+        in_front = order @ nearest / (w @ nearest) < order @ at / (w @ at) - 1e-5
+        if np.nanmin(off, initial=np.inf) < 0.4 and in_front:
+            return False
+    *viewer, weight = np.linalg.svd(np.array([x, y, w]))[2][3]
+    along = np.array(viewer) - weight * at[:3]
+    along /= np.linalg.norm(along)
+    ahead = at + np.append(1e-3 * along, 0.0)
+    if order @ ahead / (w @ ahead) > order @ at / (w @ at):
+        along = -along
+    a, b, c = triangles.transpose(1, 0, 2)  # Moller and Trumbore, 1997
+    across = np.cross(along, c - a)
+    area = np.einsum("ij,ij->i", b - a, across)
+    around = np.cross(vertex - a, b - a)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        s = np.einsum("ij,ij->i", vertex - a, across) / area
+        t = around @ along / area
+        far = np.einsum("ij,ij->i", c - a, around) / area
+        inside = np.minimum(np.minimum(s, t), 1.0 - s - t) > -1e-6
+    return not (inside & (far > 1e-4)).any()
+
+
+@pytest.mark.parametrize("eye", EYES)
+@pytest.mark.parametrize("lens", LENSES)
+def test_a_click_on_or_beside_a_vertex_that_is_seen_gives_it_in_every_pane(
+    make_window: Callable[..., MainWindow], lens: str, eye: str
+) -> None:
+    """0 and 2 px to each side: the edges that run to it or past it are not what is meant."""
+    window, scene = make_window(), load("letter-f")
+    window.store.set_projection(replace(start(), lens=LENSES[lens], camera=EYES[eye]))
+    QApplication.processEvents()
+    assert scene.surface is not None and scene.lines is not None
+    mesh = scene.surface.triangulate()
+    triangles = mesh.points[mesh.regular_faces].astype(np.float64) + scene.origin
+    vertices = np.unique(triangles.reshape(-1, 3), axis=0)
+    lines = scene.lines.points.reshape(-1, 2, 3).astype(np.float64) + scene.origin
+    ends = np.concatenate([vertices, lines.reshape(-1, 3)])
+    clicks, missed = dict.fromkeys(window.panes, 0), []
+    for name, pane in window.panes.items():
+        drawing: Any = pane.drawing
+        sight, spots = drawing.sight, drawing.sight.seen(ends)
+        for vertex, (x, y) in zip(vertices, sight.seen(vertices), strict=True):
+            if not is_seen(sight, vertex, triangles, lines):
+                continue
+            others = spots[np.abs(spots - (x, y)).max(axis=1) > 1e-6]
+            for right, down in ((0, 0), (2, 0), (-2, 0), (0, 2), (0, -2)):
+                away = np.hypot(*(others - (x + right, y + down)).T)
+                if np.nanmin(away) <= math.hypot(right, down):
+                    continue  # another is nearer
+                clicks[name] += 1
+                hit = pick_in(scene, sight, (float(x) + right, float(y) + down))
+                if hit is None or math.dist(hit.point, vertex) > 1e-6:
+                    missed.append((name, vertex.tolist(), right, down, hit))
+    assert not missed, missed
+    assert min(clicks.values()) >= 60, clicks
 
 
 def test_a_double_click_resets_the_view_and_follows_nothing(
