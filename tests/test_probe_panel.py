@@ -317,6 +317,57 @@ def test_a_mark_is_dragged_in_the_image_in_its_plane_or_along_its_ray(
     assert not window.store.modified
 
 
+@pytest.mark.parametrize("focus", ["window", "field", "canvas"])
+def test_escape_puts_a_dragged_probe_back_and_ends_the_drag(
+    make_window: Callable[..., MainWindow], qtbot: QtBot, focus: str
+) -> None:
+    window = make_window()
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    panel, canvas = window.probe_panel, window.panes["image"].canvas
+    window.panels.open(panel)
+    panel.follow(point=CORNER)
+    panel.pin.click()
+    {"window": window, "field": panel.fields[0], "canvas": canvas}[focus].setFocus()
+    x, y = (math.floor(part) for part in place_in(window, "image", CORNER))
+
+    def move(right: int, down: int) -> None:
+        at = QPointF(x + right, y + down)
+        event = QMouseEvent(
+            QEvent.Type.MouseMove, at, canvas.mapToGlobal(at), Qt.MouseButton.NoButton,
+            Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier,
+        )  # fmt: skip
+        QApplication.sendEvent(canvas, event)
+
+    QTest.mousePress(canvas, Qt.MouseButton.LeftButton, pos=QPoint(x, y))
+    move(20, 20)
+    assert panel.probes[0].point != CORNER
+    for _ in range(2):  # until the hand lets go, it is not "remove the probe" either
+        QTest.keyClick(QApplication.focusWidget() or window, Qt.Key.Key_Escape)
+        assert panel.probes == (Probe(1, CORNER),) and panel.pin.isChecked()
+        move(24, 24)
+    QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=QPoint(x + 24, y + 24))
+    assert panel.probes == (Probe(1, CORNER),) and not panel._readable.in_gesture
+    QTest.keyClick(QApplication.focusWidget() or window, Qt.Key.Key_Escape)
+    assert panel.probes == ()
+
+
+def test_a_probe_that_ends_with_its_scene_under_the_hand_does_not_come_back(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window()
+    panel, canvas = window.probe_panel, window.panes["image"].canvas
+    panel.follow(point=CORNER)
+    x, y = (math.floor(part) for part in place_in(window, "image", CORNER))
+    QTest.mousePress(canvas, Qt.MouseButton.LeftButton, pos=QPoint(x, y))
+    canvas.drag_started.emit(QPointF(x, y))
+    window.files.choose_scene("cube")
+    canvas.dragged.emit(QPointF(20.0, 20.0), False)
+    assert panel.probes == ()
+    canvas.drag_ended.emit()
+    assert not panel._readable.in_gesture
+
+
 def test_a_hand_that_trembles_still_clicks_and_turns_nothing(
     make_window: Callable[..., MainWindow],
 ) -> None:
