@@ -10,9 +10,11 @@ import numpy as np
 import pytest
 import pyvista as pv
 from numpy.typing import NDArray
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEvent, QPointF, Qt
+from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QStyle, QStyleOptionSlider
+from pytestqt.qtbot import QtBot
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkRenderingCore import vtkTextActor
@@ -278,6 +280,43 @@ def test_a_drag_is_caught_by_the_stops(make_window: Callable[..., MainWindow]) -
         assert window.strip.position == position
         assert slider.value() == position * STEPS
     slider.setSliderDown(False)
+
+
+@pytest.mark.parametrize("before", [4.0, 2.25, 1.0 + 0.3 / STEPS])
+def test_escape_puts_the_slider_back_and_removes_no_probe(
+    make_window: Callable[..., MainWindow], qtbot: QtBot, before: float
+) -> None:
+    window = make_window()
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    window.probe_panel.follow(point=(1.5, 5.0, 0.5))
+    strip, slider = window.strip, window.strip.slider
+    strip._stand_at(before)  # as played, also between the slider's steps
+    option = QStyleOptionSlider()
+    slider.initStyleOption(option)
+    handle = slider.style().subControlRect(
+        QStyle.ComplexControl.CC_Slider, option, QStyle.SubControl.SC_SliderHandle, slider
+    )
+    QTest.mousePress(slider, Qt.MouseButton.LeftButton, pos=handle.center())
+    assert slider.isSliderDown()
+
+    def move(x: float) -> None:
+        at = QPointF(x, handle.center().y())
+        event = QMouseEvent(
+            QEvent.Type.MouseMove, at, slider.mapToGlobal(at), Qt.MouseButton.NoButton,
+            Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier,
+        )  # fmt: skip
+        QApplication.sendEvent(slider, event)
+
+    move(slider.width() / 2.0 + 9.0)
+    assert strip.position != before
+    QTest.keyClick(QApplication.focusWidget() or window, Qt.Key.Key_Escape)
+    assert strip.position == before
+    move(slider.width() / 2.0 + 19.0)
+    QTest.mouseRelease(slider, Qt.MouseButton.LeftButton, pos=handle.center())
+    assert strip.position == before and len(window.probe_panel.probes) == 1
+    QTest.keyClick(slider, Qt.Key.Key_Escape)
+    assert window.probe_panel.probes == ()  # the slider is let go of
 
 
 def test_a_name_goes_to_its_stop_and_the_header_says_so(

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 import math
 
-from PySide6.QtCore import QElapsedTimer, QSize, Qt, QTimer, Signal
-from PySide6.QtGui import QHideEvent, QKeyEvent, QResizeEvent
+from PySide6.QtCore import QElapsedTimer, QEvent, QSize, Qt, QTimer, Signal
+from PySide6.QtGui import QHideEvent, QKeyEvent, QMouseEvent, QResizeEvent
 from PySide6.QtWidgets import (
     QGridLayout,
     QHBoxLayout,
@@ -36,10 +36,18 @@ LONGEST_FRAME_S = 0.25
 
 
 class _StopsSlider(QSlider):
-    """A slider whose arrow keys go from stop to stop."""
+    """A slider whose arrow keys go from stop to stop; Esc lets go of it while the mouse holds it.
+
+    From then on, whatever the hand does until it lets go is none.
+    """
+
+    grasped = Signal()
+    """The mouse goes down, and has moved nothing yet."""
+    abandoned = Signal()
 
     def __init__(self) -> None:
         super().__init__(Qt.Orientation.Horizontal)
+        self._is_abandoned = False
         self.setRange(0, IMAGE * STEPS)
         self.setTickInterval(STEPS)
         self.setTickPosition(QSlider.TickPosition.TicksBelow)
@@ -54,6 +62,28 @@ class _StopsSlider(QSlider):
             self.setValue((-(-self.value() // STEPS) - 1) * STEPS)
         else:
             super().keyPressEvent(event)
+
+    def event(self, event: QEvent) -> bool:
+        is_escape = isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_Escape
+        if is_escape and self.isSliderDown():
+            event.accept()  # before it is a shortcut
+            if event.type() == QEvent.Type.KeyPress:
+                self._is_abandoned = True
+                self.abandoned.emit()
+            return True
+        return super().event(event)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        self.grasped.emit()
+        super().mousePressEvent(event)
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        if not self._is_abandoned:
+            super().mouseMoveEvent(event)
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        self._is_abandoned = False
+        super().mouseReleaseEvent(event)
 
 
 class StageStrip(QWidget):
@@ -85,7 +115,7 @@ class StageStrip(QWidget):
         )
         self._playing = False
         self._rest_s = 0.0
-        self._at = float(NDC)
+        self._at = self._before = float(NDC)
         self._watch = QElapsedTimer()
         self._timer = QTimer(self)
         self._timer.setSingleShot(True)
@@ -106,6 +136,8 @@ class StageStrip(QWidget):
         )
         self.slider.setValue(NDC * STEPS)
         self.slider.valueChanged.connect(self._slid)
+        self.slider.grasped.connect(self._grasped)
+        self.slider.abandoned.connect(lambda: self._stand_at(self._before))
         self.slider.sliderPressed.connect(self._pressed)
         self.slider.sliderReleased.connect(self.gesture_finished)
         self.stops: list[QToolButton] = []
@@ -296,6 +328,9 @@ class StageStrip(QWidget):
             self._at = value / STEPS
             self._show_stop()
             self.moved.emit(self._at)
+
+    def _grasped(self) -> None:
+        self._before = self._at
 
     def _pressed(self) -> None:
         self.pause()
