@@ -587,6 +587,28 @@ def test_lines_and_numbers_grow_with_the_font(panel: ProbePanel) -> None:
     assert table.rowHeight(2) > 1.5 * height and table.columnWidth(1) > 1.5 * width
 
 
+def test_an_open_panel_is_whole_in_projector_mode_and_back(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    """Every formula, and all nine lines; back, it takes less room again."""
+    window = make_window()
+    window.resize(1366, 768)
+    panel = window.probe_panel
+    window.panels.open(panel)
+    panel.follow(point=CORNER)
+    table, room = panel.table, []
+    for _ in range(3):
+        QApplication.processEvents()
+        metrics, model = table.fontMetrics(), table.model()
+        formulas = [model.data(model.index(row, 0)) for row in range(9)]
+        widest = max(metrics.horizontalAdvance(formula) for formula in formulas)
+        assert widest + 6 <= table.columnWidth(0)
+        assert table.viewport().height() >= 9 * table.rowHeight(0)
+        room.append((window.panels.height(), *map(table.columnWidth, range(5))))
+        window._projector.trigger()
+    assert room[0][1:] == room[2][1:] and room[1][0] > room[2][0]
+
+
 def test_a_folded_panel_fills_no_table_and_shows_the_value_when_it_opens(
     panel: ProbePanel, qtbot: QtBot
 ) -> None:

@@ -974,6 +974,7 @@ class MainWindow(QMainWindow):
         self.settings.projector = on
         self._dress()
         self._build_drawings(self._views_now())
+        self._fit_panels()
 
     def set_cost_shown(self, on: bool) -> None:
         """Measure every step, and show what it takes in the status line; or do not."""

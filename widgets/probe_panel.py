@@ -84,6 +84,7 @@ class ProbePanel(QWidget):
         self._chosen = 0  # number of the probe that is edited; 0 for none
         self._projection: Projection | None = None
         self._spans: list[tuple[int, int]] = []
+        self._font_is_new = False
         self._readable = Readable(self, self._fill)
         self.begin_gesture = self._readable.begin_gesture
         self.end_gesture = self._readable.end_gesture
@@ -314,6 +315,7 @@ class ProbePanel(QWidget):
         super().changeEvent(event)
         if event.type() == QEvent.Type.FontChange:  # projector mode
             self._fit_rows()
+            self._font_is_new = True
             self._readable.changed()
 
     def show_projection(self, projection: Projection) -> None:
@@ -356,14 +358,18 @@ class ProbePanel(QWidget):
                 row += 1
         numbers = [probe.number for probe in self.probes]
         anew = self._model.show(numbers, formulas, columns, outside)
-        self._widen(columns, anew)
+        if anew:
+            self._spans = []
+        self._widen(columns, anew or self._font_is_new)
+        self._font_is_new = False
 
     def _widen(self, columns: list[list[list[str]]], anew: bool) -> None:
         """Let every number be seen whole: one without its last digits would be another."""
+        metrics = self.fontMetrics()  # a change of font may reach the table after its panel
+        digit = metrics.horizontalAdvance("0")
         if anew:
-            self.table.resizeColumnToContents(0)
-            self._spans = []
-        digit = self.fontMetrics().horizontalAdvance("0")
+            longest = max(metrics.horizontalAdvance(text) for text in self._model.formulas)
+            self.table.setColumnWidth(0, longest + 2 * digit)
         # Words, where there are no numbers, are said across all four columns.
         spans = [
             (row, 1 + _PARTS * i)
@@ -499,6 +505,11 @@ class _Table(QAbstractTableModel):
         self._columns: list[list[list[str]]] = []
         self._outside: list[Attention] = []
         self._attended = NOTHING
+
+    @property
+    def formulas(self) -> list[str]:
+        """The lines' own."""
+        return [formula for _, formula in self._formulas]
 
     def attention_at(self, index: QModelIndex) -> Attention:
         """What a cell is about: the last line is about planes."""
