@@ -758,9 +758,8 @@ class MainWindow(QMainWindow):
 
     def _name_stage(self, projection: Projection) -> None:
         """Title, axes and limits of what the NDC pane shows."""
-        pane = self.panes["ndc"]
-        pane.set_title(self.strip.title(projection))
-        pane.note.setText(self.strip.note(projection))
+        self.strip.show_projection(projection)
+        self.panes["ndc"].set_title(self.strip.title(projection))
 
     def _show_notes(self, projection: Projection, scene: Scene) -> None:
         self.status.show_projection(projection, scene)
