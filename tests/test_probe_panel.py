@@ -28,6 +28,7 @@ from app.projection import (
     LARGEST,
     Array,
     Camera,
+    FreeMatrix,
     Lens,
     Oblique,
     Orthographic,
@@ -399,6 +400,40 @@ def test_a_click_on_empty_image_space_shows_the_ray(make_window: Callable[..., M
     half_way = start().world_from_image((x, y, 0.9))
     assert marked(window, "world", place_in(window, "world", half_way))
     assert marked(window, "ndc", place_in(window, "ndc", half_way))
+
+
+@pytest.mark.parametrize(
+    ("last", "words", "is_drawn"),
+    [
+        ((0.1, 0.0, -1.0, 0.3), "the pixel's ray, as far as it is in front of the eye", True),
+        ((0.0, 0.0, -1.0, 2.2 / 1.1), "no ray in the world: the matrix has no inverse", False),
+        ((-0.1, 0.0, 1.0, -0.3), "no ray in the world: all of it is behind the eye", False),
+    ],
+)
+def test_a_ray_without_a_frustum_is_drawn_or_it_is_said_why_not(
+    make_window: Callable[..., MainWindow], last: tuple[float, ...], words: str, is_drawn: bool
+) -> None:
+    window = make_window()
+    rows = ((1.2, 0.1, 0.3, 0.0), (0.0, 1.5, 0.1, 0.2), (0.0, 0.0, -1.1, -2.2))
+    if not is_drawn and last[0] == 0.0:
+        rows = (*rows[:2], (0.0, 0.0, -1.1, 2.2))  # 1.1 times the last
+    matrix: Any = FreeMatrix((*rows, last))  # type: ignore[arg-type]
+    window.store.set_projection(replace(start(), lens=matrix))
+    assert window.store.document.projection.frustum_sign == 0
+    window.panels.open(window.probe_panel)
+    window.probe_panel.follow(pixel=(1200.0, 30.0))
+    QApplication.processEvents()
+    assert cells(window.probe_panel, 0, 0) == [words]
+    assert any_mark(window, "world") == is_drawn
+
+
+def test_inside_a_free_matrix_cube_is_said_without_ones(panel: ProbePanel) -> None:
+    panel.follow(point=CORNER)
+    for depth, formula in (("opengl", "−w ≤ z ≤ w"), ("reversed", "0 ≤ z ≤ w")):
+        cells_free = start().clip_from_view + np.diag([0.0, 0.0, 0.0, 0.1])
+        projection = replace(start(), lens=FreeMatrix(cells_free.tolist()), depth=depth)  # type: ignore[arg-type]
+        panel.show_projection(projection)
+        assert panel._model.formulas[-1] == f"|x|, |y| ≤ w;  {formula}"
 
 
 def test_a_click_beside_the_picture_or_beside_the_scene_does_nothing(

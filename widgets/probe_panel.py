@@ -35,7 +35,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.attention import NOTHING, Attention, made_of
-from app.picking import Probe
+from app.picking import Probe, projector
 from app.precision import predict, rung_for_reading, trace
 from app.projection import (
     AT_LEAST,
@@ -396,8 +396,8 @@ class ProbePanel(QWidget):
         lens = projection.lens
         view, inside = "R (p − e)", "|x|, |y| ≤ w;  n ≤ −z_view ≤ f"
         if isinstance(lens, FreeMatrix):
-            low, high = (f"{z:g}".replace("-", "−") for z in sorted(projection.depth_range))
-            divide, inside = "w = (P p_view)_4", f"|x|, |y| ≤ w;  {low} w ≤ z ≤ {high} w"
+            low = "0" if min(projection.depth_range) == 0.0 else "−w"
+            divide, inside = "w = (P p_view)_4", f"|x|, |y| ≤ w;  {low} ≤ z ≤ w"
             if lens.view_from_world is not None:
                 view = "V p"
         else:
@@ -446,8 +446,19 @@ class ProbePanel(QWidget):
         (x, y), (width, height) = probe.pixel, projection.image_size
         ndc = [format_value(2.0 * x / width - 1.0), format_value(1.0 - 2.0 * y / height)]
         image = [format_value(x), format_value(y)]
-        ray = self.tr("the pixel's ray, from near to far")
-        return [[ray], [], [], [], [], ndc, image, [], []]
+        return [[self._ray(projection, probe)], [], [], [], [], ndc, image, [], []]
+
+    def _ray(self, projection: Projection, probe: Probe) -> str:
+        """What of a pixel's ray is drawn in the world, or why there is none."""
+        if not isinstance(projection.lens, FreeMatrix) or projection.frustum_sign:
+            return self.tr("the pixel's ray, from near to far")
+        if projector(projection, probe, [0.0]) is not None:
+            return self.tr("the pixel's ray, as far as it is in front of the eye")
+        try:
+            projection.world_from_clip_at(projection.camera.eye)
+        except ProjectionError:
+            return self.tr("no ray in the world: the matrix has no inverse")
+        return self.tr("no ray in the world: all of it is behind the eye")
 
     def _plane(self, plane: str) -> str:
         return {
