@@ -745,6 +745,31 @@ def test_escape_in_the_window_removes_the_chosen_probe(
     assert not any_mark(window, "image")
 
 
+@pytest.mark.parametrize("theme", ["dark", "light"])
+def test_a_pinned_probe_s_button_is_seen_to_be_down(
+    make_window: Callable[..., MainWindow], theme: str
+) -> None:
+    window = make_window()
+    window.set_theme(theme)
+    panel = window.probe_panel
+    window.panels.open(panel)
+    panel.follow(point=CORNER)
+    QApplication.processEvents()
+    size = panel.pin.size()
+
+    def colour() -> Any:
+        return np.array(panel.pin.grab().toImage().pixelColor(8, 8).getRgbF()[:3])
+
+    up = colour()
+    panel.pin.click()
+    QApplication.processEvents()
+    assert np.abs(colour() - up).max() > 0.25
+    assert panel.pin.size() == size
+    panel.pin.click()
+    QApplication.processEvents()
+    assert np.abs(colour() - up).max() < 0.05
+
+
 def test_everything_has_a_name_for_a_screen_reader(panel: ProbePanel) -> None:
     for widget in (*panel.fields, panel.table, panel.choice):
         assert widget.accessibleName()

@@ -57,6 +57,14 @@ from widgets.rows import REFUSAL_SHEET, parse_number, refusal
 MOST_PROBES = 6
 """More than these are no comparison any more."""
 
+_PIN_SHEET = """
+QPushButton:checked {
+    background: palette(highlight); color: palette(highlighted-text);
+    border: 1px solid palette(mid); border-radius: 3px;
+}
+"""
+"""Fusion hardly shows whether a dark button is down."""
+
 _PARTS = 4  # columns of a probe: x, y, z, w
 _ROOT = QModelIndex()
 
@@ -96,6 +104,7 @@ class ProbePanel(QWidget):
         self.fields = tuple(_Coordinate() for _ in range(3))
         self.pin = QPushButton(self.tr("Pin"))
         self.pin.setCheckable(True)
+        self.pin.setStyleSheet(_PIN_SHEET)
         self.pin.setToolTip(self.tr("Keep this probe: the next click makes another one"))
         self.pin.clicked.connect(self._pin_clicked)
         self._remove = QPushButton(self.tr("Remove"))

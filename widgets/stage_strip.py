@@ -166,10 +166,13 @@ class StageStrip(QWidget):
         slider_and_names.setSpacing(2)
         slider_and_names.addWidget(self.button, 0, Qt.AlignmentFlag.AlignTop)
         slider_and_names.addLayout(self._columns, 1)
+        said = QHBoxLayout()  # in a line of its own: beside the pane's title is no room for it
+        said.setContentsMargins(4, 0, 0, 0)
+        said.addWidget(self.words)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(4, 2, 4, 2)
         layout.setSpacing(0)
-        layout.addWidget(self.words)  # beside the pane's title there is not room enough
+        layout.addLayout(said)
         layout.addLayout(slider_and_names)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
         self._name_stops()
