@@ -12,7 +12,15 @@ from typing import NamedTuple
 
 from app.depth import DepthBuffer
 from app.precision import Prediction, Rung, rung_for_reading
-from app.projection import PLANES, FreeMatrix, Perspective, Projection, Vector
+from app.projection import (
+    INVERTIBLE,
+    PLANES,
+    FreeMatrix,
+    Perspective,
+    Projection,
+    ProjectionError,
+    Vector,
+)
 
 NO_GAP = "At the target, a 24-bit depth buffer cannot tell any two surfaces apart"
 WIDE_GAP = "At the target, a 24-bit depth buffer tells surfaces apart only from {0} on"
@@ -23,14 +31,14 @@ FEW_DIGITS = (
 NO_PICTURE = "None of the scene's objects is in the picture: all lie beyond the {0} plane"
 NO_FLOAT32 = "A GPU's float32 cannot hold this picture: it is computed in float64"
 ROUGH_DRAWING = "A GPU's float32 would draw up to {0} px off: the picture is computed in float64"
-NO_FRUSTUM = (
-    "The free matrix has no inverse, or its view volume reaches infinity: no frustum is drawn"
-)
+NO_INVERSE = "The free matrix has no inverse: no frustum is drawn"
+LARGE_INVERSE = "The free matrix is too nearly singular: no frustum is drawn"
+REACHES_INFINITY = "The free matrix' view volume reaches infinity: no frustum is drawn"
 VTK_CLAMPS = "VTK's own camera would clamp the field of view to {0}°"
 VTK_DROPS = "The scene is {0} times as large as near: VTK by itself drops what is near from 1e7 on"
 SENTENCES = (
-    NO_PICTURE, NO_GAP, WIDE_GAP, FEW_DIGITS, NO_FLOAT32, ROUGH_DRAWING, NO_FRUSTUM, VTK_CLAMPS,
-    VTK_DROPS,
+    NO_PICTURE, NO_GAP, WIDE_GAP, FEW_DIGITS, NO_FLOAT32, ROUGH_DRAWING, NO_INVERSE,
+    LARGE_INVERSE, REACHES_INFINITY, VTK_CLAMPS, VTK_DROPS,
 )  # fmt: skip
 """Every sentence of a `Risk`, for translators."""
 
@@ -48,6 +56,14 @@ class Risk(NamedTuple):
 
     def __str__(self) -> str:
         return f"{self.template.format(*self.figures)}."
+
+
+def _why_no_frustum(projection: Projection) -> str:
+    try:
+        projection.world_from_clip_at(projection.camera.eye)
+    except ProjectionError as error:
+        return NO_INVERSE if error.bound == INVERTIBLE else LARGE_INVERSE
+    return REACHES_INFINITY
 
 
 def risks(
@@ -94,7 +110,7 @@ def risks(
             found.append(Risk(VTK_CLAMPS, (f"{_SMALLEST_VTK_FOV_DEG:g}",)))
     if isinstance(lens, FreeMatrix):
         if not projection.frustum_sign:
-            found.append(Risk(NO_FRUSTUM))
+            found.append(Risk(_why_no_frustum(projection)))
     elif not lens.parallel and size / lens.near >= _VTK_DROPS_FROM:
         found.append(Risk(VTK_DROPS, (f"{size / lens.near:.2g}",)))
     return found

@@ -27,6 +27,11 @@ VERTEX_WITHIN_PX = 6.0
 """A vertex that is seen so close to the pixel is what was meant, not the face beside it."""
 LINE_WITHIN_PX = 3.0
 """A line that is seen so close to the pixel is what was meant, not the face under it."""
+_COVERS_PX = 0.25
+"""Half as wide as a line is drawn: what is behind it there is not seen."""
+
+_RAY_REACH = 10.0
+"""A ray to infinity is drawn so many times as far as the target is."""
 
 _BLOCK = 16_384  # triangles: what is made of so many stays in the processor's cache
 _CELLS = 32  # along each axis at most: their numbers fit 16 bits, which numpy sorts by radix
@@ -152,7 +157,8 @@ def projector(projection: Projection, probe: Probe, distances: ArrayLike) -> Arr
     The points q of a pixel's ray are where ``(x w - x_px w) = (y w - y_px w) = 0`` at the distance
     ``-n (q - e)``: three linear equations for any lens. A free matrix has no eye: its line is that
     of the cube between near and far, un-projected, and `distances` are shares of the way; None
-    without an inverse.
+    without an inverse. Of a line through infinity it is the part in front of the eye plane, from
+    its end as far as it is drawn.
     """
     camera = projection.camera
     if isinstance(projection.lens, FreeMatrix):
@@ -175,8 +181,6 @@ def projector(projection: Projection, probe: Probe, distances: ArrayLike) -> Arr
 
 def _line_of_cube(projection: Projection, probe: Probe, shares: ArrayLike) -> Array | None:
     """From 0 on the near face to 1 on the far one, on the line that a probe has in the cube."""
-    if not projection.frustum_sign:
-        return None
     pixel = probe.pixel
     if pixel is None:
         trace = projection.trace(probe.point or ())
@@ -186,12 +190,41 @@ def _line_of_cube(projection: Projection, probe: Probe, shares: ArrayLike) -> Ar
     z_near, z_far = projection.depth_range
     ends = np.array([projection.image_from_ndc @ (0.0, 0.0, z, 1.0) for z in (z_near, z_far)])
     ends[:, :2] = pixel
+    if not projection.frustum_sign:
+        return _line_in_front(projection, ends, shares)
     try:
         start, end = projection.world_from_image(ends[:, :3])
     except ProjectionError:  # a pixel beside the picture may meet infinity
         return None
     line: Array = start + np.asarray(shares, dtype=np.float64)[:, None] * (end - start)
     return line
+
+
+def _line_in_front(projection: Projection, ends: Array, shares: ArrayLike) -> Array | None:
+    """What a line of the cube has in front of the eye plane, where others may reach infinity.
+
+    w of a point un-projected is the inverse of the point's own: it passes 0 where the line passes
+    infinity, and the direction there is that of what is left.
+    """
+    eye = projection.camera.eye
+    try:
+        unprojected = projection.world_from_clip_at(eye)
+    except ProjectionError:  # no inverse
+        return None
+    ndc = np.linalg.solve(projection.image_from_ndc, ends.T)
+    near, far = (unprojected @ ndc).T
+    if near[3] <= 0.0:
+        near, far = far, near
+    if near[3] <= 0.0:
+        return None
+    start = near[:3] / near[3]
+    if far[3] > 0.0:
+        along = far[:3] / far[3] - start
+    else:
+        along = near[:3] * -far[3] + far[:3] * near[3]
+        along *= _RAY_REACH * projection.camera.distance / np.linalg.norm(along)
+    line: Array = eye + start + np.asarray(shares, dtype=np.float64)[:, None] * along
+    return line if np.abs(line).max() <= LARGEST else None
 
 
 def dragged(
@@ -500,15 +533,22 @@ def pick(
     -------
     Hit or None
         Of a line only what no face is in front of, where it is and under the pixel; a vertex comes
-        before what is beside or behind it.
+        before whatever else is near, unless a line runs in front of the vertex itself.
     """
     vertex_px, line_px = VERTEX_WITHIN_PX * pixel_ratio, LINE_WITHIN_PX * pixel_ratio
     hit = surface.pick(sight, pixel, vertex_px)
+    at_vertex, is_covered = pixel, False
+    if hit is not None and hit.vertex is not None:
+        x, y = sight.seen([hit.point])[0].tolist()
+        at_vertex = x, y
+        # There: an edge that ends in the vertex and runs to the eye is in front beside it only.
+        over = lines.near(sight, at_vertex, 0.0, _COVERS_PX * pixel_ratio)
+        is_covered = any(_in_front(place.order, hit.order) for _, _, place in over)
     for is_end, spot, place in lines.near(sight, pixel, vertex_px, line_px)[:_TRIED]:
         if hit is not None and hit.vertex is not None:
-            at_vertex = sight.seen([hit.point])[0]
             nearer = math.dist(spot, pixel) < math.dist(at_vertex, pixel)
-            if not (nearer if is_end else _in_front(place.order, hit.order)):
+            covers = is_covered and _in_front(place.order, hit.order)
+            if not (nearer if is_end else covers):
                 continue
         elif hit is not None and _in_front(_order_at(hit, spot), place.order):
             continue

@@ -9,9 +9,12 @@ import pytest
 
 from app.health import (
     FEW_DIGITS,
+    LARGE_INVERSE,
     NO_FLOAT32,
     NO_GAP,
+    NO_INVERSE,
     NO_PICTURE,
+    REACHES_INFINITY,
     ROUGH_DRAWING,
     SENTENCES,
     VTK_CLAMPS,
@@ -21,7 +24,7 @@ from app.health import (
     risks,
 )
 from app.precision import predict, rung_for_drawing
-from app.projection import Camera, Lens, Orthographic, Perspective, Projection
+from app.projection import Camera, FreeMatrix, Lens, Orthographic, Perspective, Projection
 from app.scene import BUILT_IN, load
 
 EVERYDAY = Projection(Camera(), Perspective(45.0, 1.0, 30.0))
@@ -110,6 +113,22 @@ def test_lost_digits_are_counted() -> None:
         predict(replace(EVERYDAY, camera=far_away), [(12345678.9, 1.0, 0.5)]),
     )
     assert ROUGH_DRAWING in {risk.template for risk in rough}
+
+
+@pytest.mark.parametrize(
+    ("rows", "why"),
+    [
+        (((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, -1, 0)), NO_INVERSE),
+        (((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1e60, 1e-70), (0, 0, -1e-70, 0)), LARGE_INVERSE),
+        (((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, -1, -2), (0.5, 0, -1, 0)), REACHES_INFINITY),
+    ],
+)
+def test_why_a_free_matrix_has_no_frustum_is_told(
+    rows: tuple[tuple[float, float, float, float], ...], why: str
+) -> None:
+    told = found(replace(EVERYDAY, lens=FreeMatrix(rows)))  # type: ignore[arg-type]
+    reasons = {NO_INVERSE, LARGE_INVERSE, REACHES_INFINITY} & set(told)
+    assert reasons == {why}
 
 
 def test_a_risk_is_a_sentence() -> None:

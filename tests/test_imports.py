@@ -297,7 +297,7 @@ ROOMS = {
     ),
     "widgets/help.py": Room(QT),
     "widgets/panels.py": Room(QT),
-    "widgets/stage_strip.py": Room(QT, ("app.projection", "app.morph")),
+    "widgets/stage_strip.py": Room(QT, ("app.projection", "app.morph", "widgets.note")),
     "widgets/status_line.py": Room(
         QT,
         (

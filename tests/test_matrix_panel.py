@@ -672,7 +672,7 @@ def test_every_pane_probe_and_stop_takes_any_matrix(
             assert cell[:4] == ("clip_from_view", 2, 2, 0.0)  # reversed, far = inf has it
             continue
         assert window.panes["ndc"].title.text() == "View → NDC"
-        assert window.panes["ndc"].note.text() == "no canonical volumes"
+        assert window.strip.words.text() == "no canonical volumes"
 
 
 def test_what_is_said_of_a_cell_is_of_its_value_now(panel: MatrixPanel, qtbot: QtBot) -> None:

@@ -447,3 +447,30 @@ def test_a_dragged_point_stays_in_its_plane_or_on_its_ray(lens: Lens) -> None:
 def test_a_point_without_a_picture_cannot_be_dragged() -> None:
     projection = Projection(CAMERA, LENSES["perspective"], (1280, 720))
     assert dragged(projection, (12.0, 8.0, 18.0), (3.0, 0.0), along_ray=False) is None
+
+
+@pytest.mark.parametrize("depth", ["opengl", "direct3d", "reversed"])
+def test_a_ray_is_drawn_where_it_is_in_front_though_the_volume_reaches_infinity(depth: str) -> None:
+    rows = (1.2, 0.1, 0.3, 0.0), (0.0, 1.5, 0.1, 0.2), (0.0, 0.0, -1.1, -2.2), (0.1, 0.0, -1.0, 0.3)
+    projection = Projection(CAMERA, FreeMatrix(rows), (1280, 720), depth)  # type: ignore[arg-type]
+    assert projection.frustum_sign == 0
+    low, high = sorted(projection.depth_range)
+    endless = 0
+    for pixel in ((1200.0, 30.0), (640.0, 360.0), (20.0, 700.0), (20.0, 30.0), (1279.0, 719.0)):
+        line = projector(projection, Probe(1, pixel=pixel), [0.0, 0.25, 1.0])
+        assert line is not None
+        trace = projection.trace(line)
+        assert trace.in_front.all()
+        assert (low - 1e-9 <= trace.ndc[:, 2]).all() and (trace.ndc[:, 2] <= high + 1e-9).all()
+        assert trace.image == pytest.approx(np.tile(pixel, (3, 1)), abs=1e-6)
+        at_end = [min(abs(z - low), abs(z - high)) < 1e-9 for z in trace.ndc[[0, 2], 2]]
+        assert at_end[0]
+        if not at_end[1]:
+            endless += 1
+            assert math.dist(line[0], line[2]) == pytest.approx(10.0 * CAMERA.distance)
+        again = projector(projection, Probe(2, tuple(line[1].tolist())), [0.0, 1.0])
+        assert again is not None and again == pytest.approx(line[[0, 2]], rel=1e-6, abs=1e-6)
+    assert 0 < endless < 5, endless
+    rows = (1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, -1, 0)
+    singular = replace(projection, lens=FreeMatrix(rows))
+    assert projector(singular, Probe(1, pixel=(640.0, 360.0)), [0.0, 1.0]) is None

@@ -21,9 +21,21 @@ from pytestqt.qtbot import QtBot
 from app import cli
 from app.document import Document, write
 from app.drawings import probes
+from app.drawings.probes import pick_in
 from app.drawings.style import LIGHT, rgb
-from app.picking import Probe, Surface
-from app.projection import LARGEST, Camera, Oblique, Perspective, Projection, format_value
+from app.picking import Probe, Sight, Surface
+from app.projection import (
+    LARGEST,
+    Array,
+    Camera,
+    FreeMatrix,
+    Lens,
+    Oblique,
+    Orthographic,
+    Perspective,
+    Projection,
+    format_value,
+)
 from app.scene import load
 from widgets.main_window import MainWindow
 from widgets.probe_panel import MOST_PROBES, ProbePanel
@@ -101,6 +113,82 @@ def test_a_click_on_a_vertex_in_any_pane_marks_it_in_all(
     assert probe.point == pytest.approx(CORNER, abs=1e-5 * load("letter-f").size)
     for other in window.panes:
         assert marked(window, other, place_in(window, other, CORNER)), other
+
+
+LENSES: dict[str, Lens] = {
+    "perspective": Perspective(45.0, 1.0, 30.0),
+    "orthographic": Orthographic(-6.0, 6.0, -3.5, 3.5, 1.0, 30.0),
+}
+EYES = {
+    "oblique": Camera((6.0, 5.0, 9.0), (0.0, 2.2, 0.0)),
+    "along z": Camera((0.0, 2.5, 14.0), (0.0, 2.5, 0.0)),
+}
+
+
+def is_seen(sight: Sight, vertex: Array, triangles: Array, lines: Array) -> bool:
+    """Whether no face and no line is between a vertex and where the lines of sight come from."""
+    at = np.append(vertex - sight.eye, 1.0)
+    x, y, order, w = sight.rows
+    if (sight.limits @ at < 0.0).any() or w @ at <= 0.0:
+        return False
+    for line in lines:
+        places = np.linspace(*line, 1001)
+        off = np.hypot(*(sight.seen(places) - sight.seen(vertex[None])).T)
+        nearest = np.append(places[np.argmin(np.nan_to_num(off, nan=np.inf))] - sight.eye, 1.0)
+        in_front = order @ nearest / (w @ nearest) < order @ at / (w @ at) - 1e-5
+        if np.nanmin(off, initial=np.inf) < 0.4 and in_front:
+            return False
+    *viewer, weight = np.linalg.svd(np.array([x, y, w]))[2][3]
+    along = np.array(viewer) - weight * at[:3]
+    along /= np.linalg.norm(along)
+    ahead = at + np.append(1e-3 * along, 0.0)
+    if order @ ahead / (w @ ahead) > order @ at / (w @ at):
+        along = -along
+    a, b, c = triangles.transpose(1, 0, 2)  # Moller and Trumbore, 1997
+    across = np.cross(along, c - a)
+    area = np.einsum("ij,ij->i", b - a, across)
+    around = np.cross(vertex - a, b - a)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        s = np.einsum("ij,ij->i", vertex - a, across) / area
+        t = around @ along / area
+        far = np.einsum("ij,ij->i", c - a, around) / area
+        inside = np.minimum(np.minimum(s, t), 1.0 - s - t) > -1e-6
+    return not (inside & (far > 1e-4)).any()
+
+
+@pytest.mark.parametrize("eye", EYES)
+@pytest.mark.parametrize("lens", LENSES)
+def test_a_click_on_or_beside_a_vertex_that_is_seen_gives_it_in_every_pane(
+    make_window: Callable[..., MainWindow], lens: str, eye: str
+) -> None:
+    """0 and 2 px to each side: the edges that run to it or past it are not what is meant."""
+    window, scene = make_window(), load("letter-f")
+    window.store.set_projection(replace(start(), lens=LENSES[lens], camera=EYES[eye]))
+    QApplication.processEvents()
+    assert scene.surface is not None and scene.lines is not None
+    mesh = scene.surface.triangulate()
+    triangles = mesh.points[mesh.regular_faces].astype(np.float64) + scene.origin
+    vertices = np.unique(triangles.reshape(-1, 3), axis=0)
+    lines = scene.lines.points.reshape(-1, 2, 3).astype(np.float64) + scene.origin
+    ends = np.concatenate([vertices, lines.reshape(-1, 3)])
+    clicks, missed = dict.fromkeys(window.panes, 0), []
+    for name, pane in window.panes.items():
+        drawing: Any = pane.drawing
+        sight, spots = drawing.sight, drawing.sight.seen(ends)
+        for vertex, (x, y) in zip(vertices, sight.seen(vertices), strict=True):
+            if not is_seen(sight, vertex, triangles, lines):
+                continue
+            others = spots[np.abs(spots - (x, y)).max(axis=1) > 1e-6]
+            for right, down in ((0, 0), (2, 0), (-2, 0), (0, 2), (0, -2)):
+                away = np.hypot(*(others - (x + right, y + down)).T)
+                if np.nanmin(away) <= math.hypot(right, down):
+                    continue  # another is nearer
+                clicks[name] += 1
+                hit = pick_in(scene, sight, (float(x) + right, float(y) + down))
+                if hit is None or math.dist(hit.point, vertex) > 1e-6:
+                    missed.append((name, vertex.tolist(), right, down, hit))
+    assert not missed, missed
+    assert min(clicks.values()) >= 60, clicks
 
 
 def test_a_double_click_resets_the_view_and_follows_nothing(
@@ -230,6 +318,57 @@ def test_a_mark_is_dragged_in_the_image_in_its_plane_or_along_its_ray(
     assert not window.store.modified
 
 
+@pytest.mark.parametrize("focus", ["window", "field", "canvas"])
+def test_escape_puts_a_dragged_probe_back_and_ends_the_drag(
+    make_window: Callable[..., MainWindow], qtbot: QtBot, focus: str
+) -> None:
+    window = make_window()
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    panel, canvas = window.probe_panel, window.panes["image"].canvas
+    window.panels.open(panel)
+    panel.follow(point=CORNER)
+    panel.pin.click()
+    {"window": window, "field": panel.fields[0], "canvas": canvas}[focus].setFocus()
+    x, y = (math.floor(part) for part in place_in(window, "image", CORNER))
+
+    def move(right: int, down: int) -> None:
+        at = QPointF(x + right, y + down)
+        event = QMouseEvent(
+            QEvent.Type.MouseMove, at, canvas.mapToGlobal(at), Qt.MouseButton.NoButton,
+            Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier,
+        )  # fmt: skip
+        QApplication.sendEvent(canvas, event)
+
+    QTest.mousePress(canvas, Qt.MouseButton.LeftButton, pos=QPoint(x, y))
+    move(20, 20)
+    assert panel.probes[0].point != CORNER
+    for _ in range(2):  # until the hand lets go, it is not "remove the probe" either
+        QTest.keyClick(QApplication.focusWidget() or window, Qt.Key.Key_Escape)
+        assert panel.probes == (Probe(1, CORNER),) and panel.pin.isChecked()
+        move(24, 24)
+    QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=QPoint(x + 24, y + 24))
+    assert panel.probes == (Probe(1, CORNER),) and not panel._readable.in_gesture
+    QTest.keyClick(QApplication.focusWidget() or window, Qt.Key.Key_Escape)
+    assert panel.probes == ()
+
+
+def test_a_probe_that_ends_with_its_scene_under_the_hand_does_not_come_back(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window()
+    panel, canvas = window.probe_panel, window.panes["image"].canvas
+    panel.follow(point=CORNER)
+    x, y = (math.floor(part) for part in place_in(window, "image", CORNER))
+    QTest.mousePress(canvas, Qt.MouseButton.LeftButton, pos=QPoint(x, y))
+    canvas.drag_started.emit(QPointF(x, y))
+    window.files.choose_scene("cube")
+    canvas.dragged.emit(QPointF(20.0, 20.0), False)
+    assert panel.probes == ()
+    canvas.drag_ended.emit()
+    assert not panel._readable.in_gesture
+
+
 def test_a_hand_that_trembles_still_clicks_and_turns_nothing(
     make_window: Callable[..., MainWindow],
 ) -> None:
@@ -261,6 +400,40 @@ def test_a_click_on_empty_image_space_shows_the_ray(make_window: Callable[..., M
     half_way = start().world_from_image((x, y, 0.9))
     assert marked(window, "world", place_in(window, "world", half_way))
     assert marked(window, "ndc", place_in(window, "ndc", half_way))
+
+
+@pytest.mark.parametrize(
+    ("last", "words", "is_drawn"),
+    [
+        ((0.1, 0.0, -1.0, 0.3), "the pixel's ray, as far as it is in front of the eye", True),
+        ((0.0, 0.0, -1.0, 2.2 / 1.1), "no ray in the world: the matrix has no inverse", False),
+        ((-0.1, 0.0, 1.0, -0.3), "no ray in the world: all of it is behind the eye", False),
+    ],
+)
+def test_a_ray_without_a_frustum_is_drawn_or_it_is_said_why_not(
+    make_window: Callable[..., MainWindow], last: tuple[float, ...], words: str, is_drawn: bool
+) -> None:
+    window = make_window()
+    rows = ((1.2, 0.1, 0.3, 0.0), (0.0, 1.5, 0.1, 0.2), (0.0, 0.0, -1.1, -2.2))
+    if not is_drawn and last[0] == 0.0:
+        rows = (*rows[:2], (0.0, 0.0, -1.1, 2.2))  # 1.1 times the last
+    matrix: Any = FreeMatrix((*rows, last))  # type: ignore[arg-type]
+    window.store.set_projection(replace(start(), lens=matrix))
+    assert window.store.document.projection.frustum_sign == 0
+    window.panels.open(window.probe_panel)
+    window.probe_panel.follow(pixel=(1200.0, 30.0))
+    QApplication.processEvents()
+    assert cells(window.probe_panel, 0, 0) == [words]
+    assert any_mark(window, "world") == is_drawn
+
+
+def test_inside_a_free_matrix_cube_is_said_without_ones(panel: ProbePanel) -> None:
+    panel.follow(point=CORNER)
+    for depth, formula in (("opengl", "−w ≤ z ≤ w"), ("reversed", "0 ≤ z ≤ w")):
+        cells_free = start().clip_from_view + np.diag([0.0, 0.0, 0.0, 0.1])
+        projection = replace(start(), lens=FreeMatrix(cells_free.tolist()), depth=depth)  # type: ignore[arg-type]
+        panel.show_projection(projection)
+        assert panel._model.formulas[-1] == f"|x|, |y| ≤ w;  {formula}"
 
 
 def test_a_click_beside_the_picture_or_beside_the_scene_does_nothing(
@@ -449,6 +622,28 @@ def test_lines_and_numbers_grow_with_the_font(panel: ProbePanel) -> None:
     assert table.rowHeight(2) > 1.5 * height and table.columnWidth(1) > 1.5 * width
 
 
+def test_an_open_panel_is_whole_in_projector_mode_and_back(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    """Every formula, and all nine lines; back, it takes less room again."""
+    window = make_window()
+    window.resize(1366, 768)
+    panel = window.probe_panel
+    window.panels.open(panel)
+    panel.follow(point=CORNER)
+    table, room = panel.table, []
+    for _ in range(3):
+        QApplication.processEvents()
+        metrics, model = table.fontMetrics(), table.model()
+        formulas = [model.data(model.index(row, 0)) for row in range(9)]
+        widest = max(metrics.horizontalAdvance(formula) for formula in formulas)
+        assert widest + 6 <= table.columnWidth(0)
+        assert table.viewport().height() >= 9 * table.rowHeight(0)
+        room.append((window.panels.height(), *map(table.columnWidth, range(5))))
+        window._projector.trigger()
+    assert room[0][1:] == room[2][1:] and room[1][0] > room[2][0]
+
+
 def test_a_folded_panel_fills_no_table_and_shows_the_value_when_it_opens(
     panel: ProbePanel, qtbot: QtBot
 ) -> None:
@@ -548,6 +743,31 @@ def test_escape_in_the_window_removes_the_chosen_probe(
     assert window.probe_panel.probes == ()
     QApplication.processEvents()
     assert not any_mark(window, "image")
+
+
+@pytest.mark.parametrize("theme", ["dark", "light"])
+def test_a_pinned_probe_s_button_is_seen_to_be_down(
+    make_window: Callable[..., MainWindow], theme: str
+) -> None:
+    window = make_window()
+    window.set_theme(theme)
+    panel = window.probe_panel
+    window.panels.open(panel)
+    panel.follow(point=CORNER)
+    QApplication.processEvents()
+    size = panel.pin.size()
+
+    def colour() -> Any:
+        return np.array(panel.pin.grab().toImage().pixelColor(8, 8).getRgbF()[:3])
+
+    up = colour()
+    panel.pin.click()
+    QApplication.processEvents()
+    assert np.abs(colour() - up).max() > 0.25
+    assert panel.pin.size() == size
+    panel.pin.click()
+    QApplication.processEvents()
+    assert np.abs(colour() - up).max() < 0.05
 
 
 def test_everything_has_a_name_for_a_screen_reader(panel: ProbePanel) -> None:

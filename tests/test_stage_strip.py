@@ -10,9 +10,11 @@ import numpy as np
 import pytest
 import pyvista as pv
 from numpy.typing import NDArray
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEvent, QPointF, Qt
+from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QLabel, QStyle, QStyleOptionSlider
+from pytestqt.qtbot import QtBot
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkRenderingCore import vtkTextActor
@@ -244,7 +246,7 @@ def test_the_window_opens_at_ndc(make_window: Callable[..., MainWindow]) -> None
     window = make_window()
     assert window.strip.position == NDC
     assert window.panes["ndc"].title.text() == "NDC cube"
-    assert window.panes["ndc"].note.text() == "z −1 … 1"
+    assert window.strip.words.text() == "x, y ±1, z −1 … 1"
     assert [button.isChecked() for button in window.strip.stops].index(True) == NDC
 
 
@@ -280,6 +282,43 @@ def test_a_drag_is_caught_by_the_stops(make_window: Callable[..., MainWindow]) -
     slider.setSliderDown(False)
 
 
+@pytest.mark.parametrize("before", [4.0, 2.25, 1.0 + 0.3 / STEPS])
+def test_escape_puts_the_slider_back_and_removes_no_probe(
+    make_window: Callable[..., MainWindow], qtbot: QtBot, before: float
+) -> None:
+    window = make_window()
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    window.probe_panel.follow(point=(1.5, 5.0, 0.5))
+    strip, slider = window.strip, window.strip.slider
+    strip._stand_at(before)  # as played, also between the slider's steps
+    option = QStyleOptionSlider()
+    slider.initStyleOption(option)
+    handle = slider.style().subControlRect(
+        QStyle.ComplexControl.CC_Slider, option, QStyle.SubControl.SC_SliderHandle, slider
+    )
+    QTest.mousePress(slider, Qt.MouseButton.LeftButton, pos=handle.center())
+    assert slider.isSliderDown()
+
+    def move(x: float) -> None:
+        at = QPointF(x, handle.center().y())
+        event = QMouseEvent(
+            QEvent.Type.MouseMove, at, slider.mapToGlobal(at), Qt.MouseButton.NoButton,
+            Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier,
+        )  # fmt: skip
+        QApplication.sendEvent(slider, event)
+
+    move(slider.width() / 2.0 + 9.0)
+    assert strip.position != before
+    QTest.keyClick(QApplication.focusWidget() or window, Qt.Key.Key_Escape)
+    assert strip.position == before
+    move(slider.width() / 2.0 + 19.0)
+    QTest.mouseRelease(slider, Qt.MouseButton.LeftButton, pos=handle.center())
+    assert strip.position == before and len(window.probe_panel.probes) == 1
+    QTest.keyClick(slider, Qt.Key.Key_Escape)
+    assert window.probe_panel.probes == ()  # the slider is let go of
+
+
 def test_a_name_goes_to_its_stop_and_the_header_says_so(
     make_window: Callable[..., MainWindow],
 ) -> None:
@@ -287,22 +326,64 @@ def test_a_name_goes_to_its_stop_and_the_header_says_so(
     pane, wanted = window.panes["ndc"], {
         0: ("World", "x, y, z in world units"),
         1: ("View", "u, v, n in world units"),
-        2: ("Canonical perspective", "x, y −1 … 1, z 0 … −1, near at −n/f = −0.0333"),
-        3: ("Canonical parallel", "x, y −1 … 1, z 0 … −1"),
-        4: ("NDC cube", "z −1 … 1"),
+        2: ("Canonical perspective", "x, y ±1, z −n/f = −0.0333 … −1"),
+        3: ("Canonical parallel", "x, y ±1, z 0 … −1"),
+        4: ("NDC cube", "x, y ±1, z −1 … 1"),
         5: ("Image", "1280 × 720 pixels, y down"),
     }  # fmt: skip
     for stop, (title, note) in wanted.items():
         QTest.mouseClick(window.strip.stops[stop], Qt.MouseButton.LeftButton)
-        assert (window.strip.position, pane.title.text(), pane.note.text()) == (stop, title, note)
+        assert (window.strip.position, pane.title.text()) == (stop, title)
+        assert window.strip.words.text() == note
     window.strip.go_to(2.5)
     assert pane.title.text() == "Pyramid → Box"
     window.strip.go_to(2.0)
     start = window.store.document.projection
-    window.store.set_projection(start.with_lens("orthographic"))
-    assert "identity" in pane.note.text()
     window.store.set_projection(replace(start, lens=replace(start.lens, far=math.inf)))
-    assert "far is infinite" in pane.note.text()
+    assert window.strip.words.text() == "near z −1, far −∞ (scaled by 1/n)"
+
+
+def test_the_stops_of_a_parallel_lens_are_named_what_they_are(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    """It has its box at once; that M_pp is the identity is said where nothing moves."""
+    window = make_window()
+    strip, pane, start = window.strip, window.panes["ndc"], window.store.document.projection
+    window.store.set_projection(start.with_lens("orthographic"))
+    names = [button.text() for button in strip.stops]
+    assert names == ["World", "View", "Box", "Box", "NDC", "Image"]
+    assert "identity" in strip.stops[3].toolTip()
+    limits = "x, y ±1, z 0 … −1"
+    for position, title, words in (
+        (1.75, "View → Box", limits),
+        (2.0, "Canonical parallel", f"{limits}; M_pp: identity"),
+        (2.25, "Box → Box", f"{limits}; M_pp: identity"),
+        (2.75, "Box → Box", f"{limits}; M_pp: identity"),
+        (3.0, "Canonical parallel", f"{limits}; M_pp: identity"),
+        (3.25, "Box → NDC", limits),
+    ):
+        strip.go_to(position)
+        assert (pane.title.text(), strip.words.text()) == (title, words), position
+    window.store.set_projection(start)
+    assert [button.text() for button in strip.stops][1:4] == ["View", "Pyramid", "Box"]
+
+
+@pytest.mark.parametrize("projector", [False, True])
+def test_what_is_said_of_a_stage_is_whole_in_a_small_window_and_moves_nothing(
+    make_window: Callable[..., MainWindow], projector: bool
+) -> None:
+    window = make_window()
+    window.resize(1366, 768)
+    window.set_projector(projector)
+    start, words, heights = window.store.document.projection, window.strip.words, set()
+    for lens in (*LENSES, replace(LENSES[0], near=0.00123, far=30.0)):
+        window.store.set_projection(replace(start, lens=lens))
+        for half in range(2 * IMAGE + 1):
+            window.strip.go_to(half / 2.0)
+            settle()
+            assert QLabel.text(words) == words.text()
+            heights.add((words.height(), window.panes["ndc"].canvas.height()))
+    assert len(heights) == 1
 
 
 def test_the_strip_moves_its_own_pane_only_and_not_the_document(

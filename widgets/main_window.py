@@ -21,6 +21,7 @@ from PySide6.QtCore import (
     QDateTime,
     QEvent,
     QLocale,
+    QObject,
     QPointF,
     QStandardPaths,
     Qt,
@@ -33,6 +34,7 @@ from PySide6.QtGui import (
     QDragEnterEvent,
     QDropEvent,
     QGuiApplication,
+    QKeyEvent,
     QKeySequence,
     QResizeEvent,
 )
@@ -175,8 +177,10 @@ class MainWindow(QMainWindow):
         self._costs: dict[str, tuple[float, float]] = {}
         """Of the last step, by the panes' titles: matrices and repaint, in ms."""
         self._held: Probe | None = None
-        self._before_click: tuple[tuple[Probe, ...], int] = ((), 0)
         """The probe that is being dragged in the image, as it was before."""
+        self._watched: QObject | None = None
+        """What has the keyboard meanwhile."""
+        self._before_click: tuple[tuple[Probe, ...], int] = ((), 0)
         data = QStandardPaths.writableLocation(QStandardPaths.StandardLocation.AppDataLocation)
         self.autosave = Autosave(
             Path(data),
@@ -622,6 +626,7 @@ class MainWindow(QMainWindow):
         # An edit shares its views with the document before; another document brings its own.
         if scene is not self._scene:
             self.manipulation.let_go()
+            self._held = None
             self.probe_panel.clear()
         if scene is not self._scene or document.views is not self._views:
             self._scene, self._views = scene, document.views
@@ -753,9 +758,8 @@ class MainWindow(QMainWindow):
 
     def _name_stage(self, projection: Projection) -> None:
         """Title, axes and limits of what the NDC pane shows."""
-        pane = self.panes["ndc"]
-        pane.set_title(self.strip.title(projection))
-        pane.note.setText(self.strip.note(projection))
+        self.strip.show_projection(projection)
+        self.panes["ndc"].set_title(self.strip.title(projection))
 
     def _show_notes(self, projection: Projection, scene: Scene) -> None:
         self.status.show_projection(projection, scene)
@@ -844,6 +848,9 @@ class MainWindow(QMainWindow):
         if self._held is not None:
             self.probe_panel.choose(self._held.number)
             self.probe_panel.begin_gesture()
+            # Escape belongs to the drag until the hand lets go, and before it is a shortcut.
+            self._watched = QApplication.focusWidget() or self
+            self._watched.installEventFilter(self)
         else:
             self.manipulation.take_picture(place)
 
@@ -858,9 +865,16 @@ class MainWindow(QMainWindow):
             self.probe_panel.put(self._held.number, point)
 
     def _let_probe_go(self) -> None:
-        if self._held is not None:
-            self._held = None
+        if self._watched is not None:
+            self._watched.removeEventFilter(self)
+            self._watched, self._held = None, None
             self.probe_panel.end_gesture()
+
+    def _put_probe_back(self) -> None:
+        """Give up the drag; whatever the hand does until it lets go is none."""
+        if self._held is not None and self._held.point is not None:
+            self.probe_panel.put(self._held.number, self._held.point)
+        self._held = None
 
     def _show_probes(self) -> None:
         self._remove_probe.setEnabled(bool(self.probe_panel.probes))
@@ -984,6 +998,7 @@ class MainWindow(QMainWindow):
         self.settings.projector = on
         self._dress()
         self._build_drawings(self._views_now())
+        self._fit_panels()
 
     def set_cost_shown(self, on: bool) -> None:
         """Measure every step, and show what it takes in the status line; or do not."""
@@ -1032,6 +1047,19 @@ class MainWindow(QMainWindow):
         if event.type() == QEvent.Type.DevicePixelRatioChange and self.panes["world"].drawing:
             self._build_drawings(self._views_now())
         return super().event(event)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if (
+            watched is self._watched
+            and isinstance(event, QKeyEvent)
+            and event.key() == Qt.Key.Key_Escape
+        ):
+            if event.type() == QEvent.Type.ShortcutOverride:
+                event.accept()
+            elif event.type() == QEvent.Type.KeyPress:
+                self._put_probe_back()
+            return True
+        return super().eventFilter(watched, event)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)

@@ -342,9 +342,10 @@ HEALTH_SENTENCES = (
         "Health",
         "A GPU's float32 would draw up to {0} px off: the picture is computed in float64",
     ),
+    QT_TRANSLATE_NOOP("Health", "The free matrix has no inverse: no frustum is drawn"),
+    QT_TRANSLATE_NOOP("Health", "The free matrix is too nearly singular: no frustum is drawn"),
     QT_TRANSLATE_NOOP(
-        "Health",
-        "The free matrix has no inverse, or its view volume reaches infinity: no frustum is drawn",
+        "Health", "The free matrix' view volume reaches infinity: no frustum is drawn"
     ),
     QT_TRANSLATE_NOOP("Health", "VTK's own camera would clamp the field of view to {0}°"),
     QT_TRANSLATE_NOOP(

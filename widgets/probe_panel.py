@@ -35,7 +35,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.attention import NOTHING, Attention, made_of
-from app.picking import Probe
+from app.picking import Probe, projector
 from app.precision import predict, rung_for_reading, trace
 from app.projection import (
     AT_LEAST,
@@ -56,6 +56,14 @@ from widgets.rows import REFUSAL_SHEET, parse_number, refusal
 
 MOST_PROBES = 6
 """More than these are no comparison any more."""
+
+_PIN_SHEET = """
+QPushButton:checked {
+    background: palette(highlight); color: palette(highlighted-text);
+    border: 1px solid palette(mid); border-radius: 3px;
+}
+"""
+"""Fusion hardly shows whether a dark button is down."""
 
 _PARTS = 4  # columns of a probe: x, y, z, w
 _ROOT = QModelIndex()
@@ -84,6 +92,7 @@ class ProbePanel(QWidget):
         self._chosen = 0  # number of the probe that is edited; 0 for none
         self._projection: Projection | None = None
         self._spans: list[tuple[int, int]] = []
+        self._font_is_new = False
         self._readable = Readable(self, self._fill)
         self.begin_gesture = self._readable.begin_gesture
         self.end_gesture = self._readable.end_gesture
@@ -95,6 +104,7 @@ class ProbePanel(QWidget):
         self.fields = tuple(_Coordinate() for _ in range(3))
         self.pin = QPushButton(self.tr("Pin"))
         self.pin.setCheckable(True)
+        self.pin.setStyleSheet(_PIN_SHEET)
         self.pin.setToolTip(self.tr("Keep this probe: the next click makes another one"))
         self.pin.clicked.connect(self._pin_clicked)
         self._remove = QPushButton(self.tr("Remove"))
@@ -314,6 +324,7 @@ class ProbePanel(QWidget):
         super().changeEvent(event)
         if event.type() == QEvent.Type.FontChange:  # projector mode
             self._fit_rows()
+            self._font_is_new = True
             self._readable.changed()
 
     def show_projection(self, projection: Projection) -> None:
@@ -356,14 +367,18 @@ class ProbePanel(QWidget):
                 row += 1
         numbers = [probe.number for probe in self.probes]
         anew = self._model.show(numbers, formulas, columns, outside)
-        self._widen(columns, anew)
+        if anew:
+            self._spans = []
+        self._widen(columns, anew or self._font_is_new)
+        self._font_is_new = False
 
     def _widen(self, columns: list[list[list[str]]], anew: bool) -> None:
         """Let every number be seen whole: one without its last digits would be another."""
+        metrics = self.fontMetrics()  # a change of font may reach the table after its panel
+        digit = metrics.horizontalAdvance("0")
         if anew:
-            self.table.resizeColumnToContents(0)
-            self._spans = []
-        digit = self.fontMetrics().horizontalAdvance("0")
+            longest = max(metrics.horizontalAdvance(text) for text in self._model.formulas)
+            self.table.setColumnWidth(0, longest + 2 * digit)
         # Words, where there are no numbers, are said across all four columns.
         spans = [
             (row, 1 + _PARTS * i)
@@ -390,8 +405,8 @@ class ProbePanel(QWidget):
         lens = projection.lens
         view, inside = "R (p − e)", "|x|, |y| ≤ w;  n ≤ −z_view ≤ f"
         if isinstance(lens, FreeMatrix):
-            low, high = (f"{z:g}".replace("-", "−") for z in sorted(projection.depth_range))
-            divide, inside = "w = (P p_view)_4", f"|x|, |y| ≤ w;  {low} w ≤ z ≤ {high} w"
+            low = "0" if min(projection.depth_range) == 0.0 else "−w"
+            divide, inside = "w = (P p_view)_4", f"|x|, |y| ≤ w;  {low} ≤ z ≤ w"
             if lens.view_from_world is not None:
                 view = "V p"
         else:
@@ -440,8 +455,19 @@ class ProbePanel(QWidget):
         (x, y), (width, height) = probe.pixel, projection.image_size
         ndc = [format_value(2.0 * x / width - 1.0), format_value(1.0 - 2.0 * y / height)]
         image = [format_value(x), format_value(y)]
-        ray = self.tr("the pixel's ray, from near to far")
-        return [[ray], [], [], [], [], ndc, image, [], []]
+        return [[self._ray(projection, probe)], [], [], [], [], ndc, image, [], []]
+
+    def _ray(self, projection: Projection, probe: Probe) -> str:
+        """What of a pixel's ray is drawn in the world, or why there is none."""
+        if not isinstance(projection.lens, FreeMatrix) or projection.frustum_sign:
+            return self.tr("the pixel's ray, from near to far")
+        if projector(projection, probe, [0.0]) is not None:
+            return self.tr("the pixel's ray, as far as it is in front of the eye")
+        try:
+            projection.world_from_clip_at(projection.camera.eye)
+        except ProjectionError:
+            return self.tr("no ray in the world: the matrix has no inverse")
+        return self.tr("no ray in the world: all of it is behind the eye")
 
     def _plane(self, plane: str) -> str:
         return {
@@ -499,6 +525,11 @@ class _Table(QAbstractTableModel):
         self._columns: list[list[list[str]]] = []
         self._outside: list[Attention] = []
         self._attended = NOTHING
+
+    @property
+    def formulas(self) -> list[str]:
+        """The lines' own."""
+        return [formula for _, formula in self._formulas]
 
     def attention_at(self, index: QModelIndex) -> Attention:
         """What a cell is about: the last line is about planes."""

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 import math
 
-from PySide6.QtCore import QElapsedTimer, QSize, Qt, QTimer, Signal
-from PySide6.QtGui import QHideEvent, QKeyEvent, QResizeEvent
+from PySide6.QtCore import QElapsedTimer, QEvent, QSize, Qt, QTimer, Signal
+from PySide6.QtGui import QHideEvent, QKeyEvent, QMouseEvent, QResizeEvent
 from PySide6.QtWidgets import (
     QGridLayout,
     QHBoxLayout,
@@ -19,8 +19,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.morph import CANONICAL_PERSPECTIVE, IMAGE, NDC, STOPS, VIEW, WORLD
+from app.morph import CANONICAL_PARALLEL, CANONICAL_PERSPECTIVE, IMAGE, NDC, STOPS, VIEW, WORLD
 from app.projection import FreeMatrix, Projection
+from widgets.note import Note
 
 STEPS = 240
 """Slider steps from one stop to the next."""
@@ -36,10 +37,18 @@ LONGEST_FRAME_S = 0.25
 
 
 class _StopsSlider(QSlider):
-    """A slider whose arrow keys go from stop to stop."""
+    """A slider whose arrow keys go from stop to stop; Esc lets go of it while the mouse holds it.
+
+    From then on, whatever the hand does until it lets go is none.
+    """
+
+    grasped = Signal()
+    """The mouse goes down, and has moved nothing yet."""
+    abandoned = Signal()
 
     def __init__(self) -> None:
         super().__init__(Qt.Orientation.Horizontal)
+        self._is_abandoned = False
         self.setRange(0, IMAGE * STEPS)
         self.setTickInterval(STEPS)
         self.setTickPosition(QSlider.TickPosition.TicksBelow)
@@ -54,6 +63,28 @@ class _StopsSlider(QSlider):
             self.setValue((-(-self.value() // STEPS) - 1) * STEPS)
         else:
             super().keyPressEvent(event)
+
+    def event(self, event: QEvent) -> bool:
+        is_escape = isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_Escape
+        if is_escape and self.isSliderDown():
+            event.accept()  # before it is a shortcut
+            if event.type() == QEvent.Type.KeyPress:
+                self._is_abandoned = True
+                self.abandoned.emit()
+            return True
+        return super().event(event)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        self.grasped.emit()
+        super().mousePressEvent(event)
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        if not self._is_abandoned:
+            super().mouseMoveEvent(event)
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        self._is_abandoned = False
+        super().mouseReleaseEvent(event)
 
 
 class StageStrip(QWidget):
@@ -83,9 +114,10 @@ class StageStrip(QWidget):
             (self.tr("NDC"), self.tr("Normalised device coordinates, z mirrored for display")),
             (self.tr("Image"), self.tr("The picture in pixels: x right, y down")),
         )
+        self._parallel = False
         self._playing = False
         self._rest_s = 0.0
-        self._at = float(NDC)
+        self._at = self._before = float(NDC)
         self._watch = QElapsedTimer()
         self._timer = QTimer(self)
         self._timer.setSingleShot(True)
@@ -106,8 +138,11 @@ class StageStrip(QWidget):
         )
         self.slider.setValue(NDC * STEPS)
         self.slider.valueChanged.connect(self._slid)
+        self.slider.grasped.connect(self._grasped)
+        self.slider.abandoned.connect(lambda: self._stand_at(self._before))
         self.slider.sliderPressed.connect(self._pressed)
         self.slider.sliderReleased.connect(self.gesture_finished)
+        self.words = Note()
         self.stops: list[QToolButton] = []
         self._ends = QHBoxLayout()
         self._ends.addWidget(self.slider)
@@ -115,9 +150,8 @@ class StageStrip(QWidget):
         names = QGridLayout()
         names.setSpacing(0)
         names.setContentsMargins(0, 0, 0, 0)
-        for stop, (name, tip) in enumerate(self._names):
-            button = _Narrow(name)
-            button.setToolTip(tip)
+        for stop in range(len(STOPS)):
+            button = _Narrow()
             button.setCheckable(True)
             button.clicked.connect(lambda _checked=False, stop=stop: self.go_to(float(stop)))
             names.addWidget(button, stop % 2, 2 * stop, 1, 3)
@@ -128,12 +162,20 @@ class StageStrip(QWidget):
         self._columns.setSpacing(0)
         self._columns.addLayout(self._ends)
         self._columns.addLayout(names)
-        layout = QHBoxLayout(self)
+        slider_and_names = QHBoxLayout()
+        slider_and_names.setSpacing(2)
+        slider_and_names.addWidget(self.button, 0, Qt.AlignmentFlag.AlignTop)
+        slider_and_names.addLayout(self._columns, 1)
+        said = QHBoxLayout()  # in a line of its own: beside the pane's title is no room for it
+        said.setContentsMargins(4, 0, 0, 0)
+        said.addWidget(self.words)
+        layout = QVBoxLayout(self)
         layout.setContentsMargins(4, 2, 4, 2)
-        layout.setSpacing(2)
-        layout.addWidget(self.button, 0, Qt.AlignmentFlag.AlignTop)
-        layout.addLayout(self._columns, 1)
+        layout.setSpacing(0)
+        layout.addLayout(said)
+        layout.addLayout(slider_and_names)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
+        self._name_stops()
         self._show_playing()
         self._show_stop()
 
@@ -160,12 +202,37 @@ class StageStrip(QWidget):
         self.pause()
         self.slider.setValue(round(position * STEPS))
 
+    def show_projection(self, projection: Projection) -> None:
+        """Name the stops after what they are of this projection, and say axes and limits here."""
+        parallel = not isinstance(projection.lens, FreeMatrix) and projection.lens.parallel
+        if parallel != self._parallel:
+            self._parallel = parallel
+            self._name_stops()
+        self.words.setText(self._words(projection))
+
+    def _name(self, stop: int) -> tuple[str, str]:
+        """A stop's name and tooltip."""
+        if self._parallel and stop == CANONICAL_PERSPECTIVE:
+            name, _ = self._names[CANONICAL_PARALLEL]
+            tip = self.tr("The canonical parallel volume, at once: a parallel lens has no pyramid")
+            return name, tip
+        if self._parallel and stop == CANONICAL_PARALLEL:
+            name, _ = self._names[CANONICAL_PARALLEL]
+            return name, self.tr("The same box: M_pp of a parallel lens is the identity")
+        return self._names[stop]
+
+    def _name_stops(self) -> None:
+        for stop, button in enumerate(self.stops):
+            name, tip = self._name(stop)
+            button.setText(name)
+            button.setToolTip(tip)
+
     def title(self, projection: Projection | None = None) -> str:
         """What the pane shows at this position, of this projection if it is given."""
         titles = (
             self.tr("World"),
             self.tr("View"),
-            self.tr("Canonical perspective"),
+            self.tr("Canonical parallel") if self._parallel else self.tr("Canonical perspective"),
             self.tr("Canonical parallel"),
             self.tr("NDC cube"),
             self.tr("Image"),
@@ -176,16 +243,10 @@ class StageStrip(QWidget):
         if self._at == self.stop:
             return titles[self.stop]
         before = math.floor(self._at)
-        return f"{self._names[before][0]} → {self._names[before + 1][0]}"
+        return f"{self._name(before)[0]} → {self._name(before + 1)[0]}"
 
-    def note(self, projection: Projection) -> str:
-        """Axes and limits at this position, for the pane's header.
-
-        Parameters
-        ----------
-        projection : Projection
-            What is shown.
-        """
+    def _words(self, projection: Projection) -> str:
+        """Axes and limits at this position: short enough for a pane of 280 pixels."""
         stop, lens = self.stop, projection.lens
         if stop == WORLD:
             text = self.tr("x, y, z in world units")
@@ -195,23 +256,20 @@ class StageStrip(QWidget):
             text = self.tr("x, y, z of view space")
         elif stop == VIEW:
             text = self.tr("u, v, n in world units")
-        elif not isinstance(lens, FreeMatrix) and stop == CANONICAL_PERSPECTIVE and lens.parallel:
-            text = self.tr("a parallel lens has no M_pp: this is the identity")
-        elif stop == CANONICAL_PERSPECTIVE and not isinstance(lens, FreeMatrix):
-            if lens.far == math.inf:
-                text = self.tr("near at z = -1, scaled by near as far is infinite")
-            else:
-                text = self.tr("x, y -1 … 1, z 0 … -1, near at -n/f = {0}").format(
-                    f"{-lens.near / lens.far:.3g}"
-                )
         elif stop == NDC:
             z_near, z_far = projection.depth_range
-            text = f"z {z_near:g} … {z_far:g}"
+            text = self.tr("x, y ±1, z {0} … {1}").format(f"{z_near:g}", f"{z_far:g}")
         elif stop == IMAGE:
             width, height = projection.image_size
             text = self.tr("{0} × {1} pixels, y down").format(width, height)
+        elif self._parallel and CANONICAL_PERSPECTIVE <= self._at <= CANONICAL_PARALLEL:
+            text = self.tr("x, y ±1, z 0 … -1; M_pp: identity")
+        elif isinstance(lens, FreeMatrix) or lens.parallel or stop == CANONICAL_PARALLEL:
+            text = self.tr("x, y ±1, z 0 … -1")
+        elif lens.far == math.inf:
+            text = self.tr("near z -1, far -∞ (scaled by 1/n)")
         else:
-            text = self.tr("x, y -1 … 1, z 0 … -1")
+            text = self.tr("x, y ±1, z -n/f = {0} … -1").format(f"{-lens.near / lens.far:.3g}")
         return text.replace("-", "−")
 
     # -- playing
@@ -297,6 +355,9 @@ class StageStrip(QWidget):
             self._show_stop()
             self.moved.emit(self._at)
 
+    def _grasped(self) -> None:
+        self._before = self._at
+
     def _pressed(self) -> None:
         self.pause()
         self.gesture_started.emit()
@@ -344,9 +405,8 @@ class StageStrip(QWidget):
 class _Narrow(QToolButton):
     """A name that takes the width it is given."""
 
-    def __init__(self, text: str) -> None:
+    def __init__(self) -> None:
         super().__init__()
-        self.setText(text)
         self.setAutoRaise(True)
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self.setStyleSheet("padding: 1px 0px")

@@ -100,16 +100,17 @@ class Probes:
             How the pane looks at the world.
         """
         near, far = drawn
-        start_at = min(0.0, near)
+        start_at, has_near = min(0.0, near), True
         if isinstance(projection.lens, FreeMatrix):  # in shares of the way through the volume
             near, far, start_at = 0.0, 1.0, 0.0
+            has_near = projection.frustum_sign != 0
         elif not projection.lens.parallel:
             start_at = 0.0
         marks = []
         for probe, trace in zip(self.probes, self._traces(projection), strict=True):
             line = projector(projection, probe, (near, far, start_at))
             if probe.point is None or trace is None:
-                if line is None:  # under a free matrix without a view volume
+                if line is None:  # under a free matrix that has no inverse, or it is all behind
                     marks.append(Mark(probe.number, None))
                     continue
                 crossing = sight.seen(line[:1])[0]
@@ -117,7 +118,7 @@ class Probes:
                 continue
             point = np.array(probe.point)
             start = np.array(projection.camera.eye) if line is None else line[2]
-            crossing = None if line is None else sight.seen(line[:1])[0]
+            crossing = sight.seen(line[:1])[0] if line is not None and has_near else None
             spot = sight.seen([point])[0]
             ends: Array | None = np.stack([start, point]) - origin
             if line is None and isinstance(projection.lens, FreeMatrix):
