@@ -272,6 +272,8 @@ class MainWindow(QMainWindow):
         self._grown_px = 0
         """Otherwise the highest that one of them wanted, in a window as it was then."""
         self._grown_in = (0, False)
+        self._is_outgrown = False
+        """Whether one of them needs more since a gesture began."""
         body = QWidget()
         layout = QVBoxLayout(body)
         layout.setContentsMargins(4, 4, 4, 0)
@@ -300,6 +302,12 @@ class MainWindow(QMainWindow):
                 self._grown_px = max(self._grown_px, names, self.panels.sizeHint().height())
             wanted = self._panels_px or self._grown_px
         self._column.setSizes([height - wanted, wanted])
+
+    def _panel_outgrown(self) -> None:
+        """Give a panel the height that it needs now, but move no pane under the hand."""
+        self._is_outgrown = self.store.in_gesture
+        if not self._is_outgrown:
+            self._fit_panels()
 
     def _panels_dragged(self) -> None:
         if self.panels.open_panel is not None:
@@ -603,8 +611,8 @@ class MainWindow(QMainWindow):
             place.attended.connect(partial(attend, name))
             self.attention.changed.connect(place.show_attention)
         self.attention.changed.connect(controls.show_attention)
-        self.matrices.outgrown.connect(self._fit_panels)
-        self.scene_panel.outgrown.connect(self._fit_panels)
+        self.matrices.outgrown.connect(self._panel_outgrown)
+        self.scene_panel.outgrown.connect(self._panel_outgrown)
         self.matrices.told.connect(lambda text: self.statusBar().showMessage(text, 5000))
         self.scene_panel.edited.connect(self._set_settings)
         self.manipulation.setting_edited.connect(self._set_by_hand)
@@ -890,6 +898,8 @@ class MainWindow(QMainWindow):
             self.setWindowModified(self.store.modified)
         if not self.store.in_gesture:
             self.adaptive.step(dragging=False)
+            if self._is_outgrown:
+                self._panel_outgrown()
             for pane in self.panes.values():
                 pane.refit()
 
