@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -170,6 +171,20 @@ def test_the_codes_of_a_float_crowd_where_the_reversed_range_needs_them() -> Non
     )
     assert fixed is not None and floating is not None
     assert np.median(fixed) < 0.03 < 1.0 < np.median(floating)
+
+
+def test_the_explanations_figures_are_the_readings() -> None:
+    """Near decides, far hardly; and only the control that decides is brought to the front."""
+    start = PHENOMENON.start
+    seen = (
+        start,
+        replace(start, lens=replace(start.lens, near=0.1)),
+        replace(start, lens=replace(start.lens, far=20.0)),
+    )
+    shares = [shown(projection).readings[0].value for projection in seen]
+    said = [float(share) for share in re.findall(r"(\d+) %", PHENOMENON.explanation)]
+    assert said == pytest.approx(shares, abs=0.5)
+    assert "lens.near" in PHENOMENON.controls and "lens.far" not in PHENOMENON.controls
 
 
 @pytest.mark.parametrize(

@@ -2,8 +2,8 @@
 
 A depth buffer keeps one code a pixel, so that two surfaces nearer to each other than a step of
 the codes are stored as one; what is drawn last then wins, and stripes of the hidden surface
-appear (z-fighting). A perspective lens spends most codes just behind the near plane: at w >> n
-the step is ``w^2/(n 2^bits)`` (lectures 000 and 001; `app.depth`).
+appear (z-fighting). A perspective lens with the standard range spends most codes just behind the
+near plane: at w >> n the step is ``w^2/(n 2^bits)`` (lectures 000 and 001; `app.depth`).
 
 The hidden surface is the visible one moved away along n by the gap. On a plane with normal m, in
 view space, that is a gap of ``gap / (1 - (m_x X + m_y Y)/m_z)`` along the projector ``(X, Y, -1)``.
@@ -298,10 +298,10 @@ PHENOMENON = Phenomenon(
     explanation=QT_TRANSLATE_NOOP(
         "phenomena",
         "Surface 2 lies behind surface 1 by the gap, along n. Where the depth buffer stores both"
-        " distances as the same code, the surface that is drawn last is seen: z-fighting. Most"
-        " codes lie just behind the near plane: move near away from the eye, or far closer, or"
-        " choose another format or range, and the stripes go. The picture keeps codes of up to 24"
-        " bits apart exactly.",
+        " distances as one code, the surface drawn last is seen: z-fighting. With a perspective"
+        " lens and the standard range most codes lie just behind near, so near decides, far hardly:"
+        " from 63 % of wrong pixels near 0.1 leads to 0 %, far 20 to 56 %. The picture keeps codes"
+        " of up to 24 bits apart exactly.",
     ),
     lectures=("L17",),
     start=Projection(
@@ -351,7 +351,7 @@ PHENOMENON = Phenomenon(
             ),
         ),
     ),
-    controls=("lens.near", "lens.far", "camera.eye"),
+    controls=("lens.near", "camera.eye"),
     copies=1,
     requires=frozenset({"depth"}),
     own_mesh=True,
