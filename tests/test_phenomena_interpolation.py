@@ -159,7 +159,7 @@ def own(triangles: Array, more: bool = False) -> Subject:
     low, high = points.min(axis=0).tolist(), points.max(axis=0).tolist()
     edges = triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2, 3)
     edges = edges[np.argsort(-np.linalg.norm(edges[:, 1] - edges[:, 0], axis=1))]
-    return Subject(tuple(low), tuple(high), points, OwnMesh(edges, triangles, more, more))
+    return Subject(tuple(low), tuple(high), points, OwnMesh(edges, len(edges), triangles, more))
 
 
 def test_the_readings_of_a_mesh_are_those_that_a_search_finds() -> None:

@@ -20,7 +20,6 @@ from numpy.typing import NDArray
 from app.clipping import LARGEST_CLIP, clip_segments, cut_at_eye, naive_ndc
 from app.phenomena.exhibit import (
     QT_TRANSLATE_NOOP,
-    SOME_EDGES,
     Curve,
     Diagram,
     Dot,
@@ -74,6 +73,14 @@ _OFF_AXIS = QT_TRANSLATE_NOOP(
     " px, and their sum is twice that",
 )
 
+_SOME_EDGES = QT_TRANSLATE_NOOP(
+    "phenomena",
+    "of the mesh's {1} edges only {0} are drawn so and counted: first those that cross the eye"
+    " plane, then the longest",
+)
+
+_MOST_EDGES = 300
+"""Of a mesh of the user's."""
 _EDGES, _EDGE_RGB = edges_of(letter_f()[0])
 
 
@@ -308,7 +315,8 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
     mesh = subject.mesh
     if projection.standard_lens.parallel:
         return Exhibit((), warning=Phrase(_PARALLEL))
-    segments = np.concatenate([[(a, b)], _EDGES if mesh is None else mesh.edges])
+    others = _EDGES if mesh is None else _edges_that_matter(projection.camera, mesh)
+    segments = np.concatenate([[(a, b)], others])
     trace = projection.trace(segments)
     drawn = pictures(projection, trace.view, trace.clip)
     angles = circle_angles(projection, trace.clip[0])
@@ -334,6 +342,17 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
     )
 
 
+def _edges_that_matter(camera: Camera, mesh: OwnMesh) -> Array:
+    """Those that reach through the eye plane, then the longest: `_MOST_EDGES` at most."""
+    if len(mesh.edges) <= _MOST_EDGES:
+        return mesh.edges
+    n = camera.frame[2]
+    behind = mesh.edges.reshape(-1, 3) @ n >= np.array(camera.eye) @ n
+    crossing = behind[::2] != behind[1::2]
+    chosen = np.concatenate([np.flatnonzero(crossing), np.flatnonzero(~crossing)[:_MOST_EDGES]])
+    return mesh.edges[chosen[:_MOST_EDGES]]
+
+
 def _readings(
     projection: Projection, drawn: Pictures, view: Array, mesh: OwnMesh | None
 ) -> tuple[Reading, ...]:
@@ -346,12 +365,10 @@ def _readings(
         off_axis = Phrase(_OFF_AXIS, tuple(f"{part:.6g}" for part in principal))
     wrongly = QT_TRANSLATE_NOOP("phenomena", "F drawn wrongly")
     missed = QT_TRANSLATE_NOOP("phenomena", "F missed")
-    some = None
     if mesh is not None:
         wrongly = QT_TRANSLATE_NOOP("phenomena", "mesh drawn wrongly")
         missed = QT_TRANSLATE_NOOP("phenomena", "mesh missed")
-        some = Phrase(SOME_EDGES, (str(len(mesh.edges)),)) if mesh.more_edges else None
-    return (
+    readings = [
         Reading(QT_TRANSLATE_NOOP("phenomena", "case"), CASES[int(drawn.case[0]) - 1]),
         Reading(QT_TRANSLATE_NOOP("phenomena", "AB drawn wrongly"), float(drawn.wrong_px[0]), "px"),
         Reading(QT_TRANSLATE_NOOP("phenomena", "AB missed"), float(drawn.missed_px[0]), "px"),
@@ -360,6 +377,14 @@ def _readings(
             float(drawn.left_out_px[0]),
             "px",
         ),
+    ]
+    some = None
+    counted = len(drawn.case) - 1
+    if mesh is not None and counted < mesh.edge_count:
+        some = Phrase(_SOME_EDGES, (str(counted), str(mesh.edge_count)))
+        label = QT_TRANSLATE_NOOP("phenomena", "edges of the mesh that are counted, and all")
+        readings.append(Reading(label, (float(counted), float(mesh.edge_count))))
+    readings += [
         Reading(wrongly, float(drawn.wrong_px[1:].sum()), "px", some),
         Reading(missed, float(drawn.missed_px[1:].sum()), "px", some),
         Reading(QT_TRANSLATE_NOOP("phenomena", "mirrored end"), ends and ends[0], "px", absent),
@@ -369,7 +394,8 @@ def _readings(
             "px",
             absent or off_axis,
         ),
-    )
+    ]
+    return tuple(readings)
 
 
 def _world_marks(
