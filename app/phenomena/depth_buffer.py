@@ -36,6 +36,7 @@ from app.phenomena.exhibit import (
     Text,
     number,
 )
+from app.phenomena.sampling import seen_distances
 from app.projection import Array, Camera, Perspective, Projection
 from app.shapes import Coloured, flat, ground_grid
 
@@ -106,8 +107,8 @@ def distances(projection: Projection, gap: float, subject: Subject) -> tuple[Arr
     gap : float
         Along n.
     subject : Subject
-        The ramp: rays through a lattice of places are cut with its plane. For another one its
-        vertices in the picture stand for it, and the gap is taken along w.
+        The ramp: rays through a lattice of places are cut with its plane. A mesh of the user's:
+        its triangles are cut with rays through places of a grid.
 
     Returns
     -------
@@ -115,11 +116,8 @@ def distances(projection: Projection, gap: float, subject: Subject) -> tuple[Arr
         Between near and far; none where the picture does not show both.
     """
     near, far = projection.standard_lens.near, projection.standard_lens.far
-    if not _is_ramp(subject):
-        trace = projection.trace(subject.points)
-        w = -trace.view[~trace.outside.any(axis=1), 2]
-        w = w[(w >= near) & (w + gap <= far)]
-        return w, w + gap
+    if subject.mesh is not None:
+        return seen_distances(projection, subject.mesh.surface, gap)
     corners = projection.trace(_CORNERS)
     rays = _rays(projection, corners.clip)
     if rays is None:
@@ -141,11 +139,6 @@ def wrong_share(buffer: DepthBuffer, first: Array, second: Array) -> float:
         return math.nan
     same = buffer.encode(first) == buffer.encode(second)
     return float(np.mean(same & (second > first)))
-
-
-def _is_ramp(subject: Subject) -> bool:
-    points = subject.points
-    return points.shape == (4, 3) and set(map(tuple, points)) == set(map(tuple, _CORNERS))
 
 
 def _rays(projection: Projection, corners_clip: Array) -> tuple[Array, Array] | None:
@@ -207,7 +200,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
     # In the other panes, whose depth buffers are their own, its outline is enough.
     copies = (Copy(matrix, panes=("image",), colour=_BEHIND),)
     marks = Marks()
-    if _is_ramp(subject):
+    if subject.mesh is None:
         moved = _CORNERS + matrix[:3, 3]
         marks = Marks(
             lines=(Line(moved[[0, 1, 2, 3, 0]], _BEHIND, 2.0),),
