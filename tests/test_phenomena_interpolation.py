@@ -115,13 +115,18 @@ def test_half_way_on_the_screen_is_less_in_the_world() -> None:
         assert image[0].point == pytest.approx(projection.trace(world[0].point).image)
 
 
-def test_twice_as_many_parts_leave_a_quarter() -> None:
+def test_twice_as_many_parts_leave_a_quarter_in_the_limit_and_more_before() -> None:
+    """As the explanation says, of both readings."""
+    assert "more than a quarter" in PHENOMENON.explanation and "in the limit" in (
+        PHENOMENON.explanation
+    )
     errors = [
-        largest_errors(PHENOMENON.start, TRIANGLES, BOARD_TEXTURE, parts) for parts in (16, 32, 64)
+        largest_errors(PHENOMENON.start, TRIANGLES, BOARD_TEXTURE, parts)
+        for parts in (1, 2, 4, 8, 16, 32, 64)
     ]
-    for one, other in pairwise(errors):
-        assert one is not None and other is not None
-        assert one[0] / other[0] == pytest.approx(4.0, rel=0.1)
+    left = np.array([np.divide(after, before) for before, after in pairwise(errors)])  # type: ignore[arg-type]
+    assert (left > 0.25).all() and (np.diff(left, axis=0) < 0.0).all()
+    assert left[0].min() > 0.3 and left[-1].max() < 0.262
 
 
 def test_a_board_that_near_cuts_has_no_error() -> None:
