@@ -257,6 +257,9 @@ def test_the_circle_has_the_two_arcs() -> None:
         scale = max(abs(a), abs(b), half)
         assert abs(b - a) == pytest.approx(float(apart), abs=1e-9 * scale)
         circle = show(projection, start, end).diagrams[3].curves
+        assert ("image of AB" in {curve.label for curve in circle}) == (min(za, zb) < 0.0)
+        if min(za, zb) >= 0.0:
+            continue
         naive, right = circle[2].points, circle[3].points
         np.testing.assert_allclose(np.hypot(*right.T), 1.0, rtol=1e-12)
         assert naive[:, 1].max() < 0.94
@@ -409,3 +412,19 @@ def test_of_a_large_mesh_the_edges_that_cross_the_eye_plane_are_counted_first() 
     assert value(exhibit, "mesh drawn wrongly") == pytest.approx(every.wrong_px.sum(), rel=1e-9)
     (told,) = [r.value for r in exhibit.readings if r.label.startswith("edges of the mesh")]
     assert told == (300.0, 1800.0)
+
+
+def test_nothing_is_named_that_is_not_drawn() -> None:
+    """Both ends behind: only the naive divide draws AB; and the text is true of it."""
+    behind = PHENOMENON.checked({"start": (2.5, 1.8, 2.5), "end": (3.0, 2.0, 4.0)})
+    exhibit = PHENOMENON.show(PHENOMENON.start, behind, SUBJECT)
+    assert exhibit.readings[0].value == CASES[1]
+    for diagram in exhibit.diagrams:
+        for curve in diagram.curves:
+            assert not curve.label or np.isfinite(curve.points).any(), (diagram.title, curve.label)
+    named = [{curve.label for curve in diagram.curves} for diagram in exhibit.diagrams]
+    assert "AB" in named[0] and "AB" not in named[1] | named[2]
+    assert "image of AB" not in named[3]
+    start = PHENOMENON.show(PHENOMENON.start, PHENOMENON.defaults, SUBJECT)
+    assert "image of AB" in {curve.label for curve in start.diagrams[3].curves}
+    assert "With one end behind" in PHENOMENON.explanation

@@ -268,7 +268,7 @@ def _picture(title: str, drawn: Array, colour: str, size: tuple[int, int]) -> Di
         (
             Curve(frame, "muted", closed=True),
             _curve(drawn[1:], "ink"),
-            _curve(drawn[:1], colour, "AB", 2.5),
+            _curve(drawn[:1], colour, "AB" if np.isfinite(drawn[0]).all() else "", 2.5),
         ),
         left=-_MARGIN * width,
         right=(1.0 + _MARGIN) * width,
@@ -284,7 +284,7 @@ def _arc(start: float, end: float, radius: float) -> Array:
     return radius * np.stack([np.sin(angles), -np.cos(angles)], axis=1)
 
 
-def _circle(angles: tuple[float, float] | None) -> Diagram:
+def _circle(angles: tuple[float, float] | None, in_front: bool) -> Diagram:
     curves = [
         Curve(_arc(0.0, 2.0 * math.pi, 1.0), "muted", closed=True),
         Curve(np.array([(0.0, 1.0)]), "ink", "∞", dots=True),
@@ -300,10 +300,12 @@ def _circle(angles: tuple[float, float] | None) -> Diagram:
                 QT_TRANSLATE_NOOP("phenomena", "naive divide"),
                 2.0,
             ),
-            Curve(_arc(a, b, 1.0), "accent", QT_TRANSLATE_NOOP("phenomena", "image of AB"), 2.5),
             Curve(_arc(a, a, 1.0)[:1], "ink", "A'", dots=True),
             Curve(_arc(b, b, 1.0)[:1], "ink", "B'", dots=True),
         ]
+        if in_front:  # of what is behind the eye there is no image
+            image = QT_TRANSLATE_NOOP("phenomena", "image of AB")
+            curves.insert(3, Curve(_arc(a, b, 1.0), "accent", image, 2.5))
     return Diagram(
         QT_TRANSLATE_NOOP("phenomena", "the line as a circle"),
         tuple(curves), left=-1.4, right=1.4, bottom=-1.4, top=1.4, equal=True,
@@ -329,7 +331,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
         _picture(QT_TRANSLATE_NOOP("phenomena", "cut at z = −0.01"), drawn.cut, "accent", size),
         _picture(QT_TRANSLATE_NOOP("phenomena", "clipped, then divided"), drawn.right, "accent",
                  size),
-        _circle(angles),
+        _circle(angles, bool((trace.view[0, :, 2] < 0.0).any())),
     )  # fmt: skip
     return Exhibit(
         _readings(projection, drawn, trace.view[0], mesh),
@@ -469,9 +471,9 @@ PHENOMENON = Phenomenon(
     explanation=QT_TRANSLATE_NOOP(
         "phenomena",
         "A point behind the eye has w < 0; if it is divided by w all the same, its image is"
-        " mirrored, and the segment AB is drawn along the wrong part of its line. The right part"
-        " goes through the point at infinity, so AB must be cut before the divide: at z = −0.01 as"
-        " in lecture 004, or in homogeneous coordinates, where w is still a coordinate.",
+        " mirrored. With one end behind, AB is then drawn along the wrong part of its line: the"
+        " right part goes through the point at infinity. So AB must be cut before the divide, at"
+        " z = −0.01 as in lecture 004, or in homogeneous coordinates, where w still is one.",
     ),
     lectures=("L15", "L16"),
     start=_START,
