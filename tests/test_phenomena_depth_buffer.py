@@ -21,6 +21,7 @@ from app.phenomena.sampling import seen_distances
 from app.projection import Array, Camera, Orthographic, Perspective, Projection, ProjectionError
 from app.scene import load
 from app.shapes import box_faces
+from tests.oracles.exhibits import projections
 
 RAMP = np.array([(-5.0, 0, 4), (5, 0, 4), (5, 6, -44), (-5, 6, -44)])
 SUBJECT = Subject((-5.0, 0.0, -44.0), (5.0, 6.0, 4.0), RAMP[[2, 0, 3, 1]])
@@ -190,6 +191,21 @@ def test_a_mesh_round_the_eye_is_cut_at_near() -> None:
     for distances_seen, wall in ((first, 3.0), (second, 3.5)):
         share = np.mean(distances_seen > wall - 1e-9)
         assert share == pytest.approx((2.0 / wall) ** 2 / (half**2 * 4.0 / 3.0), abs=0.02)
+
+
+def test_a_mesh_at_the_limits_has_a_share_or_a_reason(tmp_path: Path) -> None:
+    """Every lens, and cameras in the mesh, beside it and 1e100 away."""
+    path = tmp_path / "ball.ply"
+    MESHES["sphere"]().save(path)
+    subject = load("depth-buffer", mesh=str(path)).subject
+    shares = 0
+    for projection in projections(PHENOMENON):
+        reading = PHENOMENON.show(projection, PHENOMENON.defaults, subject).readings[0]
+        assert isinstance(reading.value, float) or reading.note is not None
+        if isinstance(reading.value, float):
+            assert 0.0 <= reading.value <= 100.0
+            shares += 1
+    assert shares > 20
 
 
 def test_a_mesh_that_is_a_line_has_no_pixels(tmp_path: Path) -> None:

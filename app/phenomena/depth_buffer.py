@@ -214,7 +214,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
     note: Phrase | None = Phrase(_NOT_IN_PICTURE)
     if len(first):
         share, note = 100.0 * wrong_share(buffer, first, second), None
-        w = float(first.mean())
+        w = min(max(float(first.mean()), buffer.near), buffer.far)  # a mean is rounded
         if max(gap, float(buffer.gap(w))) < FINEST * (w + math.dist(subject.lower, subject.upper)):
             note = Phrase(_TOO_FINE)
     w = projection.camera.distance

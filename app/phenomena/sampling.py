@@ -18,10 +18,10 @@ from app.projection import Array, Projection
 
 _SIDE = 64
 """Of the grid of places over what the surface covers; finer where that is little of the grid."""
-_FINEST = 256
+_FINEST = 160
 _WANTED = 1600
 """Places that hit the surface: fewer, and the grid is made finer once."""
-_LARGEST = 100_000
+_LARGEST = 60_000
 """Pairs of place and triangle that are tried, at most; the grid is coarser beyond."""
 
 
