@@ -293,8 +293,8 @@ PHENOMENON = Phenomenon(
         "Surface 2 lies behind surface 1 by the gap, along n. Where the depth buffer stores both"
         " distances as one code, the surface drawn last is seen: z-fighting. With a perspective"
         " lens and the standard range most codes lie just behind near, so near decides, far hardly:"
-        " from 63 % of wrong pixels near 0.1 leads to 0 %, far 20 to 56 %. The picture keeps codes"
-        " of up to 24 bits apart exactly.",
+        " on the ramp near 0.1 leads from 63 % of wrong pixels to 0 %, far 20 to 56 %. The picture"
+        " keeps codes of up to 24 bits apart exactly.",
     ),
     lectures=("L17",),
     start=Projection(
