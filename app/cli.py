@@ -237,6 +237,11 @@ def _export(arguments: Sequence[str]) -> int:
     except FigureError as error:
         of_size = found.size is not None and str(error).startswith(("width", "height"))
         raise CliError(f"{'--size ' if of_size else ''}{error}") from error
+    if scene.phenomenon is not None:
+        settings = scene.phenomenon.checked(document.settings)
+        exhibit = scene.phenomenon.exhibit(document.projection, settings, scene.subject)
+        if exhibit.warning is not None:  # the picture is written, but shows less than it could
+            complain(f"{document.scene}: {exhibit.warning.sentence()}.", 0)
     return 0
 
 

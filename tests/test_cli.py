@@ -1348,6 +1348,28 @@ def test_an_exported_phenomenon_carries_its_settings_and_its_mesh(tmp_path: Path
     assert "gone.obj" in missing
 
 
+@pytest.mark.parametrize(
+    ("settings", "sentence"),
+    [
+        (
+            ["scene=depth-buffer", "settings.range=logarithmic", "lens.far=inf"],
+            "depth-buffer: a logarithmic depth buffer needs a perspective lens and a far plane",
+        ),
+        (["scene=eye-plane", "lens.kind=orthographic"], "eye-plane: a parallel lens has no eye"),
+        (["scene=depth-buffer"], ""),
+    ],
+)
+def test_what_the_window_warns_of_an_export_says_too(
+    settings: list[str], sentence: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    options = [option for setting in settings for option in ("--set", setting)]
+    out = tmp_path / "figure.png"
+    assert cli.main(["export", str(out), "--panes=image", "--size=160x90", *options]) == 0
+    said = capsys.readouterr()
+    assert said.out == "" and out.exists()
+    assert said.err.startswith(sentence) and said.err.count("\n") == bool(sentence)
+
+
 def test_the_help_says_that_there_are_settings() -> None:
     said = " ".join(run("export", "--help").stdout.split())
     assert "mesh" in said and "settings.NAME of the scene's own" in said

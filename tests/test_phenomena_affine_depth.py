@@ -234,13 +234,13 @@ def test_a_mesh_takes_the_letter_s_place() -> None:
     trace = projection.trace(edges)
     assert not trace.outside.any()
     worst = max(searched(projection, *ends.tolist())[0] for ends in trace.view)
-    for more in (False, True):
-        subject = replace(SUBJECT, mesh=OwnMesh(edges, np.empty((0, 3, 3)), more))
+    for count in (9, 999):
+        subject = replace(SUBJECT, mesh=OwnMesh(edges, count, np.empty((0, 3, 3))))
         exhibit = PHENOMENON.show(projection, PHENOMENON.defaults, subject)
         reading = exhibit.readings[-1]
         assert reading.label == "worst edge of the mesh"
         assert reading.value == pytest.approx(float(worst), rel=1e-9)
-        assert (reading.note and reading.note.values) == (("9",) if more else None)
+        assert (reading.note and reading.note.values) == (("200", "999") if count > 200 else None)
         bows = [line.points for line in exhibit.ndc.lines if len(line.points) == 9]
         ends = trace.ndc[..., :2]
         np.testing.assert_allclose([points[[0, -1], :2] for points in bows], ends, atol=1e-9)

@@ -3,15 +3,25 @@
 from __future__ import annotations
 
 import math
+import re
+from collections.abc import Callable
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
+import pyvista as pv
 
 from app.depth import DepthBuffer
+from app.drawings.rasterising import counted_wrong_share
+from app.figures import off_screen
 from app.phenomena.depth_buffer import PHENOMENON, RANGES, buffer_of, distances, moved_behind
 from app.phenomena.exhibit import Exhibit, Phrase, Subject
+from app.phenomena.sampling import seen_distances
 from app.projection import Array, Camera, Orthographic, Perspective, Projection, ProjectionError
+from app.scene import load
+from app.shapes import box_faces
+from tests.oracles.exhibits import projections
 
 RAMP = np.array([(-5.0, 0, 4), (5, 0, 4), (5, 6, -44), (-5, 6, -44)])
 SUBJECT = Subject((-5.0, 0.0, -44.0), (5.0, 6.0, 4.0), RAMP[[2, 0, 3, 1]])
@@ -119,15 +129,91 @@ def test_a_surface_that_comes_to_lie_in_front_is_never_wrong() -> None:
     assert shown(up, format="fixed8", gap=0.01).readings[0].value == 0.0
 
 
-def test_a_mesh_has_the_gap_along_w() -> None:
-    random = np.random.default_rng(2)
-    points = random.uniform(-2, 2, (300, 3)) + np.array([0.0, 2.0, -8.0])
-    subject = Subject((-2.0, 0.0, -10.0), (2.0, 4.0, -6.0), points)
-    first, second = distances(PHENOMENON.start, 0.5, subject)
-    inside = ~PHENOMENON.start.trace(points).outside.any(axis=1)
-    eye, n = np.array(PHENOMENON.start.camera.eye), PHENOMENON.start.camera.frame[2]
-    assert first == pytest.approx((eye - points[inside]) @ n)
-    assert second - first == pytest.approx(0.5)
+MESHES: dict[str, Callable[[], pv.PolyData]] = {
+    "triangle": lambda: pv.Triangle(),
+    "sloping quad": lambda: pv.Plane(i_resolution=1, j_resolution=1).rotate_x(60),
+    "cube": lambda: pv.Cube().triangulate(),
+    "sphere": lambda: pv.Sphere(theta_resolution=20, phi_resolution=20),
+    "torus": lambda: pv.ParametricTorus(u_res=40, v_res=40, w_res=40).triangulate(),
+    "fine sphere": lambda: pv.Sphere(theta_resolution=60, phi_resolution=60),
+}
+"""From one triangle to more than `SUBJECT_SURFACE`, for which fewer stand."""
+
+
+@pytest.mark.parametrize("name", MESHES)
+def test_the_share_of_a_mesh_is_that_of_its_pixels(name: str, tmp_path: Path) -> None:
+    """Against the pixels of a picture, within the 5 points of the ramp."""
+    path = tmp_path / "mesh.ply"
+    MESHES[name]().save(path)
+    scene = load("depth-buffer", mesh=str(path))
+    start = PHENOMENON.start
+    near_by = replace(start, camera=replace(start.camera, eye=(1.0, 6.0, 6.0)))
+    between = 0
+    for projection in (start, near_by, start.with_lens("orthographic")):
+        for settings in (
+            {"gap": 0.25, "format": "fixed16"},
+            {"gap": 0.5, "format": "fixed8"},
+            {"gap": 0.2, "format": "fixed8", "range": "logarithmic"},
+            {"gap": 0.01, "format": "float16", "range": "reversed"},
+        ):
+            if projection.lens.parallel and settings.get("range") == "logarithmic":
+                continue
+            exhibit = PHENOMENON.show(projection, PHENOMENON.checked(settings), scene.subject)
+            assert exhibit.rendering is not None and exhibit.rendering.buffer is not None
+            with off_screen(640, 360) as plotter:
+                counted = counted_wrong_share(
+                    plotter,
+                    scene,
+                    projection,
+                    exhibit.rendering.buffer,
+                    exhibit.copies[0].world_from_world,
+                )
+            predicted = exhibit.readings[0].value
+            assert counted is not None and isinstance(predicted, float)
+            assert abs(predicted - 100.0 * counted) <= 5.0, (projection.lens.kind, settings)
+            between += 10.0 < predicted < 90.0
+    assert between >= 3
+
+
+def test_a_mesh_round_the_eye_is_cut_at_near() -> None:
+    """Triangles that cross the eye plane: a box from inside, against its sides' distances."""
+    quads = box_faces((-2.0, -2.0, -2.0), (2.0, 2.0, 2.0))
+    surface = np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
+    at = Projection(
+        Camera((0.0, 0.0, 1.0), (0.0, 0.0, -3.0)), Perspective(120.0, 0.1, 50.0), (800, 600)
+    )
+    first, second = seen_distances(at, surface, 0.5)
+    assert len(first) > 1000
+    # Straight ahead the wall z = -2 is 3 away; the sides run from the eye to it.
+    assert first.max() == pytest.approx(3.0) and second.max() == pytest.approx(3.5)
+    # Of the picture, 2 tan 60 high and 4/3 of that wide, the wall fills 4/3 by 4/3; moved, 8/7.
+    half = math.tan(math.radians(60.0))
+    for distances_seen, wall in ((first, 3.0), (second, 3.5)):
+        share = np.mean(distances_seen > wall - 1e-9)
+        assert share == pytest.approx((2.0 / wall) ** 2 / (half**2 * 4.0 / 3.0), abs=0.02)
+
+
+def test_a_mesh_at_the_limits_has_a_share_or_a_reason(tmp_path: Path) -> None:
+    """Every lens, and cameras in the mesh, beside it and 1e100 away."""
+    path = tmp_path / "ball.ply"
+    MESHES["sphere"]().save(path)
+    subject = load("depth-buffer", mesh=str(path)).subject
+    shares = 0
+    for projection in projections(PHENOMENON):
+        reading = PHENOMENON.show(projection, PHENOMENON.defaults, subject).readings[0]
+        assert isinstance(reading.value, float) or reading.note is not None
+        if isinstance(reading.value, float):
+            assert 0.0 <= reading.value <= 100.0
+            shares += 1
+    assert shares > 20
+
+
+def test_a_mesh_that_is_a_line_has_no_pixels(tmp_path: Path) -> None:
+    path = tmp_path / "line.obj"
+    path.write_text("v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\n")
+    subject = load("depth-buffer", mesh=str(path)).subject
+    reading = PHENOMENON.show(PHENOMENON.start, PHENOMENON.defaults, subject).readings[0]
+    assert reading.value is None and reading.note is not None
 
 
 def test_what_the_lens_cannot_have_is_said() -> None:
@@ -170,6 +256,20 @@ def test_the_codes_of_a_float_crowd_where_the_reversed_range_needs_them() -> Non
     )
     assert fixed is not None and floating is not None
     assert np.median(fixed) < 0.03 < 1.0 < np.median(floating)
+
+
+def test_the_explanations_figures_are_the_readings() -> None:
+    """Near decides, far hardly; and only the control that decides is brought to the front."""
+    start = PHENOMENON.start
+    seen = (
+        start,
+        replace(start, lens=replace(start.lens, near=0.1)),
+        replace(start, lens=replace(start.lens, far=20.0)),
+    )
+    shares = [shown(projection).readings[0].value for projection in seen]
+    said = [float(share) for share in re.findall(r"(\d+) %", PHENOMENON.explanation)]
+    assert said == pytest.approx(shares, abs=0.5)
+    assert "lens.near" in PHENOMENON.controls and "lens.far" not in PHENOMENON.controls
 
 
 @pytest.mark.parametrize(

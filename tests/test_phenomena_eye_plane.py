@@ -257,6 +257,9 @@ def test_the_circle_has_the_two_arcs() -> None:
         scale = max(abs(a), abs(b), half)
         assert abs(b - a) == pytest.approx(float(apart), abs=1e-9 * scale)
         circle = show(projection, start, end).diagrams[3].curves
+        assert ("image of AB" in {curve.label for curve in circle}) == (min(za, zb) < 0.0)
+        if min(za, zb) >= 0.0:
+            continue
         naive, right = circle[2].points, circle[3].points
         np.testing.assert_allclose(np.hypot(*right.T), 1.0, rtol=1e-12)
         assert naive[:, 1].max() < 0.94
@@ -371,17 +374,57 @@ def test_a_mesh_takes_the_letter_s_place() -> None:
         if any(view_of(PHENOMENON.start.camera, p)[2] >= 0 for p in (start, end)):
             naive, _, right = lengths(PHENOMENON.start, start, end)
             wrong, missed = wrong + naive, missed + right
-    for more in (False, True):
-        subject = replace(SUBJECT, mesh=OwnMesh(edges, np.empty((0, 3, 3)), more))
+    for count in (12, 999):
+        subject = replace(SUBJECT, mesh=OwnMesh(edges, count, np.empty((0, 3, 3))))
         exhibit = PHENOMENON.show(PHENOMENON.start, PHENOMENON.defaults, subject)
         assert float(wrong) > 100.0
         assert value(exhibit, "mesh drawn wrongly") == pytest.approx(float(wrong), rel=1e-9)
         assert value(exhibit, "mesh missed") == pytest.approx(float(missed), rel=1e-9)
         assert not any(reading.label.startswith("F ") for reading in exhibit.readings)
         notes = {r.note.values for r in exhibit.readings if r.note and r.label.startswith("mesh")}
-        assert notes == ({("12",)} if more else set())
+        assert notes == ({("12", "999")} if count > 12 else set())
+        told = [r.value for r in exhibit.readings if r.label.startswith("edges of the mesh")]
+        assert told == ([(12.0, 999.0)] if count > 12 else [])
         trace = PHENOMENON.start.trace(edges)
         drawn = pictures(PHENOMENON.start, trace.view, trace.clip)
         for diagram, part in zip(exhibit.diagrams, drawn[:3], strict=False):
             shown = diagram.curves[1].points.reshape(-1, 3, 2)[:, :2]
             np.testing.assert_allclose(shown, part)
+
+
+def test_of_a_large_mesh_the_edges_that_cross_the_eye_plane_are_counted_first() -> None:
+    """Long ones in front would hide that anything is wrong; and how many there are is said."""
+    random = np.random.default_rng(8)
+    camera = PHENOMENON.start.camera
+    eye, (u, v, n) = np.array(camera.eye), camera.frame
+    places = eye + random.uniform(-1.0, 1.0, (1500, 2, 1)) * u + 0.3 * random.normal() * v
+    long_in_front = places + np.array([-1.0, -4.0])[None, :, None] * n
+    short_across = places[:300, :1] + random.uniform(-0.1, 0.1, (300, 2, 1)) * u
+    short_across = short_across + np.array([-0.05, 0.05])[None, :, None] * n
+    edges = np.concatenate([long_in_front, short_across])
+    lengths_world = np.linalg.norm(edges[:, 1] - edges[:, 0], axis=1)
+    assert lengths_world[:1500].min() > lengths_world[1500:].max()
+    subject = replace(SUBJECT, mesh=OwnMesh(edges, len(edges), np.empty((0, 3, 3))))
+    exhibit = PHENOMENON.show(PHENOMENON.start, PHENOMENON.defaults, subject)
+    trace = PHENOMENON.start.trace(edges)
+    every = pictures(PHENOMENON.start, trace.view, trace.clip)
+    assert every.wrong_px.sum() > 1000.0
+    assert value(exhibit, "mesh drawn wrongly") == pytest.approx(every.wrong_px.sum(), rel=1e-9)
+    (told,) = [r.value for r in exhibit.readings if r.label.startswith("edges of the mesh")]
+    assert told == (300.0, 1800.0)
+
+
+def test_nothing_is_named_that_is_not_drawn() -> None:
+    """Both ends behind: only the naive divide draws AB; and the text is true of it."""
+    behind = PHENOMENON.checked({"start": (2.5, 1.8, 2.5), "end": (3.0, 2.0, 4.0)})
+    exhibit = PHENOMENON.show(PHENOMENON.start, behind, SUBJECT)
+    assert exhibit.readings[0].value == CASES[1]
+    for diagram in exhibit.diagrams:
+        for curve in diagram.curves:
+            assert not curve.label or np.isfinite(curve.points).any(), (diagram.title, curve.label)
+    named = [{curve.label for curve in diagram.curves} for diagram in exhibit.diagrams]
+    assert "AB" in named[0] and "AB" not in named[1] | named[2]
+    assert "image of AB" not in named[3]
+    start = PHENOMENON.show(PHENOMENON.start, PHENOMENON.defaults, SUBJECT)
+    assert "image of AB" in {curve.label for curve in start.diagrams[3].curves}
+    assert "With one end behind" in PHENOMENON.explanation

@@ -115,13 +115,18 @@ def test_half_way_on_the_screen_is_less_in_the_world() -> None:
         assert image[0].point == pytest.approx(projection.trace(world[0].point).image)
 
 
-def test_twice_as_many_parts_leave_a_quarter() -> None:
+def test_twice_as_many_parts_leave_a_quarter_in_the_limit_and_more_before() -> None:
+    """As the explanation says, of both readings."""
+    assert "more than a quarter" in PHENOMENON.explanation and "in the limit" in (
+        PHENOMENON.explanation
+    )
     errors = [
-        largest_errors(PHENOMENON.start, TRIANGLES, BOARD_TEXTURE, parts) for parts in (16, 32, 64)
+        largest_errors(PHENOMENON.start, TRIANGLES, BOARD_TEXTURE, parts)
+        for parts in (1, 2, 4, 8, 16, 32, 64)
     ]
-    for one, other in pairwise(errors):
-        assert one is not None and other is not None
-        assert one[0] / other[0] == pytest.approx(4.0, rel=0.1)
+    left = np.array([np.divide(after, before) for before, after in pairwise(errors)])  # type: ignore[arg-type]
+    assert (left > 0.25).all() and (np.diff(left, axis=0) < 0.0).all()
+    assert left[0].min() > 0.3 and left[-1].max() < 0.262
 
 
 def test_a_board_that_near_cuts_has_no_error() -> None:
@@ -159,7 +164,7 @@ def own(triangles: Array, more: bool = False) -> Subject:
     low, high = points.min(axis=0).tolist(), points.max(axis=0).tolist()
     edges = triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2, 3)
     edges = edges[np.argsort(-np.linalg.norm(edges[:, 1] - edges[:, 0], axis=1))]
-    return Subject(tuple(low), tuple(high), points, OwnMesh(edges, triangles, more, more))
+    return Subject(tuple(low), tuple(high), points, OwnMesh(edges, len(edges), triangles, more))
 
 
 def test_the_readings_of_a_mesh_are_those_that_a_search_finds() -> None:

@@ -59,7 +59,7 @@ def test_what_is_drawn_is_what_was_set_for_fifty_random_drawings() -> None:
         assert value(exhibit, "√") == pytest.approx(float(mp.sqrt(x * x + y * y)), rel=1e-12)
         assert value(exhibit, "√") == pytest.approx(scale * morph, rel=1e-12)
         formula_deg = float(mp.atan2(y, x) * 180 / mp.pi)
-        assert angle_between(value(exhibit, "arctan"), formula_deg) < 1e-9
+        assert angle_between(value(exhibit, "atan2"), formula_deg) < 1e-9
         assert angle_between(drawn_deg, formula_deg) * scale * morph < 1e-7
 
 
@@ -137,3 +137,28 @@ def test_a_perspective_lens_has_no_receding_scale() -> None:
 def test_wrong_settings_are_refused_by_name(name: str, wrong: float) -> None:
     with pytest.raises(ProjectionError, match=f"settings.{name}"):
         PHENOMENON.checked({name: wrong})
+
+
+def test_the_angle_is_named_for_what_it_is_in_every_quadrant() -> None:
+    """At 135 degrees the arctan of the quotient is -45; and its name is atan2."""
+    for angle_deg in (135.0, -45.0, 90.0, -135.0):
+        seen = followed(PHENOMENON.start, angle_deg=angle_deg)
+        lens = seen.lens
+        assert isinstance(lens, Oblique)
+        found = reading(shown(seen), "atan2(\N{MINUS SIGN}cot")
+        cot_alpha, cot_beta = (
+            1.0 / math.tan(math.radians(angle)) for angle in (lens.alpha_deg, lens.beta_deg)
+        )
+        expected = math.degrees(math.atan2(-cot_beta, -cot_alpha))
+        assert isinstance(found.value, float)
+        assert angle_between(found.value, expected) < 1e-9
+        assert angle_between(found.value, angle_deg) < 1e-9
+
+
+def test_no_scale_is_written_where_there_is_none() -> None:
+    written = {text.text for text in shown(PHENOMENON.start).image.texts}
+    assert "u: 1 \N{MULTIPLICATION SIGN}" in written
+    exhibit = shown(PHENOMENON.start.with_lens("perspective"))
+    assert exhibit.warning is not None
+    assert {text.text for text in exhibit.world.texts} == {"u", "v", "n"}
+    assert not any("1 " in text.text for text in exhibit.image.texts)

@@ -63,8 +63,14 @@ def test_as_many_pop_in_as_a_drive_counts() -> None:
         x, y, z = projection.camera.target
         aside = replace(projection.camera, target=(x + random.uniform(-45, 45), y, z))
         projection = replace(projection, camera=aside)
+        backwards = random.random() < 0.4
+        if backwards:
+            (x, y, z), (tx, ty, tz) = projection.camera.eye, projection.camera.target
+            eye = (x, y, z - 200.0)
+            camera = replace(projection.camera, eye=eye, target=(tx, ty, eye[2] + (z - tz)))
+            projection = replace(projection, camera=camera)
         predicted = popped_per_second(projection)
-        popped, before = 0, None
+        popped, gone, before = 0, 0, None
         # Two whole spacings in small steps, over which the rate is that of the place looked at.
         for by in np.linspace(0.0, 2.0 * SPACING, 241):
             now = driven(projection, float(by))
@@ -72,21 +78,34 @@ def test_as_many_pop_in_as_a_drive_counts() -> None:
             in_picture = ~beyond[:, 2:].any(axis=1)
             if before is not None:
                 popped += int((before & ~beyond[:, 1] & in_picture).sum())
+                gone += int((~before & beyond[:, 1] & in_picture).sum())
             before = beyond[:, 1]
         seconds = 2.0 * SPACING / SPEED
-        assert popped / seconds == predicted, projection
+        assert (popped / seconds, gone / seconds) == predicted, projection
         rates.add(predicted)
-    assert rates == {0.0, 2.0, 4.0}, "one row, both, and none"
+    one_way = {(0.0, 0.0), (2.0, 0.0), (4.0, 0.0)}
+    assert rates == one_way | {(0.0, 2.0), (0.0, 4.0)}, "one row, both, and none"
 
 
 def test_nothing_pops_past_the_last_tree_or_at_infinity() -> None:
     start = PHENOMENON.start
-    assert popped_per_second(start) == 2 * SPEED / SPACING
+    assert popped_per_second(start) == (2 * SPEED / SPACING, 0.0)
     end = driven(start, 300.0)
-    assert popped_per_second(replace(end, lens=Perspective(45.0, 1.0, 90.0))) == 0.0
+    past = replace(end, lens=Perspective(45.0, 1.0, 90.0))
+    assert popped_per_second(past) == (0.0, 0.0)
+    none_pops = shown(past, fog="linear").readings[4]
+    assert none_pops.value is None and none_pops.note is not None
     endless = shown(replace(start, lens=Perspective(45.0, 1.0, math.inf))).readings
-    assert endless[2].value == 0.0 and endless[3].value is None
-    assert endless[2].note is not None and endless[3].note is not None
+    assert endless[2].value == 0.0 and endless[4].value is None
+    assert endless[2].note is not None and endless[4].note is not None
+
+
+def test_looking_back_trees_pop_out() -> None:
+    back = replace(PHENOMENON.start, camera=Camera((0.0, 2.0, -200.0), (0.0, 2.0, 0.0)))
+    readings = shown(back).readings
+    assert "pop in" in readings[2].label and readings[2].value == 0.0
+    assert "pop out" in readings[3].label and readings[3].value == 4.0
+    assert readings[4].value == 100.0
 
 
 def test_the_vertices_drawn_are_those_of_the_trees_in_view() -> None:
@@ -131,14 +150,14 @@ def test_the_contrast_at_the_far_plane_is_the_fogs() -> None:
         far = projection.lens.far
         start, end = sorted(random.uniform(0, 200, 2).tolist())
         density = 10.0 ** random.uniform(-3, -1)
-        linear = shown(projection, fog="linear", fog_start=start, fog_end=end).readings[3]
+        linear = shown(projection, fog="linear", fog_start=start, fog_end=end).readings[4]
         expected = min(max((end - far) / (end - start), 0.0), 1.0)
         assert linear.value == pytest.approx(100.0 * expected)
         thick = shown(projection, fog="exponential", fog_density=density)
-        assert thick.readings[3].value == pytest.approx(100.0 * math.exp(-density * far))
+        assert thick.readings[4].value == pytest.approx(100.0 * math.exp(-density * far))
         curve = thick.diagrams[0].curves[0].points
         assert curve[:, 1] == pytest.approx(100.0 * np.exp(-density * curve[:, 0]))
-        assert shown(projection).readings[3].value == 100.0
+        assert shown(projection).readings[4].value == 100.0
 
 
 @pytest.mark.parametrize(

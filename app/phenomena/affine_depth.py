@@ -17,7 +17,6 @@ from numpy.typing import NDArray
 from app.clipping import clip_segments
 from app.phenomena.exhibit import (
     QT_TRANSLATE_NOOP,
-    SOME_EDGES,
     Dot,
     Exhibit,
     Grip,
@@ -54,6 +53,12 @@ _MESH_AWAY = QT_TRANSLATE_NOOP(
 _STRAIGHT = QT_TRANSLATE_NOOP("phenomena", "its image is straight: no place is the farthest")
 _SHORT = QT_TRANSLATE_NOOP("phenomena", "the segment is a single point of the cube")
 
+_SOME_EDGES = QT_TRANSLATE_NOOP(
+    "phenomena", "of the mesh's {1} edges only the {0} longest are drawn so and counted"
+)
+
+_MOST_EDGES = 200
+"""Of a mesh of the user's."""
 _EDGES, _EDGE_RGB = edges_of(letter_f()[0])
 
 
@@ -196,7 +201,8 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
     if projection.standard_lens.far == math.inf:
         readings, why = _readings(None, None, Phrase(_INFINITE), mesh), Phrase(_INFINITE)
         return Exhibit(readings, world, warning=why, grips=grips)
-    part = inside(projection, np.concatenate([ends[None], _EDGES if mesh is None else mesh.edges]))
+    others = _EDGES if mesh is None else mesh.edges[:_MOST_EDGES]
+    part = inside(projection, np.concatenate([ends[None], others]))
     if projection.standard_lens.parallel:
         lines = [Line(pair, "muted") for pair in part.ndc[part.rows > 0]]
         lines += [Line(pair, "accent", 2.5) for pair in part.ndc[part.rows == 0]]
@@ -269,7 +275,8 @@ def _readings(
     label, away, some = QT_TRANSLATE_NOOP("phenomena", "worst edge of the letter F"), _AWAY, None
     if mesh is not None:
         label, away = QT_TRANSLATE_NOOP("phenomena", "worst edge of the mesh"), _MESH_AWAY
-        some = Phrase(SOME_EDGES, (str(len(mesh.edges)),)) if mesh.more_edges else None
+        if mesh.edge_count > _MOST_EDGES:
+            some = Phrase(_SOME_EDGES, (str(_MOST_EDGES), str(mesh.edge_count)))
     straight = percent == 0.0
     return (
         Reading(

@@ -2,8 +2,8 @@
 
 A depth buffer keeps one code a pixel, so that two surfaces nearer to each other than a step of
 the codes are stored as one; what is drawn last then wins, and stripes of the hidden surface
-appear (z-fighting). A perspective lens spends most codes just behind the near plane: at w >> n
-the step is ``w^2/(n 2^bits)`` (lectures 000 and 001; `app.depth`).
+appear (z-fighting). A perspective lens with the standard range spends most codes just behind the
+near plane: at w >> n the step is ``w^2/(n 2^bits)`` (lectures 000 and 001; `app.depth`).
 
 The hidden surface is the visible one moved away along n by the gap. On a plane with normal m, in
 view space, that is a gap of ``gap / (1 - (m_x X + m_y Y)/m_z)`` along the projector ``(X, Y, -1)``.
@@ -36,6 +36,7 @@ from app.phenomena.exhibit import (
     Text,
     number,
 )
+from app.phenomena.sampling import seen_distances
 from app.projection import Array, Camera, Perspective, Projection
 from app.shapes import Coloured, flat, ground_grid
 
@@ -106,8 +107,8 @@ def distances(projection: Projection, gap: float, subject: Subject) -> tuple[Arr
     gap : float
         Along n.
     subject : Subject
-        The ramp: rays through a lattice of places are cut with its plane. For another one its
-        vertices in the picture stand for it, and the gap is taken along w.
+        The ramp: rays through a lattice of places are cut with its plane. A mesh of the user's:
+        its triangles are cut with rays through places of a grid.
 
     Returns
     -------
@@ -115,11 +116,8 @@ def distances(projection: Projection, gap: float, subject: Subject) -> tuple[Arr
         Between near and far; none where the picture does not show both.
     """
     near, far = projection.standard_lens.near, projection.standard_lens.far
-    if not _is_ramp(subject):
-        trace = projection.trace(subject.points)
-        w = -trace.view[~trace.outside.any(axis=1), 2]
-        w = w[(w >= near) & (w + gap <= far)]
-        return w, w + gap
+    if subject.mesh is not None:
+        return seen_distances(projection, subject.mesh.surface, gap)
     corners = projection.trace(_CORNERS)
     rays = _rays(projection, corners.clip)
     if rays is None:
@@ -141,11 +139,6 @@ def wrong_share(buffer: DepthBuffer, first: Array, second: Array) -> float:
         return math.nan
     same = buffer.encode(first) == buffer.encode(second)
     return float(np.mean(same & (second > first)))
-
-
-def _is_ramp(subject: Subject) -> bool:
-    points = subject.points
-    return points.shape == (4, 3) and set(map(tuple, points)) == set(map(tuple, _CORNERS))
 
 
 def _rays(projection: Projection, corners_clip: Array) -> tuple[Array, Array] | None:
@@ -207,7 +200,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
     # In the other panes, whose depth buffers are their own, its outline is enough.
     copies = (Copy(matrix, panes=("image",), colour=_BEHIND),)
     marks = Marks()
-    if _is_ramp(subject):
+    if subject.mesh is None:
         moved = _CORNERS + matrix[:3, 3]
         marks = Marks(
             lines=(Line(moved[[0, 1, 2, 3, 0]], _BEHIND, 2.0),),
@@ -221,7 +214,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
     note: Phrase | None = Phrase(_NOT_IN_PICTURE)
     if len(first):
         share, note = 100.0 * wrong_share(buffer, first, second), None
-        w = float(first.mean())
+        w = min(max(float(first.mean()), buffer.near), buffer.far)  # a mean is rounded
         if max(gap, float(buffer.gap(w))) < FINEST * (w + math.dist(subject.lower, subject.upper)):
             note = Phrase(_TOO_FINE)
     w = projection.camera.distance
@@ -298,10 +291,10 @@ PHENOMENON = Phenomenon(
     explanation=QT_TRANSLATE_NOOP(
         "phenomena",
         "Surface 2 lies behind surface 1 by the gap, along n. Where the depth buffer stores both"
-        " distances as the same code, the surface that is drawn last is seen: z-fighting. Most"
-        " codes lie just behind the near plane: move near away from the eye, or far closer, or"
-        " choose another format or range, and the stripes go. The picture keeps codes of up to 24"
-        " bits apart exactly.",
+        " distances as one code, the surface drawn last is seen: z-fighting. With a perspective"
+        " lens and the standard range most codes lie just behind near, so near decides, far hardly:"
+        " on the ramp near 0.1 leads from 63 % of wrong pixels to 0 %, far 20 to 56 %. The picture"
+        " keeps codes of up to 24 bits apart exactly.",
     ),
     lectures=("L17",),
     start=Projection(
@@ -351,7 +344,7 @@ PHENOMENON = Phenomenon(
             ),
         ),
     ),
-    controls=("lens.near", "lens.far", "camera.eye"),
+    controls=("lens.near", "camera.eye"),
     copies=1,
     requires=frozenset({"depth"}),
     own_mesh=True,

@@ -53,9 +53,6 @@ def QT_TRANSLATE_NOOP(_context: str, text: str) -> str:
 _FREE = QT_TRANSLATE_NOOP(
     "phenomena", "a free matrix has no near, no far and no window: choose a lens to see this"
 )
-SOME_EDGES = QT_TRANSLATE_NOOP(
-    "phenomena", "of the mesh only the {0} longest edges are drawn so and counted"
-)
 
 
 @dataclass(frozen=True)
@@ -490,17 +487,23 @@ class OwnMesh:
     Attributes
     ----------
     edges : (m, 2, 3) array
-        Of its faces, each once, the longest first.
+        Of its faces, each once, the longest first; of a large mesh only those.
+    edge_count : int
+        How many it has, all of them.
     triangles : (t, 3, 3) array
-        As they are rasterised, those with the longest sides first.
-    more_edges, more_triangles : bool
+        As they are rasterised, those with the longest sides first; of a larger mesh only those.
+    more_triangles : bool
         Whether it has more than these.
+    surface : (s, 3, 3) array
+        All of its triangles, those of a large mesh brought together to fewer; none where its
+        pixels are not reckoned.
     """
 
     edges: Array
+    edge_count: int
     triangles: Array
-    more_edges: bool = False
     more_triangles: bool = False
+    surface: Array = field(default_factory=lambda: np.empty((0, 3, 3)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -635,7 +638,6 @@ def point(settings: Settings, name: str) -> Vector:
 __all__ = [
     "FINITE_NUMBER",
     "QT_TRANSLATE_NOOP",
-    "SOME_EDGES",
     "Copy",
     "Curve",
     "Diagram",

@@ -20,7 +20,6 @@ from numpy.typing import NDArray
 from app.clipping import LARGEST_CLIP, clip_segments, cut_at_eye, naive_ndc
 from app.phenomena.exhibit import (
     QT_TRANSLATE_NOOP,
-    SOME_EDGES,
     Curve,
     Diagram,
     Dot,
@@ -74,6 +73,14 @@ _OFF_AXIS = QT_TRANSLATE_NOOP(
     " px, and their sum is twice that",
 )
 
+_SOME_EDGES = QT_TRANSLATE_NOOP(
+    "phenomena",
+    "of the mesh's {1} edges only {0} are drawn so and counted: first those that cross the eye"
+    " plane, then the longest",
+)
+
+_MOST_EDGES = 300
+"""Of a mesh of the user's."""
 _EDGES, _EDGE_RGB = edges_of(letter_f()[0])
 
 
@@ -261,7 +268,7 @@ def _picture(title: str, drawn: Array, colour: str, size: tuple[int, int]) -> Di
         (
             Curve(frame, "muted", closed=True),
             _curve(drawn[1:], "ink"),
-            _curve(drawn[:1], colour, "AB", 2.5),
+            _curve(drawn[:1], colour, "AB" if np.isfinite(drawn[0]).all() else "", 2.5),
         ),
         left=-_MARGIN * width,
         right=(1.0 + _MARGIN) * width,
@@ -277,7 +284,7 @@ def _arc(start: float, end: float, radius: float) -> Array:
     return radius * np.stack([np.sin(angles), -np.cos(angles)], axis=1)
 
 
-def _circle(angles: tuple[float, float] | None) -> Diagram:
+def _circle(angles: tuple[float, float] | None, in_front: bool) -> Diagram:
     curves = [
         Curve(_arc(0.0, 2.0 * math.pi, 1.0), "muted", closed=True),
         Curve(np.array([(0.0, 1.0)]), "ink", "∞", dots=True),
@@ -293,10 +300,12 @@ def _circle(angles: tuple[float, float] | None) -> Diagram:
                 QT_TRANSLATE_NOOP("phenomena", "naive divide"),
                 2.0,
             ),
-            Curve(_arc(a, b, 1.0), "accent", QT_TRANSLATE_NOOP("phenomena", "image of AB"), 2.5),
             Curve(_arc(a, a, 1.0)[:1], "ink", "A'", dots=True),
             Curve(_arc(b, b, 1.0)[:1], "ink", "B'", dots=True),
         ]
+        if in_front:  # of what is behind the eye there is no image
+            image = QT_TRANSLATE_NOOP("phenomena", "image of AB")
+            curves.insert(3, Curve(_arc(a, b, 1.0), "accent", image, 2.5))
     return Diagram(
         QT_TRANSLATE_NOOP("phenomena", "the line as a circle"),
         tuple(curves), left=-1.4, right=1.4, bottom=-1.4, top=1.4, equal=True,
@@ -308,7 +317,8 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
     mesh = subject.mesh
     if projection.standard_lens.parallel:
         return Exhibit((), warning=Phrase(_PARALLEL))
-    segments = np.concatenate([[(a, b)], _EDGES if mesh is None else mesh.edges])
+    others = _EDGES if mesh is None else _edges_that_matter(projection.camera, mesh)
+    segments = np.concatenate([[(a, b)], others])
     trace = projection.trace(segments)
     drawn = pictures(projection, trace.view, trace.clip)
     angles = circle_angles(projection, trace.clip[0])
@@ -321,7 +331,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
         _picture(QT_TRANSLATE_NOOP("phenomena", "cut at z = −0.01"), drawn.cut, "accent", size),
         _picture(QT_TRANSLATE_NOOP("phenomena", "clipped, then divided"), drawn.right, "accent",
                  size),
-        _circle(angles),
+        _circle(angles, bool((trace.view[0, :, 2] < 0.0).any())),
     )  # fmt: skip
     return Exhibit(
         _readings(projection, drawn, trace.view[0], mesh),
@@ -332,6 +342,18 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
         warning=warning,
         grips=(Grip("start", a), Grip("end", b)),
     )
+
+
+def _edges_that_matter(camera: Camera, mesh: OwnMesh) -> Array:
+    """Those that reach through the eye plane, then the longest: `_MOST_EDGES` at most."""
+    if len(mesh.edges) <= _MOST_EDGES:
+        return mesh.edges
+    n = camera.frame[2]
+    behind = mesh.edges.reshape(-1, 3) @ n >= np.array(camera.eye) @ n
+    crossing = behind[::2] != behind[1::2]
+    chosen = np.concatenate([np.flatnonzero(crossing), np.flatnonzero(~crossing)[:_MOST_EDGES]])
+    edges: Array = mesh.edges[chosen[:_MOST_EDGES]]
+    return edges
 
 
 def _readings(
@@ -346,12 +368,10 @@ def _readings(
         off_axis = Phrase(_OFF_AXIS, tuple(f"{part:.6g}" for part in principal))
     wrongly = QT_TRANSLATE_NOOP("phenomena", "F drawn wrongly")
     missed = QT_TRANSLATE_NOOP("phenomena", "F missed")
-    some = None
     if mesh is not None:
         wrongly = QT_TRANSLATE_NOOP("phenomena", "mesh drawn wrongly")
         missed = QT_TRANSLATE_NOOP("phenomena", "mesh missed")
-        some = Phrase(SOME_EDGES, (str(len(mesh.edges)),)) if mesh.more_edges else None
-    return (
+    readings = [
         Reading(QT_TRANSLATE_NOOP("phenomena", "case"), CASES[int(drawn.case[0]) - 1]),
         Reading(QT_TRANSLATE_NOOP("phenomena", "AB drawn wrongly"), float(drawn.wrong_px[0]), "px"),
         Reading(QT_TRANSLATE_NOOP("phenomena", "AB missed"), float(drawn.missed_px[0]), "px"),
@@ -360,6 +380,14 @@ def _readings(
             float(drawn.left_out_px[0]),
             "px",
         ),
+    ]
+    some = None
+    counted = len(drawn.case) - 1
+    if mesh is not None and counted < mesh.edge_count:
+        some = Phrase(_SOME_EDGES, (str(counted), str(mesh.edge_count)))
+        label = QT_TRANSLATE_NOOP("phenomena", "edges of the mesh that are counted, and all")
+        readings.append(Reading(label, (float(counted), float(mesh.edge_count))))
+    readings += [
         Reading(wrongly, float(drawn.wrong_px[1:].sum()), "px", some),
         Reading(missed, float(drawn.missed_px[1:].sum()), "px", some),
         Reading(QT_TRANSLATE_NOOP("phenomena", "mirrored end"), ends and ends[0], "px", absent),
@@ -369,7 +397,8 @@ def _readings(
             "px",
             absent or off_axis,
         ),
-    )
+    ]
+    return tuple(readings)
 
 
 def _world_marks(
@@ -442,9 +471,9 @@ PHENOMENON = Phenomenon(
     explanation=QT_TRANSLATE_NOOP(
         "phenomena",
         "A point behind the eye has w < 0; if it is divided by w all the same, its image is"
-        " mirrored, and the segment AB is drawn along the wrong part of its line. The right part"
-        " goes through the point at infinity, so AB must be cut before the divide: at z = −0.01 as"
-        " in lecture 004, or in homogeneous coordinates, where w is still a coordinate.",
+        " mirrored. With one end behind, AB is then drawn along the wrong part of its line: the"
+        " right part goes through the point at infinity. So AB must be cut before the divide, at"
+        " z = −0.01 as in lecture 004, or in homogeneous coordinates, where w still is one.",
     ),
     lectures=("L15", "L16"),
     start=_START,

@@ -1,15 +1,17 @@
-"""Field of view: what the lectures call wide angle and telephoto, with the subject's size held.
+"""Field of view: what the lectures call wide angle and telephoto, with sizes at the target held.
 
-The subject's size on the image goes with ``1 / (d tan(fov/2))``, its foreshortening with the
-distance d alone: a ride along n with d tan(fov/2) held (a dolly zoom) shows that perspective is a
-matter of where one stands. Fields of view and the two photographs, 29 mm at 30 cm and 105 mm at
-360 cm, are those of lecture 001; one unit of this scene is 10 cm.
+What lies in the plane through the target is drawn in a size that goes with ``1 / (d tan(fov/2))``,
+foreshortening with the distance d alone: a ride along n with d tan(fov/2) held (a dolly zoom)
+shows that perspective is a matter of where one stands. What of the subject is nearer than the
+target is drawn larger than that, what is farther smaller. Fields of view and the two photographs,
+29 mm at 30 cm and 105 mm at 360 cm, are those of lecture 001; one unit of this scene is 10 cm.
 """
 
 from __future__ import annotations
 
 import math
 from dataclasses import replace
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -28,7 +30,7 @@ from app.phenomena.exhibit import (
     Text,
     number,
 )
-from app.phenomena.picture import seen_lines, seen_texts
+from app.phenomena.picture import cut_in_picture, seen_lines, seen_texts
 from app.projection import (
     Array,
     Camera,
@@ -43,6 +45,10 @@ from app.shapes import Coloured, box_faces, edges_of, flat, ground_grid, joined
 
 _PARALLEL = QT_TRANSLATE_NOOP("phenomena", "a parallel lens has no field of view, only a width")
 _BEHIND_EYE = QT_TRANSLATE_NOOP("phenomena", "part of the subject is beside the eye or behind it")
+_NOT_SEEN = QT_TRANSLATE_NOOP("phenomena", "nothing of the subject is in the picture")
+_BAR_NOT_SEEN = QT_TRANSLATE_NOOP(
+    "phenomena", "its height in the plane through the target is not in the picture"
+)
 _TOO_LARGE = QT_TRANSLATE_NOOP("phenomena", "too large or too small for a number in pixels")
 
 _NEAREST = QT_TRANSLATE_NOOP("phenomena", "nearest")
@@ -107,13 +113,13 @@ def preset_view(name: str, aspect: float, enlarged: bool = True) -> View:
         The image's width over its height. The focal lengths are those of the full-frame camera
         with the same diagonal field of view, the others are horizontal fields of view.
     enlarged : bool
-        Whether the 105-mm photograph is enlarged until the subject is as large as on the 29-mm
-        one, which narrows its field of view.
+        Whether the 105-mm photograph is enlarged until things at the target's distance are as
+        large as on the 29-mm one, which narrows its field of view.
 
     Returns
     -------
     View
-        All with the subject as large as on the 29-mm photograph at 30 cm.
+        All with things at the target's distance as large as on the 29-mm photograph at 30 cm.
     """
     wide_deg = fov_y_from_focal_length_35mm(_WIDE_MM, aspect)
     half_height = _WIDE_DISTANCE / Perspective(wide_deg).cot_half_fov_y  # at the subject
@@ -127,7 +133,7 @@ def preset_view(name: str, aspect: float, enlarged: bool = True) -> View:
 
 
 def dollied(projection: Projection, factor: float) -> Projection:
-    """Ride along n to `factor` times the distance, and let the target keep its size.
+    """Ride along n to `factor` times the distance, and let the target's plane keep its size.
 
     Raises
     ------
@@ -217,28 +223,34 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Exhi
     ticks = _beside_target(
         camera, [(x + side, end, 0.0) for end in (-y, y) for side in (-tick, tick)]
     )
-    polylines, colours = [bar, ticks[:2], ticks[2:]], ["accent"] * 3
-    names, places = [""], [bar[1]]
+    size, why = _size_px(projection, bar, subject)
+    polylines, colours, at_squares = [], [], []
+    if size is not None:
+        polylines += [bar, ticks[:2], ticks[2:]]
+        colours += ["accent"] * 3
     if ratio is not None:
         # Two squares of one size at the subject's nearest and farthest depth.
         polylines += [_square(camera, 0.45 * height, depth) for depth in (w_near, w_far)]
         colours += ["near", "far"]
-        names += [_NEAREST, _FARTHEST]
-        places += [polylines[-2][2], polylines[-1][2]]
-    segments = np.concatenate([np.stack([p[:-1], p[1:]], axis=1) for p in polylines])
+        at_squares = [
+            Text(_NEAREST, polylines[-2][2], "near"), Text(_FARTHEST, polylines[-1][2], "far")
+        ]  # fmt: skip
+    at_bar = [] if size is None else [Text(f"{size:.0f} px", bar[1], "accent")]
+    at_target = Text(f"d = {distance:.4g}", np.array(camera.target), "accent")
+    image_texts = [*at_bar, *at_squares]
+    segments = np.array([ends for p in polylines for ends in pairwise(p)])
     of_segments = [c for c, p in zip(colours, polylines, strict=True) for _ in p[1:]]
-    trace = projection.trace(np.concatenate([segments.reshape(-1, 3), places]))
-    size_px = float(trace.image[0, 1] - trace.image[1, 1])
-    size = size_px if size_px > 0.0 else None  # not NaN, either
+    places = [text.point for text in image_texts]
+    trace = projection.trace(np.array([*segments.reshape(-1, 3), *places]).reshape(-1, 3))
 
     readings = (
         Reading(QT_TRANSLATE_NOOP("phenomena", "distance d to the target"), distance),
         *_angles(projection),
         Reading(
-            QT_TRANSLATE_NOOP("phenomena", "size of the subject on the image"),
+            QT_TRANSLATE_NOOP("phenomena", "subject's height, at the target's distance"),
             size,
             "px",
-            Phrase(_TOO_LARGE) if size is None else None,
+            why,
         ),
         Reading(
             QT_TRANSLATE_NOOP("phenomena", "foreshortening, nearest : farthest"),
@@ -247,21 +259,33 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Exhi
             Phrase(_BEHIND_EYE) if ratio is None else None,
         ),
     )
-    texts = [Text(*text) for text in zip(names, places, colours[:1] + colours[3:], strict=True)]
-    texts[0] = replace(texts[0], text=f"d = {distance:.4g}", point=np.array(camera.target))
-    image_texts = list(texts)
-    image_texts[0] = replace(texts[0], text="–" if size is None else f"{size:.0f} px")
     axis = Line(np.array([camera.eye, camera.target]), "accent", 1.2)
     lines = (Line(p, colour, 2.0) for p, colour in zip(polylines, colours, strict=True))
     segments_clip = trace.clip[: 2 * len(segments)].reshape(-1, 2, 4)
     return Exhibit(
         readings,
-        world=Marks((axis, *lines), texts=tuple(texts)),
+        world=Marks((axis, *lines), texts=(at_target, *at_squares)),
         image=Marks(
             seen_lines(projection, segments_clip, of_segments, 2.0),
             texts=seen_texts(trace, image_texts),
         ),
     )
+
+
+def _size_px(
+    projection: Projection, bar: Array, subject: Subject
+) -> tuple[float | None, Phrase | None]:
+    """How high an upright bar (2, 3) is drawn, or why nothing is to be measured in the picture."""
+    subject_trace, trace = projection.trace(subject.points), projection.trace(bar)
+    # Beyond one and the same plane all of it is, whatever there is between its vertices.
+    if subject_trace.outside.all(axis=0).any():
+        return None, Phrase(_NOT_SEEN)
+    size_px = float(trace.image[0, 1] - trace.image[1, 1])
+    if not size_px > 0.0:  # NaN, too
+        return None, Phrase(_TOO_LARGE)
+    if cut_in_picture(projection, trace.clip[:1], trace.clip[1:])[0] is None:
+        return None, Phrase(_BAR_NOT_SEEN)
+    return size_px, None
 
 
 def _square(camera: Camera, side: float, depth: float) -> Array:
@@ -299,8 +323,8 @@ PHENOMENON = Phenomenon(
         "phenomena",
         "The wider the field of view, the nearer the camera must stand for a subject of the same"
         " size, and the more its near parts outgrow its far ones: the foreshortening is a matter"
-        " of the distance alone. Ride along n, and the field of view follows so that the subject"
-        " keeps its size (a dolly zoom). One unit is 10 cm.",
+        " of the distance alone. Ride along n, and the field of view follows so that things at"
+        " the target's distance keep their size (a dolly zoom). One unit is 10 cm.",
     ),
     lectures=("L3", "L20"),
     start=_start(),
@@ -312,7 +336,8 @@ PHENOMENON = Phenomenon(
             QT_TRANSLATE_NOOP("phenomena", "Seen as by"),
             QT_TRANSLATE_NOOP(
                 "phenomena",
-                "A field of view of lecture 001; the camera stands where the subject has its size",
+                "A field of view of lecture 001; the camera stands where things at the target's"
+                " distance have their size",
             ),
             "wide",
             choices=(
@@ -327,7 +352,8 @@ PHENOMENON = Phenomenon(
             "distance",
             QT_TRANSLATE_NOOP("phenomena", "Distance, times the preset's"),
             QT_TRANSLATE_NOOP(
-                "phenomena", "Moves the eye along n; the field of view holds the subject's size"
+                "phenomena",
+                "Moves the eye along n; the field of view holds sizes at the target's distance",
             ),
             1.0,
             low=0.05,
@@ -342,8 +368,8 @@ PHENOMENON = Phenomenon(
             QT_TRANSLATE_NOOP("phenomena", "Enlarge the 105-mm photograph"),
             QT_TRANSLATE_NOOP(
                 "phenomena",
-                "Until the subject is as large as on the 29-mm one: the middle of the picture, and"
-                " so a narrower field of view",
+                "Until things at the target's distance are as large as on the 29-mm one: the middle"
+                " of the picture, and so a narrower field of view",
             ),
             True,
         ),

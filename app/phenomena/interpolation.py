@@ -264,7 +264,7 @@ PHENOMENON = Phenomenon(
         "What is half-way on the screen is not half-way in the world: along an edge 1/w is linear"
         " on the screen, and so is s/w, but s is not. Interpolated linearly (affine), a texture"
         " bends at the diagonal of every quadrangle. Smaller triangles hide it: twice as many"
-        " parts leave a quarter of the error.",
+        " parts leave more than a quarter of the error while they are few, a quarter in the limit.",
     ),
     lectures=("L18",),
     start=Projection(

@@ -186,19 +186,20 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Exhi
         readings += [
             Reading("√(cot²α + cot²β)", by_formula[0], "×"),  # noqa: RUF001
             Reading(
-                "arctan(cot β : cot α)",  # noqa: RUF001
+                "atan2(−cot β, −cot α)",  # noqa: RUF001
                 None if end_on or by_formula[0] == 0.0 else by_formula[1],
                 "°",
                 Phrase(_END_ON) if by_formula[0] == 0.0 else None,
             ),
             Reading("α, β", (lens.alpha_deg, lens.beta_deg), "°"),  # noqa: RUF001
         ]
-    label = "n" if drawn is None else f"n: {drawn.scale:.3g} ×"
-    if drawn is not None and has_angle:
-        label += f", {drawn.angle_deg:.3g}°"
+    labels: tuple[str, ...] = colours
+    if drawn is not None:
+        label = f"n: {drawn.scale:.3g} ×"
+        labels = ("u: 1 ×", "v: 1 ×", label + (f", {drawn.angle_deg:.3g}°" if has_angle else ""))
     texts = tuple(
         Text(text, place, colour)
-        for text, place, colour in zip(("u: 1 ×", "v: 1 ×", label), middles, colours, strict=True)
+        for text, place, colour in zip(labels, middles, colours, strict=True)
     )
     world = Marks(lines, texts=texts)
     if lens.parallel:

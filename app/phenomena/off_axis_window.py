@@ -41,12 +41,18 @@ from app.shapes import SIDE_RGB, Coloured, box_faces, edges_of, ground_grid, joi
 
 _ONE_SCREEN = QT_TRANSLATE_NOOP("phenomena", "there is only one screen, and so no join")
 _TOO_NARROW = QT_TRANSLATE_NOOP("phenomena", "this window is too narrow for two screens")
+_NOT_SEEN = QT_TRANSLATE_NOOP(
+    "phenomena", "no point of the subject that is compared is in the picture"
+)
 _UNMEASURED = QT_TRANSLATE_NOOP(
-    "phenomena", "no point of the subject is in front of the eye, with pixels that float64 can hold"
+    "phenomena", "the subject's pixels are more than float64 can hold on one of the screens"
 )
 _LEFT = QT_TRANSLATE_NOOP("phenomena", "left screen")
 _RIGHT = QT_TRANSLATE_NOOP("phenomena", "right screen")
 _WINDOW = QT_TRANSLATE_NOOP("phenomena", "window")
+_SIDES_LEFT = QT_TRANSLATE_NOOP("phenomena", "l, r of the left screen")
+_SIDES_RIGHT = QT_TRANSLATE_NOOP("phenomena", "l, r of the right screen")
+_SIDES_WINDOW = QT_TRANSLATE_NOOP("phenomena", "l, r of the window")
 _JOIN = QT_TRANSLATE_NOOP("phenomena", "join")
 
 _SAMPLE = 100  # about as many vertices are compared at every step
@@ -147,7 +153,8 @@ def largest_difference_px(
     Returns
     -------
     float or None
-        In float64, over the points in the whole picture, each on the screen that it is on.
+        In float64, over the points in the whole picture, each on the screen that it is on; None
+        if there are none, inf if a screen's pixels are more than float64 can hold.
     """
     trace = projection.trace(points_world)
     inside = trace.in_front & ~trace.outside.any(axis=-1)
@@ -158,7 +165,7 @@ def largest_difference_px(
     on_left, on_right = (screen.trace(points_world[inside]).image for screen in screens)
     wall = np.where(whole[:, :1] <= columns, on_left, on_right + np.array((columns, 0)))
     worst = float(np.abs(wall - whole).max())
-    return worst if math.isfinite(worst) else None
+    return worst if math.isfinite(worst) else math.inf
 
 
 # --------------------------------------------------------------------------- what is shown
@@ -175,15 +182,17 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
             warning = Phrase(_TOO_NARROW)
     names = (_LEFT, _RIGHT) if len(screens) == 2 else (_WINDOW,)
     readings = _join_readings(projection, screens, subject, warning or Phrase(_ONE_SCREEN))
-    for name, screen in zip(names, screens, strict=True):
-        readings.append(Reading(name, screen.window))
-    left, right, _, _ = projection.window
-    readings.append(
+    sides = (_SIDES_LEFT, _SIDES_RIGHT) if len(screens) == 2 else (_SIDES_WINDOW,)
+    for label, screen in zip(sides, screens, strict=True):
+        readings.append(Reading(label, screen.window[:2]))
+    left, right, bottom, top = projection.window
+    readings += [
+        Reading(QT_TRANSLATE_NOOP("phenomena", "b, t"), (bottom, top)),
         Reading(
             QT_TRANSLATE_NOOP("phenomena", "off the axis, (r + l)/(r − l)"),
             (left / 2.0 + right / 2.0) / (right / 2.0 - left / 2.0),
-        )
-    )
+        ),
+    ]
     return Exhibit(
         tuple(readings),
         world=_world_marks(screens, names),
@@ -203,7 +212,12 @@ def _join_readings(
         join = join_error_px(pair)
         points = subject.points[:: max(1, len(subject.points) // _SAMPLE)]
         difference = largest_difference_px(projection, pair, points)
-    unmeasured = Phrase(_UNMEASURED) if len(screens) == 2 else why
+    if len(screens) == 2:
+        unmeasured = Phrase(_NOT_SEEN if difference is None else _UNMEASURED)
+    else:
+        unmeasured = why
+    if difference == math.inf:
+        difference = None
     return [
         Reading(
             QT_TRANSLATE_NOOP("phenomena", "error of the join"),

@@ -2,8 +2,9 @@
 
 Driving along an avenue with a row of trees every `SPACING` on both sides, a tree of each row
 passes the far plane every ``SPACING / speed``: with density 1/SPACING a row, ``speed x density``
-objects a second appear out of nothing. Fog hides it where little contrast is left at the far
-plane: ``(end - far)/(end - start)`` of it for linear fog, ``exp(-density far)`` for exponential.
+objects a second appear out of nothing, or vanish into it for who looks back. Fog hides it where
+little contrast is left at the far plane: ``(end - far)/(end - start)`` of it for linear fog,
+``exp(-density far)`` for exponential.
 Level of detail draws what is far with fewer vertices, so that the far plane can be farther away
 for the same price.
 """
@@ -48,6 +49,8 @@ TREES = 60
 HEIGHT = 5.0
 
 _FAR_AT_INFINITY = QT_TRANSLATE_NOOP("phenomena", "the far plane is at infinity: nothing pops in")
+
+_NONE_POPS = QT_TRANSLATE_NOOP("phenomena", "no tree passes the far plane in the picture")
 
 _TRUNK_RGB, _CROWN_RGB = (150, 100, 60), (0, 158, 115)
 # Of each level: sides of the trunk and of the crown, and radius and height of the crown's rings.
@@ -156,12 +159,19 @@ def vertices_drawn(projection: Projection, until: Sequence[float]) -> int:
     return int(np.array(VERTICES)[np.searchsorted(until, w, side="right")].sum())
 
 
-def popped_per_second(projection: Projection) -> float:
-    """How many trees pass the far plane in the picture, each second at `SPEED`."""
+def popped_per_second(projection: Projection) -> tuple[float, float]:
+    """How many trees pass the far plane in the picture, each second at `SPEED`.
+
+    Returns
+    -------
+    (float, float)
+        Those that come into the picture, and those that go: all come where the camera looks the
+        way it drives, along -z, and all go where it looks back.
+    """
     far, camera = projection.standard_lens.far, projection.camera
     n = camera.frame[2]
     if far == math.inf or n[2] == 0.0:
-        return 0.0
+        return 0.0, 0.0
     rate = 0.0
     for x in ROWS:
         # w = n . (eye - p) is far where the row meets the far plane.
@@ -171,7 +181,7 @@ def popped_per_second(projection: Projection) -> float:
             outside = projection.trace((x, HEIGHT / 2.0, z)).outside
             if not outside[2:].any():
                 rate += SPEED / SPACING
-    return rate
+    return (rate, 0.0) if n[2] > 0.0 else (0.0, rate)
 
 
 def _follow(projection: Projection, before: Settings, after: Settings) -> Projection:
@@ -197,6 +207,8 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Exhi
     )
     note = Phrase(_FAR_AT_INFINITY) if far == math.inf else None
     contrast = 1.0 if fog is None else fog.left(far)
+    popped_in, popped_out = popped_per_second(projection)
+    why = note if note is not None or popped_in + popped_out > 0.0 else Phrase(_NONE_POPS)
     readings = (
         Reading(
             QT_TRANSLATE_NOOP("phenomena", "vertices drawn"),
@@ -208,14 +220,19 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Exhi
         ),
         Reading(
             QT_TRANSLATE_NOOP("phenomena", "trees that pop in each second, at 12 units a second"),
-            popped_per_second(projection),
+            popped_in,
             note=note,
         ),
         Reading(
-            QT_TRANSLATE_NOOP("phenomena", "contrast left where they pop in"),
-            None if far == math.inf else 100.0 * contrast,
+            QT_TRANSLATE_NOOP("phenomena", "trees that pop out each second"),
+            popped_out,
+            note=note,
+        ),
+        Reading(
+            QT_TRANSLATE_NOOP("phenomena", "contrast left where they pop"),
+            100.0 * contrast if why is None else None,
             "%",
-            note,
+            why,
         ),
     )
     return Exhibit(

@@ -46,11 +46,12 @@ from app.shapes import (
 )
 
 _AT_INFINITY = QT_TRANSLATE_NOOP(
-    "phenomena", "at infinity: these edges stay parallel, at {0}° from the right in the image"
+    "phenomena",
+    "V_{0} is at infinity: edges along {0} stay parallel, at {1}° from the right in the image",
 )
-_END_ON = QT_TRANSLATE_NOOP("phenomena", "these edges are seen end on, as points")
+_END_ON = QT_TRANSLATE_NOOP("phenomena", "edges along {0} are seen end on, as points")
 _P_AT_INFINITY = QT_TRANSLATE_NOOP("phenomena", "P's image is at infinity")
-_OUT_OF_RANGE = QT_TRANSLATE_NOOP("phenomena", "beyond what float64 can hold in pixels")
+_OUT_OF_RANGE = QT_TRANSLATE_NOOP("phenomena", "{0} is beyond what float64 can hold in pixels")
 
 _KINDS = (
     QT_TRANSLATE_NOOP("phenomena", "parallel projection"),
@@ -278,9 +279,9 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
 
     finite = sum(p.clip[3] > 0.0 for p in points)
     readings = [Reading(QT_TRANSLATE_NOOP("phenomena", "kind of projection"), _KINDS[finite])]
-    for label, p in zip(_LABELS, points, strict=True):
-        readings.append(_pixel_reading(projection, label, p))
-    readings += _running_readings(projection, point, there)
+    readings += [_pixel_reading(projection, number, p) for number, p in enumerate(points)]
+    why_no_v = readings[1 + axis].note
+    readings += _running_readings(point, there, why_no_v)
     return Exhibit(
         tuple(readings),
         world=_world_marks(projection, points, subject, start, there),
@@ -289,31 +290,30 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
     )
 
 
-def _pixel_reading(projection: Projection, label: str, point: Vanishing) -> Reading:
+def _pixel_reading(projection: Projection, axis: int, point: Vanishing) -> Reading:
+    label, name = _LABELS[axis], _AXES[axis]
     if point.pixel is not None:
         x, y = point.pixel.tolist()
         return Reading(label, (x, y), "px")
     if point.clip[3] > 0.0:
-        return Reading(label, None, "px", Phrase(_OUT_OF_RANGE))
+        return Reading(label, None, "px", Phrase(_OUT_OF_RANGE, (f"V_{name}",)))
     angle_deg = drawn_angle_deg(projection, point.clip)
     if angle_deg is None:
-        return Reading(label, None, "px", Phrase(_END_ON))
-    return Reading(label, None, "px", Phrase(_AT_INFINITY, (f"{angle_deg:.4g}",)))
+        return Reading(label, None, "px", Phrase(_END_ON, (name,)))
+    return Reading(label, None, "px", Phrase(_AT_INFINITY, (name, f"{angle_deg:.4g}")))
 
 
-def _running_readings(projection: Projection, point: Vanishing, at: Running) -> list[Reading]:
+def _running_readings(point: Vanishing, at: Running, why_no_v: Phrase | None) -> list[Reading]:
     pixel: tuple[float, ...] | None = None
     rest: float | None = None
     note = None
     if at.pixel is None:
-        note = Phrase(_P_AT_INFINITY if at.clip[3] == 0.0 else _OUT_OF_RANGE)
+        note = Phrase(_P_AT_INFINITY) if at.clip[3] == 0.0 else Phrase(_OUT_OF_RANGE, ("P",))
     else:
         pixel = tuple(at.pixel.tolist())
     if at.pixel is not None and point.pixel is not None:
         rest = math.dist(at.pixel, point.pixel)
-    why_no_rest = note
-    if point.pixel is None:
-        why_no_rest = _pixel_reading(projection, "", point).note
+    why_no_rest = note if point.pixel is not None else why_no_v
     return [
         Reading(QT_TRANSLATE_NOOP("phenomena", "w of P = (1 − t)·C + t·(D : 0)"), at.w),
         Reading(QT_TRANSLATE_NOOP("phenomena", "image of P"), pixel, "px", note),
