@@ -659,6 +659,8 @@ def test_a_point_of_the_scene_goes_where_the_hand_goes_and_that_is_one_step(
     make_scene: Callable[[str], MainWindow], scene: str, setting: str
 ) -> None:
     window = make_scene(scene)
+    window.resize(1600, 1000)  # or the panel may grow by a line of its readout when the hand rests
+    settle()
     before, seen_before = window.store.document, view(window)
     _, spot = grip(window, setting)
     drag(window, "world", point(spot), (6, 0), (14, -9))
@@ -668,6 +670,24 @@ def test_a_point_of_the_scene_goes_where_the_hand_goes_and_that_is_one_step(
     assert model(window) == before.projection and view(window) == seen_before
     window.store.undo()
     assert window.store.document == before and not window.store.can_undo
+
+
+def test_the_panes_stand_still_under_the_hand_though_the_readout_grows(
+    make_scene: Callable[[str], MainWindow],
+) -> None:
+    window = make_scene("eye-plane")
+    window.resize(1366, 768)
+    settle()
+    pane, column = window.panes["world"], window.scene_panel._readout_column
+    _, spot = grip(window, "start")
+    height = pane.height()
+    press(window, "world", point(spot))
+    for away in ((6, 0), (14, -9), (40, -30), (90, 40), (-60, 20)):
+        move(window, "world", point(spot) + QPoint(*away))
+        assert pane.height() == height
+    release(window, "world", point(spot) + QPoint(-60, 20))
+    settle()
+    assert column.verticalScrollBar().maximum() == 0
 
 
 def test_the_sun_is_held_by_its_direction(make_scene: Callable[[str], MainWindow]) -> None:
