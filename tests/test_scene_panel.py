@@ -863,3 +863,11 @@ def test_a_setting_without_effect_says_with_what_it_would_have_one(
     assert enabled() == always | {"fog_start", "fog_end"}
     store.set_settings({"fog": "exponential", "detail": True})
     assert enabled() == always | {"fog_density", "detail_1", "detail_2"}
+
+
+def test_a_bound_is_written_as_all_numbers_are(make_window: Callable[..., Any]) -> None:
+    store, window = opened(make_window, "far-plane-popping")
+    store.set_settings({"fog": "linear"})
+    row = number_row(window.scene_panel, "fog_end")
+    enter(row.field, "10")
+    assert row.error.endswith("Fog ends at = 10: must be greater than 20.")

@@ -59,8 +59,6 @@ from widgets.rows import short_text
 
 _AXES = ("u", "v", "n")
 VIEW = ("view_from_world", "rotation")
-_WIDEST = 16
-"""Width in ems after which a formula is cut; its tooltip has all of it."""
 
 
 def first_change(before: str, after: str) -> int | None:
@@ -245,11 +243,7 @@ class MatrixView(QWidget):
     def _measure(self, anew: bool) -> None:
         metrics, fonts = QFontMetricsF(self.font()), self._fonts()
         widths = [
-            min(
-                max(_width(row[j], fonts) for row in self._texts),
-                _WIDEST * metrics.height(),
-            )
-            + 0.8 * metrics.height()
+            max(_width(row[j], fonts) for row in self._texts) + 0.8 * metrics.height()
             for j in range(4)
         ]
         # While numbers run, columns only grow: a row that jumps to and fro cannot be read.
@@ -359,11 +353,6 @@ class MatrixView(QWidget):
     def _paint_text(self, painter: QPainter, rect: QRectF, text: str, mark: int | None) -> None:
         fonts, metrics = self._fonts(), QFontMetricsF(self.font())
         pad = 0.4 * metrics.height()
-        room = rect.width() - 1.5 * pad
-        if _width(text, fonts) > room:
-            while text and _width(f"{text}…", fonts) > room:
-                text = text[:-1]
-            text += "…"
         x = rect.right() - pad - _width(text, fonts)
         base = rect.center().y() + (metrics.ascent() - metrics.descent()) / 2.0
         for run, kind in _runs(text):
