@@ -463,7 +463,7 @@ def test_cameras_at_their_ends_are_drawn(make_window: MakeWindow) -> None:
 
 
 def test_the_view_matrix_s_formula_is_the_lecture_s(make_window: MakeWindow) -> None:
-    """Lecture 004: R^T has u, v, n as columns, so that R, which has them as rows, is (u, v, n)^T."""
+    """Lecture 004: R^T has u, v, n as columns; R is (u, v, n)^T, with them as rows."""
     window = opened(make_window)
     panel = window.frame_panel
     for step in range(len(STEPS)):

@@ -54,7 +54,6 @@ from app.notation import (
     written,
 )
 from widgets.attention import paint_attention
-from widgets.messages import stage_title
 from widgets.rows import short_text
 
 _AXES = ("u", "v", "n")
@@ -115,6 +114,8 @@ class MatrixView(QWidget):
 
     Parameters
     ----------
+    title : str
+        What a reader calls it.
     explain : callable
         The sentence about a cell: ``(matrix, row, column) -> str``.
 
@@ -138,9 +139,10 @@ class MatrixView(QWidget):
     moved_on = Signal(int, int)
 
     def __init__(
-        self, explain: Callable[[Matrix, int, int], str], *, editable: bool = False
+        self, title: str, explain: Callable[[Matrix, int, int], str], *, editable: bool = False
     ) -> None:
         super().__init__()
+        self.setAccessibleName(title)
         self._explain, self._editable = explain, editable
         self._field: _CellField | None = None
         self._refused = False
@@ -207,7 +209,6 @@ class MatrixView(QWidget):
         else:
             self._texts = [[short_text(value) for value in row] for row in matrix.values]
         self._measure(anew or old is None or old.name != matrix.name)
-        self.setAccessibleName(stage_title(matrix.name))
         if self.hasFocus():
             self._say()
         self.update()
@@ -378,9 +379,8 @@ class MatrixView(QWidget):
         self._close()
         self._cursor = (row, column)
         self._field = field = _CellField(cell_text(self._matrix.values[row][column]), self)
-        title = stage_title(self._matrix.name)
         place = self.tr("{0}, row {1}, column {2}")
-        field.setAccessibleName(place.format(title, row + 1, column + 1))
+        field.setAccessibleName(place.format(self.accessibleName(), row + 1, column + 1))
         field.setPlaceholderText("1/3")
         field.setToolTip(
             self.tr("A number, or a fraction such as 1/3, which is divided to all digits")
