@@ -590,6 +590,8 @@ _PIECE = re.compile(f"_(?P<below>[^\\W_]*)|(?P<vector>.){ARROW}|.")
 
 def _runs(text: str) -> list[tuple[str, str]]:
     """A text in pieces, each with what it is: ``"_"`` a subscript, `ARROW` a vector, or nothing."""
+    if "_" not in text and ARROW not in text:  # a number, most often
+        return [(text, "")]
     runs: list[tuple[str, str]] = []
     for piece in _PIECE.finditer(text):
         if piece["below"] is not None:
