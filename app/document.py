@@ -235,10 +235,7 @@ class Document:
         phenomenon = PHENOMENA.get(self.scene)
         if phenomenon is None:
             return self
-        after = phenomenon.checked({**self.settings, **settings})
-        if after == self.settings:
-            return self
-        projection = phenomenon.follow(self.projection, self.settings, after)
+        projection, after = phenomenon.changed(self.projection, self.settings, settings)
         return replace(self, projection=projection, settings=after)
 
 

@@ -460,3 +460,19 @@ def test_cameras_at_their_ends_are_drawn(make_window: MakeWindow) -> None:
         settle()
         assert len(numbers(window.frame_panel).split()) == 16
         assert "nan" not in window.frame_panel.figures.text()
+
+
+def test_the_view_matrix_s_formula_is_the_lecture_s(make_window: MakeWindow) -> None:
+    """Lecture 004: R^T has u, v, n as columns; R is (u, v, n)^T, with them as rows."""
+    window = opened(make_window)
+    panel = window.frame_panel
+    for step in range(len(STEPS)):
+        panel.go_to(step)
+        plain = QTextDocumentFragment.fromHtml(panel.formula.text()).toPlainText()
+        assert plain.startswith(
+            ("e", "look = target", "up", "n = (e", "u = up", "v = n", "M = R T")
+        )
+        assert "<b>" in panel.formula.text()
+    assert "R = (<b>u</b>, <b>v</b>, <b>n</b>)<sup>T</sup>" in panel.formula.text()
+    rotation = START.view_rotation[:3, :3]
+    np.testing.assert_array_equal(rotation, np.column_stack(START.camera.frame).T)

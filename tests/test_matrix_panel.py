@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import re
 from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
@@ -18,11 +19,12 @@ from pytestqt.qtbot import QtBot
 from app import cli, notation
 from app.drawings.style import DARK, LIGHT
 from app.free_matrix import with_cell
+from app.notation import ARROW, LETTERS, Letters, as_latex
 from app.picking import Probe
 from app.projection import Camera, FreeMatrix, Frustum, Oblique, Perspective, Projection
 from widgets import matrix_panel
 from widgets.matrix_panel import MatrixPanel
-from widgets.matrix_view import MatrixView, first_change
+from widgets.matrix_view import MatrixView, _runs, _width, first_change, rich
 from widgets.messages import stage_title
 from widgets.rows import short_text
 
@@ -158,7 +160,7 @@ def test_formulas_in_the_letters_of_a_lecture(panel: MatrixPanel) -> None:
     box = panel._boxes[[matrix.name for matrix in panel.shown].index("clip_from_view")]
     assert "lecture 002" in box.note.text() and box.note.isVisible()
     choose(panel.letters, "001")
-    assert panel.views["view_from_world"].texts[2] == ["w_x", "w_y", "w_z", "−w·P"]
+    assert panel.views["view_from_world"].texts[2] == ["w_x", "w_y", "w_z", f"−w{ARROW}·P{ARROW}"]
 
 
 def test_row_vectors(panel: MatrixPanel) -> None:
@@ -216,14 +218,16 @@ def test_pointing_with_mouse_and_keys(panel: MatrixPanel, qtbot: QtBot) -> None:
             Qt.KeyboardModifier.NoModifier,
         )  # fmt: skip
         QGuiApplication.sendEvent(view, move)
-    assert "row 2, column 4" in hover.args[0] == panel.explanation.text()
+    assert hover.args[0].startswith(f"view ← world, row 2, column 4: −v{ARROW}·e{ARROW} = ")
+    assert panel.explanation.text() == rich(hover.args[0])
+    assert "column 4: −<b>v</b>·<b>e</b> = " in panel.explanation.text()
     qtbot.mouseClick(view, Qt.MouseButton.LeftButton, pos=view._cell_rect(0, 0).center().toPoint())
     qtbot.keyClick(view, Qt.Key.Key_Right)
     qtbot.keyClick(view, Qt.Key.Key_Down)
     qtbot.keyClick(view, Qt.Key.Key_Down)
     assert "row 3, column 2" in panel.explanation.text()
-    assert view.accessibleDescription() == panel.explanation.text()
-    assert view.accessibleName() == "view_from_world"
+    assert rich(view.accessibleDescription()) == panel.explanation.text()
+    assert view.accessibleName() == "view ← world"
 
 
 def test_copies_reach_the_clipboard(panel: MatrixPanel, qtbot: QtBot) -> None:
@@ -236,7 +240,7 @@ def test_copies_reach_the_clipboard(panel: MatrixPanel, qtbot: QtBot) -> None:
     (menu,) = view.findChildren(QMenu)
     actions = menu.actions()
     assert [action.text() for action in actions] == [
-        "Copy as text", "Copy for NumPy", "Copy for LaTeX",
+        "Copy as text", "Copy for NumPy (numbers)", "Copy for LaTeX (needs amsmath)",
     ]  # fmt: skip
     actions[1].trigger()
     numbers: dict[str, Any] = {"np": np}
@@ -329,7 +333,7 @@ def test_a_cell_is_typed_and_goes_out_once(
 ) -> None:
     field = double_click(panel, qtbot, "clip_from_view", 0, 2)
     assert field.text() == notation.cell_text(panel.shown[-3].values[0][2])  # with all its digits
-    assert field.accessibleName() == "clip_from_view[0, 2]"
+    assert field.accessibleName() == "clip ← view, row 1, column 3"
     type_cell(panel, qtbot, "clip_from_view", 0, 2, "1/4")
     (edit,) = edits
     assert isinstance(edit.lens, Frustum)
@@ -709,3 +713,77 @@ def test_undone_the_matrix_stays_under_the_hand(
     QApplication.processEvents()
     now = panel.views["clip_from_view"]
     assert panel._left_of(now) == left and panel.window().focusWidget() is now
+
+
+# -- what is read on it
+
+
+@pytest.mark.parametrize("letters", LETTERS)
+@pytest.mark.parametrize("vectors", ["columns", "rows"])
+def test_a_vector_is_told_from_the_plane_of_its_letter(
+    panel: MatrixPanel, letters: Letters, vectors: str
+) -> None:
+    """(f + n)(n.e): n is near outside the product, and the camera's axis inside."""
+    choose(panel.cells, "formulas")
+    choose(panel.letters, letters)
+    choose(panel.vectors, vectors)
+    panel.running.setChecked(True)
+    products = [text for row in shown_texts(panel) for text in row if "·" in text]
+    assert products
+    for text in products:
+        before, _, after = text.partition("·")
+        assert before.endswith(ARROW) and after[1] == ARROW, text
+        runs = _runs(text)
+        assert "".join(run for run, _ in runs) == text.replace(ARROW, "").replace("_", "")
+        drawn_bold = [run for run, kind in runs if kind == ARROW]
+        assert len(drawn_bold) == text.count(ARROW) and {len(run) for run in drawn_bold} == {1}
+    latex = as_latex(panel.shown[1], letters, formulas=True)
+    assert r"\vec{" in latex and ARROW not in latex
+
+
+def shown_texts(panel: MatrixPanel) -> list[list[str]]:
+    return [row for view in panel.views.values() for row in view.texts]
+
+
+def test_what_is_copied_is_what_is_shown(panel: MatrixPanel) -> None:
+    clipboard = QGuiApplication.clipboard()
+    text, numpy, latex = panel.copy.menu().actions()
+    assert "numbers" in numpy.text() and "amsmath" in latex.text()
+    choose(panel.cells, "formulas")
+    text.trigger()
+    assert f"−n{ARROW}·e{ARROW}" in clipboard.text()
+    assert "2n/(r − l)" in clipboard.text()
+    choose(panel.cells, "numbers")
+    text.trigger()
+    assert ARROW not in clipboard.text() and "(r − l)" not in clipboard.text()
+    for cells in ("numbers", "formulas"):
+        choose(panel.cells, cells)
+        latex.trigger()
+        # Each equation is displayed by itself, with nothing between that is mathematics.
+        between = re.split(r"\\\[\n.*?\n\\\]\n", clipboard.text(), flags=re.DOTALL)
+        assert len(between) == len(panel.shown) + 1 and not "".join(between).strip()
+
+
+def test_a_matrix_has_one_name(panel: MatrixPanel, qtbot: QtBot) -> None:
+    names = {stage_title(matrix.name) for matrix in panel.shown}
+    assert {box.title.text() for box in panel._boxes} == names
+    for matrix, box in zip(panel.shown, panel._boxes, strict=True):
+        assert panel.sentence(matrix, 0, 0).startswith(f"{box.title.text()}, row 1, column 1: ")
+        said = (box.title.toolTip(), box.view.accessibleName(), panel.sentence(matrix, 0, 0))
+        assert not any("_from_" in text for text in said)
+    type_cell(panel, qtbot, "clip_from_view", 0, 0, "x")
+    assert "clip ← view, row 1, column 1 = “x”" in panel.explanation.text()
+
+
+@pytest.mark.parametrize("letters", LETTERS)
+def test_no_formula_is_cut(panel: MatrixPanel, letters: Letters) -> None:
+    panel.running.setChecked(True)
+    choose(panel.cells, "formulas")
+    choose(panel.letters, letters)
+    for lens in (OFF_AXIS.lens, OFF_AXIS.with_lens("oblique").lens):
+        panel.show_projection(replace(OFF_AXIS, lens=lens))
+        for view in panel.views.values():
+            fonts = view._fonts()
+            for i, row in enumerate(view.texts):
+                for j, text in enumerate(row):
+                    assert _width(text, fonts) < view._cell_rect(i, j).width()

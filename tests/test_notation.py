@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import re
 from dataclasses import replace
 from typing import Any
 
@@ -133,7 +134,7 @@ def test_the_letters_of_each_lecture() -> None:
     assert lens_cell("002", "orthographic", 2, 3) == "−(z_n + z_f)/(z_n − z_f)"
     view = matrices(projection_of("frustum"), "001")[1]
     assert [notation.written(cell, "001") for cell in view.formulas[2]] == [
-        "w_x", "w_y", "w_z", "−w·P",
+        "w_x", "w_y", "w_z", f"−w{notation.ARROW}·P{notation.ARROW}",
     ]  # fmt: skip
     # Lecture 001's M_persp, first factor.
     scale = matrices(projection_of("perspective"), "001")[2].formulas
@@ -213,11 +214,14 @@ def test_copies() -> None:
     assert [[float(word) for word in line.split()] for line in lines[1:]] == [
         list(row) for row in matrix.values
     ]
+    shown = notation.as_text(matrix, "uvn", formulas=True).splitlines()
+    assert shown[0] == lines[0]
+    assert re.split("  +", shown[1]) == ["", "2n/(r − l)", "0", "(r + l)/(r − l)", "0"]
     latex = notation.as_latex(matrix, "uvn", formulas=True)
     assert r"\frac{2n}{r - l} & 0 & \frac{r + l}{r - l} & 0 \\" in latex
     assert latex.startswith(
-        r"M_{\text{clip}\leftarrow\text{view}} = \begin{pmatrix}"
-    ) and latex.endswith("\\end{pmatrix}\n")
+        "\\[\n" r"M_{\text{clip}\leftarrow\text{view}} = \begin{pmatrix}"
+    ) and latex.endswith("\\end{pmatrix}\n\\]\n")
     assert r"z_{\mathrm{min}}" in notation.as_latex(matrix, "000", formulas=True)
     assert notation.latex_number(-1.5e-9) == r"-1.5 \cdot 10^{-9}"
     numbers_only = notation.as_latex(matrix, "uvn")

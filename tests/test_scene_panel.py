@@ -14,13 +14,13 @@ from hypothesis import strategies as st
 from PySide6.QtCore import QCoreApplication, QEvent, Qt, QTranslator
 from PySide6.QtGui import QHelpEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLineEdit, QSlider, QToolTip
+from PySide6.QtWidgets import QApplication, QComboBox, QLineEdit, QSlider, QToolTip
 from pytestqt.qtbot import QtBot
 
 from app.document import Document
 from app.phenomena import PHENOMENA
 from app.phenomena.exhibit import Exhibit, Phrase, Reading, Setting, Settings, Subject
-from app.projection import Camera, FreeMatrix, ProjectionError
+from app.projection import Camera, FreeMatrix, Frustum, Oblique, ProjectionError, receding_of
 from app.scene import load
 from tests.phenomenon import EVERYTHING
 from widgets import palette
@@ -56,7 +56,7 @@ class Owner:
 
     def show(self) -> None:
         exhibit = EVERYTHING.show(self.projection, self.settings, SUBJECT)
-        self.panel.show_exhibit(exhibit, self.settings)
+        self.panel.show_exhibit(exhibit, self.settings, self.projection)
 
 
 @pytest.fixture
@@ -147,7 +147,7 @@ def test_of_a_free_matrix_nothing_can_be_chosen_and_a_tooltip_says_why(
     cells = tuple(map(tuple, np.eye(4).tolist()))
     free = replace(start, lens=FreeMatrix(cells))
     panel.players["turn"].play()
-    panel.show_exhibit(EVERYTHING.exhibit(free, owner.settings, SUBJECT), owner.settings)
+    panel.show_exhibit(EVERYTHING.exhibit(free, owner.settings, SUBJECT), owner.settings, free)
     assert not any(row.isEnabled() for row in panel.rows.values())
     assert not panel.players["turn"].playing and not panel.players["turn"].button.isEnabled()
     assert panel.use_mesh.isEnabled() and "choose a lens" in panel.warning.text()
@@ -159,7 +159,7 @@ def test_of_a_free_matrix_nothing_can_be_chosen_and_a_tooltip_says_why(
         )
         assert QToolTip.text().endswith("choose a lens to see this.")
         QToolTip.hideText()
-    panel.show_exhibit(EVERYTHING.exhibit(start, owner.settings, SUBJECT), owner.settings)
+    panel.show_exhibit(EVERYTHING.exhibit(start, owner.settings, SUBJECT), owner.settings, start)
     assert all(row.isEnabled() for row in panel.rows.values())
     assert panel.players["turn"].button.isEnabled()
     place = row.field.rect().center()
@@ -307,7 +307,9 @@ def test_another_scene_is_shown_at_once_whatever_runs(
     triangles = PHENOMENA["similar-triangles"]
     panel.show_scene("Similar triangles", triangles)
     settings = triangles.checked({"distance": 3.0})
-    panel.show_exhibit(triangles.exhibit(triangles.start, settings, SUBJECT), settings)
+    panel.show_exhibit(
+        triangles.exhibit(triangles.start, settings, SUBJECT), settings, triangles.start
+    )
     assert panel.rows["distance"].value() == 3.0 and not panel._readable.pending
 
 
@@ -560,9 +562,11 @@ def test_there_are_as_many_diagrams_as_the_exhibit_has(owner: Owner) -> None:
     (diagram,) = EVERYTHING.show(owner.projection, owner.settings, SUBJECT).diagrams
     visible: Callable[[], int] = lambda: sum(view.isVisible() for view in panel.diagrams)  # noqa: E731
     assert visible() == 1 and panel.diagrams[0].accessibleName() == "Line"
-    panel.show_exhibit(Exhibit((), diagrams=(diagram, diagram, diagram)), owner.settings)
+    panel.show_exhibit(
+        Exhibit((), diagrams=(diagram, diagram, diagram)), owner.settings, owner.projection
+    )
     assert visible() == 3
-    panel.show_exhibit(Exhibit(()), owner.settings)
+    panel.show_exhibit(Exhibit(()), owner.settings, owner.projection)
     assert visible() == 0 and readings(panel) == []
 
 
@@ -587,6 +591,7 @@ def test_it_gives_way_to_the_panes(owner: Owner, qapp: QApplication) -> None:
     owner.panel.show_exhibit(
         Exhibit(many, diagrams=(diagram,) * 4, warning=Phrase("a long warning " * 20)),
         owner.settings,
+        owner.projection,
     )
     for projector in (True, False):
         palette.apply(qapp, dark=False, projector=projector)
@@ -663,3 +668,206 @@ def test_a_burst_of_keys_ends_with_its_scene(make_window: Callable[..., Any], qt
     window.files.choose_scene("letter-f")
     assert not window.store.in_gesture
     assert not window.matrices._readable.in_gesture
+
+
+# -- settings that move camera and lens, which others move too
+
+
+def opened(make_window: Callable[..., Any], scene: str) -> tuple[Any, Any]:
+    window = make_window(Document(scene, load(scene).start))
+    window.resize(1366, 768)
+    window.show()
+    return window.store, window
+
+
+def shown(window: Any, *names: str) -> list[Any]:
+    return [window.scene_panel.rows[name].value() for name in names]
+
+
+def in_words(window: Any, name: str) -> str:
+    row = window.scene_panel.rows[name]
+    assert isinstance(row, ChoiceRow)
+    combo = row.widgets[0]
+    assert isinstance(combo, QComboBox)
+    return combo.currentText() or combo.placeholderText()
+
+
+def choose(window: Any, name: str, key: str) -> None:
+    row = window.scene_panel.rows[name]
+    assert isinstance(row, ChoiceRow)
+    row.choose(key)
+
+
+def test_the_view_volume_is_that_of_the_lens_and_can_be_chosen_again(
+    make_window: Callable[..., Any],
+) -> None:
+    store, window = opened(make_window, "view-volumes")
+    start = store.document
+    store.set_projection(start.projection.with_lens("orthographic"))
+    assert shown(window, "volume") == ["box"] and store.document.settings == start.settings
+    choose(window, "volume", "pyramid")
+    assert store.document.projection.lens.kind == "perspective"
+    assert shown(window, "volume") == ["pyramid"]
+    store.undo()
+    assert store.document.projection.lens.kind == "orthographic"
+    assert shown(window, "volume") == ["box"]
+    choose(window, "volume", "cone")
+    store.set_projection(store.document.projection.with_lens("oblique"))
+    assert shown(window, "volume") == ["oblique"]
+
+
+def test_a_camera_that_was_turned_is_free_and_can_be_turned_back(
+    make_window: Callable[..., Any],
+) -> None:
+    store, window = opened(make_window, "vanishing-points")
+    start = store.document.projection
+    assert shown(window, "points") == ["2"]
+    store.set_projection(replace(start, camera=replace(start.camera, eye=(3.0, 5.0, 5.0))))
+    assert shown(window, "points") == ["free"]
+    window.scene_panel.edited.emit({"t": 0.25})
+    assert store.document.projection.camera.eye == (3.0, 5.0, 5.0)
+    choose(window, "points", "2")
+    assert shown(window, "points") == ["2"]
+    np.testing.assert_allclose(store.document.projection.camera.frame, start.camera.frame)
+    # Nearer, but from the same side: still two of them.
+    camera = store.document.projection.camera
+    near = Camera.from_orbit(camera.target, camera.orbit._replace(distance=4.0))
+    store.set_projection(replace(store.document.projection, camera=near))
+    assert shown(window, "points") == ["2"]
+
+
+def test_an_oblique_drawing_is_as_its_lens_is(
+    make_window: Callable[..., Any],
+) -> None:
+    store, window = opened(make_window, "oblique-drawing")
+    start = store.document.projection
+    rows = window.scene_panel.rows
+    assert shown(window, "drawing", "angle_deg", "morph") == ["cavalier", 45.0, 1.0]
+    assert not rows["receding"].isEnabled()  # of the free drawing alone
+    lens = replace(start.lens, alpha_deg=80.0)
+    store.set_projection(replace(start, lens=lens))
+    drawing, receding, angle_deg, morph = shown(window, "drawing", "receding", "angle_deg", "morph")
+    assert (drawing, morph) == ("free", 1.0) and rows["receding"].isEnabled()
+    scale, direction = receding_of(lens)
+    assert receding == pytest.approx(scale, rel=1e-9)
+    assert angle_deg == pytest.approx(direction, rel=1e-9)
+    # The others stay as they are seen when one is changed.
+    number_row(window.scene_panel, "angle_deg").edited.emit(30.0)
+    drawn = store.document.projection.lens
+    assert isinstance(drawn, Oblique)
+    assert receding_of(drawn) == pytest.approx((scale, 30.0))
+    choose(window, "drawing", "cavalier")
+    drawn = store.document.projection.lens
+    assert isinstance(drawn, Oblique) and receding_of(drawn) == pytest.approx((1.0, 30.0))
+    # Another lens draws none of them.
+    store.set_projection(store.document.projection.with_lens("perspective"))
+    assert in_words(window, "drawing") == "none of these"
+    assert not rows["angle_deg"].isEnabled() and not rows["morph"].isEnabled()
+    assert shown(window, "angle_deg", "morph") == [30.0, 1.0]  # with what it would be drawn
+    choose(window, "drawing", "cavalier")
+    assert store.document.projection.lens.kind == "oblique"
+    assert shown(window, "drawing") == ["cavalier"] and rows["angle_deg"].isEnabled()
+
+
+def test_a_photograph_is_none_any_more_when_the_camera_has_been_moved(
+    make_window: Callable[..., Any],
+) -> None:
+    store, window = opened(make_window, "field-of-view")
+    start = store.document.projection
+    target, orbit = start.camera.target, start.camera.orbit
+    away = Camera.from_orbit(target, orbit._replace(distance=9.0))
+    store.set_projection(replace(start, camera=away))
+    assert in_words(window, "preset") == "none of these"
+    assert shown(window, "distance") == [pytest.approx(3.0)]
+    assert number_text(shown(window, "distance")[0]) == "3"
+    choose(window, "preset", "wide")
+    now = store.document.projection
+    assert now.camera.distance == pytest.approx(3.0)
+    assert now.lens.fov_y_deg == pytest.approx(start.lens.fov_y_deg)
+    assert shown(window, "preset", "distance") == ["wide", 1.0]
+    assert store.document.settings["distance"] == 1.0
+    # From the control itself the photograph stays what it is: the size is held.
+    window.scene_panel.edited.emit({"distance": 2.0})
+    assert shown(window, "preset", "distance") == ["wide", 2.0]
+    # Away from it, the distance moves the eye on from where it is.
+    store.set_projection(replace(start, camera=away))
+    window.scene_panel.edited.emit({"distance": 1.5})
+    assert store.document.projection.camera.distance == pytest.approx(4.5)
+    assert shown(window, "distance") == [1.5] and in_words(window, "preset") == "none of these"
+    # What is farther than can be chosen is shown, too, and stays when something else is.
+    far = Camera.from_orbit(target, orbit._replace(distance=300.0))
+    store.set_projection(replace(start, camera=far))
+    assert shown(window, "distance") == [pytest.approx(100.0)]
+    window.scene_panel.edited.emit({"enlarged": False})
+    assert store.document.projection.camera == far
+
+
+def test_the_eye_is_beside_the_middle_that_the_window_has(
+    make_window: Callable[..., Any],
+) -> None:
+    store, window = opened(make_window, "off-axis-window")
+    start = store.document.projection
+    assert shown(window, "shift") == [1.5]
+    lens = start.lens
+    assert isinstance(lens, Frustum)
+    moved = replace(lens, left=lens.left - 0.25, right=lens.right - 0.25)
+    store.set_projection(replace(start, lens=moved))  # the window, 2 to the left at the distance 8
+    assert shown(window, "shift") == [pytest.approx(3.5)]
+    number_row(window.scene_panel, "shift").edited.emit(1.5)
+    now = store.document.projection
+    assert now.camera.eye == pytest.approx((-0.5, 2.4, 8.0))
+    assert now.window == pytest.approx(start.window) and shown(window, "shift") == [1.5]
+    store.set_projection(now.with_lens("perspective"))
+    assert shown(window, "shift") == [0.0]
+    number_row(window.scene_panel, "shift").edited.emit(1.5)
+    assert store.document.projection.window == pytest.approx(start.window)
+
+
+def test_the_drive_is_as_far_as_the_camera_is(
+    make_window: Callable[..., Any],
+) -> None:
+    store, window = opened(make_window, "far-plane-popping")
+    start = store.document.projection
+    for z, position in ((-20.0, 30.0), (-400.0, 410.0)):
+        there = replace(start.camera, eye=(0.5, 2.2, z), target=(0.0, 2.0, z - 50.0))
+        store.set_projection(replace(start, camera=there))
+        assert shown(window, "position") == [position]
+        window.scene_panel.edited.emit({"detail": z == -20.0})
+        assert store.document.projection.camera == there  # nobody has asked for another place
+    number_row(window.scene_panel, "position").edited.emit(0.0)
+    assert store.document.projection.camera.eye == pytest.approx(start.camera.eye)
+
+
+def test_a_setting_without_effect_says_with_what_it_would_have_one(
+    make_window: Callable[..., Any],
+) -> None:
+    store, window = opened(make_window, "far-plane-popping")
+    rows = window.scene_panel.rows
+
+    def enabled() -> set[str]:
+        return {name for name, row in rows.items() if row.isEnabled()}
+
+    always = {"position", "fog", "detail"}
+    assert enabled() == always
+    for name, said in (
+        ("fog_start", "Only with “Fog”: linear, from start to end."),
+        ("detail_1", "Only with “Level of detail” switched on."),
+    ):
+        field = number_row(window.scene_panel, name).field
+        place = field.rect().center()
+        event = QHelpEvent(QEvent.Type.ToolTip, place, field.mapToGlobal(place))
+        QApplication.sendEvent(field, event)
+        assert QToolTip.text() == said
+        QToolTip.hideText()
+    store.set_settings({"fog": "linear"})
+    assert enabled() == always | {"fog_start", "fog_end"}
+    store.set_settings({"fog": "exponential", "detail": True})
+    assert enabled() == always | {"fog_density", "detail_1", "detail_2"}
+
+
+def test_a_bound_is_written_as_all_numbers_are(make_window: Callable[..., Any]) -> None:
+    store, window = opened(make_window, "far-plane-popping")
+    store.set_settings({"fog": "linear"})
+    row = number_row(window.scene_panel, "fog_end")
+    enter(row.field, "10")
+    assert row.error.endswith("Fog ends at = 10: must be greater than 20.")

@@ -11,7 +11,7 @@ the digits that `python -m app matrices` prints. The panel computes nothing whil
 
 from __future__ import annotations
 
-import html
+import re
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 from typing import NamedTuple
@@ -459,7 +459,8 @@ def _numbers(step: str, camera: Camera) -> str:
         cells = ("".join(f"<td align='right'>{cell}</td>" for cell in row) for row in rows)
         table = "".join(f"<tr>{row}</tr>" for row in cells)
         return f"<table cellspacing='0' cellpadding='3'>{table}</table>"
-    return "<br>".join(f"{html.escape(name)} = {value}" for name, value in lines)
+    names = (re.sub(r"\b(e|look|up|u|v|n)\b", r"<b>\1</b>", name) for name, _ in lines)
+    return "<br>".join(f"{name} = {value}" for name, (_, value) in zip(names, lines, strict=True))
 
 
 def _vector(parts: Iterable[float]) -> str:

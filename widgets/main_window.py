@@ -661,7 +661,7 @@ class MainWindow(QMainWindow):
         self.probe_panel.show_projection(document.projection)
         self.counting.show(scene, document.projection, self._exhibit)
         self.manipulation.show_exhibit(self._exhibit, document.settings)
-        self.scene_panel.show_exhibit(self._exhibit, document.settings)
+        self.scene_panel.show_exhibit(self._exhibit, document.settings, document.projection)
         self._show_notes(document.projection, scene)
         self.autosave.schedule()
 

@@ -249,7 +249,7 @@ class MatrixPanel(QWidget):
 
     def new_view(self, name: str) -> MatrixView:
         """A view of one matrix, wired to the explanation, the clipboard and the model."""
-        view = MatrixView(self.sentence, editable=name in EDITABLE)
+        view = MatrixView(stage_title(name), self.sentence, editable=name in EDITABLE)
         view.pointed.connect(partial(self._said, view))
         view.copied.connect(self._copy_one)
         view.attended.connect(self.attended)

@@ -54,13 +54,10 @@ from app.notation import (
     written,
 )
 from widgets.attention import paint_attention
-from widgets.messages import stage_title
 from widgets.rows import short_text
 
 _AXES = ("u", "v", "n")
 VIEW = ("view_from_world", "rotation")
-_WIDEST = 16
-"""Width in ems after which a formula is cut; its tooltip has all of it."""
 
 
 def first_change(before: str, after: str) -> int | None:
@@ -117,6 +114,8 @@ class MatrixView(QWidget):
 
     Parameters
     ----------
+    title : str
+        What a reader calls it.
     explain : callable
         The sentence about a cell: ``(matrix, row, column) -> str``.
 
@@ -140,9 +139,10 @@ class MatrixView(QWidget):
     moved_on = Signal(int, int)
 
     def __init__(
-        self, explain: Callable[[Matrix, int, int], str], *, editable: bool = False
+        self, title: str, explain: Callable[[Matrix, int, int], str], *, editable: bool = False
     ) -> None:
         super().__init__()
+        self.setAccessibleName(title)
         self._explain, self._editable = explain, editable
         self._field: _CellField | None = None
         self._refused = False
@@ -209,7 +209,6 @@ class MatrixView(QWidget):
         else:
             self._texts = [[short_text(value) for value in row] for row in matrix.values]
         self._measure(anew or old is None or old.name != matrix.name)
-        self.setAccessibleName(stage_title(matrix.name))
         if self.hasFocus():
             self._say()
         self.update()
@@ -245,11 +244,7 @@ class MatrixView(QWidget):
     def _measure(self, anew: bool) -> None:
         metrics, fonts = QFontMetricsF(self.font()), self._fonts()
         widths = [
-            min(
-                max(_width(row[j], fonts) for row in self._texts),
-                _WIDEST * metrics.height(),
-            )
-            + 0.8 * metrics.height()
+            max(_width(row[j], fonts) for row in self._texts) + 0.8 * metrics.height()
             for j in range(4)
         ]
         # While numbers run, columns only grow: a row that jumps to and fro cannot be read.
@@ -359,11 +354,6 @@ class MatrixView(QWidget):
     def _paint_text(self, painter: QPainter, rect: QRectF, text: str, mark: int | None) -> None:
         fonts, metrics = self._fonts(), QFontMetricsF(self.font())
         pad = 0.4 * metrics.height()
-        room = rect.width() - 1.5 * pad
-        if _width(text, fonts) > room:
-            while text and _width(f"{text}…", fonts) > room:
-                text = text[:-1]
-            text += "…"
         x = rect.right() - pad - _width(text, fonts)
         base = rect.center().y() + (metrics.ascent() - metrics.descent()) / 2.0
         for run, kind in _runs(text):
@@ -389,9 +379,8 @@ class MatrixView(QWidget):
         self._close()
         self._cursor = (row, column)
         self._field = field = _CellField(cell_text(self._matrix.values[row][column]), self)
-        title = stage_title(self._matrix.name)
         place = self.tr("{0}, row {1}, column {2}")
-        field.setAccessibleName(place.format(title, row + 1, column + 1))
+        field.setAccessibleName(place.format(self.accessibleName(), row + 1, column + 1))
         field.setPlaceholderText("1/3")
         field.setToolTip(
             self.tr("A number, or a fraction such as 1/3, which is divided to all digits")
@@ -601,6 +590,8 @@ _PIECE = re.compile(f"_(?P<below>[^\\W_]*)|(?P<vector>.){ARROW}|.")
 
 def _runs(text: str) -> list[tuple[str, str]]:
     """A text in pieces, each with what it is: ``"_"`` a subscript, `ARROW` a vector, or nothing."""
+    if "_" not in text and ARROW not in text:  # a number, most often
+        return [(text, "")]
     runs: list[tuple[str, str]] = []
     for piece in _PIECE.finditer(text):
         if piece["below"] is not None:

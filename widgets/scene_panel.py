@@ -40,6 +40,7 @@ from app.drawings.style import LIGHT, Style
 from app.phenomena.exhibit import (
     Diagram,
     Exhibit,
+    Found,
     Phenomenon,
     Phrase,
     Reading,
@@ -47,7 +48,7 @@ from app.phenomena.exhibit import (
     Settings,
     Value,
 )
-from app.projection import AT_LEAST, AT_MOST, ProjectionError
+from app.projection import AT_LEAST, AT_MOST, Projection, ProjectionError
 from widgets.animation import FRAME_MS, LONGEST_FRAME_S
 from widgets.diagram import DiagramView
 from widgets.messages import figure_text, number_text, of_phenomena, sentence, translated
@@ -129,8 +130,9 @@ class ScenePanel(QWidget):
         self._readable = Readable(self, self._fill)
         self.begin_gesture = self._readable.begin_gesture
         self.end_gesture = self._readable.end_gesture
-        self._why_not = ""
-        self._lines: list[QWidget] = []
+        self._projection: Projection | None = None
+        self._why_not: dict[QWidget, str] = {}
+        self._lines: dict[str, QWidget] = {}
         self._edits = ""  # name of the setting that the user is changing
         self.players: dict[str, Player] = {}
 
@@ -252,18 +254,24 @@ class ScenePanel(QWidget):
         self._readout_column.setVisible(phenomenon is not None)
         self._show_diagrams(())
 
-    def show_exhibit(self, exhibit: Exhibit | None, settings: Settings) -> None:
+    def show_exhibit(
+        self, exhibit: Exhibit | None, settings: Settings, projection: Projection
+    ) -> None:
         """Show settings, readout, warning and diagrams; a setting in the hand follows it at once.
 
         Parameters
         ----------
         exhibit : Exhibit or None
         settings : mapping of str to value
+            As they were chosen last.
+        projection : Projection
+            That the exhibit is of: it may be moved so that they hold no more.
         """
         if exhibit is self._exhibit and settings == self._settings:
             return
         anew = self._exhibit is None
         self._exhibit, self._settings, self._counted = exhibit, settings, None
+        self._projection = projection
         for name, player in self.players.items():
             player.show_value(float(settings[name]))  # type: ignore[arg-type]
         if self._edits in settings and self.isVisible():
@@ -318,14 +326,14 @@ class ScenePanel(QWidget):
         for name, row in self.rows.items():
             row.finish_gesture()  # a burst of keys that has not gone quiet yet, and never would
             self.players.pop(name, None)
-        for line in self._lines:
+        for line in self._lines.values():
             self._rows.removeWidget(line)
             line.hide()
             line.deleteLater()
-        self._lines = []
+        self._lines = {}
         self.rows = {}
         for setting in settings:
-            row = make_row(setting)
+            row = make_row(setting, self.tr("none of these"))
             self.rows[setting.name] = row
             row.edited.connect(partial(self._edit, setting.name))
             row.gesture_started.connect(partial(self._gesture_started, row))
@@ -335,10 +343,10 @@ class ScenePanel(QWidget):
             if setting.per_second and isinstance(row, NumberRow):
                 line = self._with_player(setting, row)
             self._rows.addWidget(line)
-            self._lines.append(line)
+            self._lines[setting.name] = line
             for part in (line, *line.findChildren(QWidget)):
                 part.installEventFilter(self)
-        self._why_not = ""
+        self._why_not = {}
         self._align()
 
     def _with_player(self, setting: Setting, row: NumberRow) -> QWidget:
@@ -388,11 +396,17 @@ class ScenePanel(QWidget):
             self.pause()
 
     def _fill(self) -> None:
-        for name, value in self._settings.items():
+        found: Found = self._settings
+        if self._phenomenon is not None and self._projection is not None and found:
+            found = self._phenomenon.at_hand(self._projection, self._settings)
+        for name, value in found.items():
             row = self.rows[name]
             if row.error and not row.in_hand and name != self._edits:
                 row.clear_error()  # what another value has cured
-            row.setValue(value)
+            is_choice = isinstance(row, ChoiceRow)
+            row.setValue(self._settings[name] if value is None and not is_choice else value)
+            if name in self.players and isinstance(value, float):
+                self.players[name].show_value(value)
         exhibit = self._exhibit
         readings = () if exhibit is None else exhibit.readings
         self.readout.show_readings(
@@ -401,17 +415,35 @@ class ScenePanel(QWidget):
         warning = self._problem if exhibit is None else exhibit.warning or self._problem
         why = "" if warning is None else _full(warning.sentence(of_phenomena))
         self.warning.say(why and f"⚠ {why}")
-        self._let_choose(why if exhibit is not None and exhibit.idle else "")
+        self._let_choose(found, why if exhibit is not None and exhibit.idle else "")
         self._show_diagrams(() if exhibit is None else exhibit.diagrams)
 
-    def _let_choose(self, why_not: str) -> None:
+    def _let_choose(self, found: Found, why_not: str) -> None:
         """Let the settings be changed, unless a sentence says why that would change nothing."""
-        if why_not != self._why_not:
-            self._why_not = why_not
-            for line in self._lines:
-                line.setEnabled(not why_not)
-            if why_not:
-                self.pause()
+        for setting in () if self._phenomenon is None else self._phenomenon.settings:
+            name, line = setting.name, self._lines[setting.name]
+            why = why_not or (self._why_without_effect(setting, found) if found else "")
+            if why != self._why_not.get(line, ""):
+                for part in (line, *line.findChildren(QWidget)):
+                    self._why_not[part] = why
+                line.setEnabled(not why)
+                if why and name in self.players:
+                    self.players[name].pause()
+
+    def _why_without_effect(self, setting: Setting, found: Found) -> str:
+        """Why a setting would change nothing as the others, camera and lens are; or nothing."""
+        assert self._phenomenon is not None
+        name, wanted = setting.only_with or ("", None)
+        if name and found[name] != wanted:
+            other = next(other for other in self._phenomenon.settings if other.name == name)
+            label = of_phenomena(other.label)
+            if isinstance(wanted, bool):
+                return self.tr("Only with “{0}” switched on.").format(label)
+            text = of_phenomena(dict(other.choices)[str(wanted)])
+            return self.tr("Only with “{0}”: {1}.").format(label, text)
+        if found[setting.name] is None and not isinstance(self.rows[setting.name], ChoiceRow):
+            return self.tr("The lens has none: choose one of the above first.")
+        return ""
 
     def _show_diagrams(self, diagrams: Sequence[Diagram]) -> None:
         while len(self.diagrams) < len(diagrams):
@@ -458,9 +490,11 @@ class ScenePanel(QWidget):
         return self.fontMetrics().height()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip and self._why_not:
-            QToolTip.showText(event.globalPos(), self._why_not)  # instead of what it would do
-            return True
+        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
+            why = self._why_not.get(watched) if isinstance(watched, QWidget) else None
+            if why:
+                QToolTip.showText(event.globalPos(), why)  # instead of what it would do
+                return True
         if event.type() == QEvent.Type.Resize and watched is self._diagram_column:
             self._place_diagrams()
         return super().eventFilter(watched, event)
@@ -561,8 +595,11 @@ class _Sentence(QLabel):
 # --------------------------------------------------------------------------- settings
 
 
-def make_row(setting: Setting) -> Row:
-    """A row of the kind that a setting's default asks for, with its reset."""
+def make_row(setting: Setting, none: str = "") -> Row:
+    """A row of the kind that a setting's default asks for, with its reset.
+
+    `none` is what a choice says while what it is about is none of what can be chosen.
+    """
     name, tip = of_phenomena(setting.label), of_phenomena(setting.tip)
     tip = tip if tip.endswith(".") else f"{tip}."
     row: Row
@@ -570,7 +607,7 @@ def make_row(setting: Setting) -> Row:
         row = CheckRow(name, tip)
     elif isinstance(setting.default, str):
         choices = [Choice(key, of_phenomena(text)) for key, text in setting.choices]
-        row = ChoiceRow(name, tip, choices)
+        row = ChoiceRow(name, tip, choices, none=none)
     elif isinstance(setting.default, tuple):
         row = VectorRow(name, tip)
     else:

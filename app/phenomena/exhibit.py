@@ -40,6 +40,11 @@ from app.values import finite, finite_vector
 Value: TypeAlias = float | bool | str | Vector
 Settings: TypeAlias = Mapping[str, Value]
 """The value of each `Setting` of a phenomenon, by its name; complete and checked."""
+Found: TypeAlias = Mapping[str, Value | None]
+"""Likewise, as camera and lens have them; None where they are as no value makes them."""
+
+CLOSE = 1e-7
+"""Of a number, or of its slider's length: nearer to the one that was chosen, it is that one."""
 
 WHOLE = "must be a whole number"
 YES_OR_NO = "must be true or false"
@@ -102,6 +107,8 @@ class Setting:
         Of a number: whether its slider runs over powers; whether it counts.
     per_second : float
         How fast a number moves while it is played; 0 if it is not.
+    only_with : (str, value), optional
+        Another setting's name, and the value of it without which this one has no effect.
     """
 
     name: str
@@ -116,6 +123,7 @@ class Setting:
     logarithmic: bool = False
     whole: bool = False
     per_second: float = 0.0
+    only_with: tuple[str, Value] | None = None
 
     @property
     def path(self) -> str:
@@ -149,6 +157,24 @@ class Setting:
         if self.whole and not number.is_integer():
             raise ProjectionError(self.path, number, WHOLE)
         return number
+
+    def can_be(self, value: Value | None) -> bool:
+        """Whether this is a value for it."""
+        try:
+            self.checked(value)
+        except ProjectionError:
+            return False
+        return True
+
+    def rounded(self, value: float, chosen: float) -> float | None:
+        """A number that was found, without rounding errors if it is the one that was chosen."""
+        if not math.isfinite(value):
+            return None
+        low, high = self.span or (self.low, self.high)
+        slack = CLOSE * (high - low) if math.isfinite(high - low) else 0.0
+        if math.isclose(value, chosen, rel_tol=CLOSE, abs_tol=slack):
+            return chosen
+        return float(f"{value:.12g}")
 
     def _check_bounds(self, part: float, value: object) -> None:
         if part < self.low:
@@ -526,8 +552,12 @@ class Subject:
     mesh: OwnMesh | None = None
 
 
-def _keep(projection: Projection, _before: Settings, _after: Settings) -> Projection:
+def _keep(projection: Projection, _before: Found, _after: Settings) -> Projection:
     return projection
+
+
+def _nothing(_projection: Projection, _settings: Settings) -> Found:
+    return {}
 
 
 def _any(_settings: Settings) -> None:
@@ -557,7 +587,11 @@ class Phenomenon:
         Document paths of the model's controls that matter here: ``lens.near``.
     follow : callable
         ``follow(projection, before, after)``: the projection that goes with changed settings,
-        where a setting moves the camera.
+        where a setting moves the camera; before it is what `found` found.
+    found : callable
+        ``found(projection, settings)``: those settings that `follow` follows, as camera and lens
+        have them, which may be moved without the settings. Of several values with one outcome
+        those in `settings`; None, or no number, where it is no value's outcome.
     check : callable
         Raises a `ProjectionError` for settings that do not go together.
     copies : int
@@ -581,7 +615,8 @@ class Phenomenon:
     show: Callable[[Projection, Settings, Subject], Exhibit]
     settings: tuple[Setting, ...] = ()
     controls: tuple[str, ...] = ()
-    follow: Callable[[Projection, Settings, Settings], Projection] = _keep
+    follow: Callable[[Projection, Found, Settings], Projection] = _keep
+    found: Callable[[Projection, Settings], Found] = _nothing
     check: Callable[[Settings], None] = _any
     copies: int = 0
     requires: frozenset[str] = frozenset()
@@ -601,6 +636,53 @@ class Phenomenon:
             return Exhibit((), copies=copies, warning=Phrase(_FREE), idle=True)
         return self.show(projection, settings, subject)
 
+    def at_hand(self, projection: Projection, settings: Settings) -> Found:
+        """All settings as camera and lens have them, perhaps beyond the bounds of what is chosen.
+
+        A free matrix has none, and leaves all as they were chosen.
+        """
+        if isinstance(projection.lens, FreeMatrix):
+            return settings
+        found = dict(self.found(projection, settings))
+        for setting in self.settings:
+            value = found.get(setting.name)
+            if isinstance(value, float):
+                found[setting.name] = setting.rounded(value, number(settings, setting.name))
+        return {**settings, **found}
+
+    def changed(
+        self, projection: Projection, settings: Settings, values: Mapping[str, Any]
+    ) -> tuple[Projection, Settings]:
+        """Choose some settings: the projection that goes with them, and all settings then.
+
+        What camera and lens have of the others is chosen with them. A value that was chosen once
+        and holds no more can be chosen again.
+
+        Raises
+        ------
+        ProjectionError
+            If the scene cannot have them, or no projection goes with them.
+        """
+        found = self.at_hand(projection, settings)
+        # What nobody asks for stays, on both sides, where it cannot be chosen as it is.
+        before = {**self._possible(found, settings), **{name: found.get(name) for name in values}}
+        after = self.checked({**before, **values})
+        if after == before:
+            return projection, settings
+        projection = self.follow(projection, before, after)
+        if None in before.values():  # what was off goes with others now, which it has put right
+            after = self.checked(self._possible(self.at_hand(projection, after), after))
+        return projection, after
+
+    def _possible(self, found: Found, chosen: Settings) -> Settings:
+        """What was found, and what had been chosen where that is no value to choose."""
+        values = {**chosen}
+        for setting in self.settings:
+            value = found[setting.name]
+            if value is not None and setting.can_be(value):
+                values[setting.name] = value
+        return values
+
     def checked(self, values: Mapping[str, Any]) -> Settings:
         """Complete and check settings.
 
@@ -619,7 +701,7 @@ class Phenomenon:
         return settings
 
 
-def number(settings: Settings, name: str) -> float:
+def number(settings: Found, name: str) -> float:
     """A setting that is a number."""
     value = settings[name]
     if isinstance(value, bool) or not isinstance(value, numbers.Real):
@@ -645,6 +727,7 @@ __all__ = [
     "Exhibit",
     "Face",
     "Fog",
+    "Found",
     "Level",
     "Line",
     "Marks",

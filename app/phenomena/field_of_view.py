@@ -17,8 +17,10 @@ from typing import NamedTuple
 import numpy as np
 
 from app.phenomena.exhibit import (
+    CLOSE,
     QT_TRANSLATE_NOOP,
     Exhibit,
+    Found,
     Line,
     Marks,
     Phenomenon,
@@ -161,21 +163,38 @@ def _at(camera: Camera, distance: float) -> Camera:
     return Camera((x, y, z), camera.target, camera.up)
 
 
-def _follow(projection: Projection, before: Settings, after: Settings) -> Projection:
+def _from_preset(projection: Projection, settings: Settings, factor: float) -> Projection:
+    view = preset_view(str(settings["preset"]), projection.aspect, bool(settings["enlarged"]))
+    lens = projection.with_lens("perspective").standard_lens
+    at = Projection(
+        _at(projection.camera, view.distance),
+        Perspective(view.fov_y_deg, lens.near, lens.far),
+        projection.image_size,
+        projection.depth,
+    )
+    return dollied(at, factor) if factor != 1.0 else at
+
+
+def _follow(projection: Projection, before: Found, after: Settings) -> Projection:
+    if before["preset"] is None:
+        return _from_preset(projection, after, 1.0)
     factor = number(after, "distance")
-    if any(before[name] != after[name] for name in ("preset", "enlarged")):
-        view = preset_view(str(after["preset"]), projection.aspect, bool(after["enlarged"]))
-        lens = projection.with_lens("perspective").standard_lens
-        at = Projection(
-            _at(projection.camera, view.distance),
-            Perspective(view.fov_y_deg, lens.near, lens.far),
-            projection.image_size,
-            projection.depth,
-        )
-        return dollied(at, factor) if factor != 1.0 else at
+    enlarged = after["preset"] == "tele" and before["enlarged"] != after["enlarged"]
+    if enlarged or before["preset"] != after["preset"]:
+        return _from_preset(projection, after, factor)
     if before["distance"] != after["distance"]:
         return dollied(projection, factor / number(before, "distance"))
     return projection
+
+
+def _found(projection: Projection, settings: Settings) -> Found:
+    name, camera, lens = str(settings["preset"]), projection.camera, projection.standard_lens
+    view = preset_view(name, projection.aspect, bool(settings["enlarged"]))
+    held = view.distance / Perspective(view.fov_y_deg).cot_half_fov_y  # half the plane's height
+    x, y = projection.aspect * held, held
+    seen = [side / lens.near * camera.distance for side in projection.window]
+    holds = not lens.parallel and math.dist(seen, (-x, x, -y, y)) <= CLOSE * x
+    return {"preset": name if holds else None, "distance": camera.distance / view.distance}
 
 
 def _angles(projection: Projection) -> tuple[Reading, ...]:
@@ -372,9 +391,11 @@ PHENOMENON = Phenomenon(
                 " of the picture, and so a narrower field of view",
             ),
             True,
+            only_with=("preset", "tele"),
         ),
     ),
     controls=("lens.fov_y_deg", "camera.eye"),
     follow=_follow,
+    found=_found,
     own_mesh=True,
 )

@@ -14,9 +14,11 @@ from typing import NamedTuple
 import numpy as np
 
 from app.phenomena.exhibit import (
+    CLOSE,
     QT_TRANSLATE_NOOP,
     Dot,
     Exhibit,
+    Found,
     Line,
     Marks,
     Phenomenon,
@@ -133,12 +135,34 @@ def oblique(projection: Projection, scale: float, angle_deg: float) -> Projectio
     return replace(projection, lens=slanted)
 
 
-def _follow(projection: Projection, before: Settings, after: Settings) -> Projection:
+def _follow(projection: Projection, before: Found, after: Settings) -> Projection:
     wanted = _wanted(after)
-    return projection if wanted == _wanted(before) else oblique(projection, *wanted)
+    if None not in before.values() and wanted == _wanted(before):
+        return projection
+    return oblique(projection, *wanted)
 
 
-def _wanted(settings: Settings) -> tuple[float, float]:
+def _found(projection: Projection, settings: Settings) -> Found:
+    lens = projection.standard_lens
+    if not isinstance(lens, Oblique):
+        return dict.fromkeys(settings)
+    wanted, direction = _wanted(settings)
+    turned = math.radians(direction)
+    slant = (-wanted * math.cos(turned), -wanted * math.sin(turned))
+    if math.dist(lens.shear, slant) <= CLOSE * max(1.0, wanted):
+        return settings
+    # It is drawn so, then, and nothing of it is on the way from the orthographic drawing.
+    scale, angle_deg = receding_of(lens)
+    near = (name for name, known in _SCALES.items() if math.isclose(scale, known, rel_tol=CLOSE))
+    return {
+        "drawing": next(near, "free"),
+        "receding": scale,
+        "angle_deg": angle_deg if scale > 0.0 else settings["angle_deg"],
+        "morph": 1.0,
+    }
+
+
+def _wanted(settings: Found) -> tuple[float, float]:
     """Receding scale and angle that the settings ask for."""
     scale = _SCALES.get(str(settings["drawing"]), number(settings, "receding"))
     return scale * number(settings, "morph"), number(settings, "angle_deg")
@@ -271,6 +295,7 @@ PHENOMENON = Phenomenon(
             high=100.0,
             span=(0.0, 2.0),
             unit="×",
+            only_with=("drawing", "free"),
         ),
         Setting(
             "angle_deg",
@@ -297,5 +322,6 @@ PHENOMENON = Phenomenon(
     ),
     controls=("lens.alpha_deg", "lens.beta_deg"),
     follow=_follow,
+    found=_found,
     own_mesh=True,
 )

@@ -17,6 +17,7 @@ from app.phenomena.exhibit import (
     QT_TRANSLATE_NOOP,
     Exhibit,
     Face,
+    Found,
     Line,
     Marks,
     Phenomenon,
@@ -305,7 +306,19 @@ def _image_marks(
     return Marks(tuple(lines), texts=tuple(texts))
 
 
-def _follow(projection: Projection, before: Settings, after: Settings) -> Projection:
+def _found(projection: Projection, _settings: Settings) -> Found:
+    """How far the eye is to the right of the window's middle."""
+    lens, distance = projection.standard_lens, projection.camera.distance
+    left, right, _, _ = projection.window
+    middle = left / 2.0 + right / 2.0
+    if lens.parallel:
+        middle += projection.shear[0] * (distance - lens.near)
+    else:
+        middle = middle / lens.near * distance
+    return {"shift": 0.0 - middle}
+
+
+def _follow(projection: Projection, before: Found, after: Settings) -> Projection:
     step = number(after, "shift") - number(before, "shift")
     if step == 0.0:
         return projection
@@ -347,9 +360,10 @@ PHENOMENON = Phenomenon(
     settings=(
         Setting(
             "shift",
-            QT_TRANSLATE_NOOP("phenomena", "Eye to the right"),
+            QT_TRANSLATE_NOOP("phenomena", "Eye right of the middle"),
             QT_TRANSLATE_NOOP(
-                "phenomena", "Moves the eye along u; the window stays where it is in the world"
+                "phenomena",
+                "From the window's middle, along u; moves the eye: the window stays in the world",
             ),
             1.5,
             low=-1e4,
@@ -370,5 +384,6 @@ PHENOMENON = Phenomenon(
     ),
     controls=("lens.left", "lens.right"),
     follow=_follow,
+    found=_found,
     own_mesh=True,
 )

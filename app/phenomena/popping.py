@@ -26,6 +26,7 @@ from app.phenomena.exhibit import (
     Diagram,
     Exhibit,
     Fog,
+    Found,
     Level,
     Phenomenon,
     Phrase,
@@ -60,6 +61,7 @@ _SHAPES = (
     (0, 3, ((1.5, 1.2), (0.02, HEIGHT))),
 )
 _RADIUS = 1.5
+_START_Z = 10.0  # of the eye, where the position is 0
 _RIGHT = 400.0  # of the diagram, where far is farther
 
 
@@ -184,7 +186,7 @@ def popped_per_second(projection: Projection) -> tuple[float, float]:
     return (rate, 0.0) if n[2] > 0.0 else (0.0, rate)
 
 
-def _follow(projection: Projection, before: Settings, after: Settings) -> Projection:
+def _follow(projection: Projection, before: Found, after: Settings) -> Projection:
     step = number(after, "position") - number(before, "position")
     if step == 0.0:
         return projection
@@ -193,6 +195,10 @@ def _follow(projection: Projection, before: Settings, after: Settings) -> Projec
     return replace(
         projection, camera=replace(camera, eye=(x, y, z - step), target=(tx, ty, tz - step))
     )
+
+
+def _found(projection: Projection, _settings: Settings) -> Found:
+    return {"position": _START_Z - projection.camera.eye[2]}
 
 
 def _show(projection: Projection, settings: Settings, _subject: Subject) -> Exhibit:
@@ -276,7 +282,7 @@ PHENOMENON = Phenomenon(
     ),
     lectures=("L23",),
     start=Projection(
-        Camera((0.5, 2.2, 10.0), (0.0, 2.0, -40.0), (0.0, 1.0, 0.0)),
+        Camera((0.5, 2.2, _START_Z), (0.0, 2.0, -40.0), (0.0, 1.0, 0.0)),
         Perspective(fov_y_deg=45.0, near=1.0, far=100.0),
         (1280, 720),
     ),
@@ -311,6 +317,7 @@ PHENOMENON = Phenomenon(
             low=0.0,
             high=1e6,
             span=(0.0, 200.0),
+            only_with=("fog", "linear"),
         ),
         Setting(
             "fog_end",
@@ -320,6 +327,7 @@ PHENOMENON = Phenomenon(
             low=1e-3,
             high=1e6,
             span=(1.0, 400.0),
+            only_with=("fog", "linear"),
         ),
         Setting(
             "fog_density",
@@ -331,6 +339,7 @@ PHENOMENON = Phenomenon(
             span=(1e-3, 1.0),
             unit="1/w",
             logarithmic=True,
+            only_with=("fog", "exponential"),
         ),
         Setting(
             "detail",
@@ -346,6 +355,7 @@ PHENOMENON = Phenomenon(
             low=0.0,
             high=1e6,
             span=(0.0, 200.0),
+            only_with=("detail", True),
         ),
         Setting(
             "detail_2",
@@ -355,10 +365,12 @@ PHENOMENON = Phenomenon(
             low=1e-3,
             high=1e6,
             span=(1.0, 200.0),
+            only_with=("detail", True),
         ),
     ),
     controls=("lens.far",),
     follow=_follow,
+    found=_found,
     check=_check,
     requires=frozenset({"fog", "levels"}),
 )

@@ -16,11 +16,13 @@ from typing import NamedTuple
 import numpy as np
 
 from app.phenomena.exhibit import (
+    CLOSE,
     QT_TRANSLATE_NOOP,
     Curve,
     Diagram,
     Dot,
     Exhibit,
+    Found,
     Line,
     Marks,
     Phenomenon,
@@ -68,6 +70,10 @@ _HORIZON = QT_TRANSLATE_NOOP("phenomena", "horizon")
 _AXES, _COLOURS = ("x", "y", "z"), ("u", "v", "n")
 
 _VIEWS = {"1": (0.0, 0.0), "2": (40.0, 0.0), "3": (44.0, 30.0)}  # azimuth, elevation, degrees
+_FRAMES = {
+    name: Camera.from_orbit((0.0, 0.0, 0.0), Orbit(*view, 1.0)).frame
+    for name, view in _VIEWS.items()
+}
 _LONGEST = 30.0  # of the box's size: marks of the world pane do not run farther
 _WIDEST = 6.0  # image sides beside the frame that the diagram shows, at most
 
@@ -454,7 +460,7 @@ def _broken(segments: Array) -> Array:
     return np.concatenate([segments, gaps], axis=1).reshape(-1, 2)[:-1]
 
 
-def _follow(projection: Projection, before: Settings, after: Settings) -> Projection:
+def _follow(projection: Projection, before: Found, after: Settings) -> Projection:
     view = _VIEWS.get(str(after["points"]))
     if before["points"] == after["points"] or view is None:
         return projection
@@ -462,6 +468,12 @@ def _follow(projection: Projection, before: Settings, after: Settings) -> Projec
     turned = Camera.from_orbit(camera.target, Orbit(*view, camera.distance))
     seen = replace(projection, camera=turned)
     return seen.with_lens("perspective") if seen.standard_lens.parallel else seen
+
+
+def _found(projection: Projection, settings: Settings) -> Found:
+    frame = _FRAMES.get(str(settings["points"]))
+    turned = frame is None or float(np.abs(projection.camera.frame - frame).max()) > CLOSE
+    return {"points": "free" if turned or projection.standard_lens.parallel else settings["points"]}
 
 
 PHENOMENON = Phenomenon(
@@ -518,5 +530,6 @@ PHENOMENON = Phenomenon(
     ),
     controls=("camera.eye", "lens.fov_y_deg"),
     follow=_follow,
+    found=_found,
     own_mesh=True,
 )

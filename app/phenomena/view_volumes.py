@@ -19,6 +19,7 @@ from app.phenomena.exhibit import (
     Dot,
     Exhibit,
     Face,
+    Found,
     Line,
     Marks,
     Phenomenon,
@@ -30,7 +31,7 @@ from app.phenomena.exhibit import (
     Text,
 )
 from app.phenomena.picture import seen_texts, world_from_view
-from app.projection import Camera, Perspective, Projection
+from app.projection import Camera, Oblique, Perspective, Projection
 from app.shapes import Coloured, box_faces, edges_of, flat, ground_grid, joined
 
 _INFINITE = QT_TRANSLATE_NOOP("phenomena", "far is infinite, and so is the volume")
@@ -243,13 +244,20 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Exhi
     )
 
 
-def _follow(projection: Projection, before: Settings, after: Settings) -> Projection:
+def _follow(projection: Projection, before: Found, after: Settings) -> Projection:
     if before["volume"] == after["volume"]:
         return projection
     kind = _LENS.get(str(after["volume"]), "oblique")
     if kind == "perspective" and not projection.standard_lens.parallel:
         return projection  # an off-axis pyramid is one, too
     return projection.with_lens(kind)
+
+
+def _found(projection: Projection, settings: Settings) -> Found:
+    lens = projection.standard_lens
+    if lens.parallel:
+        return {"volume": "oblique" if isinstance(lens, Oblique) else "box"}
+    return {"volume": "cone" if settings["volume"] == "cone" else "pyramid"}
 
 
 PHENOMENON = Phenomenon(
@@ -287,4 +295,5 @@ PHENOMENON = Phenomenon(
     ),
     controls=("lens.near", "lens.far"),
     follow=_follow,
+    found=_found,
 )
