@@ -188,8 +188,12 @@ class ScenePanel(QWidget):
         self._diagram_column = _Column(self._drawn, self.tr("Diagrams"))
         self._columns_of_diagrams = 0
         self._diagram_column.installEventFilter(self)
+        self._outgrowing = QTimer(self)  # asks when all is laid out, not on the way there
+        self._outgrowing.setSingleShot(True)
+        self._outgrowing.setInterval(0)
+        self._outgrowing.timeout.connect(self._tell_outgrown)
         for column in (self._text_column, self._readout_column):
-            column.overfull.connect(self._tell_outgrown)
+            column.overfull.connect(self._outgrowing.start)
         self._columns = QHBoxLayout(self)
         self._columns.setContentsMargins(4, 0, 4, 2)
         self._columns.setSpacing(12)
@@ -205,7 +209,10 @@ class ScenePanel(QWidget):
         """Low: the panes above need the height; but few lines are to be cut."""
         lines = 13.0 * self.fontMetrics().height()
         window = self.window().height()
-        whole = max(self._text_column.height_inside, self._readout_column.height_inside)
+        said = self._text_column.height_inside
+        if self._said.direction() == QBoxLayout.Direction.TopToBottom:
+            said += self._said.spacing() + self._settings_column.height_inside
+        whole = max(said, self._readout_column.height_inside)
         needed = min(LARGEST_PART * window, whole + self._columns.contentsMargins().bottom())
         height = max(HEIGHT_PX, lines, PART * window, needed)
         return QSize(super().sizeHint().width(), round(height))
