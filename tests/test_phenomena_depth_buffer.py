@@ -208,9 +208,9 @@ def test_a_mesh_at_the_limits_has_a_share_or_a_reason(tmp_path: Path) -> None:
     assert shares > 20
 
 
-def test_a_mesh_that_is_a_line_has_no_pixels(tmp_path: Path) -> None:
-    path = tmp_path / "line.obj"
-    path.write_text("v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\n")
+def test_a_mesh_of_faces_without_area_has_no_pixels(tmp_path: Path) -> None:
+    path = tmp_path / "lines.obj"
+    path.write_text("v 0 0 0\nv 1 1 1\nv 2 2 2\nv 0 1 0\nv 0 3 0\nf 1 2 3\nf 1 4 5\n")
     subject = load("depth-buffer", mesh=str(path)).subject
     reading = PHENOMENON.show(PHENOMENON.start, PHENOMENON.defaults, subject).readings[0]
     assert reading.value is None and reading.note is not None
