@@ -118,6 +118,14 @@ def test_a_risk_is_told_and_goes_again(qtbot: QtBot, line: StatusLine, scene: Sc
     assert line.health.text() == "" and line.health.toolTip() == ""
 
 
+def test_a_plane_is_named_as_inside_a_sentence(
+    qtbot: QtBot, line: StatusLine, scene: Scene
+) -> None:
+    away = replace(EVERYDAY, lens=Perspective(45.0, 1e3, 1e4))
+    rested(qtbot, line, away, scene)
+    assert "all lie beyond the near plane." in line.health.toolTip()
+
+
 def test_a_risk_has_the_room_of_what_is_told_elsewhere(
     qtbot: QtBot, line: StatusLine, scene: Scene
 ) -> None:

@@ -574,10 +574,27 @@ FIELDS = {
 }
 """The name by which the window calls each field of the model."""
 
+PLANE_NAMES = {
+    "near": QT_TRANSLATE_NOOP("Plane", "near"),
+    "far": QT_TRANSLATE_NOOP("Plane", "far"),
+    "left": QT_TRANSLATE_NOOP("Plane", "left"),
+    "right": QT_TRANSLATE_NOOP("Plane", "right"),
+    "bottom": QT_TRANSLATE_NOOP("Plane", "bottom"),
+    "top": QT_TRANSLATE_NOOP("Plane", "top"),
+}
+"""Those of `app.values.PLANES` inside a sentence."""
+
 
 def field_name(field: str) -> str:
     """The translated name of a field; a name that is not in `FIELDS` is already one."""
     return QCoreApplication.translate("Field", FIELDS[field]) if field in FIELDS else field
+
+
+def plane_name(plane: str) -> str:
+    """The translated name of a plane of the view volume; any other text stays."""
+    return (
+        QCoreApplication.translate("Plane", PLANE_NAMES[plane]) if plane in PLANE_NAMES else plane
+    )
 
 
 def stage_title(name: str) -> str:

@@ -50,7 +50,7 @@ from app.projection import (
     Vector,
     format_value,
 )
-from widgets.messages import number_text, sentence
+from widgets.messages import number_text, plane_name, sentence
 from widgets.readable import Readable
 from widgets.rows import REFUSAL_SHEET, parse_number, refusal
 
@@ -430,7 +430,7 @@ class ProbePanel(QWidget):
         world, view, clip = _texts(point.world), _texts(point.view), _texts(point.clip)
         outside_of = _outside_of(point)
         if outside_of:
-            names = ", ".join(self._plane(plane) for plane in outside_of)
+            names = ", ".join(map(plane_name, outside_of))
             inside = self.tr("outside of: {0}").format(names)
         else:
             inside = self.tr("inside")
@@ -468,16 +468,6 @@ class ProbePanel(QWidget):
         except ProjectionError:
             return self.tr("no ray in the world: the matrix has no inverse")
         return self.tr("no ray in the world: all of it is behind the eye")
-
-    def _plane(self, plane: str) -> str:
-        return {
-            "near": self.tr("near"),
-            "far": self.tr("far"),
-            "left": self.tr("left"),
-            "right": self.tr("right"),
-            "bottom": self.tr("bottom"),
-            "top": self.tr("top"),
-        }[plane]
 
 
 def _outside_of(point: Trace) -> list[str]:

@@ -39,7 +39,7 @@ from app.projection import (
 from app.quality import AUTOMATIC, Quality
 from app.scene import Scene
 from widgets.attention import paint_attention
-from widgets.messages import field_name, translated
+from widgets.messages import plane_name, translated
 from widgets.rows import short_text
 
 _ABOUT: dict[str, Attention] = {
@@ -277,7 +277,7 @@ class StatusLine(QStatusBar):
         )
         self._show_rungs(self._drawn, self._predictions)
         self._risks = [
-            translated(risk.template).format(*map(field_name, risk.figures))
+            translated(risk.template).format(*map(plane_name, risk.figures))
             for risk in risks(projection, scene.lower, scene.upper, self._drawn, self._predictions)
         ]
         self._show_health()
