@@ -72,6 +72,7 @@ PANEL = Room(
         "app.projection",
         "widgets.animation",
         "widgets.attention",
+        "widgets.escape",
         "widgets.messages",
         "widgets.palette",
         "widgets.rows",
@@ -190,6 +191,7 @@ ROOMS = {
     "widgets/attention.py": Room(QT, ("app.attention",)),
     "widgets/messages.py": Room(QT, ("app.projection", "app.document")),
     "widgets/note.py": Room(QT),
+    "widgets/escape.py": Room(QT),
     "widgets/message_bar.py": PANEL,
     "widgets/rows.py": PANEL,
     "widgets/controls.py": PANEL,
@@ -275,6 +277,7 @@ ROOMS = {
             *("app.projection", "app.picking", "app.handles", "app.drawings"),
             "app.phenomena.exhibit",
             *("widgets.message_bar", "widgets.messages", "widgets.pane", "widgets.rows"),
+            "widgets.escape",
         ),
     ),
     "widgets/opengl.py": Room(QT),
@@ -297,7 +300,9 @@ ROOMS = {
     ),
     "widgets/help.py": Room(QT),
     "widgets/panels.py": Room(QT),
-    "widgets/stage_strip.py": Room(QT, ("app.projection", "app.morph", "widgets.note")),
+    "widgets/stage_strip.py": Room(
+        QT, ("app.projection", "app.morph", "widgets.escape", "widgets.note")
+    ),
     "widgets/status_line.py": Room(
         QT,
         (

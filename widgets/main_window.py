@@ -21,7 +21,6 @@ from PySide6.QtCore import (
     QDateTime,
     QEvent,
     QLocale,
-    QObject,
     QPointF,
     QStandardPaths,
     Qt,
@@ -34,7 +33,6 @@ from PySide6.QtGui import (
     QDragEnterEvent,
     QDropEvent,
     QGuiApplication,
-    QKeyEvent,
     QKeySequence,
     QResizeEvent,
 )
@@ -68,6 +66,7 @@ from widgets.attention import Attended
 from widgets.autosave import Autosave
 from widgets.controls import Controls
 from widgets.counting import Counting
+from widgets.escape import EscapeKey
 from widgets.files import Files
 from widgets.frame_panel import FramePanel
 from widgets.help import Help
@@ -178,8 +177,8 @@ class MainWindow(QMainWindow):
         """Of the last step, by the panes' titles: matrices and repaint, in ms."""
         self._held: Probe | None = None
         """The probe that is being dragged in the image, as it was before."""
-        self._watched: QObject | None = None
-        """What has the keyboard meanwhile."""
+        self._escape = EscapeKey(self)
+        self._escape.pressed.connect(self._put_probe_back)
         self._before_click: tuple[tuple[Probe, ...], int] = ((), 0)
         data = QStandardPaths.writableLocation(QStandardPaths.StandardLocation.AppDataLocation)
         self.autosave = Autosave(
@@ -856,9 +855,7 @@ class MainWindow(QMainWindow):
         if self._held is not None:
             self.probe_panel.choose(self._held.number)
             self.probe_panel.begin_gesture()
-            # Escape belongs to the drag until the hand lets go, and before it is a shortcut.
-            self._watched = QApplication.focusWidget() or self
-            self._watched.installEventFilter(self)
+            self._escape.watch(self)
         else:
             self.manipulation.take_picture(place)
 
@@ -873,9 +870,9 @@ class MainWindow(QMainWindow):
             self.probe_panel.put(self._held.number, point)
 
     def _let_probe_go(self) -> None:
-        if self._watched is not None:
-            self._watched.removeEventFilter(self)
-            self._watched, self._held = None, None
+        if self._escape.is_watched:
+            self._escape.leave()
+            self._held = None
             self.probe_panel.end_gesture()
 
     def _put_probe_back(self) -> None:
@@ -1057,19 +1054,6 @@ class MainWindow(QMainWindow):
         if event.type() == QEvent.Type.DevicePixelRatioChange and self.panes["world"].drawing:
             self._build_drawings(self._views_now())
         return super().event(event)
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if (
-            watched is self._watched
-            and isinstance(event, QKeyEvent)
-            and event.key() == Qt.Key.Key_Escape
-        ):
-            if event.type() == QEvent.Type.ShortcutOverride:
-                event.accept()
-            elif event.type() == QEvent.Type.KeyPress:
-                self._put_probe_back()
-            return True
-        return super().eventFilter(watched, event)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)

@@ -20,9 +20,8 @@ from types import MappingProxyType
 from typing import Any
 
 import numpy as np
-from PySide6.QtCore import QEvent, QObject, QPointF, Qt, QTimer, Signal
-from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QApplication, QLabel
+from PySide6.QtCore import QObject, QPointF, Qt, QTimer, Signal
+from PySide6.QtWidgets import QLabel
 
 from app.drawings.image import ImageDrawing
 from app.drawings.world import WorldDrawing
@@ -48,6 +47,7 @@ from app.projection import (
     Vector,
     six_digits,
 )
+from widgets.escape import EscapeKey
 from widgets.message_bar import MessageBar
 from widgets.messages import field_name, seen_from, sentence
 from widgets.pane import ZOOM_PER_WHEEL_STEP, Pane
@@ -87,7 +87,8 @@ class Manipulation(QObject):
         self._values: Settings = NO_SETTINGS
         self._drag: _Drag | None = None
         self._in_gesture = False
-        self._watched: QObject | None = None
+        self._escape = EscapeKey(self)
+        self._escape.pressed.connect(self._put_back)
         self._plain_tip = self.tr(
             "Drag a mark to move the eye, the target, a plane or a corner; drag elsewhere to turn, "
             "Shift-drag to move, wheel to zoom, double-click to reset; click to follow a point"
@@ -248,9 +249,7 @@ class Manipulation(QObject):
         self._finish()
         self._drag = drag
         drag.pane.canvas.setCursor(Qt.CursorShape.ClosedHandCursor)
-        # Escape belongs to the drag, whatever has the focus and before it is a shortcut.
-        self._watched = QApplication.focusWidget() or drag.pane.window()
-        self._watched.installEventFilter(self)
+        self._escape.watch(drag.pane.window())
         self._begin()
 
     def _move(self, away: QPointF, shift: bool) -> None:
@@ -289,10 +288,9 @@ class Manipulation(QObject):
 
     def let_go(self) -> None:
         """End a drag where it is; whatever the hand does until it lets go is none."""
-        if self._watched is None:
+        if not self._escape.is_watched:
             return
-        self._watched.removeEventFilter(self)
-        self._watched = None
+        self._escape.leave()
         self._drag = None
         self._image.canvas.unsetCursor()
         drawing = self._world.drawing
@@ -311,15 +309,6 @@ class Manipulation(QObject):
         elif drag is not None:
             self.message.hide()
             self.edited.emit(changed(self._projection, present(drag.start, drag.names)))
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_Escape:
-            if event.type() == QEvent.Type.ShortcutOverride:
-                event.accept()
-            elif event.type() == QEvent.Type.KeyPress:
-                self._put_back()
-            return True
-        return super().eventFilter(watched, event)
 
     # -- the wheel
 

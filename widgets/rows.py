@@ -70,6 +70,7 @@ from app.projection import (
     ProjectionError,
 )
 from widgets.attention import paint_attention
+from widgets.escape import HeldSlider
 from widgets.messages import A_NUMBER, A_NUMBER_LIKE, A_NUMBER_OR_INFINITY, number_text, sentence
 
 QUIET_MS = 500
@@ -324,18 +325,11 @@ class _Name(QLabel):
             self.double_clicked.emit()
 
 
-class _Slider(QSlider):
-    """A slider that leaves the wheel to the column until it is clicked or tabbed into.
-
-    Esc lets go of it while the mouse holds it.
-    """
-
-    abandoned = Signal()
+class _Slider(HeldSlider):
+    """A slider that leaves the wheel to the column until it has the focus."""
 
     def __init__(self) -> None:
-        super().__init__(Qt.Orientation.Horizontal)
-        self._is_abandoned = False
-        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        super().__init__()
         self.setMinimumWidth(LEAST_SLIDER_PX)  # in projector mode, too
 
     def wheelEvent(self, event: QWheelEvent) -> None:
@@ -343,27 +337,6 @@ class _Slider(QSlider):
             super().wheelEvent(event)
         else:
             event.ignore()
-
-    def event(self, event: QEvent) -> bool:
-        if (
-            isinstance(event, QKeyEvent)
-            and event.key() == Qt.Key.Key_Escape
-            and self.isSliderDown()
-        ):
-            event.accept()  # before it is a shortcut
-            if event.type() == QEvent.Type.KeyPress:
-                self._is_abandoned = True
-                self.abandoned.emit()
-            return True
-        return super().event(event)
-
-    def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        if not self._is_abandoned:
-            super().mouseMoveEvent(event)
-
-    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        self._is_abandoned = False
-        super().mouseReleaseEvent(event)
 
 
 class _Combo(QComboBox):

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 
-from PySide6.QtCore import QElapsedTimer, QEvent, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QElapsedTimer, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QHideEvent, QKeyEvent, QMouseEvent, QResizeEvent
 from PySide6.QtWidgets import (
     QGridLayout,
@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
 
 from app.morph import CANONICAL_PARALLEL, CANONICAL_PERSPECTIVE, IMAGE, NDC, STOPS, VIEW, WORLD
 from app.projection import FreeMatrix, Projection
+from widgets.escape import HeldSlider
 from widgets.note import Note
 
 STEPS = 240
@@ -36,24 +37,18 @@ FRAME_MS = 16
 LONGEST_FRAME_S = 0.25
 
 
-class _StopsSlider(QSlider):
-    """A slider whose arrow keys go from stop to stop; Esc lets go of it while the mouse holds it.
-
-    From then on, whatever the hand does until it lets go is none.
-    """
+class _StopsSlider(HeldSlider):
+    """A slider whose arrow keys go from stop to stop."""
 
     grasped = Signal()
     """The mouse goes down, and has moved nothing yet."""
-    abandoned = Signal()
 
     def __init__(self) -> None:
-        super().__init__(Qt.Orientation.Horizontal)
-        self._is_abandoned = False
+        super().__init__()
         self.setRange(0, IMAGE * STEPS)
         self.setTickInterval(STEPS)
         self.setTickPosition(QSlider.TickPosition.TicksBelow)
         self.setPageStep(STEPS // 8)
-        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         keys = Qt.Key
@@ -64,27 +59,9 @@ class _StopsSlider(QSlider):
         else:
             super().keyPressEvent(event)
 
-    def event(self, event: QEvent) -> bool:
-        is_escape = isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_Escape
-        if is_escape and self.isSliderDown():
-            event.accept()  # before it is a shortcut
-            if event.type() == QEvent.Type.KeyPress:
-                self._is_abandoned = True
-                self.abandoned.emit()
-            return True
-        return super().event(event)
-
     def mousePressEvent(self, event: QMouseEvent) -> None:
         self.grasped.emit()
         super().mousePressEvent(event)
-
-    def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        if not self._is_abandoned:
-            super().mouseMoveEvent(event)
-
-    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        self._is_abandoned = False
-        super().mouseReleaseEvent(event)
 
 
 class StageStrip(QWidget):

@@ -1,0 +1,79 @@
+"""Esc while the mouse holds something: what was dragged goes back, and the hand lets go.
+
+It belongs to the drag whatever has the focus, and before it is a shortcut. Whatever the hand does
+from then on, until it lets go, is none.
+"""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
+from PySide6.QtGui import QKeyEvent, QMouseEvent
+from PySide6.QtWidgets import QApplication, QSlider, QWidget
+
+
+class EscapeKey(QObject):
+    """Takes Esc from the window between `watch` and `leave`."""
+
+    pressed = Signal()
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._watched: QObject | None = None
+
+    @property
+    def is_watched(self) -> bool:
+        """Whether a drag is going on."""
+        return self._watched is not None
+
+    def watch(self, window: QWidget) -> None:
+        """A drag begins in this window."""
+        self.leave()
+        self._watched = QApplication.focusWidget() or window
+        self._watched.installEventFilter(self)
+
+    def leave(self) -> None:
+        """The hand has let go."""
+        if self._watched is not None:
+            self._watched.removeEventFilter(self)
+            self._watched = None
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_Escape:
+            if event.type() == QEvent.Type.ShortcutOverride:
+                event.accept()
+            elif event.type() == QEvent.Type.KeyPress:
+                self.pressed.emit()
+            return True
+        return super().eventFilter(watched, event)
+
+
+class HeldSlider(QSlider):
+    """A level slider that Esc frees from the mouse; its owner puts the value back."""
+
+    abandoned = Signal()
+
+    def __init__(self) -> None:
+        super().__init__(Qt.Orientation.Horizontal)
+        self._is_abandoned = False
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+
+    def event(self, event: QEvent) -> bool:
+        if (
+            isinstance(event, QKeyEvent)
+            and event.key() == Qt.Key.Key_Escape
+            and self.isSliderDown()
+        ):
+            event.accept()
+            if event.type() == QEvent.Type.KeyPress:
+                self._is_abandoned = True
+                self.abandoned.emit()
+            return True
+        return super().event(event)
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        if not self._is_abandoned:
+            super().mouseMoveEvent(event)
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        self._is_abandoned = False
+        super().mouseReleaseEvent(event)
