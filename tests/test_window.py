@@ -367,6 +367,20 @@ def test_the_panes_have_room(make_window: Callable[..., MainWindow], size: tuple
         assert pane.width() >= 300 and pane.height() >= 400
 
 
+def test_the_strip_plays_on_while_its_pane_goes_to_a_window_and_back(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window()
+    window.strip.play()
+    for floats in (True, False):
+        window.toggle_float("ndc")
+        settle(window)
+        assert window.panes["ndc"].isWindow() == floats and window.strip.playing
+    window.strip.pause()
+    window.toggle_float("ndc")
+    assert not window.strip.playing
+
+
 @pytest.mark.parametrize("theme", ["light", "dark"])
 def test_themes_and_projector_mode_dress_every_pane(
     make_window: Callable[..., MainWindow], theme: str

@@ -979,7 +979,7 @@ class MainWindow(QMainWindow):
 
     def toggle_float(self, name: str) -> None:
         """Give a pane a window of its own, for a second screen, or dock it again."""
-        pane = self.panes[name]
+        pane, plays = self.panes[name], self.strip.playing
         if pane.isWindow():
             names = list(self.panes)
             before = names[: names.index(name)]
@@ -992,6 +992,8 @@ class MainWindow(QMainWindow):
             docked = [other for other in self.panes.values() if not other.isWindow()]
             if docked and all(other.isHidden() for other in docked):
                 docked[0].show()
+        if plays:  # on the way it was hidden, which stops it
+            self.strip.play()
 
     def reset_views(self) -> None:
         """Put every pane's own camera back; the model is not touched."""
