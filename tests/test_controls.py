@@ -1534,8 +1534,9 @@ def test_a_slider_stays_long_enough_to_use_and_the_column_narrow(enlarged: Contr
         (messages.FIGURE_SENTENCES, figures.SENTENCES, "FigureError"),
         (messages.HEALTH_SENTENCES, health.SENTENCES, "Health"),
         (messages.PROPERTY_SENTENCES, free_matrix.PROPERTIES, "Matrix"),
+        (messages.PLANE_NAMES, projection.PLANES, "Plane"),
     ],
-    ids=["projection", "setting", "document", "scene", "figure", "health", "matrix"],
+    ids=["projection", "setting", "document", "scene", "figure", "health", "matrix", "plane"],
 )
 def test_translators_are_given_every_bound(
     listed: tuple[str, ...], core: tuple[str, ...], context: str

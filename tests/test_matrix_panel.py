@@ -11,8 +11,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QContextMenuEvent, QGuiApplication, QMouseEvent
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, Qt
+from PySide6.QtGui import QContextMenuEvent, QGuiApplication, QImage, QMouseEvent, QPainter
 from PySide6.QtWidgets import QApplication, QMenu
 from pytestqt.qtbot import QtBot
 
@@ -739,6 +739,22 @@ def test_a_vector_is_told_from_the_plane_of_its_letter(
         assert len(drawn_bold) == text.count(ARROW) and {len(run) for run in drawn_bold} == {1}
     latex = as_latex(panel.shown[1], letters, formulas=True)
     assert r"\vec{" in latex and ARROW not in latex
+
+
+def inked(panel: MatrixPanel, text: str) -> int:
+    """How many pixels a matrix darkens with a text in a cell."""
+    picture = QImage(200, 40, QImage.Format.Format_Grayscale8)
+    picture.fill(Qt.GlobalColor.white)
+    painter = QPainter(picture)
+    next(iter(panel.views.values()))._paint_text(painter, QRectF(0.0, 0.0, 200.0, 40.0), text, None)
+    painter.end()
+    pixels = np.frombuffer(picture.constBits(), np.uint8)
+    return int((pixels < 128).sum())
+
+
+def test_a_vector_is_painted_heavier_and_a_subscript_lighter(panel: MatrixPanel) -> None:
+    assert inked(panel, f"n{ARROW}{ARROW.join('uve')}{ARROW}") > 1.2 * inked(panel, "nuve") > 0
+    assert inked(panel, "1_xyz") < inked(panel, "1xyz")
 
 
 def shown_texts(panel: MatrixPanel) -> list[list[str]]:

@@ -574,14 +574,14 @@ FIELDS = {
 }
 """The name by which the window calls each field of the model."""
 
-PLANE_NAMES = {
-    "near": QT_TRANSLATE_NOOP("Plane", "near"),
-    "far": QT_TRANSLATE_NOOP("Plane", "far"),
-    "left": QT_TRANSLATE_NOOP("Plane", "left"),
-    "right": QT_TRANSLATE_NOOP("Plane", "right"),
-    "bottom": QT_TRANSLATE_NOOP("Plane", "bottom"),
-    "top": QT_TRANSLATE_NOOP("Plane", "top"),
-}
+PLANE_NAMES = (
+    QT_TRANSLATE_NOOP("Plane", "near"),
+    QT_TRANSLATE_NOOP("Plane", "far"),
+    QT_TRANSLATE_NOOP("Plane", "left"),
+    QT_TRANSLATE_NOOP("Plane", "right"),
+    QT_TRANSLATE_NOOP("Plane", "bottom"),
+    QT_TRANSLATE_NOOP("Plane", "top"),
+)
 """Those of `app.values.PLANES` inside a sentence."""
 
 
@@ -592,9 +592,7 @@ def field_name(field: str) -> str:
 
 def plane_name(plane: str) -> str:
     """The translated name of a plane of the view volume; any other text stays."""
-    return (
-        QCoreApplication.translate("Plane", PLANE_NAMES[plane]) if plane in PLANE_NAMES else plane
-    )
+    return QCoreApplication.translate("Plane", plane)
 
 
 def stage_title(name: str) -> str:
