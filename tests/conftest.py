@@ -65,6 +65,11 @@ def display(qapp: Any) -> Any:
     """The application, on a platform that can draw: Qt's `offscreen` paints garbage with rc 0."""
     if sys.platform.startswith("linux"):
         assert qapp.platformName() == "xcb", os.environ.get("QT_QPA_PLATFORM")
+    import widgets.main_window  # noqa: F401
+
+    # What is there for good is not searched again for survivors after every window.
+    gc.collect()
+    gc.freeze()
     return qapp
 
 
