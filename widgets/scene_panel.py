@@ -241,6 +241,8 @@ class ScenePanel(QWidget):
         """
         if phenomenon is not self._phenomenon or phenomenon is None:
             self.pause()
+            for row in self.rows.values():  # which shows the last of the scene that is left
+                row.finish_gesture()  # a burst of keys that has not gone quiet yet, and never would
             self._phenomenon, self._settings, self._exhibit = phenomenon, {}, None
             self._problem = None
             self._make_rows(() if phenomenon is None else phenomenon.settings)
@@ -330,9 +332,7 @@ class ScenePanel(QWidget):
     # -- rows
 
     def _make_rows(self, settings: Iterable[Setting]) -> None:
-        for name, row in self.rows.items():
-            row.finish_gesture()  # a burst of keys that has not gone quiet yet, and never would
-            self.players.pop(name, None)
+        self.players.clear()
         for line in self._lines.values():
             self._rows.removeWidget(line)
             line.hide()
