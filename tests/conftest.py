@@ -106,6 +106,7 @@ def make_window(display: Any, qtbot: Any, own_home: Path) -> Iterator[Callable[.
     make.forget = forget  # type: ignore[attr-defined]
     yield make
     while windows:
+        windows[-1].setFocus()  # or what a test has left in a field is entered, and asked about
         windows[-1].store.mark_saved()
         windows[-1].close()
         windows.pop().deleteLater()

@@ -360,6 +360,26 @@ def test_what_is_made_of_a_fraction_is_said(
     assert len(told) == 1 and "must be a number" in panel.explanation.text()
 
 
+def test_what_is_being_typed_goes_when_its_matrix_does(
+    make_window: Callable[..., Any], qtbot: QtBot
+) -> None:
+    window = make_window()
+    start, panel = window.store.document, window.matrices
+    window.panels.open(panel)
+    qtbot.waitUntil(panel.isVisible)
+    type_cell(panel, qtbot, "clip_from_view", 3, 0, "0.1")
+    assert isinstance(window.store.document.projection.lens, FreeMatrix)
+    window.activateWindow()
+    field = double_click(panel, qtbot, "clip_from_view", 0, 0)
+    qtbot.waitUntil(field.hasFocus)
+    field.selectAll()
+    qtbot.keyClicks(field, "7.5")
+    window.reset()  # from the tool bar, which takes no keyboard
+    assert window.store.document == start
+    assert all(view.field is None for view in panel.views.values())
+    assert panel.shown[-3].name == "clip_from_view"
+
+
 @pytest.mark.parametrize("lens", [Perspective(), Oblique(), OFF_AXIS.lens])
 def test_what_is_typed_as_it_stands_changes_nothing(
     panel: MatrixPanel, qtbot: QtBot, edits: list[Projection], lens: Any
@@ -514,7 +534,7 @@ def test_only_numbers_of_two_matrices_open(panel: MatrixPanel, qtbot: QtBot) -> 
     for name in panel.views:
         opened = double_click(panel, qtbot, name, 0, 0) if "/" not in name else None
         assert (opened is not None) == (name in ("view_from_world", "clip_from_view")), name
-        panel.views[name]._close()
+        panel.views[name].abandon()
     hint = "press Enter to type another number"
     by_name = {matrix.name: matrix for matrix in panel.shown}
     assert hint in panel.sentence(by_name["clip_from_view"], 0, 0)

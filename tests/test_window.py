@@ -688,6 +688,45 @@ def test_closing_with_unsaved_work_asks(
     assert read(tmp_path / "kept.json") == window.store.document
 
 
+def being_typed(window: MainWindow, qtbot: Any, text: str) -> None:
+    """Leave a number in the field of the vertical field of view, not yet entered."""
+    field = window.controls._number("fov_y_deg").field
+    qtbot.mouseClick(field, Qt.MouseButton.LeftButton)
+    field.selectAll()
+    qtbot.keyClicks(field, text)
+
+
+def fov_deg(document: Document) -> float:
+    lens = document.projection.lens
+    assert isinstance(lens, Perspective)
+    return lens.fov_y_deg
+
+
+def test_what_is_typed_and_not_entered_is_asked_about_at_closing(
+    make_window: Callable[..., MainWindow], qtbot: Any
+) -> None:
+    window = make_window()
+    being_typed(window, qtbot, "67")
+    assert not window.store.modified
+    answer(QMessageBox.StandardButton.Cancel)
+    assert not window.close()
+    assert fov_deg(window.store.document) == 67.0
+    being_typed(window, qtbot, "nonsense")
+    answer(QMessageBox.StandardButton.Discard)
+    assert window.close()
+
+
+def test_what_is_typed_and_not_entered_is_saved(
+    make_window: Callable[..., MainWindow], qtbot: Any, tmp_path: Path
+) -> None:
+    window = make_window()
+    window.files.path = tmp_path / "kept.json"
+    being_typed(window, qtbot, "67")
+    window._save.trigger()
+    assert fov_deg(read(tmp_path / "kept.json")) == 67.0
+    assert not window.store.modified
+
+
 def test_closing_in_the_middle_of_a_drag_and_of_a_play(
     make_window: Callable[..., MainWindow],
 ) -> None:

@@ -39,6 +39,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import (
     QApplication,
     QComboBox,
+    QLineEdit,
     QMainWindow,
     QSplitter,
     QToolBar,
@@ -336,23 +337,42 @@ class MainWindow(QMainWindow):
         action.setChecked(on)
         return action
 
+    def _with_typed(self, act: Callable[[], object]) -> Callable[[], object]:
+        """An act on the document with what is typed and not yet entered."""
+
+        def acted() -> None:
+            self._take_typed()
+            act()
+
+        return acted
+
+    def _take_typed(self) -> None:
+        """Enter what is typed, as leaving its field would."""
+        field = self.focusWidget()
+        if isinstance(field, QLineEdit) and field.isModified():
+            field.clearFocus()
+            if not self.isActiveWindow():  # whose field has no keyboard to lose
+                field.editingFinished.emit()
+
     def _make_actions(self) -> None:
         keys = QKeySequence.StandardKey
         bar = self.menuBar()
 
         menu = bar.addMenu(self.tr("&File"))
         open_ = self._action(
-            self.tr("&Open…"), self.files.open_dialog, keys.Open,
+            self.tr("&Open…"), self._with_typed(self.files.open_dialog), keys.Open,
             self.tr("Open a document, a mesh or an exported picture"),
         )  # fmt: skip
-        self._save = self._action(self.tr("&Save"), self.files.save, keys.Save)
-        save_as = self._action(self.tr("Save &as…"), self.files.save_as, "Ctrl+Shift+S")
+        self._save = self._action(self.tr("&Save"), self._with_typed(self.files.save), keys.Save)
+        save_as = self._action(
+            self.tr("Save &as…"), self._with_typed(self.files.save_as), "Ctrl+Shift+S"
+        )
         copy = self._action(
-            self.tr("&Copy picture"), self.pictures.copy, "Ctrl+Shift+C",
+            self.tr("&Copy picture"), self._with_typed(self.pictures.copy), "Ctrl+Shift+C",
             self.tr("Copy the three panes to the clipboard, with the document inside"),
         )  # fmt: skip
         export = self._action(
-            self.tr("&Export picture…"), self.pictures.export_dialog, "Ctrl+E",
+            self.tr("&Export picture…"), self._with_typed(self.pictures.export_dialog), "Ctrl+E",
             self.tr("Export panes as a PNG picture that carries the document"),
         )  # fmt: skip
         menu.addAction(open_)
@@ -1074,6 +1094,7 @@ class MainWindow(QMainWindow):
             QTimer.singleShot(0, partial(self.files.open, paths[0]))
 
     def closeEvent(self, event: QCloseEvent) -> None:
+        self._take_typed()
         self.autosave.save_now()  # whatever ends the program while the question stands
         if not self.files.may_discard():
             event.ignore()

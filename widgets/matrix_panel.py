@@ -492,6 +492,8 @@ class MatrixPanel(QWidget):
             self._speaker = None
             self._explain("")
         for box in self._boxes:
+            for view in box.views:
+                view.abandon()  # or it would be taken for entered, when the field is hidden
             self._row.removeWidget(box)
             box.hide()
             box.deleteLater()

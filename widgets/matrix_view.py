@@ -191,7 +191,7 @@ class MatrixView(QWidget):
         self._letters, self._rows, self._formulas, self._style = dressed
         old, self._matrix = self._matrix, matrix
         if old is not None and (anew or old.values != matrix.values):
-            self._close()
+            self.abandon()
         lit = set()
         marks: list[list[int | None]] = [[None] * 4 for _ in range(4)]
         for i, row in enumerate(matrix.values):
@@ -376,7 +376,7 @@ class MatrixView(QWidget):
         """Open a cell to be typed, with all its digits; without effect if that is not to be."""
         if not self._editable or self._formulas or self._matrix is None:
             return
-        self._close()
+        self.abandon()
         self._cursor = (row, column)
         self._field = field = _CellField(cell_text(self._matrix.values[row][column]), self)
         place = self.tr("{0}, row {1}, column {2}")
@@ -393,7 +393,7 @@ class MatrixView(QWidget):
         field.setStyleSheet("padding: 0px; margin: 0px")
         field.returnPressed.connect(self._enter)
         field.editingFinished.connect(self._left_field)
-        field.left.connect(self._close)
+        field.left.connect(self.abandon)
         field.moved_on.connect(self._move_on)
         field.textEdited.connect(self._mend)
         field.selectAll()
@@ -434,19 +434,20 @@ class MatrixView(QWidget):
             if self._refused:
                 field.setModified(True)
                 return False
-        self._close()
+        self.abandon()
         return True
 
     def _left_field(self) -> None:
         if self._field is not None and not self._field.hasFocus() and not self._enter():
-            self._close()  # nobody mends it any more: the number before stands
+            self.abandon()  # nobody mends it any more: the number before stands
 
     def _move_on(self, step: int) -> None:
         place = (4 * self._cursor[0] + self._cursor[1] + step) % 16
         if self._enter():
             self.moved_on.emit(*divmod(place, 4))
 
-    def _close(self) -> None:
+    def abandon(self) -> None:
+        """Close the cell that is being typed, if one is; the number before stands."""
         field, self._field, self._refused = self._field, None, False
         if field is not None:
             had_focus = self.window().focusWidget() is field
