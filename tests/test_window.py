@@ -738,6 +738,27 @@ def test_closing_in_the_middle_of_a_drag_and_of_a_play(
     assert window.close()
 
 
+def test_shortcuts_work_in_the_window_of_a_floated_pane(
+    make_window: Callable[..., MainWindow], qtbot: Any
+) -> None:
+    window = make_window()
+    start = window.store.document
+    pane = window.panes["world"]
+    window.toggle_float("world")
+    pane.activateWindow()
+    qtbot.waitUntil(pane.isActiveWindow)
+    window.store.set_projection(seen(window, lens=Perspective(60.0, 2.0, 20.0)))
+    qtbot.keyClick(pane, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    assert window.store.document == start
+    qtbot.keyClick(pane, Qt.Key.Key_F9)
+    assert not pane.isWindow()
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    window.redo()
+    qtbot.keyClick(window, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    assert window.store.document == start
+
+
 # -- autosave
 
 

@@ -496,6 +496,9 @@ class MainWindow(QMainWindow):
             (help_, self.tr("Help")),
         ):
             action.setIconText(text)
+        keyed = [a for a in self.findChildren(QAction) if not a.shortcut().isEmpty()]
+        for pane in self.panes.values():
+            pane.addActions(keyed)  # which it takes along into a window of its own
 
     def _make_status_line(self) -> None:
         self.status = StatusLine()
