@@ -113,8 +113,8 @@ def pixels(window: MainWindow, name: str) -> np.ndarray:
     return array[:, : 3 * image.width()].reshape(image.height(), image.width(), 3).copy()
 
 
-def wheel(window: MainWindow, steps: float) -> None:
-    canvas = window.panes["image"].canvas
+def wheel(window: MainWindow, steps: float, name: str = "image") -> None:
+    canvas = window.panes[name].canvas
     place = QPointF(canvas.rect().center())
     event = QWheelEvent(
         place, canvas.mapToGlobal(place), QPoint(), QPoint(0, round(120 * steps)),
@@ -188,6 +188,38 @@ def test_a_handle_goes_with_the_hand_and_the_view_stays(
         assert row.value() == getattr(end.lens, name)
     window.store.undo()  # one step, however many moves
     assert model(window) == start and not window.store.modified
+
+
+@pytest.mark.parametrize("name", ["world", "image"])
+def test_neither_wheel_nor_another_button_takes_what_is_held_out_of_the_hand(
+    make_window: Callable[..., MainWindow], name: str
+) -> None:
+    window = opened(make_window)
+    if name == "world":
+        _, spot = mark(window, "eye")
+        at = point(spot)
+    else:
+        left, top, *_ = picture(window).picture_rectangle_px
+        at = QPoint(left + 20, top + 20)
+    right, both = Qt.MouseButton.RightButton, LEFT | Qt.MouseButton.RightButton
+    canvas, place = window.panes[name].canvas, view(window)
+    start = model(window)
+    press(window, name, at)
+    move(window, name, at + QPoint(20, 10))
+    dragged = model(window)
+    wheel(window, 2.0, name)
+    QTest.mousePress(canvas, right, NONE, pos=at + QPoint(20, 10))
+    assert model(window) == dragged
+    move(window, name, at + QPoint(30, 30), button=both)
+    QTest.mouseRelease(canvas, right, NONE, pos=at + QPoint(30, 30))
+    move(window, name, at + QPoint(20, 10))
+    assert model(window) == dragged != start
+    release(window, name, at + QPoint(20, 10))
+    assert view(window) == place
+    window.store.undo()
+    assert model(window) == start
+    wheel(window, 2.0, name)  # the hand has let go
+    assert (model(window), view(window)) != (start, place)
 
 
 def test_the_eye_goes_up_and_down_with_shift(make_window: Callable[..., MainWindow]) -> None:

@@ -189,13 +189,17 @@ class _Canvas(QtInteractor):
         self.left.emit()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
+        if self._dragged_from is not None:  # another button is no part of a drag
+            event.accept()
+            return
         self._last = event.position()
         is_left = event.button() == Qt.MouseButton.LeftButton
         self._pressed = event.position() if is_left else None
         event.accept()
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        self._last = None
+        if event.buttons() == Qt.MouseButton.NoButton:
+            self._last = None
         event.accept()
         if self._dragged_from is not None and event.button() == Qt.MouseButton.LeftButton:
             self._dragged_from = None
@@ -247,6 +251,8 @@ class _Canvas(QtInteractor):
     def wheelEvent(self, event: QWheelEvent) -> None:
         event.accept()
         steps = event.angleDelta().y() / 120.0
+        if self._dragged_from is not None:  # what is held would leave the hand
+            return
         if self._orbits:
             self.zoom(ZOOM_PER_WHEEL_STEP**steps)
         elif steps:

@@ -137,6 +137,7 @@ class ProbePanel(QWidget):
         self.table.viewportEntered.connect(lambda: self.attended.emit(NOTHING))
         self.table.viewport().installEventFilter(self)
         self.table.setAccessibleName(self.tr("The probes' numbers at every stage"))
+        self.table.setTabKeyNavigation(False)  # or the keyboard never leaves it
         self.table.setSelectionMode(QAbstractItemView.SelectionMode.ContiguousSelection)
         self.table.setWordWrap(False)
         self.table.setAlternatingRowColors(True)
