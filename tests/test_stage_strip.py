@@ -500,3 +500,28 @@ def test_play_moves_by_itself_and_a_hand_or_a_hidden_pane_stops_it(
     strip.play()
     window.enlarge("world")
     assert not strip.playing
+
+
+@pytest.mark.parametrize("size", [(1366, 768), (1920, 1080)])
+@pytest.mark.parametrize("projector", [False, True])
+def test_near_and_far_are_written_in_the_pane_all_the_way(
+    make_window: Callable[..., MainWindow], size: tuple[int, int], projector: bool
+) -> None:
+    window = make_window()
+    window.resize(*size)
+    window.set_projector(projector)
+    start, cut = window.store.document.projection, []
+    for near, far in ((5.0, 20.0), (12.0, 14.0), (1.0, math.inf)):
+        window.store.set_projection(replace(start, lens=Perspective(45.0, near, far)))
+        for quarter in range(4 * VIEW, 4 * NDC + 1):
+            window.strip.go_to(quarter / 4)
+            QApplication.processEvents()
+            drawing = window.panes["ndc"].drawing
+            assert isinstance(drawing, NdcDrawing)
+            for label in (drawing._near, drawing._far):
+                if label.actor.GetVisibility():
+                    left, right, bottom, top = label.box_px(drawing._canvas.renderer)
+                    width, height = drawing._canvas.window.GetSize()
+                    if left < 0.0 or bottom < 0.0 or right > width or top > height:
+                        cut.append((near, far, quarter / 4, label._text))
+    assert not cut, cut

@@ -292,14 +292,19 @@ class Label:
         """Put a frame round the plate, or take it off."""
         self.property.SetFrame(framed)
 
+    def box_px(self, renderer: Any) -> tuple[float, float, float, float]:
+        """Its left, right, bottom and top, counted from the renderer's left and bottom."""
+        box = [0.0] * 4
+        self.actor.GetBoundingBox(renderer, box)
+        x, y = self.actor.GetPositionCoordinate().GetComputedDoubleViewportValue(renderer)
+        return x + box[0], x + box[1], y + box[2], y + box[3]
+
     def covers(self, renderer: Any, x_px: float, y_px: float) -> bool:
         """Whether it is seen at a pixel, counted from the renderer's left and bottom."""
         if not self.actor.GetVisibility():
             return False
-        box = [0.0] * 4
-        self.actor.GetBoundingBox(renderer, box)
-        x, y = self.actor.GetPositionCoordinate().GetComputedDoubleViewportValue(renderer)
-        return x + box[0] <= x_px <= x + box[1] and y + box[2] <= y_px <= y + box[3]
+        left, right, bottom, top = self.box_px(renderer)
+        return left <= x_px <= right and bottom <= y_px <= top
 
     def set_size(self, font_px: float) -> None:
         """Write in another size, in pixels; the same one costs nothing."""

@@ -752,7 +752,12 @@ class NdcDrawing:
         lens = self._projection.lens
         pyramid = not isinstance(lens, FreeMatrix) and not lens.parallel
         if stop <= CANONICAL_PERSPECTIVE and pyramid:
-            aside = _BESIDE if stop <= VIEW else _BESIDE_PYRAMID
+            aside = _BESIDE
+            if stop > VIEW:
+                lens = self._projection.standard_lens
+                # As far as the near face is small, and the pane has turned to where it looks so.
+                part = 1.0 - abs(self._position - CANONICAL_PERSPECTIVE)
+                aside = part * (1.0 - lens.near / lens.far / 2.0) * _BESIDE_PYRAMID
             near = near + aside @ np.array(_axes_from(*self._looked_from(stop))[:2])
         self._near.set_position(near)
         self._far.set_position(far)
