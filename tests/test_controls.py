@@ -1157,6 +1157,10 @@ def test_undo_in_a_field_without_own_history_is_the_windows(controls: Controls) 
         (-1.23456789e-12, "-1.23e-12"),
         (1e9, "1e9"),
         (1234567.0, "1234567"),
+        (10000004.976, "10000005"),  # an eye far from the origin, and its target
+        (1e7, "10000000"),
+        (-99999999.4, "-99999999"),
+        (99999999.6, "1e8"),
         (math.inf, "∞"),
         (1e-300, "1e-300"),
         (-1.7976931348623157e150, "-1.8e150"),

@@ -149,10 +149,15 @@ def parse_number(name: str, text: str, unit: str = "", *, infinite: bool = False
 def short_text(value: float, below: float | None = None) -> str:
     """The number as it stands if it is short, otherwise rounded to about six digits.
 
+    Of one that has more before the point these are all shown, as far as there is room: what is
+    far from the origin differs in the last of them.
+
     What is shown is never cut off: a lost exponent would be another number. Nor is it rounded up
     to a bound `below` which the number stays: then its distance is shown, as ``180-3e-12``.
     """
     text = number_text(value)
+    if 1e6 <= abs(value) < 10.0**FIELD_CHARACTERS - 0.5:
+        text = f"{value:.0f}"
     for digits in (6, 5, 4, 3, 2, 1):
         if len(text.lstrip("-")) <= FIELD_CHARACTERS:
             break
