@@ -20,6 +20,7 @@ from PySide6.QtWidgets import QApplication
 
 from app.camera_frame import STEPS, nudged_up, turned_up, up_and_view, view_matrix
 from app.drawings.frame import arrow_tips
+from app.free_matrix import with_cell
 from app.projection import Camera, Perspective, Projection, ProjectionError, format_value
 from app.scene import load
 from widgets.frame_panel import FramePanel
@@ -276,6 +277,18 @@ def test_the_warning_comes_at_one_degree(make_window: MakeWindow) -> None:
     for angle_deg, warned in ((1.01, False), (0.99, True), (179.5, True), (178.5, False)):
         window.store.set_projection(replace(START, camera=turned_up(START.camera, angle_deg)))
         assert bool(panel.warning.text()) is warned, angle_deg
+
+
+def test_under_a_typed_view_matrix_it_says_whose_frame_it_shows(make_window: MakeWindow) -> None:
+    window = opened(make_window)
+    panel, start = window.frame_panel, window.store.document.projection
+    window.store.set_projection(with_cell(start, "clip_from_view", 3, 0, 0.1))
+    assert panel.nudge.isEnabled() and not panel.warning.text()  # the camera is still there
+    window.store.set_projection(with_cell(start, "view_from_world", 0, 1, 0.5))
+    assert not panel.nudge.isEnabled() and not panel.angle.isEnabled()
+    assert "no camera has it" in panel.warning.text()
+    window.store.undo()
+    assert panel.nudge.isEnabled() and panel.angle.isEnabled() and not panel.warning.text()
 
 
 def test_a_nudge_turns_the_picture_as_it_is_said(make_window: MakeWindow) -> None:

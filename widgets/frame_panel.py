@@ -38,7 +38,7 @@ from PySide6.QtWidgets import (
 
 from app.attention import NOTHING, Attention
 from app.camera_frame import STEPS, UpAndView, nudged_up, turned_up, up_and_view, view_matrix
-from app.projection import Camera, Projection, ProjectionError, format_value
+from app.projection import Camera, FreeMatrix, Projection, ProjectionError, format_value
 from widgets.attention import paint_attention
 from widgets.messages import sentence
 from widgets.rows import Log, NumberRow
@@ -310,7 +310,9 @@ class FramePanel(QWidget):
         ----------
         projection : Projection
         """
-        if self._projection.camera != projection.camera:
+        if self._projection.camera != projection.camera or (
+            _has_own_view(self._projection) != _has_own_view(projection)
+        ):
             self._is_stale = True
         self._projection = projection
         if self.isVisible():
@@ -347,6 +349,14 @@ class FramePanel(QWidget):
                 f"{off_deg:.3g}", f"{NUDGE_DEG:g}",
                 f"{min(180.0, NUDGE_DEG * up.magnified):.3g}",
             )  # fmt: skip
+        typed = _has_own_view(self._projection)
+        if typed:
+            text = self.tr(
+                "⚠ The view matrix was typed, and no camera has it: these are the numbers of the"
+                " camera before. Undo, or choose a lens."
+            )
+        for control in (self.angle, self.nudge):
+            control.setEnabled(not typed)  # nothing would turn
         self.warning.setText(text)
 
     def _turn(self, angle_deg: float) -> None:
@@ -422,6 +432,12 @@ class _Formula(QLabel):
             painter = QPainter(self)
             paint_attention(self, painter, QRectF(self.rect()))
             painter.end()
+
+
+def _has_own_view(projection: Projection) -> bool:
+    """Whether the scene is seen through a view matrix that is no camera's."""
+    lens = projection.lens
+    return isinstance(lens, FreeMatrix) and lens.view_from_world is not None
 
 
 def _numbers(step: str, camera: Camera) -> str:
