@@ -1529,3 +1529,49 @@ def test_esc_puts_back_what_a_slider_has_dragged(
     QTest.mouseMove(slider, place + QPoint(15, 0))
     QTest.mouseRelease(slider, left, pos=place + QPoint(15, 0))
     assert window.store.document != before and window.store.can_undo
+
+
+_EDGES = """
+import os
+from PySide6.QtCore import QPoint
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+from widgets.opengl import prepare
+prepare()
+app = QApplication([])
+from app.document import Document
+from app.scene import load
+from widgets.application import Settings
+from widgets.main_window import MainWindow
+document = Document("letter-f", load("letter-f").start)
+window = MainWindow(document, settings=Settings(None), software_rendering=True)
+window.resize(1000, 600)
+window.show()
+assert QTest.qWaitForWindowExposed(window)
+for change in (None, lambda: window._pane_row.setSizes([301, 302, 303]),
+               lambda: window.messages.say("Something."), lambda: window.toggle_float("ndc"),
+               lambda: window.toggle_float("ndc")):
+    if change is not None:
+        change()
+    QTest.qWait(1)
+    for pane in window.panes.values():
+        canvas = pane.canvas
+        place = canvas.mapTo(canvas.window(), QPoint())
+        ends = place + QPoint(canvas.width(), canvas.height())
+        print(*(end * window.devicePixelRatioF() for end in (*place.toTuple(), *ends.toTuple())))
+print("done", flush=True)
+os._exit(0)
+"""
+
+
+@pytest.mark.parametrize("scale", ["1.5", "1.75"])
+def test_a_canvas_ends_on_whole_pixels_at_any_scale(display: Any, scale: str) -> None:
+    done = subprocess.run(
+        [sys.executable, "-c", _EDGES], cwd=ROOT, env={**os.environ, "QT_SCALE_FACTOR": scale},
+        capture_output=True, text=True, timeout=120, check=False,
+    )  # fmt: skip
+    *edges, last = done.stdout.splitlines() or [""]
+    assert last == "done" and len(edges) == 15, done
+    for line in edges:
+        for edge in map(float, line.split()):
+            assert edge == pytest.approx(round(edge), abs=1e-6), edges

@@ -21,8 +21,15 @@ import time
 from collections.abc import Callable, Sequence
 from typing import Any, Protocol, cast
 
-from PySide6.QtCore import QPointF, Qt, Signal
-from PySide6.QtGui import QCloseEvent, QMouseEvent, QShowEvent, QWheelEvent
+from PySide6.QtCore import QPoint, QPointF, Qt, Signal
+from PySide6.QtGui import (
+    QCloseEvent,
+    QMouseEvent,
+    QMoveEvent,
+    QResizeEvent,
+    QShowEvent,
+    QWheelEvent,
+)
 from PySide6.QtWidgets import (
     QApplication,
     QFrame,
@@ -315,6 +322,46 @@ def _elevation_deg(camera: Any) -> float:
     return math.degrees(math.asin(max(-1.0, min(1.0, sine))))
 
 
+class _WholePixels(QWidget):
+    """Holds a canvas so that its edges are on whole pixels of the screen.
+
+    Where the screen's scale is 1.5, say, they are not everywhere: Qt then leaves a black line at
+    an edge, and stretches the picture by the rest of a pixel.
+    """
+
+    def __init__(self, canvas: QWidget) -> None:
+        super().__init__()
+        self._margins = QVBoxLayout(self)
+        self._margins.setContentsMargins(0, 0, 0, 0)
+        self._margins.addWidget(canvas)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self.fit()
+
+    def fit(self) -> None:
+        """Move the edges inwards to the next whole pixels."""
+        place, ratio = self.mapTo(self.window(), QPoint()), self.devicePixelRatioF()
+        left, top = place.x(), place.y()
+        self._margins.setContentsMargins(
+            _to_whole(left, 1, ratio),
+            _to_whole(top, 1, ratio),
+            _to_whole(left + self.width(), -1, ratio),
+            _to_whole(top + self.height(), -1, ratio),
+        )
+        self._margins.invalidate()
+        self._margins.activate()
+
+
+def _to_whole(edge: int, inwards: int, ratio: float) -> int:
+    """How far it is from an edge to a whole pixel of the screen; 0 if there is none near."""
+    for away in range(8):
+        at = (edge + inwards * away) * ratio
+        if abs(at - round(at)) < 1e-6:
+            return away
+    return 0
+
+
 class Pane(QFrame):
     """A titled canvas for one drawing.
 
@@ -419,7 +466,8 @@ class Pane(QFrame):
         self._column.setContentsMargins(0, 0, 0, 0)
         self._column.setSpacing(0)
         self._column.addWidget(self.header)
-        self._column.addWidget(self.canvas, 1)
+        self._fitted = _WholePixels(self.canvas)
+        self._column.addWidget(self._fitted, 1)
 
     def _button(self, text: str, tip: str) -> QToolButton:
         button = QToolButton()
@@ -633,7 +681,7 @@ class Pane(QFrame):
         size = self.canvas.size()
         self.canvas.resize(size.width(), size.height() + 1)
         self.show()
-        self.canvas.resize(size)
+        self._fitted.fit()
 
     def close_canvas(self) -> None:
         """Release VTK's hold; before the window's own close, or it outlives its GL context."""
@@ -644,6 +692,10 @@ class Pane(QFrame):
         if self.drawing is not None:
             self.drawing.reset_clipping_range()
         self.request_repaint()
+
+    def moveEvent(self, event: QMoveEvent) -> None:
+        super().moveEvent(event)
+        self._fitted.fit()
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
