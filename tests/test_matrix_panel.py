@@ -377,7 +377,29 @@ def test_what_is_being_typed_goes_when_its_matrix_does(
     window.reset()  # from the tool bar, which takes no keyboard
     assert window.store.document == start
     assert all(view.field is None for view in panel.views.values())
-    assert panel.shown[-3].name == "clip_from_view"
+
+
+def test_a_matrix_that_is_gone_tells_nothing_any_more(
+    make_window: Callable[..., Any], qtbot: QtBot
+) -> None:
+    window = make_window()
+    start, panel = window.store.document.projection, window.matrices
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    window.panels.open(panel)
+    qtbot.waitUntil(panel.isVisible)
+    free = with_cell(start, "clip_from_view", 3, 0, 0.1)
+    names = set(panel.views)
+    window.store.set_projection(free)
+    vanishing = names - set(panel.views)
+    assert vanishing
+    for name in vanishing:
+        window.store.set_projection(start)
+        panel.views[name].setFocus()
+        qtbot.keyClick(panel.views[name], Qt.Key.Key_Right)
+        assert panel._speaker is panel.views[name] and panel.explanation.text()
+        window.store.set_projection(free)  # the keyboard goes on to a neighbour on the way
+        assert panel._speaker in (None, *panel.views.values())
 
 
 @pytest.mark.parametrize("lens", [Perspective(), Oblique(), OFF_AXIS.lens])

@@ -488,15 +488,15 @@ class MatrixPanel(QWidget):
 
     def _build(self) -> None:
         self._close_gap()
-        if self._speaker is not None:
-            self._speaker = None
-            self._explain("")
         for box in self._boxes:
             for view in box.views:
                 view.abandon()  # or it would be taken for entered, when the field is hidden
             self._row.removeWidget(box)
             box.hide()
             box.deleteLater()
+        if self._speaker is not None:  # perhaps only now, when the keyboard left what was hidden
+            self._speaker = None
+            self._explain("")
         self._boxes = []
         for place, matrix in enumerate(self._shown):
             box = _Box(self, matrix, matrix.name in self._unfolded)
