@@ -137,7 +137,10 @@ def check(phenomenon: Phenomenon, exhibit: Exhibit) -> None:
 def test_the_data_are_whole(phenomenon: Phenomenon) -> None:
     assert re.fullmatch(r"[a-z]+(-[a-z]+)*", phenomenon.name)
     assert 1 <= phenomenon.explanation.count(". ") + 1 <= 4
-    assert phenomenon.lectures and all(re.fullmatch(r"L\d+", line) for line in phenomenon.lectures)
+    assert phenomenon.lectures and list(phenomenon.lectures) == sorted(set(phenomenon.lectures))
+    assert set(phenomenon.lectures) <= {"000", "001", "002", "003", "004"}
+    said = set(re.findall(r"\b00\d\b", phenomenon.explanation))
+    assert said <= set(phenomenon.lectures)
     names = [setting.name for setting in phenomenon.settings]
     assert len(set(names)) == len(names)
     for setting in phenomenon.settings:

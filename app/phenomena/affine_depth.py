@@ -311,7 +311,7 @@ PHENOMENON = Phenomenon(
         " straight segment PQ would come into the cube as a bow, and nothing between its ends could"
         " be interpolated or clipped as a line. With z' = A + B / z it stays straight.",
     ),
-    lectures=("L8",),
+    lectures=("000", "002"),
     start=_START,
     geometry=_geometry,
     show=_show,

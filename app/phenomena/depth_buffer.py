@@ -296,7 +296,7 @@ PHENOMENON = Phenomenon(
         " on the ramp near 0.1 leads from 63 % of wrong pixels to 0 %, far 20 to 56 %. The picture"
         " keeps codes of up to 24 bits apart exactly.",
     ),
-    lectures=("L17",),
+    lectures=("000", "001"),
     start=Projection(
         Camera((3.0, 7.0, 15.0), (0.0, 1.5, -8.0), (0.0, 1.0, 0.0)),
         Perspective(fov_y_deg=45.0, near=0.01, far=200.0),

@@ -575,7 +575,7 @@ class Phenomenon:
     title, explanation : str
         Translatable; the explanation is two or three sentences.
     lectures : tuple of str
-        Lines of LECTURES.md that it teaches.
+        Numbers of those that it is from, "000" to "004".
     start : Projection
         From where it is best seen.
     geometry : callable

@@ -48,12 +48,12 @@ _STEPS = np.linspace(0.0, 1.0, 65)
 _MARGIN = 0.02  # of the picture's size, round the frame
 
 CASES = (
-    QT_TRANSLATE_NOOP("phenomena", "1: both ends in front of the eye"),
-    QT_TRANSLATE_NOOP("phenomena", "2: both ends behind the eye"),
-    QT_TRANSLATE_NOOP("phenomena", "3: from behind the eye to the front"),
-    QT_TRANSLATE_NOOP("phenomena", "4: from the front to behind the eye"),
+    QT_TRANSLATE_NOOP("phenomena", "1: both ends before the cut"),
+    QT_TRANSLATE_NOOP("phenomena", "2: both ends behind the cut"),
+    QT_TRANSLATE_NOOP("phenomena", "3: from behind the cut to before it"),
+    QT_TRANSLATE_NOOP("phenomena", "4: from before the cut to behind it"),
 )
-"""Lecture 004's four cases, in the order of `app.clipping.EYE_CASES`."""
+"""Lecture 004's four cases, in the order of `app.clipping.EYE_CASES`; its cut is before the eye."""
 
 _PARALLEL = QT_TRANSLATE_NOOP(
     "phenomena",
@@ -372,7 +372,10 @@ def _readings(
         wrongly = QT_TRANSLATE_NOOP("phenomena", "mesh drawn wrongly")
         missed = QT_TRANSLATE_NOOP("phenomena", "mesh missed")
     readings = [
-        Reading(QT_TRANSLATE_NOOP("phenomena", "case"), CASES[int(drawn.case[0]) - 1]),
+        Reading(
+            QT_TRANSLATE_NOOP("phenomena", "case, by the cut at z = −0.01"),
+            CASES[int(drawn.case[0]) - 1],
+        ),
         Reading(QT_TRANSLATE_NOOP("phenomena", "AB drawn wrongly"), float(drawn.wrong_px[0]), "px"),
         Reading(QT_TRANSLATE_NOOP("phenomena", "AB missed"), float(drawn.missed_px[0]), "px"),
         Reading(
@@ -449,7 +452,7 @@ def _image_marks(drawn: Pictures) -> Marks:
     """The naive and the right image of the segment, over the picture."""
     lines, dots, texts = [], [], []
     right, wrong = drawn.right[0], drawn.naive[0]
-    if drawn.case[0] != 1 and np.isfinite(wrong).all() and (wrong[0] != wrong[1]).any():
+    if drawn.wrong_px[0] > 0.0:
         lines.append(Line(wrong, "u", 1.5))
         texts.append(Text(QT_TRANSLATE_NOOP("phenomena", "wrong"), wrong.mean(axis=0), "u"))
     if np.isfinite(right).all():
@@ -472,10 +475,10 @@ PHENOMENON = Phenomenon(
         "phenomena",
         "A point behind the eye has w < 0; if it is divided by w all the same, its image is"
         " mirrored. With one end behind, AB is then drawn along the wrong part of its line: the"
-        " right part goes through the point at infinity. So AB must be cut before the divide, at"
-        " z = −0.01 as in lecture 004, or in homogeneous coordinates, where w still is one.",
+        " right part goes through the point at infinity. So AB must be cut before the divide: at"
+        " z = −0.01 as in lecture 004, or in homogeneous coordinates, which need no such number.",
     ),
-    lectures=("L15", "L16"),
+    lectures=("001", "004"),
     start=_START,
     geometry=_geometry,
     show=_show,

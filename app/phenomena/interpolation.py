@@ -266,7 +266,7 @@ PHENOMENON = Phenomenon(
         " bends at the diagonal of every quadrangle. Smaller triangles hide it: twice as many"
         " parts leave more than a quarter of the error while they are few, a quarter in the limit.",
     ),
-    lectures=("L18",),
+    lectures=("002", "003"),
     start=Projection(
         Camera((1.5, 4.0, 10.0), (0.0, 0.0, 0.5), (0.0, 1.0, 0.0)),
         Perspective(fov_y_deg=50.0, near=1.0, far=40.0),

@@ -261,7 +261,7 @@ PHENOMENON = Phenomenon(
         " shape, and edges along n are drawn at one angle and one scale. With scale 1 it is a"
         " cavalier drawing, with 1/2 a cabinet drawing, and with 0 the orthographic one.",
     ),
-    lectures=("L11", "L12"),
+    lectures=("002",),
     start=oblique(
         Projection(
             Camera((0.0, 1.0, 8.0), (0.0, 1.0, 0.0)),

@@ -349,7 +349,7 @@ PHENOMENON = Phenomenon(
         " window's own plane keeps its place in the image. Two screens side by side are two such"
         " frusta with one eye, and their pictures join without a gap.",
     ),
-    lectures=("L6", "L11"),
+    lectures=("000", "002", "003"),
     start=Projection(
         Camera((1.5, 2.4, 8.0), (1.5, 2.4, 0.0)),
         # The window is 8 by 4.5 in the plane z = 0, 8 units away; its middle is 1.5 to the left.

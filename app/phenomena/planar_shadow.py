@@ -337,7 +337,7 @@ PHENOMENON = Phenomenon(
         " projection is parallel. Put the light lower than the object's top: what is higher has"
         " w < 0, and unless it is clipped it is drawn on the other side as an anti-shadow.",
     ),
-    lectures=("L19",),
+    lectures=("002",),
     start=_START,
     geometry=_geometry,
     show=_show,

@@ -280,7 +280,7 @@ PHENOMENON = Phenomenon(
         " of nothing. Fog hides it if little contrast is left at the far plane. Level of detail"
         " draws far trees with fewer vertices, which pays for a far plane farther away.",
     ),
-    lectures=("L23",),
+    lectures=("001",),
     start=Projection(
         Camera((0.5, 2.2, _START_Z), (0.0, 2.0, -40.0), (0.0, 1.0, 0.0)),
         Perspective(fov_y_deg=45.0, near=1.0, far=100.0),

@@ -218,7 +218,7 @@ PHENOMENON = Phenomenon(
         " similar, so x_p : d = x : w. With d below 0 the plane is behind the eye, as in a camera"
         " obscura: the image is upside down.",
     ),
-    lectures=("L5", "L21"),
+    lectures=("000", "001", "002", "004"),
     start=_START,
     geometry=_geometry,
     show=_show,

@@ -486,7 +486,7 @@ PHENOMENON = Phenomenon(
         " parallel to the picture has none, so a box has one, two or three. Let w of the point P go"
         " to 0: P runs to infinity, and its image to the vanishing point.",
     ),
-    lectures=("L12", "L13"),
+    lectures=("002", "003"),
     start=Projection(
         Camera.from_orbit((0.0, 1.3, 0.0), Orbit(*_VIEWS["2"], 6.0)),
         # As far from the eye as no ground is seen before it: room for the marks on the near plane.

@@ -270,7 +270,7 @@ PHENOMENON = Phenomenon(
         " a box, straight or oblique, which is the view from very far away. A test point in"
         " brackets lies outside.",
     ),
-    lectures=("L4",),
+    lectures=("001",),
     start=Projection(
         Camera((0.0, 3.0, 8.0), (0.0, 3.0, 0.0)),
         Perspective(fov_y_deg=40.0, near=3.0, far=13.0),
