@@ -48,10 +48,10 @@ _STEPS = np.linspace(0.0, 1.0, 65)
 _MARGIN = 0.02  # of the picture's size, round the frame
 
 CASES = (
-    QT_TRANSLATE_NOOP("phenomena", "1: both ends before the cut"),
-    QT_TRANSLATE_NOOP("phenomena", "2: both ends behind the cut"),
-    QT_TRANSLATE_NOOP("phenomena", "3: from behind the cut to before it"),
-    QT_TRANSLATE_NOOP("phenomena", "4: from before the cut to behind it"),
+    QT_TRANSLATE_NOOP("phenomena", "1: both ends before it"),
+    QT_TRANSLATE_NOOP("phenomena", "2: both ends behind it"),
+    QT_TRANSLATE_NOOP("phenomena", "3: only A behind it"),
+    QT_TRANSLATE_NOOP("phenomena", "4: only B behind it"),
 )
 """Lecture 004's four cases, in the order of `app.clipping.EYE_CASES`; its cut is before the eye."""
 
@@ -473,10 +473,10 @@ PHENOMENON = Phenomenon(
     title=QT_TRANSLATE_NOOP("phenomena", "Crossing the eye plane"),
     explanation=QT_TRANSLATE_NOOP(
         "phenomena",
-        "A point behind the eye has w < 0; if it is divided by w all the same, its image is"
-        " mirrored. With one end behind, AB is then drawn along the wrong part of its line: the"
-        " right part goes through the point at infinity. So AB must be cut before the divide: at"
-        " z = −0.01 as in lecture 004, or in homogeneous coordinates, which need no such number.",
+        "A point behind the eye has w < 0: divided by w all the same, its image is mirrored. With"
+        " one end behind, AB is then drawn along the wrong part of its line: the right part goes"
+        " through infinity. So AB must be cut before the divide: at z = −0.01 as in lecture 004,"
+        " or in homogeneous coordinates, which need no such number.",
     ),
     lectures=("001", "004"),
     start=_START,
