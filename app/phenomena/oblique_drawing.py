@@ -50,6 +50,17 @@ _UNMEASURED = QT_TRANSLATE_NOOP(
     "phenomena", "the edge's pixels are too many or too few for float64 to measure"
 )
 
+_STRETCHED = QT_TRANSLATE_NOOP(
+    "phenomena",
+    "the picture is stretched: v is drawn {0} times as long as u: faces do not keep their shape",
+)
+_BEFORE = QT_TRANSLATE_NOOP(
+    "phenomena",
+    "the angles α and β give scale and angle as they are before it is stretched",  # noqa: RUF001
+)
+_SQUARE = 1e-6
+"""Relative to 1: how much longer v may be than u."""
+
 _SCALES = {"cavalier": 1.0, "cabinet": 0.5}
 
 # Cells of a cube of two by two by two; the upper left one in front is missing.
@@ -81,12 +92,15 @@ class Drawn(NamedTuple):
     Attributes
     ----------
     scale : float
-        Its length in units of an equal edge's along u (and along v, where pixels are stretched).
+        Its length in units of an equal edge's along u.
+    up : float
+        Likewise of an edge along v: 1 unless the picture is stretched.
     angle_deg : float
         Its direction away from the viewer, from the right, anticlockwise; of no meaning at scale 0.
     """
 
     scale: float
+    up: float
     angle_deg: float
 
 
@@ -107,10 +121,10 @@ def measured(ends_px: Array) -> Drawn | None:
     across, up = corner[0] - left[0], corner[1] - top[1]
     if not (across > 0.0 and up > 0.0):
         return None
-    x, y = (back[0] - corner[0]) / across, (corner[1] - back[1]) / up
-    if not math.isfinite(math.hypot(x, y)):
+    x, y = (back[0] - corner[0]) / across, (corner[1] - back[1]) / across
+    if not math.isfinite(math.hypot(x, y) + up / across):
         return None
-    return Drawn(math.hypot(x, y), math.degrees(math.atan2(y, x)))
+    return Drawn(math.hypot(x, y), up / across, math.degrees(math.atan2(y, x)))
 
 
 def oblique(projection: Projection, scale: float, angle_deg: float) -> Projection:
@@ -190,6 +204,8 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Exhi
     note = None
     if drawn is None:
         note = Phrase(_UNMEASURED if lens.parallel else _NOT_PARALLEL)
+    elif abs(drawn.up - 1.0) > _SQUARE:
+        note = Phrase(_STRETCHED, (f"{drawn.up:.3g}",))
     end_on = drawn is not None and by_formula[0] == 0.0
     has_angle = drawn is not None and not end_on
     readings = [
@@ -208,7 +224,12 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Exhi
     ]
     if isinstance(lens, Oblique):
         readings += [
-            Reading("√(cot²α + cot²β)", by_formula[0], "×"),  # noqa: RUF001
+            Reading(
+                "√(cot²α + cot²β)",  # noqa: RUF001
+                by_formula[0],
+                "×",
+                Phrase(_BEFORE) if drawn is not None and note is not None else None,
+            ),
             Reading(
                 "atan2(−cot β, −cot α)",  # noqa: RUF001
                 None if end_on or by_formula[0] == 0.0 else by_formula[1],
@@ -220,7 +241,12 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Exhi
     labels: tuple[str, ...] = colours
     if drawn is not None:
         label = f"n: {drawn.scale:.3g} ×"
-        labels = ("u: 1 ×", "v: 1 ×", label + (f", {drawn.angle_deg:.3g}°" if has_angle else ""))
+        up = 1.0 if note is None else drawn.up
+        labels = (
+            "u: 1 ×",
+            f"v: {up:.3g} ×",
+            label + (f", {drawn.angle_deg:.3g}°" if has_angle else ""),
+        )
     texts = tuple(
         Text(text, place, colour)
         for text, place, colour in zip(labels, middles, colours, strict=True)
