@@ -90,14 +90,15 @@ def inside(projection: Projection, segments_world: Array) -> Inside:
     """Cut segments (m, 2, 3) to the view volume."""
     lens = projection.standard_lens
     clip = projection.trace(segments_world).clip
-    rows, cut = np.arange(len(clip)), np.zeros(len(clip), dtype=bool)
+    rows = np.arange(len(clip))
+    cut: NDArray[np.bool_] = np.zeros(len(clip), dtype=bool)
     if not lens.parallel:
         # The near plane first: what is left before it has w > 0, of any size.
         rows = rows[(clip[..., 3] >= lens.near).any(axis=1)]
         clip = clip[rows]
         beyond = lens.near - clip[..., 3]
         row, end = np.nonzero(beyond > 0.0)
-        cut = (beyond > 0.0).any(axis=1)
+        cut = np.asarray((beyond > 0.0).any(axis=1))
         here, there = beyond[row, end], beyond[row, 1 - end]
         share = (here / (here - there))[:, None]
         clip[row, end] = (1.0 - share) * clip[row, end] + share * clip[row, 1 - end]
@@ -113,7 +114,7 @@ def inside(projection: Projection, segments_world: Array) -> Inside:
 
 
 def _of(part: Inside, chosen: NDArray[np.bool_]) -> Inside:
-    return Inside(*(column[chosen] for column in part))
+    return Inside(part.rows[chosen], part.ndc[chosen], part.w[chosen], part.cut[chosen])
 
 
 def slope(projection: Projection) -> float:
