@@ -281,3 +281,25 @@ def test_marks_are_plain_data() -> None:
         diagrams=(Diagram("t", (Curve(points[:, :2]),), 0.0, 1.0, 0.0, 1.0),),
     )
     assert numbers_of(exhibit)["world"].size == 2 * 3 + 2 * 3 + 3 + 3
+
+
+@EVERY
+def test_where_a_parallel_lens_makes_the_explanation_untrue_that_is_said(
+    phenomenon: Phenomenon,
+) -> None:
+    """But for the scenes that are about such lenses, or for which it makes no difference."""
+    holds = {
+        "view-volumes",
+        "depth-buffer",
+        "oblique-drawing",
+        "planar-shadow",
+        "far-plane-popping",
+    }
+    for kind in ("orthographic", "oblique"):
+        projection = phenomenon.start.with_lens(kind)
+        exhibit = phenomenon.show(projection, phenomenon.defaults, subject_of(phenomenon))
+        said = [exhibit.warning, *(reading.note for reading in exhibit.readings)]
+        assert any(
+            note is not None and re.search("parallel lens|perspective lens", note.template)
+            for note in said
+        ) == (phenomenon.name not in holds)

@@ -70,6 +70,10 @@ _CUT = QT_TRANSLATE_NOOP(
     "phenomena",
     "the board reaches behind the near plane: there is no picture of the edges that are cut there",
 )
+_PARALLEL = QT_TRANSLATE_NOOP(
+    "phenomena",
+    "with a parallel lens half-way on the screen is half-way in the world: affine is correct",
+)
 _MESH_CUT = QT_TRANSLATE_NOOP(
     "phenomena",
     "the mesh reaches behind the near plane: there is no picture of the edges that are cut there",
@@ -210,7 +214,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
         world=world,
         image=image,
         rendering=rendering,
-        warning=note,
+        warning=note or (Phrase(_PARALLEL) if projection.standard_lens.parallel else None),
     )
 
 

@@ -45,6 +45,10 @@ _TOO_NARROW = QT_TRANSLATE_NOOP("phenomena", "this window is too narrow for two 
 _NOT_SEEN = QT_TRANSLATE_NOOP(
     "phenomena", "no point of the subject that is compared is in the picture"
 )
+_PARALLEL = QT_TRANSLATE_NOOP(
+    "phenomena",
+    "with a parallel lens it is a box that goes through the window, not a frustum from the eye",
+)
 _UNMEASURED = QT_TRANSLATE_NOOP(
     "phenomena", "the subject's pixels are more than float64 can hold on one of the screens"
 )
@@ -199,7 +203,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
         world=_world_marks(screens, names),
         ndc=_ndc_marks(projection, screens),
         image=_image_marks(projection, screens, names),
-        warning=warning,
+        warning=warning or (Phrase(_PARALLEL) if projection.standard_lens.parallel else None),
     )
 
 
