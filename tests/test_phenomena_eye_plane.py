@@ -260,7 +260,7 @@ def test_the_circle_has_the_two_arcs() -> None:
         assert ("image of AB" in {curve.label for curve in circle}) == (min(za, zb) < 0.0)
         if min(za, zb) >= 0.0:
             continue
-        naive, right = circle[2].points, circle[3].points
+        naive, right = circle[1].points, circle[2].points
         np.testing.assert_allclose(np.hypot(*right.T), 1.0, rtol=1e-12)
         assert naive[:, 1].max() < 0.94
         same = bool(np.allclose(naive / np.hypot(*naive.T)[:, None], right, atol=1e-9))

@@ -285,30 +285,24 @@ def _arc(start: float, end: float, radius: float) -> Array:
 
 
 def _circle(angles: tuple[float, float] | None, in_front: bool) -> Diagram:
-    curves = [
-        Curve(_arc(0.0, 2.0 * math.pi, 1.0), "muted", closed=True),
-        Curve(np.array([(0.0, 1.0)]), "ink", "∞", dots=True),
-    ]
+    curves = [Curve(_arc(0.0, 2.0 * math.pi, 1.0), "muted", closed=True)]
+    dots = [Curve(np.array([(0.0, 1.0)]), "ink", "∞", dots=True)]
     if angles is not None:
         a, b = angles
         # Back into the turn between two infinities, where s itself runs from A' to B'.
         from_a, to_b = (math.remainder(angle, 2.0 * math.pi) for angle in angles)
-        curves += [
-            Curve(
-                _arc(from_a, to_b, _RADIUS),
-                "u",
-                QT_TRANSLATE_NOOP("phenomena", "naive divide"),
-                2.0,
-            ),
+        naive = QT_TRANSLATE_NOOP("phenomena", "naive divide")
+        curves.append(Curve(_arc(from_a, to_b, _RADIUS), "u", naive, 2.0))
+        if in_front:  # of what is behind the eye there is no image
+            image = QT_TRANSLATE_NOOP("phenomena", "image of AB")
+            curves.append(Curve(_arc(a, b, 1.0), "accent", image, 2.5))
+        dots += [
             Curve(_arc(a, a, 1.0)[:1], "ink", "A'", dots=True),
             Curve(_arc(b, b, 1.0)[:1], "ink", "B'", dots=True),
         ]
-        if in_front:  # of what is behind the eye there is no image
-            image = QT_TRANSLATE_NOOP("phenomena", "image of AB")
-            curves.insert(3, Curve(_arc(a, b, 1.0), "accent", image, 2.5))
     return Diagram(
         QT_TRANSLATE_NOOP("phenomena", "the line as a circle"),
-        tuple(curves), left=-1.4, right=1.4, bottom=-1.4, top=1.4, equal=True,
+        (*curves, *dots), left=-1.4, right=1.4, bottom=-1.4, top=1.4, equal=True,
     )  # fmt: skip
 
 
