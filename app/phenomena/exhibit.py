@@ -701,6 +701,11 @@ class Phenomenon:
         return settings
 
 
+def figure(value: float, digits: int) -> str:
+    """A number for a mark or a sentence, with the minus of the readouts."""
+    return f"{value + 0.0:.{digits}g}".replace("-", "−")
+
+
 def number(settings: Found, name: str) -> float:
     """A setting that is a number."""
     value = settings[name]
@@ -742,6 +747,7 @@ __all__ = [
     "Text",
     "Texture",
     "Value",
+    "figure",
     "number",
     "point",
 ]  # fmt: skip

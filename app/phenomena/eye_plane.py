@@ -36,6 +36,7 @@ from app.phenomena.exhibit import (
     Settings,
     Subject,
     Text,
+    figure,
     point,
 )
 from app.projection import Array, Camera, Perspective, Projection
@@ -359,7 +360,7 @@ def _readings(
     principal, middle = principal_point(projection), [side / 2.0 for side in projection.image_size]
     off_axis = None
     if any(abs(p - m) > 1e-6 * m for p, m in zip(principal, middle, strict=True)):
-        off_axis = Phrase(_OFF_AXIS, tuple(f"{part:.6g}" for part in principal))
+        off_axis = Phrase(_OFF_AXIS, tuple(figure(part, 6) for part in principal))
     wrongly = QT_TRANSLATE_NOOP("phenomena", "F drawn wrongly")
     missed = QT_TRANSLATE_NOOP("phenomena", "F missed")
     if mesh is not None:

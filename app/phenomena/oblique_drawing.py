@@ -28,6 +28,7 @@ from app.phenomena.exhibit import (
     Settings,
     Subject,
     Text,
+    figure,
     number,
 )
 from app.phenomena.picture import box_corners, seen_lines, seen_texts, world_from_view
@@ -245,7 +246,7 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Exhi
         labels = (
             "u: 1 ×",
             f"v: {up:.3g} ×",
-            label + (f", {drawn.angle_deg:.3g}°" if has_angle else ""),
+            label + (f", {figure(drawn.angle_deg, 3)}°" if has_angle else ""),
         )
     texts = tuple(
         Text(text, place, colour)

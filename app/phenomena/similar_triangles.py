@@ -28,6 +28,7 @@ from app.phenomena.exhibit import (
     Settings,
     Subject,
     Text,
+    figure,
     number,
     point,
 )
@@ -130,7 +131,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
     )
     lines = [Line(plane[[0, 1, 2, 3, 0]], "v", 1.6)]
     faces = [Face(plane, "v", 0.14)]
-    texts = [Text(f"d = {distance:.4g}", plane[2], "v")]
+    texts = [Text(f"d = {figure(distance, 4)}", plane[2], "v")]
     dots, nearest = [], math.inf
     for x, y, z in projection.trace(_outermost(subject)).view.tolist():
         if z < 0.0:
