@@ -360,8 +360,8 @@ PHENOMENON = Phenomenon(
         "phenomena",
         "A shadow is a projection with its centre in the light: the object is drawn once more, in"
         " one colour, under the matrix S; for the sun, a light at infinity with w = 0, the"
-        " projection is parallel. With a lamp lower than the object's top, what is higher has w < 0,"
-        " and unless it is clipped it is drawn on the other side as an anti-shadow.",
+        " projection is parallel. With a lamp lower than the object's top, what is higher has"
+        " w < 0, and unless it is clipped it is drawn on the other side as an anti-shadow.",
     ),
     lectures=("002",),
     start=_START,
