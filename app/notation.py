@@ -36,13 +36,13 @@ Numbers: TypeAlias = tuple[tuple[float, ...], ...]
 Formulas: TypeAlias = tuple[tuple[str, ...], ...]
 
 LETTERS: tuple[Letters, ...] = ("uvn", "000", "001", "002", "003")
-"""The program's own (u v n of lecture 004, n f l r b t of 003), and those of four lectures."""
+"""The program's own (axes as in lecture 004, planes as in 003), and those of four lectures."""
 
 ARROW = "\u20d7"
 """After the letter of a vector, as the lectures write it above: n is near, and n\u20d7 an axis."""
 
 _OURS = {
-    "fov": "fov", "aspect": "aspect", "W": "w", "H": "h", "alpha": "\u03b1", "beta": "β",
+    "fov": "fov", "aspect": "aspect", "alpha": "\u03b1", "beta": "β",
     "axis_u": f"u{ARROW}", "axis_v": f"v{ARROW}", "axis_n": f"n{ARROW}", "eye": f"e{ARROW}",
     "eye_x": "e_x", "eye_y": "e_y", "eye_z": "e_z", "theta_h": "θ_h", "theta_v": "θ_v",
 }  # fmt: skip

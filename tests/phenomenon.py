@@ -67,7 +67,7 @@ EVERYTHING = Phenomenon(
     "everything",
     "A setting of every kind",
     "What this is about. It has two sentences.",
-    ("L1", "L2"),
+    ("001", "002"),
     SIMILAR_TRIANGLES.start,
     SIMILAR_TRIANGLES.geometry,
     _show,

@@ -295,6 +295,33 @@ def test_the_names_of_curves_stand_beside_them_and_not_on_each_other(view: Diagr
     assert all((view._names[name] == place).all() for name, place in before.items())
 
 
+@pytest.mark.parametrize("colour", ["ink", "n", "accent"])
+@pytest.mark.parametrize("dots", [True, False])
+@pytest.mark.parametrize("scale", [1.0, 3.0])
+def test_a_name_brings_no_second_point_and_hides_none(
+    view: DiagramView, colour: str, dots: bool, scale: float
+) -> None:
+    """A name without letters is one plain plate, beside the point and not on it."""
+    view.set_style(LIGHT.enlarged(scale))
+    points = np.array([(5.0, 5.0)]) if dots else np.array([(2.0, 5.0), (8.0, 5.0)])
+    curve = Curve(points, colour, dots=dots)
+    plain = replace(PLAIN, curves=(curve,), x_label="", y_label="", title="")
+    view.show_diagram(plain)
+    without = pixels(view)
+    view.show_diagram(replace(plain, curves=(replace(curve, label="    "),)))
+    named = pixels(view)
+    left, top, right, bottom = view._names["    "]
+    assert view.frame.contains(QRectF(left, top, right - left, bottom - top))
+    factor = view.devicePixelRatioF()
+    box = np.s_[
+        math.ceil(top * factor) + 1 : int(bottom * factor) - 1,
+        math.ceil(left * factor) + 1 : int(right * factor) - 1,
+    ]
+    assert named[box].size > 100 and np.ptp(named[box], axis=(0, 1)).max() == 0
+    assert (named[box] == 255).all() == (colour == "ink")
+    assert np.ptp(without[box], axis=(0, 1)).max() == 0  # nothing was there to be hidden
+
+
 def test_colours_are_those_of_the_theme_by_name(view: DiagramView) -> None:
     view.show_diagram(replace(PLAIN, curves=(replace(LINE, colour="near", width=4.0),)))
     for style in (LIGHT, DARK):

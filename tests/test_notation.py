@@ -47,6 +47,21 @@ def evaluated(matrix: Matrix, values: dict[str, Any]) -> list[list[float]]:
     return [[eval(cell, {"__builtins__": {}}, values) for cell in row] for row in matrix.formulas]
 
 
+@pytest.mark.parametrize("letters", LETTERS)
+@pytest.mark.parametrize("lens", LENSES)
+def test_a_letter_stands_for_one_thing(lens: str, letters: Letters) -> None:
+    """And w for none of them: it is what is divided by, and the axis in lecture 001's letters."""
+    shown = matrices(projection_of(lens), letters, running=True)
+    parts = [part for matrix in shown for part in (matrix, *matrix.factors)]
+    names = {
+        name for part in parts for row in part.formulas for cell in row
+        for name in notation._names(cell)
+    }  # fmt: skip
+    written = {name: notation.written(name, letters) for name in names}
+    assert len(set(written.values())) == len(names) > 10
+    assert "w" not in written.values() and {written["W"], written["H"]} == {"W", "H"}
+
+
 @pytest.mark.parametrize("lens", LENSES)
 @pytest.mark.parametrize("depth", DEPTHS)
 @pytest.mark.parametrize("letters", LETTERS)

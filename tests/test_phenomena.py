@@ -137,7 +137,10 @@ def check(phenomenon: Phenomenon, exhibit: Exhibit) -> None:
 def test_the_data_are_whole(phenomenon: Phenomenon) -> None:
     assert re.fullmatch(r"[a-z]+(-[a-z]+)*", phenomenon.name)
     assert 1 <= phenomenon.explanation.count(". ") + 1 <= 4
-    assert phenomenon.lectures and all(re.fullmatch(r"L\d+", line) for line in phenomenon.lectures)
+    assert phenomenon.lectures and list(phenomenon.lectures) == sorted(set(phenomenon.lectures))
+    assert set(phenomenon.lectures) <= {"000", "001", "002", "003", "004"}
+    said = set(re.findall(r"\b00\d\b", phenomenon.explanation))
+    assert said <= set(phenomenon.lectures)
     names = [setting.name for setting in phenomenon.settings]
     assert len(set(names)) == len(names)
     for setting in phenomenon.settings:
@@ -278,3 +281,25 @@ def test_marks_are_plain_data() -> None:
         diagrams=(Diagram("t", (Curve(points[:, :2]),), 0.0, 1.0, 0.0, 1.0),),
     )
     assert numbers_of(exhibit)["world"].size == 2 * 3 + 2 * 3 + 3 + 3
+
+
+@EVERY
+def test_where_a_parallel_lens_makes_the_explanation_untrue_that_is_said(
+    phenomenon: Phenomenon,
+) -> None:
+    """But for the scenes that are about such lenses, or for which it makes no difference."""
+    holds = {
+        "view-volumes",
+        "depth-buffer",
+        "oblique-drawing",
+        "planar-shadow",
+        "far-plane-popping",
+    }
+    for kind in ("orthographic", "oblique"):
+        projection = phenomenon.start.with_lens(kind)
+        exhibit = phenomenon.show(projection, phenomenon.defaults, subject_of(phenomenon))
+        said = [exhibit.warning, *(reading.note for reading in exhibit.readings)]
+        assert any(
+            note is not None and re.search("parallel lens|perspective lens", note.template)
+            for note in said
+        ) == (phenomenon.name not in holds)

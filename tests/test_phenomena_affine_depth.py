@@ -31,7 +31,11 @@ EYE = Camera((0.0, 0.0, 0.0), (0.0, 0.0, -1.0), (0.0, 1.0, 0.0))
 FACES = letter_f()[0].reshape(-1, 3)
 SUBJECT = Subject((-1.5, 0.0, -0.5), (1.5, 5.0, 0.5), np.unique(FACES, axis=0))
 RANGES = {"opengl": (-1, 1), "direct3d": (0, 1), "reversed": (1, 0)}
-LABELS = ("largest deviation, of the length", "where: w = √(w_P·w_Q)", "worst edge of the letter F")
+LABELS = (
+    "largest deviation, of the length",
+    "where: w = √(w_P·w_Q)",
+    "worst edge of the letter F, inside",
+)
 
 
 def show(projection: Projection, start: Any, end: Any) -> Exhibit:
@@ -39,7 +43,8 @@ def show(projection: Projection, start: Any, end: Any) -> Exhibit:
 
 
 def values(exhibit: Exhibit) -> list[Any]:
-    assert [reading.label for reading in exhibit.readings] == list(LABELS)
+    labels = [reading.label.replace("P'", "P").replace("Q'", "Q") for reading in exhibit.readings]
+    assert labels == list(LABELS)
     for reading in exhibit.readings:
         assert (reading.value is not None) or (reading.note is not None)
     return [reading.value for reading in exhibit.readings]
@@ -112,6 +117,38 @@ def test_the_deviation_is_the_searched_one() -> None:
         found.append(got[0])
     assert max(found) > 20.0
     assert min(found) < 2.0
+
+
+def test_what_is_cut_is_said_to_be_cut_and_read_between_its_own_ends() -> None:
+    """P and Q may have any w, below 0 too; P' and Q' are found among points of PQ."""
+    rng = np.random.default_rng(5)
+    counted = {True: 0, False: 0}
+    for _ in range(300):
+        projection, ends = draw(rng)
+        ends = ends.mean(axis=0) + rng.choice([0.9, 1.5, 4.0]) * (ends - ends.mean(axis=0))
+        exhibit = show(projection, *map(tuple, ends.tolist()))
+        shares = np.linspace(0.0, 1.0, 4001)[:, None]
+        trace = projection.trace((1.0 - shares) * ends[0] + shares * ends[1])
+        inner = np.flatnonzero(~trace.outside.any(axis=1))
+        if len(inner) < 100:
+            continue
+        cut = len(inner) < len(shares)
+        deviation, where, _ = exhibit.readings
+        said = deviation.note is not None and "cuts PQ" in deviation.note.template
+        assert said == cut == ("P'" in where.label) == ("Q'" in where.label)
+        counted[cut] += 1
+        w = trace.clip[inner[[0, -1]], 3]
+        step = abs(trace.clip[1, 3] - trace.clip[0, 3])  # the ends may be as far beyond the last
+        tolerance = 1e-12 if not cut else 1e-12 + float(step / w.min())
+        assert where.value == pytest.approx(math.sqrt(w[0] * w[1]), rel=tolerance)
+    assert min(counted.values()) > 50
+
+
+def test_of_the_letter_is_said_what_holds_of_the_letter() -> None:
+    away = Projection(Camera((0.0, 0.0, 50.0), (0.0, 0.0, 90.0)), Perspective(60.0, 1.0, 30.0))
+    for start, end in (((0, 0, 60), (1, 0, 70)), ((0, 0, 60), (1, 0, 99)), ((0, 0, 0), (1, 1, 0))):
+        note = show(away, start, end).readings[2].note
+        assert note is not None and "letter" in note.template
 
 
 def test_by_hand() -> None:
@@ -238,7 +275,7 @@ def test_a_mesh_takes_the_letter_s_place() -> None:
         subject = replace(SUBJECT, mesh=OwnMesh(edges, count, np.empty((0, 3, 3))))
         exhibit = PHENOMENON.show(projection, PHENOMENON.defaults, subject)
         reading = exhibit.readings[-1]
-        assert reading.label == "worst edge of the mesh"
+        assert reading.label == "worst edge of the mesh, inside"
         assert reading.value == pytest.approx(float(worst), rel=1e-9)
         assert (reading.note and reading.note.values) == (("200", "999") if count > 200 else None)
         bows = [line.points for line in exhibit.ndc.lines if len(line.points) == 9]

@@ -261,14 +261,19 @@ def test_the_codes_of_a_float_crowd_where_the_reversed_range_needs_them() -> Non
 def test_the_explanations_figures_are_the_readings() -> None:
     """Near decides, far hardly; and only the control that decides is brought to the front."""
     start = PHENOMENON.start
+    said = re.findall(r"near (\S+), \d+ % with far (\d+)", PHENOMENON.explanation)
+    near, far = map(float, said[0])
     seen = (
         start,
-        replace(start, lens=replace(start.lens, near=0.1)),
-        replace(start, lens=replace(start.lens, far=20.0)),
+        replace(start, lens=replace(start.lens, near=near)),
+        replace(start, lens=replace(start.lens, far=far)),
     )
+    # The same pixels all three times: neither plane takes any of the ramp away.
+    counts = {len(distances(projection, 0.25, SUBJECT)[0]) for projection in seen}
+    assert PHENOMENON.defaults["gap"] == 0.25 and len(counts) == 1
     shares = [shown(projection).readings[0].value for projection in seen]
-    said = [float(share) for share in re.findall(r"(\d+) %", PHENOMENON.explanation)]
-    assert said == pytest.approx(shares, abs=0.5)
+    percents = [float(share) for share in re.findall(r"(\d+) %", PHENOMENON.explanation)]
+    assert percents == pytest.approx(shares, abs=0.5)
     assert "lens.near" in PHENOMENON.controls and "lens.far" not in PHENOMENON.controls
 
 

@@ -86,4 +86,3 @@ def test_the_start_shows_the_whole_subject(phenomenon: Phenomenon) -> None:
 def test_words_are_sentences_for_translators(phenomenon: Phenomenon) -> None:
     assert 2 <= phenomenon.explanation.count(". ") + 1 <= 4
     assert phenomenon.explanation.endswith(".")
-    assert all(line.startswith("L") for line in phenomenon.lectures)

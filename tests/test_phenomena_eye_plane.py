@@ -156,7 +156,7 @@ def test_every_case_and_length_is_the_formula_s() -> None:
             (za <= EYE_Z, zb <= EYE_Z)
         ]
         seen.add(case)
-        assert value(exhibit, "case") == CASES[case - 1]
+        assert value(exhibit, "case, by the cut at z = −0.01") == CASES[case - 1]
         both = za < 0 and zb < 0
         close = {"abs": 1e-8, "rel": 1e-10}
         wrong = value(exhibit, "AB drawn wrongly")
@@ -215,7 +215,9 @@ def test_the_mirrored_end_is_the_formula_s_and_the_frame_minus_the_right_one() -
             assert together == pytest.approx([2 * part for part in principal], abs=1e-11 * scale)
             assert got[0] != pytest.approx(got[1], abs=1.0)
             note = exhibit.readings[-1].note
-            assert note is not None and note.values == tuple(f"{p:.6g}" for p in principal)
+            assert note is not None and note.values == tuple(
+                f"{p:.6g}".replace("-", "\N{MINUS SIGN}") for p in principal
+            )
 
 
 def test_by_hand() -> None:
@@ -229,7 +231,7 @@ def test_by_hand() -> None:
     exhibit = show(projection, (0, 0, -2), (1, 2, 4))
     assert value(exhibit, "mirrored end") == pytest.approx((75.0, 150.0), abs=1e-12)
     assert value(exhibit, "frame size minus right end") == pytest.approx((75.0, 150.0), abs=1e-12)
-    assert value(exhibit, "case") == CASES[3]
+    assert value(exhibit, "case, by the cut at z = −0.01") == CASES[3]
     # From (100, 100) to (75, 150); the right arc leaves the other way, along (1, -2), to y = 0.
     assert value(exhibit, "AB drawn wrongly") == pytest.approx(math.hypot(25, 50), rel=1e-12)
     assert value(exhibit, "AB missed") == pytest.approx(math.hypot(50, 100), rel=1e-12)
@@ -260,7 +262,7 @@ def test_the_circle_has_the_two_arcs() -> None:
         assert ("image of AB" in {curve.label for curve in circle}) == (min(za, zb) < 0.0)
         if min(za, zb) >= 0.0:
             continue
-        naive, right = circle[2].points, circle[3].points
+        naive, right = circle[1].points, circle[2].points
         np.testing.assert_allclose(np.hypot(*right.T), 1.0, rtol=1e-12)
         assert naive[:, 1].max() < 0.94
         same = bool(np.allclose(naive / np.hypot(*naive.T)[:, None], right, atol=1e-9))
@@ -428,3 +430,34 @@ def test_nothing_is_named_that_is_not_drawn() -> None:
     start = PHENOMENON.show(PHENOMENON.start, PHENOMENON.defaults, SUBJECT)
     assert "image of AB" in {curve.label for curve in start.diagrams[3].curves}
     assert "With one end behind" in PHENOMENON.explanation
+
+
+@pytest.mark.parametrize(
+    ("start", "end", "case"),
+    [
+        ((-2.5, 1.5, 0.0), (0.8, 2.4, 1.195), 4),  # B at z = -0.0022: before the eye
+        ((0.8, 2.4, 1.195), (0.8, 2.45, 1.195), 2),
+        ((0.8, 2.4, 1.2), (-2.5, 1.5, 0.0), 3),  # A in the eye
+    ],
+)
+def test_between_the_cut_and_the_eye_nothing_is_said_to_be_behind_the_eye(
+    start: Any, end: Any, case: int
+) -> None:
+    """Lecture 004's cases ask on which side of z = -0.01 an end is, not of the eye."""
+    exhibit = show(PHENOMENON.start, start, end)
+    assert value(exhibit, "case, by the cut at z = −0.01") == CASES[case - 1]
+    assert "eye" not in CASES[case - 1]
+    assert value(exhibit, "mirrored end") is None
+    assert value(exhibit, "AB drawn wrongly") == 0.0
+    assert "wrong" not in [text.text for text in exhibit.image.texts]
+
+
+def test_wrong_is_written_just_where_something_is_drawn_wrongly() -> None:
+    rng = np.random.default_rng(11)
+    counted = {True: 0, False: 0}
+    for _ in range(300):
+        exhibit = show(*draw(rng))
+        wrong = "wrong" in [text.text for text in exhibit.image.texts]
+        assert wrong == (value(exhibit, "AB drawn wrongly") > 0.0)
+        counted[wrong] += 1
+    assert min(counted.values()) > 30

@@ -37,15 +37,15 @@ def angle_between(one_deg: float, other_deg: float) -> float:
 
 
 def test_what_is_drawn_is_what_was_set_for_fifty_random_drawings() -> None:
-    """With any camera, any image and pixels that are not square."""
+    """With any camera and any image."""
     dice = random.Random(10)
     for _ in range(50):
         seen = random_projection(dice, PHENOMENON.start)
         if dice.random() < 0.5:
             seen = seen.with_lens("orthographic")
             left, right, bottom, top = seen.window
-            stretched = {"left": left, "right": 2 * right - left, "bottom": bottom, "top": top}
-            seen = replace(seen, lens=replace(seen.lens, keep="stretch", **stretched))
+            wider = {"left": left, "right": 2 * right - left, "bottom": bottom, "top": top}
+            seen = replace(seen, lens=replace(seen.lens, keep="y", **wider))
         scale, angle_deg, morph = dice.uniform(0, 2), dice.uniform(-180, 180), dice.uniform(0.1, 1)
         seen = followed(seen, drawing="free", receding=scale, angle_deg=angle_deg, morph=morph)
         exhibit = shown(seen)
@@ -61,6 +61,38 @@ def test_what_is_drawn_is_what_was_set_for_fifty_random_drawings() -> None:
         formula_deg = float(mp.atan2(y, x) * 180 / mp.pi)
         assert angle_between(value(exhibit, "atan2"), formula_deg) < 1e-9
         assert angle_between(drawn_deg, formula_deg) * scale * morph < 1e-7
+
+
+def test_a_stretched_picture_is_measured_in_its_pixels_and_said_to_be_stretched() -> None:
+    """A window of 4 by 4 units fills images that are not square: y has its own px a unit."""
+    dice = random.Random(11)
+    for stretch in (0.25, 8 / 9, 1.0, 3.0):
+        scale, angle_deg = dice.uniform(0.1, 2), dice.uniform(-180, 180)
+        lens = replace(PHENOMENON.start.lens, left=-2.0, right=2.0, bottom=-2.0, top=2.0)
+        lens = replace(lens, keep="stretch")
+        seen = replace(PHENOMENON.start, lens=lens, image_size=(720, round(720 * stretch)))
+        seen = followed(seen, drawing="free", receding=scale, angle_deg=angle_deg)
+        exhibit = shown(seen)
+        turned = math.radians(angle_deg)
+        x, y = scale * math.cos(turned), stretch * scale * math.sin(turned)
+        drawn = value(exhibit, "receding scale"), value(exhibit, "receding angle")
+        assert drawn[0] == pytest.approx(math.hypot(x, y), rel=1e-9)
+        assert angle_between(drawn[1], math.degrees(math.atan2(y, x))) < 1e-7
+        note = reading(exhibit, "receding scale").note
+        assert (None if note is None else note.values) == (
+            None if stretch == 1.0 else (f"{stretch:.3g}",)
+        )
+        plates = {text.text for text in exhibit.world.texts}
+        assert {
+            "u: 1 \N{MULTIPLICATION SIGN}",
+            f"v: {stretch:.3g} \N{MULTIPLICATION SIGN}",
+        } < plates
+        before = reading(exhibit, "√").note
+        assert (before is None) == (note is None)
+        # And on the pixels themselves.
+        front, back = seen.trace([(1, 0, 1), (1, 0, -1)]).image
+        across, down = back - front
+        assert angle_between(drawn[1], math.degrees(math.atan2(-down, across))) < 1e-7
 
 
 @pytest.mark.parametrize(("name", "scale"), [("cavalier", 1.0), ("cabinet", 0.5)])

@@ -30,8 +30,8 @@ mp.mp.dps = 40
 
 FACES = letter_f()[0].reshape(-1, 3)
 SUBJECT = Subject((-1.5, 0.0, -0.5), (1.5, 5.0, 0.5), np.unique(FACES, axis=0))
-OFF = "from there to where the ray meets the plane"
-HIGH = "vertices as high as the light or higher"
+OFF = "from there to the ray's end"
+HIGH = "vertices not below the light"
 
 
 def show(projection: Projection = PHENOMENON.start, **settings: Any) -> Exhibit:
@@ -105,6 +105,23 @@ def test_shadow_and_count_are_the_ray_s() -> None:
             assert anti.panes == ()
         seen["some" if above else "none"] += 1
     assert min(seen.values()) >= 3
+
+
+@pytest.mark.parametrize("kind", ["point", "sun"])
+def test_s_is_what_the_formula_beside_it_says(kind: str) -> None:
+    """From the numbers in the sentence alone: (p L) I - L p^T."""
+    light, height = (1.25, 2.125, -3.375), -2.5
+    exhibit = show(kind=kind, light=light, height=height)
+    note = exhibit.readings[0].note
+    assert note is not None and "S = (p·L) I − L pᵀ" in note.template
+    offset, *said = (float(part.replace("\N{MINUS SIGN}", "-")) for part in note.values)
+    plane = np.array([0.0, 1.0, 0.0, offset])
+    place = np.array([*said[:3], float(kind == "point")])
+    expected = (plane @ place) * np.eye(4) - np.outer(place, plane)
+    for row in range(4):
+        assert value(exhibit, f"S, {row + 1}") == pytest.approx(expected[row], abs=1e-5)
+    factor = said[3] if kind == "sun" else 1.0
+    assert place[:3] * factor == pytest.approx(light, rel=1e-5)
 
 
 def test_by_hand() -> None:

@@ -53,38 +53,77 @@ def test_driving_moves_the_camera_along_the_avenue_and_back() -> None:
     assert driven(start, 0.0) is start
 
 
+def with_fov(projection: Projection, factor: float) -> Projection:
+    lens = projection.lens
+    assert isinstance(lens, Perspective)
+    return replace(projection, lens=replace(lens, fov_y_deg=factor * lens.fov_y_deg))
+
+
 def test_as_many_pop_in_as_a_drive_counts() -> None:
-    """50 cameras driving ten trees far: those whose middle passes far in the picture, counted."""
+    """50 cameras, half of them looking up or down: a row counts if a point of a tree passes far.
+
+    Points of a tree are places on its faces; over one spacing every row has had its turn. They are
+    a little apart, and so are the steps: the count lies between those of pictures as much narrower
+    and wider.
+    """
     random = np.random.default_rng(11)
-    rates = set()
-    middles = places() + np.array([0.0, HEIGHT / 2.0, 0.0])
-    for _ in range(50):
+    quads = _levels()[0][0][0]
+    quads = quads[: len(quads) // len(places())] - places()[0]
+    part = np.linspace(0.0, 1.0, 4)
+    a, b = (grid.reshape(-1, 1) for grid in np.meshgrid(part, part))
+    weights = np.hstack([(1 - a) * (1 - b), a * (1 - b), a * b, (1 - a) * b])
+    on_tree = np.unique((weights @ quads).reshape(-1, 3).round(9), axis=0)
+    rates, sure, only_parts = set(), 0, 0
+    for number in range(50):
         projection = random_projection(random)
         x, y, z = projection.camera.target
+        y += random.uniform(-10, 30) * (number % 2)
         aside = replace(projection.camera, target=(x + random.uniform(-45, 45), y, z))
         projection = replace(projection, camera=aside)
-        backwards = random.random() < 0.4
-        if backwards:
+        if random.random() < 0.4:  # backwards
             (x, y, z), (tx, ty, tz) = projection.camera.eye, projection.camera.target
             eye = (x, y, z - 200.0)
             camera = replace(projection.camera, eye=eye, target=(tx, ty, eye[2] + (z - tz)))
             projection = replace(projection, camera=camera)
-        predicted = popped_per_second(projection)
-        popped, gone, before = 0, 0, None
-        # Two whole spacings in small steps, over which the rate is that of the place looked at.
-        for by in np.linspace(0.0, 2.0 * SPACING, 241):
-            now = driven(projection, float(by))
-            beyond = now.trace(middles).outside
-            in_picture = ~beyond[:, 2:].any(axis=1)
+        w = -projection.trace(places()).view[:, 2]
+        passing = places()[np.abs(w - projection.lens.far) < 25.0]
+        rows: dict[bool, set[float]] = {True: set(), False: set()}
+        before = None
+        for by in np.linspace(0.0, SPACING, 31):
+            outside = driven(projection, float(by)).trace(
+                passing[:, None] + on_tree
+            ).outside  # fmt: skip
+            in_picture = ~outside[..., 2:].any(axis=-1)
             if before is not None:
-                popped += int((before & ~beyond[:, 1] & in_picture).sum())
-                gone += int((~before & beyond[:, 1] & in_picture).sum())
-            before = beyond[:, 1]
-        seconds = 2.0 * SPACING / SPEED
-        assert (popped / seconds, gone / seconds) == predicted, projection
-        rates.add(predicted)
-    one_way = {(0.0, 0.0), (2.0, 0.0), (4.0, 0.0)}
-    assert rates == one_way | {(0.0, 2.0), (0.0, 4.0)}, "one row, both, and none"
+                for comes in (True, False):
+                    passed = (before == comes) & (outside[..., 1] != comes) & in_picture
+                    rows[comes] |= set(passing[passed.any(axis=1), 0].tolist())
+            before = outside[..., 1]
+        counted = [2.0 * len(rows[comes]) for comes in (True, False)]
+        least, most = (popped_per_second(with_fov(projection, k)) for k in (0.96, 1.04))
+        assert least[0] <= counted[0] <= most[0] and least[1] <= counted[1] <= most[1], projection
+        sure += least == most == popped_per_second(projection) == tuple(counted)
+        rates.add(popped_per_second(projection))
+        n, eye = projection.camera.frame[2], np.array(projection.camera.eye)
+        middles = np.array([(x, HEIGHT / 2.0, 0.0) for x in ROWS])
+        middles[:, 2] = ((eye - middles) @ n - projection.lens.far) / n[2]
+        seen = (~projection.trace(middles).outside[:, 2:].any(axis=1)).sum()
+        only_parts += 2.0 * seen < max(counted)
+    assert sure > 35 and only_parts >= 2
+    assert rates >= {(0.0, 0.0), (2.0, 0.0), (4.0, 0.0), (0.0, 2.0), (0.0, 4.0)}
+
+
+def test_crowns_pass_where_the_middle_of_no_tree_is_seen() -> None:
+    """Looking up: the picture's lower edge is above the trees' middles, where far is."""
+    camera = Camera((0.5, 2.2, 10.0), (0.0, 11.2, -40.0))
+    up = replace(with_fov(PHENOMENON.start, 0.4), camera=camera)
+    readings = shown(up).readings
+    assert readings[2].value == 4.0 and readings[4].value == 100.0
+    # Looking down at the trunks of one row alone, of which the simplest trees have none.
+    camera = Camera((4.0, 20.0, 10.0), (4.0, 0.6, -88.1))
+    down = replace(with_fov(PHENOMENON.start, 0.5 / 45.0), camera=camera)
+    assert shown(down).readings[2].value == 2.0
+    assert shown(down, detail=True).readings[2].value == 0.0
 
 
 def test_nothing_pops_past_the_last_tree_or_at_infinity() -> None:

@@ -155,3 +155,15 @@ def test_what_has_no_volume_says_why() -> None:
     boxed = PHENOMENON.start.with_lens("orthographic")
     assert shown(boxed, volume="cone").warning is not None
     assert shown(boxed, volume="box").warning is None
+
+
+def test_of_the_cone_is_said_that_no_lens_draws_it() -> None:
+    """A test point between cone and pyramid is drawn all the same."""
+    noted = {
+        kind: reading(shown(PHENOMENON.start, volume=kind), "view volume").note is not None
+        for kind in ("pyramid", "cone")
+    }
+    assert noted == {"pyramid": False, "cone": True}
+    between = held(PHENOMENON.start, False) & ~held(PHENOMENON.start, True)
+    trace = PHENOMENON.start.trace(list(POINTS.values()))
+    assert between.any() and not trace.outside[between].any()

@@ -23,6 +23,7 @@ from app.document import Document, write
 from app.drawings import probes
 from app.drawings.probes import pick_in
 from app.drawings.style import LIGHT, rgb
+from app.notation import matrices, written
 from app.picking import Probe, Sight, Surface
 from app.projection import (
     LARGEST,
@@ -794,3 +795,14 @@ def test_probes_are_traced_once_for_all_panes(
     now = window.store.document.projection
     window.store.set_projection(replace(now, lens=replace(now.lens, fov_y_deg=50.0)))
     assert len(traced) == 1
+
+
+def test_letters_are_those_of_the_other_panels(panel: ProbePanel) -> None:
+    """M is the view matrix as in the camera frame; the image is W x H as in the matrices."""
+    own_view = FreeMatrix(np.eye(4).tolist(), np.eye(4).tolist())  # type: ignore[arg-type]
+    for lens, view in ((Perspective(), "R (p − e)"), (own_view, "M p")):
+        formulas = dict(panel._formulas(replace(start(), lens=lens)))
+        assert formulas["view"] == view and "M" not in formulas["world"]
+        shown = {matrix.name: matrix for matrix in matrices(Projection(), "uvn")}
+        w_2, h_2 = (written(shown["image_from_ndc"].formulas[i][3], "uvn") for i in (0, 1))
+        assert formulas["image px"] == f"(x + 1) {w_2},  (1 − y) {h_2}"

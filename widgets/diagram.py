@@ -2,7 +2,7 @@
 
 It draws an `app.phenomena.exhibit.Diagram`, which is data, with Qt's painter: as crisp as the
 screen is, and repainted only when there is something else to see. Colours are names of `Style`,
-as in the panes. Text is ink on the background; the curve's own colour stands before its name.
+as in the panes; a curve's name is on a plate of its colour, as there.
 """
 
 from __future__ import annotations
@@ -37,8 +37,6 @@ TICK_PX = 4.0
 GAP_PX = 3.0
 DOT_PX = 3.0
 """Radius of a dot at the ordinary line width."""
-SWATCH_PX = 12.0
-"""Length of a curve's own line before its name."""
 HIT_PX = 9.0
 """How near to a spot a click may be that means it."""
 _LINES_ACROSS, _LINES_DOWN = 12.0, 8.0  # of names that a small diagram has room for
@@ -463,8 +461,7 @@ class DiagramView(QWidget):
 
     def _paint_curve(self, painter: QPainter, frame: QRectF, curve: Curve, parts: Floats) -> None:
         if curve.dots:
-            radius = DOT_PX * curve.width * self._style.line_width / LIGHT.line_width
-            radius /= self.devicePixelRatioF()
+            radius = self._radius(curve)
             painter.setPen(Qt.PenStyle.NoPen)
             painter.setBrush(self._colour(curve.colour))
             for x, y in _places(frame, parts).tolist():
@@ -473,6 +470,11 @@ class DiagramView(QWidget):
         painter.setPen(self._pen(curve.colour, curve.width))
         ends_px = _places(frame, parts).reshape(-1, 4).tolist()
         painter.drawLines([QLineF(*ends) for ends in ends_px])
+
+    def _radius(self, curve: Curve) -> float:
+        """Of a curve's dots."""
+        radius = DOT_PX * curve.width * self._style.line_width / LIGHT.line_width
+        return radius / self.devicePixelRatioF()
 
     def _paint_names(
         self,
@@ -488,34 +490,36 @@ class DiagramView(QWidget):
         font.setPointSizeF(font.pointSizeF() * max(_LEAST_NAME, min(1.0, room)))
         metrics = QFontMetricsF(font)
         painter.setFont(font)
-        curves_px = np.concatenate([np.empty((0, 2)), *along])
+        # What a name must not hide: lines as thin as they are, dots whole.
+        halves = [self._radius(curve) if curve.dots else 1.0 for curve in curves]
+        covered = np.concatenate(
+            [np.empty((0, 4))]
+            + [np.hstack([at - half, at + half]) for at, half in zip(along, halves, strict=True)]
+        )
         taken = np.empty((0, 4))
-        for curve, places in zip(curves, along, strict=True):
+        # Of dots first: a line has many places.
+        named = sorted(zip(curves, along, halves, strict=True), key=lambda each: not each[0].dots)
+        for curve, places, half in named:
             if not curve.label:
                 continue
             text = of_phenomena(curve.label)
-            size = metrics.horizontalAdvance(text) + SWATCH_PX + GAP_PX, metrics.height()
+            size = metrics.horizontalAdvance(text) + 2.0 * GAP_PX, metrics.height()
             kept = self._names.get(curve.label)
-            place = _free_place(frame, places, size, taken, curves_px, kept)
+            place = _free_place(frame, places, half, size, taken, covered, kept)
             self._names[curve.label] = place
             left, top, right, bottom = place.tolist()
             taken = np.vstack([taken, (left, top, right, bottom)])
             box = QRectF(left, top, right - left, bottom - top)
-            plate = QColor(self._style.background)
-            plate.setAlphaF(0.8)
-            painter.fillRect(box, plate)
-            middle = box.center().y()
-            if curve.dots:
-                painter.setPen(Qt.PenStyle.NoPen)
-                painter.setBrush(self._colour(curve.colour))
-                painter.drawEllipse(QPointF(left + SWATCH_PX / 2.0, middle), 2.5, 2.5)
+            # No sample of the curve: beside a diagram's points it would be one more.
+            if curve.colour == "ink":
+                plate, ink = QColor(self._style.background), QColor(self._style.ink)
+                plate.setAlphaF(0.8)
             else:
-                painter.setPen(self._pen(curve.colour, curve.width))
-                painter.drawLine(QLineF(left + 1.0, middle, left + SWATCH_PX - 1.0, middle))
-            painter.setPen(QColor(self._style.ink))
-            painter.drawText(
-                box.adjusted(SWATCH_PX + GAP_PX, 0.0, 2.0, 0.0), Qt.AlignmentFlag.AlignLeft, text
-            )
+                plate = self._colour(curve.colour)
+                ink = QColor(self._style.text_on(plate.name()))
+            painter.fillRect(box, plate)
+            painter.setPen(ink)
+            painter.drawText(box, Qt.AlignmentFlag.AlignCenter, text)
 
     def _paint_spots(
         self,
@@ -613,9 +617,10 @@ def _along(frame: QRectF, parts: Floats) -> Floats:
 def _free_place(
     frame: QRectF,
     along: Floats,
+    half: float,
     size: tuple[float, float],
     taken: Floats,
-    curves_px: Floats,
+    lines: Floats,
     kept: Floats | None = None,
 ) -> Floats:
     """A place for a curve's name: beside the curve, free of other names and of curves.
@@ -625,12 +630,14 @@ def _free_place(
     frame : QRectF
     along : (n, 2) array
         Places along the curve.
+    half : float
+        How far the curve reaches from there.
     size : (float, float)
         Of the name.
     taken : (m, 4) array
         Where names are already: left, top, right, bottom.
-    curves_px : (k, 2) array
-        Places along all curves.
+    lines : (k, 4) array
+        Pieces of all curves, likewise.
     kept : (4,) array, optional
         Where the name stood before: good enough while it is free and beside its curve.
 
@@ -641,7 +648,6 @@ def _free_place(
         the next line of a list at the top left.
     """
     width, height = size
-    lines = np.hstack([curves_px - 1.0, curves_px + 1.0])
     ends = np.array([frame.left(), frame.top(), -frame.right(), -frame.bottom()])
     if kept is not None and np.abs(kept[2:] - kept[:2] - size).max() < 1e-3:
         inside = (kept * (1.0, 1.0, -1.0, -1.0) >= ends).all()
@@ -649,7 +655,8 @@ def _free_place(
         near = kept + height * np.array([-1.0, -1.0, 1.0, 1.0])
         if inside and free and _overlap(near[None], np.hstack([along, along])).any():
             return kept
-    beside = np.array([(GAP_PX, -height), (-width, -height), (GAP_PX, 1.0), (-width, 1.0)])
+    right, left = GAP_PX + half - 1.0, 1.0 - half - width  # a line touches its name, a dot does not
+    beside = np.array([(right, -height), (left, -height), (right, 1.0), (left, 1.0)])
     corners = (along[::-1, None, :] + beside).reshape(-1, 2)  # from the right, where curves part
     boxes = np.hstack([corners, corners + size])
     boxes = boxes[(boxes * (1.0, 1.0, -1.0, -1.0) >= ends).all(axis=1)]

@@ -149,7 +149,7 @@ class FramePanel(QWidget):
             _Step(
                 self.tr("view matrix"),
                 "M = R T, &nbsp; R = (<b>u</b>, <b>v</b>, <b>n</b>)<sup>T</sup>, &nbsp; "
-                "M <b>e</b> = <b>0</b>",
+                "M (<b>e</b> : 1) = (<b>0</b> : 1)",
                 self.tr("The rows of the rotation R are u, v and n; T moves the eye to the"
                         " origin, so that the last column is −R e."),
             ),

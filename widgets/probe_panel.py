@@ -409,14 +409,14 @@ class ProbePanel(QWidget):
             low = "0" if min(projection.depth_range) == 0.0 else "−w"
             divide, inside = "w = (P p_view)_4", f"|x|, |y| ≤ w;  {low} ≤ z ≤ w"
             if lens.view_from_world is not None:
-                view = "V p"
+                view = "M p"
         else:
             divide = "w = 1" if lens.parallel else "w = −z_view"
         depth = "(z + 1) / 2" if projection.depth == "opengl" else "z"
         image = "(x + 1) W/2,  (1 − y) H/2"
         return [
             (self.tr("object"), "p"),
-            (self.tr("world"), "p = M p,  M = I"),
+            (self.tr("world"), "I p"),
             (self.tr("view"), view),
             (self.tr("clip"), f"P p_view;  {divide}"),
             (self.tr("divide"), "÷ w"),

@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from app.clipping import clip_segments
+from app.clipping import NOT_CUT, clip_segments
 from app.phenomena.exhibit import (
     QT_TRANSLATE_NOOP,
     Dot,
@@ -52,6 +52,9 @@ _MESH_AWAY = QT_TRANSLATE_NOOP(
 )
 _STRAIGHT = QT_TRANSLATE_NOOP("phenomena", "its image is straight: no place is the farthest")
 _SHORT = QT_TRANSLATE_NOOP("phenomena", "the segment is a single point of the cube")
+_CUT = QT_TRANSLATE_NOOP(
+    "phenomena", "the view volume cuts PQ: what is measured is the part inside it, from P' to Q'"
+)
 
 _SOME_EDGES = QT_TRANSLATE_NOOP(
     "phenomena", "of the mesh's {1} edges only the {0} longest are drawn so and counted"
@@ -73,11 +76,14 @@ class Inside(NamedTuple):
         Its ends in the cube, under A + B/z.
     w : (k, 2) array
         Their distances from the eye plane.
+    cut : (k,) bool array
+        Whether that is only a part of the segment.
     """
 
     rows: NDArray[np.intp]
     ndc: Array
     w: Array
+    cut: NDArray[np.bool_]
 
 
 def inside(projection: Projection, segments_world: Array) -> Inside:
@@ -85,12 +91,14 @@ def inside(projection: Projection, segments_world: Array) -> Inside:
     lens = projection.standard_lens
     clip = projection.trace(segments_world).clip
     rows = np.arange(len(clip))
+    cut: NDArray[np.bool_] = np.zeros(len(clip), dtype=bool)
     if not lens.parallel:
         # The near plane first: what is left before it has w > 0, of any size.
         rows = rows[(clip[..., 3] >= lens.near).any(axis=1)]
         clip = clip[rows]
         beyond = lens.near - clip[..., 3]
         row, end = np.nonzero(beyond > 0.0)
+        cut = np.asarray((beyond > 0.0).any(axis=1))
         here, there = beyond[row, end], beyond[row, 1 - end]
         share = (here / (here - there))[:, None]
         clip[row, end] = (1.0 - share) * clip[row, end] + share * clip[row, 1 - end]
@@ -101,11 +109,12 @@ def inside(projection: Projection, segments_world: Array) -> Inside:
     if not lens.parallel:  # a cut end's w may have lost digits
         w = np.clip(w, lens.near, lens.far)
     ndc = np.clip(found.points_clip[seen, :, :3] / w[..., None], -1.0, 1.0)
-    return Inside(rows[seen], ndc, w)
+    cut |= (found.planes != NOT_CUT).any(axis=1)
+    return Inside(rows[seen], ndc, w, cut[seen])
 
 
 def _of(part: Inside, chosen: NDArray[np.bool_]) -> Inside:
-    return Inside(part.rows[chosen], part.ndc[chosen], part.w[chosen])
+    return Inside(part.rows[chosen], part.ndc[chosen], part.w[chosen], part.cut[chosen])
 
 
 def slope(projection: Projection) -> float:
@@ -247,8 +256,9 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
     elif not math.isfinite(found.percent[0]):
         note = Phrase(_SHORT)
     at = None if note else (float(found.percent[0]), float(found.w[0]))
+    cut = note is None and bool(part.cut[0])
     return Exhibit(
-        _readings(at, worst, note, mesh),
+        _readings(at, worst, Phrase(_CUT) if cut else note, mesh, cut),
         world,
         Marks(tuple(lines), (), tuple(dots), tuple(texts)),
         _in_picture(projection, part.ndc[own]),
@@ -269,12 +279,17 @@ def _readings(
     worst: float | None,
     note: Phrase | None,
     mesh: OwnMesh | None,
+    cut: bool = False,
 ) -> tuple[Reading, ...]:
     """The readout: of PQ percent and distance, of the letter's or the mesh's edges percent."""
     percent, w = own or (None, None)
-    label, away, some = QT_TRANSLATE_NOOP("phenomena", "worst edge of the letter F"), _AWAY, None
+    where = QT_TRANSLATE_NOOP("phenomena", "where: w = √(w_P·w_Q)")
+    if cut:
+        where = QT_TRANSLATE_NOOP("phenomena", "where: w = √(w_P'·w_Q')")
+    label, away = QT_TRANSLATE_NOOP("phenomena", "worst edge of the letter F, inside"), _AWAY
+    some = None
     if mesh is not None:
-        label, away = QT_TRANSLATE_NOOP("phenomena", "worst edge of the mesh"), _MESH_AWAY
+        label, away = QT_TRANSLATE_NOOP("phenomena", "worst edge of the mesh, inside"), _MESH_AWAY
         if mesh.edge_count > _MOST_EDGES:
             some = Phrase(_SOME_EDGES, (str(_MOST_EDGES), str(mesh.edge_count)))
     straight = percent == 0.0
@@ -283,15 +298,15 @@ def _readings(
             QT_TRANSLATE_NOOP("phenomena", "largest deviation, of the length"), percent, "%", note
         ),
         Reading(
-            QT_TRANSLATE_NOOP("phenomena", "where: w = √(w_P·w_Q)"),
+            where,
             None if straight else w,
-            note=note or (Phrase(_STRAIGHT) if straight else None),
+            note=Phrase(_STRAIGHT) if straight and (cut or note is None) else note,
         ),
         Reading(
             label,
             worst,
             "%",
-            (note or Phrase(away)) if worst is None else some,
+            some if worst is not None else note if note == Phrase(_INFINITE) else Phrase(away),
         ),
     )
 
@@ -311,7 +326,7 @@ PHENOMENON = Phenomenon(
         " straight segment PQ would come into the cube as a bow, and nothing between its ends could"
         " be interpolated or clipped as a line. With z' = A + B / z it stays straight.",
     ),
-    lectures=("L8",),
+    lectures=("000", "002"),
     start=_START,
     geometry=_geometry,
     show=_show,

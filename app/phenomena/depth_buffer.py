@@ -291,12 +291,12 @@ PHENOMENON = Phenomenon(
     explanation=QT_TRANSLATE_NOOP(
         "phenomena",
         "Surface 2 lies behind surface 1 by the gap, along n. Where the depth buffer stores both"
-        " distances as one code, the surface drawn last is seen: z-fighting. With a perspective"
-        " lens and the standard range most codes lie just behind near, so near decides, far hardly:"
-        " on the ramp near 0.1 leads from 63 % of wrong pixels to 0 %, far 20 to 56 %. The picture"
-        " keeps codes of up to 24 bits apart exactly.",
+        " as one code, the surface drawn last is seen: z-fighting. With a perspective lens and the"
+        " standard range most codes lie just behind near, so near decides, far hardly: as the"
+        " scene opens 63 % of the ramp's pixels are wrong, 0 % with near 0.1, 62 % with far 60."
+        " Codes of up to 24 bits are kept apart exactly.",
     ),
-    lectures=("L17",),
+    lectures=("000", "001"),
     start=Projection(
         Camera((3.0, 7.0, 15.0), (0.0, 1.5, -8.0), (0.0, 1.0, 0.0)),
         Perspective(fov_y_deg=45.0, near=0.01, far=200.0),

@@ -575,7 +575,7 @@ class Phenomenon:
     title, explanation : str
         Translatable; the explanation is two or three sentences.
     lectures : tuple of str
-        Lines of LECTURES.md that it teaches.
+        Numbers of those that it is from, "000" to "004".
     start : Projection
         From where it is best seen.
     geometry : callable
@@ -701,6 +701,11 @@ class Phenomenon:
         return settings
 
 
+def figure(value: float, digits: int) -> str:
+    """A number for a mark or a sentence, with the minus of the readouts."""
+    return f"{value + 0.0:.{digits}g}".replace("-", "−")
+
+
 def number(settings: Found, name: str) -> float:
     """A setting that is a number."""
     value = settings[name]
@@ -742,6 +747,7 @@ __all__ = [
     "Text",
     "Texture",
     "Value",
+    "figure",
     "number",
     "point",
 ]  # fmt: skip

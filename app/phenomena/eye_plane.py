@@ -36,6 +36,7 @@ from app.phenomena.exhibit import (
     Settings,
     Subject,
     Text,
+    figure,
     point,
 )
 from app.projection import Array, Camera, Perspective, Projection
@@ -48,12 +49,12 @@ _STEPS = np.linspace(0.0, 1.0, 65)
 _MARGIN = 0.02  # of the picture's size, round the frame
 
 CASES = (
-    QT_TRANSLATE_NOOP("phenomena", "1: both ends in front of the eye"),
-    QT_TRANSLATE_NOOP("phenomena", "2: both ends behind the eye"),
-    QT_TRANSLATE_NOOP("phenomena", "3: from behind the eye to the front"),
-    QT_TRANSLATE_NOOP("phenomena", "4: from the front to behind the eye"),
+    QT_TRANSLATE_NOOP("phenomena", "1: both ends before it"),
+    QT_TRANSLATE_NOOP("phenomena", "2: both ends behind it"),
+    QT_TRANSLATE_NOOP("phenomena", "3: only A behind it"),
+    QT_TRANSLATE_NOOP("phenomena", "4: only B behind it"),
 )
-"""Lecture 004's four cases, in the order of `app.clipping.EYE_CASES`."""
+"""Lecture 004's four cases, in the order of `app.clipping.EYE_CASES`; its cut is before the eye."""
 
 _PARALLEL = QT_TRANSLATE_NOOP(
     "phenomena",
@@ -285,30 +286,24 @@ def _arc(start: float, end: float, radius: float) -> Array:
 
 
 def _circle(angles: tuple[float, float] | None, in_front: bool) -> Diagram:
-    curves = [
-        Curve(_arc(0.0, 2.0 * math.pi, 1.0), "muted", closed=True),
-        Curve(np.array([(0.0, 1.0)]), "ink", "∞", dots=True),
-    ]
+    curves = [Curve(_arc(0.0, 2.0 * math.pi, 1.0), "muted", closed=True)]
+    dots = [Curve(np.array([(0.0, 1.0)]), "ink", "∞", dots=True)]
     if angles is not None:
         a, b = angles
         # Back into the turn between two infinities, where s itself runs from A' to B'.
         from_a, to_b = (math.remainder(angle, 2.0 * math.pi) for angle in angles)
-        curves += [
-            Curve(
-                _arc(from_a, to_b, _RADIUS),
-                "u",
-                QT_TRANSLATE_NOOP("phenomena", "naive divide"),
-                2.0,
-            ),
+        naive = QT_TRANSLATE_NOOP("phenomena", "naive divide")
+        curves.append(Curve(_arc(from_a, to_b, _RADIUS), "u", naive, 2.0))
+        if in_front:  # of what is behind the eye there is no image
+            image = QT_TRANSLATE_NOOP("phenomena", "image of AB")
+            curves.append(Curve(_arc(a, b, 1.0), "accent", image, 2.5))
+        dots += [
             Curve(_arc(a, a, 1.0)[:1], "ink", "A'", dots=True),
             Curve(_arc(b, b, 1.0)[:1], "ink", "B'", dots=True),
         ]
-        if in_front:  # of what is behind the eye there is no image
-            image = QT_TRANSLATE_NOOP("phenomena", "image of AB")
-            curves.insert(3, Curve(_arc(a, b, 1.0), "accent", image, 2.5))
     return Diagram(
         QT_TRANSLATE_NOOP("phenomena", "the line as a circle"),
-        tuple(curves), left=-1.4, right=1.4, bottom=-1.4, top=1.4, equal=True,
+        (*curves, *dots), left=-1.4, right=1.4, bottom=-1.4, top=1.4, equal=True,
     )  # fmt: skip
 
 
@@ -365,14 +360,17 @@ def _readings(
     principal, middle = principal_point(projection), [side / 2.0 for side in projection.image_size]
     off_axis = None
     if any(abs(p - m) > 1e-6 * m for p, m in zip(principal, middle, strict=True)):
-        off_axis = Phrase(_OFF_AXIS, tuple(f"{part:.6g}" for part in principal))
+        off_axis = Phrase(_OFF_AXIS, tuple(figure(part, 6) for part in principal))
     wrongly = QT_TRANSLATE_NOOP("phenomena", "F drawn wrongly")
     missed = QT_TRANSLATE_NOOP("phenomena", "F missed")
     if mesh is not None:
         wrongly = QT_TRANSLATE_NOOP("phenomena", "mesh drawn wrongly")
         missed = QT_TRANSLATE_NOOP("phenomena", "mesh missed")
     readings = [
-        Reading(QT_TRANSLATE_NOOP("phenomena", "case"), CASES[int(drawn.case[0]) - 1]),
+        Reading(
+            QT_TRANSLATE_NOOP("phenomena", "case, by the cut at z = −0.01"),
+            CASES[int(drawn.case[0]) - 1],
+        ),
         Reading(QT_TRANSLATE_NOOP("phenomena", "AB drawn wrongly"), float(drawn.wrong_px[0]), "px"),
         Reading(QT_TRANSLATE_NOOP("phenomena", "AB missed"), float(drawn.missed_px[0]), "px"),
         Reading(
@@ -449,7 +447,7 @@ def _image_marks(drawn: Pictures) -> Marks:
     """The naive and the right image of the segment, over the picture."""
     lines, dots, texts = [], [], []
     right, wrong = drawn.right[0], drawn.naive[0]
-    if drawn.case[0] != 1 and np.isfinite(wrong).all() and (wrong[0] != wrong[1]).any():
+    if drawn.wrong_px[0] > 0.0:
         lines.append(Line(wrong, "u", 1.5))
         texts.append(Text(QT_TRANSLATE_NOOP("phenomena", "wrong"), wrong.mean(axis=0), "u"))
     if np.isfinite(right).all():
@@ -470,12 +468,12 @@ PHENOMENON = Phenomenon(
     title=QT_TRANSLATE_NOOP("phenomena", "Crossing the eye plane"),
     explanation=QT_TRANSLATE_NOOP(
         "phenomena",
-        "A point behind the eye has w < 0; if it is divided by w all the same, its image is"
-        " mirrored. With one end behind, AB is then drawn along the wrong part of its line: the"
-        " right part goes through the point at infinity. So AB must be cut before the divide, at"
-        " z = −0.01 as in lecture 004, or in homogeneous coordinates, where w still is one.",
+        "A point behind the eye has w < 0: divided by w all the same, its image is mirrored. With"
+        " one end behind, AB is then drawn along the wrong part of its line: the right part goes"
+        " through infinity. So AB must be cut before the divide: at z = −0.01 as in lecture 004,"
+        " or in homogeneous coordinates, which need no such number.",
     ),
-    lectures=("L15", "L16"),
+    lectures=("001", "004"),
     start=_START,
     geometry=_geometry,
     show=_show,

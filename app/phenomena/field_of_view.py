@@ -345,7 +345,7 @@ PHENOMENON = Phenomenon(
         " of the distance alone. Ride along n, and the field of view follows so that things at"
         " the target's distance keep their size (a dolly zoom). One unit is 10 cm.",
     ),
-    lectures=("L3", "L20"),
+    lectures=("001", "003"),
     start=_start(),
     geometry=_geometry,
     show=_show,

@@ -279,7 +279,7 @@ PHENOMENON = Phenomenon(
         " Between the two limits the discs are no larger than the circle of confusion and pass for"
         " points. One world unit is 1 m; the picture itself is not blurred.",
     ),
-    lectures=("L24",),
+    lectures=("001",),
     start=_START,
     geometry=_geometry,
     show=_show,

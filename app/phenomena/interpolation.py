@@ -70,6 +70,10 @@ _CUT = QT_TRANSLATE_NOOP(
     "phenomena",
     "the board reaches behind the near plane: there is no picture of the edges that are cut there",
 )
+_PARALLEL = QT_TRANSLATE_NOOP(
+    "phenomena",
+    "with a parallel lens half-way on the screen is half-way in the world: affine is correct",
+)
 _MESH_CUT = QT_TRANSLATE_NOOP(
     "phenomena",
     "the mesh reaches behind the near plane: there is no picture of the edges that are cut there",
@@ -210,7 +214,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
         world=world,
         image=image,
         rendering=rendering,
-        warning=note,
+        warning=note or (Phrase(_PARALLEL) if projection.standard_lens.parallel else None),
     )
 
 
@@ -266,7 +270,7 @@ PHENOMENON = Phenomenon(
         " bends at the diagonal of every quadrangle. Smaller triangles hide it: twice as many"
         " parts leave more than a quarter of the error while they are few, a quarter in the limit.",
     ),
-    lectures=("L18",),
+    lectures=("002", "003"),
     start=Projection(
         Camera((1.5, 4.0, 10.0), (0.0, 0.0, 0.5), (0.0, 1.0, 0.0)),
         Perspective(fov_y_deg=50.0, near=1.0, far=40.0),

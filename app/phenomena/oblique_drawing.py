@@ -28,6 +28,7 @@ from app.phenomena.exhibit import (
     Settings,
     Subject,
     Text,
+    figure,
     number,
 )
 from app.phenomena.picture import box_corners, seen_lines, seen_texts, world_from_view
@@ -49,6 +50,17 @@ _END_ON = QT_TRANSLATE_NOOP("phenomena", "edges along n are seen end on, as poin
 _UNMEASURED = QT_TRANSLATE_NOOP(
     "phenomena", "the edge's pixels are too many or too few for float64 to measure"
 )
+
+_STRETCHED = QT_TRANSLATE_NOOP(
+    "phenomena",
+    "the picture is stretched: v is drawn {0} times as long as u: faces do not keep their shape",
+)
+_BEFORE = QT_TRANSLATE_NOOP(
+    "phenomena",
+    "the angles α and β give scale and angle as they are before it is stretched",  # noqa: RUF001
+)
+_SQUARE = 1e-6
+"""Relative to 1: how much longer v may be than u."""
 
 _SCALES = {"cavalier": 1.0, "cabinet": 0.5}
 
@@ -81,12 +93,15 @@ class Drawn(NamedTuple):
     Attributes
     ----------
     scale : float
-        Its length in units of an equal edge's along u (and along v, where pixels are stretched).
+        Its length in units of an equal edge's along u.
+    up : float
+        Likewise of an edge along v: 1 unless the picture is stretched.
     angle_deg : float
         Its direction away from the viewer, from the right, anticlockwise; of no meaning at scale 0.
     """
 
     scale: float
+    up: float
     angle_deg: float
 
 
@@ -107,10 +122,10 @@ def measured(ends_px: Array) -> Drawn | None:
     across, up = corner[0] - left[0], corner[1] - top[1]
     if not (across > 0.0 and up > 0.0):
         return None
-    x, y = (back[0] - corner[0]) / across, (corner[1] - back[1]) / up
-    if not math.isfinite(math.hypot(x, y)):
+    x, y = (back[0] - corner[0]) / across, (corner[1] - back[1]) / across
+    if not math.isfinite(math.hypot(x, y) + up / across):
         return None
-    return Drawn(math.hypot(x, y), math.degrees(math.atan2(y, x)))
+    return Drawn(math.hypot(x, y), up / across, math.degrees(math.atan2(y, x)))
 
 
 def oblique(projection: Projection, scale: float, angle_deg: float) -> Projection:
@@ -190,6 +205,8 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Exhi
     note = None
     if drawn is None:
         note = Phrase(_UNMEASURED if lens.parallel else _NOT_PARALLEL)
+    elif abs(drawn.up - 1.0) > _SQUARE:
+        note = Phrase(_STRETCHED, (f"{drawn.up:.3g}",))
     end_on = drawn is not None and by_formula[0] == 0.0
     has_angle = drawn is not None and not end_on
     readings = [
@@ -208,7 +225,12 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Exhi
     ]
     if isinstance(lens, Oblique):
         readings += [
-            Reading("√(cot²α + cot²β)", by_formula[0], "×"),  # noqa: RUF001
+            Reading(
+                "√(cot²α + cot²β)",  # noqa: RUF001
+                by_formula[0],
+                "×",
+                Phrase(_BEFORE) if drawn is not None and note is not None else None,
+            ),
             Reading(
                 "atan2(−cot β, −cot α)",  # noqa: RUF001
                 None if end_on or by_formula[0] == 0.0 else by_formula[1],
@@ -220,7 +242,12 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Exhi
     labels: tuple[str, ...] = colours
     if drawn is not None:
         label = f"n: {drawn.scale:.3g} ×"
-        labels = ("u: 1 ×", "v: 1 ×", label + (f", {drawn.angle_deg:.3g}°" if has_angle else ""))
+        up = 1.0 if note is None else drawn.up
+        labels = (
+            "u: 1 ×",
+            f"v: {up:.3g} ×",
+            label + (f", {figure(drawn.angle_deg, 3)}°" if has_angle else ""),
+        )
     texts = tuple(
         Text(text, place, colour)
         for text, place, colour in zip(labels, middles, colours, strict=True)
@@ -261,7 +288,7 @@ PHENOMENON = Phenomenon(
         " shape, and edges along n are drawn at one angle and one scale. With scale 1 it is a"
         " cavalier drawing, with 1/2 a cabinet drawing, and with 0 the orthographic one.",
     ),
-    lectures=("L11", "L12"),
+    lectures=("002",),
     start=oblique(
         Projection(
             Camera((0.0, 1.0, 8.0), (0.0, 1.0, 0.0)),

@@ -45,6 +45,10 @@ _TOO_NARROW = QT_TRANSLATE_NOOP("phenomena", "this window is too narrow for two 
 _NOT_SEEN = QT_TRANSLATE_NOOP(
     "phenomena", "no point of the subject that is compared is in the picture"
 )
+_PARALLEL = QT_TRANSLATE_NOOP(
+    "phenomena",
+    "with a parallel lens it is a box that goes through the window, not a frustum from the eye",
+)
 _UNMEASURED = QT_TRANSLATE_NOOP(
     "phenomena", "the subject's pixels are more than float64 can hold on one of the screens"
 )
@@ -199,7 +203,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
         world=_world_marks(screens, names),
         ndc=_ndc_marks(projection, screens),
         image=_image_marks(projection, screens, names),
-        warning=warning,
+        warning=warning or (Phrase(_PARALLEL) if projection.standard_lens.parallel else None),
     )
 
 
@@ -349,7 +353,7 @@ PHENOMENON = Phenomenon(
         " window's own plane keeps its place in the image. Two screens side by side are two such"
         " frusta with one eye, and their pictures join without a gap.",
     ),
-    lectures=("L6", "L11"),
+    lectures=("000", "002", "003"),
     start=Projection(
         Camera((1.5, 2.4, 8.0), (1.5, 2.4, 0.0)),
         # The window is 8 by 4.5 in the plane z = 0, 8 units away; its middle is 1.5 to the left.

@@ -36,6 +36,7 @@ from app.phenomena.exhibit import (
     Settings,
     Subject,
     Text,
+    figure,
     number,
     point,
 )
@@ -59,6 +60,15 @@ _NO_SHADOW = QT_TRANSLATE_NOOP(
     "phenomena", "every vertex is as high as the light or higher: none has a shadow on the plane"
 )
 _FAR_AWAY = QT_TRANSLATE_NOOP("phenomena", "the shadow is farther than 1e30 away")
+
+_OF_LAMP = QT_TRANSLATE_NOOP(
+    "phenomena", "S = (p·L) I − L pᵀ, plane p = (0, 1, 0, {0}), L = ({1}, {2}, {3}, 1)"
+)
+_OF_SUN = QT_TRANSLATE_NOOP(
+    "phenomena",
+    "S = (p·L) I − L pᵀ, plane p = (0, 1, 0, {0}), L = ({1}, {2}, {3}, 0): the direction over"
+    " its largest part, {4}",
+)
 
 _LAMP = QT_TRANSLATE_NOOP("phenomena", "light")
 _SUN = QT_TRANSLATE_NOOP("phenomena", "sun")
@@ -185,7 +195,9 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
     if warning is None and chosen is None:
         warning = Phrase(_NO_SHADOW)
     return Exhibit(
-        _readings(matrix, light, height, subject, shadows, chosen, too_high),
+        _readings(
+            matrix, _formula(settings, light), light, height, subject, shadows, chosen, too_high
+        ),
         world=world,
         image=image,
         copies=tuple(copies),
@@ -194,8 +206,18 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
     )
 
 
+def _formula(settings: Settings, light: Array) -> Phrase:
+    """What S is made of."""
+    parts = [-number(settings, "height"), *light[:3].tolist()]
+    if light[3] == 1.0:
+        return Phrase(_OF_LAMP, tuple(figure(part, 6) for part in parts))
+    largest = max(map(abs, point(settings, "light")))
+    return Phrase(_OF_SUN, tuple(figure(part, 6) for part in (*parts, largest)))
+
+
 def _readings(
     matrix: Array,
+    formula: Phrase,
     light: Array,
     height: float,
     subject: Subject,
@@ -214,7 +236,11 @@ def _readings(
     off = None if shadow is None or met is None else float(np.linalg.norm(shadow - met))
     return (
         *(
-            Reading(f"S, {row + 1}", tuple(float(part) + 0.0 for part in matrix[row]))
+            Reading(
+                f"S, {row + 1}",
+                tuple(float(part) + 0.0 for part in matrix[row]),
+                note=None if row else formula,
+            )
             for row in range(4)
         ),
         Reading(
@@ -226,12 +252,12 @@ def _readings(
             note=_if_none(shadow, note),
         ),
         Reading(
-            QT_TRANSLATE_NOOP("phenomena", "from there to where the ray meets the plane"),
+            QT_TRANSLATE_NOOP("phenomena", "from there to the ray's end"),
             off,
             note=_if_none(off, note),
         ),
         Reading(
-            QT_TRANSLATE_NOOP("phenomena", "vertices as high as the light or higher"),
+            QT_TRANSLATE_NOOP("phenomena", "vertices not below the light"),
             float(too_high),
             note=Phrase(
                 QT_TRANSLATE_NOOP("phenomena", "of {0} vertices"), (str(len(subject.points)),)
@@ -283,7 +309,7 @@ def _marks(
     )
     lines = [Line(np.vstack([corners, corners[:1]]), "muted")]
     dots: list[Dot] = []
-    texts = [Text(f"y = {height:.4g}", corners[3], "")]
+    texts = [Text(f"y = {figure(height, 4)}", corners[3], "")]
     sun = light[3] == 0.0
     way = light[:3] / np.linalg.norm(light[:3]) if sun else light[:3]
     which = np.array([(x, 1, z) for x in (0, 1) for z in (0, 1)], dtype=bool)
@@ -334,10 +360,10 @@ PHENOMENON = Phenomenon(
         "phenomena",
         "A shadow is a projection with its centre in the light: the object is drawn once more, in"
         " one colour, under the matrix S; for the sun, a light at infinity with w = 0, the"
-        " projection is parallel. Put the light lower than the object's top: what is higher has"
+        " projection is parallel. With a lamp lower than the object's top, what is higher has"
         " w < 0, and unless it is clipped it is drawn on the other side as an anti-shadow.",
     ),
-    lectures=("L19",),
+    lectures=("002",),
     start=_START,
     geometry=_geometry,
     show=_show,

@@ -161,29 +161,74 @@ def vertices_drawn(projection: Projection, until: Sequence[float]) -> int:
     return int(np.array(VERTICES)[np.searchsorted(until, w, side="right")].sum())
 
 
-def popped_per_second(projection: Projection) -> tuple[float, float]:
-    """How many trees pass the far plane in the picture, each second at `SPEED`.
+def popped_per_second(
+    projection: Projection, until: Sequence[float] = (math.inf, math.inf)
+) -> tuple[float, float]:
+    """How many trees pass the far plane in the picture, or a part of each, a second at `SPEED`.
+
+    Parameters
+    ----------
+    projection : Projection
+    until : sequence of 2 floats
+        As of `vertices_drawn`.
 
     Returns
     -------
     (float, float)
-        Those that come into the picture, and those that go: all come where the camera looks the
-        way it drives, along -z, and all go where it looks back.
+        Driving on along -z: those that come into the picture, and those that go. All come where
+        the camera looks the way it drives, and all go where it looks back.
     """
     far, camera = projection.standard_lens.far, projection.camera
     n = camera.frame[2]
     if far == math.inf or n[2] == 0.0:
         return 0.0, 0.0
-    rate = 0.0
-    for x in ROWS:
-        # w = n . (eye - p) is far where the row meets the far plane.
-        base = np.array([x, HEIGHT / 2.0, 0.0])
-        z = (float(n @ (np.array(camera.eye) - base)) - far) / float(n[2])
-        if -SPACING * (TREES - 0.5) <= z <= SPACING / 2.0:
-            outside = projection.trace((x, HEIGHT / 2.0, z)).outside
-            if not outside[2:].any():
-                rate += SPEED / SPACING
+    outline = _outline(int(np.searchsorted(until, far, side="right")))
+    # A point that is driven past goes along z: where its row's trees meet w = n . (eye - p) = far.
+    places = np.zeros((len(ROWS), *outline.shape[:2], 3))
+    places[..., :2] = outline
+    places[..., 0] += np.array(ROWS)[:, None, None]
+    with np.errstate(over="ignore"):
+        places[..., 2] = (float(n @ np.array(camera.eye)) - far - places @ n) / n[2]
+    if not np.isfinite(places).all():  # so far away that nothing passes it
+        return 0.0, 0.0
+    clip, z = projection.trace(places).clip, places[..., 2:]
+    x_y, w = clip[..., :2], clip[..., 3:]
+    within = np.concatenate(
+        [w + x_y, w - x_y, z + SPACING * (TREES - 0.5), SPACING / 2.0 - z], axis=-1
+    )
+    rows = sum(any(_is_within(part) for part in row) for row in within.tolist())
+    rate = rows * SPEED / SPACING
     return (rate, 0.0) if n[2] > 0.0 else (0.0, rate)
+
+
+@cache
+def _outline(level: int) -> Array:
+    """A tree seen along z, which the drive leaves as it is: trapezoids (k, 4, 2) of x and y."""
+    trunk_sides, crown_sides, rings = _SHAPES[level]
+    circles = [[_ring(radius, height, crown_sides) for radius, height in rings]]
+    if trunk_sides:
+        circles.append([_ring(0.25, 0.0, trunk_sides), _ring(0.2, 1.2, trunk_sides)])
+    return np.array([
+        [ring[at, :2] for ring, at in ((one, left), (one, right), (other, right), (other, left))]
+        for stack in circles for one, other in pairwise(stack)
+        for left, right in [(one[:, 0].argmin(), one[:, 0].argmax())]
+    ])  # fmt: skip
+
+
+def _is_within(polygon: list[list[float]]) -> bool:
+    """Whether a point of a convex polygon has nothing below 0; of each corner a few numbers."""
+    for which in range(len(polygon[0])):
+        kept = []
+        for here, there in zip(polygon, polygon[1:] + polygon[:1], strict=True):
+            if here[which] >= 0.0:
+                kept.append(here)
+            if (here[which] < 0.0) != (there[which] < 0.0):
+                share = here[which] / (here[which] - there[which])
+                kept.append([a + share * (b - a) for a, b in zip(here, there, strict=True)])
+        polygon = kept
+        if not polygon:
+            return False
+    return True
 
 
 def _follow(projection: Projection, before: Found, after: Settings) -> Projection:
@@ -213,7 +258,7 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Exhi
     )
     note = Phrase(_FAR_AT_INFINITY) if far == math.inf else None
     contrast = 1.0 if fog is None else fog.left(far)
-    popped_in, popped_out = popped_per_second(projection)
+    popped_in, popped_out = popped_per_second(projection, until)
     why = note if note is not None or popped_in + popped_out > 0.0 else Phrase(_NONE_POPS)
     readings = (
         Reading(
@@ -225,12 +270,14 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Exhi
             float(VERTICES[0] * int(trees_in_view(projection).sum())),
         ),
         Reading(
-            QT_TRANSLATE_NOOP("phenomena", "trees that pop in each second, at 12 units a second"),
+            QT_TRANSLATE_NOOP(
+                "phenomena", "trees that pop in each second, driving on at 12 units a second"
+            ),
             popped_in,
             note=note,
         ),
         Reading(
-            QT_TRANSLATE_NOOP("phenomena", "trees that pop out each second"),
+            QT_TRANSLATE_NOOP("phenomena", "trees that pop out each second, driving on"),
             popped_out,
             note=note,
         ),
@@ -277,10 +324,11 @@ PHENOMENON = Phenomenon(
     explanation=QT_TRANSLATE_NOOP(
         "phenomena",
         "What is beyond the far plane is not drawn: on a drive along the avenue, trees appear out"
-        " of nothing. Fog hides it if little contrast is left at the far plane. Level of detail"
-        " draws far trees with fewer vertices, which pays for a far plane farther away.",
+        " of nothing, or vanish into it on the way back. Fog hides it if little contrast is left at"
+        " the far plane. Level of detail draws far trees with fewer vertices, which pays for a far"
+        " plane farther away.",
     ),
-    lectures=("L23",),
+    lectures=("001",),
     start=Projection(
         Camera((0.5, 2.2, _START_Z), (0.0, 2.0, -40.0), (0.0, 1.0, 0.0)),
         Perspective(fov_y_deg=45.0, near=1.0, far=100.0),

@@ -28,6 +28,7 @@ from app.phenomena.exhibit import (
     Settings,
     Subject,
     Text,
+    figure,
     number,
     point,
 )
@@ -130,7 +131,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
     )
     lines = [Line(plane[[0, 1, 2, 3, 0]], "v", 1.6)]
     faces = [Face(plane, "v", 0.14)]
-    texts = [Text(f"d = {distance:.4g}", plane[2], "v")]
+    texts = [Text(f"d = {figure(distance, 4)}", plane[2], "v")]
     dots, nearest = [], math.inf
     for x, y, z in projection.trace(_outermost(subject)).view.tolist():
         if z < 0.0:
@@ -218,7 +219,7 @@ PHENOMENON = Phenomenon(
         " similar, so x_p : d = x : w. With d below 0 the plane is behind the eye, as in a camera"
         " obscura: the image is upside down.",
     ),
-    lectures=("L5", "L21"),
+    lectures=("000", "001", "002", "004"),
     start=_START,
     geometry=_geometry,
     show=_show,

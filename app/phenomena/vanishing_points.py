@@ -49,9 +49,12 @@ from app.shapes import (
 
 _AT_INFINITY = QT_TRANSLATE_NOOP(
     "phenomena",
-    "V_{0} is at infinity: edges along {0} stay parallel, at {1}° from the right in the image",
+    "V_{0} is at infinity: edges along {0} stay parallel, at {1}° from the right",
 )
 _END_ON = QT_TRANSLATE_NOOP("phenomena", "edges along {0} are seen end on, as points")
+_PARALLEL = QT_TRANSLATE_NOOP(
+    "phenomena", "with a parallel lens parallel edges stay parallel in the image"
+)
 _P_AT_INFINITY = QT_TRANSLATE_NOOP("phenomena", "P's image is at infinity")
 _OUT_OF_RANGE = QT_TRANSLATE_NOOP("phenomena", "{0} is beyond what float64 can hold in pixels")
 
@@ -293,6 +296,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
         world=_world_marks(projection, points, subject, start, there),
         image=_image_marks(projection, points, trace.clip, from_corner[1], there),
         diagrams=_diagrams(projection, points, trace),
+        warning=Phrase(_PARALLEL) if projection.standard_lens.parallel else None,
     )
 
 
@@ -482,11 +486,11 @@ PHENOMENON = Phenomenon(
     explanation=QT_TRANSLATE_NOOP(
         "phenomena",
         "Edges that are parallel in the world meet in the image, at the vanishing point of their"
-        " direction: where the ray from the eye along that direction meets the picture. A direction"
-        " parallel to the picture has none, so a box has one, two or three. Let w of the point P go"
-        " to 0: P runs to infinity, and its image to the vanishing point.",
+        " direction: where the ray from the eye along it meets the picture. A direction parallel to"
+        " the picture has none, so a box has one, two or three. As w of the point P goes to 0, P"
+        " runs to infinity, and its image to the vanishing point.",
     ),
-    lectures=("L12", "L13"),
+    lectures=("002", "003"),
     start=Projection(
         Camera.from_orbit((0.0, 1.3, 0.0), Orbit(*_VIEWS["2"], 6.0)),
         # As far from the eye as no ground is seen before it: room for the marks on the near plane.

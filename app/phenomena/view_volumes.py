@@ -39,6 +39,9 @@ _OUT_OF_RANGE = QT_TRANSLATE_NOOP("phenomena", "too large or too small for a flo
 _NO_CONE = QT_TRANSLATE_NOOP(
     "phenomena", "a parallel lens has no eye for a cone to start in: its own volume is shown"
 )
+_CONE = QT_TRANSLATE_NOOP(
+    "phenomena", "no lens makes a cone: what is drawn is all that lies in the pyramid round it"
+)
 _SHAPES = {
     "perspective": QT_TRANSLATE_NOOP("phenomena", "truncated pyramid"),
     "frustum": QT_TRANSLATE_NOOP("phenomena", "truncated pyramid"),
@@ -219,6 +222,7 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Exhi
         Reading(
             QT_TRANSLATE_NOOP("phenomena", "view volume"),
             _SHAPES["cone" if cone else projection.standard_lens.kind],
+            note=Phrase(_CONE) if cone else None,
         ),
         Reading(QT_TRANSLATE_NOOP("phenomena", "its volume, cubic units"), size, note=note),
         Reading(QT_TRANSLATE_NOOP("phenomena", "test points inside"), float(len(names))),
@@ -270,7 +274,7 @@ PHENOMENON = Phenomenon(
         " a box, straight or oblique, which is the view from very far away. A test point in"
         " brackets lies outside.",
     ),
-    lectures=("L4",),
+    lectures=("001",),
     start=Projection(
         Camera((0.0, 3.0, 8.0), (0.0, 3.0, 0.0)),
         Perspective(fov_y_deg=40.0, near=3.0, far=13.0),
