@@ -9,11 +9,12 @@ from __future__ import annotations
 import argparse
 import difflib
 import functools
+import io
 import os
 import re
 import sys
 from collections.abc import Container, Iterable, Sequence
-from typing import TYPE_CHECKING, NoReturn
+from typing import TYPE_CHECKING, NoReturn, TextIO
 
 from app import bootstrap
 from app.document import SETTABLE, Document, DocumentError, is_mesh, read, set_values
@@ -61,15 +62,36 @@ def complain(sentence: str, status: int) -> int:
     return status
 
 
+def standard_output() -> TextIO:
+    """Where the output goes, whose every character can be written there.
+
+    Files and other programs get UTF-8, as the documents are and as TeX and JSON are read, wherever
+    it was made; Python would take the locale's, in Windows cp1252, which has no minus sign. What
+    shows itself has its own: there a character that it lacks is told by its number.
+
+    Raises
+    ------
+    CliError
+        If it is closed, as in ``pythonw``.
+    """
+    if sys.stdout is None:
+        raise CliError("Standard output is closed.")
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        encoding = sys.stdout.encoding if sys.stdout.isatty() else "utf-8"
+        sys.stdout.reconfigure(encoding=encoding, errors="backslashreplace")
+    return sys.stdout
+
+
 def write_out(texts: Iterable[str]) -> None:
     """Write to standard output, now: an error must come here, not when Python ends."""
+    out = standard_output()
     try:
         for text in texts:
-            sys.stdout.write(text)
-        sys.stdout.flush()
+            out.write(text)
+        out.flush()
     except OSError as error:
         # What is still buffered must not fail once more at exit.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        os.dup2(os.open(os.devnull, os.O_WRONLY), out.fileno())
         if isinstance(error, BrokenPipeError):
             raise
         raise CliError(f"Standard output cannot be written: {error.strerror}.") from error
@@ -95,6 +117,10 @@ class Parser(argparse.ArgumentParser):
         self._command = command
         self._names = names
         self.add_argument("words", nargs="*", metavar=names, help=text)
+
+    def _print_message(self, message: str, _file: object = None) -> None:
+        """Print the help or the version; argparse itself is silent about what fails there."""
+        write_out([message])
 
     def error(self, message: str) -> NoReturn:
         raise CliError(f"{message[0].upper()}{message[1:]}.")

@@ -663,8 +663,9 @@ def fail(sentence: str) -> NoReturn:
 def _again(python: Path) -> NoReturn:
     """Give this process's place to the same command under another interpreter."""
     command = [str(python), *sys.orig_argv[1:]]
-    sys.stdout.flush()
-    sys.stderr.flush()
+    for stream in (sys.stdout, sys.stderr):
+        if stream is not None:  # as both are in pythonw
+            stream.flush()
     if sys.platform == "win32":  # where exec returns to the shell before the program has ended
         with contextlib.suppress(KeyboardInterrupt):
             raise SystemExit(subprocess.run(command, check=False).returncode)
@@ -677,4 +678,5 @@ def _command_again() -> str:
 
 
 def _say(text: str) -> None:
-    print(f"frustum-lab: {text}", file=sys.stderr, flush=True)
+    if sys.stderr is not None:
+        print(f"frustum-lab: {text}", file=sys.stderr, flush=True)

@@ -186,6 +186,15 @@ def test_a_start_inside_the_environment_stays_there(made: Checkout) -> None:
     assert done.stderr == ""
 
 
+def test_a_start_needs_no_standard_output(made: Checkout) -> None:
+    """As under pythonw, and as a service starts programs."""
+    closed = 'exec "$@" >&- 2>&-', "sh", PYTHON
+    probe = "import pathlib, sys; import app.__main__ as a; a.main(); pathlib.Path('ran').touch()"
+    done = subprocess.run(["/bin/sh", "-c", *closed, "-c", probe], cwd=made.root, check=False)
+    assert done.returncode == 0
+    assert (made.root / "ran").exists()
+
+
 def test_options_of_the_interpreter_survive_the_change_of_interpreter(made: Checkout) -> None:
     probe = (
         "import app.bootstrap as b, sys; b.start('numbers'); print(sys.flags.utf8_mode, sys.argv)"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import csv
 import io
 import json
@@ -503,6 +504,66 @@ def test_a_full_disk_behind_standard_output_is_a_sentence() -> None:
         )  # fmt: skip
     assert done.returncode == 2
     assert done.stderr == "Standard output cannot be written: No space left on device.\n"
+
+
+@pytest.mark.parametrize("command", ["--help", "--version", "export --help"])
+def test_help_for_a_full_disk_is_a_sentence_too(command: str) -> None:
+    with open("/dev/full", "wb") as full:
+        done = subprocess.run(
+            [sys.executable, "-m", "app", *command.split()],
+            cwd=ROOT, stdout=full, stderr=subprocess.PIPE, text=True, check=False,
+        )  # fmt: skip
+    assert done.returncode == 2
+    assert done.stderr == "Standard output cannot be written: No space left on device.\n"
+
+
+@pytest.mark.parametrize(
+    "command", ["matrices", "project -", "doctor", "measure --json -", "measure", "--help"]
+)
+def test_a_closed_standard_output_is_a_sentence_at_once(command: str) -> None:
+    done = subprocess.run(
+        ["/bin/sh", "-c", 'exec "$@" >&-', "sh", sys.executable, "-m", "app", *command.split()],
+        cwd=ROOT, input="1,2,3\n", stderr=subprocess.PIPE, text=True, check=False, timeout=30,
+    )  # fmt: skip
+    assert (done.returncode, done.stderr) == (2, "Standard output is closed.\n")
+
+
+# Nothing here has these characters but UTF-8: what a pipe of Windows speaks, and a bare POSIX.
+OTHER_ENCODINGS: list[dict[str, str | None]] = [
+    {"PYTHONIOENCODING": "cp1252"},
+    {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"},
+]
+WITH_MINUS = ("matrices", "--set=lens.kind=matrix")
+"""Its properties are told with a minus sign that is no hyphen."""
+
+
+@pytest.mark.parametrize("form", ["text", "latex"])
+@pytest.mark.parametrize("environment", OTHER_ENCODINGS, ids=["cp1252", "ascii"])
+def test_output_for_files_and_programs_is_utf_8_everywhere(
+    environment: dict[str, str | None], form: str
+) -> None:
+    done = run(*WITH_MINUS, f"--format={form}", **environment)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "\u2212" in done.stdout
+    assert done.stdout == run(*WITH_MINUS, f"--format={form}").stdout
+
+
+def test_a_terminal_is_told_the_number_of_a_character_that_it_lacks() -> None:
+    ours, theirs = os.openpty()
+    done = subprocess.run(
+        [sys.executable, "-m", "app", *WITH_MINUS],
+        cwd=ROOT,
+        env={**os.environ, "PYTHONIOENCODING": "latin-1"},
+        stdout=theirs, stderr=subprocess.PIPE, text=True, check=False,
+    )  # fmt: skip
+    os.close(theirs)
+    with open(ours, "rb", buffering=0) as terminal:
+        said = b""
+        with contextlib.suppress(OSError):  # so ends what a terminal has to say
+            while part := terminal.read(4096):
+                said += part
+    assert (done.returncode, done.stderr) == (0, "")
+    assert rb"\u2212" in said
 
 
 # --------------------------------------------------------------------------- matrices

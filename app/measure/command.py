@@ -21,6 +21,7 @@ from app.arguments import (
     load_scene,
     one_of,
     parse_number,
+    standard_output,
     write_out,
 )
 from app.doctor import check_off_screen
@@ -80,6 +81,7 @@ def run(arguments: Sequence[str]) -> int:
         _check_folder(f"--{option}", getattr(found, option))
     if found.chart is not None and not found.chart.lower().endswith(chart.ENDINGS):
         raise CliError(f"--chart = {found.chart!r}: must end in {' or '.join(chart.ENDINGS)}.")
+    standard_output()  # it takes long to find out that there is none
     settings = [*found.set, *([f"scene={found.scene}"] if found.scene else [])]
     document = document_of(words[0] if words else None, settings)
     scene = load_scene(document.scene, document.mesh)
