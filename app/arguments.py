@@ -129,15 +129,19 @@ class Parser(argparse.ArgumentParser):
         self, arguments: Sequence[str], least: int, most: int
     ) -> tuple[argparse.Namespace, list[str]]:
         """Parse options and words in any order; refuse too few words and too many."""
-        found, extra = self.parse_known_intermixed_args(arguments)
+        # Behind -- all are names; argparse forgets it when options and names may be mixed.
+        end = arguments.index("--") if "--" in arguments else len(arguments)
+        found, extra = self.parse_known_intermixed_args(arguments[:end])
         for word in extra:
             option = word.partition("=")[0]
             names = [name for action in self._actions for name in action.option_strings]
             where = f"an option of {self._command}" if self._command else "an option of the window"
             raise CliError(f"{option} is not {where}; the nearest is {_nearest(option, names)}.")
-        words: list[str] = found.words
+        words: list[str] = [*found.words, *arguments[end + 1 :]]
+        command = self._command or "The window"
+        if "" in words:
+            raise CliError(f"{command} was given an empty name.")
         if not least <= len(words) <= most:
-            command = self._command or "The window"
             takes = self._names or "no names"
             raise CliError(f"{command} takes {takes}, and {len(words)} names were given.")
         return found, words
@@ -250,8 +254,42 @@ def _split(assignment: str) -> tuple[str, str, str]:
     return key.strip(), equals, text
 
 
+def full_path(name: str) -> str:
+    """A file's name with all the folders that it is in.
+
+    Raises
+    ------
+    CliError
+        If it begins in the current folder, and that was deleted.
+    """
+    try:
+        return os.path.abspath(name)
+    except FileNotFoundError as error:
+        raise CliError(f"{name!r} is in the current folder, which was deleted.") from error
+
+
+def check_out(name: str, out: str) -> None:
+    """Make sure, before anything is computed, that a file can be written, as far as one can tell.
+
+    Raises
+    ------
+    CliError
+        If it cannot.
+    """
+    if os.path.isdir(out):
+        raise CliError(f"{name} = {out!r}: is a folder.")
+    folder = os.path.dirname(os.path.realpath(full_path(out)))
+    if not os.path.isdir(folder):
+        raise CliError(f"{name} = {out!r}: there is no folder {os.path.dirname(out) or folder}.")
+    # A file gives way to a new one, for which its folder is needed; /dev/stdout does not.
+    there = [out] if os.path.exists(out) else []
+    needed = there if there and not os.path.isfile(out) else [*there, folder]
+    if not all(os.access(place, os.W_OK) for place in needed):
+        raise CliError(f"{name} = {out!r}: may not be written.")
+
+
 def _opened(scene: str) -> Document:
-    name = os.path.abspath(scene) if is_mesh(scene) else scene
+    name = full_path(scene) if is_mesh(scene) else scene
     return Document(name, _start(name))
 
 

@@ -407,6 +407,55 @@ def test_points_that_are_a_folder_are_refused(tmp_path: Path) -> None:
     assert "cannot be read: Is a directory" in refused("project", tmp_path)
 
 
+@pytest.mark.parametrize(
+    "command", ["", "matrices", "project", "export", "export a.png", "measure"]
+)
+def test_an_empty_name_is_refused(command: str) -> None:
+    assert "was given an empty name." in refused(*command.split(), "")
+
+
+def in_a_deleted_folder(folder: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
+    """Run the program where a folder was when it started."""
+    folder.mkdir()
+    return subprocess.run(
+        ["/bin/sh", "-c", f'rmdir "$PWD"; {sys.executable} -m app "$@"', "sh", *arguments],
+        cwd=folder, env={**os.environ, "PYTHONPATH": str(ROOT)},
+        capture_output=True, text=True, check=False,
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("command", "name"),
+    [
+        ("export x.png", "x.png"),
+        ("matrices --set scene=a.obj", "a.obj"),
+        ("matrices b.obj", "b.obj"),
+        ("measure --json j.json", "j.json"),
+        ("--screenshot s.png", "s.png"),
+    ],
+)
+def test_a_name_in_a_deleted_folder_is_refused(tmp_path: Path, command: str, name: str) -> None:
+    done = in_a_deleted_folder(tmp_path / "gone", *command.split())
+    said = f"{name!r} is in the current folder, which was deleted.\n"
+    assert (done.returncode, done.stderr) == (2, said)
+
+
+def test_a_deleted_folder_does_not_matter_to_what_needs_none(tmp_path: Path) -> None:
+    assert in_a_deleted_folder(tmp_path / "gone", "matrices").stdout == run("matrices").stdout
+
+
+def test_behind_two_dashes_are_names_only(tmp_path: Path, by_hand: Path) -> None:
+    (tmp_path / "-x.json").write_bytes(by_hand.read_bytes())
+    done = subprocess.run(
+        [sys.executable, "-m", "app", "matrices", "--format=json", "--", "-x.json"],
+        cwd=tmp_path, env={**os.environ, "PYTHONPATH": str(ROOT)},
+        capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert (done.returncode, json.loads(done.stdout)) == (0, matrices(by_hand))
+    assert "2 names were given" in refused("matrices", by_hand, "--", "--format")
+    assert "-- does not exist" in refused("matrices", "--", "--")
+
+
 def test_project_without_points_is_refused() -> None:
     assert "project takes [FILE] POINTS, and 0 names were given" in refused("project")
 
