@@ -118,7 +118,7 @@ def test_several_are_measured_in_one_go_and_each_is_shown_by_itself(
     assert set(panel.measured) == {"depth", "near", "fov"}
     assert panel.name == "fov"
     assert sum(view.isVisible() for view in panel.diagrams) == 2
-    assert heads(panel)[0] == "fov" and len(cells(panel)) == 13
+    assert heads(panel)[0] == "fov, °" and len(cells(panel)) == 13
     assert not panel.sentence.isVisible()
     panel.choose("near")
     assert heads(panel)[0] == "near"
