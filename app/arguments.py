@@ -278,12 +278,13 @@ def check_out(name: str, out: str) -> None:
     """
     if os.path.isdir(out):
         raise CliError(f"{name} = {out!r}: is a folder.")
-    folder = os.path.dirname(os.path.realpath(full_path(out)))
-    if not os.path.isdir(folder):
-        raise CliError(f"{name} = {out!r}: there is no folder {os.path.dirname(out) or folder}.")
-    # A file gives way to a new one, for which its folder is needed; /dev/stdout does not.
-    there = [out] if os.path.exists(out) else []
-    needed = there if there and not os.path.isfile(out) else [*there, folder]
+    needed = [out] if os.path.exists(out) else []
+    if not needed or os.path.isfile(out):  # it gives way to a new one; /dev/stdout does not
+        folder = os.path.dirname(os.path.realpath(full_path(out)))
+        if not os.path.isdir(folder):
+            named = os.path.dirname(out) or folder
+            raise CliError(f"{name} = {out!r}: there is no folder {named}.")
+        needed.append(folder)
     if not all(os.access(place, os.W_OK) for place in needed):
         raise CliError(f"{name} = {out!r}: may not be written.")
 
