@@ -5,7 +5,10 @@ from __future__ import annotations
 import sys
 from collections.abc import Sequence
 
-from app import bootstrap
+TYPE_CHECKING = False
+"""What `typing` has of that name, whose import Ctrl-C would find time to interrupt."""
+if TYPE_CHECKING:
+    from app import bootstrap
 
 #: What each command asks of the machine; a command that is not named here opens the window.
 NEEDS: dict[str, bootstrap.Need] = {
@@ -26,9 +29,13 @@ def need_of(arguments: Sequence[str]) -> bootstrap.Need:
 
 def main() -> int:
     """Set up, run the command line, return its exit status."""
-    bootstrap.start(need_of(sys.argv[1:]))
-    from app.cli import main as run  # only now are its imports sure to be there
+    try:  # from the first import on: Ctrl-C is no error
+        from app import bootstrap
 
+        bootstrap.start(need_of(sys.argv[1:]))
+        from app.cli import main as run  # only now are its imports sure to be there
+    except KeyboardInterrupt:
+        return 130
     return run(sys.argv[1:])
 
 

@@ -9,11 +9,12 @@ from __future__ import annotations
 import argparse
 import difflib
 import functools
+import io
 import os
 import re
 import sys
 from collections.abc import Container, Iterable, Sequence
-from typing import TYPE_CHECKING, NoReturn
+from typing import TYPE_CHECKING, NoReturn, TextIO
 
 from app import bootstrap
 from app.document import SETTABLE, Document, DocumentError, is_mesh, read, set_values
@@ -61,15 +62,36 @@ def complain(sentence: str, status: int) -> int:
     return status
 
 
+def standard_output() -> TextIO:
+    """Where the output goes, whose every character can be written there.
+
+    Files and other programs get UTF-8, as the documents are and as TeX and JSON are read, wherever
+    it was made; Python would take the locale's, in Windows cp1252, which has no minus sign. What
+    shows itself has its own: there a character that it lacks is told by its number.
+
+    Raises
+    ------
+    CliError
+        If it is closed, as in ``pythonw``.
+    """
+    if sys.stdout is None:
+        raise CliError("Standard output is closed.")
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        encoding = sys.stdout.encoding if sys.stdout.isatty() else "utf-8"
+        sys.stdout.reconfigure(encoding=encoding, errors="backslashreplace")
+    return sys.stdout
+
+
 def write_out(texts: Iterable[str]) -> None:
     """Write to standard output, now: an error must come here, not when Python ends."""
+    out = standard_output()
     try:
         for text in texts:
-            sys.stdout.write(text)
-        sys.stdout.flush()
+            out.write(text)
+        out.flush()
     except OSError as error:
         # What is still buffered must not fail once more at exit.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        os.dup2(os.open(os.devnull, os.O_WRONLY), out.fileno())
         if isinstance(error, BrokenPipeError):
             raise
         raise CliError(f"Standard output cannot be written: {error.strerror}.") from error
@@ -96,6 +118,10 @@ class Parser(argparse.ArgumentParser):
         self._names = names
         self.add_argument("words", nargs="*", metavar=names, help=text)
 
+    def _print_message(self, message: str, _file: object = None) -> None:
+        """Print the help or the version; argparse itself is silent about what fails there."""
+        write_out([message])
+
     def error(self, message: str) -> NoReturn:
         raise CliError(f"{message[0].upper()}{message[1:]}.")
 
@@ -103,15 +129,19 @@ class Parser(argparse.ArgumentParser):
         self, arguments: Sequence[str], least: int, most: int
     ) -> tuple[argparse.Namespace, list[str]]:
         """Parse options and words in any order; refuse too few words and too many."""
-        found, extra = self.parse_known_intermixed_args(arguments)
+        # Behind -- all are names; argparse forgets it when options and names may be mixed.
+        end = arguments.index("--") if "--" in arguments else len(arguments)
+        found, extra = self.parse_known_intermixed_args(arguments[:end])
         for word in extra:
             option = word.partition("=")[0]
             names = [name for action in self._actions for name in action.option_strings]
             where = f"an option of {self._command}" if self._command else "an option of the window"
             raise CliError(f"{option} is not {where}; the nearest is {_nearest(option, names)}.")
-        words: list[str] = found.words
+        words: list[str] = [*found.words, *arguments[end + 1 :]]
+        command = self._command or "The window"
+        if "" in words:
+            raise CliError(f"{command} was given an empty name.")
         if not least <= len(words) <= most:
-            command = self._command or "The window"
             takes = self._names or "no names"
             raise CliError(f"{command} takes {takes}, and {len(words)} names were given.")
         return found, words
@@ -224,8 +254,43 @@ def _split(assignment: str) -> tuple[str, str, str]:
     return key.strip(), equals, text
 
 
+def full_path(name: str) -> str:
+    """A file's name with all the folders that it is in.
+
+    Raises
+    ------
+    CliError
+        If it begins in the current folder, and that was deleted.
+    """
+    try:
+        return os.path.abspath(name)
+    except FileNotFoundError as error:
+        raise CliError(f"{name!r} is in the current folder, which was deleted.") from error
+
+
+def check_out(name: str, out: str) -> None:
+    """Make sure, before anything is computed, that a file can be written, as far as one can tell.
+
+    Raises
+    ------
+    CliError
+        If it cannot.
+    """
+    if os.path.isdir(out):
+        raise CliError(f"{name} = {out!r}: is a folder.")
+    needed = [out] if os.path.exists(out) else []
+    if not needed or os.path.isfile(out):  # it gives way to a new one; /dev/stdout does not
+        folder = os.path.dirname(os.path.realpath(full_path(out)))
+        if not os.path.isdir(folder):
+            named = os.path.dirname(out) or folder
+            raise CliError(f"{name} = {out!r}: there is no folder {named}.")
+        needed.append(folder)
+    if not all(os.access(place, os.W_OK) for place in needed):
+        raise CliError(f"{name} = {out!r}: may not be written.")
+
+
 def _opened(scene: str) -> Document:
-    name = os.path.abspath(scene) if is_mesh(scene) else scene
+    name = full_path(scene) if is_mesh(scene) else scene
     return Document(name, _start(name))
 
 

@@ -233,6 +233,16 @@ def unmet(wanted: Iterable[Requirement]) -> list[Requirement]:
     return missing
 
 
+@contextlib.contextmanager
+def _stoppable() -> Iterator[None]:
+    """Say how to go on after Ctrl-C, which elsewhere interrupts a look round only."""
+    try:
+        yield
+    except KeyboardInterrupt:
+        _say(f"the set-up was stopped; to go on: {_command_again()}")
+        raise
+
+
 # --- the operating system's part ------------------------------------------------------------------
 
 
@@ -285,6 +295,7 @@ def _is_root() -> bool:
     return sys.platform != "win32" and os.geteuid() == 0
 
 
+@_stoppable()
 def _ensure_system(missing: Sequence[System]) -> None:
     """Install what is missing where that is ours to do, else say how."""
     if not missing:
@@ -381,6 +392,7 @@ class Environment:
         """Whether the present interpreter is this environment's own."""
         return Path(sys.prefix).resolve() == self.folder.resolve()
 
+    @_stoppable()
     def make(self) -> None:
         """Bring the environment to completion from whatever state it is in."""
         started = time.monotonic()
@@ -419,7 +431,7 @@ class Environment:
         if tag is not None and tag != sys.implementation.cache_tag:
             raise SetupError(
                 f"{self.folder} was made by hand for another Python; remove it and start again: "
-                f"{shlex.join(['rm', '-r', str(self.folder)])}"
+                f"{_remove(self.folder)}"
             )
         return tag is not None
 
@@ -441,7 +453,7 @@ class Environment:
             why = _last_line(output) or f"exit status {status}"
             raise SetupError(
                 f"Python could not make a virtual environment ({why}); try it with: "
-                f"{shlex.join([sys.executable, '-m', 'venv', '--clear', str(self.folder)])}"
+                f"{command_line([sys.executable, '-m', 'venv', '--clear', str(self.folder)])}"
             )
 
     def _install(self, held: Held) -> None:
@@ -606,8 +618,7 @@ def start(need: Need, extras: Sequence[str] = ()) -> None:
             f"the set-up failed ({error}); put Frustum Lab into a folder that you may write to, "
             f"with 2 GB of space, and run again: {_command_again()}"
         )
-    except KeyboardInterrupt:
-        _say(f"the set-up was stopped; to go on: {_command_again()}")
+    except KeyboardInterrupt:  # whoever was setting something up has said so
         raise SystemExit(130) from None
 
 
@@ -629,7 +640,7 @@ def _start(need: Need, extras: tuple[str, ...]) -> None:
         names = ", ".join(requirement.name for requirement in unmet(wanted))
         raise SetupError(
             f"{environment.folder} lacks {names} although pip installed them; remove it and start "
-            f"again: {shlex.join(['rm', '-r', str(environment.folder)])}"
+            f"again: {_remove(environment.folder)}"
         )
     if inside:
         if environment.is_complete():  # so it says, but it has lost something since
@@ -663,8 +674,9 @@ def fail(sentence: str) -> NoReturn:
 def _again(python: Path) -> NoReturn:
     """Give this process's place to the same command under another interpreter."""
     command = [str(python), *sys.orig_argv[1:]]
-    sys.stdout.flush()
-    sys.stderr.flush()
+    for stream in (sys.stdout, sys.stderr):
+        if stream is not None:  # as both are in pythonw
+            stream.flush()
     if sys.platform == "win32":  # where exec returns to the shell before the program has ended
         with contextlib.suppress(KeyboardInterrupt):
             raise SystemExit(subprocess.run(command, check=False).returncode)
@@ -672,9 +684,22 @@ def _again(python: Path) -> NoReturn:
     os.execv(command[0], command)
 
 
+def command_line(words: Sequence[str]) -> str:
+    """A command as it is typed here; in Windows as cmd.exe takes it, where ' quotes nothing."""
+    if sys.platform != "win32":
+        return shlex.join(words)
+    return " ".join(word if re.fullmatch(r"[\w\\:./=+-]+", word) else f'"{word}"' for word in words)
+
+
+def _remove(folder: Path) -> str:
+    command = ["rmdir", "/s"] if sys.platform == "win32" else ["rm", "-r"]
+    return command_line([*command, str(folder)])
+
+
 def _command_again() -> str:
-    return shlex.join([Path(sys.executable).name, *sys.orig_argv[1:]])
+    return command_line([Path(sys.executable).name, *sys.orig_argv[1:]])
 
 
 def _say(text: str) -> None:
-    print(f"frustum-lab: {text}", file=sys.stderr, flush=True)
+    if sys.stderr is not None:
+        print(f"frustum-lab: {text}", file=sys.stderr, flush=True)

@@ -31,6 +31,7 @@ from app.arguments import (
     Parser,
     cannot_import,
     check_file,
+    check_out,
     complain,
     document_of,
     load_scene,
@@ -177,9 +178,7 @@ def _window(arguments: Sequence[str]) -> int:
 def _check_png(name: str, out: str) -> None:
     if not out.lower().endswith(".png"):
         raise CliError(f"{name} = {out!r}: must end in .png.")
-    folder = os.path.dirname(out) or "."
-    if not os.path.isdir(folder):
-        raise CliError(f"{name} = {out!r}: there is no folder {folder}.")
+    check_out(name, out)
 
 
 # --------------------------------------------------------------------------- export

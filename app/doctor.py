@@ -76,7 +76,7 @@ def _packages() -> Iterator[Finding]:
 
 
 def _pip(requirement: str) -> str:
-    return f"{sys.executable} -m pip install '{requirement}'"
+    return bootstrap.command_line([sys.executable, "-m", "pip", "install", requirement])
 
 
 def _folders() -> Iterator[Finding]:

@@ -186,6 +186,15 @@ def test_a_start_inside_the_environment_stays_there(made: Checkout) -> None:
     assert done.stderr == ""
 
 
+def test_a_start_needs_no_standard_output(made: Checkout) -> None:
+    """As under pythonw, and as a service starts programs."""
+    closed = 'exec "$@" >&- 2>&-', "sh", PYTHON
+    probe = "import pathlib, sys; import app.__main__ as a; a.main(); pathlib.Path('ran').touch()"
+    done = subprocess.run(["/bin/sh", "-c", *closed, "-c", probe], cwd=made.root, check=False)
+    assert done.returncode == 0
+    assert (made.root / "ran").exists()
+
+
 def test_options_of_the_interpreter_survive_the_change_of_interpreter(made: Checkout) -> None:
     probe = (
         "import app.bootstrap as b, sys; b.start('numbers'); print(sys.flags.utf8_mode, sys.argv)"
@@ -208,6 +217,40 @@ def test_a_set_up_killed_midway_is_repaired(made: Checkout) -> None:
     assert "first start: setting up" in made.assert_runs()
     assert not (made.root / ".venv" / "half-made").exists()
     assert made.assert_runs() == ""
+
+
+def test_a_set_up_that_is_stopped_says_how_to_go_on(made: Checkout) -> None:
+    made.ask_for(">=2,<3", exactly="2.1")
+    with socket.create_server(("127.0.0.1", 0)) as silent:
+        address = f"http://127.0.0.1:{silent.getsockname()[1]}/"
+        with made.start("-m", "app", "project", PIP_INDEX_URL=address) as process:
+            connection, _ = silent.accept()
+            process.send_signal(signal.SIGINT)
+            connection.close()
+            output, said = process.communicate()
+    assert (process.returncode, output) == (130, "")
+    stopped = r"frustum-lab: the set-up was stopped; to go on: python\S* -m app project"
+    assert re.fullmatch(stopped, one_sentence(said))
+
+
+@pytest.mark.parametrize("room", ["cli.py", "bootstrap.py"])
+def test_a_start_that_is_stopped_before_anything_is_set_up_says_nothing(
+    made: Checkout, room: str
+) -> None:
+    (made.root / "app" / room).write_text("raise KeyboardInterrupt\n")
+    assert made.run("-m", "app", "project") == (130, "", "")
+
+
+def test_a_look_round_that_is_stopped_says_nothing(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def stop(_need: bootstrap.Need) -> list[bootstrap.System]:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(bootstrap, "missing_system", stop)
+    with pytest.raises(SystemExit) as end:
+        bootstrap.start("window")
+    assert (end.value.code, capsys.readouterr().err) == (130, "")
 
 
 def test_an_environment_whose_python_is_gone_is_made_anew(made: Checkout) -> None:
@@ -482,6 +525,21 @@ def test_a_library_is_here_when_the_loader_finds_it() -> None:
 )
 def test_a_command_needs_no_more_than_it_uses(arguments: str, need: str) -> None:
     assert need_of(arguments.split()) == need
+
+
+@pytest.mark.parametrize(
+    ("platform", "command"),
+    [
+        ("linux", r"'C:\My Lab\python.exe' -m pip install 'vtk>=9.7,<9.8' --set a=b"),
+        ("win32", r""""C:\My Lab\python.exe" -m pip install "vtk>=9.7,<9.8" --set a=b"""),
+    ],
+)
+def test_a_command_is_quoted_as_the_shell_there_takes_it(
+    platform: str, command: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sys, "platform", platform)
+    words = [r"C:\My Lab\python.exe", "-m", "pip", "install", "vtk>=9.7,<9.8", "--set", "a=b"]
+    assert bootstrap.command_line(words) == command
 
 
 # --- requirements ---------------------------------------------------------------------------------

@@ -26,11 +26,13 @@ from app.measure.results import (
     Results,
     Sweep,
     Trade,
+    named,
     table,
     to_csv,
 )
 from app.phenomena.exhibit import Diagram, Spot
 from app.placing import beside
+from app.projection import Projection
 from tests.test_cli import refused, run
 
 
@@ -205,6 +207,24 @@ def test_a_table_has_a_word_for_what_has_no_number() -> None:
     assert table(waiting)[1][-1] == "cancelled"
     assert table(replace(waiting, complete=True))[1][-1] == ""
     assert table(SWEEP)[1] == ["0.01", "-", "1e-09", "float32 answers NaN"]
+
+
+def test_a_sweep_s_values_and_head_say_what_they_are() -> None:
+    values = (179.0, 179.999999999995, 180.0 - 1e-12)
+    swept = Sweep("fov", "°", values, {"a": curve((1e-9,) * 3, ("",) * 3)})
+    head, *rows = table(swept)
+    assert head == ["fov, °", "a", ""]
+    assert [row[0] for row in rows] == ["179", "179.999999999995", "179.999999999999"]
+    assert named(head[0], {"fov": "kut"}.__getitem__) == "kut, °"
+
+
+@pytest.mark.parametrize("parameter", ["near", "far"])
+def test_what_a_sweep_moves_besides_is_told(parameter: str) -> None:
+    (told,) = {table(sweep(parameter, (1.0,), {"a": curve((1e-9,), ("",))}))[0][-1]} & set(WORDS)
+    low, high = SWEEPS[parameter].low, SWEEPS[parameter].high
+    lenses = [SWEEPS[parameter].set(Projection(), value)[0].lens for value in (low, 1.0, high)]
+    assert {lens.near * 4.0 for lens in lenses} & {lens.far for lens in lenses}, told
+    assert told == {"near": "far is 4 near at least", "far": "near is far / 4 at most"}[parameter]
 
 
 def test_a_table_s_heads_are_words_with_units() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import csv
 import io
 import json
@@ -406,6 +407,55 @@ def test_points_that_are_a_folder_are_refused(tmp_path: Path) -> None:
     assert "cannot be read: Is a directory" in refused("project", tmp_path)
 
 
+@pytest.mark.parametrize(
+    "command", ["", "matrices", "project", "export", "export a.png", "measure"]
+)
+def test_an_empty_name_is_refused(command: str) -> None:
+    assert "was given an empty name." in refused(*command.split(), "")
+
+
+def in_a_deleted_folder(folder: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
+    """Run the program where a folder was when it started."""
+    folder.mkdir()
+    return subprocess.run(
+        ["/bin/sh", "-c", f'rmdir "$PWD"; {sys.executable} -m app "$@"', "sh", *arguments],
+        cwd=folder, env={**os.environ, "PYTHONPATH": str(ROOT)},
+        capture_output=True, text=True, check=False,
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("command", "name"),
+    [
+        ("export x.png", "x.png"),
+        ("matrices --set scene=a.obj", "a.obj"),
+        ("matrices b.obj", "b.obj"),
+        ("measure --json j.json", "j.json"),
+        ("--screenshot s.png", "s.png"),
+    ],
+)
+def test_a_name_in_a_deleted_folder_is_refused(tmp_path: Path, command: str, name: str) -> None:
+    done = in_a_deleted_folder(tmp_path / "gone", *command.split())
+    said = f"{name!r} is in the current folder, which was deleted.\n"
+    assert (done.returncode, done.stderr) == (2, said)
+
+
+def test_a_deleted_folder_does_not_matter_to_what_needs_none(tmp_path: Path) -> None:
+    assert in_a_deleted_folder(tmp_path / "gone", "matrices").stdout == run("matrices").stdout
+
+
+def test_behind_two_dashes_are_names_only(tmp_path: Path, by_hand: Path) -> None:
+    (tmp_path / "-x.json").write_bytes(by_hand.read_bytes())
+    done = subprocess.run(
+        [sys.executable, "-m", "app", "matrices", "--format=json", "--", "-x.json"],
+        cwd=tmp_path, env={**os.environ, "PYTHONPATH": str(ROOT)},
+        capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert (done.returncode, json.loads(done.stdout)) == (0, matrices(by_hand))
+    assert "2 names were given" in refused("matrices", by_hand, "--", "--format")
+    assert "-- does not exist" in refused("matrices", "--", "--")
+
+
 def test_project_without_points_is_refused() -> None:
     assert "project takes [FILE] POINTS, and 0 names were given" in refused("project")
 
@@ -503,6 +553,66 @@ def test_a_full_disk_behind_standard_output_is_a_sentence() -> None:
         )  # fmt: skip
     assert done.returncode == 2
     assert done.stderr == "Standard output cannot be written: No space left on device.\n"
+
+
+@pytest.mark.parametrize("command", ["--help", "--version", "export --help"])
+def test_help_for_a_full_disk_is_a_sentence_too(command: str) -> None:
+    with open("/dev/full", "wb") as full:
+        done = subprocess.run(
+            [sys.executable, "-m", "app", *command.split()],
+            cwd=ROOT, stdout=full, stderr=subprocess.PIPE, text=True, check=False,
+        )  # fmt: skip
+    assert done.returncode == 2
+    assert done.stderr == "Standard output cannot be written: No space left on device.\n"
+
+
+@pytest.mark.parametrize(
+    "command", ["matrices", "project -", "doctor", "measure --json -", "measure", "--help"]
+)
+def test_a_closed_standard_output_is_a_sentence_at_once(command: str) -> None:
+    done = subprocess.run(
+        ["/bin/sh", "-c", 'exec "$@" >&-', "sh", sys.executable, "-m", "app", *command.split()],
+        cwd=ROOT, input="1,2,3\n", stderr=subprocess.PIPE, text=True, check=False, timeout=30,
+    )  # fmt: skip
+    assert (done.returncode, done.stderr) == (2, "Standard output is closed.\n")
+
+
+# Nothing here has these characters but UTF-8: what a pipe of Windows speaks, and a bare POSIX.
+OTHER_ENCODINGS: list[dict[str, str | None]] = [
+    {"PYTHONIOENCODING": "cp1252"},
+    {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"},
+]
+WITH_MINUS = ("matrices", "--set=lens.kind=matrix")
+"""Its properties are told with a minus sign that is no hyphen."""
+
+
+@pytest.mark.parametrize("form", ["text", "latex"])
+@pytest.mark.parametrize("environment", OTHER_ENCODINGS, ids=["cp1252", "ascii"])
+def test_output_for_files_and_programs_is_utf_8_everywhere(
+    environment: dict[str, str | None], form: str
+) -> None:
+    done = run(*WITH_MINUS, f"--format={form}", **environment)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "\u2212" in done.stdout
+    assert done.stdout == run(*WITH_MINUS, f"--format={form}").stdout
+
+
+def test_a_terminal_is_told_the_number_of_a_character_that_it_lacks() -> None:
+    ours, theirs = os.openpty()
+    done = subprocess.run(
+        [sys.executable, "-m", "app", *WITH_MINUS],
+        cwd=ROOT,
+        env={**os.environ, "PYTHONIOENCODING": "latin-1"},
+        stdout=theirs, stderr=subprocess.PIPE, text=True, check=False,
+    )  # fmt: skip
+    os.close(theirs)
+    with open(ours, "rb", buffering=0) as terminal:
+        said = b""
+        with contextlib.suppress(OSError):  # so ends what a terminal has to say
+            while part := terminal.read(4096):
+                said += part
+    assert (done.returncode, done.stderr) == (0, "")
+    assert rb"\u2212" in said
 
 
 # --------------------------------------------------------------------------- matrices

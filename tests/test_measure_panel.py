@@ -118,7 +118,7 @@ def test_several_are_measured_in_one_go_and_each_is_shown_by_itself(
     assert set(panel.measured) == {"depth", "near", "fov"}
     assert panel.name == "fov"
     assert sum(view.isVisible() for view in panel.diagrams) == 2
-    assert heads(panel)[0] == "fov" and len(cells(panel)) == 13
+    assert heads(panel)[0] == "fov, °" and len(cells(panel)) == 13
     assert not panel.sentence.isVisible()
     panel.choose("near")
     assert heads(panel)[0] == "near"
@@ -506,7 +506,7 @@ def test_every_name_of_a_choice_is_put_together_from_translated_parts(
     ]
     own = re.compile(r"(float|fixed)\d+|PyGLM|pylinalg|FXAA|MSAA \d|\d+ %|ns|ms|px|B|")
     names = [c.name for trade in trades for c in trade.choices]
-    names += [each.name for each in smoothing.SMOOTHINGS] + [smoothing.FEWER_SAMPLES.format(4)]
+    names += [each.name for each in smoothing.SMOOTHINGS] + [smoothing.OTHER_SAMPLES.format(4)]
     names += [head for trade in trades for head in table(trade)[0]]
     assert len(names) > 50
     for name in names:

@@ -652,6 +652,12 @@ def test_the_export_dialog_refuses_what_cannot_be_drawn(
     assert dialog.choice() == ExportChoice(("image",), (640, 360), 1.0, False)
     dialog._width.setText("0")
     assert not save.isEnabled()
+    for text in ("1_800", "\uff11\uff18\uff10\uff10", "1800.0", "1e3", "", "9" * 5000):
+        dialog._width.setText(text)
+        assert not save.isEnabled(), text
+        assert "must be whole numbers" in dialog._problem.text()
+    dialog._width.setText(" 640 ")
+    assert save.isEnabled() and dialog.choice().size == (640, 360)
     dialog._width.setText("16384")
     assert save.isEnabled()
     dialog._scale.setCurrentIndex(1)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import NamedTuple
 
 from PySide6.QtWidgets import (
@@ -98,7 +99,7 @@ class ExportDialog(QDialog):
         """What is chosen now; valid once the dialog is accepted."""
         return ExportChoice(
             tuple(name for name in PANES if self._boxes[name].isChecked()),
-            (int(self._width.text()), int(self._height.text())),
+            (_whole(self._width.text()), _whole(self._height.text())),
             float(self._scale.currentData()),
             bool(self._background.currentData()),
         )
@@ -130,3 +131,16 @@ class ExportDialog(QDialog):
                     problem = sentence(error)
         self._problem.setText("⚠ " + problem if problem else "")
         self._buttons.button(QDialogButtonBox.StandardButton.Save).setEnabled(not problem)
+
+
+def _whole(text: str) -> int:
+    """A whole number; not what only Python takes for one, such as 1_800 and digits of any script.
+
+    Raises
+    ------
+    ValueError
+        If it is none.
+    """
+    if not re.fullmatch(r"\s*[-+]?[0-9]+\s*", text):
+        raise ValueError(text)
+    return int(text)

@@ -438,6 +438,8 @@ MEASURE_WORDS = (
     QT_TRANSLATE_NOOP("Measure", "distance"),
     QT_TRANSLATE_NOOP("Measure", "up"),
     QT_TRANSLATE_NOOP("Measure", "aspect"),
+    QT_TRANSLATE_NOOP("Measure", "far is 4 near at least"),
+    QT_TRANSLATE_NOOP("Measure", "near is far / 4 at most"),
 )
 """Members of `app.measure.results.WORDS`."""
 

@@ -325,6 +325,7 @@ class Range:
 _STILL = np.zeros(3)
 
 
+# What these two move besides, `results.SWEEP_NOTES` tells.
 def _with_near(projection: Projection, near: float) -> tuple[Projection, Array]:
     lens = _perspective(projection)
     return replace(projection, lens=replace(lens, near=near, far=max(lens.far, 4.0 * near))), _STILL

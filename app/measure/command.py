@@ -16,11 +16,13 @@ from app.arguments import (
     SUMMARIES,
     CliError,
     Parser,
+    check_out,
     complain,
     document_of,
     load_scene,
     one_of,
     parse_number,
+    standard_output,
     write_out,
 )
 from app.doctor import check_off_screen
@@ -64,9 +66,16 @@ def run(arguments: Sequence[str]) -> int:
     )  # fmt: skip
     parser.add_argument("--scene", metavar="NAME", help="as --set scene=NAME")
     parser.add_argument("--quick", action="store_true", help="in half a minute, less exactly")
-    parser.add_argument("--json", metavar="FILE", help="write all that was measured; - for here")
-    parser.add_argument("--csv", metavar="FILE", help="write the tables, one after the other")
-    parser.add_argument("--chart", metavar="FILE", help="draw it all: .png, or .pdf in vectors")
+    parser.add_argument(
+        "--json", metavar="FILE",
+        help="write all that was measured; FILE is overwritten, - is standard output",
+    )  # fmt: skip
+    parser.add_argument(
+        "--csv", metavar="FILE", help="write the tables, one after the other, likewise"
+    )
+    parser.add_argument(
+        "--chart", metavar="FILE", help="draw it all, likewise: .png, or .pdf in vectors"
+    )
     parser.add_argument(
         "--attended", action="store_true",
         help="tell the fraction done, a line each, and obey pause, resume and cancel from"
@@ -76,10 +85,17 @@ def run(arguments: Sequence[str]) -> int:
     found, words = parser.read(arguments, 0, 1)
     if found.attended and sys.platform != "win32":
         os.nice(10)  # whoever attends draws meanwhile, and comes first; alone it is as fast
-    for option in ("json", "csv", "chart"):
-        _check_folder(f"--{option}", getattr(found, option))
+    options = {f"--{option}": getattr(found, option) for option in ("json", "csv", "chart")}
+    outs = {option: out for option, out in options.items() if out is not None}
+    if len(set(outs.values())) < len(outs):
+        raise CliError(f"{' and '.join(outs)} must go to different files.")
     if found.chart is not None and not found.chart.lower().endswith(chart.ENDINGS):
         raise CliError(f"--chart = {found.chart!r}: must end in {' or '.join(chart.ENDINGS)}.")
+    # It would take long to find out afterwards.
+    for option, out in outs.items():
+        if out != "-":
+            check_out(option, out)
+    standard_output()
     settings = [*found.set, *([f"scene={found.scene}"] if found.scene else [])]
     document = document_of(words[0] if words else None, settings)
     scene = load_scene(document.scene, document.mesh)
@@ -108,17 +124,18 @@ def run(arguments: Sequence[str]) -> int:
         results = measure.measure_all(
             document, scene, trades, swept, quick=found.quick, opengl=opengl, watch=watch
         )
-    json_text = to_json(results)
-    if found.json == "-":
-        write_out([json_text])
-    else:
-        write_out(_measured(results))
-    if found.json not in (None, "-"):
-        _write(found.json, json_text)
-    if found.csv is not None:
-        _write(found.csv, "\n".join([*map(to_csv, results.trades), *map(to_csv, results.sweeps)]))
-    if found.chart is not None:
-        write_bytes_atomically(found.chart, chart.picture(results, found.chart))
+    texts = {
+        found.json: to_json(results),
+        found.csv: "\n".join([*map(to_csv, results.trades), *map(to_csv, results.sweeps)]),
+    }
+    try:
+        write_out([texts["-"]] if "-" in texts else _measured(results))
+    finally:  # the files are written also for a reader of the tables who leaves early
+        for out, text in texts.items():
+            if out not in (None, "-"):
+                write_bytes_atomically(out, text.encode())
+        if found.chart is not None:
+            write_bytes_atomically(found.chart, chart.picture(results, found.chart))
     return 0 if results.complete else INTERRUPTED
 
 
@@ -139,16 +156,6 @@ def _sweep(value: str) -> tuple[str, tuple[float | None, float | None]]:
             f" {whole.high:g}."
         )
     return name, (low, high)
-
-
-def _check_folder(name: str, out: str | None) -> None:
-    folder = os.path.dirname(out or "") or "."
-    if out != "-" and not os.path.isdir(folder):
-        raise CliError(f"{name} = {out!r}: there is no folder {folder}.")
-
-
-def _write(path: str, text: str) -> None:
-    write_bytes_atomically(path, text.encode())
 
 
 @contextmanager

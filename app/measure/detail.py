@@ -78,7 +78,7 @@ def measure(
                 errors[name] = _apart(whole, line)
                 assert fewer.surface is not None
                 began = time.perf_counter()
-                runs[name], _, _ = stack.enter_context(pane(fewer, projection, size))
+                runs[name], _ = stack.enter_context(pane(fewer, projection, size))
                 runs[name]()
                 values[name] = {
                     "triangles": float(fewer.surface.n_cells),
@@ -115,7 +115,7 @@ def outline(scene: Scene, projection: Projection, size: tuple[int, int]) -> NDAr
     """The places on the edge of what the scene's faces cover, in px of the picture, (n, 2)."""
     finer = SMOOTHINGS[0]._replace(scale=FINER)
     bare = replace(scene, lines=None)
-    with pane(bare, projection, size, finer, background=False) as (draw, read, _):
+    with pane(bare, projection, size, finer, background=False) as (draw, read):
         draw()
         covered = read()[..., 3] > 127
     framed = np.pad(covered, 1, constant_values=False)

@@ -55,13 +55,18 @@ COLUMNS = {
     "reduce_ms": "reducing (ms)",
 }
 """What a reader is told of further columns, if their names are not words already."""
+SWEEP_NOTES = {
+    "near": "far is 4 near at least",
+    "far": "near is far / 4 at most",
+}
+"""What a sweep moves besides its parameter: near must be less than far."""
 WORDS = (
     "eye first", "concatenated", "rows at once", "exact", "VTK's transform",
     "matplotlib's proj3d", "perspective-correct", "affine", "{0} pieces", "opengl", "direct3d",
     "reversed", "logarithmic", "none", "half resolution", "supersampling {0} x {0}",
     "this OpenGL gives {0} samples",
     "p95", "predicted", "world units", "texels", "levels RMS", *COLUMNS.values(), "triangles",
-    "near", "far", "fov", "distance", "up", "aspect",
+    "near", "far", "fov", "distance", "up", "aspect", *SWEEP_NOTES.values(),
 )  # fmt: skip
 """What names of choices and of columns are put together from, for translators."""
 
@@ -485,7 +490,8 @@ def table(part: Trade | Sweep) -> list[list[str]]:
     Returns
     -------
     list of list of str
-        Numbers of three digits; ``-`` where there is none, and then the last cell says why.
+        Numbers of three digits; ``-`` where there is none, and then the last cell says why. The
+        last cell of a sweep's names says what is moved besides.
     """
     if isinstance(part, Trade):
         columns = part.columns
@@ -499,10 +505,17 @@ def table(part: Trade | Sweep) -> list[list[str]]:
             note = choice.note or (CANCELLED if unmeasured else "")
             rows.append([choice.name, *cells, note])
         return rows
-    rows = [[part.parameter, *part.curves, ""]]
+    name = ", ".join(filter(None, (part.parameter, part.unit)))
+    rows = [[name, *part.curves, SWEEP_NOTES.get(part.parameter, "")]]
     for i, value in enumerate(part.values):
         errors = [curve.errors[i] for curve in part.curves.values()]
         notes = [f"{name} {c.notes[i]}" for name, c in part.curves.items() if c.notes[i]]
         cells = [plain(error, 2) for error in errors]
-        rows.append([f"{value:.12g}", *cells, "; ".join(notes)])
+        rows.append([_swept(value), *cells, "; ".join(notes)])
     return rows
+
+
+def _swept(value: float) -> str:
+    """A sweep's value; fields of view that are almost 180 degrees are not written as 180."""
+    text = f"{value:.12g}"
+    return f"{value:.15g}" if text == "180" else text
