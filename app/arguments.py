@@ -164,17 +164,27 @@ def parse_number(text: str) -> float:
 
 
 def document_of(file: str | None, assignments: Sequence[str]) -> Document:
-    """The document that a FILE is, holds, or opens with, after the values set by ``--set``.
+    """The document that a FILE is, holds, or opens with, after the values set by ``--set``."""
+    return with_values(document_before(file, assignments), assignments)
+
+
+def document_before(file: str | None, assignments: Sequence[str]) -> Document:
+    """The document that a FILE is, holds, or opens with, before the values set by ``--set``.
 
     Without a FILE, ``scene=NAME`` opens that scene as the menu does: seen with its own camera.
     """
-    texts = {key: text.strip() for key, _, text in map(_split, assignments)}
-    if file is not None:
-        document = _open(file)
-        if texts.get("scene"):
-            _start(texts["scene"])
-    else:
-        document = _opened(texts["scene"]) if "scene" in texts else Document()
+    scene = _texts(assignments).get("scene")
+    if file is None:
+        return Document() if scene is None else _opened(scene)
+    document = _open(file)
+    if scene:
+        _start(scene)
+    return document
+
+
+def with_values(document: Document, assignments: Sequence[str]) -> Document:
+    """A document after the values set by ``--set``, or a complaint that speaks of these."""
+    texts = _texts(assignments)
     try:
         return set_values(document, assignments)
     except DocumentError as error:
@@ -219,9 +229,9 @@ def _seen_from(texts: Container[str], kind: str, error: DocumentError) -> Docume
     return error
 
 
-def _split(assignment: str) -> tuple[str, str, str]:
-    key, equals, text = assignment.partition("=")
-    return key.strip(), equals, text
+def _texts(assignments: Iterable[str]) -> dict[str, str]:
+    parts = (assignment.partition("=") for assignment in assignments)
+    return {key.strip(): text.strip() for key, _, text in parts}
 
 
 def _opened(scene: str) -> Document:

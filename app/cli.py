@@ -32,9 +32,11 @@ from app.arguments import (
     cannot_import,
     check_file,
     complain,
+    document_before,
     document_of,
     load_scene,
     parse_number,
+    with_values,
     write_out,
 )
 from app.doctor import check_off_screen, examine
@@ -149,7 +151,8 @@ def _window(arguments: Sequence[str]) -> int:
         if not 1 <= side <= LARGEST_IMAGE_PX:
             raise CliError(f"--size {name} = {side}: {WHOLE_PIXELS.format(LARGEST_IMAGE_PX)}.")
     file = words[0] if words else None
-    document = document_of(file, found.set)
+    saved = document_before(file, found.set)
+    document = with_values(saved, found.set)
     from_file = is_mesh(document.scene) or document.mesh
     scene = load_scene(document.scene, document.mesh) if from_file else None
     try:
@@ -167,7 +170,7 @@ def _window(arguments: Sequence[str]) -> int:
     screenshot = None if found.screenshot is None else Path(found.screenshot)
     options = application.Options(found.theme, found.size, screenshot)
     try:
-        return application.run_window(document, path, options, scene)
+        return application.run_window(document, saved, path, options, scene)
     except (application.DisplayError, OpenGLError) as error:
         raise CliError(str(error), CANNOT_DRAW) from error
     except application.WindowError as error:

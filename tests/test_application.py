@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import logging
+import math
 import os
 import re
 import signal
@@ -17,8 +18,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from app.document import Document, write
+from app.cli import main
+from app.document import Document, read, write
 from app.projection import Projection
+from app.store import Store
 from tests.test_cli import ROOT, comma_locale, refused, run
 from widgets import application, opengl
 from widgets.application import Settings
@@ -677,6 +680,7 @@ def test_the_window_shows_what_the_command_line_says(tmp_path: Path) -> None:
 document = window.store.document
 print(document.scene, document.projection.image_size, document.projection.lens.near)
 print(window.files.path, window.settings.theme, window.width(), window.height())
+window.store.mark_saved()
 window.close()
 """,
         path, "--set", "lens.near=0.25", "--theme=dark", "--size", "1200x700",
@@ -685,6 +689,54 @@ window.close()
     assert done.stdout.splitlines() == ["cube (300, 200) 0.25", f"{path} dark 1200 700"]
     # --theme was for this once.
     assert Settings(application.settings_path()).theme == "system"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "is_unsaved"),
+    [
+        (["my.json"], False),
+        (["my.json", "--set", "lens.near=1"], False),
+        (["my.json", "--set", "lens.far=inf"], True),
+        (["my.json", "--set", "scene=posts"], True),
+        (["my.obj"], False),
+        ([], False),
+        (["--set", "scene=focus"], False),
+        (["--set", "scene=cube", "--set", "lens.far=inf"], True),
+    ],
+)
+def test_what_the_command_line_changes_is_unsaved(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, arguments: list[str], is_unsaved: bool
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    write(Document("cube", Projection()), Path("my.json"))
+    Path("my.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    given: list[Any] = []
+    monkeypatch.setattr(application, "run_window", lambda *found: given.extend(found) or 0)
+    assert main(arguments) == 0
+    document, saved = given[:2]
+    assert Store(document, saved=saved).modified == is_unsaved
+
+
+def test_a_window_keeps_what_the_command_line_changed(tmp_path: Path) -> None:
+    path = tmp_path / "my.json"
+    write(Document("cube", Projection()), path)
+    done = drive(
+        """
+print(window.isWindowModified(), window.store.modified)
+window.autosave.save_now()
+print(len(list(window.autosave._folder.glob("autosave-*.json"))))
+def answer():
+    box = QApplication.activeModalWidget()
+    box.button(QMessageBox.StandardButton.Save).click()
+from PySide6.QtWidgets import QApplication, QMessageBox
+QTimer.singleShot(0, answer)
+window.close()
+""",
+        path, "--set", "lens.far=inf",
+    )  # fmt: skip
+    assert done.stderr == ""
+    assert done.stdout.splitlines() == ["True True", "1"]
+    assert read(path).projection.lens.far == math.inf
 
 
 def test_a_document_whose_mesh_is_gone_is_refused(tmp_path: Path) -> None:
@@ -752,7 +804,7 @@ def test_screenshot_is_a_picture_of_the_whole_window(tmp_path: Path) -> None:
         colours, counts = np.unique(pane.reshape(-1, 3), axis=0, return_counts=True)
         assert len(colours) > 50
         assert counts.sum() - counts.max() > 2_000
-    done = run("--screenshot", out, "--theme", "dark", "--set", "scene=cube")
+    done = run("--screenshot", out, "--theme", "dark", "--set", "lens.near=0.5")
     assert done.returncode == 0
     assert np.median(picture(out)) < 80
     # The settings were left alone.

@@ -749,13 +749,19 @@ def close_on_interrupt(application: QApplication) -> Callable[[], None]:
 
 
 def run_window(
-    document: Document, path: Path | None, options: Options, scene: Scene | None = None
+    document: Document,
+    saved: Document,
+    path: Path | None,
+    options: Options,
+    scene: Scene | None = None,
 ) -> int:
     """Open the window on a document and stay until it is closed.
 
     Parameters
     ----------
     document : Document
+    saved : Document
+        What of it is in its file: without what the command line changes.
     path : Path or None
         The file the document is in, and would be saved to.
     options : Options
@@ -803,6 +809,7 @@ def run_window(
                 document,
                 settings=settings,
                 software_rendering=found.software,
+                saved=document if options.screenshot else saved,  # and closes without a question
                 path=path,
                 scene=scene,
             )

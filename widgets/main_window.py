@@ -100,6 +100,8 @@ class MainWindow(QMainWindow):
     ----------
     document : Document
         What is shown first; its scene must be loadable.
+    saved : Document, optional
+        What is in its file, if that is another one.
     settings : Settings
         The user's own: theme, projector mode, recent files, window geometry.
     software_rendering : bool
@@ -121,6 +123,7 @@ class MainWindow(QMainWindow):
         *,
         settings: Any,
         software_rendering: bool,
+        saved: Document | None = None,
         path: Path | None = None,
         scene: Scene | None = None,
     ) -> None:
@@ -152,7 +155,7 @@ class MainWindow(QMainWindow):
                 "up": self.tr("up"),
             }
         )
-        self.store = Store(document, self)
+        self.store = Store(document, self, saved=saved)
         self.attention = Attended(self)
         self.messages = MessageBar()
         self.files = Files(self, self.store, self.messages, settings.recent, self._with_views)
