@@ -39,7 +39,7 @@ from vtkmodules.vtkRenderingCore import vtkTextActor
 
 import app.document
 import app.scene
-from app.document import Document, extract, read, write
+from app.document import UNWRITABLE, Document, DocumentError, extract, read, write
 from app.drawings import actors, rungs
 from app.drawings.image import ImageDrawing
 from app.drawings.style import LIGHT, rgb
@@ -843,6 +843,32 @@ def test_a_broken_autosave_is_one_sentence(
     assert not broken.exists()
     window.messages.choices[0].click()
     assert window.store.document.scene == "posts"
+
+
+def test_recovered_work_is_in_a_copy_at_every_moment(
+    make_window: Callable[..., MainWindow],
+    monkeypatch: pytest.MonkeyPatch,
+    caplog: pytest.LogCaptureFixture,
+) -> None:
+    window = make_window(shown=False)
+    lost = window.autosave._folder / "autosave-1-aaaa.json"
+    write(Document("posts"), lost)
+
+    def full(_document: Document, path: Path) -> None:
+        raise DocumentError(UNWRITABLE, "No space left on device", file=str(path))
+
+    window._offer_recovery()
+    with monkeypatch.context() as disk:
+        disk.setattr("widgets.autosave.write", full)
+        window.messages.choices[0].click()
+    assert window.store.document.scene == "posts"
+    assert lost.exists() and "save it soon" in window.messages.text
+    caplog.clear()  # the error holds the window
+    window.store.mark_saved()
+    window._offer_recovery()
+    window.messages.choices[0].click()
+    (copy,) = window.autosave._folder.glob("autosave-*.json")
+    assert copy != lost and read(copy).scene == "posts"
 
 
 def test_work_whose_mesh_is_not_there_can_be_recovered_when_it_is(

@@ -61,11 +61,11 @@ class Autosave(QObject):
         if not self._timer.isActive():
             self._timer.start()
 
-    def save_now(self) -> None:
-        """Write the copy, or remove it when there is nothing unsaved."""
+    def save_now(self) -> bool:
+        """Write the copy, or remove it when there is nothing unsaved; False if that failed."""
         document = self._current()
         if not self._lock.isLocked():
-            return
+            return False
         try:
             if document is None:
                 self._path.unlink(missing_ok=True)
@@ -73,6 +73,8 @@ class Autosave(QObject):
                 write(document, self._path)
         except (DocumentError, OSError) as error:
             log.warning("autosave failed: %s", error)
+            return False
+        return True
 
     def orphans(self) -> list[Path]:
         """Copies left by windows that died, newest first."""

@@ -973,7 +973,14 @@ class MainWindow(QMainWindow):
             self.messages.say(sentence(error), *self._ways_with(path))
             return
         if self.files.open_recovered(document):
-            self._discard(path)
+            if self.autosave.save_now():  # until then the old copy is the only one
+                self._discard(path)
+            else:
+                self.messages.say(
+                    self.tr("The recovered work cannot be kept in {0}: save it soon.").format(
+                        path.parent
+                    )
+                )
         elif self.messages.text:  # a mesh that is not there, perhaps only not yet
             self.messages.say(self.messages.text, *self._ways_with(path))
         else:
