@@ -43,6 +43,7 @@ from app.doctor import check_off_screen, examine
 from app.document import (
     MESH_ENDINGS,
     DocumentError,
+    holds_document,
     is_mesh,
     to_json,
 )
@@ -165,8 +166,7 @@ def _window(arguments: Sequence[str]) -> int:
             write_out([f"{application.delete_settings()}\n"])
         except OSError as error:
             raise CliError(f"The settings cannot be deleted: {error}.") from error
-    is_document = file is not None and not is_mesh(file) and not file.lower().endswith(".png")
-    path = Path(os.path.abspath(file)) if file is not None and is_document else None
+    path = Path(os.path.abspath(file)) if file is not None and holds_document(file) else None
     screenshot = None if found.screenshot is None else Path(found.screenshot)
     options = application.Options(found.theme, found.size, screenshot)
     try:

@@ -960,6 +960,14 @@ def read(path: Path) -> Document:
             raise DocumentError(NEITHER, ", ".join(MESH_ENDINGS)) from error
 
 
+def holds_document(path: Path) -> bool:
+    """Tell whether a file that was read can be saved in: it is no mesh, picture or device."""
+    if is_mesh(os.fspath(path)) or not os.path.isfile(path):
+        return False
+    with open(path, "rb") as file:
+        return file.read(len(_PNG)) != _PNG
+
+
 @contextlib.contextmanager
 def _blamed_on(path: Path, bound: str) -> Iterator[None]:
     """Name the file in what is raised, and turn the system's complaints into a sentence."""

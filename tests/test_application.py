@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import json
 import logging
 import math
@@ -17,9 +18,10 @@ from typing import Any
 
 import numpy as np
 import pytest
+from PIL import Image
 
 from app.cli import main
-from app.document import Document, read, write
+from app.document import Document, embed, read, to_json, write
 from app.projection import Projection
 from app.store import Store
 from tests.test_cli import ROOT, comma_locale, refused, run
@@ -715,6 +717,20 @@ def test_what_the_command_line_changes_is_unsaved(
     assert main(arguments) == 0
     document, saved = given[:2]
     assert Store(document, saved=saved).modified == is_unsaved
+
+
+def test_a_picture_is_no_place_to_save_in_whatever_its_name(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    write(Document("cube"), Path("notes"))
+    figure = io.BytesIO()
+    Image.new("RGB", (4, 4)).save(figure, "PNG")
+    Path("figure").write_bytes(embed(figure.getvalue(), to_json(Document("cube"))))
+    given: list[Any] = []
+    monkeypatch.setattr(application, "run_window", lambda *found: given.append(found[2]) or 0)
+    assert main(["notes"]) == main(["figure"]) == 0
+    assert given == [tmp_path / "notes", None]
 
 
 def test_a_window_keeps_what_the_command_line_changed(tmp_path: Path) -> None:

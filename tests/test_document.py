@@ -36,6 +36,7 @@ from app.document import (
     DocumentError,
     embed,
     extract,
+    holds_document,
     is_mesh,
     parse,
     read,
@@ -1001,6 +1002,19 @@ def test_a_mesh_may_be_named_from_where_the_program_was_started(
     assert parse(to_json(Document("bunny.stl"))).scene == "bunny.stl"
     write(Document("cube"), "lessons/lesson.json")
     assert read("lessons/lesson.json").scene == "cube"
+
+
+def test_a_document_is_saved_where_one_is_by_what_is_in_the_file(tmp_path: Path) -> None:
+    files = {
+        "a.json": DESIGN.encode(), "notes": DESIGN.encode(), "text.png": DESIGN.encode(),
+        "figure": picture(), "pic.dat": picture(), "figure.png": picture(), "pic.json": picture(),
+        "x.stl": b"solid",
+    }  # fmt: skip
+    for name, content in files.items():
+        (tmp_path / name).write_bytes(content)
+    held = [name for name in files if holds_document(tmp_path / name)]
+    assert held == ["a.json", "notes", "text.png"]
+    assert not holds_document(os.devnull) and not holds_document(tmp_path / "gone.json")
 
 
 def test_what_is_called_a_mesh_is_what_can_be_read() -> None:

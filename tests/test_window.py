@@ -39,11 +39,11 @@ from vtkmodules.vtkRenderingCore import vtkTextActor
 
 import app.document
 import app.scene
-from app.document import UNWRITABLE, Document, DocumentError, extract, read, write
+from app.document import UNWRITABLE, Document, DocumentError, extract, read, to_json, write
 from app.drawings import actors, rungs
 from app.drawings.image import ImageDrawing
 from app.drawings.style import LIGHT, rgb
-from app.figures import render
+from app.figures import png_bytes, render
 from app.phenomena import PHENOMENA
 from app.projection import Camera, Orbit, Orthographic, Perspective, Projection
 from app.scene import load
@@ -535,6 +535,16 @@ def test_an_exported_picture_brings_the_state_back(
     drop(window, path)
     assert window.store.document == wanted
     assert window.files.path is None  # saving must not overwrite the picture
+
+
+def test_a_picture_of_any_name_is_no_place_to_save_a_document_in(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window(shown=False)
+    path = tmp_path / "pic.dat"
+    path.write_bytes(png_bytes(np.zeros((4, 4, 3), np.uint8), to_json(Document("cube"))))
+    assert window.files.open(path)
+    assert window.store.document.scene == "cube" and window.files.path is None
 
 
 def turn(window: MainWindow, name: str) -> None:

@@ -11,7 +11,15 @@ from typing import TypeVar
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QProgressDialog, QWidget
 
-from app.document import MESH_ENDINGS, Document, DocumentError, is_mesh, read, write
+from app.document import (
+    MESH_ENDINGS,
+    Document,
+    DocumentError,
+    holds_document,
+    is_mesh,
+    read,
+    write,
+)
 from app.scene import Scene, SceneCancelled, SceneError, load
 from app.store import Store
 from widgets.message_bar import MessageBar
@@ -123,25 +131,24 @@ class Files(QObject):
             False if it could not be opened, or the user kept the unsaved work.
         """
         path = os.path.abspath(path)
-        mesh = is_mesh(path)
 
-        def opened() -> tuple[Document, Scene]:
-            document = None if mesh else read(path)
-            if document is None:
+        def opened() -> tuple[Document, Scene, Path | None]:
+            if is_mesh(path):
                 scene = self._load(path, "")
-                return Document(path, scene.start), scene
-            return document, self._load(document.scene, document.mesh)
+                return Document(path, scene.start), scene, None
+            document = read(path)
+            # A picture carries a document but is no place to save one in.
+            place = Path(path) if holds_document(path) else None
+            return document, self._load(document.scene, document.mesh), place
 
         found = self._try(opened)
         if found is None or not self.may_discard():
             return False
-        document, scene = found
+        document, scene, place = found
         self._scenes.clear()
         self.keep(document, scene)
         self._store.open(document)
-        # A picture carries a document but is no place to save one in.
-        is_document = not mesh and not path.lower().endswith(".png")
-        self._set_path(Path(path) if is_document else None)
+        self._set_path(place)
         self._remember(path)
         return True
 
