@@ -537,6 +537,20 @@ def test_an_exported_picture_brings_the_state_back(
     assert window.files.path is None  # saving must not overwrite the picture
 
 
+def test_a_picture_written_through_a_link_finds_its_mesh(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window(shown=False)
+    mesh = tetrahedron(tmp_path)
+    assert window.files.open(mesh)
+    (tmp_path / "deep").mkdir()
+    link = tmp_path / "link.png"
+    link.symlink_to(tmp_path / "deep" / "real.png")
+    assert window.pictures.export(link, ExportChoice(("image",), (64, 64), 1.0, False))
+    assert window.files.open(link), window.messages.text
+    assert window.store.document.scene == str(mesh)
+
+
 def test_a_picture_of_any_name_is_no_place_to_save_a_document_in(
     make_window: Callable[..., MainWindow], tmp_path: Path
 ) -> None:
