@@ -600,6 +600,21 @@ def test_a_picture_shows_the_panes_as_they_were_turned_and_so_does_its_document(
     assert window.panes["world"].view is None and window.panes["ndc"].view is None
 
 
+def test_the_views_of_panes_that_this_program_does_not_have_are_kept(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window()
+    tree = json.loads(to_json(Document("cube")))
+    other = tree["camera"] | {"note": "mine"}
+    path = tmp_path / "lesson.json"
+    path.write_text(json.dumps(tree | {"views": {"second-screen": other, "world": tree["camera"]}}))
+    assert window.files.open(path)
+    window.reset_views()
+    window.store.set_projection(seen(window, lens=Perspective(60.0, 2.0, 20.0)))
+    assert window.files.save()
+    assert json.loads(path.read_text())["views"] == {"second-screen": other}
+
+
 def test_another_theme_keeps_the_panes_as_they_were_turned(
     make_window: Callable[..., MainWindow],
 ) -> None:

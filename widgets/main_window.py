@@ -778,7 +778,8 @@ class MainWindow(QMainWindow):
         return {name: view for name, view in views.items() if view is not None}
 
     def _with_views(self, document: Document) -> Document:
-        return replace(document, views=self._views_now())
+        others = {name: view for name, view in document.views.items() if name not in self.panes}
+        return replace(document, views=others | self._views_now())
 
     def _refine_ndc(self, smooth: bool) -> None:
         self.panes["ndc"].set_smoothing(
