@@ -798,6 +798,20 @@ def test_shortcuts_work_in_the_window_of_a_floated_pane(
     assert window.store.document == start
 
 
+def test_the_title_names_what_is_shown(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window(shown=False)
+    mesh = tetrahedron(tmp_path)
+    assert "Untitled" in window.windowTitle()
+    assert window.files.open(mesh)
+    assert mesh.name in window.windowTitle()
+    window._choose_scene("cube")
+    assert "Untitled" in window.windowTitle()
+    window.undo()
+    assert mesh.name in window.windowTitle()
+
+
 # -- autosave
 
 

@@ -237,7 +237,6 @@ class MainWindow(QMainWindow):
         self._wire()
         self._show_document(document)
         self._history_changed()
-        self._path_changed()
         if settings.geometry:
             self.restoreGeometry(QByteArray(settings.geometry))
         else:
@@ -609,7 +608,7 @@ class MainWindow(QMainWindow):
         self.strip.moved.connect(self._stage_moved)
         self.strip.gesture_started.connect(partial(self._refine_ndc, False))
         self.strip.gesture_finished.connect(partial(self._refine_ndc, True))
-        self.files.path_changed.connect(self._path_changed)
+        self.files.path_changed.connect(self._name_window)
         self.files.recent_changed.connect(self._recent_changed)
         self._recent_changed()
         for name, pane in self.panes.items():
@@ -668,6 +667,7 @@ class MainWindow(QMainWindow):
             self._tell_about_scene(document, scene)
             self._build_drawings(document.views)
             self._list_scenes()
+            self._name_window()
             sort_ahead(scene)
             built = True
         elif document.quality != self.adaptive.quality:
@@ -927,7 +927,7 @@ class MainWindow(QMainWindow):
             for pane in self.panes.values():
                 pane.refit()
 
-    def _path_changed(self) -> None:
+    def _name_window(self) -> None:
         scene = self.store.document.scene
         if self.files.path:
             name = self.files.path.name
