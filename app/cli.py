@@ -43,7 +43,6 @@ from app.doctor import check_off_screen, examine
 from app.document import (
     MESH_ENDINGS,
     DocumentError,
-    holds_document,
     is_mesh,
     to_json,
 )
@@ -166,7 +165,7 @@ def _window(arguments: Sequence[str]) -> int:
             write_out([f"{application.delete_settings()}\n"])
         except OSError as error:
             raise CliError(f"The settings cannot be deleted: {error}.") from error
-    path = Path(os.path.abspath(file)) if file is not None and holds_document(file) else None
+    path = None if file is None else Path(os.path.abspath(file))
     screenshot = None if found.screenshot is None else Path(found.screenshot)
     options = application.Options(found.theme, found.size, screenshot)
     try:

@@ -27,6 +27,8 @@ from app.store import Store
 from tests.test_cli import ROOT, comma_locale, refused, run
 from widgets import application, opengl
 from widgets.application import Settings
+from widgets.files import Files
+from widgets.main_window import MainWindow
 
 __all__ = ["comma_locale"]
 
@@ -346,6 +348,37 @@ def test_two_windows_do_not_undo_each_others_settings(ini: Path) -> None:
     other.projector = True
     again = Settings(ini)
     assert (again.theme, again.projector) == ("dark", True)
+
+
+def test_two_windows_do_not_lose_each_others_recent_files(
+    ini: Path, tmp_path: Path, make_window: Callable[..., MainWindow]
+) -> None:
+    paths = [tmp_path / name for name in ("one.json", "other.json", "given.json")]
+    for path in paths:
+        write(Document("cube"), path)
+    one, other = (make_window(settings=Settings(ini), shown=False) for _ in range(2))
+    assert not ini.exists()  # a start has nothing to write
+    assert one.files.open(paths[0])
+    assert other.files.open(paths[1])
+    make_window(Document("cube"), settings=Settings(ini), path=paths[2], shown=False)
+    newest_first = [str(path) for path in reversed(paths)]
+    assert Settings(ini).recent == newest_first
+    make_window(settings=Settings(ini), shown=False)
+    assert Settings(ini).recent == newest_first
+    assert [action.text() for action in other._recent_menu.actions()] == newest_first[1:]
+
+
+def test_the_recent_files_of_another_process_are_kept(ini: Path) -> None:
+    settings = Settings(ini)
+    settings.recent = ["/one"]
+    write_recent = f"""
+from pathlib import Path
+from widgets.application import Settings
+settings = Settings(Path({str(ini)!r}))
+settings.recent = ["/other", *settings.recent]
+"""
+    subprocess.run([sys.executable, "-c", write_recent], cwd=ROOT, check=True)
+    assert settings.recent == ["/other", "/one"]
 
 
 def test_the_program_starts_with_broken_settings(own_home: Path) -> None:
@@ -730,7 +763,8 @@ def test_a_picture_is_no_place_to_save_in_whatever_its_name(
     given: list[Any] = []
     monkeypatch.setattr(application, "run_window", lambda *found: given.append(found[2]) or 0)
     assert main(["notes"]) == main(["figure"]) == 0
-    assert given == [tmp_path / "notes", None]
+    places = [Files._place(path) for path in given]
+    assert places == [tmp_path / "notes", None]
 
 
 def test_a_window_keeps_what_the_command_line_changed(tmp_path: Path) -> None:

@@ -228,7 +228,10 @@ class Settings:
 
     @property
     def recent(self) -> list[str]:
-        """Paths of the files opened or saved before, newest first."""
+        """Paths of the files opened or saved before, newest first: by every window, as of now."""
+        if self._file is not None:
+            self._file.sync()
+            self._values["recent"] = self._file.value("recent")
         nothing: list[str] = []
         return list(self._read("recent", _paths, nothing))
 
@@ -763,7 +766,7 @@ def run_window(
     saved : Document
         What of it is in its file: without what the command line changes.
     path : Path or None
-        The file the document is in, and would be saved to.
+        The file that was opened; the document is saved there if it is one itself.
     options : Options
     scene : Scene, optional
         The document's scene, if it is loaded already.

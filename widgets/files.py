@@ -42,8 +42,8 @@ class Files(QObject):
         Parent of the dialogs.
     store : Store
     messages : MessageBar
-    recent : list of str
-        Paths opened or saved before, newest first.
+    recent : callable
+        Gives the paths opened or saved before, newest first, as other windows left them.
     with_views : callable
         Adds to a document from where its panes are looked at just now.
     """
@@ -56,15 +56,16 @@ class Files(QObject):
         window: QWidget,
         store: Store,
         messages: MessageBar,
-        recent: list[str],
+        recent: Callable[[], list[str]],
         with_views: Callable[[Document], Document],
     ) -> None:
         super().__init__(window)
         self._window, self._store, self._messages = window, store, messages
         self._with_views = with_views
         self._scenes: dict[tuple[str, str], Scene] = {}
+        self._recent = recent
         self.path: Path | None = None
-        self.recent = recent[:RECENT_LIMIT]
+        self.recent = recent()[:RECENT_LIMIT]
 
     # -- scenes
 
@@ -137,9 +138,7 @@ class Files(QObject):
                 scene = self._load(path, "")
                 return Document(path, scene.start), scene, None
             document = read(path)
-            # A picture carries a document but is no place to save one in.
-            place = Path(path) if holds_document(path) else None
-            return document, self._load(document.scene, document.mesh), place
+            return document, self._load(document.scene, document.mesh), self._place(path)
 
         found = self._try(opened)
         if found is None or not self.may_discard():
@@ -151,6 +150,11 @@ class Files(QObject):
         self._set_path(place)
         self._remember(path)
         return True
+
+    def take_up(self, path: Path) -> None:
+        """Note that what is shown was opened from a file."""
+        self._set_path(self._place(path))
+        self._remember(str(path))
 
     def open_recovered(self, document: Document) -> bool:
         """Take up a document from an autosave; it is in no file of the user's yet."""
@@ -278,11 +282,16 @@ class Files(QObject):
         self._messages.done()
         return done
 
+    @staticmethod
+    def _place(path: str | Path) -> Path | None:
+        """Where what was opened is saved: a picture or a mesh is no place for a document."""
+        return Path(path) if holds_document(path) else None
+
     def _set_path(self, path: Path | None) -> None:
         self.path = path
         self.path_changed.emit()
 
     def _remember(self, path: str) -> None:
         path = os.path.abspath(path)
-        self.recent = [path, *(old for old in self.recent if old != path)][:RECENT_LIMIT]
+        self.recent = [path, *(old for old in self._recent() if old != path)][:RECENT_LIMIT]
         self.recent_changed.emit()

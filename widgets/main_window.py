@@ -107,7 +107,7 @@ class MainWindow(QMainWindow):
     software_rendering : bool
         Whether OpenGL runs without a GPU; antialiasing then waits while a control is dragged.
     path : Path, optional
-        The file the document came from.
+        The file that was opened.
     scene : Scene, optional
         The document's scene, if it is loaded already.
 
@@ -158,8 +158,9 @@ class MainWindow(QMainWindow):
         self.store = Store(document, self, saved=saved)
         self.attention = Attended(self)
         self.messages = MessageBar()
-        self.files = Files(self, self.store, self.messages, settings.recent, self._with_views)
-        self.files.path = path
+        self.files = Files(
+            self, self.store, self.messages, lambda: settings.recent, self._with_views
+        )
         if scene is not None:
             self.files.keep(document, scene)
         self.pictures = Pictures(
@@ -237,6 +238,8 @@ class MainWindow(QMainWindow):
         self._wire()
         self._show_document(document)
         self._history_changed()
+        if path is not None:
+            self.files.take_up(path)
         if settings.geometry:
             self.restoreGeometry(QByteArray(settings.geometry))
         else:
@@ -610,7 +613,7 @@ class MainWindow(QMainWindow):
         self.strip.gesture_finished.connect(partial(self._refine_ndc, True))
         self.files.path_changed.connect(self._name_window)
         self.files.recent_changed.connect(self._recent_changed)
-        self._recent_changed()
+        self._list_recent()
         for name, pane in self.panes.items():
             pane.enlarge_requested.connect(partial(self.enlarge, name))
             pane.float_requested.connect(partial(self.toggle_float, name))
@@ -937,6 +940,9 @@ class MainWindow(QMainWindow):
 
     def _recent_changed(self) -> None:
         self.settings.recent = self.files.recent
+        self._list_recent()
+
+    def _list_recent(self) -> None:
         self._recent_menu.clear()
         for path in self.files.recent:
             action = self._recent_menu.addAction(path)
