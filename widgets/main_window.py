@@ -945,7 +945,7 @@ class MainWindow(QMainWindow):
     def _list_recent(self) -> None:
         self._recent_menu.clear()
         for path in self.files.recent:
-            action = self._recent_menu.addAction(path)
+            action = self._recent_menu.addAction(path.replace("&", "&&"))  # no key of the menu
             action.triggered.connect(lambda _checked=False, path=path: self.files.open(path))
         self._recent_menu.setEnabled(bool(self.files.recent))
 
