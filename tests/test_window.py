@@ -14,6 +14,7 @@ import weakref
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -673,9 +674,28 @@ def test_a_message_goes_when_the_next_try_succeeds_and_an_offer_stays(
     assert window.messages.text
     assert window.files.save_to(tmp_path / "lesson.json")
     assert window.messages.text == ""
-    window.messages.say("An offer.", ("Take it", lambda: None))
+    messages, taken = window.messages, []
+    messages.say("An offer.", ("Take it", partial(taken.append, "it")))
     assert window.files.save_to(tmp_path / "lesson.json")
-    assert window.messages.text == "An offer."
+    assert messages.text == "An offer."
+    assert not window.files.save_to(tmp_path / "no such folder" / "lesson.json")
+    assert "no such folder" in messages.text and messages.choices == ()
+    assert window.files.save_to(tmp_path / "lesson.json")
+    assert messages.text == "An offer."
+    messages.say("A refusal.")
+    messages._close.click()
+    assert messages.text == "An offer."
+    messages.say("A refusal.")
+    messages.take_back("A refusal.")
+    messages.choices[0].click()
+    assert messages.text == "" and taken == ["it"]
+    messages.say("A refusal.")
+    messages.done()
+    assert messages.text == ""
+    messages.say("Another offer.", ("Take it", lambda: None))
+    messages._close.click()
+    messages.done()
+    assert messages.text == ""
 
 
 def test_the_export_dialog_refuses_what_cannot_be_drawn(
@@ -839,6 +859,7 @@ def test_unsaved_work_is_offered_after_a_crash_and_never_opened_by_itself(
 DIES = """
 import os, signal, sys
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from PySide6.QtCore import QCoreApplication
 from app.document import Document, to_json
