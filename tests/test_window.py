@@ -890,6 +890,18 @@ def test_a_killed_process_leaves_its_work_to_the_next(
     assert window.autosave.orphans() == []
 
 
+def test_the_lock_of_a_killed_window_without_unsaved_work_is_removed(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window(shown=False)
+    folder = window.autosave._folder
+    dies = DIES.replace("autosave.save_now()", "")
+    subprocess.run([sys.executable, "-c", dies, str(folder)], cwd=ROOT, check=False)
+    assert len(list(folder.iterdir())) == 2
+    assert window.autosave.orphans() == []
+    assert list(folder.iterdir()) == [window.autosave._lock_path(window.autosave._path)]
+
+
 def test_a_good_close_leaves_no_autosave(make_window: Callable[..., MainWindow]) -> None:
     window = make_window()
     window.store.set_projection(seen(window, lens=Perspective(61.0, 2.0, 20.0)))

@@ -77,14 +77,16 @@ class Autosave(QObject):
         return True
 
     def orphans(self) -> list[Path]:
-        """Copies left by windows that died, newest first."""
+        """Copies left by windows that died, newest first; their locks are removed."""
         found = []
-        for path in self._folder.glob("autosave-*.json"):
+        left = (*self._folder.glob("autosave-*.json"), *self._folder.glob("autosave-*.lock"))
+        for path in {path.with_suffix(".json") for path in left} - {self._path}:
             lock = QLockFile(str(self._lock_path(path)))
             lock.setStaleLockTime(0)
-            if path != self._path and lock.tryLock(0):
+            if lock.tryLock(0):
                 lock.unlock()
-                found.append(path)
+                if path.exists():
+                    found.append(path)
         return sorted(found, key=lambda path: path.stat().st_mtime, reverse=True)
 
     @staticmethod
