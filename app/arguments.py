@@ -20,11 +20,9 @@ from app.document import SETTABLE, Document, DocumentError, is_mesh, read, set_v
 from app.phenomena import PHENOMENA
 from app.projection import (
     BOTTOM_BEFORE_TOP,
-    FINITE_NUMBER,
     LEFT_BEFORE_RIGHT,
     NEAR_BEFORE_FAR,
     NOT_THE_EYE,
-    Perspective,
     Projection,
     format_value,
 )
@@ -188,8 +186,7 @@ def with_values(document: Document, assignments: Sequence[str]) -> Document:
     try:
         return set_values(document, assignments)
     except DocumentError as error:
-        kind = texts.get("lens.kind", document.projection.lens.kind)
-        raise _seen_from(texts, kind, error) from error
+        raise _seen_from(texts, error) from error
 
 
 _OTHER_SIDE = {
@@ -199,7 +196,7 @@ _OTHER_SIDE = {
 }
 
 
-def _seen_from(texts: Container[str], kind: str, error: DocumentError) -> DocumentError:
+def _seen_from(texts: Container[str], error: DocumentError) -> DocumentError:
     """Turn a complaint so that it speaks of what was set.
 
     The model says "near must be less than far" whichever of the two was set.
@@ -208,13 +205,9 @@ def _seen_from(texts: Container[str], kind: str, error: DocumentError) -> Docume
     ----------
     texts : container of str
         The paths that were set.
-    kind : str
-        The lens, perhaps set as well.
     error : DocumentError
         What the document answered.
     """
-    if error.field == "lens.far" and error.bound == FINITE_NUMBER and kind == Perspective.kind:
-        return DocumentError(f"{FINITE_NUMBER} or inf", field=error.field, value=error.value)
     if error.field in texts:
         return error
     if error.bound == NOT_THE_EYE and "camera.eye" in texts:
