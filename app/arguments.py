@@ -267,17 +267,32 @@ def check_file(word: str) -> None:
     raise CliError(f"{word!r} is neither a file nor a command; the {known}.")
 
 
-@functools.cache
-def load_scene(scene: str, mesh: str = "") -> Scene:
-    """Load a scene once, with VTK's import failing like any other lack of a library."""
+def load_scene(scene: str, mesh: str = "", file: str | None = None) -> Scene:
+    """Load a scene once, with VTK's import failing like any other lack of a library.
+
+    Parameters
+    ----------
+    scene, mesh : str
+        As a document names them.
+    file : str, optional
+        The document, perhaps, that asks for them.
+    """
     try:
-        from app.scene import SceneError, load
+        from app.scene import SceneError
     except ImportError as error:
         raise cannot_import(error) from error
     try:
-        return load(scene, mesh=mesh)
+        return _load_once(scene, mesh)
     except SceneError as error:
-        raise CliError(str(error)) from error
+        asked = "" if file is None or is_mesh(file) else f"{file}: "
+        raise CliError(f"{asked}{error}") from error
+
+
+@functools.cache
+def _load_once(scene: str, mesh: str) -> Scene:
+    from app.scene import load
+
+    return load(scene, mesh=mesh)
 
 
 def cannot_import(error: ImportError) -> CliError:

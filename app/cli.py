@@ -154,7 +154,7 @@ def _window(arguments: Sequence[str]) -> int:
     saved = document_before(file, found.set)
     document = with_values(saved, found.set)
     from_file = is_mesh(document.scene) or document.mesh
-    scene = load_scene(document.scene, document.mesh) if from_file else None
+    scene = load_scene(document.scene, document.mesh, file) if from_file else None
     try:
         from widgets import application
         from widgets.opengl import OpenGLError
@@ -210,8 +210,9 @@ def _export(arguments: Sequence[str]) -> int:
     parser.add_set()
     found, (out, *file) = parser.read(arguments, 1, 2)
     _check_png("OUT", out)
-    document = document_of(file[0] if file else None, found.set)
-    scene = load_scene(document.scene, document.mesh)
+    shown = file[0] if file else None
+    document = document_of(shown, found.set)
+    scene = load_scene(document.scene, document.mesh, shown)
     try:
         check_off_screen()
     except RuntimeError as error:

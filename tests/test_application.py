@@ -23,6 +23,7 @@ from PIL import Image
 from app.cli import main
 from app.document import Document, embed, read, to_json, write
 from app.projection import Projection
+from app.scene import load as load_scene
 from app.store import Store
 from tests.test_cli import ROOT, comma_locale, refused, run
 from widgets import application, opengl
@@ -767,6 +768,21 @@ def test_a_picture_is_no_place_to_save_in_whatever_its_name(
     assert places == [tmp_path / "notes", None]
 
 
+def test_a_mesh_is_loaded_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    mesh = tmp_path / "once.obj"
+    mesh.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    loaded: list[str] = []
+
+    def load(name: str, **options: Any) -> Any:
+        loaded.append(name)
+        return load_scene(name, **options)
+
+    monkeypatch.setattr("app.scene.load", load)
+    monkeypatch.setattr(application, "run_window", lambda *_found: 0)
+    assert main([str(mesh)]) == 0
+    assert loaded == [str(mesh)]
+
+
 def test_a_window_keeps_what_the_command_line_changed(tmp_path: Path) -> None:
     path = tmp_path / "my.json"
     write(Document("cube", Projection()), path)
@@ -791,8 +807,9 @@ window.close()
 
 def test_a_document_whose_mesh_is_gone_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "my.json"
-    write(Document(str(tmp_path / "gone.stl")), path)
-    assert "gone.stl" in refused(path)
+    for scene, said in ((str(tmp_path / "gone.stl"),) * 2, ("ball", "There is no scene “ball”")):
+        write(Document(scene), path)
+        assert refused(path).startswith(f"{path}: {said}")
 
 
 def test_numbers_in_files_keep_their_points_in_every_locale(comma_locale: dict[str, str]) -> None:

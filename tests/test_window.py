@@ -487,6 +487,19 @@ def test_a_missing_file_and_a_folder(
         assert path.name in window.messages.text
 
 
+def test_a_document_whose_mesh_is_gone_is_named(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window(shown=False)
+    path, gone = tmp_path / "lesson.json", tmp_path / "gone.stl"
+    for document in (Document(str(gone)), on_triangles(mesh=str(gone))):
+        write(document, path)
+        assert not window.files.open(path)
+        assert window.messages.text.startswith(f"{path}: {gone}: there is no such file")
+    assert not window.files.open(gone)
+    assert window.messages.text.startswith(f"{gone}: there is no such file")
+
+
 def test_saving_where_nothing_can_be_saved(
     make_window: Callable[..., MainWindow], tmp_path: Path
 ) -> None:

@@ -817,7 +817,7 @@ def run_window(
                 scene=scene,
             )
         except SceneError as error:
-            raise WindowError(str(error)) from error
+            raise WindowError(f"{path}: {error}" if path else str(error)) from error
         if options.size:
             window.resize(*options.size)
         show_window(window)

@@ -140,7 +140,7 @@ class Files(QObject):
             document = read(path)
             return document, self._load(document.scene, document.mesh), self._place(path)
 
-        found = self._try(opened)
+        found = self._try(opened, "" if is_mesh(path) else path)
         if found is None or not self.may_discard():
             return False
         document, scene, place = found
@@ -270,14 +270,24 @@ class Files(QObject):
 
     # -- helpers
 
-    def _try(self, act: Callable[[], _T]) -> _T | None:
-        """Do it, or say in one sentence why not."""
+    def _try(self, act: Callable[[], _T], document: str = "") -> _T | None:
+        """Do it, or say in one sentence why not.
+
+        Parameters
+        ----------
+        act : callable
+        document : str
+            The file that asks for a scene, to be named beside it.
+        """
         try:
             done = act()
         except SceneCancelled:
             return None
-        except (DocumentError, SceneError) as error:
+        except DocumentError as error:
             self._messages.say(sentence(error))
+            return None
+        except SceneError as error:
+            self._messages.say(f"{document}: {sentence(error)}" if document else sentence(error))
             return None
         self._messages.done()
         return done
