@@ -936,11 +936,17 @@ def test_a_broken_autosave_is_one_sentence(
     window.messages.choices[0].click()
     assert "autosave-1-aaaa.json" in window.messages.text
     assert not window.store.modified
+    other = window.autosave._folder / "autosave-3-aaaa.json"
+    write(Document("cube"), other)
     whole = window.autosave._folder / "autosave-2-aaaa.json"
     write(Document("posts"), whole)
     os.utime(whole, (1.0, 1.0))  # older
     window.messages.choices[1].click()
     assert not broken.exists()
+    other.unlink()  # recovered in another window
+    window.messages.choices[0].click()
+    assert other.name in window.messages.text and not window.messages.choices
+    window._offer_recovery()
     window.messages.choices[0].click()
     assert window.store.document.scene == "posts"
 

@@ -977,7 +977,8 @@ class MainWindow(QMainWindow):
         try:
             document = self.autosave.recover(path)
         except DocumentError as error:
-            self.messages.say(sentence(error), *self._ways_with(path))
+            ways = self._ways_with(path) if path.exists() else ()  # or another window has it
+            self.messages.say(sentence(error), *ways)
             return
         if self.files.open_recovered(document):
             if self.autosave.save_now():  # until then the old copy is the only one
