@@ -21,11 +21,9 @@ from app.document import SETTABLE, Document, DocumentError, is_mesh, read, set_v
 from app.phenomena import PHENOMENA
 from app.projection import (
     BOTTOM_BEFORE_TOP,
-    FINITE_NUMBER,
     LEFT_BEFORE_RIGHT,
     NEAR_BEFORE_FAR,
     NOT_THE_EYE,
-    Perspective,
     Projection,
     format_value,
 )
@@ -194,22 +192,31 @@ def parse_number(text: str) -> float:
 
 
 def document_of(file: str | None, assignments: Sequence[str]) -> Document:
-    """The document that a FILE is, holds, or opens with, after the values set by ``--set``.
+    """The document that a FILE is, holds, or opens with, after the values set by ``--set``."""
+    return with_values(document_before(file, assignments), assignments)
+
+
+def document_before(file: str | None, assignments: Sequence[str]) -> Document:
+    """The document that a FILE is, holds, or opens with, before the values set by ``--set``.
 
     Without a FILE, ``scene=NAME`` opens that scene as the menu does: seen with its own camera.
     """
-    texts = {key: text.strip() for key, _, text in map(_split, assignments)}
-    if file is not None:
-        document = _open(file)
-        if texts.get("scene"):
-            _start(texts["scene"])
-    else:
-        document = _opened(texts["scene"]) if "scene" in texts else Document()
+    scene = _texts(assignments).get("scene")
+    if file is None:
+        return Document() if scene is None else _opened(scene)
+    document = _open(file)
+    if scene:
+        _start(scene)
+    return document
+
+
+def with_values(document: Document, assignments: Sequence[str]) -> Document:
+    """A document after the values set by ``--set``, or a complaint that speaks of these."""
+    texts = _texts(assignments)
     try:
         return set_values(document, assignments)
     except DocumentError as error:
-        kind = texts.get("lens.kind", document.projection.lens.kind)
-        raise _seen_from(texts, kind, error) from error
+        raise _seen_from(texts, error) from error
 
 
 _OTHER_SIDE = {
@@ -219,7 +226,7 @@ _OTHER_SIDE = {
 }
 
 
-def _seen_from(texts: Container[str], kind: str, error: DocumentError) -> DocumentError:
+def _seen_from(texts: Container[str], error: DocumentError) -> DocumentError:
     """Turn a complaint so that it speaks of what was set.
 
     The model says "near must be less than far" whichever of the two was set.
@@ -228,13 +235,9 @@ def _seen_from(texts: Container[str], kind: str, error: DocumentError) -> Docume
     ----------
     texts : container of str
         The paths that were set.
-    kind : str
-        The lens, perhaps set as well.
     error : DocumentError
         What the document answered.
     """
-    if error.field == "lens.far" and error.bound == FINITE_NUMBER and kind == Perspective.kind:
-        return DocumentError(f"{FINITE_NUMBER} or inf", field=error.field, value=error.value)
     if error.field in texts:
         return error
     if error.bound == NOT_THE_EYE and "camera.eye" in texts:
@@ -249,9 +252,9 @@ def _seen_from(texts: Container[str], kind: str, error: DocumentError) -> Docume
     return error
 
 
-def _split(assignment: str) -> tuple[str, str, str]:
-    key, equals, text = assignment.partition("=")
-    return key.strip(), equals, text
+def _texts(assignments: Iterable[str]) -> dict[str, str]:
+    parts = (assignment.partition("=") for assignment in assignments)
+    return {key.strip(): text.strip() for key, _, text in parts}
 
 
 def full_path(name: str) -> str:
@@ -329,17 +332,32 @@ def check_file(word: str) -> None:
     raise CliError(f"{word!r} is neither a file nor a command; the {known}.")
 
 
-@functools.cache
-def load_scene(scene: str, mesh: str = "") -> Scene:
-    """Load a scene once, with VTK's import failing like any other lack of a library."""
+def load_scene(scene: str, mesh: str = "", file: str | None = None) -> Scene:
+    """Load a scene once, with VTK's import failing like any other lack of a library.
+
+    Parameters
+    ----------
+    scene, mesh : str
+        As a document names them.
+    file : str, optional
+        The document, perhaps, that asks for them.
+    """
     try:
-        from app.scene import SceneError, load
+        from app.scene import SceneError
     except ImportError as error:
         raise cannot_import(error) from error
     try:
-        return load(scene, mesh=mesh)
+        return _load_once(scene, mesh)
     except SceneError as error:
-        raise CliError(str(error)) from error
+        asked = "" if file is None or is_mesh(file) else f"{file}: "
+        raise CliError(f"{asked}{error}") from error
+
+
+@functools.cache
+def _load_once(scene: str, mesh: str) -> Scene:
+    from app.scene import load
+
+    return load(scene, mesh=mesh)
 
 
 def cannot_import(error: ImportError) -> CliError:

@@ -33,9 +33,11 @@ from app.arguments import (
     check_file,
     check_out,
     complain,
+    document_before,
     document_of,
     load_scene,
     parse_number,
+    with_values,
     write_out,
 )
 from app.doctor import check_off_screen, examine
@@ -150,9 +152,10 @@ def _window(arguments: Sequence[str]) -> int:
         if not 1 <= side <= LARGEST_IMAGE_PX:
             raise CliError(f"--size {name} = {side}: {WHOLE_PIXELS.format(LARGEST_IMAGE_PX)}.")
     file = words[0] if words else None
-    document = document_of(file, found.set)
+    saved = document_before(file, found.set)
+    document = with_values(saved, found.set)
     from_file = is_mesh(document.scene) or document.mesh
-    scene = load_scene(document.scene, document.mesh) if from_file else None
+    scene = load_scene(document.scene, document.mesh, file) if from_file else None
     try:
         from widgets import application
         from widgets.opengl import OpenGLError
@@ -163,12 +166,11 @@ def _window(arguments: Sequence[str]) -> int:
             write_out([f"{application.delete_settings()}\n"])
         except OSError as error:
             raise CliError(f"The settings cannot be deleted: {error}.") from error
-    is_document = file is not None and not is_mesh(file) and not file.lower().endswith(".png")
-    path = Path(os.path.abspath(file)) if file is not None and is_document else None
+    path = None if file is None else Path(os.path.abspath(file))
     screenshot = None if found.screenshot is None else Path(found.screenshot)
     options = application.Options(found.theme, found.size, screenshot)
     try:
-        return application.run_window(document, path, options, scene)
+        return application.run_window(document, saved, path, options, scene)
     except (application.DisplayError, OpenGLError) as error:
         raise CliError(str(error), CANNOT_DRAW) from error
     except application.WindowError as error:
@@ -207,8 +209,9 @@ def _export(arguments: Sequence[str]) -> int:
     parser.add_set()
     found, (out, *file) = parser.read(arguments, 1, 2)
     _check_png("OUT", out)
-    document = document_of(file[0] if file else None, found.set)
-    scene = load_scene(document.scene, document.mesh)
+    shown = file[0] if file else None
+    document = document_of(shown, found.set)
+    scene = load_scene(document.scene, document.mesh, shown)
     try:
         check_off_screen()
     except RuntimeError as error:

@@ -79,6 +79,7 @@ FOREIGN = "is not a Frustum Lab document"
 NEWER = "was written by a newer Frustum Lab: its version is {0}, this program reads up to {1}"
 VERSION_NUMBER = "must be a whole number from 1 on"
 TWICE = "is given twice"
+FINITE_OR_INF = "must be a finite number or inf"
 TOO_DEEP = "has more than {0} levels of brackets"
 TOO_LARGE = "is larger than {0} MiB"
 OBJECT = "must be an object with named values in braces"
@@ -100,10 +101,10 @@ NO_MESH_HERE = "cannot be shown in the scene {0}, which needs its own objects"
 NO_EQUALS = "must be written as NAME=VALUE"
 THE_DOCUMENT = "The document"
 BOUNDS = (
-    MISSING, EMPTY, BROKEN, NOT_TEXT, FOREIGN, NEWER, VERSION_NUMBER, TWICE, TOO_DEEP, TOO_LARGE,
-    OBJECT, SCENE_NAME, NO_FILE, FOLDER, WRITE_PROTECTED, UNREADABLE, UNWRITABLE, BAD_NAME,
-    BROKEN_PICTURE, NEITHER, PLAIN_PICTURE, UNKNOWN, OTHER_LENS, OTHER_SCENE, MESH_NAME,
-    NO_MESH_HERE, NO_EQUALS, THE_DOCUMENT,
+    MISSING, EMPTY, BROKEN, NOT_TEXT, FOREIGN, NEWER, VERSION_NUMBER, TWICE, FINITE_OR_INF,
+    TOO_DEEP, TOO_LARGE, OBJECT, SCENE_NAME, NO_FILE, FOLDER, WRITE_PROTECTED, UNREADABLE,
+    UNWRITABLE, BAD_NAME, BROKEN_PICTURE, NEITHER, PLAIN_PICTURE, UNKNOWN, OTHER_LENS, OTHER_SCENE,
+    MESH_NAME, NO_MESH_HERE, NO_EQUALS, THE_DOCUMENT,
 )  # fmt: skip
 """Every part of a `DocumentError` beyond those of `app.projection.BOUNDS`, for translators."""
 
@@ -398,12 +399,20 @@ def _check_tree(value: Any, path: str, depth: int) -> None:
         raise DocumentError(TOO_DEEP, DEEPEST)
     if isinstance(value, dict):
         for key, part in value.items():
+            if key == "far" and isinstance(part, _Refused) and part.bound == FINITE_NUMBER:
+                part = part._replace(bound=_bound_of_far(value.get("kind")))
             if isinstance(part, (dict, list, _Refused)):
                 _check_tree(part, _join(path, key), depth + 1)
     elif isinstance(value, list):
         for place, part in enumerate(value):
             if isinstance(part, (dict, list, _Refused)):
                 _check_tree(part, f"{path}[{place}]", depth + 1)
+
+
+def _bound_of_far(kind: object) -> str:
+    """What a far that is no number must be: of some lenses it may be infinite."""
+    lens = LENSES.get(kind) if isinstance(kind, str) else None
+    return FINITE_NUMBER if lens is None or lens.parallel else FINITE_OR_INF
 
 
 def _join(path: str, key: str) -> str:
@@ -444,7 +453,7 @@ def parse(text: str, folder: Path | None = None) -> Document:
     _check_tree(tree, "", 0)
     if not isinstance(tree, dict) or tree.get("format") != FORMAT:
         raise DocumentError(FOREIGN)
-    version = _required(tree, "version", "version")
+    version = _whole(_required(tree, "version", "version"))
     if isinstance(version, bool) or not isinstance(version, int) or version < 1:
         raise DocumentError(VERSION_NUMBER, field="version", value=version)
     if version > VERSION:
@@ -452,6 +461,11 @@ def parse(text: str, folder: Path | None = None) -> Document:
     for step in MIGRATIONS[version - 1 :]:
         tree = step(tree)
     return _document(tree, folder)
+
+
+def _whole(number: Any) -> Any:
+    """JSON knows one kind of number: 800.0 is 800."""
+    return int(number) if isinstance(number, float) and number.is_integer() else number
 
 
 def _required(tree: Tree, key: str, path: str) -> Any:
@@ -507,11 +521,7 @@ def _document(tree: Tree, folder: Path | None = None) -> Document:
         lens = _lens(values, "lens")
 
     values = _section(tree, "image")
-    sides = [_required(values, key, f"image.{key}") for key in ("width", "height")]
-    # JSON knows one kind of number: 800.0 is 800.
-    width, height = (
-        int(side) if isinstance(side, float) and side.is_integer() else side for side in sides
-    )
+    width, height = (_whole(_required(values, key, f"image.{key}")) for key in ("width", "height"))
     projection = Projection(camera, lens, (width, height), _required(tree, "depth", "depth"))
     views = _section(tree, "views") if "views" in tree else {}
     cameras = {name: _view(views, name) for name in views}
@@ -538,8 +548,11 @@ def _lens(values: Any, path: str) -> StandardLens:
     try:
         return LENSES[kind](**values)
     except ProjectionError as error:
+        refused, bound = error.field, error.bound
+        if refused == "far" and bound == FINITE_NUMBER:
+            bound = _bound_of_far(kind)
         raise DocumentError(
-            error.bound, *error.limits, field=f"{path}.{error.field}", value=error.value
+            bound, *error.limits, field=f"{path}.{refused}", value=error.value
         ) from error
 
 
@@ -718,8 +731,9 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
     texts: dict[str, str] = {}
     for assignment in assignments:
         path, equals, text = (part.strip() for part in assignment.partition("="))
-        if not equals:
-            raise DocumentError(NO_EQUALS, field=_printable(path) or repr(path))
+        if not equals or not path:
+            written = assignment.strip()
+            raise DocumentError(NO_EQUALS, field=_printable(written) or repr(written))
         texts[path] = text
     scene = texts.pop("scene", document.scene)
     if scene != document.scene:
@@ -791,7 +805,7 @@ def _read_vector(path: str, text: str) -> list[float]:
 
 
 def _read_text(path: str, text: str) -> Any:
-    if path in _TEXTS or (path == "lens.far" and text == "inf"):
+    if path in _TEXTS or (path == "lens.far" and _number(text) is None):  # inf, or for the lens
         return text
     if path.startswith("camera."):
         return _read_vector(path, text)
@@ -958,6 +972,14 @@ def read(path: Path) -> Document:
             if ending == ".png":
                 raise DocumentError(BROKEN_PICTURE) from error
             raise DocumentError(NEITHER, ", ".join(MESH_ENDINGS)) from error
+
+
+def holds_document(path: Path) -> bool:
+    """Tell whether a file that was read can be saved in: it is no mesh, picture or device."""
+    if is_mesh(os.fspath(path)) or not os.path.isfile(path):
+        return False
+    with open(path, "rb") as file:
+        return file.read(len(_PNG)) != _PNG
 
 
 @contextlib.contextmanager

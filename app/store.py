@@ -26,7 +26,9 @@ class Store(QObject):
     Parameters
     ----------
     document : Document
-        What is open at the start; it counts as saved.
+        What is open at the start.
+    saved : Document, optional
+        What is in its file, if that is another one.
     """
 
     changed = Signal(object)
@@ -34,10 +36,16 @@ class Store(QObject):
     history_changed = Signal()
     """Undo, redo or the unsaved mark may be different now."""
 
-    def __init__(self, document: Document, parent: QObject | None = None) -> None:
+    def __init__(
+        self,
+        document: Document,
+        parent: QObject | None = None,
+        *,
+        saved: Document | None = None,
+    ) -> None:
         super().__init__(parent)
         self._document = document
-        self._saved: Document | None = document
+        self._saved: Document | None = saved or document
         self._undo: list[Document] = []
         self._redo: list[Document] = []
         self._gestures = 0

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import io
 import json
 import logging
+import math
 import os
 import re
 import signal
@@ -16,12 +18,18 @@ from typing import Any
 
 import numpy as np
 import pytest
+from PIL import Image
 
-from app.document import Document, write
+from app.cli import main
+from app.document import Document, embed, read, to_json, write
 from app.projection import Projection
+from app.scene import load as load_scene
+from app.store import Store
 from tests.test_cli import ROOT, comma_locale, refused, run
 from widgets import application, opengl
 from widgets.application import Settings
+from widgets.files import Files
+from widgets.main_window import MainWindow
 
 __all__ = ["comma_locale"]
 
@@ -341,6 +349,37 @@ def test_two_windows_do_not_undo_each_others_settings(ini: Path) -> None:
     other.projector = True
     again = Settings(ini)
     assert (again.theme, again.projector) == ("dark", True)
+
+
+def test_two_windows_do_not_lose_each_others_recent_files(
+    ini: Path, tmp_path: Path, make_window: Callable[..., MainWindow]
+) -> None:
+    paths = [tmp_path / name for name in ("one.json", "other.json", "given.json")]
+    for path in paths:
+        write(Document("cube"), path)
+    one, other = (make_window(settings=Settings(ini), shown=False) for _ in range(2))
+    assert not ini.exists()  # a start has nothing to write
+    assert one.files.open(paths[0])
+    assert other.files.open(paths[1])
+    make_window(Document("cube"), settings=Settings(ini), path=paths[2], shown=False)
+    newest_first = [str(path) for path in reversed(paths)]
+    assert Settings(ini).recent == newest_first
+    make_window(settings=Settings(ini), shown=False)
+    assert Settings(ini).recent == newest_first
+    assert [action.text() for action in other._recent_menu.actions()] == newest_first[1:]
+
+
+def test_the_recent_files_of_another_process_are_kept(ini: Path) -> None:
+    settings = Settings(ini)
+    settings.recent = ["/one"]
+    write_recent = f"""
+from pathlib import Path
+from widgets.application import Settings
+settings = Settings(Path({str(ini)!r}))
+settings.recent = ["/other", *settings.recent]
+"""
+    subprocess.run([sys.executable, "-c", write_recent], cwd=ROOT, check=True)
+    assert settings.recent == ["/other", "/one"]
 
 
 def test_the_program_starts_with_broken_settings(own_home: Path) -> None:
@@ -677,6 +716,7 @@ def test_the_window_shows_what_the_command_line_says(tmp_path: Path) -> None:
 document = window.store.document
 print(document.scene, document.projection.image_size, document.projection.lens.near)
 print(window.files.path, window.settings.theme, window.width(), window.height())
+window.store.mark_saved()
 window.close()
 """,
         path, "--set", "lens.near=0.25", "--theme=dark", "--size", "1200x700",
@@ -687,10 +727,89 @@ window.close()
     assert Settings(application.settings_path()).theme == "system"
 
 
+@pytest.mark.parametrize(
+    ("arguments", "is_unsaved"),
+    [
+        (["my.json"], False),
+        (["my.json", "--set", "lens.near=1"], False),
+        (["my.json", "--set", "lens.far=inf"], True),
+        (["my.json", "--set", "scene=posts"], True),
+        (["my.obj"], False),
+        ([], False),
+        (["--set", "scene=focus"], False),
+        (["--set", "scene=cube", "--set", "lens.far=inf"], True),
+    ],
+)
+def test_what_the_command_line_changes_is_unsaved(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, arguments: list[str], is_unsaved: bool
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    write(Document("cube", Projection()), Path("my.json"))
+    Path("my.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    given: list[Any] = []
+    monkeypatch.setattr(application, "run_window", lambda *found: given.extend(found) or 0)
+    assert main(arguments) == 0
+    document, saved = given[:2]
+    assert Store(document, saved=saved).modified == is_unsaved
+
+
+def test_a_picture_is_no_place_to_save_in_whatever_its_name(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    write(Document("cube"), Path("notes"))
+    figure = io.BytesIO()
+    Image.new("RGB", (4, 4)).save(figure, "PNG")
+    Path("figure").write_bytes(embed(figure.getvalue(), to_json(Document("cube"))))
+    given: list[Any] = []
+    monkeypatch.setattr(application, "run_window", lambda *found: given.append(found[2]) or 0)
+    assert main(["notes"]) == main(["figure"]) == 0
+    places = [Files._place(path) for path in given]
+    assert places == [tmp_path / "notes", None]
+
+
+def test_a_mesh_is_loaded_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    mesh = tmp_path / "once.obj"
+    mesh.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    loaded: list[str] = []
+
+    def load(name: str, **options: Any) -> Any:
+        loaded.append(name)
+        return load_scene(name, **options)
+
+    monkeypatch.setattr("app.scene.load", load)
+    monkeypatch.setattr(application, "run_window", lambda *_found: 0)
+    assert main([str(mesh)]) == 0
+    assert loaded == [str(mesh)]
+
+
+def test_a_window_keeps_what_the_command_line_changed(tmp_path: Path) -> None:
+    path = tmp_path / "my.json"
+    write(Document("cube", Projection()), path)
+    done = drive(
+        """
+print(window.isWindowModified(), window.store.modified)
+window.autosave.save_now()
+print(len(list(window.autosave._folder.glob("autosave-*.json"))))
+def answer():
+    box = QApplication.activeModalWidget()
+    box.button(QMessageBox.StandardButton.Save).click()
+from PySide6.QtWidgets import QApplication, QMessageBox
+QTimer.singleShot(0, answer)
+window.close()
+""",
+        path, "--set", "lens.far=inf",
+    )  # fmt: skip
+    assert done.stderr == ""
+    assert done.stdout.splitlines() == ["True True", "1"]
+    assert read(path).projection.lens.far == math.inf
+
+
 def test_a_document_whose_mesh_is_gone_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "my.json"
-    write(Document(str(tmp_path / "gone.stl")), path)
-    assert "gone.stl" in refused(path)
+    for scene, said in ((str(tmp_path / "gone.stl"),) * 2, ("ball", "There is no scene “ball”")):
+        write(Document(scene), path)
+        assert refused(path).startswith(f"{path}: {said}")
 
 
 def test_numbers_in_files_keep_their_points_in_every_locale(comma_locale: dict[str, str]) -> None:
@@ -752,7 +871,7 @@ def test_screenshot_is_a_picture_of_the_whole_window(tmp_path: Path) -> None:
         colours, counts = np.unique(pane.reshape(-1, 3), axis=0, return_counts=True)
         assert len(colours) > 50
         assert counts.sum() - counts.max() > 2_000
-    done = run("--screenshot", out, "--theme", "dark", "--set", "scene=cube")
+    done = run("--screenshot", out, "--theme", "dark", "--set", "lens.near=0.5")
     assert done.returncode == 0
     assert np.median(picture(out)) < 80
     # The settings were left alone.

@@ -36,6 +36,7 @@ from app.document import (
     DocumentError,
     embed,
     extract,
+    holds_document,
     is_mesh,
     parse,
     read,
@@ -248,6 +249,21 @@ def test_unknown_keys_survive_at_every_level() -> None:
     assert parse(to_json(flat)) == flat
 
 
+def test_a_whole_number_may_be_written_as_any_number() -> None:
+    written = with_value("image.width", 1280.0, with_value("version", 1.0))
+    assert parse(written) == parse(DESIGN)
+
+
+def test_only_a_lens_whose_far_may_be_infinite_says_so() -> None:
+    for text in ("Infinity", '"Infinity"'):
+        flat = to_json(PARALLEL).replace('"far": 30', f'"far": {text}')
+        assert sentence(lambda flat=flat: parse(flat)).endswith(": must be a finite number.")  # type: ignore[misc]
+    frustum = to_json(set_value(parse(DESIGN), "lens.kind", "frustum"))
+    for text in ("Infinity", '"Infinity"'):
+        endless = frustum.replace('"far": 30', f'"far": {text}')
+        assert sentence(lambda endless=endless: parse(endless)).endswith("number or inf.")  # type: ignore[misc]
+
+
 def test_a_newer_version_is_refused() -> None:
     assert sentence(lambda: parse(with_value("version", 2))) == (
         "The document was written by a newer Frustum Lab: its version is 2, this program reads "
@@ -286,7 +302,7 @@ BAD_VALUES: list[tuple[str, object, str]] = [
     ("lens.near", [1], "lens.near = [1]: must be a finite number."),
     ("lens.near", {"m": 1}, "lens.near = {m: ...}: must be a finite number."),
     ("lens.near", "inf", "lens.near = 'inf': must be a finite number."),
-    ("lens.far", "infinity", "lens.far = 'infinity': must be a finite number."),
+    ("lens.far", "infinity", "lens.far = 'infinity': must be a finite number or inf."),
     ("lens.far", 10**300, "lens.far = 1e+300: must be at most 1e+100."),
     ("lens.fov_y_deg", 0, "lens.fov_y_deg = 0: must lie between 0 and 180, both excluded."),
     ("lens.fov_y_deg", 180, "lens.fov_y_deg = 180: must lie between 0 and 180, both excluded."),
@@ -327,6 +343,7 @@ BAD_VALUES: list[tuple[str, object, str]] = [
     ("image", None, "image = null: must be an object with named values in braces."),
     ("version", 0, "version = 0: must be a whole number from 1 on."),
     ("version", 1.5, "version = 1.5: must be a whole number from 1 on."),
+    ("version", 0.0, "version = 0: must be a whole number from 1 on."),
     ("version", True, "version = true: must be a whole number from 1 on."),
     ("version", "1", "version = '1': must be a whole number from 1 on."),
     ("format", "obj", "The document is not a Frustum Lab document."),
@@ -360,9 +377,12 @@ def test_a_missing_field_of_an_orthographic_lens_is_named(field: str) -> None:
 
 BAD_TEXTS = [
     ('"near": 1', '"near": NaN', "lens.near = NaN: must be a finite number."),
-    ('"far": 30', '"far": Infinity', "lens.far = Infinity: must be a finite number."),
-    ('"far": 30', '"far": 1e400', "lens.far = 1e400: must be a finite number."),
-    ('"far": 30', '"far": -1e400', "lens.far = -1e400: must be a finite number."),
+    ('"far": 30', '"far": Infinity', "lens.far = Infinity: must be a finite number or inf."),
+    ('"far": 30', '"far": "INF"', "lens.far = 'INF': must be a finite number or inf."),
+    ('"far": 30', '"far": 1e400', "lens.far = 1e400: must be a finite number or inf."),
+    ('"far": 30', '"far": -1e400', "lens.far = -1e400: must be a finite number or inf."),
+    ('"far": 30', '"far": 30, "far": 31', "lens.far is given twice."),
+    ('"depth"', '"far": Infinity, "depth"', "far = Infinity: must be a finite number."),
     ("[6, 5, 9]", "[6, -Infinity, 9]", "camera.eye[1] = -Infinity: must be a finite number."),
     ('"near": 1', '"near": 1' + "0" * 400, "lens.near = 1" + "0" * 56 + "...: must be a finite "
      "number."),
@@ -717,7 +737,7 @@ BAD_SETTINGS = [
     ("Depth=opengl", "Depth is not known; the nearest name is depth."),
     ("dept=opengl", "dept is not known; the nearest name is depth."),
     ("version=2", None),
-    ("=1", None),
+    ("=1", "=1 must be written as NAME=VALUE."),
     ("lens.left=1", "lens.left belongs to another lens: set lens.kind as well "
      "(frustum, orthographic, oblique)."),
     ("keep=x", "keep belongs to another lens: set lens.kind as well "
@@ -732,8 +752,8 @@ BAD_SETTINGS = [
     ("lens.near=", "lens.near = '': must be a finite number."),
     ("lens.near=nan", "lens.near = 'nan': must be a finite number."),
     ("lens.near=inf", "lens.near = 'inf': must be a finite number."),
-    ("lens.far=infinity", "lens.far = 'infinity': must be a finite number."),
-    ("lens.far=1e400", "lens.far = '1e400': must be a finite number."),
+    ("lens.far=infinity", "lens.far = 'infinity': must be a finite number or inf."),
+    ("lens.far=1e400", "lens.far = '1e400': must be a finite number or inf."),
     ("lens.near=0x10", "lens.near = '0x10': must be a finite number."),
     ("lens.near=1_000", "lens.near = '1_000': must be a finite number."),
     ("lens.near=1,5", "lens.near = '1,5': must be a finite number."),
@@ -1001,6 +1021,19 @@ def test_a_mesh_may_be_named_from_where_the_program_was_started(
     assert parse(to_json(Document("bunny.stl"))).scene == "bunny.stl"
     write(Document("cube"), "lessons/lesson.json")
     assert read("lessons/lesson.json").scene == "cube"
+
+
+def test_a_document_is_saved_where_one_is_by_what_is_in_the_file(tmp_path: Path) -> None:
+    files = {
+        "a.json": DESIGN.encode(), "notes": DESIGN.encode(), "text.png": DESIGN.encode(),
+        "figure": picture(), "pic.dat": picture(), "figure.png": picture(), "pic.json": picture(),
+        "x.stl": b"solid",
+    }  # fmt: skip
+    for name, content in files.items():
+        (tmp_path / name).write_bytes(content)
+    held = [name for name in files if holds_document(tmp_path / name)]
+    assert held == ["a.json", "notes", "text.png"]
+    assert not holds_document(os.devnull) and not holds_document(tmp_path / "gone.json")
 
 
 def test_what_is_called_a_mesh_is_what_can_be_read() -> None:

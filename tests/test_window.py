@@ -14,6 +14,7 @@ import weakref
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -39,11 +40,11 @@ from vtkmodules.vtkRenderingCore import vtkTextActor
 
 import app.document
 import app.scene
-from app.document import Document, extract, read, write
+from app.document import UNWRITABLE, Document, DocumentError, extract, read, to_json, write
 from app.drawings import actors, rungs
 from app.drawings.image import ImageDrawing
 from app.drawings.style import LIGHT, rgb
-from app.figures import render
+from app.figures import png_bytes, render
 from app.phenomena import PHENOMENA
 from app.projection import Camera, Orbit, Orthographic, Perspective, Projection
 from app.scene import load
@@ -439,12 +440,13 @@ def test_save_open_and_the_unsaved_mark(
     assert window.isWindowModified()
     window.store.redo()
     assert not window.isWindowModified()
-    other = tmp_path / "other.json"
+    other = tmp_path / "R&D.json"
     write(Document("cube", Projection(lens=Orthographic())), other)
     assert window.files.open(other)
     assert window.store.document.scene == "cube"
     assert window.files.recent[:2] == [str(other), str(path)]
-    assert [a.text() for a in window._recent_menu.actions()][:2] == [str(other), str(path)]
+    texts = [action.text() for action in window._recent_menu.actions()]
+    assert texts[:2] == [str(tmp_path / "R&&D.json"), str(path)]  # as Qt writes an &
 
 
 @pytest.mark.parametrize(
@@ -483,6 +485,19 @@ def test_a_missing_file_and_a_folder(
         window.messages.hide()
         assert not window.files.open(path)
         assert path.name in window.messages.text
+
+
+def test_a_document_whose_mesh_is_gone_is_named(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window(shown=False)
+    path, gone = tmp_path / "lesson.json", tmp_path / "gone.stl"
+    for document in (Document(str(gone)), on_triangles(mesh=str(gone))):
+        write(document, path)
+        assert not window.files.open(path)
+        assert window.messages.text.startswith(f"{path}: {gone}: there is no such file")
+    assert not window.files.open(gone)
+    assert window.messages.text.startswith(f"{gone}: there is no such file")
 
 
 def test_saving_where_nothing_can_be_saved(
@@ -537,6 +552,30 @@ def test_an_exported_picture_brings_the_state_back(
     assert window.files.path is None  # saving must not overwrite the picture
 
 
+def test_a_picture_written_through_a_link_finds_its_mesh(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window(shown=False)
+    mesh = tetrahedron(tmp_path)
+    assert window.files.open(mesh)
+    (tmp_path / "deep").mkdir()
+    link = tmp_path / "link.png"
+    link.symlink_to(tmp_path / "deep" / "real.png")
+    assert window.pictures.export(link, ExportChoice(("image",), (64, 64), 1.0, False))
+    assert window.files.open(link), window.messages.text
+    assert window.store.document.scene == str(mesh)
+
+
+def test_a_picture_of_any_name_is_no_place_to_save_a_document_in(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window(shown=False)
+    path = tmp_path / "pic.dat"
+    path.write_bytes(png_bytes(np.zeros((4, 4, 3), np.uint8), to_json(Document("cube"))))
+    assert window.files.open(path)
+    assert window.store.document.scene == "cube" and window.files.path is None
+
+
 def turn(window: MainWindow, name: str) -> None:
     canvas = window.panes[name].canvas
     QTest.mousePress(canvas, Qt.MouseButton.LeftButton, pos=QPoint(100, 100))
@@ -574,6 +613,21 @@ def test_a_picture_shows_the_panes_as_they_were_turned_and_so_does_its_document(
         assert (pixels(window, name) == there).all(), name
     drop(window, straight)
     assert window.panes["world"].view is None and window.panes["ndc"].view is None
+
+
+def test_the_views_of_panes_that_this_program_does_not_have_are_kept(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window()
+    tree = json.loads(to_json(Document("cube")))
+    other = tree["camera"] | {"note": "mine"}
+    path = tmp_path / "lesson.json"
+    path.write_text(json.dumps(tree | {"views": {"second-screen": other, "world": tree["camera"]}}))
+    assert window.files.open(path)
+    window.reset_views()
+    window.store.set_projection(seen(window, lens=Perspective(60.0, 2.0, 20.0)))
+    assert window.files.save()
+    assert json.loads(path.read_text())["views"] == {"second-screen": other}
 
 
 def test_another_theme_keeps_the_panes_as_they_were_turned(
@@ -633,9 +687,28 @@ def test_a_message_goes_when_the_next_try_succeeds_and_an_offer_stays(
     assert window.messages.text
     assert window.files.save_to(tmp_path / "lesson.json")
     assert window.messages.text == ""
-    window.messages.say("An offer.", ("Take it", lambda: None))
+    messages, taken = window.messages, []
+    messages.say("An offer.", ("Take it", partial(taken.append, "it")))
     assert window.files.save_to(tmp_path / "lesson.json")
-    assert window.messages.text == "An offer."
+    assert messages.text == "An offer."
+    assert not window.files.save_to(tmp_path / "no such folder" / "lesson.json")
+    assert "no such folder" in messages.text and messages.choices == ()
+    assert window.files.save_to(tmp_path / "lesson.json")
+    assert messages.text == "An offer."
+    messages.say("A refusal.")
+    messages._close.click()
+    assert messages.text == "An offer."
+    messages.say("A refusal.")
+    messages.take_back("A refusal.")
+    messages.choices[0].click()
+    assert messages.text == "" and taken == ["it"]
+    messages.say("A refusal.")
+    messages.done()
+    assert messages.text == ""
+    messages.say("Another offer.", ("Take it", lambda: None))
+    messages._close.click()
+    messages.done()
+    assert messages.text == ""
 
 
 def test_the_export_dialog_refuses_what_cannot_be_drawn(
@@ -765,6 +838,20 @@ def test_shortcuts_work_in_the_window_of_a_floated_pane(
     assert window.store.document == start
 
 
+def test_the_title_names_what_is_shown(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window(shown=False)
+    mesh = tetrahedron(tmp_path)
+    assert "Untitled" in window.windowTitle()
+    assert window.files.open(mesh)
+    assert mesh.name in window.windowTitle()
+    window._choose_scene("cube")
+    assert "Untitled" in window.windowTitle()
+    window.undo()
+    assert mesh.name in window.windowTitle()
+
+
 # -- autosave
 
 
@@ -791,6 +878,7 @@ def test_unsaved_work_is_offered_after_a_crash_and_never_opened_by_itself(
 DIES = """
 import os, signal, sys
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from PySide6.QtCore import QCoreApplication
 from app.document import Document, to_json
@@ -821,6 +909,18 @@ def test_a_killed_process_leaves_its_work_to_the_next(
     assert window.autosave.orphans() == []
 
 
+def test_the_lock_of_a_killed_window_without_unsaved_work_is_removed(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window(shown=False)
+    folder = window.autosave._folder
+    dies = DIES.replace("autosave.save_now()", "")
+    subprocess.run([sys.executable, "-c", dies, str(folder)], cwd=ROOT, check=False)
+    assert len(list(folder.iterdir())) == 2
+    assert window.autosave.orphans() == []
+    assert list(folder.iterdir()) == [window.autosave._lock_path(window.autosave._path)]
+
+
 def test_a_good_close_leaves_no_autosave(make_window: Callable[..., MainWindow]) -> None:
     window = make_window()
     window.store.set_projection(seen(window, lens=Perspective(61.0, 2.0, 20.0)))
@@ -842,13 +942,45 @@ def test_a_broken_autosave_is_one_sentence(
     window.messages.choices[0].click()
     assert "autosave-1-aaaa.json" in window.messages.text
     assert not window.store.modified
+    other = window.autosave._folder / "autosave-3-aaaa.json"
+    write(Document("cube"), other)
     whole = window.autosave._folder / "autosave-2-aaaa.json"
     write(Document("posts"), whole)
     os.utime(whole, (1.0, 1.0))  # older
     window.messages.choices[1].click()
     assert not broken.exists()
+    other.unlink()  # recovered in another window
+    window.messages.choices[0].click()
+    assert other.name in window.messages.text and not window.messages.choices
+    window._offer_recovery()
     window.messages.choices[0].click()
     assert window.store.document.scene == "posts"
+
+
+def test_recovered_work_is_in_a_copy_at_every_moment(
+    make_window: Callable[..., MainWindow],
+    monkeypatch: pytest.MonkeyPatch,
+    caplog: pytest.LogCaptureFixture,
+) -> None:
+    window = make_window(shown=False)
+    lost = window.autosave._folder / "autosave-1-aaaa.json"
+    write(Document("posts"), lost)
+
+    def full(_document: Document, path: Path) -> None:
+        raise DocumentError(UNWRITABLE, "No space left on device", file=str(path))
+
+    window._offer_recovery()
+    with monkeypatch.context() as disk:
+        disk.setattr("widgets.autosave.write", full)
+        window.messages.choices[0].click()
+    assert window.store.document.scene == "posts"
+    assert lost.exists() and "save it soon" in window.messages.text
+    caplog.clear()  # the error holds the window
+    window.store.mark_saved()
+    window._offer_recovery()
+    window.messages.choices[0].click()
+    (copy,) = window.autosave._folder.glob("autosave-*.json")
+    assert copy != lost and read(copy).scene == "posts"
 
 
 def test_work_whose_mesh_is_not_there_can_be_recovered_when_it_is(

@@ -228,7 +228,10 @@ class Settings:
 
     @property
     def recent(self) -> list[str]:
-        """Paths of the files opened or saved before, newest first."""
+        """Paths of the files opened or saved before, newest first: by every window, as of now."""
+        if self._file is not None:
+            self._file.sync()
+            self._values["recent"] = self._file.value("recent")
         nothing: list[str] = []
         return list(self._read("recent", _paths, nothing))
 
@@ -749,15 +752,21 @@ def close_on_interrupt(application: QApplication) -> Callable[[], None]:
 
 
 def run_window(
-    document: Document, path: Path | None, options: Options, scene: Scene | None = None
+    document: Document,
+    saved: Document,
+    path: Path | None,
+    options: Options,
+    scene: Scene | None = None,
 ) -> int:
     """Open the window on a document and stay until it is closed.
 
     Parameters
     ----------
     document : Document
+    saved : Document
+        What of it is in its file: without what the command line changes.
     path : Path or None
-        The file the document is in, and would be saved to.
+        The file that was opened; the document is saved there if it is one itself.
     options : Options
     scene : Scene, optional
         The document's scene, if it is loaded already.
@@ -803,11 +812,12 @@ def run_window(
                 document,
                 settings=settings,
                 software_rendering=found.software,
+                saved=document if options.screenshot else saved,  # and closes without a question
                 path=path,
                 scene=scene,
             )
         except SceneError as error:
-            raise WindowError(str(error)) from error
+            raise WindowError(f"{path}: {error}" if path else str(error)) from error
         if options.size:
             window.resize(*options.size)
         show_window(window)

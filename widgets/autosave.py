@@ -61,11 +61,11 @@ class Autosave(QObject):
         if not self._timer.isActive():
             self._timer.start()
 
-    def save_now(self) -> None:
-        """Write the copy, or remove it when there is nothing unsaved."""
+    def save_now(self) -> bool:
+        """Write the copy, or remove it when there is nothing unsaved; False if that failed."""
         document = self._current()
         if not self._lock.isLocked():
-            return
+            return False
         try:
             if document is None:
                 self._path.unlink(missing_ok=True)
@@ -73,16 +73,20 @@ class Autosave(QObject):
                 write(document, self._path)
         except (DocumentError, OSError) as error:
             log.warning("autosave failed: %s", error)
+            return False
+        return True
 
     def orphans(self) -> list[Path]:
-        """Copies left by windows that died, newest first."""
+        """Copies left by windows that died, newest first; their locks are removed."""
         found = []
-        for path in self._folder.glob("autosave-*.json"):
+        left = (*self._folder.glob("autosave-*.json"), *self._folder.glob("autosave-*.lock"))
+        for path in {path.with_suffix(".json") for path in left} - {self._path}:
             lock = QLockFile(str(self._lock_path(path)))
             lock.setStaleLockTime(0)
-            if path != self._path and lock.tryLock(0):
+            if lock.tryLock(0):
                 lock.unlock()
-                found.append(path)
+                if path.exists():
+                    found.append(path)
         return sorted(found, key=lambda path: path.stat().st_mtime, reverse=True)
 
     @staticmethod

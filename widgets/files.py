@@ -11,7 +11,15 @@ from typing import TypeVar
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QProgressDialog, QWidget
 
-from app.document import MESH_ENDINGS, Document, DocumentError, is_mesh, read, write
+from app.document import (
+    MESH_ENDINGS,
+    Document,
+    DocumentError,
+    holds_document,
+    is_mesh,
+    read,
+    write,
+)
 from app.scene import Scene, SceneCancelled, SceneError, load
 from app.store import Store
 from widgets.message_bar import MessageBar
@@ -34,8 +42,8 @@ class Files(QObject):
         Parent of the dialogs.
     store : Store
     messages : MessageBar
-    recent : list of str
-        Paths opened or saved before, newest first.
+    recent : callable
+        Gives the paths opened or saved before, newest first, as other windows left them.
     with_views : callable
         Adds to a document from where its panes are looked at just now.
     """
@@ -48,15 +56,16 @@ class Files(QObject):
         window: QWidget,
         store: Store,
         messages: MessageBar,
-        recent: list[str],
+        recent: Callable[[], list[str]],
         with_views: Callable[[Document], Document],
     ) -> None:
         super().__init__(window)
         self._window, self._store, self._messages = window, store, messages
         self._with_views = with_views
         self._scenes: dict[tuple[str, str], Scene] = {}
+        self._recent = recent
         self.path: Path | None = None
-        self.recent = recent[:RECENT_LIMIT]
+        self.recent = recent()[:RECENT_LIMIT]
 
     # -- scenes
 
@@ -123,27 +132,29 @@ class Files(QObject):
             False if it could not be opened, or the user kept the unsaved work.
         """
         path = os.path.abspath(path)
-        mesh = is_mesh(path)
 
-        def opened() -> tuple[Document, Scene]:
-            document = None if mesh else read(path)
-            if document is None:
+        def opened() -> tuple[Document, Scene, Path | None]:
+            if is_mesh(path):
                 scene = self._load(path, "")
-                return Document(path, scene.start), scene
-            return document, self._load(document.scene, document.mesh)
+                return Document(path, scene.start), scene, None
+            document = read(path)
+            return document, self._load(document.scene, document.mesh), self._place(path)
 
-        found = self._try(opened)
+        found = self._try(opened, "" if is_mesh(path) else path)
         if found is None or not self.may_discard():
             return False
-        document, scene = found
+        document, scene, place = found
         self._scenes.clear()
         self.keep(document, scene)
         self._store.open(document)
-        # A picture carries a document but is no place to save one in.
-        is_document = not mesh and not path.lower().endswith(".png")
-        self._set_path(Path(path) if is_document else None)
+        self._set_path(place)
         self._remember(path)
         return True
+
+    def take_up(self, path: Path) -> None:
+        """Note that what is shown was opened from a file."""
+        self._set_path(self._place(path))
+        self._remember(str(path))
 
     def open_recovered(self, document: Document) -> bool:
         """Take up a document from an autosave; it is in no file of the user's yet."""
@@ -259,17 +270,32 @@ class Files(QObject):
 
     # -- helpers
 
-    def _try(self, act: Callable[[], _T]) -> _T | None:
-        """Do it, or say in one sentence why not."""
+    def _try(self, act: Callable[[], _T], document: str = "") -> _T | None:
+        """Do it, or say in one sentence why not.
+
+        Parameters
+        ----------
+        act : callable
+        document : str
+            The file that asks for a scene, to be named beside it.
+        """
         try:
             done = act()
         except SceneCancelled:
             return None
-        except (DocumentError, SceneError) as error:
+        except DocumentError as error:
             self._messages.say(sentence(error))
+            return None
+        except SceneError as error:
+            self._messages.say(f"{document}: {sentence(error)}" if document else sentence(error))
             return None
         self._messages.done()
         return done
+
+    @staticmethod
+    def _place(path: str | Path) -> Path | None:
+        """Where what was opened is saved: a picture or a mesh is no place for a document."""
+        return Path(path) if holds_document(path) else None
 
     def _set_path(self, path: Path | None) -> None:
         self.path = path
@@ -277,5 +303,5 @@ class Files(QObject):
 
     def _remember(self, path: str) -> None:
         path = os.path.abspath(path)
-        self.recent = [path, *(old for old in self.recent if old != path)][:RECENT_LIMIT]
+        self.recent = [path, *(old for old in self._recent() if old != path)][:RECENT_LIMIT]
         self.recent_changed.emit()

@@ -100,12 +100,14 @@ class MainWindow(QMainWindow):
     ----------
     document : Document
         What is shown first; its scene must be loadable.
+    saved : Document, optional
+        What is in its file, if that is another one.
     settings : Settings
         The user's own: theme, projector mode, recent files, window geometry.
     software_rendering : bool
         Whether OpenGL runs without a GPU; antialiasing then waits while a control is dragged.
     path : Path, optional
-        The file the document came from.
+        The file that was opened.
     scene : Scene, optional
         The document's scene, if it is loaded already.
 
@@ -121,6 +123,7 @@ class MainWindow(QMainWindow):
         *,
         settings: Any,
         software_rendering: bool,
+        saved: Document | None = None,
         path: Path | None = None,
         scene: Scene | None = None,
     ) -> None:
@@ -152,11 +155,12 @@ class MainWindow(QMainWindow):
                 "up": self.tr("up"),
             }
         )
-        self.store = Store(document, self)
+        self.store = Store(document, self, saved=saved)
         self.attention = Attended(self)
         self.messages = MessageBar()
-        self.files = Files(self, self.store, self.messages, settings.recent, self._with_views)
-        self.files.path = path
+        self.files = Files(
+            self, self.store, self.messages, lambda: settings.recent, self._with_views
+        )
         if scene is not None:
             self.files.keep(document, scene)
         self.pictures = Pictures(
@@ -234,7 +238,8 @@ class MainWindow(QMainWindow):
         self._wire()
         self._show_document(document)
         self._history_changed()
-        self._path_changed()
+        if path is not None:
+            self.files.take_up(path)
         if settings.geometry:
             self.restoreGeometry(QByteArray(settings.geometry))
         else:
@@ -606,9 +611,9 @@ class MainWindow(QMainWindow):
         self.strip.moved.connect(self._stage_moved)
         self.strip.gesture_started.connect(partial(self._refine_ndc, False))
         self.strip.gesture_finished.connect(partial(self._refine_ndc, True))
-        self.files.path_changed.connect(self._path_changed)
+        self.files.path_changed.connect(self._name_window)
         self.files.recent_changed.connect(self._recent_changed)
-        self._recent_changed()
+        self._list_recent()
         for name, pane in self.panes.items():
             pane.enlarge_requested.connect(partial(self.enlarge, name))
             pane.float_requested.connect(partial(self.toggle_float, name))
@@ -665,6 +670,7 @@ class MainWindow(QMainWindow):
             self._tell_about_scene(document, scene)
             self._build_drawings(document.views)
             self._list_scenes()
+            self._name_window()
             sort_ahead(scene)
             built = True
         elif document.quality != self.adaptive.quality:
@@ -775,7 +781,8 @@ class MainWindow(QMainWindow):
         return {name: view for name, view in views.items() if view is not None}
 
     def _with_views(self, document: Document) -> Document:
-        return replace(document, views=self._views_now())
+        others = {name: view for name, view in document.views.items() if name not in self.panes}
+        return replace(document, views=others | self._views_now())
 
     def _refine_ndc(self, smooth: bool) -> None:
         self.panes["ndc"].set_smoothing(
@@ -923,7 +930,7 @@ class MainWindow(QMainWindow):
             for pane in self.panes.values():
                 pane.refit()
 
-    def _path_changed(self) -> None:
+    def _name_window(self) -> None:
         scene = self.store.document.scene
         if self.files.path:
             name = self.files.path.name
@@ -933,9 +940,12 @@ class MainWindow(QMainWindow):
 
     def _recent_changed(self) -> None:
         self.settings.recent = self.files.recent
+        self._list_recent()
+
+    def _list_recent(self) -> None:
         self._recent_menu.clear()
         for path in self.files.recent:
-            action = self._recent_menu.addAction(path)
+            action = self._recent_menu.addAction(path.replace("&", "&&"))  # no key of the menu
             action.triggered.connect(lambda _checked=False, path=path: self.files.open(path))
         self._recent_menu.setEnabled(bool(self.files.recent))
 
@@ -967,10 +977,18 @@ class MainWindow(QMainWindow):
         try:
             document = self.autosave.recover(path)
         except DocumentError as error:
-            self.messages.say(sentence(error), *self._ways_with(path))
+            ways = self._ways_with(path) if path.exists() else ()  # or another window has it
+            self.messages.say(sentence(error), *ways)
             return
         if self.files.open_recovered(document):
-            self._discard(path)
+            if self.autosave.save_now():  # until then the old copy is the only one
+                self._discard(path)
+            else:
+                self.messages.say(
+                    self.tr("The recovered work cannot be kept in {0}: save it soon.").format(
+                        path.parent
+                    )
+                )
         elif self.messages.text:  # a mesh that is not there, perhaps only not yet
             self.messages.say(self.messages.text, *self._ways_with(path))
         else:

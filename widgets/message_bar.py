@@ -4,16 +4,23 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from typing import TypeAlias
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QToolButton, QWidget
 
+Choice: TypeAlias = tuple[str, Callable[[], object]]
+"""Text of a button and what it does."""
 LONG_WORD = 40
 """Characters that need not be broken; a path may have more, and would widen the window."""
 
 
 class MessageBar(QFrame):
-    """Says one thing at a time and never blocks the window."""
+    """Says one thing at a time and never blocks the window.
+
+    An offer, which is a sentence with choices, makes way for another sentence and comes back
+    after it, until it is taken up or dismissed.
+    """
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -26,12 +33,13 @@ class MessageBar(QFrame):
         self._text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self._said = ""
         self._choices: list[QPushButton] = []
+        self._offer: tuple[str, tuple[Choice, ...]] | None = None
         self._close = QToolButton()
         self._close.setText("✕")
         self._close.setAutoRaise(True)
         self._close.setAccessibleName(self.tr("Dismiss this message"))
         self._close.setToolTip(self.tr("Dismiss this message"))
-        self._close.clicked.connect(self.hide)
+        self._close.clicked.connect(self._dismiss)
         layout = QHBoxLayout(self)
         layout.setContentsMargins(10, 4, 4, 4)
         layout.addWidget(self._sign)
@@ -44,7 +52,7 @@ class MessageBar(QFrame):
         """The sentence shown, or nothing."""
         return self._said if not self.isHidden() else ""
 
-    def say(self, sentence: str, *choices: tuple[str, Callable[[], object]]) -> None:
+    def say(self, sentence: str, *choices: Choice) -> None:
         """Show a sentence, with a button for each choice.
 
         Parameters
@@ -54,6 +62,8 @@ class MessageBar(QFrame):
         *choices : (str, callable)
             Button text and what it does; the bar closes first.
         """
+        if choices:
+            self._offer = sentence, choices
         for button in self._choices:
             button.deleteLater()
         self._choices = []
@@ -62,7 +72,7 @@ class MessageBar(QFrame):
         self._text.setText(re.sub(rf"(\S{{{LONG_WORD}}})(?=\S)", "\\1\u200b", sentence))
         for label, act in choices:
             button = QPushButton(label)
-            button.clicked.connect(self.hide)
+            button.clicked.connect(self._dismiss)
             button.clicked.connect(lambda _checked=False, act=act: act())
             layout = self.layout()
             assert isinstance(layout, QHBoxLayout)
@@ -73,12 +83,23 @@ class MessageBar(QFrame):
     def take_back(self, sentence: str) -> None:
         """Hide a sentence, if it is still the one that is shown."""
         if self.text == sentence:
-            self.hide()
+            self.done()
 
     def done(self) -> None:
         """Take back what was said of a try that has been made good; an offer stays."""
-        if not self._choices:
+        if self._choices:
+            return
+        self.hide()
+        if self._offer is not None:
+            sentence, choices = self._offer
+            self.say(sentence, *choices)
+
+    def _dismiss(self) -> None:
+        if self._choices:
+            self._offer = None
             self.hide()
+        else:
+            self.done()
 
     @property
     def choices(self) -> tuple[QPushButton, ...]:

@@ -89,6 +89,7 @@ DOCUMENT_BOUNDS = (
         "was written by a newer Frustum Lab: its version is {0}, this program reads up to {1}",
     ),
     QT_TRANSLATE_NOOP("DocumentError", "must be a whole number from 1 on"),
+    QT_TRANSLATE_NOOP("DocumentError", "must be a finite number or inf"),
     QT_TRANSLATE_NOOP("DocumentError", "is given twice"),
     QT_TRANSLATE_NOOP("DocumentError", "has more than {0} levels of brackets"),
     QT_TRANSLATE_NOOP("DocumentError", "is larger than {0} MiB"),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Mapping
 from pathlib import Path
 
@@ -81,10 +82,10 @@ class Pictures(QObject):
 
     def export(self, path: Path, choice: ExportChoice) -> bool:
         """Write a picture; False if that failed or the user stopped it."""
-        document = self._seen()
+        document, folder = self._seen(), Path(os.path.realpath(path)).parent
 
         def write() -> None:
-            write_png(path, self._draw(document, choice), to_json(document, path.parent))
+            write_png(path, self._draw(document, choice), to_json(document, folder))
 
         return self._try(write, self.tr("Exported {0}").format(path))
 

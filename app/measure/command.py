@@ -97,8 +97,9 @@ def run(arguments: Sequence[str]) -> int:
             check_out(option, out)
     standard_output()
     settings = [*found.set, *([f"scene={found.scene}"] if found.scene else [])]
-    document = document_of(words[0] if words else None, settings)
-    scene = load_scene(document.scene, document.mesh)
+    file = words[0] if words else None
+    document = document_of(file, settings)
+    scene = load_scene(document.scene, document.mesh, file)
     if isinstance(document.projection.lens, FreeMatrix):
         raise CliError(
             "lens.kind = matrix: a free matrix has no near, no far and no angle to measure; it must"
