@@ -291,7 +291,7 @@ ROOMS = {
         ),
     ),
     "widgets/pictures.py": Room(
-        QT,
+        ("numpy", *QT),
         (
             *("app.document", "app.figures", "app.scene"),
             *("widgets.export_dialog", "widgets.files", "widgets.message_bar"),

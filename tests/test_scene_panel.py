@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -12,12 +13,20 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from PySide6.QtCore import QCoreApplication, QEvent, Qt, QTranslator
-from PySide6.QtGui import QHelpEvent
+from PySide6.QtGui import QGuiApplication, QHelpEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QComboBox, QLineEdit, QSlider, QToolTip
+from PySide6.QtWidgets import (
+    QApplication,
+    QComboBox,
+    QFileDialog,
+    QLineEdit,
+    QSlider,
+    QToolTip,
+)
 from pytestqt.qtbot import QtBot
 
-from app.document import Document
+from app.document import Document, extract, read
+from app.drawings.style import LIGHT
 from app.phenomena import PHENOMENA
 from app.phenomena.exhibit import Exhibit, Phrase, Reading, Setting, Settings, Subject
 from app.projection import Camera, FreeMatrix, Frustum, Oblique, ProjectionError, receding_of
@@ -876,3 +885,38 @@ def test_a_bound_is_written_as_all_numbers_are(make_window: Callable[..., Any]) 
     row = number_row(window.scene_panel, "fog_end")
     enter(row.field, "10")
     assert row.error.endswith("Fog ends at = 10: must be greater than 20.")
+
+
+# -- pictures of diagrams
+
+
+def test_a_diagram_goes_to_the_clipboard_and_into_a_file_with_the_document(
+    make_window: Callable[..., Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    window = make_window(Document("eye-plane", load("eye-plane").start))
+    window.set_theme("dark")
+    circle = window.scene_panel.diagrams[3]
+    copy, export = circle.actions()
+    assert circle.contextMenuPolicy() == Qt.ContextMenuPolicy.ActionsContextMenu
+    copy.trigger()
+    data = QGuiApplication.clipboard().mimeData()
+    assert extract(bytes(data.data("image/png").data())) is not None
+    image = data.imageData()
+    assert (image.width(), image.height()) == (1440, 1080)
+    colours = {image.pixelColor(x, y).name() for x in range(0, 1440, 3) for y in range(0, 1080, 3)}
+    assert image.pixelColor(0, 0).name() == LIGHT.background  # for print, in any theme
+    assert {LIGHT.u, LIGHT.accent} <= colours
+    path = tmp_path / "circle"
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(path), ""))
+    export.trigger()
+    assert read(tmp_path / "circle.png") == window.store.document
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(tmp_path / "a" / "b"), ""))
+    export.trigger()
+    assert "cannot be written" in window.messages.text
+
+
+def test_where_there_is_no_diagram_none_is_copied(make_window: Callable[..., Any]) -> None:
+    window = make_window()
+    window.panels.open(window.measure_panel)
+    (view,) = window.measure_panel.diagrams
+    assert not any(action.isEnabled() for action in view.actions())

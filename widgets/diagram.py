@@ -10,19 +10,33 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QEvent, QLineF, QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import (
+    QEvent,
+    QLineF,
+    QPoint,
+    QPointF,
+    QRectF,
+    QSize,
+    Qt,
+    Signal,
+    SignalInstance,
+)
 from PySide6.QtGui import (
+    QAction,
     QColor,
     QFont,
     QFontMetricsF,
     QHelpEvent,
+    QImage,
     QMouseEvent,
     QPainter,
     QPaintEvent,
     QPen,
+    QRegion,
 )
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
@@ -39,6 +53,8 @@ DOT_PX = 3.0
 """Radius of a dot at the ordinary line width."""
 HIT_PX = 9.0
 """How near to a spot a click may be that means it."""
+PRINTED_PX, PRINTED_FINER = QSize(480, 360), 3
+"""Size of a diagram in print, in the window's pixels, and how many of the picture's are one."""
 _LINES_ACROSS, _LINES_DOWN = 12.0, 8.0  # of names that a small diagram has room for
 _LEAST_NAME = 0.7  # of their ordinary size
 _BREAK = np.full((1, 2), math.nan)  # of a line
@@ -211,6 +227,9 @@ class DiagramView(QWidget):
 
     spot_clicked = Signal(str)
     """The key of a `Spot` that was clicked."""
+    copy_wanted = Signal(QImage)
+    export_wanted = Signal(QImage)
+    """This `picture` of it shall go to the clipboard, or into a file."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -224,6 +243,16 @@ class DiagramView(QWidget):
         """The key of the spot on which the mouse went down."""
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setMinimumSize(115, 90)
+        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        self.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
+        for text, wanted in (
+            (self.tr("Copy this diagram"), self.copy_wanted),
+            (self.tr("Export this diagram…"), self.export_wanted),
+        ):
+            action = QAction(text, self)
+            action.setEnabled(False)  # until there is one
+            action.triggered.connect(partial(self._want, wanted))
+            self.addAction(action)
 
     def sizeHint(self) -> QSize:
         return QSize(260, 180)
@@ -234,6 +263,8 @@ class DiagramView(QWidget):
             return
         self._diagram = diagram
         self.setMouseTracking(diagram is not None and bool(diagram.spots))
+        for action in self.actions():
+            action.setEnabled(diagram is not None)
         title = "" if diagram is None else of_phenomena(diagram.title)
         if title != self.accessibleName():
             self.setAccessibleName(title)
@@ -243,6 +274,21 @@ class DiagramView(QWidget):
         """Draw in other colours and widths; sizes are device pixels, as for the panes."""
         self._style = style
         self.update()
+
+    def _want(self, wanted: SignalInstance, _checked: bool = False) -> None:
+        wanted.emit(self.picture())
+
+    def picture(self) -> QImage:
+        """The diagram as it stands, for print: dark on white, and finer than the screen."""
+        drawn = DiagramView()
+        drawn.resize(PRINTED_PX)
+        drawn.set_style(LIGHT.enlarged(drawn.devicePixelRatioF()))
+        drawn.show_diagram(self._diagram)
+        image = QImage(PRINTED_PX * PRINTED_FINER, QImage.Format.Format_RGB32)
+        image.setDevicePixelRatio(PRINTED_FINER)
+        image.fill(LIGHT.background)
+        drawn.render(image, QPoint(), QRegion(), QWidget.RenderFlag.DrawChildren)
+        return image
 
     @property
     def frame(self) -> QRectF:
@@ -377,6 +423,9 @@ class DiagramView(QWidget):
                 painter.restore()
                 self._paint_spots(painter, frame, diagram, along)
             self._paint_frame(painter, frame)
+        if self.hasFocus():
+            painter.setPen(QPen(self.palette().highlight(), 2.0))
+            painter.drawRect(self.rect().adjusted(1, 1, -1, -1))
         painter.end()
 
     def _colour(self, name: str) -> QColor:

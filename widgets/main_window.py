@@ -645,6 +645,9 @@ class MainWindow(QMainWindow):
         self.manipulation.setting_edited.connect(self._set_by_hand)
         canvas.frameSwapped.connect(self._tell_problem)  # only a rendering finds out
         self.counting.counted.connect(self.scene_panel.show_count)
+        for panel in (self.scene_panel, self.measure_panel):
+            panel.copy_wanted.connect(self.pictures.copy_diagram)
+            panel.export_wanted.connect(self.pictures.export_diagram)
         self.scene_panel.mesh_wanted.connect(self.files.mesh_dialog)
         self.scene_panel.mesh_removed.connect(partial(self.files.use_mesh, ""))
         QGuiApplication.styleHints().colorSchemeChanged.connect(self._scheme_changed)

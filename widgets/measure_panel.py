@@ -15,7 +15,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, QObject, QSize, Qt, Signal
-from PySide6.QtGui import QFont, QGuiApplication, QPalette, QShowEvent
+from PySide6.QtGui import QFont, QGuiApplication, QImage, QPalette, QShowEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QComboBox,
@@ -94,6 +94,9 @@ class MeasurePanel(QWidget):
     """That sentence, when the panel is used again and nobody has to read it any more."""
     succeeded = Signal()
     """A file was read or written after all."""
+    copy_wanted = Signal(QImage)
+    export_wanted = Signal(QImage)
+    """This picture of a diagram shall go to the clipboard, or into a file."""
 
     def __init__(
         self,
@@ -473,6 +476,8 @@ class MeasurePanel(QWidget):
             view = DiagramView()
             view.set_style(self._style)
             view.spot_clicked.connect(self._spot_used)
+            view.copy_wanted.connect(self.copy_wanted)
+            view.export_wanted.connect(self.export_wanted)
             self.diagrams.append(view)
             self._drawn.addWidget(view, 1)
         for number, view in enumerate(self.diagrams):

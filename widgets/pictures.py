@@ -6,6 +6,7 @@ import os
 from collections.abc import Callable, Mapping
 from pathlib import Path
 
+import numpy as np
 from PySide6.QtCore import QByteArray, QMimeData, QObject, Qt
 from PySide6.QtGui import QGuiApplication, QImage, QOpenGLContext
 from PySide6.QtWidgets import QFileDialog, QMainWindow, QProgressDialog
@@ -69,25 +70,41 @@ class Pictures(QObject):
         dialog = ExportDialog(self._titles, size, self._window)
         if dialog.exec() != ExportDialog.DialogCode.Accepted:
             return
+        path = self._where(self.tr("Export a picture"))
+        if path is not None:
+            self.export(path, dialog.choice())
+
+    def _where(self, title: str) -> Path | None:
+        """Ask for a file; None if there shall be none."""
         path, _ = QFileDialog.getSaveFileName(
-            self._window,
-            self.tr("Export a picture"),
-            "frustum-lab.png",
-            self.tr("PNG pictures (*.png)"),
+            self._window, title, "frustum-lab.png", self.tr("PNG pictures (*.png)")
         )
-        if path:
-            if not path.lower().endswith(".png"):
-                path += ".png"
-            self.export(Path(path), dialog.choice())
+        if path and not path.lower().endswith(".png"):
+            path += ".png"
+        return Path(path) if path else None
 
     def export(self, path: Path, choice: ExportChoice) -> bool:
         """Write a picture; False if that failed or the user stopped it."""
+        return self._write(path, lambda document: self._draw(document, choice))
+
+    def _write(self, path: Path, draw: Callable[[Document], Pixels]) -> bool:
         document, folder = self._seen(), Path(os.path.realpath(path)).parent
 
         def write() -> None:
-            write_png(path, self._draw(document, choice), to_json(document, folder))
+            write_png(path, draw(document), to_json(document, folder))
 
         return self._try(write, self.tr("Exported {0}").format(path))
+
+    def export_diagram(self, image: QImage) -> None:
+        """Ask where to write the picture of a diagram, and do it."""
+        path = self._where(self.tr("Export a diagram"))
+        if path is not None:
+            self._write(path, lambda _document: _pixels(image))
+
+    def copy_diagram(self, image: QImage) -> None:
+        """Put the picture of a diagram on the clipboard."""
+        png = png_bytes(_pixels(image), to_json(self._seen()))
+        self._try(lambda: _to_clipboard(png), self.tr("Copied the diagram"))
 
     def copy(self) -> bool:
         """Put the three panes on the clipboard; False if that failed or the user stopped it."""
@@ -95,11 +112,7 @@ class Pictures(QObject):
 
         def put() -> None:
             pixels = self._draw(document, ExportChoice(PANES, (1800, 600), 1.0, False))
-            data = QMimeData()
-            png = png_bytes(pixels, to_json(document))
-            data.setImageData(QImage.fromData(png))
-            data.setData("image/png", QByteArray(png))
-            QGuiApplication.clipboard().setMimeData(data)
+            _to_clipboard(png_bytes(pixels, to_json(document)))
 
         return self._try(put, self.tr("Copied the picture"))
 
@@ -148,3 +161,16 @@ class Pictures(QObject):
         finally:
             dialog.close()
             dialog.deleteLater()
+
+
+def _pixels(image: QImage) -> Pixels:
+    image = image.convertToFormat(QImage.Format.Format_RGBA8888)
+    size = image.height(), image.width(), 4
+    return np.frombuffer(image.constBits(), np.uint8).reshape(size).copy()
+
+
+def _to_clipboard(png: bytes) -> None:
+    data = QMimeData()
+    data.setImageData(QImage.fromData(png))
+    data.setData("image/png", QByteArray(png))
+    QGuiApplication.clipboard().setMimeData(data)

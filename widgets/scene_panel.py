@@ -19,7 +19,7 @@ from functools import partial
 from typing import Any
 
 from PySide6.QtCore import QElapsedTimer, QEvent, QObject, QSize, Qt, QTimer, Signal
-from PySide6.QtGui import QHelpEvent, QHideEvent, QPalette, QShowEvent
+from PySide6.QtGui import QHelpEvent, QHideEvent, QImage, QPalette, QShowEvent
 from PySide6.QtWidgets import (
     QBoxLayout,
     QFrame,
@@ -115,6 +115,9 @@ class ScenePanel(QWidget):
     """The user wants to choose a mesh for the place of the scene's own objects."""
     mesh_removed = Signal()
     """The user wants the scene's own objects back."""
+    copy_wanted = Signal(QImage)
+    export_wanted = Signal(QImage)
+    """This picture of a diagram shall go to the clipboard, or into a file."""
     outgrown = Signal()
     """It needs more height than it has, for text or readout."""
 
@@ -456,6 +459,8 @@ class ScenePanel(QWidget):
         while len(self.diagrams) < len(diagrams):
             view = DiagramView()
             view.set_style(self._style)
+            view.copy_wanted.connect(self.copy_wanted)
+            view.export_wanted.connect(self.export_wanted)
             self.diagrams.append(view)
             self._place_diagrams()
         for place, view in enumerate(self.diagrams):
