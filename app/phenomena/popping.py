@@ -37,7 +37,7 @@ from app.phenomena.exhibit import (
     Subject,
     number,
 )
-from app.projection import ABOVE, Array, Camera, Perspective, Projection, ProjectionError
+from app.projection import ABOVE, LARGEST, Array, Camera, Perspective, Projection, ProjectionError
 from app.shapes import Coloured, brightness, ground_grid
 
 SPEED = 12.0
@@ -189,7 +189,7 @@ def popped_per_second(
     places[..., 0] += np.array(ROWS)[:, None, None]
     with np.errstate(over="ignore"):
         places[..., 2] = (float(n @ np.array(camera.eye)) - far - places @ n) / n[2]
-    if not np.isfinite(places).all():  # so far away that nothing passes it
+    if not (np.abs(places) <= LARGEST).all():  # so far away that nothing passes it
         return 0.0, 0.0
     clip, z = projection.trace(places).clip, places[..., 2:]
     x_y, w = clip[..., :2], clip[..., 3:]
