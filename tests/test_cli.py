@@ -73,13 +73,29 @@ def run(
 
 
 def refused(*arguments: str | Path, text: str | bytes = b"", status: int = 2) -> str:
-    """Run what must be refused, and return the one sentence that says why."""
-    done = run(*arguments, text=text)
-    assert done.returncode == status, done
-    assert done.stdout == ""
-    assert done.stderr.endswith((".\n", "?\n")) and done.stderr.count("\n") == 1, done.stderr
-    assert "Traceback" not in done.stderr
-    return done.stderr
+    """Give what must be refused, and return the one sentence that says why.
+
+    In this process: there are many, and a new one takes half a second to come to it.
+    """
+    typed = io.TextIOWrapper(io.BytesIO(text.encode() if isinstance(text, str) else text))
+    with (
+        pytest.MonkeyPatch.context() as patch,
+        contextlib.redirect_stdout(io.StringIO()) as out,
+        contextlib.redirect_stderr(io.StringIO()) as said,
+    ):
+        patch.setattr(sys, "stdin", typed)
+        assert cli.main([str(argument) for argument in arguments]) == status, said.getvalue()
+    sentence = said.getvalue()
+    assert out.getvalue() == ""
+    assert sentence.endswith((".\n", "?\n")) and sentence.count("\n") == 1, sentence
+    return sentence
+
+
+def test_what_is_refused_ends_a_process_with_its_sentence_and_status() -> None:
+    for arguments in (("matrices", "--set", "lens.near=abc"), ("export", "no-picture.txt")):
+        done = run(*arguments)
+        assert done.returncode == 2
+        assert done.stdout == "" and done.stderr == refused(*arguments)
 
 
 @pytest.fixture(scope="session")

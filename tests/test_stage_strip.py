@@ -502,8 +502,7 @@ def test_play_moves_by_itself_and_a_hand_or_a_hidden_pane_stops_it(
     assert not strip.playing
 
 
-@pytest.mark.parametrize("size", [(1366, 768), (1920, 1080)])
-@pytest.mark.parametrize("projector", [False, True])
+@pytest.mark.parametrize(("size", "projector"), [((1366, 768), True), ((1920, 1080), False)])
 def test_near_and_far_are_written_in_the_pane_all_the_way(
     make_window: Callable[..., MainWindow], size: tuple[int, int], projector: bool
 ) -> None:

@@ -1702,10 +1702,9 @@ os._exit(0)
 """
 
 
-@pytest.mark.parametrize("scale", ["1.5", "1.75"])
-def test_a_canvas_ends_on_whole_pixels_at_any_scale(display: Any, scale: str) -> None:
+def test_a_canvas_ends_on_whole_pixels_at_a_broken_scale(display: Any) -> None:
     done = subprocess.run(
-        [sys.executable, "-c", _EDGES], cwd=ROOT, env={**os.environ, "QT_SCALE_FACTOR": scale},
+        [sys.executable, "-c", _EDGES], cwd=ROOT, env={**os.environ, "QT_SCALE_FACTOR": "1.75"},
         capture_output=True, text=True, timeout=120, check=False,
     )  # fmt: skip
     *edges, last = done.stdout.splitlines() or [""]
