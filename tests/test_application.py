@@ -25,7 +25,7 @@ from app.document import Document, embed, read, to_json, write
 from app.projection import Projection
 from app.scene import load as load_scene
 from app.store import Store
-from tests.test_cli import ROOT, comma_locale, refused, run
+from tests.test_cli import ROOT, comma_locale, refused, refused_by_a_process, run
 from widgets import application, opengl
 from widgets.application import Settings
 from widgets.files import Files
@@ -809,7 +809,7 @@ def test_a_document_whose_mesh_is_gone_is_refused(tmp_path: Path) -> None:
     path = tmp_path / "my.json"
     for scene, said in ((str(tmp_path / "gone.stl"),) * 2, ("ball", "There is no scene “ball”")):
         write(Document(scene), path)
-        assert refused(path).startswith(f"{path}: {said}")
+        assert refused_by_a_process(path).startswith(f"{path}: {said}")
 
 
 def test_numbers_in_files_keep_their_points_in_every_locale(comma_locale: dict[str, str]) -> None:
@@ -887,7 +887,8 @@ def test_screenshot_to_a_place_that_is_not_there_is_refused(tmp_path: Path) -> N
 def test_screenshot_to_a_full_disk_is_refused(tmp_path: Path) -> None:
     out = tmp_path / "full.png"
     out.symlink_to("/dev/full")
-    assert "full.png cannot be written: No space left on device" in refused("--screenshot", out)
+    said = refused_by_a_process("--screenshot", out)
+    assert "full.png cannot be written: No space left on device" in said
 
 
 def test_doctor_reads_the_probe_of_another_process(display: Any) -> None:
