@@ -40,7 +40,9 @@ _FULL_FRAME_DIAGONAL_MM = math.hypot(36.0, 24.0)
 
 def check_planes(near: Any, far: Any, *, parallel: bool) -> tuple[float, float]:
     """Near and far of a lens as floats, or a `ProjectionError`."""
-    near = finite("near", near)
+    near = real("near", near)
+    if near != math.inf or far == math.inf:  # a drag past the horizon asks for ∞ beyond far
+        near = finite("near", near)
     if not parallel:
         if near <= 0.0:
             raise ProjectionError("near", near, ABOVE, 0)
