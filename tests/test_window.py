@@ -1538,6 +1538,25 @@ def test_on_a_small_projector_no_number_and_no_text_of_a_scene_is_hidden(
     assert seen > 20
 
 
+def test_full_hd_at_a_screen_scale_of_two_holds_the_window_of_a_projector(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window()
+    window.set_projector(True)
+    for name in ("letter-f", *PHENOMENA):
+        window._choose_scene(name)
+        settle(window)
+        window.resize(960, 540)
+        settle(window)
+        assert (window.width(), window.height()) == (960, 540), name
+    for panel in (window.matrices, window.frame_panel, window.probe_panel, window.measure_panel):
+        window.panels.open(panel)
+        settle(window)
+        assert window.minimumSizeHint().width() <= 960
+    line = window.status
+    assert line.rung.geometry().right() < line.width() and line.rung.text()
+
+
 def share_of(window: MainWindow, colour: Any) -> float:
     """How much of the world pane has exactly this colour."""
     same = pixels(window, "world") == np.round(255 * np.array(colour))
@@ -1607,6 +1626,24 @@ def test_a_note_beside_a_panes_title_ends_in_an_ellipsis_where_it_is_cut(
     assert note.fontMetrics().horizontalAdvance(QLabel.text(note)) <= 100
     note.setText("")
     assert QLabel.text(note) == ""
+
+
+def test_a_panes_title_has_all_the_room_there_is_before_its_note(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    pane = make_window().panes["image"]
+    title, note, whole = pane.title, pane.note, pane.title.text()
+    for width in range(120, 400, 7):
+        pane.header.setFixedWidth(width)
+        pane.header.layout().activate()
+        shown = str(QLabel.text(title))
+        assert shown == whole or (shown.endswith("…") and note.width() == 0)
+        assert title.toolTip() == ("" if shown == whole else whole)
+        assert title.fontMetrics().horizontalAdvance(shown) <= title.width() or shown == "…"
+    assert QLabel.text(title) == whole
+    pane.set_title("Canonical parallel view volume")
+    pane.header.layout().activate()
+    assert QLabel.text(title) == "Canonical parallel view volume", "longer, and none of it is cut"
 
 
 def test_both_panes_share_what_float64_has_projected(

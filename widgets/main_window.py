@@ -86,6 +86,8 @@ from widgets.status_line import StatusLine
 
 PANE_WIDTHS = [400, 305, 330]
 """Of the panes in a window of 1366 pixels; the splitter keeps their proportion."""
+LEAST_PANE_PX = 190
+"""So that Full HD at a screen scale of 2 holds the window, in projector mode too."""
 DRAWINGS: dict[str, Callable[..., Any]] = {
     "world": partial(WorldDrawing, live=True),
     "ndc": NdcDrawing,
@@ -252,7 +254,7 @@ class MainWindow(QMainWindow):
         self._pane_row = QSplitter(Qt.Orientation.Horizontal)
         self._pane_row.setChildrenCollapsible(False)
         for pane in self.panes.values():
-            pane.setMinimumWidth(200)
+            pane.setMinimumWidth(LEAST_PANE_PX)
             self._pane_row.addWidget(pane)
         self._split = QSplitter(Qt.Orientation.Horizontal)
         self._split.addWidget(self._pane_row)

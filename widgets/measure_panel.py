@@ -64,7 +64,7 @@ from widgets.note import Note
 HEIGHT_PX = 225
 """Of the panel where it opens, at the ordinary font, in a window of 768; more in a higher one."""
 ORDINARY_WINDOW_PX = 768
-LEAST_WINDOW_PX = 1300
+LEAST_WINDOW_PX = 900
 """In a window that is so wide it must find room."""
 ENDINGS = (".csv", ".json", *chart.ENDINGS)
 """Of what can be exported."""

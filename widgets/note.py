@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, Qt
+from PySide6.QtCore import QEvent, QSize, Qt
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy
 
@@ -29,6 +29,10 @@ class Note(QLabel):
         """The whole text."""
         return self._whole
 
+    def sizeHint(self) -> QSize:
+        """Of no width: it has what the others leave."""
+        return QSize(0, super().sizeHint().height())
+
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         self._elide()
@@ -44,3 +48,30 @@ class Note(QLabel):
         )
         if shown != super().text():
             super().setText(shown)
+
+
+class Title(Note):
+    """A note that has all the room it needs while there is any."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.setObjectName("paneTitle")
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
+        self.setText(text)
+
+    def setText(self, text: str) -> None:
+        super().setText(text)
+        self.updateGeometry()  # also where no more is shown of the longer text
+
+    def sizeHint(self) -> QSize:
+        """Of the whole text."""
+        width = self.fontMetrics().horizontalAdvance(self.text())
+        return QSize(width + 2, super().sizeHint().height())  # a letter may jut out
+
+    def minimumSizeHint(self) -> QSize:
+        """Of any width."""
+        return QSize(0, super().minimumSizeHint().height())
+
+    def _elide(self) -> None:
+        super()._elide()
+        self.setToolTip("" if QLabel.text(self) == self.text() else self.text())

@@ -34,7 +34,6 @@ from PySide6.QtWidgets import (
     QApplication,
     QFrame,
     QHBoxLayout,
-    QLabel,
     QToolButton,
     QVBoxLayout,
     QWidget,
@@ -46,7 +45,7 @@ from app.phenomena.exhibit import Exhibit
 from app.picking import Probe, Sight
 from app.projection import Camera, Projection
 from app.scene import Scene
-from widgets.note import Note
+from widgets.note import Note, Title
 
 ORBIT_DEG_PER_PX = 0.4
 ZOOM_PER_WHEEL_STEP = 1.15
@@ -422,8 +421,7 @@ class Pane(QFrame):
         self._detail_is_stale = False
         self._matrices_ms = 0.0
 
-        self.title = QLabel(title)
-        self.title.setObjectName("paneTitle")
+        self.title = Title(title)
         self.note = Note()
         self._reset = self._button("⌂", self.tr("Reset this pane's own view (double-click)"))
         self._reset.clicked.connect(self.reset_view)

@@ -73,7 +73,7 @@ PART = 0.28
 """Of a large window's height, for the panel."""
 LARGEST_PART = 0.36
 """So much of it at most, where text and readout need it."""
-LEAST_WINDOW_PX = 1300
+LEAST_WINDOW_PX = 900
 """In a window that is so wide it must find room."""
 COLUMN_PX = 200
 """Least width of what can scroll to and fro."""
@@ -221,7 +221,7 @@ class ScenePanel(QWidget):
         return QSize(super().sizeHint().width(), round(height))
 
     def minimumSizeHint(self) -> QSize:
-        """Not wider than a window of 1366 pixels: rather are the columns scrolled."""
+        """Not wider than a small window: rather are the columns scrolled."""
         return QSize(min(super().minimumSizeHint().width(), LEAST_WINDOW_PX), 80)
 
     def _tell_outgrown(self) -> None:

@@ -219,14 +219,17 @@ class StatusLine(QStatusBar):
             self.labels["camera"].hide,  # its distance is among the controls
         ):
             layout.activate()
-            if self.health.is_whole:
+            if self.health.is_whole and layout.minimumSize().width() <= self.width():
                 return
             give_way()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        if self.health.text():
-            self._make_room()
+        self._make_room()
+
+    def minimumSizeHint(self) -> QSize:
+        """Of any width: what has no room gives way, and the window may be a small one."""
+        return QSize(0, super().minimumSizeHint().height())
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
