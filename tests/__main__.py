@@ -83,6 +83,8 @@ def main() -> int:
     """Run pytest in a process of its own, so that a crash in it is still tidied up after."""
     bootstrap.start("tests", extras=("test",))
     signal.signal(signal.SIGTERM, _stop)
+    # A job in the background has Ctrl-C ignored, and so would all that the tests start and stop.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     with screens(min(os.cpu_count() or 1, MOST_SCREENS)) as environment:
         command = [sys.executable, "-m", "pytest", *sys.argv[1:]]
         processes = len(environment.get("TEST_DISPLAYS", "").split())

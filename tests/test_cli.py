@@ -72,29 +72,40 @@ def run(
     )
 
 
-def refused_by_a_process(*arguments: str | Path, status: int = 2) -> str:
-    """Run what must be refused, and return the one sentence that says why."""
-    done = run(*arguments)
+def run_here(*arguments: str | Path, text: str | bytes = b"") -> subprocess.CompletedProcess[str]:
+    """The same in this process, but for windows: a new one takes half a second to come to it."""
+    typed, out, said = (io.TextIOWrapper(io.BytesIO(), encoding="utf-8") for _ in range(3))
+    typed.buffer.write(text.encode() if isinstance(text, str) else text)
+    typed.seek(0)
+    with (
+        pytest.MonkeyPatch.context() as patch,
+        contextlib.redirect_stdout(out),
+        contextlib.redirect_stderr(said),
+    ):
+        patch.chdir(ROOT)
+        patch.setattr(sys, "stdin", typed)
+        status = cli.main([str(argument) for argument in arguments])
+    for stream in (out, said):
+        stream.seek(0)
+    return subprocess.CompletedProcess(arguments, status, out.read(), said.read())
+
+
+def one_sentence(done: subprocess.CompletedProcess[str], status: int) -> str:
+    """What was refused, and nothing else, in one sentence that says why."""
     assert done.returncode == status, done
     assert done.stdout == ""
     assert done.stderr.endswith((".\n", "?\n")) and done.stderr.count("\n") == 1, done.stderr
     return done.stderr
 
 
+def refused_by_a_process(*arguments: str | Path, status: int = 2) -> str:
+    """Run what must be refused, and return the one sentence that says why."""
+    return one_sentence(run(*arguments), status)
+
+
 def refused(*arguments: str | Path, text: str | bytes = b"", status: int = 2) -> str:
-    """The same in this process, but for windows: a new one takes half a second to come to it."""
-    typed = io.TextIOWrapper(io.BytesIO(text.encode() if isinstance(text, str) else text))
-    with (
-        pytest.MonkeyPatch.context() as patch,
-        contextlib.redirect_stdout(io.StringIO()) as out,
-        contextlib.redirect_stderr(io.StringIO()) as said,
-    ):
-        patch.setattr(sys, "stdin", typed)
-        assert cli.main([str(argument) for argument in arguments]) == status, said.getvalue()
-    sentence = said.getvalue()
-    assert out.getvalue() == ""
-    assert sentence.endswith((".\n", "?\n")) and sentence.count("\n") == 1, sentence
-    return sentence
+    """The same in this process."""
+    return one_sentence(run_here(*arguments, text=text), status)
 
 
 def test_what_is_refused_ends_a_process_with_its_sentence_and_status() -> None:
@@ -132,7 +143,7 @@ def by_hand(tmp_path: Path) -> Path:
 
 
 def project(*arguments: str | Path, points: str) -> list[dict[str, Any]]:
-    done = run("project", *arguments, "-", "--format", "json", text=points)
+    done = run_here("project", *arguments, "-", "--format", "json", text=points)
     assert (done.returncode, done.stderr) == (0, "")
     found: list[dict[str, Any]] = json.loads(done.stdout)["points"]
     return found
@@ -207,7 +218,7 @@ def test_json_is_exactly_the_trace_of_the_model(by_hand: Path) -> None:
     )
     write(Document("letter-f", projection), by_hand)
     text = "".join(f"{x!r},{y!r},{z!r}\n" for x, y, z in points.tolist())
-    done = run("project", by_hand, "-", "--format=json", text=text)
+    done = run_here("project", by_hand, "-", "--format=json", text=text)
     answer = json.loads(done.stdout)
     traced = projection.trace(points)
     assert list(answer) == ["points", "matrices", "rung", "predicted_error_px", "predictions"]
@@ -243,7 +254,9 @@ def stage_of(projection: Projection, name: str) -> Stage:
 
 @pytest.mark.parametrize("rung", RUNGS)
 def test_a_forced_rung_computes_the_numbers(by_hand: Path, rung: Rung) -> None:
-    done = run("project", by_hand, "-", "--format=json", f"--rung={rung}", text="0.1,0.7,-1e-3\n")
+    done = run_here(
+        "project", by_hand, "-", "--format=json", f"--rung={rung}", text="0.1,0.7,-1e-3\n"
+    )
     answer = json.loads(done.stdout)
     points = np.array([[0.1, 0.7, -1e-3]])
     predictions = predict(BY_HAND.projection, points)
@@ -257,7 +270,7 @@ def test_a_forced_rung_computes_the_numbers(by_hand: Path, rung: Rung) -> None:
     error = max(abs(float(a - b)) for a, b in zip(point["image"], true.image, strict=True))
     low, high = {"float32": (1e-7, 1e-4), "float64": (0.0, 1e-13), "exact": (0.0, 1e-14)}[rung]
     assert low <= error <= predictions[rung].px <= high
-    table = run("project", by_hand, "-", f"--rung={rung}", text="0.1,0.7,-1e-3\n").stdout
+    table = run_here("project", by_hand, "-", f"--rung={rung}", text="0.1,0.7,-1e-3\n").stdout
     assert f"\ncomputed in {rung}; largest errors: float32 " in table
 
 
@@ -271,18 +284,18 @@ def test_numbers_are_exact_where_float64_would_lose_too_many_digits(by_hand: Pat
     command = ("project", by_hand, "-", "--format=json", *NEAR_NEXT_TO_FAR)
     slanted = "--set=camera.target=0.1,-0.2,0.3"
     # Where the camera looks along an axis nothing is lost, and nothing is changed.
-    assert json.loads(run(*command, text=OFF_AXIS).stdout)["rung"] == "float64"
+    assert json.loads(run_here(*command, text=OFF_AXIS).stdout)["rung"] == "float64"
     projection = set_values(
         BY_HAND, [word.removeprefix("--set=") for word in (*NEAR_NEXT_TO_FAR, slanted)]
     ).projection
     camera = projection.camera
     inside = camera.eye + np.array([0.3, 0.2, -1.00000000000005]) @ camera.frame
     text = ",".join(map(repr, inside.tolist()))
-    answer = json.loads(run(*command, slanted, text=text).stdout)
+    answer = json.loads(run_here(*command, slanted, text=text).stdout)
     assert answer["rung"] == "exact"
     true = float(exact.Exact(projection)(inside).depth)
     assert answer["points"][0]["depth"] == pytest.approx(true, rel=2.0**-52)
-    worse = json.loads(run(*command, slanted, "--rung=float64", text=text).stdout)
+    worse = json.loads(run_here(*command, slanted, "--rung=float64", text=text).stdout)
     assert worse["predictions"] == answer["predictions"]
     assert worse["predictions"]["float64"]["depth"] > 1e-12
     assert abs(worse["points"][0]["depth"] - true) > 1e-12
@@ -291,13 +304,15 @@ def test_numbers_are_exact_where_float64_would_lose_too_many_digits(by_hand: Pat
 def test_points_without_a_picture_have_no_error_and_an_infinite_one_is_written_in_words(
     by_hand: Path,
 ) -> None:
-    done = run("project", by_hand, "-", "--format=json", text="2,1,6\n2,1,5\n")
+    done = run_here("project", by_hand, "-", "--format=json", text="2,1,6\n2,1,5\n")
     answer = json.loads(done.stdout)
     expected = {"rung": "float64", "predicted_error_px": None, "predictions": {}}
     assert {name: answer[name] for name in expected} == expected
-    assert "computed" not in run("project", by_hand, "-", text="2,1,6\n").stdout
+    assert "computed" not in run_here("project", by_hand, "-", text="2,1,6\n").stdout
     # float32 ends at 3e38.
-    answer = json.loads(run("project", by_hand, "-", "--format=json", text="0,1e39,-1e40").stdout)
+    answer = json.loads(
+        run_here("project", by_hand, "-", "--format=json", text="0,1e39,-1e40").stdout
+    )
     assert answer["predictions"]["float32"] == {"px": "inf", "depth": "inf"}
     assert (answer["rung"], answer["points"][0]["view"]) == ("float64", [0.0, 1e39, -1e40])
 
@@ -312,7 +327,7 @@ def test_a_point_beyond_the_numbers_of_a_forced_rung_is_refused(by_hand: Path, f
 
 def test_csv_has_the_same_numbers_as_json_and_empty_cells_for_null(by_hand: Path) -> None:
     points = "0.1,0.2,0.3\n0,0,6\n-90,0,1e-5\n"
-    done = run("project", by_hand, "-", "--format", "csv", text=points)
+    done = run_here("project", by_hand, "-", "--format", "csv", text=points)
     rows = list(csv.DictReader(io.StringIO(done.stdout)))
     for row, point in zip(rows, project(by_hand, points=points), strict=True):
         for stage, axes in (("world", "xyz"), ("view", "xyz"), ("clip", "xyzw"), ("ndc", "xyz")):
@@ -328,7 +343,7 @@ def test_csv_has_the_same_numbers_as_json_and_empty_cells_for_null(by_hand: Path
 
 def test_table_has_a_block_for_each_point_with_the_numbers_aligned(by_hand: Path) -> None:
     # One unit behind the eye: w = -1 and z_clip = -1.25*1 - 2.25.
-    done = run("project", by_hand, "-", text="0,0,6\n0,0,0\n")
+    done = run_here("project", by_hand, "-", text="0,0,6\n0,0,0\n")
     errors = r"float32 (\S+) px, float64 (\S+) px, exact (\S+) px"
     last = re.fullmatch(
         f"computed in float64; largest errors: {errors}", done.stdout.split("\n")[-2]
@@ -350,7 +365,9 @@ def test_table_has_a_block_for_each_point_with_the_numbers_aligned(by_hand: Path
     # Parallel rays, the window 4 wide and 2 high, at distance 4: z = 2*(4-1)/(9-1) - 1 = -0.25.
     sets = ["kind=orthographic", "left=-2", "right=2", "bottom=-1", "top=1"]
     arguments = [f"--set=lens.{value}" for value in sets]
-    assert run("project", by_hand, "-", *arguments, text="1,0.5,1\n").stdout.splitlines()[:-2] == [
+    assert run_here("project", by_hand, "-", *arguments, text="1,0.5,1\n").stdout.splitlines()[
+        :-2
+    ] == [
         "point 1       x       y     z     w",
         "     world    1       0.5   1",
         "      view    1       0.5  -4",
@@ -365,7 +382,7 @@ def test_table_has_a_block_for_each_point_with_the_numbers_aligned(by_hand: Path
 def test_points_come_from_a_file_too_and_the_letter_f_is_the_default(tmp_path: Path) -> None:
     points = tmp_path / "points.csv"
     points.write_text("x,y,z\n0,2.2,0\n", encoding="utf-8")
-    done = run("project", points, "--format", "json")
+    done = run_here("project", points, "--format", "json")
     (point,) = json.loads(done.stdout)["points"]
     # What the camera looks at is in the middle of the picture.
     assert point["image"] == pytest.approx([640, 360], abs=1e-9)
@@ -383,7 +400,7 @@ def test_points_come_from_a_file_too_and_the_letter_f_is_the_default(tmp_path: P
     ids=["bom and crlf", "capital header, empty lines", "spaces, quotes", "signs", "cr"],
 )
 def test_csv_of_every_kitchen_is_read(text: bytes) -> None:
-    done = run("project", "-", "--format", "json", text=text)
+    done = run_here("project", "-", "--format", "json", text=text)
     assert [point["world"] for point in json.loads(done.stdout)["points"]] == [[1, 2, 3]]
 
 
@@ -461,7 +478,7 @@ def test_a_name_in_a_deleted_folder_is_refused(tmp_path: Path, command: str, nam
 
 
 def test_a_deleted_folder_does_not_matter_to_what_needs_none(tmp_path: Path) -> None:
-    assert in_a_deleted_folder(tmp_path / "gone", "matrices").stdout == run("matrices").stdout
+    assert in_a_deleted_folder(tmp_path / "gone", "matrices").stdout == run_here("matrices").stdout
 
 
 def test_behind_two_dashes_are_names_only(tmp_path: Path, by_hand: Path) -> None:
@@ -498,7 +515,7 @@ def test_project_of_typed_coordinates_says_how_to_give_them(
         f"POINTS = '{typed}': must be a CSV file, or - for standard input; for a point:"
         f" echo {point} | python3 -m app project -.\n"
     )
-    assert run("project", "-", text=f"{point}\n").returncode == 0
+    assert run_here("project", "-", text=f"{point}\n").returncode == 0
 
 
 def test_project_reads_a_file_whose_name_is_a_number(
@@ -506,7 +523,7 @@ def test_project_reads_a_file_whose_name_is_a_number(
 ) -> None:
     path = tmp_path / "1,2,3"
     path.write_text("1,2,3\n")
-    assert run("project", path).returncode == 0
+    assert run_here("project", path).returncode == 0
     monkeypatch.chdir(tmp_path)
     cli._check_typed_points(["1,2,3", "-", "--set", "lens.far=inf"])
 
@@ -520,14 +537,14 @@ def test_project_with_three_names_is_refused(by_hand: Path) -> None:
 
 
 def test_options_may_stand_between_the_names(by_hand: Path) -> None:
-    done = run("project", by_hand, "--format", "json", "-", "--set=lens.far=8", text="2,1,1")
+    done = run_here("project", by_hand, "--format", "json", "-", "--set=lens.far=8", text="2,1,1")
     assert json.loads(done.stdout)["matrices"]["clip_from_view"][2][2] == -9 / 7
 
 
 def test_a_document_in_a_picture_is_read(tmp_path: Path, by_hand: Path) -> None:
     picture = tmp_path / "picture.png"
     picture.write_bytes(embed(one_pixel_png(), to_json(BY_HAND)))
-    assert run("matrices", picture).stdout == run("matrices", by_hand).stdout
+    assert run_here("matrices", picture).stdout == run_here("matrices", by_hand).stdout
 
 
 def one_pixel_png() -> bytes:
@@ -614,7 +631,7 @@ def test_output_for_files_and_programs_is_utf_8_everywhere(
     done = run(*WITH_MINUS, f"--format={form}", **environment)
     assert (done.returncode, done.stderr) == (0, "")
     assert "\u2212" in done.stdout
-    assert done.stdout == run(*WITH_MINUS, f"--format={form}").stdout
+    assert done.stdout == run_here(*WITH_MINUS, f"--format={form}").stdout
 
 
 def test_a_terminal_is_told_the_number_of_a_character_that_it_lacks() -> None:
@@ -639,7 +656,7 @@ def test_a_terminal_is_told_the_number_of_a_character_that_it_lacks() -> None:
 
 
 def matrices(*arguments: str | Path) -> dict[str, Any]:
-    done = run("matrices", *arguments, "--format", "json")
+    done = run_here("matrices", *arguments, "--format", "json")
     assert (done.returncode, done.stderr) == (0, "")
     found: dict[str, Any] = json.loads(done.stdout)
     return found
@@ -787,19 +804,19 @@ def angles(lens: Lens) -> tuple[float, float]:
 )
 def test_what_is_special_about_a_stage_is_said(sets: list[str], stage: str, note: str) -> None:
     arguments = [f"--set={value}" for value in sets]
-    assert f"\n{stage}\n  ({note})\n" in "\n" + run("matrices", *arguments).stdout
-    assert f"% {note}\n\\[\n" in run("matrices", *arguments, "--format=latex").stdout
+    assert f"\n{stage}\n  ({note})\n" in "\n" + run_here("matrices", *arguments).stdout
+    assert f"% {note}\n\\[\n" in run_here("matrices", *arguments, "--format=latex").stdout
 
 
 def test_perspective_matrix_has_the_last_row_of_the_field(by_hand: Path) -> None:
     assert matrices(by_hand)["clip_from_view"][3] == [0, 0, -1, 0]
-    text = run("matrices", by_hand).stdout
+    text = run_here("matrices", by_hand).stdout
     assert re.search(r"\nclip_from_view = .*\n(.*\n){3}  0 +0 +-1 +0\n", text)
 
 
 def test_text_shows_a_factored_view_matrix_with_aligned_columns(by_hand: Path) -> None:
     # eye (0, 0, 5) looking along -z: nothing is rotated, the eye moves to the origin.
-    assert run("matrices", by_hand).stdout.startswith(
+    assert run_here("matrices", by_hand).stdout.startswith(
         """\
 world_from_object
   (the scene's objects are given in world coordinates)
@@ -832,7 +849,7 @@ canonical_perspective_from_view = scale
 
 
 def test_text_shows_the_divide_between_clip_and_ndc(by_hand: Path) -> None:
-    blocks = run("matrices", by_hand).stdout.split("\n\n")
+    blocks = run_here("matrices", by_hand).stdout.split("\n\n")
     heads = [block.split()[0] for block in blocks if not block.startswith("  ")]
     after = PERSPECTIVE_STAGES.index("clip_from_world") + 1
     expected = [*PERSPECTIVE_STAGES[:after], "ndc_from_clip:", *PERSPECTIVE_STAGES[after:]]
@@ -843,12 +860,12 @@ def test_text_shows_the_divide_between_clip_and_ndc(by_hand: Path) -> None:
 def test_no_matrix_shows_a_minus_zero() -> None:
     # A symmetric window has -(right + left)/(right - left) = -0.0 in its matrix.
     for form in ("text", "json", "latex"):
-        done = run("matrices", "--format", form, "--set", "lens.kind=orthographic")
+        done = run_here("matrices", "--format", form, "--set", "lens.kind=orthographic")
         assert not re.search(r"-0(\.0)?(?![.\d])", done.stdout)
 
 
 def test_latex_is_pmatrix_with_powers_of_ten_written_out() -> None:
-    done = run("matrices", "--format", "latex", "--set", "lens.near=1e-7")
+    done = run_here("matrices", "--format", "latex", "--set", "lens.near=1e-7")
     blocks = re.findall(r"\\begin\{pmatrix\}\n(.*?)\n\\end\{pmatrix\}", done.stdout, re.DOTALL)
     rows = [[row.split(" & ") for row in block.split(" \\\\\n")] for block in blocks]
     assert all(len(matrix) == 4 and all(len(row) == 4 for row in matrix) for matrix in rows)
@@ -922,7 +939,7 @@ def test_numbers_are_written_the_same_in_every_locale(
             capture_output=True, text=True, check=False,
         )  # fmt: skip
         assert done.stderr == ""
-        assert done.stdout == run(*arguments, text="0.1,1234567.5,1e-9\n").stdout
+        assert done.stdout == run_here(*arguments, text="0.1,1234567.5,1e-9\n").stdout
 
 
 def test_the_largest_numbers_that_are_taken_are_numbers_in_json_too(by_hand: Path) -> None:
@@ -984,7 +1001,11 @@ def test_a_command_wins_over_a_file_of_its_name(tmp_path: Path) -> None:
     )  # fmt: skip
     assert done.stdout.startswith("world_from_object")
     # The letter F's matrices: the file of that name was not read.
-    assert done.stdout == run("matrices").stdout != run("matrices", tmp_path / "matrices").stdout
+    assert (
+        done.stdout
+        == run_here("matrices").stdout
+        != run_here("matrices", tmp_path / "matrices").stdout
+    )
 
 
 def test_a_command_that_does_not_come_first_is_told_so() -> None:
@@ -1106,7 +1127,10 @@ def test_up_almost_along_the_view_direction_works() -> None:
     view = np.array([6.0, 2.8, 9.0])
     across = np.cross(view, [0.0, 1.0, 0.0])
     up = view / np.linalg.norm(view) + 1e-12 * across / np.linalg.norm(across)
-    assert run("matrices", "--set", f"camera.up={','.join(map(repr, up.tolist()))}").returncode == 0
+    assert (
+        run_here("matrices", "--set", f"camera.up={','.join(map(repr, up.tolist()))}").returncode
+        == 0
+    )
 
 
 # --------------------------------------------------------------------------- files
@@ -1152,7 +1176,7 @@ def test_two_files_are_too_many(by_hand: Path) -> None:
 def test_a_mesh_brings_the_camera_that_shows_it(tmp_path: Path) -> None:
     mesh = tmp_path / "tetrahedron.obj"
     mesh.write_text("v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n")
-    done = run("project", mesh, "-", "--format=json", text="0,0,0\n2,0,0\n0,2,0\n0,0,2\n")
+    done = run_here("project", mesh, "-", "--format=json", text="0,0,0\n2,0,0\n0,2,0\n0,0,2\n")
     points = json.loads(done.stdout)["points"]
     assert all(point["inside"] for point in points)
 
@@ -1372,19 +1396,19 @@ def test_a_free_matrix_is_printed_with_what_it_does() -> None:
         "image_from_ndc",
     ]  # fmt: skip
     assert found["clip_from_view"] == [[0, 0, 0, 0], [0, 2, 0, 0], [0, 0, -1, -2], [0, 0, -1, 0]]
-    text = run("matrices", *FREE).stdout
+    text = run_here("matrices", *FREE).stdout
     assert "\nclip_from_view\n  (singular (rank 3): the frustum cannot be drawn)\n" in text
     assert "  (not affine: w depends on z)\n" in text
-    latex = run("matrices", *FREE, "--format=latex").stdout
+    latex = run_here("matrices", *FREE, "--format=latex").stdout
     assert "% singular (rank 3): the frustum cannot be drawn\n" in latex
-    assert "rank" not in run("matrices").stdout
+    assert "rank" not in run_here("matrices").stdout
 
 
 def test_points_go_through_a_free_matrix() -> None:
     view = "lens.view_from_world=1,0,0,0, 0,1,0,0, 0,0,1,-4, 0,0,0,2"
     cells = "lens.clip_from_view=1,0.5,0,0, 0,2,0,0, 0,0,-1,-2, 0,0,-1,0"
     settings = ("--set", "lens.kind=matrix", "--set", cells, "--set", view)
-    done = run("project", "-", "--format=json", *settings, text="1,2,1\n1,2,4\n0,0,9\n")
+    done = run_here("project", "-", "--format=json", *settings, text="1,2,1\n1,2,4\n0,0,9\n")
     assert (done.returncode, done.stderr) == (0, "")
     point, in_plane, behind = json.loads(done.stdout)["points"]
     # V (1, 2, 1, 1) = (1, 2, -3, 2), a point (0.5, 1, -1.5); P of it: (2, 4, 3 - 4, 3).
@@ -1397,7 +1421,7 @@ def test_points_go_through_a_free_matrix() -> None:
     for hidden in (in_plane, behind):
         assert hidden["ndc"] is hidden["image"] is hidden["depth"] is None
     for rung in ("float32", "float64", "exact"):
-        done = run("project", "-", "--rung", rung, *settings, text="1,2,1\n")
+        done = run_here("project", "-", "--rung", rung, *settings, text="1,2,1\n")
         assert done.returncode == 0
 
 
@@ -1407,7 +1431,7 @@ def test_a_free_matrix_is_exported(tmp_path: Path) -> None:
         out = tmp_path / f"{name}.png"
         done = run("export", out, *settings, "--size=300x100")
         assert (done.returncode, done.stderr) == (0, "")
-        assert run("matrices", out).stdout == run("matrices", *settings).stdout
+        assert run_here("matrices", out).stdout == run_here("matrices", *settings).stdout
 
 
 @pytest.mark.parametrize(
