@@ -457,6 +457,19 @@ def test_the_log_does_not_grow_for_ever(
     assert "line 1999 of many" in application.log_path().read_text(encoding="utf-8")
 
 
+def test_a_log_on_a_full_disk_ends_with_one_line(
+    own_logging: logging.Logger,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.setattr(application, "log_path", lambda: Path("/dev/full"))
+    assert application.start_log() is not None
+    for _ in range(3):
+        own_logging.warning("hello")
+    said = capsys.readouterr().err
+    assert said.count("\n") == 1 and "the log ends: [Errno 28]" in said
+
+
 def test_a_log_that_cannot_be_written_is_done_without(
     own_home: Path, own_logging: logging.Logger, monkeypatch: pytest.MonkeyPatch
 ) -> None:

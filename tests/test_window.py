@@ -1003,9 +1003,59 @@ def test_the_autosave_folder_may_be_unusable(display: Any, tmp_path: Path) -> No
     in_the_way = tmp_path / "file"
     in_the_way.write_text("")
     autosave = Autosave(in_the_way / "data", lambda: Document())
-    autosave.save_now()
+    told: list[str] = []
+    autosave.failed.connect(told.append)
+    for _ in range(2):
+        autosave.save_now()
+    assert told == [str(in_the_way / "data")], "once"
     assert autosave.orphans() == []
     autosave.close()
+
+
+def test_a_copy_that_cannot_be_removed_keeps_no_window_open(
+    make_window: Callable[..., MainWindow],
+    monkeypatch: pytest.MonkeyPatch,
+    caplog: pytest.LogCaptureFixture,
+) -> None:
+    window = make_window(shown=False)
+    other = window.autosave._folder / "autosave-1-aaaa.json"
+    write(Document("posts"), other)
+    window._offer_recovery()
+    window.store.set_projection(replace(window.store.document.projection, depth="direct3d"))
+    assert window.autosave.save_now()
+
+    def refuse(path: Path, missing_ok: bool = False) -> None:
+        raise PermissionError(13, "Permission denied", str(path))
+
+    with monkeypatch.context() as folder:
+        folder.setattr(Path, "unlink", refuse)
+        window.messages.choices[1].click()  # discard it
+        assert window.messages.text == f"{other} could not be removed: Permission denied."
+        window.store.mark_saved()
+        assert window.close()
+    assert "autosave stays" in caplog.text
+    caplog.clear()  # the error holds the window
+
+
+def test_that_no_copy_can_be_kept_is_said_in_the_window(
+    make_window: Callable[..., MainWindow],
+    monkeypatch: pytest.MonkeyPatch,
+    caplog: pytest.LogCaptureFixture,
+) -> None:
+    window = make_window(shown=False)
+
+    def full(_document: Document, path: Path) -> None:
+        raise DocumentError(UNWRITABLE, "No space left on device", file=str(path))
+
+    start = window.store.document.projection
+    window.store.set_projection(replace(start, depth="direct3d"))
+    with monkeypatch.context() as disk:
+        disk.setattr("widgets.autosave.write", full)
+        window.autosave.save_now()
+    said = f"No copy of unsaved work can be kept in {window.autosave._folder}: save it soon."
+    assert window.messages.text == said
+    window.store.mark_saved()
+    caplog.clear()  # the error holds the window
 
 
 # -- scenes

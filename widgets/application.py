@@ -29,7 +29,7 @@ import threading
 import time
 import traceback
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -394,7 +394,7 @@ def start_log() -> logging.Handler | None:
     path = log_path()
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        file = logging.handlers.RotatingFileHandler(
+        file = _LogFile(
             path, maxBytes=LARGEST_LOG, backupCount=2, encoding="utf-8", errors="backslashreplace"
         )
     except OSError as error:
@@ -403,6 +403,20 @@ def start_log() -> logging.Handler | None:
     file.setFormatter(form)
     root.addHandler(file)
     return file
+
+
+class _LogFile(logging.handlers.RotatingFileHandler):
+    """A log that ends, with a line on the terminal, where the disk takes no more."""
+
+    def handleError(self, record: logging.LogRecord) -> None:
+        error = sys.exc_info()[1]
+        if not isinstance(error, OSError):
+            super().handleError(record)
+            return
+        logging.getLogger().removeHandler(self)
+        with suppress(OSError):  # the same again, of what it still held
+            self.close()
+        log.critical("the log ends: %s", error)
 
 
 _QT_LEVELS = {

@@ -8,7 +8,7 @@ import secrets
 from collections.abc import Callable
 from pathlib import Path
 
-from PySide6.QtCore import QLockFile, QObject, QTimer
+from PySide6.QtCore import QLockFile, QObject, QTimer, Signal
 
 from app.document import Document, DocumentError, read, write
 
@@ -30,7 +30,14 @@ class Autosave(QObject):
         The user's data folder; made if it is not there.
     current : callable
         Gives the document to keep, or None when all is saved.
+
+    Attributes
+    ----------
+    failed : Signal(str)
+        No copy can be kept in this folder, as the log says; not told again until one could.
     """
+
+    failed = Signal(str)
 
     def __init__(
         self, folder: Path, current: Callable[[], Document | None], parent: QObject | None = None
@@ -38,6 +45,7 @@ class Autosave(QObject):
         super().__init__(parent)
         self._folder = folder
         self._current = current
+        self._has_failed = False
         self._path = folder / f"autosave-{os.getpid()}-{secrets.token_hex(4)}.json"
         self._lock = QLockFile(str(self._lock_path(self._path)))
         self._lock.setStaleLockTime(0)  # held for days by a window left open, until it dies
@@ -65,7 +73,7 @@ class Autosave(QObject):
         """Write the copy, or remove it when there is nothing unsaved; False if that failed."""
         document = self._current()
         if not self._lock.isLocked():
-            return False
+            return self._fail() if document is not None else False
         try:
             if document is None:
                 self._path.unlink(missing_ok=True)
@@ -73,8 +81,15 @@ class Autosave(QObject):
                 write(document, self._path)
         except (DocumentError, OSError) as error:
             log.warning("autosave failed: %s", error)
-            return False
+            return self._fail()
+        self._has_failed = False
         return True
+
+    def _fail(self) -> bool:
+        if not self._has_failed:
+            self._has_failed = True
+            self.failed.emit(str(self._folder))
+        return False
 
     def orphans(self) -> list[Path]:
         """Copies left by windows that died, newest first; their locks are removed."""
@@ -102,12 +117,21 @@ class Autosave(QObject):
 
     @staticmethod
     def discard(path: Path) -> None:
-        """Remove a copy that was recovered or is not wanted."""
+        """Remove a copy that was recovered or is not wanted.
+
+        Raises
+        ------
+        OSError
+            If it cannot be removed.
+        """
         path.unlink(missing_ok=True)
 
     def close(self) -> None:
         """Leave nothing behind: the window was closed in good order."""
         self._timer.stop()
         if self._lock.isLocked():
-            self._path.unlink(missing_ok=True)
+            try:
+                self._path.unlink(missing_ok=True)
+            except OSError as error:  # it will be offered, which is better than not to close
+                log.warning("autosave stays: %s", error)
             self._lock.unlock()

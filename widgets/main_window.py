@@ -193,6 +193,7 @@ class MainWindow(QMainWindow):
             lambda: self._with_views(self.store.document) if self.store.modified else None,
             self,
         )
+        self.autosave.failed.connect(self._tell_no_copy)
 
         self.panes = {
             name: Pane(title, DRAWINGS[name], orbits=name != "image")
@@ -1000,8 +1001,19 @@ class MainWindow(QMainWindow):
             self._offer_recovery()
 
     def _discard(self, path: Path) -> None:
-        self.autosave.discard(path)
+        try:
+            self.autosave.discard(path)
+        except OSError as error:
+            self.messages.say(
+                self.tr("{0} could not be removed: {1}.").format(path, error.strerror or error)
+            )
+            return
         self._offer_recovery()
+
+    def _tell_no_copy(self, folder: str) -> None:
+        self.messages.say(
+            self.tr("No copy of unsaved work can be kept in {0}: save it soon.").format(folder)
+        )
 
     # -- panes
 
