@@ -50,6 +50,7 @@ _STAMP = "frustum-lab.stamp"
 _UNFINISHED = "setting up\n"
 _UNOBTAINABLE = "No matching distribution|ResolutionImpossible"
 _NO_ANSWER = r"Retrying \("
+_HELD = r"OSError: \[WinError (5|32)\]"
 _AGAIN = "FRUSTUM_LAB_STARTED_AGAIN"
 
 
@@ -403,7 +404,7 @@ class Environment:
             if not in_place:
                 _say(f"first start: setting up {self.folder} (once; needs the network)")
                 if self.folder.exists():
-                    shutil.rmtree(self.folder)
+                    self._clear()
                 self.folder.mkdir(parents=True)
             else:
                 _say(f"bringing {self.folder} up to date")
@@ -416,6 +417,15 @@ class Environment:
             fresh.write_text("\n".join(lines) + "\n", encoding="utf-8")
             fresh.replace(self.stamp)
         _say(f"set up in {time.monotonic() - started:.0f} s")
+
+    def _clear(self) -> None:
+        try:
+            shutil.rmtree(self.folder)
+        except OSError as error:
+            raise SetupError(
+                f"{self.folder} could not be removed ({error}); close what runs in it and run "
+                f"again: {_command_again()}"
+            ) from None
 
     def _can_be_kept(self) -> bool:
         """Whether what is there can be completed by pip; else it has to be made anew."""
@@ -470,11 +480,14 @@ class Environment:
             status, output = self._pip(held, [*pip, *wanted])
         if status != 0:
             why = _last_line(output, "ERROR:") or f"exit status {status}"
+            to_do = "check the network"
             if _shows(output, _NO_ANSWER):
                 why = "no package server could be reached"  # whatever pip concluded from that
+            elif _shows(output, _HELD):
+                to_do = "close all windows of Frustum Lab"
             raise SetupError(
                 f"the Python packages could not be installed ({why}); "
-                f"check the network and run again: {_command_again()}"
+                f"{to_do} and run again: {_command_again()}"
             )
 
     def _pip(self, held: Held, command: list[str]) -> tuple[int, list[str]]:
@@ -646,7 +659,14 @@ def _start(need: Need, extras: tuple[str, ...]) -> None:
         if environment.is_complete():  # so it says, but it has lost something since
             environment.stamp.write_text(_UNFINISHED, encoding="utf-8")
         # An environment cannot be made anew while it runs: that is done from outside.
-        _again(Path(getattr(sys, "_base_executable", sys.executable)))
+        outside = Path(getattr(sys, "_base_executable", sys.executable))
+        if sys.platform == "win32":  # where this process would wait, and hold its own file
+            names = ", ".join(requirement.name for requirement in unmet(wanted))
+            raise SetupError(
+                f"{environment.folder} lacks {names or 'a part'}; start again: "
+                f"{command_line([str(outside), *sys.orig_argv[1:]])}"
+            )
+        _again(outside)
     _ensure_system([*_venv_module(), *missing_system(need)])
     environment.make()
     os.environ[_AGAIN] = "1"
@@ -678,9 +698,11 @@ def _again(python: Path) -> NoReturn:
         if stream is not None:  # as both are in pythonw
             stream.flush()
     if sys.platform == "win32":  # where exec returns to the shell before the program has ended
-        with contextlib.suppress(KeyboardInterrupt):
-            raise SystemExit(subprocess.run(command, check=False).returncode)
-        raise SystemExit(130)
+        with subprocess.Popen(command) as process:
+            while process.poll() is None:
+                with contextlib.suppress(KeyboardInterrupt):  # the program has it too, and decides
+                    process.wait()
+        raise SystemExit(process.returncode)
     os.execv(command[0], command)
 
 

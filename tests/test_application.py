@@ -444,6 +444,19 @@ def test_the_log_is_in_the_users_data_folder(own_home: Path, own_logging: loggin
     assert "WARNING root: hello \\udcff" in text
 
 
+def test_the_folders_of_xdg_hold_everywhere(
+    own_home: Path, monkeypatch: pytest.MonkeyPatch, display: Any
+) -> None:
+    """Where Qt does not ask for them, the tests would change the user's own settings."""
+    by_qt = application.settings_path(), application.data_folder(), application.log_path()
+    monkeypatch.setattr(application.QStandardPaths, "writableLocation", lambda _: "/elsewhere")
+    mine = application.settings_path(), application.data_folder(), application.log_path()
+    assert mine == by_qt and all(path.is_relative_to(own_home) for path in mine)
+    for name in ("XDG_CONFIG_HOME", "XDG_DATA_HOME"):
+        monkeypatch.setenv(name, "relative")
+    assert application.data_folder() == application.settings_path().parent == Path("/elsewhere")
+
+
 def test_the_log_does_not_grow_for_ever(
     own_logging: logging.Logger, monkeypatch: pytest.MonkeyPatch
 ) -> None:

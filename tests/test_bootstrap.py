@@ -6,6 +6,7 @@ Each test has a checkout of its own in a temporary folder: the real ``app/bootst
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import re
@@ -19,6 +20,7 @@ import zipfile
 from dataclasses import dataclass, replace
 from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
+from typing import cast
 
 import pytest
 from packaging.markers import Marker
@@ -267,6 +269,65 @@ def test_an_environment_that_lost_a_package_is_not_trusted(made: Checkout) -> No
     status, output, _ = made.run("-m", "app", "project")
     assert (status, output) == (3, "")
     assert made.stamp.read_text() == "setting up\n"
+
+
+def test_windows_makes_no_environment_anew_that_is_running(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Nobody can remove a program's file there while it runs, and it would wait for its heir."""
+    monkeypatch.setattr(sys, "platform", "win32")
+    monkeypatch.setattr(bootstrap, "_is_met", lambda *_: False)
+    monkeypatch.setattr(bootstrap.Environment, "is_running", lambda _: True)
+    monkeypatch.setattr(bootstrap.Environment, "is_complete", lambda _: False)
+    with pytest.raises(bootstrap.SetupError, match=r"\.venv lacks .*; start again: .*python"):
+        bootstrap._start("numbers", ())
+
+
+def test_an_environment_that_cannot_be_removed_is_in_use(
+    made: Checkout, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse(folder: Path) -> None:
+        raise PermissionError(13, "Access is denied", str(folder / "numpy.pyd"))
+
+    made.stamp.write_text("setting up\n")
+    monkeypatch.setattr(shutil, "rmtree", refuse)
+    with pytest.raises(bootstrap.SetupError, match=r"removed .*close what runs in it and run ag"):
+        bootstrap.Environment(made.root).make()
+
+
+def test_a_package_that_is_in_use_is_not_the_networks_fault(
+    made: Checkout, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    said = "ERROR: Could not install packages due to an OSError: [WinError 5] Access is denied\n"
+    monkeypatch.setattr(bootstrap.Environment, "_pip", lambda *_: (1, [said]))
+    with pytest.raises(bootstrap.SetupError, match=r"close all windows of Frustum Lab and run ag"):
+        bootstrap.Environment(made.root)._install(cast("bootstrap.Held", None))
+
+
+def test_ctrl_c_is_left_to_the_program_that_windows_waits_for(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    class Program(contextlib.nullcontext["Program"]):
+        """Asks about unsaved work, and ends in its own time."""
+
+        returncode: int | None = None
+
+        def __init__(self, _command: object) -> None:
+            super().__init__(self)
+            self.waits = 0
+
+        def poll(self) -> int | None:
+            return self.returncode
+
+        def wait(self) -> None:
+            self.waits += 1
+            if self.waits < 3:
+                raise KeyboardInterrupt
+            self.returncode = 7
+
+    monkeypatch.setattr(sys, "platform", "win32")
+    monkeypatch.setattr("subprocess.Popen", Program)
+    with pytest.raises(SystemExit) as end:
+        bootstrap._again(Path("python"))
+    assert end.value.code == 7
 
 
 def test_a_half_made_environment_is_not_trusted_from_inside_either(made: Checkout) -> None:

@@ -127,6 +127,10 @@ def name_application() -> None:
 
 def _folder(location: QStandardPaths.StandardLocation) -> Path:
     name_application()
+    is_config = location == QStandardPaths.StandardLocation.AppConfigLocation
+    own = Path(os.environ.get("XDG_CONFIG_HOME" if is_config else "XDG_DATA_HOME", ""))
+    if own.is_absolute():  # on Windows and macOS Qt does not ask, and tests would use the user's
+        return own / NAME
     return Path(QStandardPaths.writableLocation(location))
 
 

@@ -22,7 +22,6 @@ from PySide6.QtCore import (
     QEvent,
     QLocale,
     QPointF,
-    QStandardPaths,
     Qt,
     QTimer,
 )
@@ -63,6 +62,7 @@ from app.scene import BUILT_IN, Scene
 from app.store import Store
 from widgets import palette
 from widgets.adaptive import Adaptive
+from widgets.application import data_folder
 from widgets.attention import Attended
 from widgets.autosave import Autosave
 from widgets.controls import Controls
@@ -187,9 +187,8 @@ class MainWindow(QMainWindow):
         self._escape = EscapeKey(self)
         self._escape.pressed.connect(self._put_probe_back)
         self._before_click: tuple[tuple[Probe, ...], int] = ((), 0)
-        data = QStandardPaths.writableLocation(QStandardPaths.StandardLocation.AppDataLocation)
         self.autosave = Autosave(
-            Path(data),
+            data_folder(),
             lambda: self._with_views(self.store.document) if self.store.modified else None,
             self,
         )
