@@ -8,6 +8,7 @@ import json
 import math
 import os
 import random
+import re
 import subprocess
 import sys
 import weakref
@@ -23,7 +24,7 @@ import psutil
 import pytest
 from PIL import Image
 from PySide6.QtCore import QEvent, QMimeData, QObject, QPoint, QPointF, Qt, QTimer, QUrl
-from PySide6.QtGui import QDropEvent, QFont, QImage
+from PySide6.QtGui import QAction, QDropEvent, QFont, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QApplication,
@@ -850,6 +851,18 @@ def test_the_title_names_what_is_shown(
     assert "Untitled" in window.windowTitle()
     window.undo()
     assert mesh.name in window.windowTitle()
+
+
+def test_the_keys_that_help_names_are_those_of_the_window(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window(shown=False)
+    window.help.show_keys()
+    box = window.findChild(QMessageBox)
+    named = set(re.findall(r"Ctrl\+\w+|\bF\d+", box.text())) - {"F2"}  # of a matrix cell
+    assert {"Ctrl+Space", "Ctrl+Z", "F4", "F9"} <= named
+    assert named <= {action.shortcut().toString() for action in window.findChildren(QAction)}
+    box.close()
 
 
 # -- autosave

@@ -2,10 +2,19 @@
 
 from __future__ import annotations
 
+import sys
+
 from PySide6.QtCore import QObject, Qt
+from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import QMessageBox, QWidget
 
 from app import __version__
+
+PLAY_KEY, FULL_SCREEN_KEY = (
+    ("Ctrl+Shift+Space", "Ctrl+Meta+F")  # where Ctrl is ⌘, and the system has taken ⌘Space and F11
+    if sys.platform == "darwin"
+    else ("Ctrl+Space", "F11")
+)
 
 
 class Help(QObject):
@@ -53,10 +62,15 @@ class Help(QObject):
                 " back what you typed; double-click the name to reset it.</p>"
                 "<p>Matrices: double-click a number of view ← world or clip ← view (F2 or Enter)"
                 " to type another; Tab goes on to the next, Esc leaves it.</p>"
-                "<p>Ctrl+Space plays the orbit, Ctrl+Z undoes (a drag is one step), Ctrl+R resets"
-                " all, Ctrl+E exports, Ctrl+P is for the projector, F4 hides the controls.</p>"
+                "<p>{0} plays the orbit, {1} undoes (a drag is one step), {2} resets all, {3}"
+                " exports, {4} is for the projector, F4 hides the controls.</p>"
                 "<p>Drop a document, a mesh (OBJ, STL, PLY, glTF) or an exported picture on the"
                 " window to open it.</p>"
+            ).format(
+                *(
+                    QKeySequence(key).toString(QKeySequence.SequenceFormat.NativeText)
+                    for key in (PLAY_KEY, "Ctrl+Z", "Ctrl+R", "Ctrl+E", "Ctrl+P")
+                )
             ),
         )
 

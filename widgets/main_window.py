@@ -70,7 +70,7 @@ from widgets.counting import Counting
 from widgets.escape import EscapeKey
 from widgets.files import Files
 from widgets.frame_panel import FramePanel
-from widgets.help import Help
+from widgets.help import FULL_SCREEN_KEY, PLAY_KEY, Help
 from widgets.manipulation import HOLD_WITHIN_PX, Manipulation
 from widgets.matrix_panel import MatrixPanel
 from widgets.measure_panel import MeasurePanel
@@ -457,7 +457,9 @@ class MainWindow(QMainWindow):
             action.setChecked(theme == self.settings.theme)
             self._theme_group.addAction(action)
             themes.addAction(action)
-        menu.addAction(self._action(self.tr("&Full screen"), self._toggle_full_screen, "F11"))
+        menu.addAction(
+            self._action(self.tr("&Full screen"), self._toggle_full_screen, FULL_SCREEN_KEY)
+        )
 
         menu = bar.addMenu(self.tr("&Help"))
         help_ = self._action(self.tr("&Keys and mouse"), self.help.show_keys, keys.HelpContents)
@@ -466,7 +468,7 @@ class MainWindow(QMainWindow):
         menu.addAction(self._action(self.tr("&About Frustum Lab"), self.help.show_about))
 
         self._play = self._action(
-            self.tr("Play"), self.controls.animation.toggle, "Ctrl+Space",
+            self.tr("Play"), self.controls.animation.toggle, PLAY_KEY,
             self.tr("Play or pause the camera's orbit"),
         )  # fmt: skip
 
