@@ -29,6 +29,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QApplication,
     QComboBox,
+    QFileDialog,
     QLabel,
     QMessageBox,
     QProgressDialog,
@@ -766,6 +767,43 @@ def test_closing_with_unsaved_work_asks(
     answer(QMessageBox.StandardButton.Save)
     assert window.close()
     assert read(tmp_path / "kept.json") == window.store.document
+
+
+def test_what_another_program_wrote_is_not_saved_over_unasked(
+    make_window: Callable[..., MainWindow], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    window, path = make_window(shown=False), tmp_path / "lesson.json"
+    asked: list[str] = []
+
+    def press(text: str) -> None:
+        def click() -> None:
+            box = QApplication.activeModalWidget()
+            assert isinstance(box, QMessageBox)
+            asked.append(box.text())
+            next(button for button in box.buttons() if button.text() == text).click()
+
+        QTimer.singleShot(0, click)
+
+    assert window.files.save_to(path)
+    window.store.set_projection(seen(window, lens=Perspective(60.0, 2.0, 20.0)))
+    assert window.files.save() and asked == [], "only this window wrote"
+    for depth, text in (("direct3d", "Cancel"), ("reversed", "Save &as…"), ("opengl", "")):
+        window.store.set_projection(seen(window, depth=depth))
+        theirs = Document("posts")
+        write(theirs, path)
+        other = tmp_path / "mine.json"
+        monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_, to=other: (str(to), ""))
+        press(text or "Save &over it")
+        assert window.files.save() == (text != "Cancel")
+        assert read(path) == (theirs if text else window.store.document)
+        if text == "Save &as…":
+            assert read(other) == window.store.document and window.files.path == other
+            assert window.files.open(path)
+    assert (
+        asked == ["lesson.json has been changed elsewhere since it was opened or saved here."] * 3
+    )
+    path.unlink()
+    assert window.files.save() and path.exists(), "what is gone is written again"
 
 
 def being_typed(window: MainWindow, qtbot: Any, text: str) -> None:

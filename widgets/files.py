@@ -65,6 +65,8 @@ class Files(QObject):
         self._scenes: dict[tuple[str, str], Scene] = {}
         self._recent = recent
         self.path: Path | None = None
+        self._written: object = None
+        """When and how long the file at the path was as this window read or wrote it."""
         self.recent = recent()[:RECENT_LIMIT]
 
     # -- scenes
@@ -222,8 +224,24 @@ class Files(QObject):
     # -- saving
 
     def save(self) -> bool:
-        """Save where the document came from, or ask."""
-        return self.save_to(self.path) if self.path else self.save_as()
+        """Save where the document came from, or ask; also where another program wrote there."""
+        if self.path is None:
+            return self.save_as()
+        if (now := _written(self.path)) is None or now == self._written:
+            return self.save_to(self.path)
+        box = QMessageBox(self._window)
+        box.setIcon(QMessageBox.Icon.Warning)
+        text = self.tr("{0} has been changed elsewhere since it was opened or saved here.")
+        box.setText(text.format(self.path.name))
+        box.setInformativeText(self.tr("Save over it?"))
+        over = box.addButton(self.tr("Save &over it"), QMessageBox.ButtonRole.DestructiveRole)
+        beside = box.addButton(self.tr("Save &as…"), QMessageBox.ButtonRole.AcceptRole)
+        box.addButton(QMessageBox.StandardButton.Cancel)
+        box.setDefaultButton(beside)
+        box.exec()
+        if box.clickedButton() is over:
+            return self.save_to(self.path)
+        return box.clickedButton() is beside and self.save_as()
 
     def save_as(self) -> bool:
         """Ask for a place and save there."""
@@ -299,9 +317,19 @@ class Files(QObject):
 
     def _set_path(self, path: Path | None) -> None:
         self.path = path
+        self._written = _written(path) if path else None
         self.path_changed.emit()
 
     def _remember(self, path: str) -> None:
         path = os.path.abspath(path)
         self.recent = [path, *(old for old in self._recent() if old != path)][:RECENT_LIMIT]
         self.recent_changed.emit()
+
+
+def _written(path: Path) -> tuple[int, int] | None:
+    """When a file was last written, in ns, and how many bytes it has; None if it is not there."""
+    try:
+        found = path.stat()
+    except OSError:
+        return None
+    return found.st_mtime_ns, found.st_size
