@@ -701,6 +701,7 @@ def test_every_pane_probe_and_stop_takes_any_matrix(
     make_window: Callable[..., Any], qtbot: QtBot, display: Any, cell: Any
 ) -> None:
     window = make_window()
+    window.resize(940, 560)  # quickly drawn
     window.panels.open(window.probe_panel)
     start = window.store.document.projection
     probes = [Probe(1, (0.5, 2.0, 0.0)), Probe(2, pixel=(300.0, 200.0))]

@@ -150,6 +150,7 @@ def test_a_smoothing_is_used_in_every_pane_and_stays_while_one_drags(
     make_window: Callable[..., MainWindow], name: str
 ) -> None:
     window = make_window()
+    window.resize(940, 560)  # quickly drawn
     before = pictures(window)
     window._use({"smoothing": "none"})
     rough = pictures(window)

@@ -1185,6 +1185,7 @@ def test_windows_opened_and_closed_leave_nothing_behind(
 
 def test_random_changes_do_not_pile_up(make_window: Callable[..., MainWindow]) -> None:
     window = make_window()
+    window.resize(940, 420)  # quickly drawn
     window.store.begin_gesture()
     rng = random.Random(2)
     start = 0
