@@ -604,8 +604,7 @@ def outcome(rng: random.Random) -> str:
 
 def test_20_000_random_documents_give_no_silent_nan() -> None:
     """Each is refused with a sentence, or all its numbers are numbers; warnings are errors."""
-    first = random.SystemRandom().randrange(2**64)  # others in each run
-    for seed in range(first, first + 20_000):
+    for seed in range(20_000):
         try:
             outcome(random.Random(seed))
         except BaseException as error:
