@@ -349,7 +349,8 @@ def _read_input(source: str) -> bytes:
 def _point(cells: list[str], where: str) -> tuple[float, float, float]:
     if len(cells) != 3:
         found = "1 column" if len(cells) == 1 else f"{len(cells)} columns"
-        raise CliError(f"{where}: has {found}, must have three: x,y,z.")
+        hint = ", with commas between them and decimal points" if ";" in "".join(cells) else ""
+        raise CliError(f"{where}: has {found}, must have three: x,y,z{hint}.")
     values = []
     for name, cell in zip("xyz", cells, strict=True):
         try:

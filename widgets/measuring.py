@@ -129,6 +129,7 @@ class Measuring(QObject):
         self._read()
         out = bytes(self._process.readAllStandardOutput().data())
         said = self._lines[-1] if self._lines else ""  # of a traceback, what went wrong
+        said = said.removeprefix(f"{self._file}: ")  # of which the user knows nothing
         self._clear()
         try:
             results = from_json(out.decode(), self.tr("The measurement"))
