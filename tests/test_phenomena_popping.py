@@ -199,6 +199,14 @@ def test_the_contrast_at_the_far_plane_is_the_fogs() -> None:
         assert shown(projection).readings[4].value == 100.0
 
 
+def test_the_diagram_of_the_fog_has_far_where_it_is() -> None:
+    start = PHENOMENON.start
+    for far, marked in ((30.0, [[[30.0, 0.0], [30.0, 100.0]]]), (math.inf, [])):
+        (diagram,) = shown(replace(start, lens=Perspective(45.0, 0.5, far))).diagrams
+        curves = (curve for curve in diagram.curves if curve.colour == "far")
+        assert [curve.points.tolist() for curve in curves] == marked
+
+
 @pytest.mark.parametrize(
     ("settings", "field"),
     [
