@@ -28,7 +28,8 @@ class Store(QObject):
     document : Document
         What is open at the start.
     saved : Document, optional
-        What is in its file, if that is another one.
+        What is in its file, if that is another one; undo goes back to it where it has the same
+        scene, which is there.
     """
 
     changed = Signal(object)
@@ -48,6 +49,9 @@ class Store(QObject):
         self._saved: Document | None = saved or document
         self._undo: list[Document] = []
         self._redo: list[Document] = []
+        here = document.scene, document.mesh
+        if saved is not None and saved != document and (saved.scene, saved.mesh) == here:
+            self._undo.append(saved)
         self._gestures = 0
         self._gesture_start: Document | None = None
 

@@ -817,6 +817,9 @@ def test_a_window_keeps_what_the_command_line_changed(tmp_path: Path) -> None:
 print(window.isWindowModified(), window.store.modified)
 window.autosave.save_now()
 print(len(list(window.autosave._folder.glob("autosave-*.json"))))
+window.store.undo()
+print(window.store.modified, window.store.document.projection.lens.far)
+window.store.redo()
 def answer():
     box = QApplication.activeModalWidget()
     box.button(QMessageBox.StandardButton.Save).click()
@@ -827,7 +830,7 @@ window.close()
         path, "--set", "lens.far=inf",
     )  # fmt: skip
     assert done.stderr == ""
-    assert done.stdout.splitlines() == ["True True", "1"]
+    assert done.stdout.splitlines() == ["True True", "1", "False 30.0"]
     assert read(path).projection.lens.far == math.inf
 
 

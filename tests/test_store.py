@@ -163,6 +163,19 @@ def test_opening_starts_a_new_history(store: Store) -> None:
     assert not store.can_undo and not store.modified
 
 
+def test_what_the_command_line_changed_can_be_undone() -> None:
+    saved, shown = Document("cube", seen(45.0)), Document("cube", seen(60.0))
+    store = Store(shown, saved=saved)
+    assert store.modified and store.can_undo
+    store.undo()
+    assert store.document == saved and not store.modified
+    store.redo()
+    assert store.document == shown
+    assert not Store(saved, saved=saved).can_undo
+    other = Store(shown, saved=Document("posts", seen(45.0)))  # which may not be there
+    assert other.modified and not other.can_undo
+
+
 def test_a_recovered_document_is_unsaved(store: Store) -> None:
     store.open(Document("cube", seen(60.0)), saved=False)
     assert store.modified
