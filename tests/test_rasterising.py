@@ -185,6 +185,37 @@ def test_a_gap_that_no_buffer_tells_is_counted_too(plotter: Any, kind: str, gap:
     assert abs(100.0 * counted - reading.value) <= 1.0
 
 
+def test_what_a_parallel_lens_shows_is_counted_however_far_its_planes_are_apart(
+    plotter: Any,
+) -> None:
+    """Depths of all from near to far in a float32 would not tell the ramp's two surfaces apart."""
+    scene = load("depth-buffer")
+    for kind, near, far, stored, gap in (
+        ("orthographic", 1.0, 5e3, "fixed8", 1e-4),
+        ("orthographic", -5e3, 5e3, "fixed16", 1e-4),
+        ("orthographic", -1e5, 1e3, "float16", 1e-4),
+        ("orthographic", -1e7, 1e7, "fixed16", 0.1),
+        ("oblique", 1.0, 1e6, "fixed16", 0.1),
+        ("orthographic", -1e5, 1e4, "fixed8", 100.0),
+        ("oblique", 1.0, 1e4, "fixed24", 1e-4),
+        ("orthographic", 1.0, 2e4, "fixed24", 1e-4),
+    ):
+        projection = scene.start.with_lens(kind)
+        projection = replace(projection, lens=replace(projection.lens, near=near, far=far))
+        settings = {"format": stored, "range": "reversed", "gap": gap}
+        reading = depth_buffer.PHENOMENON.show(projection, settings, scene.subject).readings[0]
+        buffer = depth_buffer.buffer_of(projection, settings)
+        assert isinstance(buffer, DepthBuffer) and isinstance(reading.value, float)
+        behind = depth_buffer.moved_behind(projection, gap)
+        counted = counted_wrong_share(plotter, scene, projection, buffer, behind)
+        assert counted is not None, kind
+        if stored == "fixed24":  # the codes are as fine as the float32 that they are made of
+            assert reading.note is not None and counted > 0.5
+        else:
+            assert reading.note is None
+            assert abs(100.0 * counted - reading.value) <= 5.0, (kind, near, far, stored)
+
+
 def test_the_image_pane_shows_the_stripes_that_are_counted(plotter: Any, make: Any) -> None:
     picture = make("depth-buffer").show()
     start = replace(picture.phenomenon.start, image_size=SIZE)

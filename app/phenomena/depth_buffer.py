@@ -42,6 +42,8 @@ from app.shapes import Coloured, flat, ground_grid
 
 FINEST = 2.0**-17
 """Relative to the distance: what is finer than this drowns in the graphics card's own float32."""
+_FINEST_PARALLEL = 2.0**-21
+"""The same of a parallel lens, whose depth is linear, relative to far - near."""
 
 _NO_LOG = QT_TRANSLATE_NOOP(
     "phenomena",
@@ -215,7 +217,10 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
     if len(first):
         share, note = 100.0 * wrong_share(buffer, first, second), None
         w = min(max(float(first.mean()), buffer.near), buffer.far)  # a mean is rounded
-        if max(gap, float(buffer.gap(w))) < FINEST * (w + math.dist(subject.lower, subject.upper)):
+        finest = FINEST * (w + math.dist(subject.lower, subject.upper))
+        if buffer.parallel:
+            finest = max(finest, _FINEST_PARALLEL * (buffer.far - buffer.near))
+        if max(gap, float(buffer.gap(w))) < finest:
             note = Phrase(_TOO_FINE)
     w = projection.camera.distance
     known = buffer.near <= w <= buffer.far
