@@ -170,25 +170,10 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
     with np.errstate(over="ignore"):
         target = np.array(projection.camera.distance)
         disc_mm = float(blur_mm(f_mm, n, focus, target))
-    blur_px: float | tuple[float, ...] | None = disc_mm * (
-        math.hypot(*projection.image_size) / _FILM_DIAGONAL_MM
-    )
-    note = None
-    left, right, bottom, top = projection.window
-    window = right - left, top - bottom
-    if not math.isclose(window[0] / window[1], projection.aspect, rel_tol=1e-6):
-        film_mm = (side * (_FILM_DIAGONAL_MM / math.hypot(*window)) for side in window)
-        blur_px = tuple(
-            disc_mm * (size_px / side_mm)
-            for size_px, side_mm in zip(projection.image_size, film_mm, strict=True)
-        )
-        note = Phrase(_ELLIPSE)
-    if not np.isfinite(blur_px).all():
-        blur_px, note = None, Phrase(_BOUNDLESS)
     return Exhibit(
         (
             *_readings(f_mm, f_mm / n, sharp, Phrase(_TO_INFINITY)),
-            _target_reading(blur_px, note),
+            _drawn_disc(projection, disc_mm),
         ),
         world=_planes(projection, focus, sharp, subject),
         diagrams=(_diagram(f_mm, n, focus, c_mm, sharp),),
@@ -217,7 +202,28 @@ def _readings(
     )
 
 
-def _target_reading(blur_px: float | tuple[float, ...] | None, note: Phrase | None) -> Reading:
+def _drawn_disc(projection: Projection, disc_mm: float) -> Reading:
+    """The target's disc in the picture: its diameter, or both of an ellipse."""
+    blur_px: tuple[float, ...] = (
+        disc_mm * (math.hypot(*projection.image_size) / _FILM_DIAGONAL_MM),
+    )
+    left, right, bottom, top = projection.window
+    window = right - left, top - bottom
+    stretched = not math.isclose(window[0] / window[1], projection.aspect, rel_tol=1e-6)
+    if stretched:
+        film_mm = (side * (_FILM_DIAGONAL_MM / math.hypot(*window)) for side in window)
+        blur_px = tuple(
+            disc_mm * (size_px / side_mm)
+            for size_px, side_mm in zip(projection.image_size, film_mm, strict=True)
+        )
+    if not np.isfinite(blur_px).all():
+        return _target_reading(None, Phrase(_BOUNDLESS))
+    return _target_reading(blur_px, Phrase(_ELLIPSE)) if stretched else _target_reading(blur_px[0])
+
+
+def _target_reading(
+    blur_px: float | tuple[float, ...] | None, note: Phrase | None = None
+) -> Reading:
     return Reading(QT_TRANSLATE_NOOP("phenomena", "blur of the target"), blur_px, "px", note)
 
 
