@@ -409,7 +409,7 @@ def test_fog_leaves_the_contrast_of_its_formula(make: Any, fog: str, kind: str) 
     wall = pv.PolyData(
         np.array([(-90.0, -90, 0), (90, -90, 0), (90, 90, 0), (-90, 90, 0)]), faces=[4, 0, 1, 2, 3]
     )
-    wall.cell_data["rgb"] = np.array([[0, 0, 0]], dtype=np.uint8)
+    wall.cell_data["rgb"] = np.array([[90, 90, 90]], dtype=np.uint8)
     picture = make("far-plane-popping", replace(scene, surface=wall, lines=None))
     background = 255.0 * np.array(rgb(LIGHT.background))
     for w in np.linspace(2.0, 95.0, 20):
@@ -419,7 +419,13 @@ def test_fog_leaves_the_contrast_of_its_formula(make: Any, fog: str, kind: str) 
         picture.drawing._rasteriser._choose_faces(in_levels=False)  # the wall, not the trees
         pixel = picture.pixels()[SIZE[1] // 2, SIZE[0] // 2]
         part = math.exp(-0.03 * w) if fog == "exponential" else min(1.0, max(0.0, (80 - w) / 70))
-        assert pixel == pytest.approx(background * (1.0 - part), abs=1.0), w
+        assert pixel == pytest.approx(background * (1.0 - part) + 90.0 * part, abs=1.0), w
+    if kind == "orthographic":  # whose near plane may lie behind the eye, where fog has not begun
+        behind = replace(at, camera=Camera((0.0, 0.0, -50.0), (0.0, 0.0, -90.0)))
+        behind = replace(behind, lens=replace(behind.lens, near=-100.0))
+        picture.show(behind, fog=fog, fog_start=10.0, fog_end=80.0, fog_density=0.03)
+        picture.drawing._rasteriser._choose_faces(in_levels=False)
+        assert picture.pixels()[SIZE[1] // 2, SIZE[0] // 2] == pytest.approx(90.0, abs=1.0)
 
 
 def tree_scene(level: int) -> Scene:
