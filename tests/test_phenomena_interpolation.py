@@ -209,13 +209,16 @@ def test_the_readings_of_a_mesh_are_those_that_a_search_finds() -> None:
                         texels = max(texels, float(np.hypot(*off.T).max()) * TEXELS)
                         off = (line - part) * (other - one)
                         px = max(px, float(np.hypot(*off.T).max()))
-        readings = shown(projection, subject, subdivision=parts).readings
+        exhibit = shown(projection, subject, subdivision=parts)
+        readings = exhibit.readings
         assert readings[0].value == pytest.approx(texels, rel=1e-4)
         assert readings[1].value == pytest.approx(px, rel=1e-4)
         (longest, *_) = subject.mesh.edges  # type: ignore[union-attr]
+        longest = longest[np.argsort(projection.trace(longest).clip[:, 3])]  # from the nearer end
         half = longest[0] + float(readings[2].value) / 100.0 * (longest[1] - longest[0])  # type: ignore[arg-type]
         ends = projection.trace(longest).image
         assert projection.trace(half).image == pytest.approx(ends.mean(axis=0), abs=1e-8)
+        assert exhibit.world.dots[1].point == pytest.approx(half, abs=1e-9)
         said = readings[0].note
         assert said is not None and "two largest extents" in said.template and not said.values
 

@@ -185,7 +185,8 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
         return Exhibit(
             _readings(errors, None, Phrase(cut), said), rendering=rendering, warning=Phrase(cut)
         )
-    w = trace.clip[:, 3]
+    nearer_first = np.argsort(trace.clip[:, 3], kind="stable")
+    ends, w = ends[nearer_first], trace.clip[nearer_first, 3]
     part = 1.0 / (float(w[1] / w[0]) + 1.0)
     in_world = np.stack([ends.mean(axis=0), ends[0] + part * (ends[1] - ends[0])])
     middles = projection.trace(in_world)
@@ -254,7 +255,8 @@ def _readings(
         ),
         Reading(
             QT_TRANSLATE_NOOP(
-                "phenomena", "half-way along the marked edge on the screen, in the world"
+                "phenomena",
+                "half-way along the marked edge on the screen, in the world, from its nearer end",
             ),
             None if part is None else 100.0 * part,
             "%",
