@@ -298,8 +298,8 @@ PHENOMENON = Phenomenon(
         "Surface 2 lies behind surface 1 by the gap, along n. Where the depth buffer stores both"
         " as one code, the surface drawn last is seen: z-fighting. With a perspective lens and the"
         " standard range most codes lie just behind near, so near decides, far hardly: as the"
-        " scene opens 63 % of the ramp's pixels are wrong, 0 % with near 0.1, 62 % with far 60."
-        " Codes of up to 24 bits are kept apart exactly.",
+        " scene opens, with its ramp, 63 % of the pixels are wrong, 0 % with near 0.1, 62 % with"
+        " far 60. Codes of up to 24 bits are kept apart exactly.",
     ),
     lectures=("000", "001"),
     start=Projection(

@@ -214,8 +214,8 @@ PHENOMENON = Phenomenon(
     title=QT_TRANSLATE_NOOP("phenomena", "Similar triangles"),
     explanation=QT_TRANSLATE_NOOP(
         "phenomena",
-        "Every projector runs from a point of the object to the eye; where it meets the plane at"
-        " distance d is the point's image. The two triangles between eye, axis and projector are"
+        "Every projector runs from a point, of the object or beside it, to the eye; where it meets"
+        " the plane at distance d is the point's image. The two triangles between eye, axis and projector are"
         " similar, so x_p : d = x : w. With d below 0 the plane is behind the eye, as in a camera"
         " obscura: the image is upside down.",
     ),
