@@ -57,6 +57,8 @@ TOO_FINE = QT_TRANSLATE_NOOP(
 RASTERISED = frozenset({"depth", "texture", "fog", "levels"})
 """What a scene can require of a `Rasteriser`."""
 MOST_TRIANGLES = 1_000_000
+LEAST_COUNTED = 20
+"""Pixels of which a share is counted: of fewer, each is more than 5 points."""
 
 _Uniform: TypeAlias = tuple[str, float | int | tuple[float, ...]]
 _RED, _BLUE = (1.0, 0.0, 0.0), (0.0, 0.0, 1.0)
@@ -474,8 +476,8 @@ def counted_wrong_share(
     Returns
     -------
     float or None
-        0..1, of the pixels that both surfaces cover; None if there are none, or where this
-        computer's OpenGL refuses the shader.
+        0..1, of the pixels that both surfaces cover, NaN if they are fewer than `LEAST_COUNTED`;
+        None where this computer's OpenGL refuses the shader.
     """
     if scene.surface is None:
         return None
@@ -532,9 +534,9 @@ def counted_wrong_share(
     wrong = found != drawn(True, True)[:, 1]
     for actor, _ in actors:
         renderer.RemoveViewProp(actor)
-    if rasteriser.refused or not both.any():
+    if rasteriser.refused:
         return None
-    return float(np.mean(wrong[both]))
+    return float(np.mean(wrong[both])) if both.sum() >= LEAST_COUNTED else math.nan
 
 
 def _over_the_scene(clip_from_local: Array, corners: Array, apart: Array) -> Array:

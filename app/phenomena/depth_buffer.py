@@ -53,6 +53,9 @@ _NO_INFINITE = QT_TRANSLATE_NOOP(
     "phenomena", "a parallel lens cannot have its far plane at infinity"
 )
 _NOT_IN_PICTURE = QT_TRANSLATE_NOOP("phenomena", "no pixel of the picture shows both surfaces")
+_TOO_FEW = QT_TRANSLATE_NOOP(
+    "phenomena", "too few pixels of the picture show both surfaces to count them"
+)
 _NONE_IS_SURE = QT_TRANSLATE_NOOP(
     "phenomena", "what lies behind the target may share its code, as far away as the far plane is"
 )
@@ -155,7 +158,11 @@ def _rays(projection: Projection, corners_clip: Array) -> tuple[Array, Array] | 
         return None
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         ndc = polygon[:, :2] / polygon[:, 3:]
-    places = _spread(np.clip(np.where(np.isfinite(ndc), ndc, 0.0), -1.0, 1.0))
+    ndc = np.clip(np.where(np.isfinite(ndc), ndc, 0.0), -1.0, 1.0)
+    x, y = ((ndc - ndc[0]) * projection.image_size / 2.0).T
+    if abs(x @ np.roll(y, -1) - y @ np.roll(x, -1)) < 2.0:  # less than a pixel is covered
+        return None
+    places = _spread(ndc)
     left, right, bottom, top = projection.window
     lens = projection.standard_lens
     window = (0.5 * (places + 1.0)) * (right - left, top - bottom) + (left, bottom)
@@ -237,6 +244,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
             QT_TRANSLATE_NOOP("phenomena", "the same, counted in the picture"),
             None,
             "%",
+            note if share is None else Phrase(_TOO_FEW),
             counted=True,
         ),
         Reading(

@@ -215,9 +215,9 @@ PHENOMENON = Phenomenon(
     explanation=QT_TRANSLATE_NOOP(
         "phenomena",
         "Every projector runs from a point, of the object or beside it, to the eye; where it meets"
-        " the plane at distance d is the point's image. The two triangles between eye, axis and projector are"
-        " similar, so x_p : d = x : w. With d below 0 the plane is behind the eye, as in a camera"
-        " obscura: the image is upside down.",
+        " the plane at distance d is the point's image. The two triangles between eye, axis and"
+        " projector are similar, so x_p : d = x : w. With d below 0 the plane is behind the eye, as"
+        " in a camera obscura: the image is upside down.",
     ),
     lectures=("000", "001", "002", "004"),
     start=_START,
