@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -38,6 +39,11 @@ def test_the_counted_share_stands_beside_the_predicted_one(
     assert shown(window)[1] == "–", "what was counted before is of another picture"
     qtbot.waitUntil(lambda: shown(window)[1] != "–")
     assert shown(window)[:2] == ["0", "0"]
+    assert "few pixels" not in window.scene_panel.readout.note.text()
+    start = window.store.document.projection
+    window.store.set_projection(replace(start, lens=replace(start.lens, fov_y_deg=179.0)))
+    qtbot.waitUntil(lambda: "few pixels" in window.scene_panel.readout.note.text())
+    assert shown(window)[1] == "–"
 
 
 def test_nothing_is_counted_while_the_hand_moves(make_depth: MakeWindow, qtbot: Any) -> None:

@@ -129,6 +129,16 @@ def test_a_surface_that_comes_to_lie_in_front_is_never_wrong() -> None:
     assert shown(up, format="fixed8", gap=0.01).readings[0].value == 0.0
 
 
+def test_a_ramp_of_less_than_a_pixel_has_no_share() -> None:
+    """At 179 degrees it has some pixels, which may be too few to count."""
+    lens = PHENOMENON.start.lens
+    for fov, known, why in ((179.9, False, "no pixel"), (179.0, True, "too few")):
+        exhibit = shown(replace(PHENOMENON.start, lens=replace(lens, fov_y_deg=fov)))
+        computed, counted = exhibit.readings[:2]
+        assert (computed.value is not None) == (computed.note is None) == known
+        assert counted.note is not None and counted.note.sentence().startswith(why)
+
+
 MESHES: dict[str, Callable[[], pv.PolyData]] = {
     "triangle": lambda: pv.Triangle(),
     "sloping quad": lambda: pv.Plane(i_resolution=1, j_resolution=1).rotate_x(60),

@@ -101,6 +101,7 @@ def test_the_largest_errors_are_those_that_a_search_finds() -> None:
 def test_half_way_on_the_screen_is_less_in_the_world() -> None:
     """1/(k + 1) of the edge, k = w_b/w_a: the place that is drawn half-way between the ends."""
     random = np.random.default_rng(9)
+    marked = 0
     for _ in range(50):
         projection = random_projection(random)
         exhibit = shown(projection)
@@ -108,11 +109,25 @@ def test_half_way_on_the_screen_is_less_in_the_world() -> None:
         part = float(exhibit.readings[2].value) / 100.0  # type: ignore[arg-type]
         place = BOARD[0] + part * (BOARD[3] - BOARD[0])
         assert projection.trace(place).image == pytest.approx(ends.image.mean(axis=0), abs=1e-8)
-        world, image = exhibit.world.dots, exhibit.image.dots
+        world = exhibit.world.dots
         assert world[1].point == pytest.approx(place)
-        assert image[1].point == pytest.approx(ends.image.mean(axis=0))
         assert world[0].point == pytest.approx((BOARD[0] + BOARD[3]) / 2.0)
-        assert image[0].point == pytest.approx(projection.trace(world[0].point).image)
+        halves = projection.trace(np.array([world[0].point, place]))
+        expected = halves.image[~halves.outside.any(axis=1)]
+        drawn = [dot.point for dot in exhibit.image.dots]
+        assert np.ravel(drawn) == pytest.approx(np.ravel(expected))
+        marked += len(drawn)
+    assert 50 < marked < 100
+
+
+def test_what_is_outside_the_view_volume_is_not_marked_in_the_picture() -> None:
+    start = PHENOMENON.start
+    near_by = shown(replace(start, lens=replace(start.lens, far=5.0))).image
+    assert near_by.lines == near_by.dots == near_by.texts == ()
+    half = shown(replace(start, lens=replace(start.lens, far=10.0))).image
+    assert len(half.lines) == 1 and len(half.dots) == len(half.texts) == 1
+    ends = shown(start).image.lines[0].points
+    assert 0.1 < np.ptp(half.lines[0].points[:, 1]) / np.ptp(ends[:, 1]) < 0.9
 
 
 def test_twice_as_many_parts_leave_a_quarter_in_the_limit_and_more_before() -> None:
@@ -194,13 +209,16 @@ def test_the_readings_of_a_mesh_are_those_that_a_search_finds() -> None:
                         texels = max(texels, float(np.hypot(*off.T).max()) * TEXELS)
                         off = (line - part) * (other - one)
                         px = max(px, float(np.hypot(*off.T).max()))
-        readings = shown(projection, subject, subdivision=parts).readings
+        exhibit = shown(projection, subject, subdivision=parts)
+        readings = exhibit.readings
         assert readings[0].value == pytest.approx(texels, rel=1e-4)
         assert readings[1].value == pytest.approx(px, rel=1e-4)
         (longest, *_) = subject.mesh.edges  # type: ignore[union-attr]
+        longest = longest[np.argsort(projection.trace(longest).clip[:, 3])]  # from the nearer end
         half = longest[0] + float(readings[2].value) / 100.0 * (longest[1] - longest[0])  # type: ignore[arg-type]
         ends = projection.trace(longest).image
         assert projection.trace(half).image == pytest.approx(ends.mean(axis=0), abs=1e-8)
+        assert exhibit.world.dots[1].point == pytest.approx(half, abs=1e-9)
         said = readings[0].note
         assert said is not None and "two largest extents" in said.template and not said.values
 

@@ -124,6 +124,15 @@ def test_s_is_what_the_formula_beside_it_says(kind: str) -> None:
     assert place[:3] * factor == pytest.approx(light, rel=1e-5)
 
 
+def test_p_and_its_shadow_are_marked_where_the_picture_shows_them() -> None:
+    """P is 12.3, its shadow 15.1 before the eye plane."""
+    lens = PHENOMENON.start.lens
+    for far, marks in ((24.0, 2), (13.0, 1), (9.0, 0)):
+        exhibit = show(replace(PHENOMENON.start, lens=replace(lens, far=far)))
+        assert len(exhibit.image.dots) == marks, far
+        assert len(exhibit.world.dots) == 3
+
+
 def test_by_hand() -> None:
     """The light at (0, 4, 0) over y = 0: (1, 2, 1) is half way up, its shadow twice as far."""
     matrix = shadow_matrix(np.array([0.0, 4.0, 0.0, 1.0]), 0.0)

@@ -154,6 +154,15 @@ def test_what_is_marked_lies_on_the_plane_and_on_its_projector(distance: float) 
     assert exhibit.ndc.dots[0].point.tolist() == trace.ndc.tolist()
 
 
+def test_a_point_outside_the_view_volume_is_marked_in_the_world_only() -> None:
+    """P is 9.6 before the eye plane: beyond a far plane at 8; and beside the picture."""
+    short = show(replace(START, lens=Perspective(40.0, 1.0, 8.0)))
+    aside = show(point=(20.0, 5.0, 0.5))
+    for exhibit in (short, aside):
+        assert exhibit.ndc.dots == exhibit.image.dots == exhibit.image.texts == ()
+        assert exhibit.world.dots and readings(exhibit)["scale d / w"] is not None
+
+
 def test_projectors_start_at_vertices_of_the_subject() -> None:
     exhibit = show(distance=4.0)
     thin = [line.points for line in exhibit.world.lines if line.colour == "muted"]

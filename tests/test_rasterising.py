@@ -185,6 +185,37 @@ def test_a_gap_that_no_buffer_tells_is_counted_too(plotter: Any, kind: str, gap:
     assert abs(100.0 * counted - reading.value) <= 1.0
 
 
+def test_what_a_parallel_lens_shows_is_counted_however_far_its_planes_are_apart(
+    plotter: Any,
+) -> None:
+    """Depths of all from near to far in a float32 would not tell the ramp's two surfaces apart."""
+    scene = load("depth-buffer")
+    for kind, near, far, stored, gap in (
+        ("orthographic", 1.0, 5e3, "fixed8", 1e-4),
+        ("orthographic", -5e3, 5e3, "fixed16", 1e-4),
+        ("orthographic", -1e5, 1e3, "float16", 1e-4),
+        ("orthographic", -1e7, 1e7, "fixed16", 0.1),
+        ("oblique", 1.0, 1e6, "fixed16", 0.1),
+        ("orthographic", -1e5, 1e4, "fixed8", 100.0),
+        ("oblique", 1.0, 1e4, "fixed24", 1e-4),
+        ("orthographic", 1.0, 2e4, "fixed24", 1e-4),
+    ):
+        projection = scene.start.with_lens(kind)
+        projection = replace(projection, lens=replace(projection.lens, near=near, far=far))
+        settings = {"format": stored, "range": "reversed", "gap": gap}
+        reading = depth_buffer.PHENOMENON.show(projection, settings, scene.subject).readings[0]
+        buffer = depth_buffer.buffer_of(projection, settings)
+        assert isinstance(buffer, DepthBuffer) and isinstance(reading.value, float)
+        behind = depth_buffer.moved_behind(projection, gap)
+        counted = counted_wrong_share(plotter, scene, projection, buffer, behind)
+        assert counted is not None, kind
+        if stored == "fixed24":  # the codes are as fine as the float32 that they are made of
+            assert reading.note is not None and counted > 0.5
+        else:
+            assert reading.note is None
+            assert abs(100.0 * counted - reading.value) <= 5.0, (kind, near, far, stored)
+
+
 def test_the_image_pane_shows_the_stripes_that_are_counted(plotter: Any, make: Any) -> None:
     picture = make("depth-buffer").show()
     start = replace(picture.phenomenon.start, image_size=SIZE)
@@ -378,7 +409,7 @@ def test_fog_leaves_the_contrast_of_its_formula(make: Any, fog: str, kind: str) 
     wall = pv.PolyData(
         np.array([(-90.0, -90, 0), (90, -90, 0), (90, 90, 0), (-90, 90, 0)]), faces=[4, 0, 1, 2, 3]
     )
-    wall.cell_data["rgb"] = np.array([[0, 0, 0]], dtype=np.uint8)
+    wall.cell_data["rgb"] = np.array([[90, 90, 90]], dtype=np.uint8)
     picture = make("far-plane-popping", replace(scene, surface=wall, lines=None))
     background = 255.0 * np.array(rgb(LIGHT.background))
     for w in np.linspace(2.0, 95.0, 20):
@@ -388,7 +419,13 @@ def test_fog_leaves_the_contrast_of_its_formula(make: Any, fog: str, kind: str) 
         picture.drawing._rasteriser._choose_faces(in_levels=False)  # the wall, not the trees
         pixel = picture.pixels()[SIZE[1] // 2, SIZE[0] // 2]
         part = math.exp(-0.03 * w) if fog == "exponential" else min(1.0, max(0.0, (80 - w) / 70))
-        assert pixel == pytest.approx(background * (1.0 - part), abs=1.0), w
+        assert pixel == pytest.approx(background * (1.0 - part) + 90.0 * part, abs=1.0), w
+    if kind == "orthographic":  # whose near plane may lie behind the eye, where fog has not begun
+        behind = replace(at, camera=Camera((0.0, 0.0, -50.0), (0.0, 0.0, -90.0)))
+        behind = replace(behind, lens=replace(behind.lens, near=-100.0))
+        picture.show(behind, fog=fog, fog_start=10.0, fog_end=80.0, fog_density=0.03)
+        picture.drawing._rasteriser._choose_faces(in_levels=False)
+        assert picture.pixels()[SIZE[1] // 2, SIZE[0] // 2] == pytest.approx(90.0, abs=1.0)
 
 
 def tree_scene(level: int) -> Scene:

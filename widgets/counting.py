@@ -41,7 +41,7 @@ class Counting(QObject):
     """
 
     counted = Signal(object, float)
-    """The `Exhibit`, and the share of its pixels, 0..1, that are wrong."""
+    """The `Exhibit`, and the share of its pixels, 0..1, that are wrong; NaN where those are few."""
 
     def __init__(self, busy: Callable[[], bool], parent: QObject) -> None:
         super().__init__(parent)

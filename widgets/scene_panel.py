@@ -419,14 +419,19 @@ class ScenePanel(QWidget):
                 self.players[name].show_value(value)
         exhibit = self._exhibit
         readings = () if exhibit is None else exhibit.readings
-        self.readout.show_readings(
-            [replace(r, value=self._counted) if r.counted else r for r in readings]
-        )
+        self.readout.show_readings([self._with_count(r) if r.counted else r for r in readings])
         warning = self._problem if exhibit is None else exhibit.warning or self._problem
         why = "" if warning is None else _full(warning.sentence(of_phenomena))
         self.warning.say(why and f"⚠ {why}")
         self._let_choose(found, why if exhibit is not None and exhibit.idle else "")
         self._show_diagrams(() if exhibit is None else exhibit.diagrams)
+
+    def _with_count(self, reading: Reading) -> Reading:
+        """A counted reading with its value, or with its note if there was nothing to count."""
+        share = self._counted
+        if share is not None and math.isnan(share):
+            return reading
+        return replace(reading, value=share, note=None)
 
     def _let_choose(self, found: Found, why_not: str) -> None:
         """Let the settings be changed, unless a sentence says why that would change nothing."""

@@ -57,6 +57,8 @@ TOO_FINE = QT_TRANSLATE_NOOP(
 RASTERISED = frozenset({"depth", "texture", "fog", "levels"})
 """What a scene can require of a `Rasteriser`."""
 MOST_TRIANGLES = 1_000_000
+LEAST_COUNTED = 20
+"""Pixels of which a share is counted: of fewer, each is more than 5 points."""
 
 _Uniform: TypeAlias = tuple[str, float | int | tuple[float, ...]]
 _RED, _BLUE = (1.0, 0.0, 0.0), (0.0, 0.0, 1.0)
@@ -102,7 +104,7 @@ _FOG = f"""
     {_W}
     if (flSpan > 0.0) flW = flNear + flSpan * gl_FragCoord.z;
     float flLeft = flFog == 1 ? clamp((flFogEnd - flW) * flFogSlope, 0.0, 1.0)
-                              : exp(-flFogSlope * flW);
+                              : exp(-flFogSlope * max(flW, 0.0));
     gl_FragData[0].rgb = mix(flBackground, gl_FragData[0].rgb, flLeft);
   }}"""
 _POSITION = "//VTK::PositionVC::Impl"
@@ -474,8 +476,8 @@ def counted_wrong_share(
     Returns
     -------
     float or None
-        0..1, of the pixels that both surfaces cover; None if there are none, or where this
-        computer's OpenGL refuses the shader.
+        0..1, of the pixels that both surfaces cover, NaN if they are fewer than `LEAST_COUNTED`;
+        None where this computer's OpenGL refuses the shader.
     """
     if scene.surface is None:
         return None
@@ -514,16 +516,48 @@ def counted_wrong_share(
 
     both = drawn(True, False)[:, 0] & drawn(False, True)[:, 1]
     found = drawn(True, True)[:, 1]
-    true = Rendering(buffer=DepthBuffer("float32", "reversed", buffer.near, buffer.far, parallel))
-    rasteriser.show(true, seen)
-    # A gap too fine for this buffer as well is told by one that it can tell.
-    reach = max(math.dist(corner, projection.camera.eye) for corner in scene.corners.tolist())
+    # A gap too fine for this buffer as well is told by one that it can tell, in a buffer that can.
+    if parallel:
+        rasteriser.show(Rendering(), seen)
+        reach = math.dist(*scene.corners[[0, -1]].tolist())
+    else:
+        true = DepthBuffer("float32", "reversed", buffer.near, buffer.far)
+        rasteriser.show(Rendering(buffer=true), seen)
+        reach = max(math.dist(corner, projection.camera.eye) for corner in scene.corners.tolist())
     apart, gap = behind.copy(), float(np.linalg.norm(behind[:3, 3]))
     apart[:3, 3] *= max(1.0, FINEST * reach / gap)
-    actors[1][1].set_projective(clip_from_local @ back @ apart @ shift)
+    apart = back @ apart @ shift
+    if parallel:
+        clip_from_local = _over_the_scene(clip_from_local, scene.corners - origin, apart)
+    actors[0][1].set_projective(clip_from_local)
+    actors[1][1].set_projective(clip_from_local @ apart)
     wrong = found != drawn(True, True)[:, 1]
     for actor, _ in actors:
         renderer.RemoveViewProp(actor)
-    if rasteriser.refused or not both.any():
+    if rasteriser.refused:
         return None
-    return float(np.mean(wrong[both]))
+    return float(np.mean(wrong[both])) if both.sum() >= LEAST_COUNTED else math.nan
+
+
+def _over_the_scene(clip_from_local: Array, corners: Array, apart: Array) -> Array:
+    """A parallel lens's matrix whose depths, of all from near to far, are only the scene's own.
+
+    Else a float32 spends its digits on what lies before and behind the scene.
+
+    Parameters
+    ----------
+    clip_from_local : (4, 4) array
+    corners : (8, 3) array
+        Of a box round the scene, in local coordinates.
+    apart : (4, 4) array
+        Local from local: where the scene is once more.
+    """
+    points = np.concatenate([corners, corners @ apart[:3, :3].T + apart[:3, 3]])
+    z = points @ clip_from_local[2, :3] + clip_from_local[2, 3]
+    margin = 0.01 * (z.max() - z.min())  # or a face across the view would be cut off with the rest
+    low, high = np.clip([z.min() - margin, z.max() + margin], -1.0, 1.0)
+    if low < high:
+        clip_from_local = clip_from_local.copy()
+        clip_from_local[2, 3] -= (low + high) / 2.0
+        clip_from_local[2] *= 2.0 / (high - low)
+    return clip_from_local

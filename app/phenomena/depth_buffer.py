@@ -42,6 +42,8 @@ from app.shapes import Coloured, flat, ground_grid
 
 FINEST = 2.0**-17
 """Relative to the distance: what is finer than this drowns in the graphics card's own float32."""
+_FINEST_PARALLEL = 2.0**-21
+"""The same of a parallel lens, whose depth is linear, relative to far - near."""
 
 _NO_LOG = QT_TRANSLATE_NOOP(
     "phenomena",
@@ -51,6 +53,9 @@ _NO_INFINITE = QT_TRANSLATE_NOOP(
     "phenomena", "a parallel lens cannot have its far plane at infinity"
 )
 _NOT_IN_PICTURE = QT_TRANSLATE_NOOP("phenomena", "no pixel of the picture shows both surfaces")
+_TOO_FEW = QT_TRANSLATE_NOOP(
+    "phenomena", "too few pixels of the picture show both surfaces to count them"
+)
 _NONE_IS_SURE = QT_TRANSLATE_NOOP(
     "phenomena", "what lies behind the target may share its code, as far away as the far plane is"
 )
@@ -153,7 +158,11 @@ def _rays(projection: Projection, corners_clip: Array) -> tuple[Array, Array] | 
         return None
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         ndc = polygon[:, :2] / polygon[:, 3:]
-    places = _spread(np.clip(np.where(np.isfinite(ndc), ndc, 0.0), -1.0, 1.0))
+    ndc = np.clip(np.where(np.isfinite(ndc), ndc, 0.0), -1.0, 1.0)
+    x, y = ((ndc - ndc[0]) * projection.image_size / 2.0).T
+    if abs(x @ np.roll(y, -1) - y @ np.roll(x, -1)) < 2.0:  # less than a pixel is covered
+        return None
+    places = _spread(ndc)
     left, right, bottom, top = projection.window
     lens = projection.standard_lens
     window = (0.5 * (places + 1.0)) * (right - left, top - bottom) + (left, bottom)
@@ -215,7 +224,10 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
     if len(first):
         share, note = 100.0 * wrong_share(buffer, first, second), None
         w = min(max(float(first.mean()), buffer.near), buffer.far)  # a mean is rounded
-        if max(gap, float(buffer.gap(w))) < FINEST * (w + math.dist(subject.lower, subject.upper)):
+        finest = FINEST * (w + math.dist(subject.lower, subject.upper))
+        if buffer.parallel:
+            finest = max(finest, _FINEST_PARALLEL * (buffer.far - buffer.near))
+        if max(gap, float(buffer.gap(w))) < finest:
             note = Phrase(_TOO_FINE)
     w = projection.camera.distance
     known = buffer.near <= w <= buffer.far
@@ -232,6 +244,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
             QT_TRANSLATE_NOOP("phenomena", "the same, counted in the picture"),
             None,
             "%",
+            note if share is None else Phrase(_TOO_FEW),
             counted=True,
         ),
         Reading(
@@ -293,8 +306,8 @@ PHENOMENON = Phenomenon(
         "Surface 2 lies behind surface 1 by the gap, along n. Where the depth buffer stores both"
         " as one code, the surface drawn last is seen: z-fighting. With a perspective lens and the"
         " standard range most codes lie just behind near, so near decides, far hardly: as the"
-        " scene opens 63 % of the ramp's pixels are wrong, 0 % with near 0.1, 62 % with far 60."
-        " Codes of up to 24 bits are kept apart exactly.",
+        " scene opens, with its ramp, 63 % of the pixels are wrong, 0 % with near 0.1, 62 % with"
+        " far 60. Codes of up to 24 bits are kept apart exactly.",
     ),
     lectures=("000", "001"),
     start=Projection(

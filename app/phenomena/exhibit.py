@@ -201,7 +201,7 @@ class Reading:
     note : Phrase, optional
     counted : bool
         Whether the value is not computed but counted in the picture's pixels, by somebody who can
-        draw; until then it is None.
+        draw; until then it is None. `note` says why, if there turns out to be nothing to count.
     """
 
     label: str

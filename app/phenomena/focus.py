@@ -70,6 +70,11 @@ _BOUNDLESS = QT_TRANSLATE_NOOP(
     "phenomena", "the target is so close to the lens that its disc has no finite size"
 )
 
+_ELLIPSE = QT_TRANSLATE_NOOP(
+    "phenomena",
+    "the picture is stretched: the target's disc is drawn as an ellipse, so wide and so high",
+)
+
 SHARP_FROM = QT_TRANSLATE_NOOP("phenomena", "sharp from")
 SHARP_TO = QT_TRANSLATE_NOOP("phenomena", "sharp to")
 IN_FOCUS = QT_TRANSLATE_NOOP("phenomena", "in focus")
@@ -162,14 +167,13 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
         readings = (*_readings(f_mm, f_mm / n, None, note), _target_reading(None, note))
         return Exhibit(readings, warning=note)
     sharp = sharpness(f_mm, n, focus, c_mm)
-    pixels = math.hypot(*projection.image_size) / _FILM_DIAGONAL_MM
     with np.errstate(over="ignore"):
         target = np.array(projection.camera.distance)
-        blur_px = pixels * float(blur_mm(f_mm, n, focus, target))
+        disc_mm = float(blur_mm(f_mm, n, focus, target))
     return Exhibit(
         (
             *_readings(f_mm, f_mm / n, sharp, Phrase(_TO_INFINITY)),
-            _target_reading(blur_px if blur_px < math.inf else None, Phrase(_BOUNDLESS)),
+            _drawn_disc(projection, disc_mm),
         ),
         world=_planes(projection, focus, sharp, subject),
         diagrams=(_diagram(f_mm, n, focus, c_mm, sharp),),
@@ -198,9 +202,29 @@ def _readings(
     )
 
 
-def _target_reading(blur_px: float | None, note: Phrase) -> Reading:
-    label = QT_TRANSLATE_NOOP("phenomena", "blur of the target")
-    return Reading(label, blur_px, "px", note if blur_px is None else None)
+def _drawn_disc(projection: Projection, disc_mm: float) -> Reading:
+    """The target's disc in the picture: its diameter, or both of an ellipse."""
+    blur_px: tuple[float, ...] = (
+        disc_mm * (math.hypot(*projection.image_size) / _FILM_DIAGONAL_MM),
+    )
+    left, right, bottom, top = projection.window
+    window = right - left, top - bottom
+    stretched = not math.isclose(window[0] / window[1], projection.aspect, rel_tol=1e-6)
+    if stretched:
+        film_mm = (side * (_FILM_DIAGONAL_MM / math.hypot(*window)) for side in window)
+        blur_px = tuple(
+            disc_mm * (size_px / side_mm)
+            for size_px, side_mm in zip(projection.image_size, film_mm, strict=True)
+        )
+    if not np.isfinite(blur_px).all():
+        return _target_reading(None, Phrase(_BOUNDLESS))
+    return _target_reading(blur_px, Phrase(_ELLIPSE)) if stretched else _target_reading(blur_px[0])
+
+
+def _target_reading(
+    blur_px: float | tuple[float, ...] | None, note: Phrase | None = None
+) -> Reading:
+    return Reading(QT_TRANSLATE_NOOP("phenomena", "blur of the target"), blur_px, "px", note)
 
 
 def _planes(projection: Projection, focus: float, sharp: Sharpness, subject: Subject) -> Marks:

@@ -41,6 +41,7 @@ from app.phenomena.exhibit import (
     Texture,
     number,
 )
+from app.phenomena.picture import seen, seen_lines
 from app.projection import Array, Camera, Perspective, Projection
 from app.shapes import Coloured, flat, ground_grid
 
@@ -184,11 +185,11 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
         return Exhibit(
             _readings(errors, None, Phrase(cut), said), rendering=rendering, warning=Phrase(cut)
         )
-    w = trace.clip[:, 3]
+    nearer_first = np.argsort(trace.clip[:, 3], kind="stable")
+    ends, w = ends[nearer_first], trace.clip[nearer_first, 3]
     part = 1.0 / (float(w[1] / w[0]) + 1.0)
-    on_screen = trace.image.mean(axis=0)
     in_world = np.stack([ends.mean(axis=0), ends[0] + part * (ends[1] - ends[0])])
-    half = projection.trace(in_world[0]).image
+    middles = projection.trace(in_world)
     words = (
         QT_TRANSLATE_NOOP("phenomena", "½ in the world"),
         QT_TRANSLATE_NOOP("phenomena", "½ on the screen"),
@@ -201,13 +202,16 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
             Text(word, place, c) for word, place, c in zip(words, in_world, colours, strict=True)
         ),
     )
-    places = (half, on_screen)
+    places = (middles.image[0], trace.image.mean(axis=0))
+    here = [
+        (Dot(place, c, 1.4), Text(word, place, c))
+        for word, place, c, shown in zip(words, places, colours, seen(middles), strict=True)
+        if shown
+    ]
     image = Marks(
-        lines=(Line(trace.image, "ink", 2.0),),
-        dots=tuple(Dot(place, c, 1.4) for place, c in zip(places, colours, strict=True)),
-        texts=tuple(
-            Text(word, place, c) for word, place, c in zip(words, places, colours, strict=True)
-        ),
+        lines=seen_lines(projection, trace.clip[None], ("ink",), 2.0),
+        dots=tuple(dot for dot, _ in here),
+        texts=tuple(text for _, text in here),
     )
     return Exhibit(
         _readings(errors, part, note, said),
@@ -251,7 +255,8 @@ def _readings(
         ),
         Reading(
             QT_TRANSLATE_NOOP(
-                "phenomena", "half-way along the marked edge on the screen, in the world"
+                "phenomena",
+                "half-way along the marked edge on the screen, in the world, from its nearer end",
             ),
             None if part is None else 100.0 * part,
             "%",

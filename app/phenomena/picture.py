@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from app.clipping import LARGEST_CLIP, clip_segments
 from app.phenomena.exhibit import Line, Text
@@ -105,12 +105,17 @@ def seen_lines(
     )
 
 
+def seen(trace: Trace) -> NDArray[np.bool_]:
+    """Which of traced points (..., 3) are in the view volume, (...) bool."""
+    shown: NDArray[np.bool_] = trace.in_front & ~trace.outside.any(axis=-1)
+    return shown
+
+
 def seen_texts(trace: Trace, texts: Sequence[Text]) -> tuple[Text, ...]:
     """Letters beside the last of traced points, as letters of the image: those in the volume."""
     last = slice(len(trace.image) - len(texts), None)
-    shown = trace.in_front[last] & ~trace.outside[last].any(axis=1)
     return tuple(
         Text(text.text, place, text.colour)
-        for text, place, here in zip(texts, trace.image[last], shown, strict=True)
+        for text, place, here in zip(texts, trace.image[last], seen(trace)[last], strict=True)
         if here
     )

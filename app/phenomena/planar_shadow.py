@@ -40,6 +40,7 @@ from app.phenomena.exhibit import (
     number,
     point,
 )
+from app.phenomena.picture import seen
 from app.projection import NOT_ZERO, Array, Camera, Perspective, Projection, ProjectionError
 from app.shapes import Coloured, edges_of, ground_grid, joined, letter_f
 from app.values import format_value
@@ -341,8 +342,8 @@ def _marks(
             dots.append(Dot(shadow, "accent", 1.2))
             texts.append(Text("P'", shadow, "accent"))
             shown.append(shadow)
-        pixels = projection.trace(np.array(shown)).image
-        image = [Dot(pixel, "accent", 1.2) for pixel in pixels if np.isfinite(pixel).all()]
+        trace = projection.trace(np.array(shown))
+        image = [Dot(pixel, "accent", 1.2) for pixel in trace.image[seen(trace)]]
     face = Face(corners, "muted", 0.12)
     return Marks(tuple(lines), (face,), tuple(dots), tuple(texts)), Marks(dots=tuple(image))
 

@@ -32,6 +32,7 @@ from app.phenomena.exhibit import (
     number,
     point,
 )
+from app.phenomena.picture import seen
 from app.projection import Array, Camera, Perspective, Projection, ProjectionError
 from app.shapes import Coloured, edges_of, ground_grid, joined, letter_f
 
@@ -171,11 +172,12 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
     )
     slab = _SLAB * abs(distance) * (nearest if nearest < math.inf else 1.0)
     trace = projection.trace(place)
+    here = bool(seen(trace))
     return Exhibit(
         readings,
         world=Marks(tuple(lines), tuple(faces), tuple(dots), tuple(texts)),
-        ndc=_marked(trace.ndc),
-        image=_marked(trace.image),
+        ndc=_marked(trace.ndc) if here else Marks(),
+        image=_marked(trace.image) if here else Marks(),
         copies=(Copy(onto_plane(projection, distance, slab)),),
         grips=(Grip("point", place),),
     )
@@ -197,9 +199,7 @@ def _through(eye: Array, end: Array, hit: Array, distance: float, w: float) -> A
 
 
 def _marked(where: Array) -> Marks:
-    """The point P in another pane, if it is there."""
-    if not np.isfinite(where).all():
-        return Marks()
+    """The point P in another pane."""
     return Marks(dots=(Dot(where, "accent", 1.3),), texts=(Text("P", where, "accent"),))
 
 
@@ -214,10 +214,10 @@ PHENOMENON = Phenomenon(
     title=QT_TRANSLATE_NOOP("phenomena", "Similar triangles"),
     explanation=QT_TRANSLATE_NOOP(
         "phenomena",
-        "Every projector runs from a point of the object to the eye; where it meets the plane at"
-        " distance d is the point's image. The two triangles between eye, axis and projector are"
-        " similar, so x_p : d = x : w. With d below 0 the plane is behind the eye, as in a camera"
-        " obscura: the image is upside down.",
+        "Every projector runs from a point, of the object or beside it, to the eye; where it meets"
+        " the plane at distance d is the point's image. The two triangles between eye, axis and"
+        " projector are similar, so x_p : d = x : w. With d below 0 the plane is behind the eye, as"
+        " in a camera obscura: the image is upside down.",
     ),
     lectures=("000", "001", "002", "004"),
     start=_START,
