@@ -262,6 +262,7 @@ ROOMS = {
         ),
     ),
     "widgets/export_dialog.py": Room(QT, ("app.figures", "widgets.messages")),
+    "widgets/number_dialog.py": Room(QT, ("app.projection", "widgets.messages", "widgets.rows")),
     # One pane hosts any drawing, so it knows the drawings' values and none of them.
     "widgets/pane.py": Room(
         ("numpy", "pyvistaqt", *VTK, *QT),
@@ -308,6 +309,7 @@ ROOMS = {
         (
             *("app.projection", "app.precision", "app.health", "app.scene", "app.attention"),
             *("app.pace", "app.quality", "widgets.attention", "widgets.messages", "widgets.rows"),
+            "widgets.number_dialog",
         ),
     ),
     # Between the panes and the window: it knows how long frames take, and not the store.
