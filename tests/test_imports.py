@@ -103,7 +103,8 @@ ROOMS = {
     "app/clipping.py": Room(("numpy",), ("app.projection",)),
     "app/morph.py": Room(("numpy",), ("app.projection",)),
     "app/free_matrix.py": Room(rooms=("app.double_double", "app.rationals", "app.projection")),
-    "app/notation.py": Room(rooms=("app.attention", "app.projection")),
+    "app/dependence.py": Room(rooms=("app.projection",)),
+    "app/notation.py": Room(rooms=("app.attention", "app.dependence", "app.projection")),
     # Names only: the words in which rooms that know nothing of each other point at things.
     "app/attention.py": Room(),
     "app/camera_frame.py": Room(("numpy",), ("app.double_double", "app.values", "app.projection")),
