@@ -195,6 +195,7 @@ def test_running_products_and_the_inverse(panel: MatrixPanel) -> None:
         ("image_from_ndc", 1, 1, "turns it round"),
         ("clip_from_depth_range", 3, 3, "It scales w, by which all is divided, by 40."),
         ("view_from_world", 3, 3, "It keeps w."),
+        ("clip_from_view", 3, 3, "The w that comes in has no part in w."),
         ("clip_from_world", 3, 2, "times z to w, by which all is divided"),
         ("clip_from_world", 3, 3, " to w, by which all is divided"),
     ],

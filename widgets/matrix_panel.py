@@ -606,6 +606,8 @@ class MatrixPanel(QWidget):
 
     def _does_to_w(self, matrix: Matrix, source: str, value: float, number: str) -> str:
         if value == 0.0:
+            if source == "w":
+                return self.tr("The w that comes in has no part in w.")
             return self.tr("{0} has no part in w.").format(source)
         if sum(map(bool, self._w_row(matrix))) == 1:
             if source == "w":
