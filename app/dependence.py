@@ -77,7 +77,7 @@ def state_of(projection: Projection) -> State:
     for point in ("eye", "target"):
         parts = getattr(camera, point)
         values |= {f"{point}_{x}": part for x, part in zip("xyz", parts, strict=True)}
-        values[point] = any(parts)
+    values["eye"] = any(camera.eye)
     frame, shift = camera.exact_frame, camera.exact_view((0.0, 0.0, 0.0))
     for axis, row, part in zip("uvn", frame, shift, strict=True):
         values |= {f"{axis}_{x}": component for x, component in zip("xyz", row, strict=True)}
@@ -187,15 +187,18 @@ def _of_name(name: str, state: State) -> _Found:
 
 
 def _of_dot(axis: str, state: State) -> _Found:
-    """The eye's component along an axis: along u and v the target has the same."""
+    """The eye's component along an axis: along u and v the target has the same.
+
+    So only what moves both sums of products, with the eye's parts and the target's, moves it.
+    """
     is_zero = f"dot({axis})" in state.zeros
-    if "eye" in state.zeros:
-        return {"eye": None}, True
     if axis == "axis_n":
-        return {"eye": None, "target": None}, is_zero
-    letter = axis.removeprefix("axis_")
-    terms = " + ".join(f"{letter}_{x}*target_{x}" for x in "xyz")
-    return _of(_tree(terms), state)[0], is_zero
+        return dict.fromkeys(("eye",) if "eye" in state.zeros else ("eye", "target")), is_zero
+    by_eye, by_target = (
+        _of(_tree(" + ".join(f"{axis[-1]}_{x}*{point}_{x}" for x in "xyz")), state)[0]
+        for point in ("eye", "target")
+    )
+    return {field: None for field in by_eye if field in by_target}, is_zero
 
 
 def _of_window(across: str, is_sum: bool, state: State) -> _Found:
