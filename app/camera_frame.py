@@ -102,6 +102,26 @@ def turned_up(camera: Camera, angle_deg: float) -> Camera:
     return replace(camera, up=tuple((up + 0.0).tolist()))
 
 
+def most_turned_deg(off_deg: float, error_deg: float) -> float:
+    """How far an error in up can turn u and v, in degrees, whichever way it points.
+
+    The line of sight and up are the pole and a point of a sphere: the error's circle about that
+    point is seen from the pole under ``asin(sin(error)/sin(angle))`` to both sides, and from all
+    of them if the pole is inside.
+
+    Parameters
+    ----------
+    off_deg : float
+        Between up and the line of sight, 0 to 90.
+    error_deg : float
+        Of up's direction, less than 90.
+    """
+    if off_deg < error_deg:
+        return 180.0
+    ratio = math.sin(math.radians(error_deg)) / math.sin(math.radians(off_deg))
+    return math.degrees(math.asin(min(1.0, ratio)))
+
+
 def nudged_up(camera: Camera, angle_deg: float) -> Camera:
     """The same camera with an error in up: turned across, towards u.
 

@@ -422,7 +422,7 @@ AFFINE = "affine: w is {0} everywhere"
 NOT_AFFINE = "not affine: w depends on {0}"
 SINGULAR = "singular (rank {0}): the frustum cannot be drawn"
 MIRRORED_VIEW = "mirrored: it turns right-handed space into left-handed (determinant {0})"
-MIRRORED_CLIP = "mirrored: left and right, or near and far, end exchanged"
+MIRRORED_CLIP = "mirrored: as if left and right, top and bottom, or near and far were exchanged"
 NOT_RIGID = "not rigid: it changes lengths or angles, so that no camera has it"
 W_VANISHES = "w vanishes where {0} = 0: the divide sends these points to infinity"
 W_IS_NOT_POSITIVE = "w is {0} everywhere: there is no picture"
@@ -509,7 +509,7 @@ def _of_last_row(last: list[Fraction]) -> list[Property]:
     if linear:
         return [
             Property(NOT_AFFINE, (", ".join(linear),)),
-            Property(W_VANISHES, (_sum(last),)),
+            Property(W_VANISHES, (linear[0] if sum(map(bool, last)) == 1 else _sum(last),)),
         ]
     template = AFFINE if last[3] > 0 else W_IS_NOT_POSITIVE
     return [Property(template, (format_value(float(last[3])).replace("-", "−"),))]

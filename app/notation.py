@@ -13,10 +13,11 @@ import ast
 import math
 import re
 from collections.abc import Callable, Sequence
-from functools import cache
+from functools import cache, lru_cache
 from typing import Any, Literal, NamedTuple, TypeAlias
 
 from app.attention import Attention
+from app.dependence import FIELDS, State, reach, state_of
 from app.projection import (
     DEPTH_RANGES,
     Array,
@@ -62,15 +63,6 @@ _SYMBOLS: dict[str, dict[str, str]] = {
     "003": {**_OURS, **_EYE_P},  # e is its focal length
 }  # fmt: skip
 
-_FIELDS = {
-    "n": ("near",), "f": ("far",), "l": ("left",), "r": ("right",), "b": ("bottom",), "t": ("top",),
-    "fov": ("fov_y_deg",), "theta_v": ("fov_y_deg",), "theta_h": ("fov_y_deg", "image"),
-    "e": ("fov_y_deg", "image"), "aspect": ("image",), "a": ("image",), "W": ("image",),
-    "H": ("image",), "alpha": ("alpha_deg",), "beta": ("beta_deg",),
-    "axis_u": ("eye", "target", "up"), "axis_v": ("eye", "target", "up"),
-    "axis_n": ("eye", "target"), "eye": ("eye",),
-}  # fmt: skip
-
 
 class Matrix(NamedTuple):
     """One matrix as it is shown.
@@ -84,7 +76,7 @@ class Matrix(NamedTuple):
     formulas : 4 tuples of 4 str
         In the names of this room; see `written`.
     fields : 4 tuples of 4 tuples of str
-        The fields of the document that each cell depends on.
+        The fields of the document that change the cell when they are moved from where all are.
     factors : tuple of Matrix
         In the order of the product, if there is more than one.
     product : tuple of str
@@ -142,8 +134,13 @@ def matrices(
     for stage in projection.direct_stages:
         shown.append((stage, tuple(name for name, _ in stage.factors)))
     shown.append((last, ()))
-    by_depth = {depth: _formulas(_kind(projection), depth, letters) for depth in DEPTH_RANGES}
-    return tuple(_matrix(stage, names, projection, by_depth, letters, rows)
+    kind, depth = _kind(projection), projection.depth
+    tables = _Tables(
+        _formulas(kind, depth, letters),
+        # Numbers are the same in all letters; lecture 002's have signs of their own.
+        _fields(kind, depth, "002" if letters == "002" else "uvn", state_of(projection)),
+    )
+    return tuple(_matrix(stage, names, projection, tables, letters, rows)
                  for stage, names in shown)  # fmt: skip
 
 
@@ -160,8 +157,9 @@ def letters_in(matrix: Matrix, row: int, column: int) -> Attention:
         if name.startswith("axis_") or (len(name) == 3 and name[:2] in ("u_", "v_", "n_"))
     }
     eye = {"eye" for name in names if name.startswith("eye")}
-    fields = set(matrix.fields[row][column]) - {"eye", "target", "up"}
-    return frozenset(axes | eye | {"fov" if name == "fov_y_deg" else name for name in fields})
+    fields = set(matrix.fields[row][column]).union(*(FIELDS.get(name, ()) for name in names))
+    lens = fields - {"eye", "target", "up"}
+    return frozenset(axes | eye | {"fov" if name == "fov_y_deg" else name for name in lens})
 
 
 def _kind(projection: Projection) -> tuple[str, bool]:
@@ -194,13 +192,21 @@ def _times(left: Rationals, right: Rationals) -> Rationals:
 
 
 _Table: TypeAlias = dict[str, Formulas]
+_FieldTable: TypeAlias = dict[str, tuple[tuple[tuple[str, ...], ...], ...]]
+
+
+class _Tables(NamedTuple):
+    """Of every matrix by stage name or ``stage/factor``: its formulas, and what moves its cells."""
+
+    formulas: _Table
+    fields: _FieldTable
 
 
 def _matrix(
     stage: Stage,
     product: tuple[str, ...],
     projection: Projection,
-    by_depth: dict[str, _Table],
+    tables: _Tables,
     letters: Letters,
     rows: bool,
 ) -> Matrix:
@@ -210,8 +216,8 @@ def _matrix(
     if len(inner) > 1:
         for label, array in inner.items():
             factors.append(_one(label, f"{stage.name}/{label}", array, signs,
-                                projection, by_depth, rows, ()))  # fmt: skip
-    whole = _one(stage.name, stage.name, stage.matrix, signs, projection, by_depth, rows,
+                                projection, tables, rows, ()))  # fmt: skip
+    whole = _one(stage.name, stage.name, stage.matrix, signs, projection, tables, rows,
                  tuple(factors))  # fmt: skip
     if rows:
         product = product[::-1]
@@ -224,7 +230,7 @@ def _one(
     array: Array,
     signs: Callable[[str, int, int], int],
     projection: Projection,
-    by_depth: dict[str, _Table],
+    tables: _Tables,
     rows: bool,
     factors: tuple[Matrix, ...],
 ) -> Matrix:
@@ -232,14 +238,14 @@ def _one(
         tuple(signs(key, i, j) * value + 0.0 for j, value in enumerate(row))
         for i, row in enumerate(array.tolist())
     )
-    depth, keep = projection.depth, getattr(projection.lens, "keep", "stretch")
-    formulas = by_depth[depth][key]
-    fields = tuple(
-        tuple(_fields(keep, *(_spelled(table[key][i][j], table["clip_from_view"])
-                              for table in (by_depth[depth], *by_depth.values())))
-              for j in range(4))
-        for i in range(4)
-    )  # fmt: skip
+    formulas, fields = tables.formulas[key], tables.fields[key]
+    if isinstance(projection.lens, FreeMatrix) and key in ("clip_from_view", "clip_from_world"):
+        # Another depth range makes z of both rows; see `Projection.with_depth`.
+        depths = tuple(
+            (*names, "depth") if array[2, j] or array[3, j] else names
+            for j, names in enumerate(fields[2])
+        )
+        fields = (*fields[:2], depths, fields[3])
     if rows:
         values, fields = tuple(zip(*values, strict=True)), tuple(zip(*fields, strict=True))
         formulas = tuple(tuple(_turned(cell) for cell in row)
@@ -266,20 +272,32 @@ def _spelled(formula: str, lens: Formulas) -> str:
     )
 
 
-@cache
-def _fields(keep: str, formula: str, *in_other_ranges: str) -> tuple[str, ...]:
-    found: dict[str, None] = {}
-    for name in _names(formula):
-        if name.startswith("eye"):
-            name = "eye"
-        elif len(name) == 3 and name[0] in "uvn" and name[1] == "_":
-            name = f"axis_{name[0]}"
-        found.update(dict.fromkeys(_FIELDS.get(name, ())))
-        if name in {"x": "bt", "y": "lr"}.get(keep, ""):  # fitted to the image
-            found.update(dict.fromkeys(("left", "right", "bottom", "top", "image", "keep")))
-    if any(other != formula for other in in_other_ranges):
-        found["depth"] = None
-    return tuple(found)
+@lru_cache(maxsize=64)
+def _fields(kind: tuple[str, bool], depth: str, letters: Letters, state: State) -> _FieldTable:
+    """What changes each cell when it is moved from a state: `Matrix.fields` by `_formulas`' keys.
+
+    Where another depth range, or a far that is finite again, has another formula, that is moved
+    as well.
+    """
+    lens, infinite = kind
+    own = _formulas(kind, depth, letters)
+    others = [
+        ("depth", _formulas(kind, other, letters)) for other in DEPTH_RANGES if other != depth
+    ]
+    if infinite and lens != FreeMatrix.kind:
+        others.insert(0, ("far", _formulas((lens, False), depth, letters)))
+
+    def cell(key: str, i: int, j: int) -> tuple[str, ...]:
+        formula = _spelled(own[key][i][j], own["clip_from_view"])
+        mine = reach(formula, state)
+        found = dict.fromkeys(mine.fields)
+        for field, table in others:
+            other = _spelled(table[key][i][j], table["clip_from_view"])
+            if other != formula and not (mine.is_zero and reach(other, state).is_zero):
+                found[field] = None
+        return tuple(found)
+
+    return {key: tuple(tuple(cell(key, i, j) for j in range(4)) for i in range(4)) for key in own}
 
 
 def _names(formula: str) -> list[str]:

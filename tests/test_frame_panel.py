@@ -18,7 +18,14 @@ from PySide6.QtGui import QImage, QTextDocumentFragment
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from app.camera_frame import STEPS, nudged_up, turned_up, up_and_view, view_matrix
+from app.camera_frame import (
+    STEPS,
+    most_turned_deg,
+    nudged_up,
+    turned_up,
+    up_and_view,
+    view_matrix,
+)
 from app.drawings.frame import arrow_tips
 from app.free_matrix import with_cell
 from app.projection import Camera, Perspective, Projection, ProjectionError, format_value
@@ -121,6 +128,21 @@ def test_an_error_in_up_is_magnified_as_it_is_said(angle_deg: float) -> None:
     nudged = nudged_up(camera, 1e-4)
     turn_deg = math.degrees(math.acos(float(camera.frame[1] @ nudged.frame[1])))
     assert turn_deg == pytest.approx(1e-4 * up_and_view(camera).magnified, rel=1e-3)
+
+
+@pytest.mark.parametrize("off_deg", [10.0, 1.0, 0.12, 0.101, 0.05])
+def test_an_error_in_up_turns_no_more_than_is_said(off_deg: float) -> None:
+    camera = turned_up(START.camera, off_deg)
+    u, v = camera.frame[:2]
+    sine, cosine = math.sin(math.radians(0.1)), math.cos(math.radians(0.1))
+    up = np.array(camera.up) / math.hypot(*camera.up)
+    beside = np.cross(up, u)
+    turns = []
+    for way in np.linspace(0.0, math.pi, 2001):
+        error = math.cos(way) * beside + math.sin(way) * u
+        x, y = (cosine * up + sine * error) @ np.array([u, v]).T
+        turns.append(math.degrees(math.atan2(abs(x), y)))
+    assert max(turns) == pytest.approx(most_turned_deg(off_deg, 0.1), rel=1e-4)
 
 
 def test_the_arrows_are_the_vectors() -> None:
@@ -277,6 +299,9 @@ def test_the_warning_comes_at_one_degree(make_window: MakeWindow) -> None:
     for angle_deg, warned in ((1.01, False), (0.99, True), (179.5, True), (178.5, False)):
         window.store.set_projection(replace(START, camera=turned_up(START.camera, angle_deg)))
         assert bool(panel.warning.text()) is warned, angle_deg
+    for angle_deg, turned in ((0.12, "56.4"), (179.9, "90"), (0.1, "90"), (0.05, "180")):
+        window.store.set_projection(replace(START, camera=turned_up(START.camera, angle_deg)))
+        assert panel.warning.text().endswith(f"by up to {turned}°.")
 
 
 def test_under_a_typed_view_matrix_it_says_whose_frame_it_shows(make_window: MakeWindow) -> None:

@@ -319,6 +319,30 @@ def test_what_a_matrix_does_is_named(row: int, column: int, value: float, found:
     assert texts(edited(row, column, value)) == found
 
 
+def test_whichever_pair_is_exchanged_is_among_those_named() -> None:
+    cells = shown(EDIT, "clip_from_view")
+    said = [str(p) for p in properties(edited(1, 1, -cells[1][1]), "clip_from_view")]
+    assert "mirrored: as if left and right, top and bottom, or near and far were exchanged" in said
+
+
+@pytest.mark.parametrize(
+    ("row", "found"),
+    [
+        ((0, 0, -1, 0), "z"),
+        ((0, 2, 0, 0), "y"),
+        ((0, 0, -1, 2), "−z + 2"),
+        ((1, 0, -1, 0), "x − z"),
+    ],
+)
+def test_where_w_vanishes_is_written_as_an_equation(row: Any, found: str) -> None:
+    cells = [list(line) for line in shown(EDIT, "clip_from_view")]
+    cells[0][1], cells[3] = 0.5, list(row)
+    said = [
+        str(p) for p in properties(with_matrix(EDIT, "clip_from_view", cells), "clip_from_view")
+    ]
+    assert f"w vanishes where {found} = 0: the divide sends these points to infinity" in said
+
+
 def test_an_affine_matrix_is_named_with_its_w() -> None:
     sheared = [list(row) for row in UPRIGHT]
     sheared[0][1], sheared[3][3] = 0.5, 2.0

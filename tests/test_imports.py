@@ -103,7 +103,8 @@ ROOMS = {
     "app/clipping.py": Room(("numpy",), ("app.projection",)),
     "app/morph.py": Room(("numpy",), ("app.projection",)),
     "app/free_matrix.py": Room(rooms=("app.double_double", "app.rationals", "app.projection")),
-    "app/notation.py": Room(rooms=("app.attention", "app.projection")),
+    "app/dependence.py": Room(rooms=("app.projection",)),
+    "app/notation.py": Room(rooms=("app.attention", "app.dependence", "app.projection")),
     # Names only: the words in which rooms that know nothing of each other point at things.
     "app/attention.py": Room(),
     "app/camera_frame.py": Room(("numpy",), ("app.double_double", "app.values", "app.projection")),
@@ -262,6 +263,7 @@ ROOMS = {
         ),
     ),
     "widgets/export_dialog.py": Room(QT, ("app.figures", "widgets.messages")),
+    "widgets/number_dialog.py": Room(QT, ("app.projection", "widgets.messages", "widgets.rows")),
     # One pane hosts any drawing, so it knows the drawings' values and none of them.
     "widgets/pane.py": Room(
         ("numpy", "pyvistaqt", *VTK, *QT),
@@ -308,6 +310,7 @@ ROOMS = {
         (
             *("app.projection", "app.precision", "app.health", "app.scene", "app.attention"),
             *("app.pace", "app.quality", "widgets.attention", "widgets.messages", "widgets.rows"),
+            "widgets.number_dialog",
         ),
     ),
     # Between the panes and the window: it knows how long frames take, and not the store.

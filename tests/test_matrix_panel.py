@@ -193,6 +193,11 @@ def test_running_products_and_the_inverse(panel: MatrixPanel) -> None:
         ("clip_from_view", 2, 3, "before the divide"),
         ("clip_from_view", 1, 0, "x has no part in y"),
         ("image_from_ndc", 1, 1, "turns it round"),
+        ("clip_from_depth_range", 3, 3, "It scales w, by which all is divided, by 40."),
+        ("view_from_world", 3, 3, "It keeps w."),
+        ("clip_from_view", 3, 3, "The w that comes in has no part in w."),
+        ("clip_from_world", 3, 2, "times z to w, by which all is divided"),
+        ("clip_from_world", 3, 3, " to w, by which all is divided"),
     ],
 )
 def test_a_cell_says_what_it_does(
@@ -596,6 +601,10 @@ def test_what_a_free_matrix_does_is_written_below_it(
     ]  # fmt: skip
     titles = [box.title.text() for box in panel._boxes]
     assert titles[2] == "clip ← view, a free matrix" and titles[1] == "view ← world"
+    type_cell(panel, qtbot, "clip_from_view", 3, 3, "1")
+    (clip,) = (matrix for matrix in panel.shown if matrix.name == "clip_from_view")
+    assert "It adds 1 times the w that comes in to w" in panel.sentence(clip, 3, 3)
+    assert "It adds -1 times z to w" in panel.sentence(clip, 3, 2)
     type_cell(panel, qtbot, "view_from_world", 0, 0, "-3")
     assert "mirrored: it turns right-handed space into left-handed" in notes(
         panel, "view_from_world"

@@ -6,6 +6,7 @@ import json
 import math
 import re
 from dataclasses import replace
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -14,7 +15,9 @@ import pytest
 from app import cli, notation
 from app.notation import LETTERS, Letters, Matrix, matrices
 from app.projection import (
+    DEPTH_RANGES,
     Camera,
+    FreeMatrix,
     Frustum,
     Lens,
     Oblique,
@@ -35,7 +38,7 @@ LENSES: dict[str, Lens] = {
     "behind": Orthographic(*BOX, -3.0, 40.0, "y"),
     "oblique": Oblique(*BOX, 1.5, 40.0, keep="stretch", alpha_deg=60.0, beta_deg=115.0),
 }
-DEPTHS = ("opengl", "direct3d", "reversed")
+DEPTHS: tuple[Any, ...] = ("opengl", "direct3d", "reversed")
 CAMERA = Camera((6.0, 5.0, 9.0), (0.5, 2.0, -0.25), (0.1, 1.0, 0.2))
 
 
@@ -93,8 +96,8 @@ def test_products_are_products(lens: str, letters: Letters, rows: bool, depth: s
             np.array(factor.values) for factor in matrix.factors
         ]
         if parts:
-            product = np.linalg.multi_dot(parts)
-            assert np.allclose(product, matrix.values, rtol=1e-12, atol=1e-12)
+            multiplied = np.linalg.multi_dot(parts)
+            assert np.allclose(multiplied, matrix.values, rtol=1e-12, atol=1e-12)
             checked += 1
     assert checked >= 6
     inverse = by_name["world_from_view"] @ by_name["view_from_world"]
@@ -186,36 +189,113 @@ def test_a_cell_names_the_fields_it_depends_on() -> None:
         return set(matrix.fields[row][column])
 
     assert fields("perspective", "clip_from_view", 0, 0) == {"fov_y_deg", "image"}
-    assert fields("frustum", "clip_from_view", 0, 0) == {"near", "left", "right"}
+    assert fields("frustum", "clip_from_view", 0, 0) == {"near", "left", "right", "keep"}
     assert fields("frustum", "clip_from_view", 2, 2) == {"near", "far", "depth"}
     assert fields("frustum", "clip_from_view", 3, 2) == set()
     assert fields("frustum", "view_from_world", 2, 0) == {"eye", "target"}
     assert fields("frustum", "view_from_world", 0, 3) == {"eye", "target", "up"}
-    assert fields("oblique", "clip_from_view", 1, 2) == {"beta_deg", "bottom", "top"}
+    assert fields("oblique", "clip_from_view", 1, 2) == {"beta_deg", "bottom", "top", "keep"}
     assert fields("frustum", "image_from_ndc", 0, 0) == {"image"}
     assert fields("frustum", "depth_range_from_canonical_parallel", 2, 3) == {"depth"}
     assert "near" in fields("frustum", "clip_from_world", 0, 0)
 
 
-@pytest.mark.parametrize("lens", LENSES)
-def test_a_field_that_a_cell_does_not_name_does_not_change_it(lens: str) -> None:
-    projection = projection_of(lens)
-    edits: dict[str, Any] = {
-        "near": lambda p: replace(p, lens=replace(p.lens, near=p.lens.near + 0.125)),
-        "eye": lambda p: replace(p, camera=replace(p.camera, eye=(5.0, 6.0, 8.0))),
-        "up": lambda p: replace(p, camera=replace(p.camera, up=(0.0, 1.0, 0.0))),
-        "depth": lambda p: replace(p, depth="reversed"),
-        "image": lambda p: replace(p, image_size=(640, 480)),
+def moves(projection: Projection) -> dict[str, list[Projection]]:
+    """A projection with each of its controls moved, to wherever that is another way to depend."""
+    camera, lens = projection.camera, projection.lens
+    found: dict[str, list[Projection]] = {
+        "depth": [projection.with_depth(d) for d in DEPTH_RANGES if d != projection.depth],
+        "image": [replace(projection, image_size=size) for size in ((1300, 720), (1280, 700))],
     }
-    if projection.lens.far != math.inf:
-        edits["far"] = lambda p: replace(p, lens=replace(p.lens, far=50.0))
-    for field, edit in edits.items():
-        changed = matrices(edit(projection), running=True)
-        for before, after in zip(matrices(projection, running=True), changed, strict=True):
-            for i, row in enumerate(before.values):
-                for j, value in enumerate(row):
-                    if field not in before.fields[i][j]:
-                        assert value == after.values[i][j], (field, before.name, i, j)
+    for vector in ("eye", "target", "up"):
+        parts = (
+            part + step
+            for part, step in zip(getattr(camera, vector), (0.3, 0.25, -0.4), strict=True)
+        )
+        moved = replace(camera, **{vector: tuple(parts)})
+        found[vector] = [replace(projection, camera=moved)]
+    if isinstance(lens, FreeMatrix):
+        return found
+    lenses: dict[str, list[Any]] = {"far": [math.inf] if not lens.parallel else []}
+    for name in ("fov_y_deg", "near", "far", "left", "right", "bottom", "top", "alpha_deg",
+                 "beta_deg"):  # fmt: skip
+        if hasattr(lens, name):
+            value = getattr(lens, name)
+            lenses.setdefault(name, []).append(25.0 if value == math.inf else value + 0.03)
+    if hasattr(lens, "keep"):
+        lenses["keep"] = [keep for keep in KEEPS if keep != lens.keep]
+    for name, values in lenses.items():
+        found[name] = [replace(projection, lens=replace(lens, **{name: v})) for v in values]
+    return found
+
+
+EVEN = (-0.75, 0.75, -0.5, 0.5)
+CAMERAS = {
+    "askew": CAMERA,
+    "upright": Camera((6.0, 5.0, 9.0), (0.0, 2.0, 0.0), (0.0, 1.0, 0.0)),
+    "at-the-origin": Camera((0.0, 0.0, 0.0), (0.0, 0.0, -5.0), (0.0, 1.0, 0.0)),
+    "along-up": Camera((1.0, 0.0, 0.0), (2.0, 5.5, 0.25), (1.0, 0.0, 0.0)),
+    "level": Camera((0.0, 2.0, 9.0), (0.0, 0.0, 0.0), (0.0, 0.0, -2.0)),
+}
+KEEPS: tuple[Any, ...] = ("stretch", "x", "y")
+MOVED: dict[str, tuple[Lens, ...]] = {
+    "perspective": (Perspective(50.0, 1.5, 40.0), Perspective(50.0, 1.5, math.inf)),
+    "frustum": tuple(Frustum(-0.7, 0.9, -0.4, 0.65, 1.5, far, keep)
+                     for far in (40.0, math.inf) for keep in KEEPS),
+    "frustum-even": (Frustum(*EVEN, 1.5, 40.0, "y"),),
+    "frustum-fits": (Frustum(-1.125, 0.875, -0.5, 0.625, 1.5, 40.0, "x"),),
+    "orthographic": tuple(Orthographic(*BOX, 1.5, 40.0, keep) for keep in KEEPS),
+    "orthographic-even": (Orthographic(*EVEN, 0.0, 40.0, "y"), Orthographic(*EVEN, -9.0, 0.0)),
+    "oblique": tuple(Oblique(*BOX, 1.5, 40.0, keep, 60.0, 115.0) for keep in KEEPS),
+    "oblique-even": (Oblique(*EVEN, 0.0, 40.0, "x", 90.0, 115.0),
+                     Oblique(*EVEN, 1.5, 40.0, "stretch", 60.0, 90.0)),
+    "free": (
+        FreeMatrix(((2, 0, 0, 0), (0, 1.5, 0, 0.5), (0, 0.25, -1, -3), (0, 0, -1, 0))),
+        FreeMatrix(((2, 0, 0, 0), (0, 1, 0, 0), (0, 0, -1, 0), (0, 0, 0, 1)),
+                   ((1, 2, 0, 0), (0, 1, 0, 0), (0, 0, 1, -9), (0, 0.5, 0, 1))),
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("lens", "camera"),
+    [*((lens, "askew") for lens in MOVED),
+     *(("frustum-even", camera) for camera in CAMERAS if camera != "askew"),
+     ("free", "upright")],
+)  # fmt: skip
+def test_a_cell_names_just_what_changes_it(lens: str, camera: str) -> None:
+    """Of those controls that a projection has, in hand where it is: zeros hide others there."""
+    checked = 0
+    for chosen, depth in product(MOVED[lens], DEPTHS):
+        # Proportions and cameras are fitted and placed alike in every depth range.
+        as_ever = camera == "askew" and getattr(chosen, "keep", "stretch") == "stretch"
+        if not as_ever and depth != "reversed":
+            continue
+        projection = Projection(CAMERAS[camera], chosen, (1280, 720), depth)
+        letters: Letters = "002" if depth == "opengl" else "003"
+        running = depth == "reversed"
+        moved = {
+            name: [
+                {part.name: part for part in matrices(other, letters, running=running)}
+                for other in others
+            ]
+            for name, others in moves(projection).items()
+        }
+        for matrix in matrices(projection, letters, running=running):
+            for number, part in enumerate((matrix, *matrix.factors)):
+                names = {
+                    name: np.any([
+                        np.not_equal((o[matrix.name], *o[matrix.name].factors)[number].values,
+                                     part.values) for o in others
+                    ], axis=0) for name, others in moved.items()
+                }  # fmt: skip
+                for i, j in product(range(4), repeat=2):
+                    changing = {name for name, changed in names.items() if changed[i, j]}
+                    assert changing == set(part.fields[i][j]), (
+                        chosen, depth, matrix.name, part.name, i, j, part.formulas[i][j]
+                    )  # fmt: skip
+                    checked += 1
+    assert checked >= 100
 
 
 def test_copies() -> None:

@@ -13,7 +13,7 @@ import pytest
 import pyvista as pv
 from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QInputDialog, QProgressDialog
+from PySide6.QtWidgets import QApplication, QProgressDialog
 
 from app.detail import SHARES, is_made, reduced, shares_for_dragging
 from app.document import Document, DocumentError, parse, set_values, to_json
@@ -27,6 +27,7 @@ from tests.test_window import counted_repaints, pixels, settle
 from widgets import adaptive, pane
 from widgets.application import Settings
 from widgets.main_window import MainWindow
+from widgets.number_dialog import NumberDialog
 
 PANES = ("world", "ndc", "image")
 
@@ -694,18 +695,20 @@ def test_the_target_is_a_setting(
 ) -> None:
     window = make_window()
     assert window.settings.frame_ms == 33.0 == window.adaptive.pace.target_ms
-    asked: list[tuple[Any, ...]] = []
+    asked: list[str] = []
 
-    def answer(*question: Any) -> tuple[float, bool]:
-        asked.append(question)
-        return 16.0, True
+    def answer(dialog: NumberDialog) -> int:
+        asked.append(dialog.field.text())
+        dialog.field.setText("16")
+        dialog.accept()
+        return dialog.result()
 
-    monkeypatch.setattr(QInputDialog, "getDouble", answer)
+    monkeypatch.setattr(NumberDialog, "exec", answer)
     window.status.rung.menu().aboutToShow.emit()
     (action,) = [a for a in window.status.rung.menu().actions() if a.text().startswith("Frames")]
     assert action.text() == "Frames of at most 33 ms while dragging…"
     action.trigger()
-    assert asked[0][3:6] == (33.0, 0.0, 1000.0)
+    assert asked == ["33"]
     assert window.settings.frame_ms == 16.0 == window.adaptive.pace.target_ms
     window.status.rung.menu().aboutToShow.emit()
     texts = [action.text() for action in window.status.rung.menu().actions()]

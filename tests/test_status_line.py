@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import Any
 
 import pytest
-from PySide6.QtCore import QEvent, QObject
+from PySide6.QtCore import QEvent, QLocale, QObject
 from PySide6.QtWidgets import QApplication, QMainWindow
 from pytestqt.qtbot import QtBot
 
@@ -17,6 +17,7 @@ from app.precision import predict
 from app.projection import Camera, Orthographic, Perspective, Projection
 from app.scene import Scene, load
 from widgets import status_line
+from widgets.number_dialog import NumberDialog
 from widgets.status_line import StatusLine
 
 EVERYDAY = Projection(Camera(), Perspective(45.0, 1.0, 30.0))
@@ -184,10 +185,9 @@ def test_numbers_of_a_narrow_slab_are_read_exactly(
 
 def test_the_tolerance_decides_what_draws(qtbot: QtBot, line: StatusLine, scene: Scene) -> None:
     rested(qtbot, line, EVERYDAY, scene)
-    line.rung.setText("")
+    assert line.rung.text().startswith("drawn float32")
     line.set_tolerance(1e-4)
-    qtbot.waitUntil(lambda: line.rung.text() != "")
-    assert line.rung.text().startswith("drawn float64")
+    qtbot.waitUntil(lambda: line.rung.text().startswith("drawn float64"))
 
 
 def test_the_tolerance_is_kept_in_the_settings(make_window: Callable[..., Any]) -> None:
@@ -195,6 +195,45 @@ def test_the_tolerance_is_kept_in_the_settings(make_window: Callable[..., Any]) 
     window.status.tolerance_edited.emit(0.5)
     assert window.settings.tolerance_px == 0.5
     assert window.status.tolerance_px == 0.5
+
+
+@pytest.mark.parametrize("language", ["C", "de_DE", "hr_HR", "et_EE", "ar_EG"])
+def test_a_number_is_asked_for_as_the_rows_read_it(
+    line: StatusLine, language: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Qt's own question took 33.5 for 335 where the point stands between thousands."""
+    texts = ["33.5", "33,5", "0,05", "1/4 px", "1e3", "", "1.000,5", "-1", "5e-5", "inf", "٣", "2"]
+    wanted = [33.5, 33.5, 0.05, 0.25, "at most 100", *2 * ["a number"], *2 * ["at least 0.0001"],
+              "at most 100", "a number", 0.01]  # fmt: skip
+    found: list[Any] = []
+
+    def answer(dialog: NumberDialog) -> int:
+        assert dialog.field.text() == f"{line.tolerance_px:g}"
+        dialog.field.setText(texts[len(found)])
+        if len(found) == len(texts) - 1:
+            dialog.reject()
+            found.append(dialog.number)
+        else:
+            dialog.accept()
+            found.append(dialog.problem.text() or dialog.number)
+        return dialog.result()
+
+    monkeypatch.setattr(NumberDialog, "exec", answer)
+    taken: list[float] = []
+    line.tolerance_edited.connect(taken.append)
+    before = QLocale()
+    QLocale.setDefault(QLocale(language))
+    try:
+        for _ in texts:
+            line._ask_tolerance()
+    finally:
+        QLocale.setDefault(before)
+    for value, want in zip(found, wanted, strict=True):
+        if isinstance(want, str):
+            assert value.startswith("⚠ Not possible. Drawing tolerance = ") and want in value
+        else:
+            assert value == want
+    assert taken == [want for want in wanted[:-1] if isinstance(want, float)]
 
 
 def test_points_behind_the_camera_have_no_prediction(

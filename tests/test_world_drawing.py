@@ -329,11 +329,11 @@ def test_what_lies_within_reach_is_drawn_where_it_is(make_view: MakeView) -> Non
     [
         (with_lens(far=1e6), {"far"}, {"near 1", "far 1e+06"}),
         (with_lens(far=math.inf), {"far"}, {"near 1", "far ∞"}),
-        (with_lens(near=1e-6, far=math.inf), {"far"}, {"near 1e-06", "far ∞"}),
+        (with_lens(near=1e-6, far=math.inf), {"far"}, {"near 1e−06", "far ∞"}),
         (with_lens(near=2000.0, far=30000.0), {"near", "far"}, {"near 2000", "far 30000"}),
-        (orthographic(near=-2.0, far=16.0), set(), {"near -2", "far 16"}),
-        (orthographic(near=-1e9, far=1e9), {"near", "far"}, {"near -1e+09", "far 1e+09"}),
-        (orthographic(near=-300.0, far=-200.0), {"near", "far"}, {"near -300", "far -200"}),
+        (orthographic(near=-2.0, far=16.0), set(), {"near −2", "far 16"}),
+        (orthographic(near=-1e9, far=1e9), {"near", "far"}, {"near −1e+09", "far 1e+09"}),
+        (orthographic(near=-300.0, far=-200.0), {"near", "far"}, {"near −300", "far −200"}),
         (orthographic(near=500.0, far=600.0), {"near", "far"}, {"near 500", "far 600"}),
     ],
 )

@@ -37,7 +37,15 @@ from PySide6.QtWidgets import (
 )
 
 from app.attention import NOTHING, Attention
-from app.camera_frame import STEPS, UpAndView, nudged_up, turned_up, up_and_view, view_matrix
+from app.camera_frame import (
+    STEPS,
+    UpAndView,
+    most_turned_deg,
+    nudged_up,
+    turned_up,
+    up_and_view,
+    view_matrix,
+)
 from app.projection import Camera, FreeMatrix, Projection, ProjectionError, format_value
 from widgets.attention import paint_attention
 from widgets.messages import sentence
@@ -342,13 +350,11 @@ class FramePanel(QWidget):
         off_deg = min(up.angle_deg, 180.0 - up.angle_deg)
         text = ""
         if off_deg <= CLOSE_DEG:
+            turned_deg = most_turned_deg(round(off_deg, 12), NUDGE_DEG)  # as 0.1 was typed
             text = self.tr(
                 "⚠ Up is only {0}° from the line of sight: up × n is nearly 0, and an error of"
                 " {1}° in up turns the picture by up to {2}°."
-            ).format(
-                f"{off_deg:.3g}", f"{NUDGE_DEG:g}",
-                f"{min(180.0, NUDGE_DEG * up.magnified):.3g}",
-            )  # fmt: skip
+            ).format(f"{off_deg:.3g}", f"{NUDGE_DEG:g}", f"{turned_deg:.3g}")
         typed = _has_own_view(self._projection)
         if typed:
             text = self.tr(

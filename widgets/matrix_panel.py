@@ -580,7 +580,7 @@ class MatrixPanel(QWidget):
                 axes[of], target
             )
         if into == 3:
-            return self._does_to_w(source, value, number)
+            return self._does_to_w(matrix, source, value, number)
         if into == of:
             if value == 1.0:
                 return self.tr("It leaves the scale of {0} as it is.").format(target)
@@ -604,15 +604,22 @@ class MatrixPanel(QWidget):
             return self.tr("It shifts {0} by {1}.").format(target, number)
         return self.tr("It adds {2} times {1} to {0}: a shear.").format(target, source, number)
 
-    def _does_to_w(self, source: str, value: float, number: str) -> str:
+    def _does_to_w(self, matrix: Matrix, source: str, value: float, number: str) -> str:
         if value == 0.0:
+            if source == "w":
+                return self.tr("The w that comes in has no part in w.")
             return self.tr("{0} has no part in w.").format(source)
-        if source == "w":
-            if value == 1.0:
-                return self.tr("It keeps w.")
+        if sum(map(bool, self._w_row(matrix))) == 1:
+            if source == "w":
+                if value == 1.0:
+                    return self.tr("It keeps w.")
+                return self.tr("It scales w, by which all is divided, by {0}.").format(number)
+            if source == "z" and value == -1.0:
+                return self.tr("It makes w the distance −z, by which all is divided: perspective.")
+        if source == "w" and matrix.name.endswith("_from_world"):  # where every w is 1
             return self.tr("It adds {0} to w, by which all is divided.").format(number)
-        if source == "z" and value == -1.0:
-            return self.tr("It makes w the distance −z, by which all is divided: perspective.")
+        if source == "w":
+            source = self.tr("the w that comes in")
         return self.tr("It adds {1} times {0} to w, by which all is divided.").format(
             source, number
         )

@@ -486,7 +486,9 @@ PROPERTY_SENTENCES = (
     QT_TRANSLATE_NOOP(
         "Matrix", "mirrored: it turns right-handed space into left-handed (determinant {0})"
     ),
-    QT_TRANSLATE_NOOP("Matrix", "mirrored: left and right, or near and far, end exchanged"),
+    QT_TRANSLATE_NOOP(
+        "Matrix", "mirrored: as if left and right, top and bottom, or near and far were exchanged"
+    ),
     QT_TRANSLATE_NOOP(
         "Matrix", "not rigid: it changes lengths or angles, so that no camera has it"
     ),

@@ -13,7 +13,7 @@ from functools import partial
 
 from PySide6.QtCore import QEvent, QRectF, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QEnterEvent, QPainter, QPaintEvent, QResizeEvent, QShowEvent
-from PySide6.QtWidgets import QInputDialog, QLabel, QMenu, QSizePolicy, QStatusBar, QToolButton
+from PySide6.QtWidgets import QLabel, QMenu, QSizePolicy, QStatusBar, QToolButton
 
 from app.attention import CORNERS, NOTHING, SIDES, Attention
 from app.health import risks
@@ -40,6 +40,7 @@ from app.quality import AUTOMATIC, Quality
 from app.scene import Scene
 from widgets.attention import paint_attention
 from widgets.messages import plane_name, translated
+from widgets.number_dialog import NumberDialog
 from widgets.rows import short_text
 
 _ABOUT: dict[str, Attention] = {
@@ -321,33 +322,25 @@ class StatusLine(QStatusBar):
         menu.addAction(text).triggered.connect(self._ask_tolerance)
 
     def _ask_frame(self) -> None:
-        frame_ms, is_set = QInputDialog.getDouble(
-            self,
+        dialog = NumberDialog(
             self.tr("Frame time"),
             self.tr(
                 "While a control is dragged, antialiasing and triangles may be left out so that a "
                 "frame takes at most so many milliseconds; 0 for whatever it takes:"
             ),
-            self._frame_ms,
-            0.0,
-            LARGEST_FRAME_MS,
-            1,
-        )
-        if is_set:
-            self.frame_edited.emit(frame_ms)
+            self._frame_ms, 0.0, LARGEST_FRAME_MS, "ms", self,
+        )  # fmt: skip
+        if dialog.exec():
+            self.frame_edited.emit(dialog.number)
 
     def _ask_tolerance(self) -> None:
-        tolerance_px, is_set = QInputDialog.getDouble(
-            self,
+        dialog = NumberDialog(
             self.tr("Drawing tolerance"),
             self.tr("A GPU's own arithmetic (float32) may draw up to this many pixels off:"),
-            self.tolerance_px,
-            LEAST_TOLERANCE_PX,
-            LARGEST_TOLERANCE_PX,
-            4,
-        )
-        if is_set:
-            self.tolerance_edited.emit(tolerance_px)
+            self.tolerance_px, LEAST_TOLERANCE_PX, LARGEST_TOLERANCE_PX, "px", self,
+        )  # fmt: skip
+        if dialog.exec():
+            self.tolerance_edited.emit(dialog.number)
 
 
 class _Figure(QLabel):

@@ -562,7 +562,8 @@ class _Leader:
 
 
 def _distance(value: float) -> str:
-    """A distance as a label says it: 1, 0.025, 1e+06, the sign for infinity."""
+    """A distance as a label says it: 1, 0.025, −10, 1e+06, the sign for infinity."""
     if math.isinf(value):
         return "\N{INFINITY}"
-    return f"{value:.0f}" if 1e4 <= abs(value) < 1e6 else f"{value:.4g}"
+    text = f"{value:.0f}" if 1e4 <= abs(value) < 1e6 else f"{value:.4g}"
+    return text.replace("-", "\N{MINUS SIGN}")
