@@ -539,3 +539,14 @@ def test_an_inverse_too_large_for_float64_has_no_frustum() -> None:
     assert projection.frustum_sign == 0
     with pytest.raises(ProjectionError, match="an inverse that float64 can hold"):
         projection.world_from_clip_at((0.0, 0.0, 0.0))
+
+
+@pytest.mark.parametrize("depth", ["opengl", "direct3d", "reversed"])
+def test_the_planes_of_a_free_matrix_are_those_of_the_lens_that_has_it(depth: Any) -> None:
+    own = Projection(Camera((3, 2, 9), (0, 1, 0)), Perspective(50, 2, 15), depth=depth)
+    free = replace(own, lens=FreeMatrix(own.clip_from_view))
+    points = np.random.default_rng(5).uniform(-20.0, 20.0, (500, 3))
+    points = points[own.trace(points).in_front]  # behind the eye a lens is beyond near alone
+    outside = free.trace(points).outside
+    np.testing.assert_array_equal(outside, own.trace(points).outside)
+    assert (outside.sum(axis=0) > 10).all() and (~outside).any(axis=0).all()
