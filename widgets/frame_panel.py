@@ -106,7 +106,7 @@ class FramePanel(QWidget):
         self.formula, self.numbers = _Formula(), QLabel()
         self.numbers.setTextFormat(Qt.TextFormat.RichText)
         self.numbers.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        self.numbers.setAccessibleName(self.tr("The step in numbers"))
+        self.numbers.setAccessibleDescription(self.tr("The step in numbers"))
         self.sentence = QLabel()
         self.sentence.setWordWrap(True)
         self._make_up()

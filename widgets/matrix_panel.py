@@ -228,7 +228,7 @@ class MatrixPanel(QWidget):
         self._scroll.setFrameShape(QScrollArea.Shape.NoFrame)
         self.explanation = QLabel()
         self.explanation.setWordWrap(True)
-        self.explanation.setAccessibleName(self.tr("About the cell"))
+        self.explanation.setAccessibleDescription(self.tr("About the cell"))
         self.explanation.setMinimumHeight(2 * self.fontMetrics().height())
         self.explanation.setAlignment(Qt.AlignmentFlag.AlignTop)
         layout = QVBoxLayout(self)

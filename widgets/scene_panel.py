@@ -909,7 +909,7 @@ class Readout(QWidget):
             value.setToolTip(tip)
         if label.text() != name:
             label.setText(name)
-            value.setAccessibleName(name)
+            value.setAccessibleDescription(name)  # a name would be read instead of the number
             self._widen(label)
         unit_text = "" if reading.value is None else of_phenomena(reading.unit)
         if unit.text() != unit_text:
