@@ -5,11 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import Any
 
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QAccessible
-from PySide6.QtWidgets import QLabel, QWidget
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QAbstractScrollArea, QApplication, QLabel, QScrollArea, QWidget
+from pytestqt.qtbot import QtBot
 
 from app.document import Document
 from app.scene import load
+from widgets.diagram import DiagramView
 
 SAID = QAccessible.Text
 
@@ -46,3 +50,42 @@ def test_a_screen_reader_hears_what_is_shown(make_window: Callable[..., Any]) ->
     window.status.quality.setText("quality: 50 %")
     for button in (window.status.rung, window.status.quality):
         assert said(button) == button.text()
+
+
+def stops(window: Any) -> list[QWidget]:
+    """Where Tab stops, once round the window."""
+    been: list[QWidget] = []
+    while (focus := QApplication.focusWidget()) not in been:
+        assert focus is not None and len(been) < 200
+        been.append(focus)
+        QTest.keyClick(focus, Qt.Key.Key_Tab)
+    return been
+
+
+def test_tab_goes_as_one_sees_and_is_seen(make_window: Callable[..., Any], qtbot: QtBot) -> None:
+    window = make_window(Document("depth-buffer", load("depth-buffer").start))
+    window.resize(1366, 768)
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    name = next(
+        widget for widget in window.panels.findChildren(QWidget) if said(widget) == "Measure"
+    )
+    for panel in panels(window):
+        QApplication.processEvents()
+        name.setFocus()
+        order = stops(window)
+        inside = [panel.isAncestorOf(widget) for widget in order]
+        assert inside[1] and not any(inside[inside.index(False, 1) :]), panel.accessibleName()
+        for widget in order:
+            assert said(widget), widget
+            if isinstance(widget, QScrollArea):
+                bars = widget.horizontalScrollBar(), widget.verticalScrollBar()
+                assert any(bar.maximum() for bar in bars), said(widget)
+            if isinstance(widget, (QAbstractScrollArea, DiagramView)):
+                widget.setFocus()
+                seen = widget.grab().toImage()
+                widget.clearFocus()
+                assert widget.grab().toImage() != seen, said(widget)
+        order[1].setFocus()
+        QTest.keyClick(order[1], Qt.Key.Key_Backtab)
+        assert QApplication.focusWidget() is name

@@ -40,6 +40,7 @@ from app.attention import NOTHING, Attention
 from app.camera_frame import STEPS, UpAndView, nudged_up, turned_up, up_and_view, view_matrix
 from app.projection import Camera, FreeMatrix, Projection, ProjectionError, format_value
 from widgets.attention import paint_attention
+from widgets.focus import FocusRing
 from widgets.messages import sentence
 from widgets.rows import Log, NumberRow
 from widgets.section import tidy
@@ -222,6 +223,10 @@ class FramePanel(QWidget):
         aside_scroll.setFrameShape(QFrame.Shape.NoFrame)
         aside_scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         aside_scroll.setWidget(aside)
+        scroll.setAccessibleName(self.tr("The step"))
+        aside_scroll.setAccessibleName(self.tr("What up does"))
+        for area in (scroll, aside_scroll):
+            FocusRing(area)
         body = QHBoxLayout()
         body.addWidget(scroll, 3)
         body.addWidget(aside_scroll, 2)

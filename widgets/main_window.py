@@ -69,6 +69,7 @@ from widgets.controls import Controls
 from widgets.counting import Counting
 from widgets.escape import EscapeKey
 from widgets.files import Files
+from widgets.focus import focus_next
 from widgets.frame_panel import FramePanel
 from widgets.help import Help
 from widgets.manipulation import HOLD_WITHIN_PX, Manipulation
@@ -1102,6 +1103,9 @@ class MainWindow(QMainWindow):
         if event.type() == QEvent.Type.DevicePixelRatioChange and self.panes["world"].drawing:
             self._build_drawings(self._views_now())
         return super().event(event)
+
+    def focusNextPrevChild(self, forwards: bool) -> bool:
+        return focus_next(self, forwards)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)

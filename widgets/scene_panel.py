@@ -51,6 +51,7 @@ from app.phenomena.exhibit import (
 from app.projection import AT_LEAST, AT_MOST, Projection, ProjectionError
 from widgets.animation import FRAME_MS, LONGEST_FRAME_S
 from widgets.diagram import DiagramView
+from widgets.focus import FocusRing
 from widgets.messages import figure_text, number_text, of_phenomena, sentence, translated
 from widgets.readable import Readable
 from widgets.rows import (
@@ -554,6 +555,7 @@ class _Column(QScrollArea):
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setAccessibleName(name)
+        FocusRing(self)
         self._inside.installEventFilter(self)
 
     @property
