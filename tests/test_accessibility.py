@@ -2,13 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+import re
+from collections.abc import Callable, Iterable, Iterator
 from typing import Any
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QAccessible
+from PySide6.QtGui import QAccessible, QAction
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QAbstractScrollArea, QApplication, QLabel, QScrollArea, QWidget
+from PySide6.QtWidgets import (
+    QAbstractScrollArea,
+    QApplication,
+    QLabel,
+    QScrollArea,
+    QToolButton,
+    QWidget,
+)
 from pytestqt.qtbot import QtBot
 
 from app.document import Document
@@ -36,6 +44,14 @@ def panels(window: Any) -> Iterator[QWidget]:
         yield panel
 
 
+def mnemonics(actions: Iterable[QAction]) -> Iterator[list[str]]:
+    """The letters that Alt is pressed with: those of a menu, then those of each menu below it."""
+    yield [letter for action in actions for letter in re.findall("&([^&])", action.text().lower())]
+    for action in actions:
+        if action.menu() is not None:
+            yield from mnemonics(action.menu().actions())
+
+
 def test_a_screen_reader_hears_what_is_shown(make_window: Callable[..., Any]) -> None:
     window = make_window(Document("depth-buffer", load("depth-buffer").start))
     window.panels.open(window.matrices)
@@ -47,6 +63,11 @@ def test_a_screen_reader_hears_what_is_shown(make_window: Callable[..., Any]) ->
                 assert label.text().rstrip("…") in heard, label.text()
     heard = said(window.frame_panel.numbers)
     assert "=" in heard and "<" not in heard  # without its markup
+    said_of_panes = [said(b) for p in window.panes.values() for b in p.findChildren(QToolButton)]
+    assert len(said_of_panes) == len(set(said_of_panes))
+    assert "World: Enlarge this pane, and back" in said_of_panes
+    letters = list(mnemonics(window.menuBar().actions()))
+    assert len(letters) > 5 and all(len(menu) == len(set(menu)) for menu in letters), letters
     window.status.quality.setText("quality: 50 %")
     for button in (window.status.rung, window.status.quality):
         assert said(button) == button.text()

@@ -36,6 +36,9 @@ def test_one_panel_is_open_at_a_time(qtbot: QtBot) -> None:
     assert panels.open_panel is first and not second.isVisible() and not two.isChecked()
     qtbot.mouseClick(one, Qt.MouseButton.LeftButton)
     assert panels.open_panel is None and not first.isVisible() and not one.isChecked()
+    for key in (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Space):
+        qtbot.keyClick(one, key)
+        assert (panels.open_panel is first) == one.isChecked() == (key != Qt.Key.Key_Enter)
 
 
 def heights(window: Any) -> list[int]:

@@ -427,7 +427,7 @@ class MainWindow(QMainWindow):
         for number, (name, title) in enumerate(self._titles.items(), start=1):
             text = self.tr("Enlarge {0}").format(title)
             menu.addAction(self._action(text, partial(self.enlarge, name), f"F{number + 5}"))
-        menu.addAction(self._action(self.tr("Show all &panes"), self.show_all_panes, "F9"))
+        menu.addAction(self._action(self.tr("Show &all panes"), self.show_all_panes, "F9"))
         menu.addAction(
             self._action(self.tr("&Reset the panes' own views"), self.reset_views, "Ctrl+0")
         )
@@ -441,7 +441,7 @@ class MainWindow(QMainWindow):
         self._projector.setToolTip(
             self.tr("Larger text and thicker lines, for the back row (Ctrl+P)")
         )
-        self._show_cost = self._toggle(self.tr("Show &cost"), self.set_cost_shown, False)
+        self._show_cost = self._toggle(self.tr("Show c&ost"), self.set_cost_shown, False)
         self._show_cost.setToolTip(
             self.tr("Measure what every step takes: the model, each pane's matrices and repaint")
         )

@@ -472,7 +472,7 @@ class Pane(QFrame):
         button.setText(text)
         button.setAutoRaise(True)
         button.setToolTip(tip)
-        button.setAccessibleName(tip)
+        button.setAccessibleName(f"{self.accessibleName()}: {tip}")
         return button
 
     def build(
