@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator
+from types import SimpleNamespace
 from typing import Any
 
+import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QAccessible, QAction
+from PySide6.QtGui import QAccessible, QAccessibleAnnouncementEvent, QAction
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QAbstractScrollArea,
@@ -71,6 +73,37 @@ def test_a_screen_reader_hears_what_is_shown(make_window: Callable[..., Any]) ->
     window.status.quality.setText("quality: 50 %")
     for button in (window.status.rung, window.status.quality):
         assert said(button) == button.text()
+
+
+def test_a_message_is_announced_and_esc_closes_it(
+    make_window: Callable[..., Any], qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    heard: list[str] = []
+    monkeypatch.setattr(
+        "widgets.message_bar.QAccessible",
+        SimpleNamespace(updateAccessibility=lambda event: heard.append(event.message())),
+    )
+    window = make_window()
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    window.probe_panel.follow(point=(0.0, 0.0, 0.0))
+    field, escape = window.controls.rows["near"].field, Qt.Key.Key_Escape
+    field.setFocus()
+    messages = window.messages
+    for sentence in ("An offer.", "A refusal.", "A refusal."):
+        messages.say(sentence, *[("Take it", lambda: None)][: sentence == "An offer."])
+    assert heard == ["An offer.", "A refusal."]
+    QTest.keyClicks(field, "x")
+    QTest.keyClick(field, escape)
+    assert messages.text == "A refusal.", "the text being typed was meant"
+    QTest.keyClick(field, escape)
+    assert messages.text == "An offer." and len(window.probe_panel.probes) == 1
+    QTest.keyClick(field, escape)
+    assert messages.text == "An offer." and not window.probe_panel.probes
+    messages.choices[0].setFocus()
+    QTest.keyClick(messages.choices[0], escape)
+    assert messages.text == ""
+    QAccessible.updateAccessibility(QAccessibleAnnouncementEvent(messages, "as it is in earnest"))
 
 
 def stops(window: Any) -> list[QWidget]:

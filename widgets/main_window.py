@@ -33,6 +33,7 @@ from PySide6.QtGui import (
     QDragEnterEvent,
     QDropEvent,
     QGuiApplication,
+    QKeyEvent,
     QKeySequence,
     QResizeEvent,
 )
@@ -1100,6 +1101,12 @@ class MainWindow(QMainWindow):
     # -- events
 
     def event(self, event: QEvent) -> bool:
+        is_escape = isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_Escape
+        if is_escape and self.messages.text and not self.messages.choices:  # an offer would be lost
+            event.accept()  # before Esc is the probes' shortcut
+            if event.type() == QEvent.Type.KeyPress:
+                self.messages.done()
+            return True
         if event.type() == QEvent.Type.DevicePixelRatioChange and self.panes["world"].drawing:
             self._build_drawings(self._views_now())
         return super().event(event)
