@@ -1428,6 +1428,15 @@ def test_every_control_has_a_name_and_a_tip(controls: Controls) -> None:
     assert row.field.accessibleDescription() == row.error != ""
     QTest.keyClick(row.field, KEY.Key_Escape)
     assert row.field.accessibleDescription() == tip
+    # Of a slider a screen reader has but the position: the value comes when the hand rests.
+    for act, value in (
+        (row.slider.setFocus, "1 world units. "),
+        (lambda: QTest.keyClick(row.slider, KEY.Key_Right), "1 world units. "),
+        (row.finish_gesture, "1.05 world units. "),
+        (lambda: row.setValue(2.0), "2 world units. "),  # it was undone
+    ):
+        act()
+        assert row.slider.accessibleDescription() == value + tip
 
 
 def test_tab_goes_through_the_rows_in_their_order(controls: Controls) -> None:

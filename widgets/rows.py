@@ -688,12 +688,13 @@ class NumberRow(Row):
         self._open = False
         self._whole = False
         self._unit = unit
+        self._unit_said = unit_tip or unit
         self.slider = _Slider()
         self.slider.setAccessibleName(self.tr("{0}, slider").format(name))
         self._tell(self.slider, self._tip)
         self.field = _Field()
         self._tell(self.field, self._tip)
-        self.field.setAccessibleName(f"{name} ({unit_tip or unit})" if unit else name)
+        self.field.setAccessibleName(f"{name} ({self._unit_said})" if unit else name)
         self.unit_label = QLabel(unit)
         self.unit_label.setForegroundRole(QPalette.ColorRole.PlaceholderText)
         if unit_tip:
@@ -847,6 +848,8 @@ class NumberRow(Row):
     def eventFilter(self, watched: Any, event: QEvent) -> bool:
         if watched is self.field and event.type() == QEvent.Type.ToolTip:
             self._write_field_tip()
+        elif watched is self.slider and event.type() == QEvent.Type.FocusIn:
+            self._say_value()
         return super().eventFilter(watched, event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
@@ -903,6 +906,13 @@ class NumberRow(Row):
             with QSignalBlocker(self.slider):
                 self.slider.setValue(self._scale.position_of(self._value))
             self._show_text()
+            if self.slider.hasFocus():
+                self._say_value()
+
+    def _say_value(self) -> None:
+        """Tell a screen reader the value, for which it has only the slider's position, at rest."""
+        value = f"{short_text(self._value, self.below)} {self._unit_said}".rstrip()
+        self.slider.setAccessibleDescription(self.error or f"{value}. {self._tip}")
 
     def _show_text(self) -> None:
         if self.field.refused or self.field.isModified():
