@@ -1487,7 +1487,7 @@ def test_a_picture_that_is_copied_makes_a_failed_export_good(
     assert window.messages.text == ""
 
 
-def test_a_long_name_in_a_message_leaves_the_window_as_wide(
+def test_a_long_name_leaves_window_and_panel_as_wide(
     make_window: Callable[..., MainWindow], tmp_path: Path
 ) -> None:
     window = make_window()
@@ -1498,6 +1498,17 @@ def test_a_long_name_in_a_message_leaves_the_window_as_wide(
     settle(window)
     assert path.name in window.messages.text and window.messages.isVisible()
     assert window.width() == 1366
+    path = tmp_path / f"{'x' * 100}\n{'y' * 100}.obj"  # which Linux allows
+    path.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    assert window.files.open(path)
+    window.panels.open(window.scene_panel)
+    settle(window)
+    assert window._scene_box.currentText() == path.name.replace("\n", " ")
+    assert window.scene_panel._text_column.horizontalScrollBar().maximum() == 0
+    assert window.scene_panel.height() < 130, "for a name and a sentence"
+    window.files.choose_scene("depth-buffer")
+    settle(window)
+    assert window.scene_panel.height() >= 200
 
 
 def text_boxes(window: MainWindow) -> dict[str, tuple[float, float, float, float]]:

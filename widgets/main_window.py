@@ -77,7 +77,7 @@ from widgets.manipulation import HOLD_WITHIN_PX, Manipulation
 from widgets.matrix_panel import MatrixPanel
 from widgets.measure_panel import MeasurePanel
 from widgets.message_bar import MessageBar
-from widgets.messages import Words, of_phenomena, sentence
+from widgets.messages import Words, file_title, of_phenomena, sentence
 from widgets.pane import SCALES, SMOOTHINGS, Pane
 from widgets.panels import Panels
 from widgets.pictures import Pictures
@@ -702,7 +702,7 @@ class MainWindow(QMainWindow):
 
     def _tell_about_scene(self, document: Document, scene: Scene) -> None:
         """Show what a scene is about; a phenomenon opens its panel and points out its controls."""
-        title = self._scene_titles.get(document.scene, Path(document.scene).name)
+        title = self._scene_titles.get(document.scene, file_title(document.scene))
         self.scene_panel.show_scene(title, scene.phenomenon, Path(document.mesh).name)
         if document.scene == self._told_about:
             return
@@ -820,7 +820,7 @@ class MainWindow(QMainWindow):
                 self._scene_box.insertSeparator(self._scene_box.count())
             self._scene_box.addItem(self._scene_titles[built_in], built_in)
         if name not in BUILT_IN:
-            self._scene_box.addItem(Path(name).name, name)
+            self._scene_box.addItem(file_title(name), name)
         self._scene_box.setCurrentIndex(self._scene_box.findData(name))
         for action in self._scene_group.actions():
             action.setChecked(action.data() == name)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from typing import TypeAlias
 
@@ -10,10 +9,10 @@ from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QAccessible, QAccessibleAnnouncementEvent, QKeyEvent
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QToolButton, QWidget
 
+from widgets.messages import breakable
+
 Choice: TypeAlias = tuple[str, Callable[[], object]]
 """Text of a button and what it does."""
-LONG_WORD = 40
-"""Characters that need not be broken; a path may have more, and would widen the window."""
 
 
 class MessageBar(QFrame):
@@ -70,8 +69,7 @@ class MessageBar(QFrame):
             button.deleteLater()
         self._choices = []
         self._said = sentence
-        # Zero-width spaces, where Qt may break a line.
-        self._text.setText(re.sub(rf"(\S{{{LONG_WORD}}})(?=\S)", "\\1\u200b", sentence))
+        self._text.setText(breakable(sentence))
         for label, act in choices:
             button = QPushButton(label)
             button.clicked.connect(self._dismiss)
