@@ -271,6 +271,7 @@ ROOMS = {
         (
             *("app.projection", "app.picking", "app.attention"),
             *("app.scene", "app.phenomena", "app.drawings", "widgets.palette", "widgets.note"),
+            "widgets.focus",
         ),
     ),
     # Between two panes and the window: it knows what they draw, and not the store.

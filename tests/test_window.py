@@ -315,11 +315,48 @@ def test_keys_on_a_pane_change_nothing(make_window: Callable[..., MainWindow]) -
     settle(window)
     before = pixels(window, "world")
     canvas = window.panes["world"].canvas
-    for key in "3wsqe+-rfp":
+    for key in "3wsqerfp":
         QTest.keyClick(canvas, key)
     settle(window)
     assert (pixels(window, "world") == before).all()
     assert window.isVisible()
+
+
+def test_keys_turn_move_and_zoom_a_pane_that_tab_has_reached(
+    make_window: Callable[..., MainWindow], qtbot: Any
+) -> None:
+    window = make_window()
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    settle(window)
+    keys, shift = Qt.Key, Qt.KeyboardModifier.ShiftModifier
+    canvas, model = window.panes["world"].canvas, window.store.document
+    camera = canvas.own_camera
+    assert not window.panes["image"].canvas.focusPolicy() & Qt.FocusPolicy.TabFocus
+    window.panes["world"]._float.setFocus()
+    QTest.keyClick(window.panes["world"]._float, keys.Key_Tab)
+    assert canvas.hasFocus()
+    start = camera.GetPosition(), camera.GetFocalPoint()
+    for there, back in (
+        ((keys.Key_Right,), (keys.Key_Left,)),
+        ((keys.Key_Down,), (keys.Key_Up,)),
+        ((keys.Key_Right, shift), (keys.Key_Left, shift)),
+        ((keys.Key_Plus, shift), (keys.Key_Minus,)),
+        ((keys.Key_Up,), (keys.Key_Home,)),
+    ):
+        with counted_repaints(window) as counts:
+            QTest.keyClick(canvas, *there)
+            settle(window)
+        assert counts["world"] == 1
+        moved = camera.GetPosition(), camera.GetFocalPoint()
+        is_panned = there == (keys.Key_Right, shift)
+        assert math.dist(moved[0], start[0]) > 0.3
+        assert (math.dist(moved[1], start[1]) > 0.3) == is_panned
+        QTest.keyClick(canvas, *back)
+        assert camera.GetPosition() == pytest.approx(start[0])
+        assert camera.GetFocalPoint() == pytest.approx(start[1])
+    assert window.store.document == model
+    assert (camera.GetPosition(), window.panes["world"].view) == (start[0], None)
 
 
 def test_enlarging_and_back(make_window: Callable[..., MainWindow]) -> None:

@@ -7,6 +7,7 @@ last of all, far from the panel. This one is that of the layouts, which is what 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import cast
 
 from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QPainter, QPaintEvent, QPen
@@ -81,14 +82,21 @@ class FocusRing(QWidget):
         self._ringed = ringed
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self.hide()
-        ringed.installEventFilter(self)
+        cast(QApplication, QApplication.instance()).focusChanged.connect(self._follow)
 
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        kinds = QEvent.Type
-        if event.type() in (kinds.FocusIn, kinds.FocusOut, kinds.Resize):
-            self.setVisible(self._ringed.hasFocus())
+    def _follow(self, left: QWidget | None, entered: QWidget | None) -> None:
+        if entered is self._ringed:
+            self._ringed.installEventFilter(self)  # no longer: a pane is drawn at every step
             self.setGeometry(self._ringed.rect())
             self.raise_()
+            self.show()
+        elif left is self._ringed:
+            self._ringed.removeEventFilter(self)
+            self.hide()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.Resize:
+            self.setGeometry(self._ringed.rect())
         return super().eventFilter(watched, event)
 
     def paintEvent(self, event: QPaintEvent) -> None:
