@@ -40,6 +40,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import (
     QApplication,
     QComboBox,
+    QLabel,
     QLineEdit,
     QMainWindow,
     QSplitter,
@@ -482,6 +483,11 @@ class MainWindow(QMainWindow):
             lambda index: self._choose_scene(self._scene_box.itemData(index))
         )
         tools.addWidget(self._scene_box)
+        label = QLabel(
+            self.tr("Scene"), tools
+        )  # unseen: on Linux a box is named by its label alone
+        label.setBuddy(self._scene_box)
+        label.hide()
         tools.addSeparator()
         tools.addActions([open_, self._save])
         tools.addSeparator()
