@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import inspect
 import math
+import re
 from collections.abc import Iterator
 from dataclasses import replace
 from types import ModuleType
@@ -12,7 +13,7 @@ from typing import Any
 
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QFont, QInputMethodEvent, QPalette, QWheelEvent
+from PySide6.QtGui import QAccessible, QFont, QInputMethodEvent, QPalette, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QApplication,
@@ -1416,8 +1417,26 @@ def test_every_control_has_a_name_and_a_tip(controls: Controls) -> None:
     assert len(widgets) > 60
     for widget in widgets:
         assert widget.accessibleName() and widget.toolTip(), widget
+        said = QAccessible.queryAccessibleInterface(widget).text(QAccessible.Text.Description)
+        assert said and not re.search("<qt>|<b|&#", said), said
     names = [widget.accessibleName() for widget in widgets if isinstance(widget, QLineEdit)]
     assert len(set(names)) == len(names)
+    row = number(controls, "near")
+    tip = row.field.accessibleDescription()
+    assert tip.startswith("Distance from the eye to the near plane")  # the field has the value
+    enter(row, "x")
+    assert row.field.accessibleDescription() == row.error != ""
+    QTest.keyClick(row.field, KEY.Key_Escape)
+    assert row.field.accessibleDescription() == tip
+    # Of a slider a screen reader has but the position: the value comes when the hand rests.
+    for act, value in (
+        (row.slider.setFocus, "1 world units. "),
+        (lambda: QTest.keyClick(row.slider, KEY.Key_Right), "1 world units. "),
+        (row.finish_gesture, "1.05 world units. "),
+        (lambda: row.setValue(2.0), "2 world units. "),  # it was undone
+    ):
+        act()
+        assert row.slider.accessibleDescription() == value + tip
 
 
 def test_tab_goes_through_the_rows_in_their_order(controls: Controls) -> None:

@@ -73,6 +73,7 @@ PANEL = Room(
         "widgets.animation",
         "widgets.attention",
         "widgets.escape",
+        "widgets.focus",
         "widgets.messages",
         "widgets.palette",
         "widgets.rows",
@@ -193,6 +194,7 @@ ROOMS = {
     "widgets/messages.py": Room(QT, ("app.projection", "app.document")),
     "widgets/note.py": Room(QT),
     "widgets/escape.py": Room(QT),
+    "widgets/focus.py": Room(QT),
     "widgets/message_bar.py": PANEL,
     "widgets/rows.py": PANEL,
     "widgets/controls.py": PANEL,
@@ -212,13 +214,13 @@ ROOMS = {
         (
             *("app.notation", "app.free_matrix", "app.projection", "app.attention"),
             *("app.drawings.style", "widgets.matrix_view", "widgets.messages", "widgets.rows"),
-            "widgets.readable",
+            *("widgets.readable", "widgets.focus"),
         ),
     ),
     "widgets/frame_panel.py": Room(
         QT,
         (
-            *("app.projection", "app.camera_frame", "app.attention"),
+            *("app.projection", "app.camera_frame", "app.attention", "widgets.focus"),
             *("widgets.attention", "widgets.messages", "widgets.rows", "widgets.section"),
         ),
     ),
@@ -244,6 +246,7 @@ ROOMS = {
             *("app.document", "app.measure.results", "app.measure.meaning", "app.measure.chart"),
             *("app.phenomena.exhibit", "app.drawings.style"),
             *("widgets.diagram", "widgets.measuring", "widgets.messages", "widgets.note"),
+            "widgets.focus",
         ),
     ),
     # Knows what any phenomenon is made of, and none of them.
@@ -252,7 +255,7 @@ ROOMS = {
         (
             *("app.phenomena.exhibit", "app.projection", "app.drawings.style"),
             *("widgets.animation", "widgets.diagram", "widgets.messages", "widgets.readable"),
-            "widgets.rows",
+            *("widgets.focus", "widgets.rows"),
         ),
     ),
     "widgets/counting.py": Room(
@@ -270,6 +273,7 @@ ROOMS = {
         (
             *("app.projection", "app.picking", "app.attention"),
             *("app.scene", "app.phenomena", "app.drawings", "widgets.palette", "widgets.note"),
+            "widgets.focus",
         ),
     ),
     # Between two panes and the window: it knows what they draw, and not the store.

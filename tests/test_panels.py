@@ -11,6 +11,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QToolButton
 from pytestqt.qtbot import QtBot
 
+from app.document import Document
+from app.scene import load
 from widgets.panels import Panels
 
 
@@ -36,6 +38,9 @@ def test_one_panel_is_open_at_a_time(qtbot: QtBot) -> None:
     assert panels.open_panel is first and not second.isVisible() and not two.isChecked()
     qtbot.mouseClick(one, Qt.MouseButton.LeftButton)
     assert panels.open_panel is None and not first.isVisible() and not one.isChecked()
+    for key in (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Space):
+        qtbot.keyClick(one, key)
+        assert (panels.open_panel is first) == one.isChecked() == (key != Qt.Key.Key_Enter)
 
 
 def heights(window: Any) -> list[int]:
@@ -72,7 +77,7 @@ def test_from_name_to_name_the_panels_only_grow(
 def test_an_open_panel_has_its_part_of_a_window_that_grows(
     make_window: Callable[..., Any],
 ) -> None:
-    window = make_window()
+    window = make_window(Document("depth-buffer", load("depth-buffer").start))
     window.resize(1366, 768)
     window.panels.open(window.scene_panel)
     QApplication.processEvents()

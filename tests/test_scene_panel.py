@@ -621,7 +621,7 @@ def test_everything_has_a_name_for_a_screen_reader(owner: Owner) -> None:
         elif isinstance(row, CheckRow):
             assert row.box.accessibleName() == "Correct"
     assert owner.panel.players["turn"].button.accessibleName() == "Play: Turn"
-    assert owner.panel.readout.lines[0][1].accessibleName() == "gap"
+    assert owner.panel.readout.lines[0][1].accessibleDescription() == "gap"
 
 
 # -- languages

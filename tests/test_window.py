@@ -317,11 +317,48 @@ def test_keys_on_a_pane_change_nothing(make_window: Callable[..., MainWindow]) -
     settle(window)
     before = pixels(window, "world")
     canvas = window.panes["world"].canvas
-    for key in "3wsqe+-rfp":
+    for key in "3wsqerfp":
         QTest.keyClick(canvas, key)
     settle(window)
     assert (pixels(window, "world") == before).all()
     assert window.isVisible()
+
+
+def test_keys_turn_move_and_zoom_a_pane_that_tab_has_reached(
+    make_window: Callable[..., MainWindow], qtbot: Any
+) -> None:
+    window = make_window()
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    settle(window)
+    keys, shift = Qt.Key, Qt.KeyboardModifier.ShiftModifier
+    canvas, model = window.panes["world"].canvas, window.store.document
+    camera = canvas.own_camera
+    assert not window.panes["image"].canvas.focusPolicy() & Qt.FocusPolicy.TabFocus
+    window.panes["world"]._float.setFocus()
+    QTest.keyClick(window.panes["world"]._float, keys.Key_Tab)
+    assert canvas.hasFocus()
+    start = camera.GetPosition(), camera.GetFocalPoint()
+    for there, back in (
+        ((keys.Key_Right,), (keys.Key_Left,)),
+        ((keys.Key_Down,), (keys.Key_Up,)),
+        ((keys.Key_Right, shift), (keys.Key_Left, shift)),
+        ((keys.Key_Plus, shift), (keys.Key_Minus,)),
+        ((keys.Key_Up,), (keys.Key_Home,)),
+    ):
+        with counted_repaints(window) as counts:
+            QTest.keyClick(canvas, *there)
+            settle(window)
+        assert counts["world"] == 1
+        moved = camera.GetPosition(), camera.GetFocalPoint()
+        is_panned = there == (keys.Key_Right, shift)
+        assert math.dist(moved[0], start[0]) > 0.3
+        assert (math.dist(moved[1], start[1]) > 0.3) == is_panned
+        QTest.keyClick(canvas, *back)
+        assert camera.GetPosition() == pytest.approx(start[0])
+        assert camera.GetFocalPoint() == pytest.approx(start[1])
+    assert window.store.document == model
+    assert (camera.GetPosition(), window.panes["world"].view) == (start[0], None)
 
 
 def test_enlarging_and_back(make_window: Callable[..., MainWindow]) -> None:
@@ -1589,7 +1626,7 @@ def test_a_picture_that_is_copied_makes_a_failed_export_good(
     assert window.messages.text == ""
 
 
-def test_a_long_name_in_a_message_leaves_the_window_as_wide(
+def test_a_long_name_leaves_window_and_panel_as_wide(
     make_window: Callable[..., MainWindow], tmp_path: Path
 ) -> None:
     window = make_window()
@@ -1600,6 +1637,17 @@ def test_a_long_name_in_a_message_leaves_the_window_as_wide(
     settle(window)
     assert path.name in window.messages.text and window.messages.isVisible()
     assert window.width() == 1366
+    path = tmp_path / f"{'x' * 100}\n{'y' * 100}.obj"  # which Linux allows
+    path.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    assert window.files.open(path)
+    window.panels.open(window.scene_panel)
+    settle(window)
+    assert window._scene_box.currentText() == path.name.replace("\n", " ")
+    assert window.scene_panel._text_column.horizontalScrollBar().maximum() == 0
+    assert window.scene_panel.height() < 130, "for a name and a sentence"
+    window.files.choose_scene("depth-buffer")
+    settle(window)
+    assert window.scene_panel.height() >= 200
 
 
 def text_boxes(window: MainWindow) -> dict[str, tuple[float, float, float, float]]:

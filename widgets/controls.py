@@ -37,6 +37,7 @@ from app.projection import (
     ProjectionError,
 )
 from widgets.animation import AnimationBar
+from widgets.focus import FocusRing
 from widgets.lens_controls import LensControls
 from widgets.messages import field_name, seen_from, sentence
 from widgets.rows import (
@@ -112,6 +113,7 @@ class Controls(QScrollArea):
         self._column = QWidget()
         self._layout = QVBoxLayout(self._column)
         self._layout.setSpacing(0)
+        FocusRing(self)
         self._reserve_bar()
         self._lens = LensControls(
             self._section("lens", self.tr("Lens")),

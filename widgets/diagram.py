@@ -243,7 +243,6 @@ class DiagramView(QWidget):
         """The key of the spot on which the mouse went down."""
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setMinimumSize(115, 90)
-        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
         for text, wanted in (
             (self.tr("Copy this diagram"), self.copy_wanted),
@@ -263,6 +262,8 @@ class DiagramView(QWidget):
             return
         self._diagram = diagram
         self.setMouseTracking(diagram is not None and bool(diagram.spots))
+        policies = Qt.FocusPolicy
+        self.setFocusPolicy(policies.NoFocus if diagram is None else policies.TabFocus)
         for action in self.actions():
             action.setEnabled(diagram is not None)
         title = "" if diagram is None else of_phenomena(diagram.title)

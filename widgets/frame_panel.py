@@ -48,6 +48,7 @@ from app.camera_frame import (
 )
 from app.projection import Camera, FreeMatrix, Projection, ProjectionError, format_value
 from widgets.attention import paint_attention
+from widgets.focus import FocusRing
 from widgets.messages import sentence
 from widgets.rows import Log, NumberRow
 from widgets.section import tidy
@@ -114,7 +115,7 @@ class FramePanel(QWidget):
         self.formula, self.numbers = _Formula(), QLabel()
         self.numbers.setTextFormat(Qt.TextFormat.RichText)
         self.numbers.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        self.numbers.setAccessibleName(self.tr("The step in numbers"))
+        self.numbers.setAccessibleDescription(self.tr("The step in numbers"))
         self.sentence = QLabel()
         self.sentence.setWordWrap(True)
         self._make_up()
@@ -230,6 +231,10 @@ class FramePanel(QWidget):
         aside_scroll.setFrameShape(QFrame.Shape.NoFrame)
         aside_scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         aside_scroll.setWidget(aside)
+        scroll.setAccessibleName(self.tr("The step"))
+        aside_scroll.setAccessibleName(self.tr("What up does"))
+        for area in (scroll, aside_scroll):
+            FocusRing(area)
         body = QHBoxLayout()
         body.addWidget(scroll, 3)
         body.addWidget(aside_scroll, 2)

@@ -36,8 +36,8 @@ class Help(QObject):
             self.tr("Keys and mouse"),
             self.tr(
                 "<p>Drag in the world or the NDC pane to turn that pane's own view, Shift-drag to"
-                " move it, wheel to zoom, double-click to put it back. The model is not"
-                " touched.</p>"
+                " move it, wheel to zoom, double-click to put it back. By keys: Tab to the pane,"
+                " arrows, Shift and arrows, + and −, Home. The model is not touched.</p>"
                 "<p>Drag a mark in the world pane to move the model itself: the eye and the target"
                 " in the plane that faces you (Shift: up and down), the near and the far plane"
                 " along the view direction, a corner to change the field of view or, of a lens"

@@ -32,12 +32,14 @@ from PySide6.QtGui import (
     QDragEnterEvent,
     QDropEvent,
     QGuiApplication,
+    QKeyEvent,
     QKeySequence,
     QResizeEvent,
 )
 from PySide6.QtWidgets import (
     QApplication,
     QComboBox,
+    QLabel,
     QLineEdit,
     QMainWindow,
     QSplitter,
@@ -69,13 +71,14 @@ from widgets.controls import Controls
 from widgets.counting import Counting
 from widgets.escape import EscapeKey
 from widgets.files import Files
+from widgets.focus import focus_next
 from widgets.frame_panel import FramePanel
 from widgets.help import FULL_SCREEN_KEY, PLAY_KEY, Help
 from widgets.manipulation import HOLD_WITHIN_PX, Manipulation
 from widgets.matrix_panel import MatrixPanel
 from widgets.measure_panel import MeasurePanel
 from widgets.message_bar import MessageBar
-from widgets.messages import Words, of_phenomena, sentence
+from widgets.messages import Words, file_title, of_phenomena, sentence
 from widgets.pane import SCALES, SMOOTHINGS, Pane
 from widgets.panels import Panels
 from widgets.pictures import Pictures
@@ -426,7 +429,7 @@ class MainWindow(QMainWindow):
         for number, (name, title) in enumerate(self._titles.items(), start=1):
             text = self.tr("Enlarge {0}").format(title)
             menu.addAction(self._action(text, partial(self.enlarge, name), f"F{number + 5}"))
-        menu.addAction(self._action(self.tr("Show all &panes"), self.show_all_panes, "F9"))
+        menu.addAction(self._action(self.tr("Show &all panes"), self.show_all_panes, "F9"))
         menu.addAction(
             self._action(self.tr("&Reset the panes' own views"), self.reset_views, "Ctrl+0")
         )
@@ -440,7 +443,7 @@ class MainWindow(QMainWindow):
         self._projector.setToolTip(
             self.tr("Larger text and thicker lines, for the back row (Ctrl+P)")
         )
-        self._show_cost = self._toggle(self.tr("Show &cost"), self.set_cost_shown, False)
+        self._show_cost = self._toggle(self.tr("Show c&ost"), self.set_cost_shown, False)
         self._show_cost.setToolTip(
             self.tr("Measure what every step takes: the model, each pane's matrices and repaint")
         )
@@ -482,6 +485,11 @@ class MainWindow(QMainWindow):
             lambda index: self._choose_scene(self._scene_box.itemData(index))
         )
         tools.addWidget(self._scene_box)
+        label = QLabel(
+            self.tr("Scene"), tools
+        )  # unseen: on Linux a box is named by its label alone
+        label.setBuddy(self._scene_box)
+        label.hide()
         tools.addSeparator()
         tools.addActions([open_, self._save])
         tools.addSeparator()
@@ -702,7 +710,7 @@ class MainWindow(QMainWindow):
 
     def _tell_about_scene(self, document: Document, scene: Scene) -> None:
         """Show what a scene is about; a phenomenon opens its panel and points out its controls."""
-        title = self._scene_titles.get(document.scene, Path(document.scene).name)
+        title = self._scene_titles.get(document.scene, file_title(document.scene))
         self.scene_panel.show_scene(title, scene.phenomenon, Path(document.mesh).name)
         if document.scene == self._told_about:
             return
@@ -820,7 +828,7 @@ class MainWindow(QMainWindow):
                 self._scene_box.insertSeparator(self._scene_box.count())
             self._scene_box.addItem(self._scene_titles[built_in], built_in)
         if name not in BUILT_IN:
-            self._scene_box.addItem(Path(name).name, name)
+            self._scene_box.addItem(file_title(name), name)
         self._scene_box.setCurrentIndex(self._scene_box.findData(name))
         for action in self._scene_group.actions():
             action.setChecked(action.data() == name)
@@ -1112,9 +1120,18 @@ class MainWindow(QMainWindow):
     # -- events
 
     def event(self, event: QEvent) -> bool:
+        is_escape = isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_Escape
+        if is_escape and self.messages.text and not self.messages.choices:  # an offer would be lost
+            event.accept()  # before Esc is the probes' shortcut
+            if event.type() == QEvent.Type.KeyPress:
+                self.messages.done()
+            return True
         if event.type() == QEvent.Type.DevicePixelRatioChange and self.panes["world"].drawing:
             self._build_drawings(self._views_now())
         return super().event(event)
+
+    def focusNextPrevChild(self, forwards: bool) -> bool:
+        return focus_next(self, forwards)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)

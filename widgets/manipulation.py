@@ -91,7 +91,8 @@ class Manipulation(QObject):
         self._escape.pressed.connect(self._put_back)
         self._plain_tip = self.tr(
             "Drag a mark to move the eye, the target, a plane or a corner; drag elsewhere to turn, "
-            "Shift-drag to move, wheel to zoom, double-click to reset; click to follow a point"
+            "Shift-drag to move, wheel to zoom, double-click to reset (or Tab to here, and arrows, "
+            "+ −, Home); click to follow a point"
         )
         self.message = MessageBar(world)
         self._line = QLabel(world)

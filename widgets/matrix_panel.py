@@ -60,6 +60,7 @@ from app.notation import (
     written,
 )
 from app.projection import FreeMatrix, Projection, ProjectionError
+from widgets.focus import FocusRing
 from widgets.matrix_view import VIEW, MatrixView, is_a_cameras, rich
 from widgets.messages import field_name, sentence, stage_title, translated
 from widgets.readable import Readable
@@ -224,11 +225,13 @@ class MatrixPanel(QWidget):
         self._scroll = QScrollArea()
         self._scroll.setWidgetResizable(True)
         self._scroll.setWidget(self._content)
+        self._scroll.setAccessibleName(self.tr("Matrices"))
+        FocusRing(self._scroll)
         self._content.installEventFilter(self)
         self._scroll.setFrameShape(QScrollArea.Shape.NoFrame)
         self.explanation = QLabel()
         self.explanation.setWordWrap(True)
-        self.explanation.setAccessibleName(self.tr("About the cell"))
+        self.explanation.setAccessibleDescription(self.tr("About the cell"))
         self.explanation.setMinimumHeight(2 * self.fontMetrics().height())
         self.explanation.setAlignment(Qt.AlignmentFlag.AlignTop)
         layout = QVBoxLayout(self)

@@ -57,6 +57,7 @@ from app.measure.results import (
 )
 from app.phenomena.exhibit import Diagram
 from widgets.diagram import DiagramView
+from widgets.focus import FocusRing
 from widgets.measuring import Measuring
 from widgets.messages import sentence, translated
 from widgets.note import Note
@@ -200,6 +201,8 @@ class MeasurePanel(QWidget):
         self.table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         self.table.verticalHeader().hide()
         self.table.setMinimumSize(200, 40)
+        for shown in (self.list, self.table):
+            FocusRing(shown)
         self._least_notes = 0
         self.table.horizontalHeader().sectionResized.connect(self._fit_notes)
         self.table.viewport().installEventFilter(self)

@@ -2,21 +2,21 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from typing import TypeAlias
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEvent, Qt
+from PySide6.QtGui import QAccessible, QAccessibleAnnouncementEvent, QKeyEvent
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QToolButton, QWidget
+
+from widgets.messages import breakable
 
 Choice: TypeAlias = tuple[str, Callable[[], object]]
 """Text of a button and what it does."""
-LONG_WORD = 40
-"""Characters that need not be broken; a path may have more, and would widen the window."""
 
 
 class MessageBar(QFrame):
-    """Says one thing at a time and never blocks the window.
+    """Says one thing at a time and never blocks the window; Esc inside it dismisses it.
 
     An offer, which is a sentence with choices, makes way for another sentence and comes back
     after it, until it is taken up or dismissed.
@@ -62,14 +62,14 @@ class MessageBar(QFrame):
         *choices : (str, callable)
             Button text and what it does; the bar closes first.
         """
+        is_news = sentence != self.text
         if choices:
             self._offer = sentence, choices
         for button in self._choices:
             button.deleteLater()
         self._choices = []
         self._said = sentence
-        # Zero-width spaces, where Qt may break a line.
-        self._text.setText(re.sub(rf"(\S{{{LONG_WORD}}})(?=\S)", "\\1\u200b", sentence))
+        self._text.setText(breakable(sentence))
         for label, act in choices:
             button = QPushButton(label)
             button.clicked.connect(self._dismiss)
@@ -79,6 +79,8 @@ class MessageBar(QFrame):
             layout.insertWidget(layout.count() - 1, button)
             self._choices.append(button)
         self.show()
+        if is_news:  # or a screen reader would not notice, far from where the focus is
+            QAccessible.updateAccessibility(QAccessibleAnnouncementEvent(self, sentence))
 
     def take_back(self, sentence: str) -> None:
         """Hide a sentence, if it is still the one that is shown."""
@@ -93,6 +95,14 @@ class MessageBar(QFrame):
         if self._offer is not None:
             sentence, choices = self._offer
             self.say(sentence, *choices)
+
+    def event(self, event: QEvent) -> bool:
+        if isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_Escape:
+            event.accept()  # before it is a shortcut
+            if event.type() == QEvent.Type.KeyPress:
+                self._dismiss()
+            return True
+        return super().event(event)
 
     def _dismiss(self) -> None:
         if self._choices:

@@ -9,7 +9,9 @@ from __future__ import annotations
 
 import math
 import numbers
+import re
 from collections.abc import Callable
+from pathlib import Path
 from typing import Protocol, cast, runtime_checkable
 
 from PySide6 import QtCore
@@ -588,6 +590,16 @@ PLANE_NAMES = (
     QT_TRANSLATE_NOOP("Plane", "top"),
 )
 """Those of `app.values.PLANES` inside a sentence."""
+
+
+def breakable(text: str, longest: int = 40) -> str:
+    """A text with zero-width spaces where Qt may break a word: a path would widen the window."""
+    return re.sub(rf"(\S{{{longest}}})(?=\S)", "\\1\u200b", text)
+
+
+def file_title(path: str) -> str:
+    """A file's name without its folder, on one line: a name may hold line breaks."""
+    return " ".join(Path(path).name.splitlines())
 
 
 def field_name(field: str) -> str:

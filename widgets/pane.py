@@ -24,6 +24,7 @@ from typing import Any, Protocol, cast
 from PySide6.QtCore import QPoint, QPointF, Qt, Signal
 from PySide6.QtGui import (
     QCloseEvent,
+    QKeyEvent,
     QMouseEvent,
     QMoveEvent,
     QResizeEvent,
@@ -45,11 +46,22 @@ from app.phenomena.exhibit import Exhibit
 from app.picking import Probe, Sight
 from app.projection import Camera, Projection
 from app.scene import Scene
+from widgets.focus import FocusRing
 from widgets.note import Note, Title
 
 ORBIT_DEG_PER_PX = 0.4
 ZOOM_PER_WHEEL_STEP = 1.15
 HIGHEST_DEG = 89.0
+KEY_PX = 25.0
+"""What the mouse would be moved by for an arrow key: it turns by 10 degrees."""
+_ARROWS = {
+    Qt.Key.Key_Left: (-KEY_PX, 0.0),
+    Qt.Key.Key_Right: (KEY_PX, 0.0),
+    Qt.Key.Key_Up: (0.0, -KEY_PX),
+    Qt.Key.Key_Down: (0.0, KEY_PX),
+}
+_ZOOM_STEPS = {Qt.Key.Key_Plus: 1, Qt.Key.Key_Equal: 1, Qt.Key.Key_Minus: -1}
+"""Plus is on the key of = of many keyboards."""
 SCALES = {"half resolution": 0.5, "supersampling 2 x 2": 2.0}
 """Pixels that are drawn for one that is shown, along each side, where that is not one."""
 SMOOTHINGS = ("none", "FXAA", "MSAA 2", "MSAA 4", "MSAA 8", *SCALES)
@@ -119,7 +131,7 @@ class SteppedDrawing(Drawing, Protocol):
 
 
 class _Canvas(QtInteractor):
-    """The VTK surface; turns the mouse into moves of its own camera, and nothing else."""
+    """The VTK surface; turns mouse and keys into moves of its own camera, and nothing else."""
 
     moved = Signal()
     clicked = Signal(QPointF)
@@ -144,7 +156,9 @@ class _Canvas(QtInteractor):
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self.setMouseTracking(True)
         self.setAcceptDrops(False)  # the window takes drops; pyvistaqt would add the file here
-        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        # By Tab alone: a click leaves the focus in a field that is typed in.
+        self.setFocusPolicy(Qt.FocusPolicy.TabFocus if orbits else Qt.FocusPolicy.NoFocus)
+        FocusRing(self)
         self.setMinimumSize(120, 120)
         self.timed = False
         self._orbits = orbits
@@ -181,8 +195,20 @@ class _Canvas(QtInteractor):
         window.WaitForCompletion()  # drawing goes on after the call otherwise
         self.painted.emit(1e3 * (time.perf_counter() - began))
 
-    def keyPressEvent(self, event: Any) -> None:
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        modifiers, key = event.modifiers(), Qt.Key(event.key())
+        is_shifted = bool(modifiers & Qt.KeyboardModifier.ShiftModifier)
+        plain = Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.KeypadModifier
         event.ignore()
+        if not self._orbits or self._dragged_from is not None or modifiers & ~plain:
+            return
+        if key in _ARROWS:
+            (self._pan if is_shifted else self._orbit)(*_ARROWS[key])
+            self.moved.emit()
+            event.accept()
+        elif key in _ZOOM_STEPS:
+            self.zoom(ZOOM_PER_WHEEL_STEP ** _ZOOM_STEPS[key])
+            event.accept()
 
     def keyReleaseEvent(self, event: Any) -> None:
         event.ignore()
@@ -450,8 +476,11 @@ class Pane(QFrame):
             self.canvas.setToolTip(
                 self.tr(
                     "Click to follow a point; drag to turn, Shift-drag to move, wheel to zoom, "
-                    "double-click to reset"
+                    "double-click to reset; or Tab to here, and arrows, + −, Home"
                 )
+            )
+            self.canvas.setAccessibleDescription(
+                self.tr("Arrow keys turn, Shift and an arrow moves, + and − zoom, Home resets")
             )
         else:
             self.canvas.setToolTip(
@@ -472,7 +501,7 @@ class Pane(QFrame):
         button.setText(text)
         button.setAutoRaise(True)
         button.setToolTip(tip)
-        button.setAccessibleName(tip)
+        button.setAccessibleName(f"{self.accessibleName()}: {tip}")
         return button
 
     def build(
@@ -709,6 +738,12 @@ class Pane(QFrame):
             self.float_requested.emit()
         else:
             super().closeEvent(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Home and self.canvas.hasFocus():
+            self.reset_view()
+        else:
+            super().keyPressEvent(event)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         if self.header.geometry().contains(event.position().toPoint()):

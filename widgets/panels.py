@@ -4,8 +4,19 @@ from __future__ import annotations
 
 from functools import partial
 
-from PySide6.QtCore import QSize, Signal
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QHBoxLayout, QStackedWidget, QToolButton, QVBoxLayout, QWidget
+
+
+class _Name(QToolButton):
+    """Opens and folds a panel: by a click, Space or Enter."""
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            self.click()
+        else:
+            super().keyPressEvent(event)
 
 
 class Panels(QWidget):
@@ -56,7 +67,7 @@ class Panels(QWidget):
         tip : str
             What it shows, for its name's tooltip.
         """
-        button = QToolButton()
+        button = _Name()
         button.setText(name)
         button.setToolTip(tip)
         button.setCheckable(True)

@@ -485,9 +485,10 @@ class Row(QWidget):
         self._refused = False
         how_to_reset = self.tr("Double-click the name to reset it.")
         self._tip = f"{tip} {how_to_reset}"
+        self._told: dict[QWidget, str] = {}
         self.name_label = _Name(name)
         self.name_label.setWordWrap(True)
-        self.name_label.setToolTip(_rich(self._tip))
+        self._tell(self.name_label, self._tip)
         self.name_label.double_clicked.connect(self.reset)
         self._reset_action = QAction(self.tr("Reset {0}").format(name), self)
         self._reset_action.triggered.connect(self.reset)
@@ -585,9 +586,16 @@ class Row(QWidget):
     def _show_value(self) -> None:
         """Bring the row's widgets to the value."""
 
-    @abstractmethod
+    def _tell(self, part: QWidget, tip: str) -> None:
+        """Say what a part does: by its tooltip, and to a screen reader without the markup."""
+        part.setToolTip(_rich(tip))
+        part.setAccessibleDescription(tip)
+        self._told[part] = tip
+
     def _describe(self, error: str) -> None:
-        """Tell a screen reader what is wrong."""
+        """Tell a screen reader what is wrong, if anything is."""
+        for part, tip in self._told.items():
+            part.setAccessibleDescription(error or tip)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape and self._error is not None:
@@ -680,15 +688,17 @@ class NumberRow(Row):
         self._open = False
         self._whole = False
         self._unit = unit
+        self._unit_said = unit_tip or unit
         self.slider = _Slider()
         self.slider.setAccessibleName(self.tr("{0}, slider").format(name))
-        self.slider.setToolTip(_rich(self._tip))
+        self._tell(self.slider, self._tip)
         self.field = _Field()
-        self.field.setAccessibleName(f"{name} ({unit_tip or unit})" if unit else name)
+        self._tell(self.field, self._tip)
+        self.field.setAccessibleName(f"{name} ({self._unit_said})" if unit else name)
         self.unit_label = QLabel(unit)
         self.unit_label.setForegroundRole(QPalette.ColorRole.PlaceholderText)
         if unit_tip:
-            self.unit_label.setToolTip(_rich(unit_tip))
+            self._tell(self.unit_label, unit_tip)
         self.name_label.setBuddy(self.field)
         self._grid.addWidget(self.slider, 0, 1)
         self._grid.addWidget(self.field, 0, 2)
@@ -707,7 +717,6 @@ class NumberRow(Row):
         for widget in (self.slider, self.field):
             widget.installEventFilter(self)
         self.setScale(scale)
-        self._write_field_tip()
 
     # -- set by the owner
 
@@ -839,6 +848,8 @@ class NumberRow(Row):
     def eventFilter(self, watched: Any, event: QEvent) -> bool:
         if watched is self.field and event.type() == QEvent.Type.ToolTip:
             self._write_field_tip()
+        elif watched is self.slider and event.type() == QEvent.Type.FocusIn:
+            self._say_value()
         return super().eventFilter(watched, event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
@@ -895,6 +906,13 @@ class NumberRow(Row):
             with QSignalBlocker(self.slider):
                 self.slider.setValue(self._scale.position_of(self._value))
             self._show_text()
+            if self.slider.hasFocus():
+                self._say_value()
+
+    def _say_value(self) -> None:
+        """Tell a screen reader the value, for which it has only the slider's position, at rest."""
+        value = f"{short_text(self._value, self.below)} {self._unit_said}".rstrip()
+        self.slider.setAccessibleDescription(self.error or f"{value}. {self._tip}")
 
     def _show_text(self) -> None:
         if self.field.refused or self.field.isModified():
@@ -915,10 +933,6 @@ class NumberRow(Row):
     def _write_field_tip(self) -> None:
         exact = f"{self.name} = {number_text(self._value)} {self._unit}".rstrip()
         self.field.setToolTip(f"<qt><b>{html.escape(exact)}</b><br>{html.escape(self._tip)}</qt>")
-
-    def _describe(self, error: str) -> None:
-        self.field.setAccessibleDescription(error)
-        self.slider.setAccessibleDescription(error)
 
 
 class Choice(NamedTuple):
@@ -974,7 +988,7 @@ class ChoiceRow(Row):
             combo.addItem(choice.text)
             combo.setItemData(index, _rich(choice.tip), Qt.ItemDataRole.ToolTipRole)
         combo.setAccessibleName(self.name)
-        combo.setToolTip(_rich(self._tip))
+        self._tell(combo, self._tip)
         combo.activated.connect(self._chosen)  # the user's choice, never the program's
         self._grid.addWidget(combo, 0, 1)
         return combo
@@ -991,7 +1005,7 @@ class ChoiceRow(Row):
             button.setStyleSheet(_BUTTONS)
             button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
             button.setAccessibleName(f"{self.name}: {choice.text}")
-            button.setToolTip(_rich(f"{choice.tip} {self._tip}".strip()))
+            self._tell(button, f"{choice.tip} {self._tip}".strip())
             self._group.addButton(button, index)
             line.addWidget(button)
             made.append(button)
@@ -1028,10 +1042,6 @@ class ChoiceRow(Row):
             button.setChecked(position == index)
         self._group.setExclusive(True)
 
-    def _describe(self, error: str) -> None:
-        for widget in self.widgets:
-            widget.setAccessibleDescription(error)
-
 
 class VectorRow(Row):
     """Three number fields side by side for a point or a direction.
@@ -1054,7 +1064,7 @@ class VectorRow(Row):
         for letter, field in zip("xyz", self.fields, strict=True):
             component = self.tr("{0} {1}").format(name, letter)
             field.setAccessibleName(component)
-            field.setToolTip(_rich(f"{component}. {self._tip}"))
+            self._tell(field, f"{component}. {self._tip}")
             field.editingFinished.connect(partial(self._typed, field, component))
             field.focused.connect(partial(self._focused, field))
             field.touched.connect(partial(self._focused, field, True))
@@ -1154,10 +1164,6 @@ class VectorRow(Row):
                 if all_selected:
                     field.select_to_start()
 
-    def _describe(self, error: str) -> None:
-        for field in self.fields:
-            field.setAccessibleDescription(error)
-
 
 class CheckRow(Row):
     """A switch: a check box behind its name."""
@@ -1167,7 +1173,7 @@ class CheckRow(Row):
         self._value = False
         self.box = QCheckBox()
         self.box.setAccessibleName(name)
-        self.box.setToolTip(_rich(self._tip))
+        self._tell(self.box, self._tip)
         self.box.clicked.connect(self._make_edit)  # the user's choice, never the program's
         self.name_label.setBuddy(self.box)
         self._grid.addWidget(self.box, 0, 1, Qt.AlignmentFlag.AlignLeft)
@@ -1181,9 +1187,6 @@ class CheckRow(Row):
 
     def _show_value(self) -> None:
         self.box.setChecked(self._value)
-
-    def _describe(self, error: str) -> None:
-        self.box.setAccessibleDescription(error)
 
 
 def align(rows: Iterable[Row]) -> None:

@@ -51,7 +51,15 @@ from app.phenomena.exhibit import (
 from app.projection import AT_LEAST, AT_MOST, Projection, ProjectionError
 from widgets.animation import FRAME_MS, LONGEST_FRAME_S
 from widgets.diagram import DiagramView
-from widgets.messages import figure_text, number_text, of_phenomena, sentence, translated
+from widgets.focus import FocusRing
+from widgets.messages import (
+    breakable,
+    figure_text,
+    number_text,
+    of_phenomena,
+    sentence,
+    translated,
+)
 from widgets.readable import Readable
 from widgets.rows import (
     CheckRow,
@@ -75,6 +83,8 @@ LARGEST_PART = 0.36
 """So much of it at most, where text and readout need it."""
 LEAST_WINDOW_PX = 900
 """In a window that is so wide it must find room."""
+WORD = 16
+"""Characters of a file's name that find room in the narrowest column."""
 COLUMN_PX = 200
 """Least width of what can scroll to and fro."""
 PICTURE = 16.0 / 9.0
@@ -209,7 +219,10 @@ class ScenePanel(QWidget):
         self._columns.addWidget(self._diagram_column)
 
     def sizeHint(self) -> QSize:
-        """Low: the panes above need the height; but few lines are to be cut."""
+        """Low: the panes above need the height; but few lines are to be cut.
+
+        A scene that is no phenomenon has but its name here.
+        """
         lines = 13.0 * self.fontMetrics().height()
         window = self.window().height()
         said = self._text_column.height_inside
@@ -217,7 +230,8 @@ class ScenePanel(QWidget):
             said += self._said.spacing() + self._settings_column.height_inside
         whole = max(said, self._readout_column.height_inside)
         needed = min(LARGEST_PART * window, whole + self._columns.contentsMargins().bottom())
-        height = max(HEIGHT_PX, lines, PART * window, needed)
+        usual = 0.0 if self._phenomenon is None else max(HEIGHT_PX, lines, PART * window)
+        height = max(usual, needed)
         return QSize(super().sizeHint().width(), round(height))
 
     def minimumSizeHint(self) -> QSize:
@@ -249,7 +263,7 @@ class ScenePanel(QWidget):
             self._phenomenon, self._settings, self._exhibit = phenomenon, {}, None
             self._problem = None
             self._make_rows(() if phenomenon is None else phenomenon.settings)
-        self.title.setText(title)
+        self.title.setText(breakable(title, WORD))
         lectures = () if phenomenon is None else phenomenon.lectures
         self.lectures.setText(self.tr("Lectures: {0}").format(", ".join(lectures)))
         self.lectures.setVisible(bool(lectures))
@@ -559,6 +573,7 @@ class _Column(QScrollArea):
         self.setWidgetResizable(True)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setAccessibleName(name)
+        FocusRing(self)
         self._inside.installEventFilter(self)
 
     @property
@@ -914,7 +929,7 @@ class Readout(QWidget):
             value.setToolTip(tip)
         if label.text() != name:
             label.setText(name)
-            value.setAccessibleName(name)
+            value.setAccessibleDescription(name)  # a name would be read instead of the number
             self._widen(label)
         unit_text = "" if reading.value is None else of_phenomena(reading.unit)
         if unit.text() != unit_text:

@@ -99,7 +99,6 @@ class StatusLine(QStatusBar):
         self.rung.setAutoRaise(True)
         self._show_rungs(self._drawn, None)
         self.rung.setText(self._rungs)
-        self.rung.setAccessibleName(self.tr("Arithmetic"))
         self.rung.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         self.rung.setMenu(QMenu(self.rung))
         self.addWidget(self.rung)
@@ -114,7 +113,6 @@ class StatusLine(QStatusBar):
         self.quality.setAutoRaise(True)
         # Or it would be as high as an icon as long as it has no text, and the panes less high.
         self.quality.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
-        self.quality.setAccessibleName(self.tr("Chosen quality"))
         self.quality.setToolTip(
             self.tr("The panes are drawn with a chosen quality; click for the automatic one")
         )
