@@ -547,6 +547,9 @@ def test_the_planes_of_a_free_matrix_are_those_of_the_lens_that_has_it(depth: An
     free = replace(own, lens=FreeMatrix(own.clip_from_view))
     points = np.random.default_rng(5).uniform(-20.0, 20.0, (500, 3))
     points = points[own.trace(points).in_front]  # behind the eye a lens is beyond near alone
-    outside = free.trace(points).outside
-    np.testing.assert_array_equal(outside, own.trace(points).outside)
+    mine, theirs = free.trace(points), own.trace(points)
+    np.testing.assert_allclose(mine.depth, theirs.depth, rtol=0.0, atol=1e-13)
+    np.testing.assert_allclose(mine.image, theirs.image, rtol=1e-12, atol=1e-9)
+    outside = mine.outside
+    np.testing.assert_array_equal(outside, theirs.outside)
     assert (outside.sum(axis=0) > 10).all() and (~outside).any(axis=0).all()
