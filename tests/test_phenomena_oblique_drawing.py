@@ -132,6 +132,17 @@ def test_the_morph_starts_at_the_orthographic_drawing() -> None:
     assert np.allclose(half, (straight.trace(points).image + whole) / 2, atol=1e-9)
 
 
+def test_that_no_scale_can_be_read_has_its_own_reason() -> None:
+    start = PHENOMENON.start
+    tiny = replace(start, camera=replace(start.camera, eye=(1e15, 1e15, 1e15)))
+    for projection, why in (
+        (start.with_lens("perspective"), "choose the oblique lens"),
+        (replace(tiny, lens=Oblique(-1e60, 1e60, -1e60, 1e60)), "too many or too few"),
+    ):
+        found = reading(shown(projection), "receding scale")
+        assert found.value is None and found.note is not None and why in found.note.template
+
+
 def test_the_plane_through_the_target_stays() -> None:
     plane = np.array([(x, y, 0.0) for x in (-1.0, 1.0) for y in (0.0, 2.0)])
     image = PHENOMENON.start.trace(plane).image
