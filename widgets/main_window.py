@@ -485,9 +485,7 @@ class MainWindow(QMainWindow):
             lambda index: self._choose_scene(self._scene_box.itemData(index))
         )
         tools.addWidget(self._scene_box)
-        label = QLabel(
-            self.tr("Scene"), tools
-        )  # unseen: on Linux a box is named by its label alone
+        label = QLabel(self.tr("Scene"), tools)  # on Linux a box is named by its label, seen or not
         label.setBuddy(self._scene_box)
         label.hide()
         tools.addSeparator()

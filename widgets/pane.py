@@ -196,18 +196,18 @@ class _Canvas(QtInteractor):
         self.painted.emit(1e3 * (time.perf_counter() - began))
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        modifiers, key = event.modifiers(), Qt.Key(event.key())
+        modifiers, key = event.modifiers(), event.key()
         is_shifted = bool(modifiers & Qt.KeyboardModifier.ShiftModifier)
         plain = Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.KeypadModifier
         event.ignore()
         if not self._orbits or self._dragged_from is not None or modifiers & ~plain:
             return
         if key in _ARROWS:
-            (self._pan if is_shifted else self._orbit)(*_ARROWS[key])
+            (self._pan if is_shifted else self._orbit)(*_ARROWS[Qt.Key(key)])
             self.moved.emit()
             event.accept()
         elif key in _ZOOM_STEPS:
-            self.zoom(ZOOM_PER_WHEEL_STEP ** _ZOOM_STEPS[key])
+            self.zoom(ZOOM_PER_WHEEL_STEP ** _ZOOM_STEPS[Qt.Key(key)])
             event.accept()
 
     def keyReleaseEvent(self, event: Any) -> None:
