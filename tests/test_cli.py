@@ -620,8 +620,11 @@ OTHER_ENCODINGS: list[dict[str, str | None]] = [
     {"PYTHONIOENCODING": "cp1252"},
     {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"},
 ]
-WITH_MINUS = ("matrices", "--set=lens.kind=matrix")
-"""Its properties are told with a minus sign that is no hyphen."""
+WITH_MINUS = (
+    *("matrices", "--set=lens.kind=matrix"),
+    "--set=lens.clip_from_view=1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,-1,2",
+)
+"""Its properties, w vanishes where −z + 2 = 0, are told with a minus sign that is no hyphen."""
 
 
 @pytest.mark.parametrize("form", ["text", "latex"])
