@@ -343,7 +343,8 @@ def load_scene(scene: str, mesh: str = "", file: str | None = None) -> Scene:
         The document, perhaps, that asks for them.
     """
     try:
-        from app.scene import SceneError
+        with bootstrap.for_good():
+            from app.scene import SceneError
     except ImportError as error:
         raise cannot_import(error) from error
     try:

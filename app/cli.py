@@ -21,7 +21,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from app import __version__
+from app import __version__, bootstrap
 from app.arguments import (
     BAD_INPUT,
     CANNOT_DRAW,
@@ -157,8 +157,9 @@ def _window(arguments: Sequence[str]) -> int:
     from_file = is_mesh(document.scene) or document.mesh
     scene = load_scene(document.scene, document.mesh, file) if from_file else None
     try:
-        from widgets import application
-        from widgets.opengl import OpenGLError
+        with bootstrap.for_good():
+            from widgets import application
+            from widgets.opengl import OpenGLError
     except ImportError as error:
         raise cannot_import(error) from error
     if found.reset:
@@ -217,8 +218,9 @@ def _export(arguments: Sequence[str]) -> int:
     except RuntimeError as error:
         raise CliError(str(error), CANNOT_DRAW) from error
     try:
-        from app.drawings.style import DARK, LIGHT
-        from app.figures import FigureError, render, write_png
+        with bootstrap.for_good():
+            from app.drawings.style import DARK, LIGHT
+            from app.figures import FigureError, render, write_png
     except ImportError as error:
         raise cannot_import(error) from error
     try:
@@ -603,7 +605,8 @@ def _doctor(arguments: Sequence[str]) -> int:
 
 def _measure(arguments: Sequence[str]) -> int:
     try:
-        from app.measure import command
+        with bootstrap.for_good():
+            from app.measure import command
     except ImportError as error:
         raise cannot_import(error) from error
     return command.run(arguments)

@@ -68,25 +68,28 @@ def main() -> int:
 
 
 def application() -> Any:
-    """The one QApplication of this process."""
+    """The one QApplication of this process, with what it shows imported as the program does."""
     from PySide6.QtWidgets import QApplication
 
     from widgets.opengl import prepare
 
     if QApplication.instance() is None:
         prepare()
-        return QApplication([])
+        made = QApplication([])
+        with bootstrap.for_good():
+            import widgets.main_window  # noqa: F401
+        return made
     return QApplication.instance()
 
 
 def open_window(scene: str = "letter-f") -> Any:
     """A main window, shown and drawn."""
+    app = application()
     from app.document import Document
     from app.scene import load
     from widgets.application import Settings
     from widgets.main_window import MainWindow
 
-    app = application()
     folder = Path(os.environ["HOME"])
     window = MainWindow(
         Document(scene, load(scene).start),

@@ -7,6 +7,7 @@ Each test has a checkout of its own in a temporary folder: the real ``app/bootst
 from __future__ import annotations
 
 import contextlib
+import gc
 import json
 import os
 import re
@@ -601,6 +602,18 @@ def test_a_command_is_quoted_as_the_shell_there_takes_it(
     monkeypatch.setattr(sys, "platform", platform)
     words = [r"C:\My Lab\python.exe", "-m", "pip", "install", "vtk>=9.7,<9.8", "--set", "a=b"]
     assert bootstrap.command_line(words) == command
+
+
+def test_what_is_imported_for_good_is_not_searched_for_garbage() -> None:
+    class Imported:
+        """Made while others are imported."""
+
+    with pytest.raises(ImportError), bootstrap.for_good():
+        assert not gc.isenabled()
+        imported = Imported()
+        raise ImportError
+    assert gc.isenabled()
+    assert not any(found is imported for found in gc.get_objects())  # but for those frozen
 
 
 # --- requirements ---------------------------------------------------------------------------------

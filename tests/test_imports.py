@@ -183,7 +183,7 @@ ROOMS = {
         ("numpy",),
         (
             *("app.arguments", "app.projection", "app.precision", "app.notation"),
-            *("app.document", "app.doctor", "app.free_matrix"),
+            *("app.bootstrap", "app.document", "app.doctor", "app.free_matrix"),
         ),
         late=(*VTK, *QT, "app", "widgets"),
     ),
@@ -332,7 +332,7 @@ ROOMS = {
     # Starts and ends the program round the window.
     "widgets/application.py": Room(
         QT,
-        ("app.document", "app.pace", "app.precision", "widgets.opengl"),
+        ("app.bootstrap", "app.document", "app.pace", "app.precision", "widgets.opengl"),
         late=(*VTK, "app.scene", "widgets.main_window"),
     ),
 }

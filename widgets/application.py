@@ -65,7 +65,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app import __version__
+from app import __version__, bootstrap
 from app.document import Document, write_bytes_atomically
 from app.pace import FRAME_MS, LARGEST_FRAME_MS
 from app.precision import DRAWING_TOLERANCE_PX, LARGEST_TOLERANCE_PX, LEAST_TOLERANCE_PX
@@ -821,8 +821,9 @@ def run_window(
             settings.override("theme", options.theme or "light")
         translate(application, settings.language)
 
-        from app.scene import SceneError  # VTK comes with it: only where it can draw
-        from widgets.main_window import MainWindow
+        with bootstrap.for_good():
+            from app.scene import SceneError  # VTK comes with it: only where it can draw
+            from widgets.main_window import MainWindow
 
         log_vtk()
         try:

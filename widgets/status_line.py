@@ -224,7 +224,8 @@ class StatusLine(QStatusBar):
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        self._make_room()
+        if self.isVisible():  # before that all is laid out several times, and rests at last
+            self._make_room()
 
     def minimumSizeHint(self) -> QSize:
         """Of any width: what has no room gives way, and the window may be a small one."""
