@@ -211,6 +211,19 @@ def test_a_pane_that_appears_again_is_as_if_it_had_been_there(
     assert pictures[0].shape == pictures[1].shape and (pictures[0] == pictures[1]).all()
 
 
+def test_a_window_that_opens_draws_each_pane_once(
+    make_window: Callable[..., MainWindow], qtbot: Any
+) -> None:
+    """Qt would have it drawn as soon as it has a size, and again when it is shown."""
+    window = make_window(shown=False)
+    with counted_repaints(window) as counts:
+        window.show()
+        qtbot.waitExposed(window)
+        qtbot.waitUntil(lambda: all(counts.values()))
+        settle(window)
+    assert counts == {"world": 1, "ndc": 1, "image": 1}
+
+
 def test_idle_draws_nothing(make_window: Callable[..., MainWindow], qtbot: Any) -> None:
     window = make_window()
     settle(window)

@@ -167,6 +167,7 @@ class _Canvas(QtInteractor):
         """Where the left button went down, as long as it may be a click."""
         self._dragged_from: QPointF | None = None
         self._finer = 1.0
+        self._resizing = False
 
     @property
     def pixel_ratio(self) -> float:
@@ -186,12 +187,21 @@ class _Canvas(QtInteractor):
             sides = (max(1, round(side * self.pixel_ratio)) for side in (w, h))
             window.GetInteractor().UpdateSize(*sides)
 
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        self._resizing = True
+        try:
+            super().resizeEvent(event)
+        finally:
+            self._resizing = False
+
     def paintGL(self) -> None:
+        window: Any = self.render_window
+        if self._resizing and window.GetNeverRendered():
+            return  # Qt has given it its first size; it will show it, and draw it then
         began = time.perf_counter()
         super().paintGL()  # type: ignore[no-untyped-call]
         if not self.timed:
             return
-        window: Any = self.render_window
         window.WaitForCompletion()  # drawing goes on after the call otherwise
         self.painted.emit(1e3 * (time.perf_counter() - began))
 
