@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator
+from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
@@ -146,3 +147,9 @@ def test_tab_goes_as_one_sees_and_is_seen(make_window: Callable[..., Any], qtbot
         order[1].setFocus()
         QTest.keyClick(order[1], Qt.Key.Key_Backtab)
         assert QApplication.focusWidget() is name
+
+
+def test_no_layout_is_walked_by_its_items() -> None:
+    """An item is no QObject: PySide takes what comes to lie in its place for it, and crashes."""
+    for path in (Path(__file__).parents[1] / "widgets").glob("*.py"):
+        assert ".itemAt(" not in path.read_text(encoding="utf-8"), path.name

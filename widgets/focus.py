@@ -53,7 +53,9 @@ def _is_stop(widget: QWidget) -> bool:
 def _in_order(widget: QWidget, focus: QWidget | None) -> Iterator[QWidget]:
     """What can be seen inside a widget, depth first, and what has the focus even if it cannot."""
     layout = widget.layout()
-    inside: list[QObject | None] = [] if layout is None else list(_of_layout(layout))
+    inside: list[QObject | None] = []
+    if layout is not None:
+        inside += _of_layout(layout, [w for w in widget.children() if isinstance(w, QWidget)])
     if isinstance(widget, QSplitter):
         inside = [widget.widget(place) for place in range(widget.count())]
     for child in dict.fromkeys([*inside, *widget.children()]):
@@ -64,14 +66,19 @@ def _in_order(widget: QWidget, focus: QWidget | None) -> Iterator[QWidget]:
             yield from _in_order(child, focus)
 
 
-def _of_layout(layout: QLayout) -> Iterator[QWidget]:
-    for place in range(layout.count()):
-        item = layout.itemAt(place)
-        widget, inner = (item.widget(), item.layout()) if item is not None else (None, None)
-        if widget is not None:
-            yield widget
-        elif inner is not None:
-            yield from _of_layout(inner)
+def _of_layout(layout: QLayout, widgets: list[QWidget]) -> list[QWidget]:
+    """Those of these widgets that it lays out, in its order.
+
+    Not by `itemAt`: an item is no QObject, so that when it has gone PySide takes whatever comes to
+    lie in its place for it.
+    """
+    placed: list[tuple[int, list[QWidget]]] = [
+        (place, [widget]) for widget in widgets if (place := layout.indexOf(widget)) >= 0
+    ]
+    for inner in layout.children():
+        if isinstance(inner, QLayout):
+            placed.append((layout.indexOf(inner), _of_layout(inner, widgets)))
+    return [widget for _, found in sorted(placed, key=lambda part: part[0]) for widget in found]
 
 
 class FocusRing(QWidget):
