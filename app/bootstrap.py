@@ -9,6 +9,8 @@
             | no
             v
     under a lock: make .venv, pip install, stamp it --> same command again, inside .venv
+            | fails, and what was there before has all that is imported
+            +-----------------------------------------> the same, and what is not up to date is said
 
 What stays in one place: the packages and their bounds are in ``pyproject.toml``, the tested exact
 versions in ``constraints.txt``, the system libraries in ``SYSTEM`` below. This room imports the
@@ -31,6 +33,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import threading
 import time
 import tomllib
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -52,7 +55,13 @@ _UNFINISHED = "setting up\n"
 _UNOBTAINABLE = "No matching distribution|ResolutionImpossible"
 _NO_ANSWER = r"Retrying \("
 _HELD = r"OSError: \[WinError (5|32)\]"
+_FULL = (
+    r"\[Errno (28|122)\]|\[WinError 112\]|No space left on device|quota exceeded|"
+    "No usable temporary directory"
+)
+_INSTALLING = "Installing collected packages: "
 _AGAIN = "FRUSTUM_LAB_STARTED_AGAIN"
+_AS_IT_IS = "as it is"
 
 
 class SetupError(Exception):
@@ -91,6 +100,26 @@ class System:
         return True
 
 
+@dataclass(frozen=True)
+class _Fonts(System):
+    """Qt draws its letters with the system's fonts; without one it opens a window of boxes."""
+
+    def is_here(self) -> bool:
+        try:
+            fontconfig = ctypes.CDLL("libfontconfig.so.1")
+        except OSError:
+            return False
+        # FcFontSet begins with the number of its fonts. Qt takes the list over, read as it is.
+        of_system = fontconfig.FcConfigGetFonts
+        of_system.restype = ctypes.POINTER(ctypes.c_int)
+        for _ in range(2):
+            fonts = of_system(None, 0)
+            if fonts and fonts[0] > 0:
+                return True
+            fontconfig.FcInitReinitialize()  # some may just have been installed
+        return False
+
+
 #: Where the loader's libGL and libEGL lead (Mesa or a vendor's driver) is the machine's own choice,
 #: so only the entrances are checked. The Mesa packages come with them where apt has to install.
 SYSTEM = (
@@ -113,15 +142,15 @@ SYSTEM = (
     System("libxcb-util.so.1", "libxcb-util1"),
     System("libxcb-xfixes.so.0", "libxcb-xfixes0"),
     System("libxcb-xkb.so.1", "libxcb-xkb1"),
-    System("libfontconfig.so.1", "libfontconfig1 fonts-dejavu-core"),
+    System("libfontconfig.so.1", "libfontconfig1"),
+    _Fonts("a font", "fonts-dejavu-core"),
     System("libfreetype.so.6", "libfreetype6"),
     System("libglib-2.0.so.0", "libglib2.0-0"),
     System("libdbus-1.so.3", "libdbus-1-3"),
-    System("Xvfb", "xvfb", ("tests",)),
+    # What translates Qt's own words, pyside6-lrelease, is linked with it.
+    System("libgssapi_krb5.so.2", "libgssapi-krb5-2", ("tests",)),
+    System("Xvfb", "xvfb xauth", ("tests",)),
 )
-
-#: Debian 13 and Ubuntu 24.04 renamed some packages when time became 64 bits wide.
-_RENAMED = {"libglib2.0-0": "libglib2.0-0t64"}
 
 #: Distributions whose import name is not simply their own name.
 _IMPORT_NAME = {
@@ -265,32 +294,35 @@ def missing_system(need: Need) -> list[System]:
 
 
 def advice(missing: Sequence[System]) -> str:
-    """One sentence that says what is missing and, where it is known, the command that brings it."""
+    """One sentence that says what is missing and, where it is known, the command that brings it.
+
+    The command brings what every need lacks: nobody should be sent for a second one.
+    """
     names = [item.name for item in missing]
     if shutil.which("apt-get") is None:
         what = ", ".join(names)
         return f"this system lacks {what}; install what brings them, and start again"
     if len(names) > 3:  # the command names them all
         names[2:] = [f"and {len(names) - 2} more"]
-    return f"this system lacks {', '.join(names)}; run: {_apt_command(_packages(missing))}"
+    everything = [*missing, *(item for item in SYSTEM if not item.is_here())]
+    return f"this system lacks {', '.join(names)}; run: {_apt_command(_packages(everything))}"
 
 
 def _packages(missing: Iterable[System]) -> list[str]:
-    names = dict.fromkeys(name for item in missing for name in item.packages.split())
-    return [_name_here(name) for name in names]
+    return list(dict.fromkeys(name for item in missing for name in item.packages.split()))
 
 
-def _name_here(package: str) -> str:
-    renamed = _RENAMED.get(package)
-    if renamed is None or shutil.which("apt-cache") is None:
-        return package
-    found = subprocess.run(["apt-cache", "show", renamed], capture_output=True, check=False)
-    return renamed if found.returncode == 0 else package
+_APT_INSTALL = ("apt-get", "install", "-y", "--no-install-recommends")
 
 
 def _apt_command(packages: Sequence[str]) -> str:
-    command = shlex.join(["apt-get", "install", "-y", "--no-install-recommends", *packages])
-    return command if _is_root() else f"sudo {command}"
+    # The lists of packages may be empty; and one that cannot be had is no reason to stop.
+    command = f"apt-get update; {shlex.join([*_APT_INSTALL, *packages])}"
+    if _is_root():
+        return command
+    # A bare Debian has no sudo; and only a login as root finds what is in /sbin.
+    become_root = ["sudo", "sh", "-c"] if shutil.which("sudo") else ["su", "-", "-c"]
+    return shlex.join([*become_root, command])
 
 
 def _is_root() -> bool:
@@ -304,20 +336,21 @@ def _ensure_system(missing: Sequence[System]) -> None:
         return
     if not _is_root() or shutil.which("apt-get") is None:
         raise SetupError(advice(missing))
-    _say("updating the list of system packages")
     environment = {**os.environ, "DEBIAN_FRONTEND": "noninteractive"}
-    # A repository that cannot be reached is no reason to stop: the one that matters may be there.
-    subprocess.run(["apt-get", "update"], env=environment, capture_output=True, check=False)
     packages = _packages(missing)
-    _say(f"installing system packages: {' '.join(packages)}")
-    done = subprocess.run(
-        ["apt-get", "install", "-y", "--no-install-recommends", *packages],
-        env=environment,
-        capture_output=True,
-        text=True,
-        errors="replace",
-        check=False,
-    )
+    with _Progress() as progress:
+        progress.say("updating the list of system packages")
+        # A repository that cannot be reached is no reason to stop: the one that matters may be.
+        subprocess.run(["apt-get", "update"], env=environment, capture_output=True, check=False)
+        progress.say(f"installing system packages: {' '.join(packages)}")
+        done = subprocess.run(
+            [*_APT_INSTALL, *packages],
+            env=environment,
+            capture_output=True,
+            text=True,
+            errors="replace",
+            check=False,
+        )
     if done.returncode != 0:
         why = _last_line(done.stderr.splitlines(), "E:") or f"exit status {done.returncode}"
         raise SetupError(f"apt-get failed ({why}); try: {_apt_command(packages)}")
@@ -332,7 +365,7 @@ class _EnsurePip(System):
         return importlib.util.find_spec("ensurepip") is not None
 
 
-def _venv_module() -> list[System]:
+def venv_module() -> list[System]:
     """Debian and Ubuntu deliver ensurepip, without which no environment can be made, apart."""
     item = _EnsurePip("ensurepip", f"python3.{sys.version_info[1]}-venv")
     return [] if item.is_here() else [item]
@@ -348,7 +381,9 @@ class Environment:
     The stamp holds one line for each group of packages (the program's own, with the test extras)
     that was installed completely, naming the Python, the platform and the exact requirements it
     was installed for. While packages are being installed it says so instead, and an environment
-    that still says so when nobody holds the lock was left half-made.
+    that still says so when nobody holds the lock was left half-made. Until pip has all that it
+    installs, nothing is touched: an environment that has to be made anew waits under another name,
+    `aside`, and comes back when its successor comes to nothing.
     """
 
     root: Path
@@ -357,6 +392,10 @@ class Environment:
     @property
     def folder(self) -> Path:
         return self.root / ".venv"
+
+    @property
+    def aside(self) -> Path:
+        return self.root / ".venv.old"
 
     @property
     def python(self) -> Path:
@@ -398,37 +437,76 @@ class Environment:
     def make(self) -> None:
         """Bring the environment to completion from whatever state it is in."""
         started = time.monotonic()
-        with _lock(self.root / ".venv.lock") as held:
+        with _lock(self.root / ".venv.lock") as held, _Progress() as progress:
+            self._bring_back()  # what was left aside by a set-up that was killed
             if self.is_complete():  # another start has just finished it
                 return
-            in_place = self._can_be_kept()
-            if not in_place:
-                _say(f"first start: setting up {self.folder} (once; needs the network)")
-                if self.folder.exists():
-                    self._clear()
-                self.folder.mkdir(parents=True)
+            if self.can_be_kept():
+                progress.say(f"bringing {self.folder} up to date")
+                self._install(held, progress)
             else:
-                _say(f"bringing {self.folder} up to date")
-            self.stamp.write_text(_UNFINISHED, encoding="utf-8")
-            if not in_place:
-                self._create(held)
-            self._install(held)
+                progress.say(f"first start: setting up {self.folder} (once; needs the network)")
+                self._make_anew(held, progress)
             lines = [self.line()] + ([self.line(self.extras)] if self.extras else [])
             fresh = self.stamp.with_suffix(".new")
             fresh.write_text("\n".join(lines) + "\n", encoding="utf-8")
             fresh.replace(self.stamp)
+            self._bring_back()
         _say(f"set up in {time.monotonic() - started:.0f} s")
 
-    def _clear(self) -> None:
+    def _make_anew(self, held: Held, progress: _Progress) -> None:
+        if self.read_stamp() in (None, _UNFINISHED):
+            self._clear(self.folder)
+        else:  # it serves another Python, or the program while the tests' part is half-made
+            try:
+                self.folder.rename(self.aside)
+            except OSError as error:
+                raise self._in_use(error) from None
         try:
-            shutil.rmtree(self.folder)
-        except OSError as error:
-            raise SetupError(
-                f"{self.folder} could not be removed ({error}); close what runs in it and run "
-                f"again: {_command_again()}"
-            ) from None
+            self.folder.mkdir(parents=True)
+            self.stamp.write_text(_UNFINISHED, encoding="utf-8")
+            self._create(held)
+            self._install(held, progress)
+        except BaseException:
+            self._bring_back()
+            raise
 
-    def _can_be_kept(self) -> bool:
+    def _bring_back(self) -> None:
+        """Let what was put aside be the environment again, but where the new one is complete."""
+        if not self.aside.exists():
+            return
+        if self.is_complete():
+            self._clear(self.aside)
+        else:
+            self._clear(self.folder)
+            self.aside.rename(self.folder)
+
+    def _clear(self, folder: Path) -> None:
+        try:
+            if folder.exists():
+                shutil.rmtree(folder)
+        except OSError as error:
+            raise self._in_use(error) from None
+
+    def _in_use(self, error: OSError) -> SetupError:
+        return SetupError(
+            f"{self.folder} could not be removed ({error}); close what runs in it and run "
+            f"again: {_command_again()}"
+        )
+
+    def mark_unfinished(self, *, whole: bool = True) -> None:
+        """Trust from here on nothing but the program's own part, where extras are concerned.
+
+        Parameters
+        ----------
+        whole : bool
+            Whether that part is, as far as one knows besides the stamp.
+        """
+        whole = whole and self.line() in (self.read_stamp() or "").split("\n")
+        kept = f"{self.line()}\n" if self.extras and whole else ""
+        self.stamp.write_text(kept + _UNFINISHED, encoding="utf-8")
+
+    def can_be_kept(self) -> bool:
         """Whether what is there can be completed by pip; else it has to be made anew."""
         if not self.python.exists():
             return False
@@ -436,7 +514,11 @@ class Environment:
         if stamp is not None:
             # Neither unfinished, nor for another Python or platform (a folder two machines share).
             ours = f"{sys.implementation.cache_tag} {sys.platform} "
-            return stamp.startswith(ours) and self._runs() is not None
+            return (
+                stamp.startswith(ours)
+                and not stamp.endswith(_UNFINISHED)
+                and self._runs() is not None
+            )
         # Somebody made it by hand. It is theirs: complete it, or leave it alone.
         tag = self._runs()
         if tag is not None and tag != sys.implementation.cache_tag:
@@ -445,6 +527,18 @@ class Environment:
                 f"{_remove(self.folder)}"
             )
         return tag is not None
+
+    def still_lacks(self) -> str | None:
+        """What is not as new as it should be; None where anything that is imported is missing."""
+        probe = (
+            "import sys; sys.path.insert(0, sys.argv[1]); from app import bootstrap; "
+            "bootstrap.tell_what_is_old(sys.argv[2:])"
+        )
+        if not self.can_be_kept():
+            return None
+        command: list[str | Path] = [self.python, "-I", "-c", probe, self.root, *self.extras]
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        return done.stdout.strip() if done.returncode == 0 else None
 
     def _runs(self) -> str | None:
         """Which Python the environment runs, or None where it does not run, or has no pip."""
@@ -461,13 +555,15 @@ class Environment:
         output: list[str] = []
         status = held.run([sys.executable, "-I", "-m", "venv", str(self.folder)], output.append)
         if status != 0:
+            if _shows(output, _FULL):
+                raise _no_space(self.folder)
             why = _last_line(output) or f"exit status {status}"
             raise SetupError(
                 f"Python could not make a virtual environment ({why}); try it with: "
                 f"{command_line([sys.executable, '-m', 'venv', '--clear', str(self.folder)])}"
             )
 
-    def _install(self, held: Held) -> None:
+    def _install(self, held: Held, progress: _Progress) -> None:
         """Install the tested versions, or where they do not exist for this machine, newer ones."""
         wanted = [requirement.text for requirement in requirements(self.root, self.extras)]
         # -I: a package on PYTHONPATH must not pass for an installed one. Wheels only: building VTK
@@ -475,11 +571,13 @@ class Environment:
         # PIP_... settings (index, proxy, certificate) still hold.
         pip = [str(self.python), "-I", "-m", "pip", "install", "--disable-pip-version-check"]
         pip += ["--no-input", "--progress-bar", "off", "--only-binary", ":all:"]
-        status, output = self._pip(held, [*pip, "-c", str(self.constraints), *wanted])
+        status, output = self._pip(held, progress, [*pip, "-c", str(self.constraints), *wanted])
         if status != 0 and _shows(output, _UNOBTAINABLE) and not _shows(output, _NO_ANSWER):
-            _say("the tested versions do not exist for this machine: trying others")
-            status, output = self._pip(held, [*pip, *wanted])
+            progress.say("the tested versions do not exist for this machine: trying others")
+            status, output = self._pip(held, progress, [*pip, *wanted])
         if status != 0:
+            if _shows(output, _FULL):
+                raise _no_space(self.folder)
             why = _last_line(output, "ERROR:") or f"exit status {status}"
             to_do = "check the network"
             if _shows(output, _NO_ANSWER):
@@ -491,19 +589,35 @@ class Environment:
                 f"{to_do} and run again: {_command_again()}"
             )
 
-    def _pip(self, held: Held, command: list[str]) -> tuple[int, list[str]]:
+    def _pip(self, held: Held, progress: _Progress, command: list[str]) -> tuple[int, list[str]]:
         output: list[str] = []
-        said = ""
 
         def follow(line: str) -> None:
-            nonlocal said
             output.append(line)
-            text = _progress(line)
-            if text is not None and text != said:
-                _say(f"  {text}")
-                said = text
+            if line.startswith(_INSTALLING):  # all is here: only now it touches anything
+                self.mark_unfinished()
+                before, count = self._installed(), line.count(",") + 1
+                progress.say(
+                    f"  installing {count} packages",
+                    lambda: f"{max(0, self._installed() - before)} done",
+                )
+            elif (text := _progress(line)) is not None:
+                progress.say(f"  {text}")
 
         return held.run(command, follow), output
+
+    def _installed(self) -> int:
+        """How many packages are there; pip writes the RECORD of one last."""
+        inside = "Lib" if sys.platform == "win32" else "lib/python*"
+        return sum(1 for _ in self.folder.glob(f"{inside}/site-packages/*.dist-info/RECORD"))
+
+
+def tell_what_is_old(extras: Sequence[str]) -> None:
+    """Print what this Python has too old or too new; end with status 1 where it lacks something."""
+    wanted = requirements(ROOT, extras)
+    if not _are_importable(wanted):
+        raise SystemExit(1)
+    print(", ".join(requirement.text for requirement in unmet(wanted)))
 
 
 def _progress(line: str) -> str | None:
@@ -513,12 +627,25 @@ def _progress(line: str) -> str | None:
     if match and not match[2].startswith(".metadata"):
         name, version = match[1].split("-")[:2]
         return f"{name} {version}{match[2]}"
-    match = re.match(r"Installing collected packages: (.*)", line)
-    if match:
-        return f"installing {match[1].count(',') + 1} packages"
     if re.search(_NO_ANSWER, line):
         return "the package server does not answer; trying again"
     return None
+
+
+def _no_space(environment: Path) -> SetupError:
+    """Say which folder is full: the environment's, or that of pip's temporary files."""
+    import tempfile
+
+    try:
+        temporary = Path(tempfile.gettempdir())
+    except FileNotFoundError:  # where not even an empty file could be written
+        temporary = Path(os.environ.get("TMPDIR", "/tmp"))
+    folders = [folder for folder in (environment, temporary) if folder.exists()] or [ROOT]
+    full = min(folders, key=lambda folder: shutil.disk_usage(folder).free)
+    also = " or set TMPDIR to a folder that has it" if full == temporary else ""
+    return SetupError(
+        f"no space is left in {full}; free 2 GB there{also}, and run again: {_command_again()}"
+    )
 
 
 def _shows(output: Iterable[str], pattern: str) -> bool:
@@ -531,6 +658,65 @@ def _last_line(lines: Iterable[str], start: str = "") -> str:
 
 
 # --- one set-up at a time -------------------------------------------------------------------------
+
+
+class _Progress:
+    """Says what is being done, and again that it still is, so that nobody takes it for dead.
+
+    On a terminal the line counts the seconds; elsewhere there is a new line now and then.
+    """
+
+    EVERY_S, EVERY_S_ELSEWHERE = 0.5, 10.0
+
+    def __init__(self) -> None:
+        self._live = sys.stderr is not None and sys.stderr.isatty()
+        self._lock = threading.Lock()
+        self._over = threading.Event()
+        self._thread = threading.Thread(target=self._tick, daemon=True)
+        self._text = ""
+        self._more: Callable[[], str] = str
+        self._since = time.monotonic()
+        self._width = 0
+
+    def __enter__(self) -> _Progress:
+        self._thread.start()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._over.set()
+        self._thread.join()
+        self._end_line()
+
+    def say(self, text: str, more: Callable[[], str] = str) -> None:
+        """Say what is done from now on; `more` is asked how far it is."""
+        with self._lock:
+            if text == self._text:
+                return
+            self._end_line()
+            self._text, self._more, self._since = text, more, time.monotonic()
+            self._write() if self._live else _say(text)
+
+    def _tick(self) -> None:
+        while not self._over.wait(self.EVERY_S if self._live else self.EVERY_S_ELSEWHERE):
+            with self._lock:
+                if self._text:
+                    self._write()
+
+    def _write(self) -> None:
+        seconds = time.monotonic() - self._since
+        parts = [self._text, self._more(), f"{seconds:.0f} s" if seconds >= 1 else ""]
+        text = ", ".join(part for part in parts if part)
+        if not self._live:
+            _say(text)
+            return
+        text = f"frustum-lab: {text}"[: shutil.get_terminal_size().columns - 1]
+        print(f"\r{text.ljust(self._width)}", end="", file=sys.stderr, flush=True)
+        self._width = len(text)
+
+    def _end_line(self) -> None:
+        if self._width:
+            print(file=sys.stderr, flush=True)
+            self._width = 0
 
 
 class Held:
@@ -623,11 +809,33 @@ def start(need: Need, extras: Sequence[str] = ()) -> None:
         With status 3 after one sentence on standard error, when something is missing that only
         the user can bring.
     """
-    try:
+    with _in_one_sentence():
         _start(need, tuple(extras))
+
+
+def enter() -> bool:
+    """Go on in the environment, where there is a complete one; but bring nothing.
+
+    Returns
+    -------
+    bool
+        Whether this Python has all the packages of the program.
+    """
+    if not (ROOT / "pyproject.toml").exists():
+        return True
+    with _in_one_sentence():
+        return _enter(Environment(ROOT), requirements(ROOT))
+
+
+@contextlib.contextmanager
+def _in_one_sentence() -> Iterator[None]:
+    try:
+        yield
     except SetupError as error:
         fail(str(error))
     except OSError as error:
+        if _shows([str(error)], _FULL):
+            fail(str(_no_space(ROOT)))
         fail(
             f"the set-up failed ({error}); put Frustum Lab into a folder that you may write to, "
             f"with 2 GB of space, and run again: {_command_again()}"
@@ -643,22 +851,18 @@ def _start(need: Need, extras: tuple[str, ...]) -> None:
         return
     environment = Environment(ROOT, extras)
     wanted = requirements(ROOT, extras)
-    inside = environment.is_running()
-    if _is_met(wanted, environment):
-        os.environ.pop(_AGAIN, None)
+    if _enter(environment, wanted):
         _ensure_system(missing_system(need))
         return
-    if not inside and environment.is_complete() and _AGAIN not in os.environ:
-        _again(environment.python)
     if _AGAIN in os.environ:
         names = ", ".join(requirement.name for requirement in unmet(wanted))
         raise SetupError(
             f"{environment.folder} lacks {names} although pip installed them; remove it and start "
             f"again: {_remove(environment.folder)}"
         )
-    if inside:
+    if environment.is_running():
         if environment.is_complete():  # so it says, but it has lost something since
-            environment.stamp.write_text(_UNFINISHED, encoding="utf-8")
+            environment.mark_unfinished(whole=_are_importable(requirements(ROOT)))
         # An environment cannot be made anew while it runs: that is done from outside.
         outside = Path(getattr(sys, "_base_executable", sys.executable))
         if sys.platform == "win32":  # where this process would wait, and hold its own file
@@ -668,10 +872,32 @@ def _start(need: Need, extras: tuple[str, ...]) -> None:
                 f"{command_line([str(outside), *sys.orig_argv[1:]])}"
             )
         _again(outside)
-    _ensure_system([*_venv_module(), *missing_system(need)])
-    environment.make()
-    os.environ[_AGAIN] = "1"
+    _ensure_system([*venv_module(), *missing_system(need)])
+    try:
+        environment.make()
+        how = "made"
+    except SetupError as error:
+        lacking = environment.still_lacks()
+        if lacking is None:
+            raise
+        _say(f"{error}")
+        _say(f"going on with what is installed{lacking and f', which is not {lacking}'}")
+        how = _AS_IT_IS
+    os.environ[_AGAIN] = how
     _again(environment.python)
+
+
+def _enter(environment: Environment, wanted: Sequence[Requirement]) -> bool:
+    """Whether this interpreter has the packages; goes into .venv first, where that says it does."""
+    if os.environ.get(_AGAIN) == _AS_IT_IS and environment.is_running():
+        # That stays said: what is started from here need not try the network again.
+        return _are_importable(wanted)
+    if _is_met(wanted, environment):
+        os.environ.pop(_AGAIN, None)
+        return True
+    if _AGAIN not in os.environ and not environment.is_running() and environment.is_complete():
+        _again(environment.python)
+    return False
 
 
 def _is_met(wanted: Sequence[Requirement], environment: Environment) -> bool:
@@ -679,10 +905,10 @@ def _is_met(wanted: Sequence[Requirement], environment: Environment) -> bool:
     if not _are_importable(wanted):
         return False
     if environment.is_running() and (stamp := environment.read_stamp()) is not None:
-        if stamp == _UNFINISHED:
-            return False
         if environment.is_complete():
             return True
+        if stamp.endswith(_UNFINISHED):
+            return False
     return not unmet(wanted)
 
 
