@@ -14,29 +14,41 @@ if TYPE_CHECKING:
 NEEDS: dict[str, bootstrap.Need] = {
     "project": "numbers",
     "matrices": "numbers",
-    "doctor": "numbers",  # it reports what is missing, so it must start without it
     "export": "picture",
     "measure": "picture",
 }
+HELP = frozenset({"-h", "--help", "--version"})
 
 
 def need_of(arguments: Sequence[str]) -> bootstrap.Need:
     """Return what the command line asks of the machine."""
-    if {"-h", "--help", "--version"}.intersection(arguments):
-        return "numbers"
     return next((NEEDS.get(word, "window") for word in arguments if word[:1] != "-"), "window")
 
 
 def main() -> int:
     """Set up, run the command line, return its exit status."""
     try:  # from the first import on: Ctrl-C is no error
+        arguments = sys.argv[1:]
+        if arguments[:1] == ["doctor"] or not HELP.isdisjoint(arguments):
+            from app import options  # which takes its time
+
+            if (status := options.outcome(lambda: _without_set_up(arguments))) is not None:
+                return status
         from app import bootstrap
 
-        bootstrap.start(need_of(sys.argv[1:]))
+        bootstrap.start(need_of(arguments))
         from app.cli import main as run  # only now are its imports sure to be there
     except KeyboardInterrupt:
         return 130
-    return run(sys.argv[1:])
+    return run(arguments)
+
+
+def _without_set_up(arguments: Sequence[str]) -> int | None:
+    """Do what needs nothing to be set up, or return None: behind -- a file may have such a name."""
+    from app import doctor, options
+
+    options.answer(arguments)
+    return doctor.command(arguments[1:]) if arguments[0] == "doctor" else None
 
 
 if __name__ == "__main__":

@@ -1,23 +1,18 @@
-"""What the commands share: their words and options, their complaints, and the files they open.
+"""What the commands open: documents, what ``--set`` makes of them, and scenes.
 
-Every wrong input becomes a `CliError` of one sentence. Numbers only: a scene is loaded, and VTK
-with it, when it is asked for.
+Numbers only: a scene is loaded, and VTK with it, when it is asked for.
 """
 
 from __future__ import annotations
 
-import argparse
-import difflib
 import functools
-import io
 import os
-import re
-import sys
 from collections.abc import Container, Iterable, Sequence
-from typing import TYPE_CHECKING, NoReturn, TextIO
+from typing import TYPE_CHECKING
 
 from app import bootstrap
-from app.document import SETTABLE, Document, DocumentError, is_mesh, read, set_values
+from app.document import Document, DocumentError, is_mesh, read, set_values
+from app.options import CANNOT_DRAW, CliError, check_file
 from app.phenomena import PHENOMENA
 from app.projection import (
     BOTTOM_BEFORE_TOP,
@@ -30,165 +25,6 @@ from app.projection import (
 
 if TYPE_CHECKING:
     from app.scene import Scene
-
-BAD_INPUT = 2
-CANNOT_DRAW = 3
-INTERRUPTED = 130
-
-SUMMARIES = {
-    "export": "draw a figure into a PNG picture, without a window or display",
-    "project": "follow points through every stage of the projection",
-    "matrices": "print every stage's matrix",
-    "measure": "measure what speed costs in accuracy, here, for a scene and a camera",
-    "doctor": "say what this machine has, what is missing and how to get it",
-}
-"""The words that the command line may begin with, and what each is for."""
-
-
-class CliError(Exception):
-    """One sentence for standard error, and the exit status."""
-
-    def __init__(self, sentence: str, status: int = BAD_INPUT) -> None:
-        super().__init__(sentence)
-        self.status = status
-
-
-def complain(sentence: str, status: int) -> int:
-    """Write a sentence to standard error, on one line, and give the exit status back."""
-    if sys.stderr is not None:
-        print(" ".join(sentence.split()), file=sys.stderr)
-    return status
-
-
-def standard_output() -> TextIO:
-    """Where the output goes, whose every character can be written there.
-
-    Files and other programs get UTF-8, as the documents are and as TeX and JSON are read, wherever
-    it was made; Python would take the locale's, in Windows cp1252, which has no minus sign. What
-    shows itself has its own: there a character that it lacks is told by its number.
-
-    Raises
-    ------
-    CliError
-        If it is closed, as in ``pythonw``.
-    """
-    if sys.stdout is None:
-        raise CliError("Standard output is closed.")
-    if isinstance(sys.stdout, io.TextIOWrapper):
-        encoding = sys.stdout.encoding if sys.stdout.isatty() else "utf-8"
-        sys.stdout.reconfigure(encoding=encoding, errors="backslashreplace")
-    return sys.stdout
-
-
-def write_out(texts: Iterable[str]) -> None:
-    """Write to standard output, now: an error must come here, not when Python ends."""
-    out = standard_output()
-    try:
-        for text in texts:
-            out.write(text)
-        out.flush()
-    except OSError as error:
-        # What is still buffered must not fail once more at exit.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), out.fileno())
-        if isinstance(error, BrokenPipeError):
-            raise
-        raise CliError(f"Standard output cannot be written: {error.strerror}.") from error
-
-
-# --------------------------------------------------------------------------- options
-
-
-class Parser(argparse.ArgumentParser):
-    """An argument parser whose complaints are sentences, and name the nearest option."""
-
-    def __init__(
-        self, command: str, names: str, text: str, description: str, epilog: str = ""
-    ) -> None:
-        usage = " ".join(f"python3 -m app {command} [options] {names}".split())
-        super().__init__(
-            usage=usage,
-            description=description,
-            epilog=epilog,
-            formatter_class=argparse.RawDescriptionHelpFormatter,
-            allow_abbrev=False,
-        )
-        self._command = command
-        self._names = names
-        self.add_argument("words", nargs="*", metavar=names, help=text)
-
-    def _print_message(self, message: str, _file: object = None) -> None:
-        """Print the help or the version; argparse itself is silent about what fails there."""
-        write_out([message])
-
-    def error(self, message: str) -> NoReturn:
-        raise CliError(f"{message[0].upper()}{message[1:]}.")
-
-    def read(
-        self, arguments: Sequence[str], least: int, most: int
-    ) -> tuple[argparse.Namespace, list[str]]:
-        """Parse options and words in any order; refuse too few words and too many."""
-        # Behind -- all are names; argparse forgets it when options and names may be mixed.
-        end = arguments.index("--") if "--" in arguments else len(arguments)
-        found, extra = self.parse_known_intermixed_args(arguments[:end])
-        for word in extra:
-            option = word.partition("=")[0]
-            names = [name for action in self._actions for name in action.option_strings]
-            where = f"an option of {self._command}" if self._command else "an option of the window"
-            raise CliError(f"{option} is not {where}; the nearest is {_nearest(option, names)}.")
-        words: list[str] = [*found.words, *arguments[end + 1 :]]
-        command = self._command or "The window"
-        if "" in words:
-            raise CliError(f"{command} was given an empty name.")
-        if not least <= len(words) <= most:
-            takes = self._names or "no names"
-            raise CliError(f"{command} takes {takes}, and {len(words)} names were given.")
-        return found, words
-
-    def add_set(self) -> None:
-        """Take ``--set``."""
-        self.add_argument(
-            "--set",
-            action="append",
-            default=[],
-            metavar="NAME=VALUE",
-            help="change a value of the document, such as lens.far=inf; may be given repeatedly; "
-            f"the names are {', '.join(SETTABLE)} and settings.NAME of the scene's own",
-        )
-
-    def add_choice(self, option: str, values: Sequence[str], text: str, default: str = "") -> None:
-        """Take one of several values."""
-        self.add_argument(
-            option,
-            type=lambda value: one_of(option, value, values),
-            metavar="|".join(values),
-            default=default or None,
-            help=text,
-        )
-
-
-def _nearest(word: str, known: Iterable[str]) -> str:
-    def likeness(name: str) -> float:
-        return difflib.SequenceMatcher(None, word.lower(), name).ratio()
-
-    return max(known, key=likeness)
-
-
-def one_of(option: str, value: str, values: Sequence[str]) -> str:
-    """An option's value, which must be one of several."""
-    # CliError is none of the errors that argparse would put into words of its own.
-    if value not in values:
-        raise CliError(f"{option} = {value!r}: must be one of {', '.join(values)}.")
-    return value
-
-
-def parse_number(text: str) -> float:
-    """A number in the C locale; not what only Python writes, such as 1_000."""
-    if "_" in text:
-        raise ValueError(text)
-    return float(text)
-
-
-# --------------------------------------------------------------------------- files
 
 
 def document_of(file: str | None, assignments: Sequence[str]) -> Document:
@@ -313,23 +149,6 @@ def _open(file: str) -> Document:
         return _opened(file)
     check_file(file)
     return read(file)
-
-
-def check_file(word: str) -> None:
-    """Take a word that is no file and looks like none for the command that it was to be.
-
-    Raises
-    ------
-    CliError
-        Naming the nearest command.
-    """
-    if os.path.lexists(word) or not re.fullmatch(r"\w[\w-]*", word):
-        return
-    if word in SUMMARIES:
-        raise CliError(f"{word} is a command and must come first: python3 -m app {word} ...")
-    near = difflib.get_close_matches(word.lower(), SUMMARIES, 1)
-    known = f"nearest command is {near[0]}" if near else f"commands are {', '.join(SUMMARIES)}"
-    raise CliError(f"{word!r} is neither a file nor a command; the {known}.")
 
 
 def load_scene(scene: str, mesh: str = "", file: str | None = None) -> Scene:

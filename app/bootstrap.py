@@ -338,11 +338,12 @@ def _ensure_system(missing: Sequence[System]) -> None:
         raise SetupError(advice(missing))
     environment = {**os.environ, "DEBIAN_FRONTEND": "noninteractive"}
     packages = _packages(missing)
+    _say(f"this system lacks {' '.join(packages)}")
     with _Progress() as progress:
         progress.say("updating the list of system packages")
         # A repository that cannot be reached is no reason to stop: the one that matters may be.
         subprocess.run(["apt-get", "update"], env=environment, capture_output=True, check=False)
-        progress.say(f"installing system packages: {' '.join(packages)}")
+        progress.say("installing system packages")
         done = subprocess.run(
             [*_APT_INSTALL, *packages],
             env=environment,
@@ -704,14 +705,15 @@ class _Progress:
 
     def _write(self) -> None:
         seconds = time.monotonic() - self._since
-        parts = [self._text, self._more(), f"{seconds:.0f} s" if seconds >= 1 else ""]
-        text = ", ".join(part for part in parts if part)
+        how_far = [self._more(), f"{seconds:.0f} s" if seconds >= 1 else ""]
+        text, end = self._text, "".join(f", {part}" for part in how_far if part)
         if not self._live:
-            _say(text)
+            _say(text + end)
             return
-        text = f"frustum-lab: {text}"[: shutil.get_terminal_size().columns - 1]
-        print(f"\r{text.ljust(self._width)}", end="", file=sys.stderr, flush=True)
-        self._width = len(text)
+        room = shutil.get_terminal_size().columns - len("frustum-lab: ") - 1
+        line = f"frustum-lab: {text[: max(0, room - len(end))]}{end}"
+        print(f"\r{line.ljust(self._width)}", end="", file=sys.stderr, flush=True)
+        self._width = len(line)
 
     def _end_line(self) -> None:
         if self._width:

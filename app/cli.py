@@ -7,7 +7,6 @@ commands that draw, so that numbers come at once and on any machine.
 
 from __future__ import annotations
 
-import argparse
 import csv
 import io
 import json
@@ -21,26 +20,16 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from app import __version__, bootstrap
+from app import bootstrap, doctor
 from app.arguments import (
-    BAD_INPUT,
-    CANNOT_DRAW,
-    INTERRUPTED,
-    SUMMARIES,
-    CliError,
-    Parser,
     cannot_import,
-    check_file,
     check_out,
-    complain,
     document_before,
     document_of,
     load_scene,
-    parse_number,
     with_values,
-    write_out,
 )
-from app.doctor import check_off_screen, examine
+from app.doctor import check_off_screen
 from app.document import (
     MESH_ENDINGS,
     DocumentError,
@@ -49,7 +38,17 @@ from app.document import (
 )
 from app.free_matrix import properties
 from app.notation import latex_name, latex_number
-from app.precision import RUNGS, Prediction, Rung, predict, rung_for_reading, trace
+from app.options import (
+    CANNOT_DRAW,
+    CliError,
+    check_file,
+    complain,
+    outcome,
+    parse_number,
+    parser_of,
+    write_out,
+)
+from app.precision import Prediction, Rung, predict, rung_for_reading, trace
 from app.projection import (
     FINITE_NUMBER,
     LARGEST,
@@ -64,7 +63,6 @@ from app.projection import (
     format_value,
 )
 
-THEMES = ("light", "dark")
 LARGEST_INPUT = 2**30
 """Most bytes of points that are read."""
 
@@ -84,68 +82,25 @@ def main(argv: list[str] | None = None) -> int:
         display or OpenGL.
     """
     arguments = sys.argv[1:] if argv is None else argv
-    try:
-        return _run(arguments)
-    except CliError as error:
-        return complain(str(error), error.status)
-    except (DocumentError, ProjectionError) as error:
-        return complain(str(error), BAD_INPUT)
-    except SystemExit as done:  # argparse, after --help and --version
-        return int(done.code or 0)
-    except BrokenPipeError:  # “| head” has seen enough
-        return 0
-    except KeyboardInterrupt:
-        return INTERRUPTED
+    return outcome(lambda: _run(arguments))
 
 
 def _run(arguments: Sequence[str]) -> int:
-    if arguments and arguments[0] in COMMANDS:
-        return COMMANDS[arguments[0]](arguments[1:])
-    if arguments:
-        check_file(arguments[0])  # first: what follows a mistyped command is none of the window's
-    return _window(arguments)
-
-
-# --------------------------------------------------------------------------- arguments
-
-
-def _size(value: str) -> tuple[int, int]:
-    match = re.fullmatch(r"([0-9]{1,9})[xX×]([0-9]{1,9})", value)
-    if match is None:
-        raise CliError(f"--size = {value!r}: must be WIDTHxHEIGHT in pixels, such as 1800x600.")
-    return int(match[1]), int(match[2])
-
-
-def _scale(value: str) -> float:
     try:
-        return parse_number(value)
-    except ValueError:
-        raise CliError(f"--scale = {value!r}: {FINITE_NUMBER}.") from None
+        if arguments and arguments[0] in COMMANDS:
+            return COMMANDS[arguments[0]](arguments[1:])
+        if arguments:
+            check_file(arguments[0])  # first: what follows a mistyped command is not the window's
+        return _window(arguments)
+    except (DocumentError, ProjectionError) as error:
+        raise CliError(str(error)) from error
 
 
 # --------------------------------------------------------------------------- the window
 
 
 def _window(arguments: Sequence[str]) -> int:
-    lines = "\n".join(f"  {name:<10}{text}" for name, text in SUMMARIES.items())
-    parser = Parser(
-        "",
-        "[FILE]",
-        "a document, an exported PNG picture or a mesh (the letter F)",
-        "How a camera turns a 3-D scene into a picture.",
-        f"commands, each with its own --help:\n{lines}",
-    )
-    parser.add_set()
-    parser.add_choice("--theme", THEMES, "colours for this once")
-    parser.add_argument(
-        "--reset", action="store_true", help="delete the settings, then open the window"
-    )
-    parser.add_argument(
-        "--screenshot", metavar="OUT", help="save a picture of the window as PNG and quit"
-    )
-    parser.add_argument("--size", type=_size, metavar="WIDTHxHEIGHT", help="size of the window")
-    parser.add_argument("--version", action="version", version=f"Frustum Lab {__version__}")
-    found, words = parser.read(arguments, 0, 1)
+    found, words = parser_of("").read(arguments)
     if found.screenshot is not None:
         _check_png("--screenshot", found.screenshot)
     for name, side in zip(("width", "height"), found.size or (), strict=False):
@@ -188,27 +143,7 @@ def _check_png(name: str, out: str) -> None:
 
 
 def _export(arguments: Sequence[str]) -> int:
-    text = "the picture (.png), and a document, picture or mesh that it shows (the letter F)"
-    parser = Parser("export", "OUT [FILE]", text, SUMMARIES["export"])
-    parser.add_argument(
-        "--panes",
-        default="world,ndc,image",
-        metavar="world,ndc,image",
-        help="which panes, side by side (all)",
-    )
-    parser.add_argument(
-        "--size",
-        type=_size,
-        metavar="WIDTHxHEIGHT",
-        help="pixels at scale 1 (640x640 for each pane, or the image's own size for it alone)",
-    )
-    parser.add_argument(
-        "--scale", type=_scale, default=1.0, metavar="FACTOR", help="the same figure, finer (1)"
-    )
-    parser.add_argument("--transparent", action="store_true", help="no background")
-    parser.add_choice("--theme", THEMES, "colours (light)", "light")
-    parser.add_set()
-    found, (out, *file) = parser.read(arguments, 1, 2)
+    found, (out, *file) = parser_of("export").read(arguments)
     _check_png("OUT", out)
     shown = file[0] if file else None
     document = document_of(shown, found.set)
@@ -253,16 +188,8 @@ def _export(arguments: Sequence[str]) -> int:
 
 
 def _project(arguments: Sequence[str]) -> int:
-    text = (
-        "a document, picture or mesh whose camera is used (the letter F's), and the points: "
-        "CSV with the columns x,y,z, or - for standard input"
-    )
-    parser = Parser("project", "[FILE] POINTS", text, SUMMARIES["project"])
-    parser.add_choice("--format", tuple(_PROJECT_FORMATS), "form of the output (table)", "table")
-    parser.add_choice("--rung", RUNGS, "arithmetic (float64, or exact where that is needed)")
-    parser.add_set()
     _check_typed_points(arguments)
-    found, (*file, source) = parser.read(arguments, 1, 2)
+    found, (*file, source) = parser_of("project").read(arguments)
     if not file and source.lower().endswith((".json", *MESH_ENDINGS)):
         raise CliError(f"POINTS is missing: {source} is what the camera is read from.")
     projection = document_of(file[0] if file else None, found.set).projection
@@ -505,11 +432,7 @@ def _aligned(rows: Sequence[Sequence[str]]) -> list[str]:
 
 
 def _matrices(arguments: Sequence[str]) -> int:
-    text = "a document, picture or mesh whose camera is used (the letter F's)"
-    parser = Parser("matrices", "[FILE]", text, SUMMARIES["matrices"])
-    parser.add_choice("--format", tuple(_MATRIX_FORMATS), "form of the output (text)", "text")
-    parser.add_set()
-    found, words = parser.read(arguments, 0, 1)
+    found, words = parser_of("matrices").read(arguments)
     projection = document_of(words[0] if words else None, found.set).projection
     write_out([_MATRIX_FORMATS[found.format](projection)])
     return 0
@@ -582,24 +505,6 @@ _MATRIX_FORMATS: dict[str, Callable[[Projection], str]] = {
 }
 
 
-# --------------------------------------------------------------------------- doctor
-
-
-def _doctor(arguments: Sequence[str]) -> int:
-    Parser("doctor", "", argparse.SUPPRESS, SUMMARIES["doctor"]).read(arguments, 0, 0)
-    missing = []
-    for finding in examine():
-        write_out([f"{finding.name:<20}{finding.text}\n"])
-        if finding.remedy:
-            missing.append(finding)
-    if not missing:
-        write_out(["\nEverything needed is here.\n"])
-        return 0
-    lines = [f"  {finding.name}: {finding.remedy}\n" for finding in missing]
-    write_out(["\nThis is missing:\n", *lines])
-    return CANNOT_DRAW
-
-
 # --------------------------------------------------------------------------- measure
 
 
@@ -617,6 +522,6 @@ COMMANDS: dict[str, Callable[[Sequence[str]], int]] = {
     "project": _project,
     "matrices": _matrices,
     "measure": _measure,
-    "doctor": _doctor,
+    "doctor": doctor.command,
 }
 """The words that the command line may begin with; each takes the arguments after it."""

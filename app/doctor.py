@@ -10,12 +10,13 @@ import os
 import platform
 import subprocess
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from importlib import metadata
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from app import __version__, bootstrap
+from app.options import CANNOT_DRAW, parser_of, write_out
 
 LONGEST_TRIAL_S = 60.0
 """A driver that has not answered by then is taken for one that never will."""
@@ -37,21 +38,58 @@ class Finding(NamedTuple):
     remedy: str = ""
 
 
+def command(arguments: Sequence[str]) -> int:
+    """The command ``doctor``: print what is found, with what is missing at the end.
+
+    Parameters
+    ----------
+    arguments : sequence of str
+        What follows ``doctor``.
+
+    Returns
+    -------
+    int
+        The exit status.
+    """
+    parser_of("doctor").read(arguments)
+    missing = []
+    for finding in examine():
+        write_out([f"{finding.name:<20}{finding.text}\n"])
+        if finding.remedy:
+            missing.append(finding)
+    if not missing:
+        write_out(["\nEverything needed is here.\n"])
+        return 0
+    lines = [f"  {finding.name}: {finding.remedy}\n" for finding in missing]
+    write_out(["\nThis is missing:\n", *lines])
+    return CANNOT_DRAW
+
+
 def examine() -> Iterator[Finding]:
-    """Look at everything in turn; the slow parts come last."""
+    """Look at everything in turn; the slow parts come last.
+
+    Where nothing is set up yet, it looks at what can be seen without: nothing is downloaded.
+    """
+    set_up = bootstrap.enter()
     yield Finding("Frustum Lab", f"{__version__} in {bootstrap.ROOT}")
     yield Finding("Python", f"{platform.python_version()} ({sys.executable})")
     yield Finding("Platform", platform.platform())
-    yield from _packages()
-    missing = bootstrap.missing_system("window")
+    if set_up:
+        yield from _packages()
+    else:
+        start = bootstrap.command_line([Path(sys.executable).name, "-m", "app"])
+        remedy = f"the first start sets it up, which needs the network: {start}"
+        yield Finding("Environment", "not set up yet", remedy)
+    missing = [*([] if set_up else bootstrap.venv_module()), *bootstrap.missing_system("window")]
     if missing:
         names = ", ".join(item.name for item in missing)
         yield Finding("System libraries", f"missing: {names}", bootstrap.advice(missing))
     else:
         yield Finding("System libraries", "all here")
-    yield from _folders()
-    yield from _display()
-    yield _off_screen()
+    if set_up:
+        yield from _folders()
+        yield from _display()
+        yield _off_screen()
 
 
 def _packages() -> Iterator[Finding]:

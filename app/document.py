@@ -257,14 +257,6 @@ _PATHS = (
     | {key: f"lens.{key}" for names in _LENS.values() for key in ("kind", *names)}
     | {key: f"image.{key}" for key in ("width", "height")}
 )  # of the model's fields in the document, where they are not the same
-SETTABLE = tuple(
-    path
-    for path in dict.fromkeys(
-        ("scene", "mesh", "depth", *_PATHS.values(), *(f"quality.{key}" for key in _QUALITY))
-    )
-    if path != "lens.former"
-)
-"""Every path that `set_values` knows, of all lenses; and each scene's own ``settings.NAME``."""
 # What float() takes and no document would: 1_000, nan, infinity, digits of other scripts.
 _NUMBER = re.compile(r"[+-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?")
 _LONGEST_SHOWN = 60

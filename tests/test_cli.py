@@ -20,7 +20,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from app import cli
+from app import cli, options
 from app.document import Document, embed, read, set_values, to_json, write
 from app.phenomena import PHENOMENA
 from app.precision import RUNGS, Rung, predict, trace
@@ -1029,6 +1029,21 @@ def test_each_command_has_help(command: str) -> None:
     done = run(command, "--help")
     assert done.returncode == 0
     assert done.stdout.startswith(f"usage: python3 -m app {command} [options]")
+
+
+def test_the_names_in_the_help_are_those_that_there_are() -> None:
+    """They are written twice, because help is given where nothing is installed yet."""
+    from app import document, measure
+    from app.measure.arithmetic import SWEEPS
+
+    paths = {"scene", "mesh", "depth", *document._PATHS.values()} - {"lens.former"}
+    assert set(options.SETTABLE) == paths | {f"quality.{key}" for key in document._QUALITY}
+    assert options.RUNGS == RUNGS
+    assert tuple(measure.TRADES) == options.TRADES
+    assert tuple(SWEEPS) == options.SWEEPS
+    assert tuple(cli._PROJECT_FORMATS) == options.PROJECT_FORMATS
+    assert tuple(cli._MATRIX_FORMATS) == options.MATRIX_FORMATS
+    assert tuple(cli.COMMANDS) == tuple(options.SUMMARIES)
 
 
 def test_version() -> None:

@@ -85,7 +85,9 @@ PANEL = Room(
 ROOMS = {
     "app/__init__.py": Room(),
     "app/bootstrap.py": Room(),
-    "app/__main__.py": Room(rooms=("app.bootstrap",), late=("app.cli",)),
+    # Help, and what is wrong with an option, before anything is set up.
+    "app/options.py": Room(),
+    "app/__main__.py": Room(late=("app.bootstrap", "app.options", "app.doctor", "app.cli")),
     "app/double_double.py": CORE,
     "app/values.py": CORE,
     "app/camera.py": Room(("numpy",), ("app.double_double", "app.values")),
@@ -169,25 +171,30 @@ ROOMS = {
     "app/measure/detail.py": MEASURE,
     "app/measure/__init__.py": MEASURE,
     "app/measure/command.py": Room(
-        rooms=("app.arguments", "app.document", "app.doctor", "app.projection", "app.measure")
+        rooms=(
+            *("app.arguments", "app.options", "app.document", "app.doctor"),
+            *("app.projection", "app.measure"),
+        )
     ),
     "app/detail.py": Room(("numpy", *VTK), ("app.scene",)),
     "app/store.py": Room(QT_CORE, ("app.projection", "app.document")),
     # What the commands share: no command of its own, and a scene only when it is asked for.
     "app/arguments.py": Room(
-        rooms=("app.bootstrap", "app.projection", "app.document", "app.phenomena"),
+        rooms=("app.bootstrap", "app.options", "app.projection", "app.document", "app.phenomena"),
         late=("app.scene",),
     ),
     # The command line starts with numbers only; pictures and windows come when they are asked for.
     "app/cli.py": Room(
         ("numpy",),
         (
-            *("app.arguments", "app.projection", "app.precision", "app.notation"),
+            *("app.arguments", "app.options", "app.projection", "app.precision", "app.notation"),
             *("app.bootstrap", "app.document", "app.doctor", "app.free_matrix"),
         ),
         late=(*VTK, *QT, "app", "widgets"),
     ),
-    "app/doctor.py": Room(rooms=("app.bootstrap",), late=(*VTK, *QT, "app", "widgets")),
+    "app/doctor.py": Room(
+        rooms=("app.bootstrap", "app.options"), late=(*VTK, *QT, "app", "widgets")
+    ),
     "widgets/__init__.py": Room(),
     "widgets/palette.py": Room(QT, ("app.drawings.style",)),
     "widgets/attention.py": Room(QT, ("app.attention",)),

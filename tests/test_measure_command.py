@@ -13,11 +13,12 @@ from pathlib import Path
 
 import pytest
 
-from app.arguments import CliError, check_out
+from app.arguments import check_out
 from app.measure import NEED_OPENGL, TRADES
 from app.measure.arithmetic import SWEEPS
 from app.measure.meaning import SENTENCES, cheapest, meaning
 from app.measure.results import Choice, Trade, from_json, to_csv
+from app.options import CliError
 from tests.test_cli import ROOT, refused, run
 
 

@@ -10,21 +10,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 
 from app import measure
-from app.arguments import (
-    CANNOT_DRAW,
-    INTERRUPTED,
-    SUMMARIES,
-    CliError,
-    Parser,
-    check_out,
-    complain,
-    document_of,
-    load_scene,
-    one_of,
-    parse_number,
-    standard_output,
-    write_out,
-)
+from app.arguments import check_out, document_of, load_scene
 from app.doctor import check_off_screen
 from app.document import write_bytes_atomically
 from app.measure import chart
@@ -32,6 +18,16 @@ from app.measure.arithmetic import SWEEPS
 from app.measure.meaning import meaning
 from app.measure.results import Results, table, to_csv, to_json
 from app.measure.run import Cancelled
+from app.options import (
+    CANNOT_DRAW,
+    INTERRUPTED,
+    CliError,
+    complain,
+    parse_number,
+    parser_of,
+    standard_output,
+    write_out,
+)
 from app.projection import LENSES, FreeMatrix
 
 
@@ -53,36 +49,8 @@ def run(arguments: Sequence[str]) -> int:
     CliError
         For input that is wrong.
     """
-    text = "a document, picture or mesh to measure (the letter F)"
-    parser = Parser("measure", "[FILE]", text, SUMMARIES["measure"])
-    parser.add_argument(
-        "--trade", action="append", metavar="|".join(measure.TRADES),
-        type=lambda value: one_of("--trade", value, tuple(measure.TRADES)),
-        help="measure this one; may be given repeatedly (all, if neither --trade nor --sweep is)",
-    )  # fmt: skip
-    parser.add_argument(
-        "--sweep", action="append", metavar="NAME[=LOW:HIGH]", type=_sweep,
-        help=f"the errors over a parameter's range; NAME is one of {', '.join(SWEEPS)}",
-    )  # fmt: skip
-    parser.add_argument("--scene", metavar="NAME", help="as --set scene=NAME")
-    parser.add_argument("--quick", action="store_true", help="in half a minute, less exactly")
-    parser.add_argument(
-        "--json", metavar="FILE",
-        help="write all that was measured; FILE is overwritten, - is standard output",
-    )  # fmt: skip
-    parser.add_argument(
-        "--csv", metavar="FILE", help="write the tables, one after the other, likewise"
-    )
-    parser.add_argument(
-        "--chart", metavar="FILE", help="draw it all, likewise: .png, or .pdf in vectors"
-    )
-    parser.add_argument(
-        "--attended", action="store_true",
-        help="tell the fraction done, a line each, and obey pause, resume and cancel from"
-        " standard input",
-    )  # fmt: skip
-    parser.add_set()
-    found, words = parser.read(arguments, 0, 1)
+    found, words = parser_of("measure").read(arguments)
+    swept = dict(_range(name, ends) for name, ends in found.sweep or ())
     if found.attended and sys.platform != "win32":
         os.nice(10)  # whoever attends draws meanwhile, and comes first; alone it is as fast
     options = {f"--{option}": getattr(found, option) for option in ("json", "csv", "chart")}
@@ -107,7 +75,6 @@ def run(arguments: Sequence[str]) -> int:
         )
     everything = not (found.trade or found.sweep)
     trades = list(dict.fromkeys(found.trade or (measure.TRADES if everything else ())))
-    swept = dict(found.sweep or ())
     if everything:
         swept = dict.fromkeys(SWEEPS, (None, None))
     opengl = True
@@ -140,11 +107,9 @@ def run(arguments: Sequence[str]) -> int:
     return 0 if results.complete else INTERRUPTED
 
 
-def _sweep(value: str) -> tuple[str, tuple[float | None, float | None]]:
-    """``near`` or ``near=1e-3:10``."""
-    name, equals, ends = value.partition("=")
-    one_of("--sweep", name, tuple(SWEEPS))
-    if not equals:
+def _range(name: str, ends: str) -> tuple[str, tuple[float | None, float | None]]:
+    """A parameter's ends, as ``1e-3:10``; none are its own."""
+    if not ends:
         return name, (None, None)
     try:
         low, high = (parse_number(end) for end in ends.split(":"))

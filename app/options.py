@@ -1,0 +1,383 @@
+"""The words that the command line takes: commands, their options, their complaints.
+
+Standard library only: help is given, and a mistyped option refused, before anything is set up.
+Every wrong input becomes a `CliError` of one sentence.
+"""
+
+from __future__ import annotations
+
+import argparse
+import difflib
+import io
+import os
+import re
+import sys
+from collections.abc import Callable, Iterable, Sequence
+from typing import NoReturn, TextIO, TypeVar
+
+from app import __version__
+
+_Status = TypeVar("_Status", int, "int | None")
+
+BAD_INPUT = 2
+CANNOT_DRAW = 3
+INTERRUPTED = 130
+
+SUMMARIES = {
+    "export": "draw a figure into a PNG picture, without a window or display",
+    "project": "follow points through every stage of the projection",
+    "matrices": "print every stage's matrix",
+    "measure": "measure what speed costs in accuracy, here, for a scene and a camera",
+    "doctor": "say what this machine has, what is missing and how to get it",
+}
+"""The words that the command line may begin with, and what each is for."""
+
+THEMES = ("light", "dark")
+RUNGS = ("float32", "float64", "exact")
+MATRIX_FORMATS = ("text", "json", "latex")
+PROJECT_FORMATS = ("table", "csv", "json")
+TRADES = ("arithmetic", "interpolation", "depth", "smoothing", "detail")
+SWEEPS = ("near", "far", "fov", "distance", "up", "aspect")
+SETTABLE = (
+    "scene", "mesh", "depth", "camera.eye", "camera.target", "camera.up", "lens.kind",
+    "lens.fov_y_deg", "lens.near", "lens.far", "lens.left", "lens.right", "lens.bottom",
+    "lens.top", "lens.keep", "lens.alpha_deg", "lens.beta_deg", "lens.clip_from_view",
+    "lens.view_from_world", "image.width", "image.height", "quality.rung", "quality.smoothing",
+    "quality.detail", "quality.depth_format", "quality.depth_mapping",
+)  # fmt: skip
+"""Every path that ``--set`` knows, of all lenses; and each scene has ``settings.NAME`` of its own.
+
+What these names are of lies in rooms that need more than Python; a test compares them.
+"""
+
+
+class CliError(Exception):
+    """One sentence for standard error, and the exit status."""
+
+    def __init__(self, sentence: str, status: int = BAD_INPUT) -> None:
+        super().__init__(sentence)
+        self.status = status
+
+
+def complain(sentence: str, status: int) -> int:
+    """Write a sentence to standard error, on one line, and give the exit status back."""
+    if sys.stderr is not None:
+        print(" ".join(sentence.split()), file=sys.stderr)
+    return status
+
+
+def standard_output() -> TextIO:
+    """Where the output goes, whose every character can be written there.
+
+    Files and other programs get UTF-8, as the documents are and as TeX and JSON are read, wherever
+    it was made; Python would take the locale's, in Windows cp1252, which has no minus sign. What
+    shows itself has its own: there a character that it lacks is told by its number.
+
+    Raises
+    ------
+    CliError
+        If it is closed, as in ``pythonw``.
+    """
+    if sys.stdout is None:
+        raise CliError("Standard output is closed.")
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        encoding = sys.stdout.encoding if sys.stdout.isatty() else "utf-8"
+        sys.stdout.reconfigure(encoding=encoding, errors="backslashreplace")
+    return sys.stdout
+
+
+def write_out(texts: Iterable[str]) -> None:
+    """Write to standard output, now: an error must come here, not when Python ends."""
+    out = standard_output()
+    try:
+        for text in texts:
+            out.write(text)
+        out.flush()
+    except OSError as error:
+        # What is still buffered must not fail once more at exit.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), out.fileno())
+        if isinstance(error, BrokenPipeError):
+            raise
+        raise CliError(f"Standard output cannot be written: {error.strerror}.") from error
+
+
+# --------------------------------------------------------------------------- options
+
+
+class Parser(argparse.ArgumentParser):
+    """An argument parser whose complaints are sentences, and name the nearest option."""
+
+    def __init__(self, command: str, names: str, text: str, epilog: str = "") -> None:
+        usage = " ".join(f"python3 -m app {command} [options] {names}".split())
+        super().__init__(
+            usage=usage,
+            description=SUMMARIES.get(command, "How a camera turns a 3-D scene into a picture."),
+            epilog=epilog,
+            formatter_class=argparse.RawDescriptionHelpFormatter,
+            allow_abbrev=False,
+        )
+        self._command = command
+        self._names = names
+        self.add_argument("words", nargs="*", metavar=names, help=text)
+
+    def _print_message(self, message: str, _file: object = None) -> None:
+        """Print the help or the version; argparse itself is silent about what fails there."""
+        write_out([message])
+
+    def error(self, message: str) -> NoReturn:
+        raise CliError(f"{message[0].upper()}{message[1:]}.")
+
+    def read(self, arguments: Sequence[str]) -> tuple[argparse.Namespace, list[str]]:
+        """Parse options and words in any order; refuse too few words and too many."""
+        # Behind -- all are names; argparse forgets it when options and names may be mixed.
+        end = arguments.index("--") if "--" in arguments else len(arguments)
+        found, extra = self.parse_known_intermixed_args(arguments[:end])
+        for word in extra:
+            option = word.partition("=")[0]
+            names = [name for action in self._actions for name in action.option_strings]
+            where = f"an option of {self._command}" if self._command else "an option of the window"
+            raise CliError(f"{option} is not {where}; the nearest is {_nearest(option, names)}.")
+        words: list[str] = [*found.words, *arguments[end + 1 :]]
+        command = self._command or "The window"
+        if "" in words:
+            raise CliError(f"{command} was given an empty name.")
+        most = len(self._names.split())
+        if not most - self._names.count("[") <= len(words) <= most:
+            takes = self._names or "no names"
+            raise CliError(f"{command} takes {takes}, and {len(words)} names were given.")
+        return found, words
+
+    def add_set(self) -> None:
+        """Take ``--set``."""
+        self.add_argument(
+            "--set",
+            action="append",
+            default=[],
+            metavar="NAME=VALUE",
+            help="change a value of the document, such as lens.far=inf; may be given repeatedly; "
+            f"the names are {', '.join(SETTABLE)} and settings.NAME of the scene's own",
+        )
+
+    def add_choice(self, option: str, values: Sequence[str], text: str, default: str = "") -> None:
+        """Take one of several values."""
+        self.add_argument(
+            option,
+            type=lambda value: one_of(option, value, values),
+            metavar="|".join(values),
+            default=default or None,
+            help=text,
+        )
+
+
+def _nearest(word: str, known: Iterable[str]) -> str:
+    def likeness(name: str) -> float:
+        return difflib.SequenceMatcher(None, word.lower(), name).ratio()
+
+    return max(known, key=likeness)
+
+
+def one_of(option: str, value: str, values: Sequence[str]) -> str:
+    """An option's value, which must be one of several."""
+    # CliError is none of the errors that argparse would put into words of its own.
+    if value not in values:
+        raise CliError(f"{option} = {value!r}: must be one of {', '.join(values)}.")
+    return value
+
+
+def parse_number(text: str) -> float:
+    """A number in the C locale; not what only Python writes, such as 1_000."""
+    if "_" in text:
+        raise ValueError(text)
+    return float(text)
+
+
+def check_file(word: str) -> None:
+    """Take a word that is no file and looks like none for the command that it was to be.
+
+    Raises
+    ------
+    CliError
+        Naming the nearest command.
+    """
+    if os.path.lexists(word) or not re.fullmatch(r"\w[\w-]*", word):
+        return
+    if word in SUMMARIES:
+        raise CliError(f"{word} is a command and must come first: python3 -m app {word} ...")
+    near = difflib.get_close_matches(word.lower(), SUMMARIES, 1)
+    known = f"nearest command is {near[0]}" if near else f"commands are {', '.join(SUMMARIES)}"
+    raise CliError(f"{word!r} is neither a file nor a command; the {known}.")
+
+
+def _size(value: str) -> tuple[int, int]:
+    match = re.fullmatch(r"([0-9]{1,9})[xX×]([0-9]{1,9})", value)
+    if match is None:
+        raise CliError(f"--size = {value!r}: must be WIDTHxHEIGHT in pixels, such as 1800x600.")
+    return int(match[1]), int(match[2])
+
+
+def _scale(value: str) -> float:
+    try:
+        return parse_number(value)
+    except ValueError:
+        raise CliError(f"--scale = {value!r}: must be a finite number.") from None
+
+
+def _sweep(value: str) -> tuple[str, str]:
+    """``near`` or ``near=1e-3:10``: the parameter, and what it says of its ends."""
+    name, equals, ends = value.partition("=")
+    one_of("--sweep", name, SWEEPS)
+    if equals and not ends:
+        raise CliError(f"--sweep {name} = '': must be LOW:HIGH, such as 0.001:10.")
+    return name, ends
+
+
+# --------------------------------------------------------------------------- the commands
+
+
+def _window() -> Parser:
+    lines = "\n".join(f"  {name:<10}{text}" for name, text in SUMMARIES.items())
+    parser = Parser(
+        "",
+        "[FILE]",
+        "a document, an exported PNG picture or a mesh (the letter F)",
+        f"commands, each with its own --help:\n{lines}",
+    )
+    parser.add_set()
+    parser.add_choice("--theme", THEMES, "colours for this once")
+    parser.add_argument(
+        "--reset", action="store_true", help="delete the settings, then open the window"
+    )
+    parser.add_argument(
+        "--screenshot", metavar="OUT", help="save a picture of the window as PNG and quit"
+    )
+    parser.add_argument("--size", type=_size, metavar="WIDTHxHEIGHT", help="size of the window")
+    parser.add_argument("--version", action="version", version=f"Frustum Lab {__version__}")
+    return parser
+
+
+def _export() -> Parser:
+    text = "the picture (.png), and a document, picture or mesh that it shows (the letter F)"
+    parser = Parser("export", "OUT [FILE]", text)
+    parser.add_argument(
+        "--panes",
+        default="world,ndc,image",
+        metavar="world,ndc,image",
+        help="which panes, side by side (all)",
+    )
+    parser.add_argument(
+        "--size",
+        type=_size,
+        metavar="WIDTHxHEIGHT",
+        help="pixels at scale 1 (640x640 for each pane, or the image's own size for it alone)",
+    )
+    parser.add_argument(
+        "--scale", type=_scale, default=1.0, metavar="FACTOR", help="the same figure, finer (1)"
+    )
+    parser.add_argument("--transparent", action="store_true", help="no background")
+    parser.add_choice("--theme", THEMES, "colours (light)", "light")
+    parser.add_set()
+    return parser
+
+
+def _project() -> Parser:
+    text = (
+        "a document, picture or mesh whose camera is used (the letter F's), and the points: "
+        "CSV with the columns x,y,z, or - for standard input"
+    )
+    parser = Parser("project", "[FILE] POINTS", text)
+    parser.add_choice("--format", PROJECT_FORMATS, "form of the output (table)", "table")
+    parser.add_choice("--rung", RUNGS, "arithmetic (float64, or exact where that is needed)")
+    parser.add_set()
+    return parser
+
+
+def _matrices() -> Parser:
+    text = "a document, picture or mesh whose camera is used (the letter F's)"
+    parser = Parser("matrices", "[FILE]", text)
+    parser.add_choice("--format", MATRIX_FORMATS, "form of the output (text)", "text")
+    parser.add_set()
+    return parser
+
+
+def _measure() -> Parser:
+    text = "a document, picture or mesh to measure (the letter F)"
+    parser = Parser("measure", "[FILE]", text)
+    parser.add_argument(
+        "--trade", action="append", metavar="|".join(TRADES),
+        type=lambda value: one_of("--trade", value, TRADES),
+        help="measure this one; may be given repeatedly (all, if neither --trade nor --sweep is)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--sweep", action="append", metavar="NAME[=LOW:HIGH]", type=_sweep,
+        help=f"the errors over a parameter's range; NAME is one of {', '.join(SWEEPS)}",
+    )  # fmt: skip
+    parser.add_argument("--scene", metavar="NAME", help="as --set scene=NAME")
+    parser.add_argument("--quick", action="store_true", help="in half a minute, less exactly")
+    parser.add_argument(
+        "--json", metavar="FILE",
+        help="write all that was measured; FILE is overwritten, - is standard output",
+    )  # fmt: skip
+    parser.add_argument(
+        "--csv", metavar="FILE", help="write the tables, one after the other, likewise"
+    )
+    parser.add_argument(
+        "--chart", metavar="FILE", help="draw it all, likewise: .png, or .pdf in vectors"
+    )
+    parser.add_argument(
+        "--attended", action="store_true",
+        help="tell the fraction done, a line each, and obey pause, resume and cancel from"
+        " standard input",
+    )  # fmt: skip
+    parser.add_set()
+    return parser
+
+
+def _doctor() -> Parser:
+    return Parser("doctor", "", argparse.SUPPRESS)
+
+
+_PARSERS: dict[str, Callable[[], Parser]] = {
+    "": _window,
+    "export": _export,
+    "project": _project,
+    "matrices": _matrices,
+    "measure": _measure,
+    "doctor": _doctor,
+}
+
+
+def parser_of(command: str) -> Parser:
+    """The options of a command, or with an empty name of the window."""
+    return _PARSERS[command]()
+
+
+def answer(arguments: Sequence[str]) -> None:
+    """Print the help or the version that is asked for, and end; or return.
+
+    Raises
+    ------
+    SystemExit, CliError
+        Having answered, or for what else is wrong on the command line.
+    """
+    end = arguments.index("--") if "--" in arguments else len(arguments)
+    if {"-h", "--help", "--version"}.isdisjoint(arguments[:end]):
+        return
+    if arguments[0] in SUMMARIES:
+        parser_of(arguments[0]).read(arguments[1:])
+    else:
+        check_file(arguments[0])
+        parser_of("").read(arguments)
+
+
+def outcome(run: Callable[[], _Status]) -> _Status | int:
+    """The exit status of what is run, after what it complains of."""
+    try:
+        return run()
+    except CliError as error:
+        return complain(str(error), error.status)
+    except SystemExit as done:  # argparse, after --help and --version
+        return int(done.code or 0)
+    except BrokenPipeError:  # “| head” has seen enough
+        return 0
+    except KeyboardInterrupt:
+        return INTERRUPTED
