@@ -821,12 +821,13 @@ def enter() -> bool:
     Returns
     -------
     bool
-        Whether this Python has all the packages of the program.
+        Whether this Python has all the packages of the program, of whatever version.
     """
     if not (ROOT / "pyproject.toml").exists():
         return True
     with _in_one_sentence():
-        return _enter(Environment(ROOT), requirements(ROOT))
+        wanted = requirements(ROOT)
+        return _enter(Environment(ROOT), wanted) or _are_importable(wanted)
 
 
 @contextlib.contextmanager

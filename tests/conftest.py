@@ -13,6 +13,9 @@ from typing import Any
 
 import pytest
 from hypothesis import settings
+from pytestqt.qtbot import QtBot
+
+from tests import PATIENCE_MS
 
 # Of the processes that share the tests out, each has a screen of its own.
 _worker = os.environ.get("PYTEST_XDIST_WORKER", "")
@@ -22,8 +25,13 @@ if _worker and _displays:
 
 # The same examples every time: what is red was changed, not drawn. `--hypothesis-seed` and
 # `--hypothesis-profile default` search further.
-settings.register_profile("same", derandomize=True)
+# No deadline: how long one takes is the machine's matter, and what else it does.
+settings.register_profile("default", deadline=None)
+settings.register_profile("same", settings.get_profile("default"), derandomize=True)
 settings.load_profile("same")
+
+for wait in ("Until", "Signal", "Signals", "Exposed", "Active", "Callback"):
+    getattr(QtBot, f"wait{wait}").__kwdefaults__["timeout"] = PATIENCE_MS
 
 
 @pytest.hookimpl(wrapper=True)

@@ -25,6 +25,7 @@ from app.document import Document, embed, read, to_json, write
 from app.projection import Projection
 from app.scene import load as load_scene
 from app.store import Store
+from tests import PATIENCE_S
 from tests.test_cli import ROOT, comma_locale, refused, refused_by_a_process, run
 from widgets import application, opengl
 from widgets.application import Settings
@@ -61,7 +62,7 @@ def driver(act: str) -> list[str]:
 def drive(act: str, *arguments: str | Path) -> subprocess.CompletedProcess[str]:
     return subprocess.run(
         [*driver(act), *map(str, arguments)],
-        cwd=ROOT, capture_output=True, text=True, check=False, timeout=120,
+        cwd=ROOT, capture_output=True, text=True, check=False, timeout=PATIENCE_S,
     )  # fmt: skip
 
 
@@ -669,7 +670,7 @@ window.close()
 """
     program = driver(act)
     program[2] = "from PySide6.QtWidgets import QApplication" + BROKEN + program[2]
-    done = subprocess.run(program, cwd=ROOT, capture_output=True, text=True, timeout=120)
+    done = subprocess.run(program, cwd=ROOT, capture_output=True, text=True, timeout=PATIENCE_S)
     told = "An error in the program: LookupError: no drawing. Your work is still there."
     assert done.stdout == f"1 {told} It or others came 2 more times.\n", done.stderr
     assert done.returncode == 1
@@ -681,7 +682,7 @@ def test_no_picture_is_taken_of_a_window_that_is_not_whole(tmp_path: Path) -> No
     picture = tmp_path / "window.png"
     command = ["--screenshot", str(picture)]
     program = [sys.executable, "-c", BROKEN + DRIVER.replace("{act}", "    pass"), *command]
-    done = subprocess.run(program, cwd=ROOT, capture_output=True, text=True, timeout=120)
+    done = subprocess.run(program, cwd=ROOT, capture_output=True, text=True, timeout=PATIENCE_S)
     assert done.returncode == 2
     assert done.stderr.endswith(f"{picture}: the window could not be shown whole.\n")
     assert not picture.exists()
@@ -700,7 +701,7 @@ def test_ctrl_c_closes_the_window_and_ends_well(own_home: Path) -> None:
             assert process.stdout.readline() == "ready\n"
             process.send_signal(signal.SIGINT)
             # Nothing else wakes the program: an idle window runs no Python.
-            assert process.wait(timeout=60) == 0
+            assert process.wait(timeout=PATIENCE_S) == 0
         finally:
             process.kill()
         assert process.stderr.read() == ""
@@ -729,7 +730,7 @@ print("ready", flush=True)
                 assert process.stdout.readline() == expected
                 assert process.poll() is None
                 process.send_signal(signal.SIGINT)
-            assert process.wait(timeout=60) == -signal.SIGINT
+            assert process.wait(timeout=PATIENCE_S) == -signal.SIGINT
         finally:
             process.kill()
 

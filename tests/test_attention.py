@@ -21,6 +21,7 @@ from app.morph import VIEW, WORLD
 from app.notation import letters_in, matrices
 from app.projection import DEPTH_RANGES, LENSES, Camera, Perspective, Projection
 from app.scene import load
+from tests import PATIENCE_MS
 from widgets.attention import Attended
 from widgets.main_window import MainWindow
 from widgets.matrix_view import MatrixView
@@ -94,7 +95,7 @@ def opened(make_window: MakeWindow) -> MainWindow:
     """A window with the mouse on nothing."""
     window = make_window()
     window.activateWindow()
-    assert QTest.qWaitForWindowActive(window)
+    assert QTest.qWaitForWindowActive(window, PATIENCE_MS)
     leave(window)
     return window
 

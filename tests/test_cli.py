@@ -38,6 +38,7 @@ from app.projection import (
     Stage,
 )
 from app.scene import load
+from tests import PATIENCE_S
 from tests.oracles import exact
 
 ROOT = Path(__file__).parent.parent
@@ -65,7 +66,7 @@ def run(
         input=text.encode() if isinstance(text, str) else text,
         capture_output=True,
         check=False,
-        timeout=120,
+        timeout=PATIENCE_S,
     )
     return subprocess.CompletedProcess(
         done.args, done.returncode, done.stdout.decode(), done.stderr.decode()
@@ -610,7 +611,8 @@ def test_help_for_a_full_disk_is_a_sentence_too(command: str) -> None:
 def test_a_closed_standard_output_is_a_sentence_at_once(command: str) -> None:
     done = subprocess.run(
         ["/bin/sh", "-c", 'exec "$@" >&-', "sh", sys.executable, "-m", "app", *command.split()],
-        cwd=ROOT, input="1,2,3\n", stderr=subprocess.PIPE, text=True, check=False, timeout=30,
+        cwd=ROOT, input="1,2,3\n", stderr=subprocess.PIPE, text=True, check=False,
+        timeout=PATIENCE_S,
     )  # fmt: skip
     assert (done.returncode, done.stderr) == (2, "Standard output is closed.\n")
 

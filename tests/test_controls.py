@@ -1379,7 +1379,7 @@ def test_a_section_that_opens_below_the_fold_comes_into_view(
         ends = [part.mapTo(viewport, QPoint()).y() for part in (heading, look)]
         return ends[0] >= 0 and ends[1] + look.height() <= viewport.height()
 
-    qtbot.waitUntil(in_view, timeout=2000)
+    qtbot.waitUntil(in_view)
 
 
 OWN_ROWS = {
@@ -1493,7 +1493,7 @@ def test_an_error_is_shown_whole_in_any_width(enlarged: Controls, qtbot: Any) ->
         enter(row, "nearer and nearer, but never quite there"[:length])
         for width in (0, 200, 0):  # beyond the least
             enlarged.resize(enlarged.minimumSizeHint().width() + width, 640)
-            qtbot.waitUntil(shown_whole, timeout=2000)
+            qtbot.waitUntil(shown_whole)
     assert {3, 4} <= lines
 
 
@@ -1513,7 +1513,7 @@ def test_a_narrow_row_is_as_high_as_its_error(display: Any, qtbot: Any) -> None:
         assert label is not None
         return label.height() >= label.heightForWidth(label.width()) > 2 * row.field.height()
 
-    qtbot.waitUntil(shown_whole, timeout=2000)
+    qtbot.waitUntil(shown_whole)
 
 
 def test_the_scroll_bar_shifts_nothing(controls: Controls) -> None:

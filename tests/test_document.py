@@ -59,6 +59,7 @@ from app.projection import (
     Projection,
     ProjectionError,
 )
+from tests import PATIENCE_S
 from tests.phenomenon import EVERYTHING
 
 DESIGN = """
@@ -202,7 +203,7 @@ def documents(draw: st.DrawFn) -> Document:
 
 @given(documents())
 @example(Document("not UTF-8 \udcff.stl"))
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=100)
 def test_the_round_trip_is_exact(document: Document) -> None:
     text = to_json(document)
     again = parse(text)
@@ -432,13 +433,13 @@ def test_any_beginning_of_a_document_is_refused() -> None:
 
 
 @given(st.text() | st.from_regex(r'[\[\]{}:,"0-9eE.+\-a-z\\ ]*', fullmatch=True))
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=200)
 def test_any_other_text_is_refused(text: str) -> None:
     sentence(lambda: parse(text))
 
 
 @given(st.data())
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=150)
 def test_any_value_anywhere_is_taken_or_refused(data: st.DataObject) -> None:
     paths = ["version", "scene", "camera", "lens", "image", "depth", "camera.eye", "camera.up"]
     paths += ["lens.kind", "lens.near", "lens.far", "lens.fov_y_deg", "image.width"]
@@ -620,7 +621,7 @@ def test_random_documents_are_valid_and_refused_for_many_reasons() -> None:
 
 
 @given(st.randoms(use_true_random=False))
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=300)
 def test_hypothesis_finds_no_document_with_a_silent_nan(rng: random.Random) -> None:
     """The same documents, drawn and shrunk by hypothesis."""
     outcome(rng)
@@ -806,7 +807,7 @@ def test_a_refused_setting_is_the_one_that_was_made(assignments: list[str], expe
 
 
 @given(st.text(), st.text())
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=100)
 def test_any_setting_is_taken_or_refused(path: str, text: str) -> None:
     sentence(lambda: set_value(Document(), f"my {path}", text))
     for known in ("lens.near", "camera.eye", "image.width", "depth"):
@@ -1122,7 +1123,7 @@ def run_script(script: str, *arguments: object) -> str:
         cwd=Path(__file__).parent.parent,
         capture_output=True,
         text=True,
-        timeout=60,
+        timeout=PATIENCE_S,
     )
     assert done.returncode == 0, done.stderr
     return done.stdout.strip()

@@ -17,7 +17,7 @@ from app.double_double import DoubleDouble
 
 mp = mpmath.mp.clone()
 mp.dps = 120
-QUICK = settings(max_examples=300, deadline=None)
+QUICK = settings(max_examples=300)
 
 #: Where products and their low parts neither overflow nor vanish.
 NUMBERS = st.one_of(

@@ -28,6 +28,7 @@ from app.drawings.style import DARK, LIGHT, rgb
 from app.figures import PANES, FigureError, png_bytes, render, write_png
 from app.projection import Camera, Perspective, ProjectionError
 from app.scene import load
+from tests import PATIENCE_S
 
 _SCRIPT = """
 import hashlib, sys
@@ -51,7 +52,7 @@ def run_script(**changes: str | None) -> subprocess.CompletedProcess[str]:
         env=environment,
         capture_output=True,
         text=True,
-        timeout=120,
+        timeout=PATIENCE_S,
         check=False,
     )
 

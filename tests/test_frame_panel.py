@@ -30,6 +30,7 @@ from app.drawings.frame import arrow_tips
 from app.free_matrix import with_cell
 from app.projection import Camera, Perspective, Projection, ProjectionError, format_value
 from app.scene import load
+from tests import PATIENCE_MS
 from widgets.frame_panel import FramePanel
 from widgets.main_window import MainWindow
 
@@ -51,7 +52,7 @@ def pixels(window: MainWindow, name: str = "world") -> np.ndarray:
 def opened(make_window: MakeWindow) -> MainWindow:
     window = make_window()
     window.activateWindow()
-    assert QTest.qWaitForWindowActive(window)
+    assert QTest.qWaitForWindowActive(window, PATIENCE_MS)
     window.panels.open(window.frame_panel)
     settle()
     return window

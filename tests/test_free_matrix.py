@@ -52,7 +52,7 @@ from app.projection import (
 )
 from app.rationals import eliminate, product, rationals
 
-QUICK = settings(max_examples=80, deadline=None)
+QUICK = settings(max_examples=80)
 PLACES = [(i, j) for i in range(4) for j in range(4)]
 CAVALIER = dict(zip(("alpha_deg", "beta_deg"), OBLIQUE_PRESETS["cavalier-30"], strict=True))
 TYPED: dict[str, StandardLens] = {

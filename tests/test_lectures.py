@@ -31,7 +31,7 @@ from app.projection import (
     fov_y_from_window,
 )
 
-QUICK = settings(max_examples=60, deadline=None)
+QUICK = settings(max_examples=60)
 
 ORIGIN = Camera((0.0, 0.0, 0.0), (0.0, 0.0, -1.0), (0.0, 1.0, 0.0))
 """World coordinates are the lectures' camera coordinates."""

@@ -470,7 +470,6 @@ def test_the_row_in_hand_keeps_its_place_when_the_lens_becomes_another(
             lambda was=in_column: (
                 row.mapTo(column.widget(), QPoint()).y() != was and place() == before
             ),
-            timeout=2000,
         )
         assert row.field.hasFocus()
 

@@ -19,6 +19,7 @@ from app.measure.arithmetic import SWEEPS
 from app.measure.meaning import SENTENCES, cheapest, meaning
 from app.measure.results import Choice, Trade, from_json, to_csv
 from app.options import CliError
+from tests import PATIENCE_S
 from tests.test_cli import ROOT, refused, run
 
 
@@ -62,7 +63,7 @@ def test_a_reader_who_leaves_early_does_not_cost_the_files(tmp_path: Path) -> No
     with subprocess.Popen(command, cwd=ROOT, stdout=subprocess.PIPE) as process:
         assert process.stdout is not None
         process.stdout.close()
-        assert process.wait(60) == 0
+        assert process.wait(PATIENCE_S) == 0
     assert from_json(out.read_text()).complete
 
 
@@ -153,7 +154,7 @@ def test_whoever_attends_is_told_and_obeyed() -> None:
     process.stdin.write("pause\nresume\n")
     process.stdin.flush()
     assert fraction_told(process) > first
-    out, _ = process.communicate("cancel\n", timeout=60)
+    out, _ = process.communicate("cancel\n", timeout=PATIENCE_S)
     assert process.returncode == 130
     results = from_json(out)
     assert not results.complete
@@ -162,7 +163,7 @@ def test_whoever_attends_is_told_and_obeyed() -> None:
 
 def test_it_ends_with_whoever_attends() -> None:
     process = attended("--trade=arithmetic")
-    out, _ = process.communicate("", timeout=60)
+    out, _ = process.communicate("", timeout=PATIENCE_S)
     assert process.returncode == 130 and not json.loads(out)["complete"]
 
 
@@ -179,7 +180,7 @@ def test_control_c_keeps_what_was_measured(tmp_path: Path) -> None:
     process.stderr.readline()
     process.send_signal(signal.SIGINT)
     # Standard input stays open: it is the signal that ends it.
-    assert process.wait(60) == 130
+    assert process.wait(PATIENCE_S) == 130
     assert not from_json((tmp_path / "a.json").read_text()).complete
     process.communicate()
 

@@ -35,7 +35,6 @@ from widgets.measure_panel import MeasurePanel
 from widgets.measuring import Measuring
 from widgets.pane import SMOOTHINGS
 
-SOON = 60_000  # ms; a process that imports VTK on a busy machine
 IN_USE = {"depth_format": "fixed24", "depth_mapping": "reversed", "rung": "good"}
 
 
@@ -57,7 +56,7 @@ def panel(qtbot: QtBot, document: Document) -> Iterator[MeasurePanel]:
 
 def measured(qtbot: QtBot, panel: MeasurePanel, *names: str) -> None:
     panel.choose(*names)
-    with qtbot.waitSignal(panel.measuring.finished, timeout=SOON):
+    with qtbot.waitSignal(panel.measuring.finished):
         qtbot.mouseClick(panel.run_button, Qt.MouseButton.LeftButton)
 
 
@@ -149,7 +148,7 @@ def test_its_file_is_gone_afterwards(panel: MeasurePanel, qtbot: QtBot) -> None:
     file = panel.measuring._file
     assert os.path.exists(file) and panel.cancel_button.isEnabled()
     assert not panel.run_button.isEnabled()
-    with qtbot.waitSignal(panel.measuring.finished, timeout=SOON):
+    with qtbot.waitSignal(panel.measuring.finished):
         pass
     assert not os.path.exists(file)
     assert panel.run_button.isEnabled() and not panel.cancel_button.isEnabled()
@@ -159,9 +158,9 @@ def test_cancelled_it_keeps_what_it_has_and_says_so(panel: MeasurePanel, qtbot: 
     panel.how.setCurrentIndex(1)  # full: it would take half a minute
     panel.choose("arithmetic", "depth")
     panel.run()
-    with qtbot.waitSignal(panel.measuring.progressed, timeout=SOON):
+    with qtbot.waitSignal(panel.measuring.progressed):
         pass
-    with qtbot.waitSignal(panel.measuring.finished, timeout=SOON):
+    with qtbot.waitSignal(panel.measuring.finished):
         qtbot.mouseClick(panel.cancel_button, Qt.MouseButton.LeftButton)
     panel.choose("arithmetic")
     assert not panel.measured["arithmetic"].complete
@@ -187,7 +186,7 @@ def test_it_waits_while_a_control_is_dragged(panel: MeasurePanel, qtbot: QtBot) 
     panel.begin_gesture()
     panel.end_gesture()
     assert panel.progress.format() == "waits"
-    with qtbot.waitSignal(panel.measuring.finished, timeout=SOON):
+    with qtbot.waitSignal(panel.measuring.finished):
         panel.end_gesture()
     assert panel.progress.format() != "waits"
     assert panel.measured["depth"].complete
@@ -243,14 +242,14 @@ def test_a_process_that_cannot_start_or_dies_is_a_sentence(
     refused = QSignalSpy(panel.refused)
     monkeypatch.setattr(measuring.sys, "executable", "/nowhere/python")
     panel.choose("depth")
-    with qtbot.waitSignal(panel.measuring.finished, timeout=SOON):
+    with qtbot.waitSignal(panel.measuring.finished):
         panel.run()
     assert "cannot be started" in refused.at(0)[0] and not panel.measuring.running
     monkeypatch.undo()
     panel.run()
     process = panel.measuring._process
     assert process is not None
-    with qtbot.waitSignal(panel.measuring.finished, timeout=SOON):
+    with qtbot.waitSignal(panel.measuring.finished):
         process.kill()
     assert refused.at(1)[0] == "The measurement ended unexpectedly."
     assert panel.run_button.isEnabled()
@@ -262,7 +261,7 @@ def test_a_killed_measurement_leaves_no_process_and_no_file(
     finished = QSignalSpy(panel.measuring.finished)
     panel.how.setCurrentIndex(1)
     panel.run()
-    with qtbot.waitSignal(panel.measuring.progressed, timeout=SOON):
+    with qtbot.waitSignal(panel.measuring.progressed):
         pass
     process = panel.measuring._process
     assert process is not None
@@ -688,7 +687,7 @@ def run_until_it_goes(panel: MeasurePanel, qtbot: QtBot) -> int:
     """Start a full measurement; the number of its process, once that has told of progress."""
     panel.how.setCurrentIndex(1)
     panel.run()
-    with qtbot.waitSignal(panel.measuring.progressed, timeout=SOON):
+    with qtbot.waitSignal(panel.measuring.progressed):
         pass
     process = panel.measuring._process
     assert process is not None
@@ -755,7 +754,7 @@ def test_the_cost_of_a_step_is_shown_for_every_pane_that_is_seen(
 def test_measuring_one_thing_after_the_other(qtbot: QtBot, document: Document) -> None:
     runner = Measuring()
     for _ in range(2):
-        with qtbot.waitSignal(runner.finished, timeout=SOON) as told:
+        with qtbot.waitSignal(runner.finished) as told:
             runner.start(document, ["depth"], [], quick=True)
         results, said = told.args
         assert results.complete and said == ""

@@ -77,7 +77,7 @@ from tests.oracles import exact
 from widgets import messages
 
 EPS = float(np.finfo(np.float64).eps)
-QUICK = settings(max_examples=60, deadline=None)
+QUICK = settings(max_examples=60)
 
 SLANTED = Camera((6.0, 5.0, 9.0), (0.0, 2.2, 0.0), (0.3, 1.0, -0.2))
 WINDOWED: dict[str, Lens] = {

@@ -1147,7 +1147,7 @@ def corners(lower: tuple[float, ...], upper: tuple[float, ...]) -> np.ndarray:
     return np.array(list(product(*zip(lower, upper, strict=True))))
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=300)
 @given(box_strategy(), st.sampled_from([None, (0.0, 1.0, 0.0), (0.0, -3.0, 0.0), (-1.0, 0.2, 0.0)]))
 def test_framing_shows_every_box_whole_with_room_around_it(
     box: tuple[tuple[float, ...], tuple[float, ...]], direction: tuple[float, float, float] | None

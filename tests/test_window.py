@@ -51,6 +51,7 @@ from app.phenomena import PHENOMENA
 from app.projection import Camera, Orbit, Orthographic, Perspective, Projection
 from app.scene import load
 from app.shapes import GRID_RGB
+from tests import PATIENCE_MS, PATIENCE_S
 from tests.phenomenon import EVERYTHING
 from widgets.application import Settings
 from widgets.autosave import Autosave
@@ -1870,7 +1871,7 @@ def test_esc_puts_back_what_a_slider_has_dragged(
 
 
 _EDGES = """
-import os
+import os, sys
 from PySide6.QtCore import QPoint
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
@@ -1885,7 +1886,7 @@ document = Document("letter-f", load("letter-f").start)
 window = MainWindow(document, settings=Settings(None), software_rendering=True)
 window.resize(1000, 600)
 window.show()
-assert QTest.qWaitForWindowExposed(window)
+assert QTest.qWaitForWindowExposed(window, int(sys.argv[1]))
 for change in (None, lambda: window._pane_row.setSizes([301, 302, 303]),
                lambda: window.messages.say("Something."), lambda: window.toggle_float("ndc"),
                lambda: window.toggle_float("ndc")):
@@ -1904,8 +1905,9 @@ os._exit(0)
 
 def test_a_canvas_ends_on_whole_pixels_at_a_broken_scale(display: Any) -> None:
     done = subprocess.run(
-        [sys.executable, "-c", _EDGES], cwd=ROOT, env={**os.environ, "QT_SCALE_FACTOR": "1.75"},
-        capture_output=True, text=True, timeout=120, check=False,
+        [sys.executable, "-c", _EDGES, str(PATIENCE_MS)], cwd=ROOT,
+        env={**os.environ, "QT_SCALE_FACTOR": "1.75"},
+        capture_output=True, text=True, timeout=PATIENCE_S, check=False,
     )  # fmt: skip
     *edges, last = done.stdout.splitlines() or [""]
     assert last == "done" and len(edges) == 15, done
