@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, Qt
 from PySide6.QtGui import QContextMenuEvent, QGuiApplication, QImage, QMouseEvent, QPainter
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 from pytestqt.qtbot import QtBot
 
@@ -855,3 +856,31 @@ def test_no_formula_is_cut(panel: MatrixPanel, letters: Letters) -> None:
             for i, row in enumerate(view.texts):
                 for j, text in enumerate(row):
                     assert _width(text, fonts) < view._cell_rect(i, j).width()
+
+
+def test_a_cell_that_is_held_while_its_matrix_goes_says_nothing_more(
+    make_window: Callable[..., Any], qtbot: QtBot
+) -> None:
+    """As with the other hand on the keyboard; what it said reached a widget that was deleted."""
+    window = make_window()
+    start, panel = window.store.document.projection, window.matrices
+    window.panels.open(panel)
+    qtbot.waitUntil(panel.isVisible)
+    view = panel.views["view_from_world"]
+    cell = view.mapTo(window, view._cell_rect(1, 1).center().toPoint())
+    QTest.mousePress(window.windowHandle(), Qt.MouseButton.LeftButton, Qt.KeyboardModifier(0), cell)
+    assert panel._speaker is view
+    orthographic = start.with_lens("orthographic")
+    window.store.set_projection(orthographic)
+    qtbot.waitUntil(lambda: not panel._readable.pending)
+    assert panel.views["view_from_world"] is not view
+    for step in range(3):  # the hand is not quite still, and has the old cell's mouse
+        QTest.mouseMove(window.windowHandle(), cell + QPoint(step, 1))
+    assert panel._speaker in (None, *panel.views.values())
+    for lens in ("frustum", "orthographic"):
+        QApplication.processEvents()
+        QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+        window.store.set_projection(orthographic.with_lens(lens))
+        qtbot.waitUntil(lambda: not panel._readable.pending)
+        assert panel._projection.lens.kind == lens  # no error on the way
+    QTest.mouseRelease(window.windowHandle(), Qt.MouseButton.LeftButton, pos=cell)

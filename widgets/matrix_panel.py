@@ -496,6 +496,8 @@ class MatrixPanel(QWidget):
                 view.abandon()  # or it would be taken for entered, when the field is hidden
             self._row.removeWidget(box)
             box.hide()
+            for view in box.views:
+                view.blockSignals(True)  # a mouse button held on it still tells it of moves
             box.deleteLater()
         if self._speaker is not None:  # perhaps only now, when the keyboard left what was hidden
             self._speaker = None
