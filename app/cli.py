@@ -15,6 +15,7 @@ import os
 import re
 import sys
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import fields
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -56,6 +57,7 @@ from app.projection import (
     PLANES,
     WHOLE_PIXELS,
     Array,
+    FreeMatrix,
     Projection,
     ProjectionError,
     Stage,
@@ -202,8 +204,28 @@ def _project(arguments: Sequence[str]) -> int:
         number = int(beyond.argmax()) + 1
         raise CliError(f"--rung = {rung!r}: point {number} leads to numbers that it cannot hold.")
     answer = _Answer(projection, traced, rung, predictions)
+    if found.format == "table":
+        write_out([f"{_lens_line(projection)}\n\n"])
     write_out(_PROJECT_FORMATS[found.format](answer))
     return 0
+
+
+def _lens_line(projection: Projection) -> str:
+    """The lens as it is used, in the names that ``--set`` has for it."""
+    lens = projection.lens
+    parts = [f"lens {lens.kind}"]
+    if not isinstance(lens, FreeMatrix):
+        values = {field.name: getattr(lens, field.name) for field in fields(lens)}
+        keep, near, far = (values.pop(name, None) for name in ("keep", "near", "far"))
+        parts += [f"{name} {format_value(value)}" for name, value in values.items()]
+        if keep is not None:
+            typed, used = tuple(values.values())[:4], projection.window
+            parts.append(f"keep {keep}")
+            if used != typed:
+                parts[-1] += f" (uses {', '.join(map(format_value, used))})"
+        parts += [f"near {format_value(near)}", f"far {format_value(far)}"]
+    width, height = projection.image_size
+    return ", ".join([*parts, f"image {width}x{height}", f"depth {projection.depth}"])
 
 
 class _Answer(NamedTuple):
@@ -450,7 +472,7 @@ def _factors(stage: Stage) -> tuple[tuple[str, Array], ...]:
 
 
 def _matrices_text(projection: Projection) -> str:
-    blocks = []
+    blocks = [f"{_lens_line(projection)}\n"]
     for stage in _all_stages(projection):
         product = f" = {' '.join(name for name, _ in stage.factors)}" if stage.factors else ""
         notes = [stage.note] if stage.note else []

@@ -711,8 +711,10 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
         ``settings.distance=2``; a matrix as its 16 cells, row after row. Only the outcome of
         all of them has to be valid, so that their order does not matter; of two for the same
         path the last holds. Another scene comes first and has its default settings; then
-        ``lens.kind``, which keeps the picture alike; then settings, which the camera and the lens
-        may follow, but not to another kind than the one that was asked for.
+        ``lens.kind``, which keeps the picture alike, or with numbers of its window has these as
+        they are typed: ``lens.keep`` is ``stretch`` then, unless it is set too; then settings,
+        which the camera and the lens may follow, but not to another kind than the one that was
+        asked for.
 
     Raises
     ------
@@ -731,6 +733,8 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
     if scene != document.scene:
         document = replace(document, scene=scene, settings={}, mesh="")
     kind = texts.pop("lens.kind", "")
+    if kind and any(f"lens.{side}" in texts for side in ("left", "right", "bottom", "top")):
+        texts.setdefault("lens.keep", "stretch")
     document = _with_lens(document, kind)
     known = _known(document.scene, document.projection.lens.kind)
     paths = [path for path in known[""] if path not in (*known, "format", "version", "views")]

@@ -35,7 +35,7 @@ from app.drawings.world import WorldDrawing
 from app.meshes import Refusal
 from app.phenomena.exhibit import Exhibit
 from app.precision import DRAWING_TOLERANCE_PX
-from app.projection import LARGEST_IMAGE_PX, Camera, Projection
+from app.projection import LARGEST_IMAGE_PX, Camera, Projection, format_value
 from app.quality import AUTOMATIC, Quality
 from app.scene import Scene
 
@@ -229,10 +229,11 @@ def checked_size(
     asked = dict(zip(("width", "height"), size, strict=True))
     for name, side in asked.items():
         smallest = 1 if lone_image else SMALLEST_PANE_PX * (len(panes) if name == "width" else 1)
-        if not smallest <= side * scale <= LARGEST_PX:  # again, also NaN
+        # Again, also NaN; and a whole number of 400 digits cannot be multiplied with the scale.
+        if not (side <= sys.float_info.max and smallest <= side * scale <= LARGEST_PX):
             plain, scaled = _SIDES[name]
             template = plain if scale == 1.0 else scaled
-            raise FigureError(template, f"{side:g}", smallest, LARGEST_PX, f"{scale:g}")
+            raise FigureError(template, format_value(side), smallest, LARGEST_PX, f"{scale:g}")
     return round(asked["width"] * scale), round(asked["height"] * scale)
 
 

@@ -1033,6 +1033,53 @@ def test_each_command_has_help(command: str) -> None:
     assert done.stdout.startswith(f"usage: python3 -m app {command} [options]")
 
 
+WINDOW = ("lens.kind=frustum", "lens.left=-1", "lens.right=3", "lens.bottom=-2", "lens.top=2")
+
+
+@pytest.mark.parametrize("turn", range(len(WINDOW)))
+def test_a_window_typed_with_its_lens_is_used_as_typed(turn: int) -> None:
+    """Lecture 000 (13) by hand: 2 near / (right - left) = 4/4 in the corner, in any order."""
+    typed = [*WINDOW[turn:], *WINDOW[:turn], "lens.near=2", "lens.far=10"]
+    options = [word for path in typed for word in ("--set", path)]
+    said = json.loads(run_here("matrices", "--format", "json", *options).stdout)
+    assert said["clip_from_view"] == [[1, 0, 0.5, 0], [0, 1, 0, 0], [0, 0, -1.5, -5], [0, 0, -1, 0]]
+    kept = run_here("matrices", "--format", "json", *options, "--set", "lens.keep=y")
+    assert json.loads(kept.stdout)["clip_from_view"][0][0] == 0.5625  # 4 x 9/16 high, so wider
+
+
+def test_a_switch_of_the_lens_alone_keeps_the_picture() -> None:
+    document = set_values(Document(), ["lens.kind=frustum"])
+    assert isinstance(document.projection.lens, Frustum)
+    assert document.projection.lens.keep == "y"
+
+
+@pytest.mark.parametrize(
+    ("typed", "line"),
+    [
+        ("", "lens perspective, fov_y_deg 45, near 1, far 30"),
+        ("lens.far=inf", "lens perspective, fov_y_deg 45, near 1, far inf"),
+        (
+            " ".join(WINDOW),
+            "lens frustum, left -1, right 3, bottom -2, top 2, keep stretch, near 1, far 30",
+        ),
+        (
+            " ".join([*WINDOW, "lens.keep=x"]),
+            "lens frustum, left -1, right 3, bottom -2, top 2, keep x (uses -1, 3, -1.125, 1.125),"
+            " near 1, far 30",
+        ),
+        ("lens.kind=matrix", "lens matrix"),
+    ],
+)
+def test_the_lens_comes_first_as_it_is_used(typed: str, line: str) -> None:
+    options = [word for path in typed.split() for word in ("--set", path)]
+    line += ", image 1280x720, depth opengl"
+    assert run_here("matrices", *options).stdout.splitlines()[:2] == [line, ""]
+    said = run_here("project", "-", *options, text="1,2,3\n").stdout
+    assert said.splitlines()[:2] == [line, ""]
+    for form in ("csv", "json"):
+        assert "lens" not in run_here("project", "-", "--format", form, text="1,2,3\n").stdout
+
+
 def test_the_names_in_the_help_are_those_that_there_are() -> None:
     """They are written twice, because help is given where nothing is installed yet."""
     from app import document, measure

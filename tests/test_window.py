@@ -782,6 +782,9 @@ def test_the_export_dialog_refuses_what_cannot_be_drawn(
         dialog._width.setText(text)
         assert not save.isEnabled(), text
         assert "must be whole numbers" in dialog._problem.text()
+    dialog._width.setText("9" * 400)
+    assert not save.isEnabled()
+    assert "must lie between 1 and 16384" in dialog._problem.text()
     dialog._width.setText(" 640 ")
     assert save.isEnabled() and dialog.choice().size == (640, 360)
     dialog._width.setText("16384")

@@ -621,10 +621,10 @@ def stage_title(name: str) -> str:
     return " ← ".join(spaces)
 
 
-def number_text(value: float) -> str:
+def number_text(value: object) -> str:
     """A number with every digit it has, as a person would type it: ``0.1``, ``30``, ``∞``."""
-    if math.isinf(value):
-        return "∞" if value > 0 else "-∞"
+    if value in (math.inf, -math.inf):  # a whole number may be too large to be asked isinf
+        return "∞" if value == math.inf else "-∞"
     return format_value(value)
 
 
@@ -632,7 +632,7 @@ def _value_text(value: object) -> str:
     if isinstance(value, str):
         return f"“{value if len(value) <= 40 else value[:37] + '...'}”"
     if isinstance(value, numbers.Real) and not isinstance(value, bool):
-        return number_text(float(value))
+        return number_text(value)
     return format_value(value)
 
 
