@@ -5,6 +5,7 @@ from __future__ import annotations
 import gc
 import itertools
 import os
+import subprocess
 import sys
 import weakref
 from collections.abc import Callable, Generator, Iterator
@@ -35,9 +36,19 @@ for wait in ("Until", "Signal", "Signals", "Exposed", "Active", "Callback"):
 
 
 @pytest.hookimpl(wrapper=True)
-def pytest_runtest_makereport() -> Generator[None, pytest.TestReport, pytest.TestReport]:
-    """What was logged while testing is sent between processes, as UTF-8: also what is none."""
+def pytest_runtest_makereport(
+    call: pytest.CallInfo[None],
+) -> Generator[None, pytest.TestReport, pytest.TestReport]:
+    """Show what a process said that failed, such as the linker's message.
+
+    What was logged while testing is sent between processes, as UTF-8: also what is none.
+    """
     report = yield
+    error = call.excinfo.value if call.excinfo is not None else None
+    if isinstance(error, subprocess.CalledProcessError) and error.stderr:
+        said = error.stderr
+        text = said.decode(errors="replace") if isinstance(said, bytes) else said
+        report.sections.append(("Said by the process that failed", text))
     report.sections = [
         (name, text.encode(errors="backslashreplace").decode()) for name, text in report.sections
     ]

@@ -48,7 +48,14 @@ from app.drawings.image import ImageDrawing
 from app.drawings.style import LIGHT, rgb
 from app.figures import png_bytes, render
 from app.phenomena import PHENOMENA
-from app.projection import Camera, Orbit, Orthographic, Perspective, Projection
+from app.projection import (
+    Camera,
+    Orbit,
+    Orthographic,
+    Perspective,
+    Projection,
+    ProjectionError,
+)
 from app.scene import load
 from app.shapes import GRID_RGB
 from tests import PATIENCE_MS, PATIENCE_S
@@ -57,6 +64,7 @@ from widgets.application import Settings
 from widgets.autosave import Autosave
 from widgets.export_dialog import ExportChoice, ExportDialog
 from widgets.main_window import MainWindow
+from widgets.messages import number_text, sentence
 
 ROOT = Path(__file__).parent.parent
 
@@ -784,7 +792,7 @@ def test_the_export_dialog_refuses_what_cannot_be_drawn(
         assert "must be whole numbers" in dialog._problem.text()
     dialog._width.setText("9" * 400)
     assert not save.isEnabled()
-    assert "must lie between 1 and 16384" in dialog._problem.text()
+    assert "width = 1e400: must be a whole number of pixels" in dialog._problem.text()
     dialog._width.setText(" 640 ")
     assert save.isEnabled() and dialog.choice().size == (640, 360)
     dialog._width.setText("16384")
@@ -796,6 +804,15 @@ def test_the_export_dialog_refuses_what_cannot_be_drawn(
     QTest.keyClicks(dialog._width, "777")
     dialog._boxes["world"].setChecked(True)
     assert dialog.choice().size == (777, 360)  # what was typed stays
+
+
+def test_a_number_of_400_digits_is_refused_in_a_sentence() -> None:
+    """As a document may hold it; float64 has no such number, and infinity is another."""
+    with pytest.raises(ProjectionError) as refused:
+        Perspective(45.0, 10**399, math.inf)
+    assert "1e399" in sentence(refused.value)
+    assert number_text(-(10**399)) == "-1e399"
+    assert number_text(-math.inf) == "-∞"
 
 
 def answer(button: QMessageBox.StandardButton) -> None:
