@@ -421,8 +421,11 @@ def _project_table(answer: _Answer) -> Iterator[str]:
         beyond = ", ".join(point["outside_of"])
         yield f"{'outside of' if beyond else 'inside':>10}  {beyond or 'the view volume'}\n"
     if answer.predictions is not None:
-        errors = [f"{rung} {error.px:.1e} px" for rung, error in answer.predictions.items()]
-        yield f"\ncomputed in {answer.rung}; largest errors: {', '.join(errors)}\n"
+        errors = [
+            f"{rung} {error.px:.1e} px" if math.isfinite(error.px) else f"{rung} has no bound"
+            for rung, error in answer.predictions.items()
+        ]
+        yield f"\ncomputed in {answer.rung}; errors are below: {', '.join(errors)}\n"
 
 
 _PROJECT_FORMATS: dict[str, Callable[[_Answer], Iterator[str]]] = {

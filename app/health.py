@@ -71,6 +71,7 @@ def risks(
     lower: Vector,
     upper: Vector,
     drawn: Rung,
+    drawing_px: float,
     predictions: Mapping[Rung, Prediction] | None,
 ) -> list[Risk]:
     """Name what the numbers in hand put at risk, the worst first.
@@ -82,6 +83,8 @@ def risks(
         World bounds of the scene's objects.
     drawn : {"float32", "float64"}
         The rung that the panes are drawn with.
+    drawing_px : float
+        What float32 can lose in the picture, as `precision.drawing_bound_px` gives it.
     predictions : dict from rung to Prediction, or None
         As `precision.predict` gives them for the scene's vertices.
     """
@@ -96,13 +99,11 @@ def risks(
         gap = float(buffer.gap(distance))
         if gap > _GAP * size:
             found.append(Risk(WIDE_GAP, (f"{gap:.2g}",)) if gap < math.inf else Risk(NO_GAP))
-    if predictions is not None:
-        if drawn != "float32" and predictions["float32"].px >= _SEEN_PX:
-            lost = predictions["float32"].px
-            rough = Risk(ROUGH_DRAWING, (f"{lost:.2g}",))
-            found.append(rough if lost < math.inf else Risk(NO_FLOAT32))
-        if rung_for_reading(predictions) == "exact":
-            found.append(Risk(FEW_DIGITS, tuple(map(_decimals, predictions["float64"]))))
+    if drawn != "float32" and drawing_px >= _SEEN_PX:
+        rough = Risk(ROUGH_DRAWING, (f"{drawing_px:.2g}",))
+        found.append(rough if drawing_px < math.inf else Risk(NO_FLOAT32))
+    if predictions is not None and rung_for_reading(predictions) == "exact":
+        found.append(Risk(FEW_DIGITS, tuple(map(_decimals, predictions["float64"]))))
     if isinstance(lens, Perspective):
         if lens.fov_y_deg > _LARGEST_VTK_FOV_DEG:
             found.append(Risk(VTK_CLAMPS, (f"{_LARGEST_VTK_FOV_DEG:g}",)))

@@ -7,10 +7,10 @@ exact       double-double with a running error bound, rounded once; where the bo
             tell how to round, rationals. Within 0.5001 ulp of the true value, every number
 ==========  =================================================================================
 
-A rung's error depends on how the camera, the lens and the very points cancel: textbook bounds of
-it (Higham, Accuracy and Stability of Numerical Algorithms, 3.1) are up to a hundred times too
-large. So the two cheap rungs are run on the points at risk and compared with the exact one, whose
-own error is known to some digits; that is never too small and hardly too large.
+A rung's error is bounded before anything is computed, from the roundings of its operations (Higham,
+Accuracy and Stability of Numerical Algorithms, 3.1) and the sizes of what they round: for every
+point by itself, in half of the time of projecting it. The bound is some ten times the largest
+error that is found, and infinite where a rounding can bring w to 0.
 """
 
 from __future__ import annotations
@@ -32,6 +32,7 @@ from app.projection import (
     Array,
     ExactLens,
     FreeMatrix,
+    Oblique,
     Projection,
     ProjectionError,
     Trace,
@@ -51,14 +52,11 @@ READING_TOLERANCE_PX = 1e-9
 """Error of float64 from which numbers are read from the exact rung."""
 READING_TOLERANCE_DEPTH = 1e-12
 
-LOOKED_AT = 4096
-"""As many points are compared with the exact rung; more than that are sampled."""
-
-_UNIT_32 = 2.0**-24
+_UNIT_32, _UNIT_64 = 2.0**-24, 2.0**-53
 _LARGEST_32, _LEAST_32 = 2.0**127, 2.0**-126  # the largest with room for a sum
 _CHUNK = 8192
 _CERTAIN = 2.0**-16  # of an ulp: a bound below it leaves no doubt worth a rational
-_ROUNDED_UP = 1.0 + 2.0**-50  # for the roundings of the prediction itself
+_ROUNDED_UP = 1.0 + 2.0**-10  # for products of roundings, and for those of the bounds themselves
 _UNDERFLOW = 1e-300  # what products near the smallest float64 may lose, and some
 
 
@@ -118,19 +116,20 @@ class Reference(NamedTuple):
         return errors
 
 
-# --------------------------------------------------------------------------- choice
+# --------------------------------------------------------------------------- bounds
 
 
 def predict(
     projection: Projection, points_world: ArrayLike, origin: Vector = (0.0, 0.0, 0.0)
 ) -> dict[Rung, Prediction] | None:
-    """Predict every rung's largest error over points.
+    """Bound every rung's largest error over points, from the roundings of its operations.
 
     Parameters
     ----------
     projection : Projection
     points_world : (n, 3) array_like
-        World coordinates; only those in front of the eye plane count, the others have no picture.
+        World coordinates. Those that `Projection.trace` finds in front of the eye plane count,
+        inside of the view volume or not; the others have no picture.
     origin : Vector
         World point from which the GPU's vertices are measured (a scene's origin).
 
@@ -140,36 +139,208 @@ def predict(
 
     Notes
     -----
-    Of more than `LOOKED_AT` points, those nearest to the eye plane, where errors grow, and evenly
-    chosen others are looked at, and twice their largest error is predicted.
+    Every point is bounded by itself: 0.15 microseconds each where there are many.
     """
     world = checked_points(points_world).reshape(-1, 3)
-    world = world[projection.trace(world).in_front]
-    if not len(world):
+    bounds = _Bounds(projection, origin)
+    with np.errstate(all="ignore"):
+        blocks = (world[start : start + _CHUNK] for start in range(0, len(world), _CHUNK))
+        found = [errors for errors in map(bounds.of, blocks) if errors is not None]
+    if not found:
         return None
-    safety = 1.0
-    if len(world) > LOOKED_AT:
-        half = LOOKED_AT // 2
-        nearest = np.argpartition(
-            (world - projection.camera.eye) @ -projection.camera.frame[2], half
-        )
-        even = np.linspace(0, len(world) - 1, half).astype(int)
-        world, safety = world[np.concatenate([nearest[:half], even])], 2.0
-    reference = Reference.of(projection, world)
-    predictions: dict[Rung, Prediction] = {}
-    for rung in RUNGS:
-        if rung == "exact":
-            done = reference.numbers
+    largest = np.max(found, axis=0)
+    largest[np.isnan(largest)] = math.inf
+    return {
+        rung: Prediction(max(x_px, y_px), depth)
+        for rung, (x_px, y_px, depth) in zip(RUNGS, largest.tolist(), strict=True)
+    }
+
+
+class _Bounds:
+    """What bounds every rung's errors at any points under a projection.
+
+    What is divided are the *numerators*: x and y of clip space, the depth times w, and w.
+    """
+
+    def __init__(self, projection: Projection, origin: Vector) -> None:
+        self._projection = projection
+        self._origin = np.reshape(origin, (3, 1))
+        self._eye = np.reshape(projection.camera.eye, (3, 1))
+        clip_from_local = projection.clip_from_world_at(origin)
+        self._single = _single_sizes(projection, origin, clip_from_local)
+        lens = projection.lens
+        if isinstance(lens, FreeMatrix):
+            self._axes = np.eye(3)
+            self._rows = _with_depth(projection, projection.clip_from_eye)
+            sizes = _with_depth(projection, np.abs(projection.clip_from_eye))
+            roundings = np.full((4, 1), 6.0)  # offset, cell, product and three sums
+            view_error = 0.0
         else:
-            traced = trace(projection, world, rung, origin)
-            done = np.column_stack([traced.image, traced.depth])
-        errors = reference.errors(done)
-        px, depth = (
-            math.inf if np.isnan(values).any() else safety * _ROUNDED_UP * float(values.max())
-            for values in (errors[:, :2], errors[:, 2])
-        )
-        predictions[rung] = Prediction(px, depth)
-    return predictions
+            self._axes = projection.camera.frame
+            self._rows = projection.clip_from_view.copy()
+            self._rows[2] = _depth_row(projection)
+            sizes = _cell_sizes(projection)
+            sizes[2] = 0.0  # a difference of distances, which are rounded once: by its own size
+            # View 1, cotangent 4, aspect and its quotient, x/w, product; w 1. Of a parallel lens:
+            # view and near - w, cotangent 4, product, sum, and middle, extent, quotient; w is 1.
+            roundings = np.full((4, 1), 12.0 if lens.parallel else 8.0)
+            roundings[3] = 0.0 if lens.parallel else 1.0
+            view_error = projection.view_error
+        cells = np.maximum(sizes, np.abs(self._rows))
+        by_distance = np.column_stack([cells[:, :3].sum(axis=1), cells[:, 3]])
+        # What float64 loses of each numerator, what the product in `of` does, and the least w that
+        # this leaves sure; from the view, the depth's numerator, the distance from the eye and 1.
+        self._weights = np.zeros((8, 6))
+        self._weights[:4, [0, 1, 2, 5]] = _UNIT_64 * roundings * sizes
+        self._weights[2, 3] = _UNIT_64 * roundings[2, 0]
+        self._weights[:4, 4] = view_error * by_distance[:, 0]
+        self._weights[:4, 5] += _UNDERFLOW
+        self._weights[4:7, 4:] = 2.0**-48 * by_distance[:3]
+        self._weights[7, 4:] = 2.0**-38 * by_distance[3]
+
+    def of(self, world: Array) -> Array | None:
+        """The largest errors of x and y in pixels and of the depth by each of `RUNGS`, (3, 3).
+
+        None if no point has a picture.
+        """
+        columns = np.ascontiguousarray(world.T)
+        offset = columns - self._eye
+        view = self._axes @ offset
+        clip = self._rows[:, :3] @ view + self._rows[:, 3:]
+        w = clip[3].copy()
+        sizes = np.empty((6, len(world)))
+        np.abs(view, out=sizes[:3])
+        np.abs(clip, out=clip)
+        sizes[3] = clip[2]
+        np.abs(offset, out=offset).sum(axis=0, out=sizes[4])
+        sizes[4] += 1e30 * _UNDERFLOW  # below, 2^-100 of it underflows
+        sizes[5] = 1.0
+        weighed = self._weights @ sizes
+        numerators = np.add(clip[:3], weighed[4:7], out=clip[:3])
+        certain = clip[3] > np.maximum(weighed[7], 1e-290 * numerators.max())
+        seen = certain & (w > 0.0)
+        if not certain.all():
+            traced = self._projection.trace(world[~certain])
+            w[~certain], seen[~certain] = traced.clip[:, 3], traced.in_front
+        if not seen.any():
+            return None
+        local = np.abs(columns - self._origin)
+        if not seen.all():
+            numerators, w, weighed, local = (
+                part[..., seen] for part in (numerators, w, weighed, local)
+            )
+        w *= 1.0 - 2.0**-10  # the product's error
+        quotients = numerators * (1.0 / w)
+        largest = quotients.max(axis=1)
+        lost = _lost_single(self._single, local)
+        single = _divided(self._projection, quotients, w, lost, _UNIT_32) + _LEAST_32
+        if not largest.max() < 2.0**110:  # beyond what float32 holds once it is in pixels
+            single = np.full(3, math.inf)
+        double = _divided(self._projection, quotients, w, weighed[:4], _UNIT_64)
+        width, height = self._projection.image_size
+        rounded = (largest + np.array([1.0, 1.0, 0.0])) * [width / 2.0, height / 2.0, 1.0]
+        exact = np.where(np.isfinite(double), 0.5001 * np.spacing(rounded), math.inf)
+        return np.stack([single, double, exact])
+
+
+def _depth_row(projection: Projection) -> tuple[float, float, float, float]:
+    """The depth times w from view coordinates, as `Projection.trace` has it."""
+    lens = projection.standard_lens
+    near, far, reverse = lens.near, lens.far, projection.depth == "reversed"
+    if far == math.inf:
+        return (0.0, 0.0, 0.0, near) if reverse else (0.0, 0.0, -1.0, -near)
+    per_unit = (1.0 if lens.parallel else near if reverse else -far) / (far - near)
+    if lens.parallel and not reverse:
+        per_unit = -per_unit
+    return 0.0, 0.0, per_unit, per_unit * (far if reverse else near)
+
+
+def _cell_sizes(projection: Projection) -> Array:
+    """The sizes of the terms that `clip_from_view`'s cells are summed from."""
+    lens = projection.lens
+    sizes = np.abs(projection.clip_from_view)
+    if isinstance(lens, Oblique):
+        sizes[:2, 3] += 2.0 * sizes[:2, 2] * abs(lens.near)
+    return sizes
+
+
+def _with_depth(projection: Projection, clip: Array) -> Array:
+    """Rows of clip space with the depth's numerator in the place of z."""
+    rows = clip.copy()
+    rows[2] = projection.image_from_ndc[2, 2:] @ clip[2:]
+    return rows
+
+
+def _divided(projection: Projection, quotients: Array, w: Array, lost: Array, unit: float) -> Array:
+    """The largest errors of x and y in pixels and of the depth, (3,); infinite where w may be 0.
+
+    The quotient's own rounding is one, the sum with 1 and its product with half a side two more.
+
+    Parameters
+    ----------
+    quotients : (3, n) array
+        Their sizes, or more.
+    w : (n,) array
+        Or less.
+    lost : (4, n) array
+        Of the numerators, before the divide.
+    unit : float
+        Half of what 1 is away from the next larger number.
+    """
+    rest = w - lost[3]
+    if not rest.min() > 0.0:
+        return np.full(3, math.inf)
+    inverse = 1.0 / rest
+    off = lost[:3] * inverse
+    off += quotients * (lost[3] * inverse + 3.0 * unit)
+    width, height = projection.image_size
+    summed = np.array([1.0, 1.0, float(projection.depth == "opengl")])
+    sizes = np.array([width / 2.0, height / 2.0, 1.0])
+    largest: Array = _ROUNDED_UP * sizes * (off.max(axis=1) + 2.0 * unit * summed) + _UNDERFLOW
+    return largest
+
+
+def _single_sizes(projection: Projection, origin: Vector, clip_from_local: Array) -> Array:
+    """Of the cells that a GPU is given, (4, 4), x, y, depth and w, for `_lost_single`.
+
+    What float64 lost in making them is in it, as 2^-27 of the terms that they are summed from.
+    """
+    if isinstance(projection.lens, FreeMatrix):
+        from_eye = np.abs(projection.clip_from_eye)
+    else:
+        from_eye = _cell_sizes(projection) @ np.abs(projection.view_rotation)
+    shift = np.append(np.abs(np.subtract(origin, projection.camera.eye)), 1.0)
+    summed = np.column_stack([from_eye[:, :3], from_eye @ shift])
+    sizes = np.abs(clip_from_local) + 2.0**-27 * summed
+    return _with_depth(projection, sizes)
+
+
+def _lost_single(sizes: Array, local: Array) -> Array:
+    """What float32 loses at most of x, y, depth and w, (4, n), before the divide.
+
+    Parameters
+    ----------
+    sizes : (4, 4) array
+        As of `_single_sizes`.
+    local : (3, n) array
+        Sizes of the points' coordinates from the origin.
+
+    Notes
+    -----
+    A clip coordinate is a sum of four products: 2 u from the rounded factors, 1 from the product
+    and 3 from the sums, each of the sum of the products' sizes. What is below float32's least
+    number may be lost whole, what is beyond its largest is.
+    """
+    largest = local.max()
+    least = _LEAST_32 / _UNIT_32 * (sizes.sum(axis=1)[:, None] + 3.0 * largest + 4.0)
+    lost: Array = 6.0 * _UNIT_32 * sizes[:, :3] @ local
+    lost += 6.0 * _UNIT_32 * (sizes[:, 3:] + least)
+    if not max(largest, sizes.max(), lost.max() / (6.0 * _UNIT_32)) < _LARGEST_32:
+        lost[:] = math.inf
+    return lost
+
+
+# --------------------------------------------------------------------------- choice
 
 
 def drawing_bound_px(
@@ -194,33 +365,25 @@ def drawing_bound_px(
 
     Notes
     -----
-    A clip coordinate is a sum of four products: 2 u from the rounded factors, 1 from the product
-    and 3 from the sums, each of the sum of the products' sizes; where it is seen, no NDC
-    coordinate is larger than 1, so that x and w count alike. What is below float32's least number
-    may be lost whole.
+    `predict`'s bound, of the largest coordinates and the least w; where it is seen, no NDC
+    coordinate is larger than 1.
     """
-    clip_from_local = projection.clip_from_world_at(origin)
-    matrix = np.abs(clip_from_local)
     local = corners_world - origin
-    largest = np.abs(local).max(axis=0)
-    sizes = matrix[:, :3] @ largest + matrix[:, 3]
-    if not max(sizes.max(), matrix.max(), largest.max()) < _LARGEST_32:
+    clip_from_local = projection.clip_from_world_at(origin)
+    sizes = _single_sizes(projection, origin, clip_from_local)
+    lost = _lost_single(sizes, np.abs(local).max(axis=0)[:, None])
+    if not np.isfinite(lost).all():
         return math.inf
-    sizes += _LEAST_32 / _UNIT_32 * (matrix.sum(axis=1) + largest.sum() + 4.0)
-    x, y, _, w = sizes
     least_w = 1.0
     lens = projection.lens
     if isinstance(lens, FreeMatrix) or not lens.parallel:
         near = projection.least_w
         clip = local @ clip_from_local[:, :3].T + clip_from_local[:, 3]
-        least_w = max(near, _least_w_seen(clip, sizes))
+        least_w = max(near, _least_w_seen(clip, lost[:, 0] / _UNIT_32))
         if least_w == math.inf or clip[:, 3].max() < near:  # nothing of it is seen
             return 0.0
-        if least_w <= 0.0:
-            return math.inf
-    half_width, half_height = (side / 2.0 for side in projection.image_size)
-    lost = max(half_width * (x + w), half_height * (y + w)) / least_w
-    return float(_UNIT_32 * (6.0 * lost + 8.0 * max(half_width, half_height)))
+    errors = _divided(projection, np.ones((3, 1)), np.array([least_w]), lost, _UNIT_32)
+    return float(errors[:2].max())
 
 
 def _least_w_seen(clip: Array, sizes: Array) -> float:

@@ -81,7 +81,7 @@ SENTENCES = (
 FACES_WITH_EDGES = 5_000
 """Meshes of more faces get no edge lines: they would be denser than the pixels."""
 SAMPLE = 100_000
-"""Vertices of a larger mesh stand for all of them when errors are predicted."""
+"""Vertices of a larger mesh stand for all of them when speed is measured."""
 _DEEPEST = 4.0  # times the bounds' longest side, that a mesh may reach which crosses them
 SUBJECT_SAMPLE = 2_000
 """Vertices of a larger subject stand for all of them in what a phenomenon reckons at each step."""
@@ -161,15 +161,20 @@ class Scene:
         corners: Array = np.where(which, high, low) + self.origin
         return corners
 
-    @cached_property
-    def sample(self) -> Array:
-        """Vertices in world coordinates, (n, 3): all of them, or `SAMPLE` of a larger mesh."""
+    @property
+    def vertices(self) -> Array:
+        """All vertices in world coordinates, (n, 3)."""
         points = np.concatenate(
             [mesh.points for mesh in (self.surface, self.lines) if mesh is not None]
         )
-        step = max(1, -(-len(points) // SAMPLE))
-        sample: Array = points[::step].astype(np.float64) + self.origin
-        return sample
+        vertices: Array = points.astype(np.float64) + self.origin
+        return vertices
+
+    @cached_property
+    def sample(self) -> Array:
+        """Of `vertices` all, or `SAMPLE` of a larger mesh."""
+        vertices = self.vertices
+        return vertices[:: max(1, -(-len(vertices) // SAMPLE))].copy()
 
 
 def load(name_or_path: str, progress: Progress | None = None, mesh: str = "") -> Scene:

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from itertools import product
 
+import numpy as np
 import pytest
 
 from app.health import (
@@ -23,7 +25,7 @@ from app.health import (
     Risk,
     risks,
 )
-from app.precision import predict, rung_for_drawing
+from app.precision import drawing_bound_px, predict, rung_for_drawing
 from app.projection import Camera, FreeMatrix, Lens, Orthographic, Perspective, Projection
 from app.scene import BUILT_IN, load
 
@@ -37,7 +39,8 @@ def found(projection: Projection, size: float = 5.0) -> dict[str, tuple[str, ...
     drawn = rung_for_drawing(projection, scene.corners, scene.origin)
     half = size / math.sqrt(12.0)  # of a cube of this diagonal round the target
     lower, upper = ((sign * half, 2.2 + sign * half, sign * half) for sign in (-1.0, 1.0))
-    told = risks(projection, lower, upper, drawn, predictions)
+    drawing_px = drawing_bound_px(projection, scene.corners, scene.origin)
+    told = risks(projection, lower, upper, drawn, drawing_px, predictions)
     assert {risk.template for risk in told} <= set(SENTENCES)
     return {risk.template: risk.figures for risk in told}
 
@@ -47,7 +50,8 @@ def test_a_scene_as_it_opens_is_healthy(name: str) -> None:
     scene = load(name)
     predictions = predict(scene.start, scene.sample, scene.origin)
     drawn = rung_for_drawing(scene.start, scene.corners, scene.origin)
-    assert risks(scene.start, scene.lower, scene.upper, drawn, predictions) == []
+    drawing_px = drawing_bound_px(scene.start, scene.corners, scene.origin)
+    assert risks(scene.start, scene.lower, scene.upper, drawn, drawing_px, predictions) == []
 
 
 def test_the_gap_at_the_target_is_that_of_a_24_bit_buffer() -> None:
@@ -108,15 +112,17 @@ def test_lost_digits_are_counted() -> None:
     for decimals, error in zip(told[FEW_DIGITS], errors, strict=True):
         assert 0.05 * 10 ** -int(decimals) < error <= 0.5 * 10 ** -int(decimals)
     assert 4 <= int(told[FEW_DIGITS][1]) <= 6
+
+
+def test_what_float32_would_lose_is_told_of_the_whole_picture() -> None:
     far_away = Camera((12345678.9 + 6.0, 5.0, 9.0), (12345678.9, 2.2, 0.0))
-    rough = risks(
-        replace(EVERYDAY, camera=far_away),
-        (12345678.9 - 2.0, 0.0, -1.0),
-        (12345678.9 + 2.0, 5.0, 1.0),
-        "float64",
-        predict(replace(EVERYDAY, camera=far_away), [(12345678.9, 1.0, 0.5)]),
-    )
-    assert ROUGH_DRAWING in {risk.template for risk in rough}
+    projection = replace(EVERYDAY, camera=far_away)
+    lower, upper = (12345678.9 - 2.0, 0.0, -1.0), (12345678.9 + 2.0, 5.0, 1.0)
+    corners = np.array(list(product(*zip(lower, upper, strict=True))))
+    drawing_px = drawing_bound_px(projection, corners)
+    rough = risks(projection, lower, upper, "float64", drawing_px, None)
+    assert rough == [Risk(ROUGH_DRAWING, (f"{drawing_px:.2g}",))] and 1.0 < drawing_px < 1e4
+    assert risks(projection, lower, upper, "float32", drawing_px, None) == []
 
 
 @pytest.mark.parametrize(

@@ -4,22 +4,25 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from fractions import Fraction
 from typing import Any
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from app import double_double as dd
 from app import precision
 from app.precision import (
-    LOOKED_AT,
     READING_TOLERANCE_DEPTH,
     READING_TOLERANCE_PX,
     RUNGS,
     Rung,
     drawing_bound_px,
     predict,
+    rung_for_drawing,
     rung_for_reading,
     trace,
 )
@@ -34,6 +37,7 @@ from app.projection import (
     Array,
     Camera,
     DepthRange,
+    FreeMatrix,
     Frustum,
     Lens,
     Oblique,
@@ -44,6 +48,7 @@ from app.projection import (
     Trace,
     Vector,
 )
+from app.scene import BUILT_IN, load
 from tests.oracles import exact
 
 HD = (1920, 1080)
@@ -532,25 +537,45 @@ def measured(
 
 def check_predictions(
     name: str, projection: Projection, points: Array, origin: Vector = (0.0, 0.0, 0.0)
-) -> None:
-    """Never below what is measured, and within a tenth of a percent of it."""
+) -> list[float]:
+    """Never below what is measured; by how much above."""
     predictions = predict(projection, points, origin)
     assert predictions is not None
+    ratios = []
     for rung in RUNGS:
         errors = measured(projection, points, rung, origin)
         for predicted, error in zip(predictions[rung], errors, strict=True):
-            if math.isinf(error):
-                assert math.isinf(predicted), (name, rung)
-            else:
-                assert error <= predicted <= 1.001 * error, (name, rung, error, predicted)
+            assert error <= predicted, (name, rung, error, predicted)
+            if 0.0 < error < math.inf:
+                ratios.append(predicted / error)
+    return ratios
 
 
-def test_predictions_over_the_figures_are_what_is_measured() -> None:
+def test_predictions_over_the_figures_hold() -> None:
     rng = np.random.default_rng(7)
+    ratios = []
     for name, projection in figures(rng):
         points = seen(projection, points_in_view(projection, rng, 15))
         if len(points):
-            check_predictions(name, projection, points)
+            ratios += check_predictions(name, projection, points)
+    assert len(ratios) > 500 and np.median(ratios) < 20.0 and np.quantile(ratios, 0.95) < 100.0
+
+
+def test_float64_is_within_what_the_readme_says() -> None:
+    """By a rung of more digits: the worst of 11.7 million points was 6.2e-13."""
+    rng = np.random.default_rng(19)
+    worst, count = 0.0, 0
+    for name, projection in figures(rng):
+        group = name.split()[0]
+        if group in ("offset", "far/near", "fov", "up") and projection.lens.kind != "oblique":
+            points = points_in_view(projection, rng, 400)
+            traced = projection.trace(points)
+            answers = np.column_stack([traced.image, traced.depth])
+            points, answers = (part[~traced.outside.any(axis=1)] for part in (points, answers))
+            if len(points):
+                errors = precision.Reference.of(projection, points).errors(answers)
+                worst, count = max(worst, float(errors[:, :2].max())), count + len(points)
+    assert count > 30_000 and 3e-13 < worst < 1e-12
 
 
 def any_projection(rng: np.random.Generator) -> Projection:
@@ -580,44 +605,190 @@ def beside(rng: np.random.Generator, projection: Projection) -> Vector:
     return x, y, z
 
 
-def test_predictions_for_random_cameras_are_what_is_measured() -> None:
+def test_predictions_for_random_cameras_hold() -> None:
     rng = np.random.default_rng(8)
-    count = 0
+    count, ratios = 0, []
     while count < 200:
         projection = any_projection(rng)
         points = seen(projection, points_in_view(projection, rng, 30))
         if len(points):
-            check_predictions(str(projection), projection, points, beside(rng, projection))
+            name = str(projection)
+            ratios += check_predictions(name, projection, points, beside(rng, projection))
             count += 1
+    assert np.median(ratios) < 20.0 and np.quantile(ratios, 0.95) < 100.0
 
 
-def test_predictions_from_a_sample_hold_for_all_the_points() -> None:
-    """The cloud has a surface, and one point near the eye plane that a sample could miss."""
-    rng = np.random.default_rng(9)
-    for _ in range(60):
-        projection = any_projection(rng)
-        count = 3 * LOOKED_AT
-        points = points_in_view(projection, rng, count)
-        points[: count // 2] = points[0] + (points[1] - points[0]) * rng.random((count // 2, 1))
-        if not projection.lens.parallel:
-            near = projection.lens.near
-            place = (*(near * rng.normal(size=2)), -near * 10.0 ** rng.uniform(-6.0, -1.0))
-            points[rng.integers(count)] = in_world(projection.camera, np.array(place))
-        origin = beside(rng, projection)
-        points = points[trace(projection, points, "exact").in_front]
-        predictions = predict(projection, points, origin)
-        assert predictions is not None and len(points) > LOOKED_AT
-        with np.errstate(over="ignore"):
-            found, rests, _ = precision._exact_numbers(projection, points)
-        for rung in RUNGS:
+PROJECTIVE = (
+    (1.3, 0.1, 0.2, 0.4),
+    (0.0, 1.9, -0.1, 0.3),
+    (0.1, 0.2, -1.2, -2.0),
+    (0.1, 0, -1, 0.2),
+)
+TYPED = ((0.8, 0.1, -0.5, 1.0), (-0.2, 0.9, 0.3, -2.0), (0.5, -0.1, 0.8, -9.0), (0, 0, 0.01, 1.0))
+CLOUDED: dict[str, Lens] = {
+    "perspective": Perspective(45.0, 1.0, 30.0),
+    "infinite": Perspective(100.0, 0.01, math.inf),
+    "frustum": Frustum(-0.3, 0.9, 0.2, 0.7, 1.0, 1000.0),
+    "orthographic": Orthographic(-4.0, 4.0, -3.0, 3.0, 1.0, 1e6),
+    "oblique": Oblique(-9.0, 7.0, -3.0, 5.0, -2.0, 1e6, alpha_deg=63.4, beta_deg=116.5),
+    "matrix": FreeMatrix(PROJECTIVE),
+    "both matrices": FreeMatrix(PROJECTIVE, TYPED),
+}
+
+
+def outliers(projection: Projection) -> dict[str, Array]:
+    """Points that a sample would miss, and the worst that they can be."""
+    view = {
+        "far to the side": [(3e6, 0.0, -9.0), (-8e3, 2e9, -11.0)],
+        "deepest": [(0.3, 0.2, -9e5), (2.0, 1.0, -999.9)],
+        "beyond all": [(1e3, -3e4, -1e12)],
+        "nearest the eye plane": [(0.7, 0.3, -1e-5), (-2.0, 5.0, -1e-12), (0.1, 3e3, -1e-9)],
+        "nearest the eye": [(1e-8, 2e-8, -1e-8), (0.0, 1e-12, -3e-7)],
+        "huge": [(3e29, 4e28, -1e30), (1e90, 1e90, -1e90), (0.0, 1e60, -1e20)],
+        "behind": [(0.3, 0.2, 1e-9), (1e6, 1.0, 4.0), (0.0, 0.0, 0.0)],
+    }
+    found = {kind: in_world(projection.camera, np.array(points)) for kind, points in view.items()}
+    if not isinstance(projection.lens, FreeMatrix):
+        found["in the volume"] = points_in_view(projection, np.random.default_rng(20), 30)
+    return found
+
+
+def largest(errors: Array) -> tuple[float, float]:
+    """Of x and y, and of the depth; infinite where an answer is missing."""
+    there = np.where(np.isnan(errors), math.inf, errors)
+    return float(there[:, :2].max()), float(there[:, 2].max())
+
+
+@pytest.mark.parametrize("far_away", [False, True], ids=["", "far away"])
+@pytest.mark.parametrize("depth", DEPTH_RANGES)
+@pytest.mark.parametrize("lens", CLOUDED.values(), ids=CLOUDED)
+def test_no_point_of_a_cloud_is_off_by_more_than_predicted(
+    lens: Lens, depth: DepthRange, far_away: bool
+) -> None:
+    rng = np.random.default_rng(17)
+    camera = camera_at(rng, 1e7) if far_away else SLANTED
+    projection = Projection(camera, lens, HD, depth)
+    origin: Vector = tuple(np.round(camera.target).tolist()) if far_away else (0.0, 0.0, 0.0)
+    count = 100_000 if depth == "opengl" and not far_away else 5_000
+    points, kinds = camera.target + rng.normal(size=(count, 3)), np.zeros(count, dtype=int)
+    kind_of = {kind: number for number, kind in enumerate(outliers(projection), start=1)}
+    for kind, some in outliers(projection).items():
+        where = rng.integers(0, len(points), len(some))
+        points = np.insert(points, where, some, axis=0)
+        kinds = np.insert(kinds, where, kind_of[kind])
+    has_picture = projection.trace(points).in_front
+    reference = precision.Reference.of(projection, points)
+    parts = [np.isin(kinds, (0, number)) for number in (*kind_of.values(), -1)]
+    parts += [np.ones(len(points), dtype=bool), *(np.eye(len(points), dtype=bool)[kinds > 0])]
+    predictions = [predict(projection, points[part], origin) for part in parts]
+    for part, prediction in zip(parts, predictions, strict=True):
+        assert (prediction is None) is not (part & has_picture).any()
+    for rung in RUNGS:
+        answers = reference.numbers
+        if rung != "exact":
             traced = trace(projection, points, rung, origin)
-            done = np.column_stack([traced.image, traced.depth])
-            errors = np.abs((done - found[:, 10:]) - rests)
-            worst = errors[:, :2].max(), errors[:, 2].max()
-            for predicted, error in zip(predictions[rung], worst, strict=True):
-                assert error <= predicted <= 10.0 * error or (
-                    np.isnan(error) and math.isinf(predicted)
-                ), (rung, error, predicted, projection)
+            answers = np.column_stack([traced.image, traced.depth])
+        errors = reference.errors(answers)
+        for part, prediction in zip(parts, predictions, strict=True):
+            if prediction is not None:
+                px, off = largest(errors[part & has_picture])
+                bound = prediction[rung]
+                assert px <= bound.px and off <= bound.depth, (rung, points[part][:3], px, bound)
+        # And by the oracle, which shares nothing with us: the worst, and some.
+        worst = np.argsort(np.nan_to_num(errors[:, :2].max(axis=1)))[-5:]
+        for i in {*worst.tolist(), *rng.integers(0, len(points), 5).tolist()}:
+            alone = predict(projection, points[i : i + 1], origin)
+            if alone is not None:
+                px, off = measured(projection, points[i : i + 1], rung, origin, 200)
+                assert px <= alone[rung].px and off <= alone[rung].depth
+    cloud = predictions[len(kind_of)]
+    assert cloud is not None and np.isfinite(list(cloud.values())).all()
+
+
+def test_one_point_far_to_the_side_or_deep_in_the_volume_counts() -> None:
+    """Issue 16's: among 20 000 a sample of 4 096 misses it, and nothing else tells of it."""
+    points = np.random.default_rng(18).uniform(-2.0, 2.0, (20_000, 3))
+    aside, deep = points.copy(), points.copy()
+    aside[12_345] += 3e6 * SLANTED.frame[0]
+    deep[12_345] = SLANTED.eye - 9e5 * SLANTED.frame[2]
+    box = Orthographic(-4.0, 4.0, -3.0, 3.0, 1.0, 1e6)
+    for lens, cloud, rung, least in (
+        (Perspective(45.0, 1.0, 30.0), aside, "float64", 1e-9),
+        (box, deep, "float32", 0.1),
+    ):
+        projection = Projection(SLANTED, lens, HD)
+        px, _ = measured(projection, cloud[12_345:12_346], rung, (0.0, 0.0, 0.0))
+        without, whole = (predict(projection, some) for some in (points, cloud))
+        assert without is not None and whole is not None
+        assert without[rung].px < least < px <= whole[rung].px < 100.0 * px
+
+
+@given(
+    st.sampled_from(list(CLOUDED)),
+    st.sampled_from(list(DEPTH_RANGES)),
+    st.sampled_from([0.0, 1.0, 1e4, 1e9]),
+    st.lists(st.tuples(*[st.floats(-1.0, 1.0)] * 3, st.floats(-9.0, 9.0)), min_size=1, max_size=5),
+)
+@settings(max_examples=150, deadline=None)
+def test_no_points_anywhere_are_off_by_more_than_predicted(
+    name: str, depth: DepthRange, away: float, places: list[tuple[float, float, float, float]]
+) -> None:
+    eye = np.array([6.0, 5.0, 9.0]) * (1.0 + away)
+    camera = Camera(tuple(eye.tolist()), tuple((eye - [6.0, 2.8, 9.1]).tolist()), (0.3, 1.0, -0.2))
+    projection = Projection(camera, CLOUDED[name], HD, depth)
+    points = np.array([eye + 10.0**power * np.array(place) for *place, power in places])
+    origin: Vector = tuple(np.round(eye).tolist())
+    points = points[projection.trace(points).in_front]
+    together = predict(projection, points, origin)
+    assert (together is None) is (len(points) == 0)
+    if together is None:
+        return
+    for rung in RUNGS:
+        assert not np.isnan(together[rung]).any()
+        alone = [predict(projection, point[None], origin)[rung] for point in points]  # type: ignore[index]
+        # A bound of points is the largest of theirs.
+        np.testing.assert_allclose(together[rung], np.max(alone, axis=0), rtol=1e-6)
+        for point, bound in zip(points, alone, strict=True):
+            px, off = measured(projection, point[None], rung, origin, 200)
+            assert px <= bound.px and off <= bound.depth, (rung, point, px, off, bound)
+
+
+DRAWN_IN_FLOAT64 = {"posts", "field-of-view", "eye-plane", "far-plane-popping", "focus"}
+
+
+def test_predictions_of_the_readmes_documents_are_no_looser_than_it_says() -> None:
+    ratios = []
+    letter_f, posts = load("letter-f"), load("posts")
+    seen_from = replace(letter_f.start, camera=replace(letter_f.start.camera, eye=(3.0, 2.0, 4.0)))
+    documents = [(load(name), load(name).start) for name in BUILT_IN]
+    documents += [(letter_f, seen_from), (letter_f, letter_f.start.with_lens("oblique"))]
+    documents += [(letter_f, replace(letter_f.start, lens=Perspective(45.0, 1.0, math.inf)))]
+    far = posts.start.standard_lens.far
+    documents += [
+        (posts, replace(posts.start, lens=Perspective(45.0, near, far)))
+        for near in np.geomspace(1e-3, 10.0, 5).tolist()
+    ]
+    for scene, start in documents:
+        for depth in DEPTH_RANGES:
+            projection = start.with_depth(depth)
+            points = scene.vertices[projection.trace(scene.vertices).in_front]
+            reference = precision.Reference.of(projection, points)
+            predictions = predict(projection, scene.vertices, scene.origin)
+            assert predictions is not None and rung_for_reading(predictions) == "float64"
+            for rung in RUNGS:
+                traced = trace(projection, points, rung, scene.origin)
+                errors = largest(reference.errors(np.column_stack([traced.image, traced.depth])))
+                pairs = list(zip(predictions[rung], errors, strict=True))
+                # What the reference does not know is added to the error: 2^-16 of an ulp.
+                assert all(error <= bound * (1.0 + 2.0**-14) for bound, error in pairs)
+                ratios += [bound / error for bound, error in pairs]
+    assert np.median(ratios) <= 15.0 and np.quantile(ratios, 0.95) <= 60.0
+    drawn = {
+        name
+        for name in BUILT_IN
+        if rung_for_drawing(load(name).start, load(name).corners, load(name).origin) == "float64"
+    }
+    assert drawn == DRAWN_IN_FLOAT64
 
 
 def test_points_without_a_picture_have_no_prediction() -> None:

@@ -13,8 +13,9 @@ from PySide6.QtWidgets import QApplication, QMainWindow
 from pytestqt.qtbot import QtBot
 
 from app.document import Document
-from app.precision import predict
+from app.precision import drawing_bound_px, predict
 from app.projection import Camera, Orthographic, Perspective, Projection
+from app.quality import Quality
 from app.scene import Scene, load
 from widgets import status_line
 from widgets.number_dialog import NumberDialog
@@ -66,15 +67,29 @@ def test_rungs_are_predicted_when_the_hand_rests(
     rested(qtbot, line, EVERYDAY, scene)
     predictions = predict(EVERYDAY, scene.sample, scene.origin)
     assert predictions is not None
-    drawn, read = predictions["float32"].px, predictions["float64"].px
+    drawn = drawing_bound_px(EVERYDAY, scene.corners, scene.origin)
+    read = predictions["float64"].px
     assert line.rung.text() == f"drawn float32 ±{drawn:.1g} px, read float64 ±{read:.1g} px"
     assert line.health.text() == "" and line.health.toolTip() == ""
     line.rung.menu().aboutToShow.emit()
     texts = [action.text() for action in line.rung.menu().actions()]
     assert [text.split(":")[0] for text in texts[:3]] == ["float32", "float64", "exact"]
     assert texts[0].endswith("(drawn)") and texts[1].endswith("(read)")
-    assert f"{drawn:.2g} px" in texts[0]
+    assert f"{predictions['float32'].px:.2g} px" in texts[0]
     assert texts[-1] == "Drawing tolerance 0.01 px…"
+
+
+def test_an_error_without_a_bound_is_told_in_a_sentence(
+    qtbot: QtBot, line: StatusLine, scene: Scene
+) -> None:
+    line.resize(3200, 24)
+    beyond = replace(EVERYDAY, lens=Perspective(1e-80, 1.0, 30.0))
+    line.show_quality(Quality(rung="float32"), [])
+    rested(qtbot, line, beyond, scene)
+    assert line.rung.text().startswith("drawn float32 ±∞ px, read ")
+    line.rung.menu().aboutToShow.emit()
+    texts = [action.text() for action in line.rung.menu().actions()]
+    assert texts[0] == "float32: its error has no bound here  (drawn)"
 
 
 def test_while_it_moves_nothing_is_predicted(

@@ -24,6 +24,7 @@ from app.precision import (
     LEAST_TOLERANCE_PX,
     Prediction,
     Rung,
+    drawing_bound_px,
     predict,
     rung_for_drawing,
     rung_for_reading,
@@ -97,15 +98,16 @@ class StatusLine(QStatusBar):
             self.addWidget(self.labels[name])
         self.rung = QToolButton()
         self.rung.setAutoRaise(True)
-        self._show_rungs(self._drawn, None)
+        self._show_rungs(self._drawn, 0.0, None)
         self.rung.setText(self._rungs)
         self.rung.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         self.rung.setMenu(QMenu(self.rung))
         self.addWidget(self.rung)
         self.rung.setToolTip(
             self.tr(
-                "With how many digits the picture is drawn and its numbers are computed, and the "
-                "largest error predicted for this scene and camera; click for the alternatives"
+                "With how many digits the picture is drawn and its numbers are computed, and what "
+                "their errors cannot exceed: drawn, of what is seen; read, and behind a click each "
+                "alternative, of every point in front of the eye"
             )
         )
         self.rung.menu().aboutToShow.connect(self._fill_menu)
@@ -274,28 +276,34 @@ class StatusLine(QStatusBar):
         for label in self.labels.values():
             label.fit()
         projection, scene = self._projection, self._scene
-        self._predictions = predict(projection, scene.sample, scene.origin)
+        self._predictions = predict(projection, scene.vertices, scene.origin)
         self._drawn = rung_for_drawing(
             projection, scene.corners, scene.origin, self._quality.tolerance_px(self.tolerance_px)
         )
-        self._show_rungs(self._drawn, self._predictions)
+        drawing_px = drawing_bound_px(projection, scene.corners, scene.origin)
+        self._show_rungs(self._drawn, drawing_px, self._predictions)
         self._risks = [
             translated(risk.template).format(*map(plane_name, risk.figures))
-            for risk in risks(projection, scene.lower, scene.upper, self._drawn, self._predictions)
+            for risk in risks(
+                projection, scene.lower, scene.upper, self._drawn, drawing_px, self._predictions
+            )
         ]
         self._show_health()
 
-    def _show_rungs(self, drawn: Rung, predictions: dict[Rung, Prediction] | None) -> None:
+    def _show_rungs(
+        self, drawn: Rung, drawing_px: float, predictions: dict[Rung, Prediction] | None
+    ) -> None:
         read = rung_for_reading(predictions)
         self._rungs = self._rungs_alone = self.tr("drawn {0}, read {1}").format(drawn, read)
         if predictions is not None:
             # Whatever computed it, a rasteriser is handed float32 in the end.
             at_least_px = max(self._projection.image_size) * 2.0**-24 if self._projection else 0.0
+            drawn_px = drawing_px if drawn == "float32" else predictions[drawn].px
             self._rungs = self.tr("drawn {0} ±{1} px, read {2} ±{3} px").format(
                 drawn,
-                f"{max(predictions[drawn].px, at_least_px):.1g}",
+                _error_text(max(drawn_px, at_least_px)),
                 read,
-                f"{predictions[read].px:.1g}",
+                _error_text(predictions[read].px),
             )
 
     def _fill_menu(self) -> None:
@@ -306,6 +314,8 @@ class StatusLine(QStatusBar):
             line = self.tr("{0}: up to {1} px, {2} in depth").format(
                 rung, f"{px:.2g}", f"{depth:.2g}"
             )
+            if not math.isfinite(px + depth):
+                line = self.tr("{0}: its error has no bound here").format(rung)
             uses = [
                 use
                 for use, chosen in ((self.tr("drawn"), self._drawn), (self.tr("read"), read))
@@ -340,6 +350,10 @@ class StatusLine(QStatusBar):
         )  # fmt: skip
         if dialog.exec():
             self.tolerance_edited.emit(dialog.number)
+
+
+def _error_text(px: float) -> str:
+    return f"{px:.1g}" if math.isfinite(px) else "∞"
 
 
 class _Figure(QLabel):

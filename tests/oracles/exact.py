@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 import mpmath
 
-from app.projection import Perspective, Projection
+from app.projection import FreeMatrix, Perspective, Projection
 
 mp = mpmath.mp.clone()
 mp.dps = 80
@@ -30,7 +30,7 @@ class Answer(NamedTuple):
 
 
 def vector(values: Sequence[float]) -> Numbers:
-    """Three float64 numbers, exactly."""
+    """Float64 numbers, exactly."""
     return [mp.mpf(float(value)) for value in values]
 
 
@@ -101,6 +101,8 @@ class Exact:
 
     def __call__(self, point: Sequence[float]) -> Answer:
         lens = self.projection.lens
+        if isinstance(lens, FreeMatrix):
+            return self._free(lens, point)
         offset = minus(vector(point), vector(self.projection.camera.eye))
         x, y, z = view = [dot(row, offset) for row in self.frame]
         near, far = mp.mpf(lens.near), mp.mpf(lens.far)
@@ -120,10 +122,25 @@ class Exact:
         x_ndc = 2 * (x - left) / (right - left) - 1
         y_ndc = 2 * (y - bottom) / (top - bottom) - 1
         z_ndc = self.z_near + part * (self.z_far - self.z_near)
+        return self._answer(view, [x_ndc, y_ndc, z_ndc], w)
+
+    def _free(self, lens: FreeMatrix, point: Sequence[float]) -> Answer:
+        """By the typed cells; where w is 0 the quotients are infinite."""
+        if lens.view_from_world is None:
+            offset = minus(vector(point), vector(self.projection.camera.eye))
+            view = [*(dot(row, offset) for row in self.frame), mp.mpf(1)]
+        else:
+            view = [dot(vector(row), [*vector(point), 1]) for row in lens.view_from_world]
+        *clip, w = (dot(vector(row), view) for row in lens.clip_from_view)
+        ndc = [part / w if w else mp.inf for part in clip]
+        return self._answer([part / view[3] if view[3] else mp.inf for part in view[:3]], ndc, w)
+
+    def _answer(self, view: Numbers, ndc: Numbers, w: Any) -> Answer:
+        x_ndc, y_ndc, z_ndc = ndc
         low, high = min(self.z_near, self.z_far), max(self.z_near, self.z_far)
         return Answer(
             view,
-            [x_ndc, y_ndc, z_ndc],
+            ndc,
             [self.width / 2 * (x_ndc + 1), self.height / 2 * (1 - y_ndc)],
             (z_ndc - low) / (high - low),
             w,
