@@ -25,6 +25,9 @@ from typing import Any, TypeAlias
 import numpy as np
 import pyvista as pv
 from numpy.typing import ArrayLike, NDArray
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkDataArray
+from vtkmodules.vtkCommonDataModel import vtkCellArray
 from vtkmodules.vtkFiltersCore import vtkFeatureEdges
 
 from app.meshes import ENDINGS as ENDINGS
@@ -35,18 +38,16 @@ from app.meshes import (
     Ints,
     Mesh,
     Progress,
-    cells_of,
-    check_readable,
     merge_points,
-    read,
+    open_mesh,
     report,
-    values_of,
 )
 from app.meshes import SceneCancelled as SceneCancelled  # `load` raises both
 from app.meshes import SceneError as SceneError
 from app.phenomena import PHENOMENA, Phenomenon
 from app.phenomena.exhibit import OwnMesh, Subject
 from app.projection import Array, Camera, Perspective, Projection
+from app.reading import read
 from app.shapes import (
     EDGE_RGB,
     GRID_AXIS_RGB,
@@ -211,7 +212,7 @@ def load(name_or_path: str, progress: Progress | None = None, mesh: str = "") ->
         return _scene_of_mesh(name_or_path, path, progress)
     is_file_name = path.name != name_or_path or path.suffix != ""
     if name_or_path and (is_file_name or _exists(path)):
-        check_readable(path)
+        open_mesh(path).close()
         raise SceneError(WRONG_ENDING, path, *_but_last(ENDINGS))
     likely = difflib.get_close_matches(name_or_path.lower(), BUILT_IN, n=1, cutoff=0.5)
     template = NEARLY_A_SCENE if likely else NOT_A_SCENE
@@ -295,6 +296,18 @@ def _but_last(words: Sequence[str]) -> tuple[str, str]:
 
 def _cell_array(offsets: NDArray[Any], corners: NDArray[Any]) -> pv.CellArray:
     return pv.CellArray.from_arrays(offsets, corners, deep=True)
+
+
+def values_of(array: vtkDataArray) -> NDArray[Any]:
+    return np.asarray(vtk_to_numpy(array))  # type: ignore[no-untyped-call]
+
+
+def cells_of(cells: vtkCellArray) -> tuple[Ints, Ints]:
+    """Offsets and corners of a VTK cell array."""
+    cells.ConvertTo64BitStorage()
+    offsets = values_of(cells.GetOffsetsArray())
+    corners = values_of(cells.GetConnectivityArray())
+    return offsets.astype(np.int64), corners.astype(np.int64)
 
 
 def _poly_data(points: NDArray[np.floating], cells: pv.CellArray, rgb: Colours) -> pv.PolyData:
@@ -424,7 +437,7 @@ BUILT_IN = (*_BUILDERS, *PHENOMENA)
 def _read_mesh(path: Path, progress: Progress | None) -> tuple[Mesh, Vector, Vector]:
     """A mesh that has a size, and its bounds."""
     if path.suffix.lower() not in ENDINGS:
-        check_readable(path)
+        open_mesh(path).close()
         raise SceneError(WRONG_ENDING, path, *_but_last(ENDINGS))
     mesh = read(path, progress)
     report(progress, 0.5)
