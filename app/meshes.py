@@ -450,7 +450,7 @@ def _obj_blocks(file: BinaryIO) -> Iterator[bytes]:
         block = file.read(_BLOCK)
         text = rest + block
         end = text.rfind(b"\n") + 1
-        while end > 1 and text[:end].rstrip(b"\r\n")[-1:] == b"\\" and block:
+        while block and text[max(0, end - 3) : end].rstrip(b"\r\n")[-1:] == b"\\":
             end = text.rfind(b"\n", 0, end - 1) + 1  # the line goes on in the next one
         text, rest = (text[:end], text[end:]) if block else (text + b"\n", b"")
         if b"\r" in text:
@@ -522,13 +522,11 @@ def _obj_faces(lines: _Lines, which: NDArray[np.bool_]) -> tuple[Ints, Ints, int
     begins_word = ~blank
     begins_word[1:] &= blank[:-1]
     ends = np.flatnonzero(text == 10)
-    sizes = np.diff(np.cumsum(begins_word)[ends], prepend=0)
+    sizes = np.diff(np.searchsorted(np.flatnonzero(begins_word), ends), prepend=0)
     slash = text == ord("/")
     if slash.any():  # 1/2/3, 1//3, 1/2/ and 1// are corner 1
-        place = np.arange(len(text), dtype=np.int32)
-        last_blank = np.maximum.accumulate(np.where(blank, place, 0))
-        last_slash = np.maximum.accumulate(np.where(slash, place, -1))
-        text[(last_slash > last_blank) & ~blank] = 32
+        edges = np.flatnonzero(slash | blank)
+        text[edges[0] :][np.repeat(slash[edges], np.diff(edges, append=len(text)))] = 32
     indices = _numbers(text.tobytes(), np.int64)
     if indices is not None and len(indices) == sizes.sum():
         return indices, sizes, None

@@ -119,9 +119,12 @@ ROOMS = {
         str(path.relative_to(ROOT).as_posix()): PHENOMENON
         for path in (ROOT / "app" / "phenomena").glob("*.py")
     },
-    "app/meshes.py": Room(("numpy", *VTK)),
+    "app/strangers.py": Room(),
+    "app/meshes.py": Room(("numpy",), ("app.strangers",)),
+    "app/reading.py": Room(("numpy",), ("app.meshes",)),
     "app/scene.py": Room(
-        ("numpy", *VTK), ("app.projection", "app.shapes", "app.meshes", "app.phenomena")
+        ("numpy", *VTK),
+        ("app.projection", "app.shapes", "app.meshes", "app.reading", "app.phenomena"),
     ),
     "app/quality.py": Room(rooms=("app.projection", "app.depth")),
     "app/pace.py": Room(),
