@@ -140,8 +140,13 @@ def _main(path: Path) -> None:
         out.write(json.dumps(answer).encode() + b"\n")
         out.flush()
 
+    said = -1.0
+
     def progress(fraction: float) -> bool:
-        say({"done": fraction})
+        nonlocal said
+        if fraction != said:
+            said = fraction
+            say({"done": fraction})
         return True
 
     try:

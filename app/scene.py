@@ -28,7 +28,6 @@ from numpy.typing import ArrayLike, NDArray
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDataArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray
-from vtkmodules.vtkFiltersCore import vtkFeatureEdges
 
 from app.meshes import ENDINGS as ENDINGS
 from app.meshes import (
@@ -83,6 +82,8 @@ FACES_WITH_EDGES = 5_000
 """Meshes of more faces get no edge lines: they would be denser than the pixels."""
 SAMPLE = 100_000
 """Vertices of a larger mesh stand for all of them when errors are predicted."""
+_SHARP = math.cos(math.radians(30.0))
+"""Edges whose faces turn by more than this are drawn."""
 _DEEPEST = 4.0  # times the bounds' longest side, that a mesh may reach which crosses them
 SUBJECT_SAMPLE = 2_000
 """Vertices of a larger subject stand for all of them in what a phenomenon reckons at each step."""
@@ -514,9 +515,7 @@ def _own_mesh(surface: pv.PolyData, origin: Vector, pixels: bool) -> OwnMesh:
     """The longest edges of a surface, the triangles with the longest; for pixels all of them."""
     points = np.asarray(surface.points)
     offsets, corners = cells_of(surface.GetPolys())
-    following = np.empty_like(corners)
-    following[:-1] = corners[1:]
-    following[offsets[1:] - 1] = corners[offsets[:-1]]
+    following = corners[_following(offsets)]
     # Most edges are there from either side, and with the copies of their ends that files make.
     places, merged = merge_points(points)
     starts, ends = merged[corners], merged[following]
@@ -671,26 +670,37 @@ def _normals(points: Floats, corners: Ints) -> Floats:
 
 
 def _feature_edges(mesh: Mesh) -> Floats:
-    """Sharp and free edges (m, 2, 3) of a small mesh.
+    """Sharp and free edges (m, 2, 3) of a small mesh, and those of more than two faces.
 
     Files repeat a vertex for every face, or where its texture or normal changes; only when the
-    copies are one point again do two faces know that they are neighbours.
+    copies are one point again do two faces know that they are neighbours. VTK's filter takes the
+    square of the faces at one edge, and a few kilobytes of glTF bring thousands.
     """
     points, merged = merge_points(mesh.points)
-    poly_data = pv.PolyData()
-    poly_data.points = points
-    poly_data.SetPolys(_cell_array(mesh.offsets, merged[mesh.corners]))
-    edges = vtkFeatureEdges()
-    edges.SetInputData(poly_data)
-    edges.SetFeatureAngle(30.0)
-    edges.ColoringOff()
-    edges.Update()
-    found = edges.GetOutput()
-    if found.GetNumberOfLines() == 0:
-        return np.empty((0, 2, 3))
-    _, ends = cells_of(found.GetLines())
-    vertices: Floats = values_of(found.GetPoints().GetData()).astype(np.float64)
-    return vertices[ends.reshape(-1, 2)]
+    starts = merged[mesh.corners]
+    ends = merged[mesh.corners[_following(mesh.offsets)]]
+    faces = len(mesh.offsets) - 1
+    normals = np.empty((faces, 3))
+    for which, corners in _faces_by_size(mesh):
+        normals[which] = _normals(mesh.points, corners)
+    apart = starts != ends
+    face = np.repeat(np.arange(faces), np.diff(mesh.offsets))[apart]
+    keys = (np.minimum(starts, ends) * len(points) + np.maximum(starts, ends))[apart]
+    order = np.argsort(keys, kind="stable")
+    found, first, count = np.unique(keys[order], return_index=True, return_counts=True)
+    two = count == 2
+    one_side, other_side = (normals[face[order[first[two] + i]]] for i in (0, 1))
+    drawn = ~two
+    drawn[two] = (one_side * other_side).sum(axis=1) <= _SHARP
+    edges: Floats = points[np.stack(np.divmod(found[drawn], len(points)), axis=1)]
+    return edges
+
+
+def _following(offsets: Ints) -> Ints:
+    """For every place among the corners of faces, that of the next corner of the same face."""
+    following = np.arange(1, offsets[-1] + 1)
+    following[offsets[1:] - 1] = offsets[:-1]
+    return following
 
 
 def _ground(lower: Vector, upper: Vector, origin: Vector) -> Coloured:
