@@ -27,6 +27,7 @@ from app.projection import (
     Projection,
     format_value,
 )
+from app.strangers import printable
 
 if TYPE_CHECKING:
     from app.scene import Scene
@@ -56,7 +57,7 @@ class CliError(Exception):
 def complain(sentence: str, status: int) -> int:
     """Write a sentence to standard error, on one line, and give the exit status back."""
     if sys.stderr is not None:
-        print(" ".join(sentence.split()), file=sys.stderr)
+        print(printable(" ".join(sentence.split())), file=sys.stderr)
     return status
 
 

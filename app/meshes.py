@@ -20,7 +20,7 @@ from array import array
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path, PurePath, PureWindowsPath
-from typing import Any, BinaryIO, TypeAlias
+from typing import Any, BinaryIO, TypeAlias, TypeVar
 from urllib.parse import unquote
 
 import numpy as np
@@ -31,6 +31,7 @@ from app.strangers import LARGEST_FILE, open_regular, printable
 Floats: TypeAlias = NDArray[np.float64]
 Ints: TypeAlias = NDArray[np.int64]
 Colours: TypeAlias = NDArray[np.uint8]
+_Real = TypeVar("_Real", bound=np.floating)
 Progress: TypeAlias = Callable[[float], bool]
 
 LARGEST = 20_000_000, 2 * 2**30
@@ -347,7 +348,7 @@ def _drop_unused_points(mesh: Mesh) -> None:
         mesh.points = mesh.points[used]
 
 
-def merge_points(points: NDArray[np.floating]) -> tuple[NDArray[np.floating], Ints]:
+def merge_points(points: NDArray[_Real]) -> tuple[NDArray[_Real], Ints]:
     """Points at exactly the same place become one: (distinct points, index of each in them).
 
     Sorted by a hash of their bits, and compared afterwards, which takes a fifth of the time of
@@ -478,7 +479,8 @@ class _Lines:
     def begin_with(self, word: bytes) -> NDArray[np.bool_]:
         """Which lines have this letter alone as their first word."""
         second = self.text[np.minimum(self.begins + 1, len(self.text) - 1)]
-        return (self.text[self.begins] == word[0]) & ((second == 32) | (second == 9))
+        which: NDArray[np.bool_] = self.text[self.begins] == word[0]
+        return which & ((second == 32) | (second == 9))
 
     def chosen(self, which: NDArray[np.bool_], mark: int) -> NDArray[np.uint8]:
         """Some lines, one after the other, a mark in the place of their first letters."""
@@ -486,11 +488,13 @@ class _Lines:
         begins, ends = self.begins[which], self.ends[which]
         text[begins] = mark
         if len(begins) and (begins[1:] == ends[:-1]).all():
-            return text[begins[0] : ends[-1]]
+            together: NDArray[np.uint8] = text[begins[0] : ends[-1]]
+            return together
         step = np.zeros(len(text) + 1, dtype=np.int8)
         step[begins] += 1
         step[ends] -= 1
-        return text[np.cumsum(step[:-1], dtype=np.int8).astype(bool)]
+        apart: NDArray[np.uint8] = text[np.cumsum(step[:-1], dtype=np.int8).astype(bool)]
+        return apart
 
 
 def _obj_vertices(lines: _Lines, which: NDArray[np.bool_]) -> tuple[Floats, int | None]:

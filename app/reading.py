@@ -67,7 +67,7 @@ def _read_apart(path: Path, progress: Progress | None) -> Mesh:
         stderr=subprocess.DEVNULL,
         env=os.environ
         | {"PYTHONPATH": os.pathsep.join(filter(None, packages)), "OPENBLAS_NUM_THREADS": "1"},
-        creationflags=subprocess.CREATE_NO_WINDOW if sys.platform == "win32" else 0,
+        creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
     )
     assert child.stdout is not None
     answers: SimpleQueue[Any] = SimpleQueue()
@@ -116,7 +116,7 @@ def _received(
 ) -> Mesh:
     def array(shape: tuple[int, ...], kind: Any) -> Any:
         values = np.empty(shape, dtype=kind)
-        if pipe.readinto(memoryview(values).cast("B")) != values.nbytes:  # type: ignore[attr-defined]
+        if pipe.readinto(values.data.cast("B")) != values.nbytes:  # type: ignore[attr-defined]
             raise EOFError
         return values
 
@@ -156,7 +156,7 @@ def _main(path: Path) -> None:
         say({"mesh": sizes | {"coloured": mesh.rgb is not None, "painted": mesh.painted}})
         for values in (mesh.points, mesh.offsets, mesh.corners, mesh.rgb):
             if values is not None:
-                out.write(memoryview(np.ascontiguousarray(values)).cast("B"))
+                out.write(np.ascontiguousarray(values).data.cast("B"))
         out.flush()
     except SceneError as error:
         parts = [part if isinstance(part, int) else str(part) for part in error.parts]

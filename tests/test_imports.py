@@ -128,7 +128,9 @@ ROOMS = {
     ),
     "app/quality.py": Room(rooms=("app.projection", "app.depth")),
     "app/pace.py": Room(),
-    "app/document.py": Room(rooms=("app.projection", "app.phenomena", "app.quality")),
+    "app/document.py": Room(
+        rooms=("app.projection", "app.phenomena", "app.quality", "app.strangers")
+    ),
     "app/drawings/__init__.py": DRAWING,
     "app/drawings/actors.py": DRAWING,
     "app/drawings/rungs.py": DRAWING,
@@ -178,7 +180,10 @@ ROOMS = {
     "app/store.py": Room(QT_CORE, ("app.projection", "app.document")),
     # What the commands share: no command of its own, and a scene only when it is asked for.
     "app/arguments.py": Room(
-        rooms=("app.bootstrap", "app.projection", "app.document", "app.phenomena"),
+        rooms=(
+            *("app.bootstrap", "app.projection", "app.document", "app.phenomena"),
+            "app.strangers",
+        ),
         late=("app.scene",),
     ),
     # The command line starts with numbers only; pictures and windows come when they are asked for.
