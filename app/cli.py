@@ -13,6 +13,7 @@ import json
 import math
 import os
 import re
+import stat
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import fields
@@ -35,7 +36,7 @@ from app.document import (
     MESH_ENDINGS,
     DocumentError,
     is_mesh,
-    to_json,
+    picture_json,
 )
 from app.free_matrix import properties
 from app.notation import latex_name, latex_number
@@ -173,8 +174,7 @@ def _export(arguments: Sequence[str]) -> int:
             settings=document.settings,
             quality=document.quality,
         )
-        # A mesh is named from the picture's folder, so that both can be moved together.
-        write_png(out, pixels, to_json(document, os.path.dirname(os.path.realpath(out))))
+        write_png(out, pixels, picture_json(document))
     except FigureError as error:
         of_size = found.size is not None and str(error).startswith(("width", "height"))
         raise CliError(f"{'--size ' if of_size else ''}{error}") from error
@@ -290,6 +290,9 @@ def _read_input(source: str) -> bytes:
             raise OSError("it is closed")
         content: bytes = sys.stdin.buffer.read(LARGEST_INPUT + 1)
     else:
+        mode = os.stat(source).st_mode
+        if not (stat.S_ISREG(mode) or stat.S_ISFIFO(mode) or stat.S_ISDIR(mode)):
+            raise OSError("it is a device, neither a file nor a pipe")
         with open(source, "rb") as file:
             content = file.read(LARGEST_INPUT + 1)
     if len(content) > LARGEST_INPUT:

@@ -48,6 +48,7 @@ from app.projection import (
     shown_limits,
 )
 from app.quality import AUTOMATIC, Quality
+from app.strangers import open_regular, printable
 
 if sys.platform != "win32":
     import fcntl
@@ -68,6 +69,8 @@ LARGEST_DOCUMENT = 16 * 2**20
 """Most bytes read as a document; one of a thousand keys of its own has 100 000."""
 LARGEST_PICTURE = 2**30
 """Most bytes read as a PNG picture."""
+MOST_VALUES = 200_000
+"""Most values of a document, by its brackets and commas: reading takes microseconds for each."""
 DEEPEST = 50
 """Most levels of brackets in a document, far below what Python's recursion can write again."""
 
@@ -81,6 +84,7 @@ VERSION_NUMBER = "must be a whole number from 1 on"
 TWICE = "is given twice"
 FINITE_OR_INF = "must be a finite number or inf"
 TOO_DEEP = "has more than {0} levels of brackets"
+TOO_MANY = "has more than {0} values"
 TOO_LARGE = "is larger than {0} MiB"
 OBJECT = "must be an object with named values in braces"
 SCENE_NAME = "must be the name of a scene or of a mesh file"
@@ -102,7 +106,7 @@ NO_EQUALS = "must be written as NAME=VALUE"
 THE_DOCUMENT = "The document"
 BOUNDS = (
     MISSING, EMPTY, BROKEN, NOT_TEXT, FOREIGN, NEWER, VERSION_NUMBER, TWICE, FINITE_OR_INF,
-    TOO_DEEP, TOO_LARGE, OBJECT, SCENE_NAME, NO_FILE, FOLDER, WRITE_PROTECTED, UNREADABLE,
+    TOO_DEEP, TOO_MANY, TOO_LARGE, OBJECT, SCENE_NAME, NO_FILE, FOLDER, WRITE_PROTECTED, UNREADABLE,
     UNWRITABLE, BAD_NAME, BROKEN_PICTURE, NEITHER, PLAIN_PICTURE, UNKNOWN, OTHER_LENS, OTHER_SCENE,
     MESH_NAME, NO_MESH_HERE, NO_EQUALS, THE_DOCUMENT,
 )  # fmt: skip
@@ -147,7 +151,7 @@ class DocumentError(ValueError):
             Turns one of `BOUNDS` into another language.
         """
         bound = translate(self.bound).format(*shown_limits(self.limits, self.value))
-        file = _printable(self.file)
+        file = printable(self.file)
         if len(file) > _LONGEST_FILE:
             file = "..." + file[3 - _LONGEST_FILE :]
         if not self.field:
@@ -318,16 +322,12 @@ def _as_written(value: object) -> str:
         text = "[" + ", ".join(map(_as_written, value[:_LONGEST_SHOWN])) + "]"
     elif isinstance(value, dict):
         keys = list(value)[:_LONGEST_SHOWN]
-        text = "{" + ", ".join(f"{_printable(key)}: ..." for key in keys) + "}"
+        text = "{" + ", ".join(f"{printable(key)}: ..." for key in keys) + "}"
     elif isinstance(value, str):
         text = repr(type(value)(value[: _LONGEST_SHOWN + 1]))
     else:
         text = format_value(value)
     return text if len(text) <= _LONGEST_SHOWN else text[: _LONGEST_SHOWN - 3] + "..."
-
-
-def _printable(name: str) -> str:
-    return name if name.isprintable() else repr(name)
 
 
 def _number(text: str) -> float | None:
@@ -408,7 +408,7 @@ def _bound_of_far(kind: object) -> str:
 
 
 def _join(path: str, key: str) -> str:
-    shown = _printable(key[:_LONGEST_SHOWN])
+    shown = printable(key[:_LONGEST_SHOWN])
     return f"{path}.{shown}" if path else shown
 
 
@@ -430,6 +430,8 @@ def parse(text: str, folder: Path | None = None) -> Document:
     text = text.removeprefix("\ufeff")  # some editors' mark that the text is UTF-8
     if not text.strip():
         raise DocumentError(EMPTY)
+    if sum(map(text.count, "[{,")) > MOST_VALUES:
+        raise DocumentError(TOO_MANY, MOST_VALUES)
     try:
         tree = json.loads(
             text,
@@ -612,6 +614,17 @@ def to_json(document: Document, folder: Path | None = None) -> str:
     return text
 
 
+def picture_json(document: Document) -> str:
+    """Write a document as the text that a picture carries, which goes to strangers.
+
+    It has a mesh's name and no folder, so that nobody reads there how somebody's home is called;
+    the mesh is looked for beside the picture.
+    """
+    names = {key: getattr(document, key) for key in ("scene", "mesh")}
+    names = {key: os.path.basename(name) for key, name in names.items() if is_mesh(name)}
+    return to_json(replace(document, **names))
+
+
 def _dump(tree: Tree, ensure_ascii: bool) -> str:
     dump = partial(json.dumps, ensure_ascii=ensure_ascii, allow_nan=False)
     return "{\n" + ",\n".join(f"  {dump(k)}: {dump(v)}" for k, v in tree.items()) + "\n}\n"
@@ -727,7 +740,7 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
         path, equals, text = (part.strip() for part in assignment.partition("="))
         if not equals or not path:
             written = assignment.strip()
-            raise DocumentError(NO_EQUALS, field=_printable(written) or repr(written))
+            raise DocumentError(NO_EQUALS, field=printable(written) or repr(written))
         texts[path] = text
     scene = texts.pop("scene", document.scene)
     if scene != document.scene:
@@ -819,7 +832,7 @@ def _read_text(path: str, text: str) -> Any:
 
 
 def _unknown_path(path: str, paths: list[str]) -> DocumentError:
-    shown = _printable(path[:_LONGEST_SHOWN])
+    shown = printable(path[:_LONGEST_SHOWN])
     section, _, key = path.rpartition(".")
     kinds = [kind for kind, names in _LENS.items() if key in names]
     if section in ("lens", "") and kinds and f"lens.{key}" not in paths:
@@ -974,7 +987,7 @@ def holds_document(path: Path) -> bool:
     """Tell whether a file that was read can be saved in: it is no mesh, picture or device."""
     if is_mesh(os.fspath(path)) or not os.path.isfile(path):
         return False
-    with open(path, "rb") as file:
+    with open_regular(path) as file:
         return file.read(len(_PNG)) != _PNG
 
 
@@ -1009,7 +1022,7 @@ def _decode(content: bytes) -> str:
 def _read_bytes(path: Path) -> bytes:
     if os.path.isdir(path):
         raise DocumentError(FOLDER)
-    with open(path, "rb") as file:
+    with open_regular(path) as file:
         content = file.read(len(_PNG))
         limit = LARGEST_PICTURE if content == _PNG else LARGEST_DOCUMENT
         content += file.read(limit - len(content) + 1)

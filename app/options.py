@@ -16,6 +16,7 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import NoReturn, TextIO, TypeVar
 
 from app import __version__
+from app.strangers import printable
 
 _Status = TypeVar("_Status", int, "int | None")
 
@@ -62,7 +63,7 @@ class CliError(Exception):
 def complain(sentence: str, status: int) -> int:
     """Write a sentence to standard error, on one line, and give the exit status back."""
     if sys.stderr is not None:
-        print(" ".join(sentence.split()), file=sys.stderr)
+        print(printable(" ".join(sentence.split())), file=sys.stderr)
     return status
 
 

@@ -25,7 +25,9 @@ from typing import Any, TypeAlias
 import numpy as np
 import pyvista as pv
 from numpy.typing import ArrayLike, NDArray
-from vtkmodules.vtkFiltersCore import vtkFeatureEdges
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkDataArray
+from vtkmodules.vtkCommonDataModel import vtkCellArray
 
 from app.meshes import ENDINGS as ENDINGS
 from app.meshes import (
@@ -35,18 +37,16 @@ from app.meshes import (
     Ints,
     Mesh,
     Progress,
-    cells_of,
-    check_readable,
     merge_points,
-    read,
+    open_mesh,
     report,
-    values_of,
 )
 from app.meshes import SceneCancelled as SceneCancelled  # `load` raises both
 from app.meshes import SceneError as SceneError
 from app.phenomena import PHENOMENA, Phenomenon
 from app.phenomena.exhibit import OwnMesh, Subject
 from app.projection import Array, Camera, Perspective, Projection
+from app.reading import read
 from app.shapes import (
     EDGE_RGB,
     GRID_AXIS_RGB,
@@ -82,6 +82,8 @@ FACES_WITH_EDGES = 5_000
 """Meshes of more faces get no edge lines: they would be denser than the pixels."""
 SAMPLE = 100_000
 """Vertices of a larger mesh stand for all of them when speed is measured."""
+_SHARP = math.cos(math.radians(30.0))
+"""Edges whose faces turn by more than this are drawn."""
 _DEEPEST = 4.0  # times the bounds' longest side, that a mesh may reach which crosses them
 SUBJECT_SAMPLE = 2_000
 """Vertices of a larger subject stand for all of them in what a phenomenon reckons at each step."""
@@ -216,7 +218,7 @@ def load(name_or_path: str, progress: Progress | None = None, mesh: str = "") ->
         return _scene_of_mesh(name_or_path, path, progress)
     is_file_name = path.name != name_or_path or path.suffix != ""
     if name_or_path and (is_file_name or _exists(path)):
-        check_readable(path)
+        open_mesh(path).close()
         raise SceneError(WRONG_ENDING, path, *_but_last(ENDINGS))
     likely = difflib.get_close_matches(name_or_path.lower(), BUILT_IN, n=1, cutoff=0.5)
     template = NEARLY_A_SCENE if likely else NOT_A_SCENE
@@ -300,6 +302,18 @@ def _but_last(words: Sequence[str]) -> tuple[str, str]:
 
 def _cell_array(offsets: NDArray[Any], corners: NDArray[Any]) -> pv.CellArray:
     return pv.CellArray.from_arrays(offsets, corners, deep=True)
+
+
+def values_of(array: vtkDataArray) -> NDArray[Any]:
+    return np.asarray(vtk_to_numpy(array))  # type: ignore[no-untyped-call]
+
+
+def cells_of(cells: vtkCellArray) -> tuple[Ints, Ints]:
+    """Offsets and corners of a VTK cell array."""
+    cells.ConvertTo64BitStorage()
+    offsets = values_of(cells.GetOffsetsArray())
+    corners = values_of(cells.GetConnectivityArray())
+    return offsets.astype(np.int64), corners.astype(np.int64)
 
 
 def _poly_data(points: NDArray[np.floating], cells: pv.CellArray, rgb: Colours) -> pv.PolyData:
@@ -429,7 +443,7 @@ BUILT_IN = (*_BUILDERS, *PHENOMENA)
 def _read_mesh(path: Path, progress: Progress | None) -> tuple[Mesh, Vector, Vector]:
     """A mesh that has a size, and its bounds."""
     if path.suffix.lower() not in ENDINGS:
-        check_readable(path)
+        open_mesh(path).close()
         raise SceneError(WRONG_ENDING, path, *_but_last(ENDINGS))
     mesh = read(path, progress)
     report(progress, 0.5)
@@ -506,9 +520,7 @@ def _own_mesh(surface: pv.PolyData, origin: Vector, pixels: bool) -> OwnMesh:
     """The longest edges of a surface, the triangles with the longest; for pixels all of them."""
     points = np.asarray(surface.points)
     offsets, corners = cells_of(surface.GetPolys())
-    following = np.empty_like(corners)
-    following[:-1] = corners[1:]
-    following[offsets[1:] - 1] = corners[offsets[:-1]]
+    following = corners[_following(offsets)]
     # Most edges are there from either side, and with the copies of their ends that files make.
     places, merged = merge_points(points)
     starts, ends = merged[corners], merged[following]
@@ -663,26 +675,37 @@ def _normals(points: Floats, corners: Ints) -> Floats:
 
 
 def _feature_edges(mesh: Mesh) -> Floats:
-    """Sharp and free edges (m, 2, 3) of a small mesh.
+    """Sharp and free edges (m, 2, 3) of a small mesh, and those of more than two faces.
 
     Files repeat a vertex for every face, or where its texture or normal changes; only when the
-    copies are one point again do two faces know that they are neighbours.
+    copies are one point again do two faces know that they are neighbours. VTK's filter takes the
+    square of the faces at one edge, and a few kilobytes of glTF bring thousands.
     """
     points, merged = merge_points(mesh.points)
-    poly_data = pv.PolyData()
-    poly_data.points = points
-    poly_data.SetPolys(_cell_array(mesh.offsets, merged[mesh.corners]))
-    edges = vtkFeatureEdges()
-    edges.SetInputData(poly_data)
-    edges.SetFeatureAngle(30.0)
-    edges.ColoringOff()
-    edges.Update()
-    found = edges.GetOutput()
-    if found.GetNumberOfLines() == 0:
-        return np.empty((0, 2, 3))
-    _, ends = cells_of(found.GetLines())
-    vertices: Floats = values_of(found.GetPoints().GetData()).astype(np.float64)
-    return vertices[ends.reshape(-1, 2)]
+    starts = merged[mesh.corners]
+    ends = merged[mesh.corners[_following(mesh.offsets)]]
+    faces = len(mesh.offsets) - 1
+    normals = np.empty((faces, 3))
+    for which, corners in _faces_by_size(mesh):
+        normals[which] = _normals(mesh.points, corners)
+    apart = starts != ends
+    face = np.repeat(np.arange(faces), np.diff(mesh.offsets))[apart]
+    keys = (np.minimum(starts, ends) * len(points) + np.maximum(starts, ends))[apart]
+    order = np.argsort(keys, kind="stable")
+    found, first, count = np.unique(keys[order], return_index=True, return_counts=True)
+    two = count == 2
+    one_side, other_side = (normals[face[order[first[two] + i]]] for i in (0, 1))
+    drawn = ~two
+    drawn[two] = (one_side * other_side).sum(axis=1) <= _SHARP
+    edges: Floats = points[np.stack(np.divmod(found[drawn], len(points)), axis=1)]
+    return edges
+
+
+def _following(offsets: Ints) -> Ints:
+    """For every place among the corners of faces, that of the next corner of the same face."""
+    following = np.arange(1, offsets[-1] + 1)
+    following[offsets[1:] - 1] = offsets[:-1]
+    return following
 
 
 def _ground(lower: Vector, upper: Vector, origin: Vector) -> Coloured:

@@ -25,7 +25,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app import document, figures, free_matrix, health, meshes, projection, scene
+from app import document, figures, free_matrix, health, meshes, projection, reading, scene
 from app.document import DocumentError
 from app.figures import FigureError
 from app.phenomena import exhibit
@@ -1553,7 +1553,11 @@ def test_a_slider_stays_long_enough_to_use_and_the_column_narrow(enlarged: Contr
         (messages.PROJECTION_BOUNDS, projection.BOUNDS, "ProjectionError"),
         (messages.SETTING_BOUNDS, (exhibit.WHOLE, exhibit.YES_OR_NO), "ProjectionError"),
         (messages.DOCUMENT_BOUNDS, document.BOUNDS, "DocumentError"),
-        (messages.SCENE_SENTENCES, meshes.SENTENCES + scene.SENTENCES, "SceneError"),
+        (
+            messages.SCENE_SENTENCES,
+            meshes.SENTENCES + reading.SENTENCES + scene.SENTENCES,
+            "SceneError",
+        ),
         (messages.FIGURE_SENTENCES, figures.SENTENCES, "FigureError"),
         (messages.HEALTH_SENTENCES, health.SENTENCES, "Health"),
         (messages.PROPERTY_SENTENCES, free_matrix.PROPERTIES, "Matrix"),

@@ -86,7 +86,7 @@ ROOMS = {
     "app/__init__.py": Room(),
     "app/bootstrap.py": Room(),
     # Help, and what is wrong with an option, before anything is set up.
-    "app/options.py": Room(),
+    "app/options.py": Room(rooms=("app.strangers",)),
     "app/__main__.py": Room(late=("app.bootstrap", "app.options", "app.doctor", "app.cli")),
     "app/double_double.py": CORE,
     "app/values.py": CORE,
@@ -121,13 +121,18 @@ ROOMS = {
         str(path.relative_to(ROOT).as_posix()): PHENOMENON
         for path in (ROOT / "app" / "phenomena").glob("*.py")
     },
-    "app/meshes.py": Room(("numpy", *VTK)),
+    "app/strangers.py": Room(),
+    "app/meshes.py": Room(("numpy",), ("app.strangers",)),
+    "app/reading.py": Room(("numpy",), ("app.meshes",)),
     "app/scene.py": Room(
-        ("numpy", *VTK), ("app.projection", "app.shapes", "app.meshes", "app.phenomena")
+        ("numpy", *VTK),
+        ("app.projection", "app.shapes", "app.meshes", "app.reading", "app.phenomena"),
     ),
     "app/quality.py": Room(rooms=("app.projection", "app.depth")),
     "app/pace.py": Room(),
-    "app/document.py": Room(rooms=("app.projection", "app.phenomena", "app.quality")),
+    "app/document.py": Room(
+        rooms=("app.projection", "app.phenomena", "app.quality", "app.strangers")
+    ),
     "app/drawings/__init__.py": DRAWING,
     "app/drawings/actors.py": DRAWING,
     "app/drawings/rungs.py": DRAWING,

@@ -941,12 +941,15 @@ def bad_files(folder: Path) -> Iterator[tuple[str, str]]:
         "lines.obj": ("v 0 0 0\nv 1 1 1\nl 1 2\n", "no faces"),
         "one.obj": ("v 0 0 0\n", "no faces (one vertex)"),
         "same.obj": ("v 1 2 3\nv 1 2 3\nv 1 2 3\nf 1 2 3\n", "at one point"),
-        "corner.obj": ("v 1 2 3\nf 1 1 1\n", "at one point"),
+        "onecorner.obj": ("v 1 2 3\nf 1 1 1\n", "at one point"),
         "line.obj": ("v 1 2 3\nv 1 2 4\nv 1 2 7\nf 1 2 3\n", "on one line"),
         "slant.obj": ("v .1 .2 .3\nv .2 .4 .6\nv .7 1.4 2.1\nf 1 2 3\n", "on one line"),
         "index.obj": ("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", "does not exist"),
-        "zero.obj": ("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n", "cannot be read as OBJ"),
-        "half.obj": ("v 0 0 0\nv 1 0", "cannot be read as OBJ"),
+        "zero.obj": ("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n", "does not exist"),
+        "half.obj": ("v 0 0 0\nv 1 0", "line 2 cannot be read as OBJ"),
+        "word.obj": ("v 0 0 0\nv 1 0 0\nv 0 1 x\nf 1 2 3\n", "line 3 cannot be read as OBJ"),
+        "corner.obj": ("v 1 2 3\nf 1 1 /1\n", "line 2 cannot be read as OBJ"),
+        "letter.obj": ("v 1 2 3\nf 1 1 a\n", "line 2 cannot be read as OBJ"),
         "nan.obj": ("v nan 0 0\nv 1 0 0\nv 0 inf 0\nf 1 2 3\n", "2 vertices of 3 are not finite"),
         "nan.ply": (
             ply_header("ascii", 3, 1) + "0 0 0\n1 0 nan\n0 1 0\n3 0 1 2\n",
@@ -1062,20 +1065,6 @@ def test_each_bad_file_gets_one_sentence_and_nothing_else(
     assert (printed.out, printed.err) == ("", "")
 
 
-def test_vtk_prints_its_errors_again_after_a_bad_file(
-    tmp_path: Path, capfd: pytest.CaptureFixture[str]
-) -> None:
-    from vtkmodules.vtkIOGeometry import vtkOBJReader
-
-    (tmp_path / "bad.obj").write_text("v 0 0\n")
-    refusal(str(tmp_path / "bad.obj"))
-    assert capfd.readouterr().err == ""
-    reader = vtkOBJReader()
-    reader.SetFileName(str(tmp_path / "bad.obj"))
-    reader.Update()
-    assert "vtkOBJReader" in capfd.readouterr().err
-
-
 def test_a_file_without_read_permission(tmp_path: Path) -> None:
     path = tmp_path / "mine.obj"
     obj_file(path, PYRAMID)
@@ -1117,7 +1106,7 @@ def test_a_name_like_no_scene_is_answered_with_all(name: str) -> None:
     assert all(known in refusal(name) for known in BUILT_IN)
 
 
-@pytest.mark.parametrize("name", ["a\0b.stl", "\udcff.stl", "a" * 300 + ".stl"])
+@pytest.mark.parametrize("name", ["a\0b.stl", "a" * 300 + ".stl"])
 def test_names_that_no_file_can_have(name: str) -> None:
     assert "file name" in refusal(name).lower()
 

@@ -139,7 +139,7 @@ class Files(QObject):
             if is_mesh(path):
                 scene = self._load(path, "")
                 return Document(path, scene.start), scene, None
-            document = read(path)
+            document = self._with_mesh(read(path), path)
             return document, self._load(document.scene, document.mesh), self._place(path)
 
         found = self._try(opened, "" if is_mesh(path) else path)
@@ -152,6 +152,24 @@ class Files(QObject):
         self._set_path(place)
         self._remember(path)
         return True
+
+    def _with_mesh(self, document: Document, path: str) -> Document:
+        """A picture's document, with the mesh from beside it, or else from where the user says."""
+        key = "scene" if is_mesh(document.scene) else "mesh"
+        mesh: str = getattr(document, key)
+        if not mesh or holds_document(path) or os.path.exists(mesh):
+            return document
+        place = self._ask_for_mesh(
+            self.tr("Where is {0}, which the picture shows?").format(os.path.basename(mesh)),
+            os.path.dirname(mesh),
+        )
+        return replace(document, **{key: os.path.abspath(place)}) if place else document
+
+    def _ask_for_mesh(self, title: str, folder: str) -> str:
+        endings = " ".join(f"*{ending}" for ending in MESH_ENDINGS)
+        kinds = self.tr("Meshes ({0});;All files (*)").format(endings)
+        path, _ = QFileDialog.getOpenFileName(self._window, title, folder, kinds)
+        return path
 
     def take_up(self, path: Path) -> None:
         """Note that what is shown was opened from a file."""
@@ -178,12 +196,9 @@ class Files(QObject):
 
     def mesh_dialog(self) -> None:
         """Ask for a mesh to stand in the place of the scene's own objects."""
-        meshes = " ".join(f"*{ending}" for ending in MESH_ENDINGS)
-        path, _ = QFileDialog.getOpenFileName(
-            self._window,
+        path = self._ask_for_mesh(
             self.tr("Use a mesh in the place of the scene's own objects"),
             os.path.dirname(self._store.document.mesh),
-            self.tr("Meshes ({0});;All files (*)").format(meshes),
         )
         if path:
             self.use_mesh(path)

@@ -94,6 +94,7 @@ DOCUMENT_BOUNDS = (
     QT_TRANSLATE_NOOP("DocumentError", "must be a finite number or inf"),
     QT_TRANSLATE_NOOP("DocumentError", "is given twice"),
     QT_TRANSLATE_NOOP("DocumentError", "has more than {0} levels of brackets"),
+    QT_TRANSLATE_NOOP("DocumentError", "has more than {0} values"),
     QT_TRANSLATE_NOOP("DocumentError", "is larger than {0} MiB"),
     QT_TRANSLATE_NOOP("DocumentError", "must be an object with named values in braces"),
     QT_TRANSLATE_NOOP("DocumentError", "must be the name of a scene or of a mesh file"),
@@ -169,7 +170,19 @@ SCENE_SENTENCES = (
     ),
     QT_TRANSLATE_NOOP(
         "SceneError",
-        "{0}: it cannot be read as OBJ ({1}); export or download the file again.",
+        "{0}: it would grow to {1} triangles and {2} MiB, and at most {3} triangles and "
+        "{4} MiB are shown; "
+        "make it smaller.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "SceneError",
+        "{0}: there is not enough memory to read it; make it smaller, or close other programs.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "SceneError", "{0}: it cannot be read ({1}); export or download the file again."
+    ),
+    QT_TRANSLATE_NOOP(
+        "SceneError", "{0}: line {1} cannot be read as OBJ; export or download the file again."
     ),
     QT_TRANSLATE_NOOP(
         "SceneError",
@@ -203,8 +216,7 @@ SCENE_SENTENCES = (
         "export or download the file again.",
     ),
     QT_TRANSLATE_NOOP(
-        "SceneError",
-        "{0}: its vertices have no x, y, z; export or download the file again.",
+        "SceneError", "{0}: its vertices have no x, y, z; export or download the file again."
     ),
     QT_TRANSLATE_NOOP(
         "SceneError",
@@ -220,12 +232,16 @@ SCENE_SENTENCES = (
         "{0}: this is not a GLB file, which begins with “glTF”; check what kind of file it is.",
     ),
     QT_TRANSLATE_NOOP(
-        "SceneError",
-        "{0}: its mesh is compressed ({1}); export it without compression.",
+        "SceneError", "{0}: its mesh is compressed ({1}); export it without compression."
     ),
     QT_TRANSLATE_NOOP(
         "SceneError",
         "{0}: its part {1} cannot be read ({2}); keep the files of a glTF mesh together.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "SceneError",
+        "{0}: its part {1} is not a file in the folder of the mesh, and nothing else is read; "
+        "keep the files of a glTF mesh together.",
     ),
     QT_TRANSLATE_NOOP(
         "SceneError",
@@ -244,7 +260,11 @@ SCENE_SENTENCES = (
     ),
     QT_TRANSLATE_NOOP(
         "SceneError",
-        "{0}: its glTF description lacks “{1}”; export or download the file again.",
+        "{0}: its JSON part, which describes the mesh, has more than {1} lists and objects; "
+        "export it in fewer parts.",
+    ),
+    QT_TRANSLATE_NOOP(
+        "SceneError", "{0}: its glTF description lacks “{1}”; export or download the file again."
     ),
     QT_TRANSLATE_NOOP(
         "SceneError",
@@ -267,20 +287,21 @@ SCENE_SENTENCES = (
         "are); export or download the file again.",
     ),
     QT_TRANSLATE_NOOP(
-        "SceneError",
-        "{0}: its glTF description is not valid; export or download the file again.",
+        "SceneError", "{0}: its glTF description is not valid; export or download the file again."
     ),
     QT_TRANSLATE_NOOP(
         "SceneError",
-        "{0}: a mesh file must end in {1} or {2}; convert it to one of these.",
+        "{0}: the program that reads it ended before it was done; "
+        "make it smaller, or export or download the file again.",
     ),
     QT_TRANSLATE_NOOP(
-        "SceneError",
-        "There is no scene “{0}”, only {1} or {2}; a mesh file needs its ending.",
+        "SceneError", "{0}: a mesh file must end in {1} or {2}; convert it to one of these."
     ),
     QT_TRANSLATE_NOOP(
-        "SceneError",
-        "There is no scene “{0}”, only {1} or {2}; did you mean “{3}”?",
+        "SceneError", "There is no scene “{0}”, only {1} or {2}; a mesh file needs its ending."
+    ),
+    QT_TRANSLATE_NOOP(
+        "SceneError", "There is no scene “{0}”, only {1} or {2}; did you mean “{3}”?"
     ),
     QT_TRANSLATE_NOOP(
         "SceneError",
@@ -299,7 +320,8 @@ SCENE_SENTENCES = (
         "mesh = {1}: the scene “{0}” has a subject of its own, no mesh can take its place.",
     ),
 )
-"""Every `SceneError`: the members of `app.meshes.SENTENCES` and `app.scene.SENTENCES`."""
+"""Every `SceneError`: the members of the `SENTENCES` of `app.meshes`, `app.reading` and
+`app.scene`."""
 
 FIGURE_SENTENCES = (
     QT_TRANSLATE_NOOP("FigureError", "panes = {0}: must name at least one of {1}."),

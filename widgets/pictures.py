@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Mapping
 from pathlib import Path
 
@@ -11,7 +10,7 @@ from PySide6.QtCore import QByteArray, QMimeData, QObject, Qt
 from PySide6.QtGui import QGuiApplication, QImage, QOpenGLContext
 from PySide6.QtWidgets import QFileDialog, QMainWindow, QProgressDialog
 
-from app.document import Document, DocumentError, to_json
+from app.document import Document, DocumentError, picture_json
 from app.figures import (
     PANES,
     FigureCancelled,
@@ -88,10 +87,10 @@ class Pictures(QObject):
         return self._write(path, lambda document: self._draw(document, choice))
 
     def _write(self, path: Path, draw: Callable[[Document], Pixels]) -> bool:
-        document, folder = self._seen(), Path(os.path.realpath(path)).parent
+        document = self._seen()
 
         def write() -> None:
-            write_png(path, draw(document), to_json(document, folder))
+            write_png(path, draw(document), picture_json(document))
 
         return self._try(write, self.tr("Exported {0}").format(path))
 
@@ -103,7 +102,7 @@ class Pictures(QObject):
 
     def copy_diagram(self, image: QImage) -> None:
         """Put the picture of a diagram on the clipboard."""
-        png = png_bytes(_pixels(image), to_json(self._seen()))
+        png = png_bytes(_pixels(image), picture_json(self._seen()))
         self._try(lambda: _to_clipboard(png), self.tr("Copied the diagram"))
 
     def copy(self) -> bool:
@@ -112,7 +111,7 @@ class Pictures(QObject):
 
         def put() -> None:
             pixels = self._draw(document, ExportChoice(PANES, (1800, 600), 1.0, False))
-            _to_clipboard(png_bytes(pixels, to_json(document)))
+            _to_clipboard(png_bytes(pixels, picture_json(document)))
 
         return self._try(put, self.tr("Copied the picture"))
 

@@ -1,0 +1,55 @@
+"""Files of strangers: opened only where they are files, and shown without what a terminal obeys."""
+
+from __future__ import annotations
+
+import errno
+import os
+import stat
+from typing import BinaryIO
+
+LARGEST_FILE = 2 * 2**30
+"""Most bytes of a file that is opened."""
+
+
+def open_regular(path: str | os.PathLike[str]) -> BinaryIO:
+    """Open a file for reading that is one, or a link to one: no pipe, device or socket.
+
+    Raises
+    ------
+    OSError
+        If it cannot be opened, is larger than `LARGEST_FILE` or is no regular file; for the
+        system's own reasons as `open` does.
+    """
+    _check_regular(os.stat(path))  # first: opening a device may already do something
+
+    def without_waiting(name: str, flags: int) -> int:
+        # Meanwhile it may have become a pipe, at which one would wait for a writer.
+        return os.open(name, flags | getattr(os, "O_NONBLOCK", 0))
+
+    file = open(path, "rb", opener=without_waiting)  # noqa: SIM115 the caller closes it
+    try:
+        _check_regular(os.fstat(file.fileno()))
+    except OSError:
+        file.close()
+        raise
+    return file
+
+
+def _check_regular(status: os.stat_result) -> None:
+    if stat.S_ISDIR(status.st_mode):
+        raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
+    if not stat.S_ISREG(status.st_mode):
+        raise OSError(errno.EINVAL, "it is a pipe or a device, not a regular file")
+    if status.st_size > LARGEST_FILE:
+        raise OSError(errno.EFBIG, f"it is larger than {LARGEST_FILE >> 30} GiB")
+
+
+def printable(text: str) -> str:
+    """A text with every character that is not shown written as Python writes it: ``\\x1b``.
+
+    What a terminal would obey and what no encoding has (half of a surrogate pair, as in a file
+    name that is not UTF-8) is among them, and so is what turns the reading direction.
+    """
+    if text.isprintable():
+        return text
+    return "".join(letter if letter.isprintable() else repr(letter)[1:-1] for letter in text)
