@@ -597,7 +597,7 @@ def imports(scale: float) -> dict[str, Any]:
         [sys.executable, "-c", code], cwd=bootstrap.ROOT, capture_output=True, text=True, check=True
     )
     heavy = {name.split(".")[0] for name in run.stdout.split()} & {
-        "PySide6", "vtk", "vtkmodules", "pyvista", "pyvistaqt", "matplotlib", "numba",
+        "PySide6", "vtk", "vtkmodules", "pyvista", "pyvistaqt", "matplotlib", "mpmath",
     }  # fmt: skip
     return {"app.projection imports of Qt, VTK and the like": sorted(heavy)}
 
