@@ -294,17 +294,30 @@ def test_a_peer_that_fails_to_import_is_named(monkeypatch: pytest.MonkeyPatch) -
 
 @pytest.mark.parametrize("mapping", MAPPINGS)
 @pytest.mark.parametrize("format_", list(FORMATS))
-def test_the_smallest_gap_is_found_and_predicted(format_: str, mapping: str) -> None:
-    for distance in (1.7, 11.0, 25.0):
-        buffer = DepthBuffer(format_, mapping, 1.0, 30.0)
+@pytest.mark.parametrize("far", [30.0, math.inf])
+def test_the_smallest_gap_is_never_below_the_formulas(
+    far: float, format_: str, mapping: str
+) -> None:
+    """What is found holds for surfaces about the target, what is predicted for one at it."""
+    if far == math.inf and mapping == "logarithmic":
+        return
+    buffer = DepthBuffer(format_, mapping, 1.0, far)
+    for distance in (1.7, 11.0, 25.0, *np.random.default_rng(1).uniform(1.0, 30.0, 8).tolist()):
         found, predicted = smallest_gap(buffer, distance), float(buffer.gap(distance))
-        assert found <= predicted * (1.0 + 1e-9) or predicted == math.inf
-        assert found >= 0.4 * predicted or predicted == math.inf or found == math.inf
-        if math.isfinite(found):
-            near = np.linspace(distance - found, distance, 50)
-            near = near[near >= 1.0]
-            far = np.minimum(near + 1.001 * predicted, 30.0)
-            assert (buffer.encode(near) != buffer.encode(far)).all()
+        if predicted == math.inf:
+            continue
+        assert found >= predicted * (1.0 - 1e-6)  # as float64 knows where codes begin
+        if found == math.inf:
+            behind = distance + predicted
+            assert buffer.encode(min(behind, far)) == buffer.encode(min(far, 1e300))
+            continue
+        # It is real: a pair somewhat closer about there has one code, and none farther apart.
+        surfaces = np.linspace(distance, distance + 3.0 * found, 3001)
+        surfaces = surfaces[surfaces + 1.001 * found <= min(far, 1e300)]
+        closer = buffer.encode(surfaces) == buffer.encode(surfaces + 0.99 * found)
+        assert closer.any() or len(surfaces) < 3001
+        near = surfaces[surfaces <= distance + predicted / 1000.0]
+        assert (buffer.encode(near) != buffer.encode(near + 1.001 * found)).all()
 
 
 def test_the_depth_trade_has_every_format_and_range() -> None:
