@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import csv
 import io
+import itertools
 import json
 import math
 import os
@@ -21,6 +22,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from app import bootstrap, doctor
 from app.arguments import (
@@ -320,31 +322,55 @@ def _point(cells: list[str], where: str) -> tuple[float, float, float]:
     return x, y, z
 
 
-def _outside_of(outside: list[bool]) -> list[str]:
-    return [plane for plane, is_outside in zip(PLANES, outside, strict=True) if is_outside]
+class _Block(NamedTuple):
+    """Some of the points, ready to be written.
+
+    Attributes
+    ----------
+    numbers : (n, 16) float64 array
+        The columns of `_STAGES`; NaN where there is no picture, and no minus zero.
+    in_front : list of bool
+    outside_of : list of tuple of str
+    """
+
+    numbers: Array
+    in_front: list[bool]
+    outside_of: list[tuple[str, ...]]
+
+    @property
+    def texts(self) -> list[str]:
+        """All numbers, row by row, each as the shortest text that reads back the same."""
+        return list(map(repr, self.numbers.ravel().tolist()))
 
 
-def _points_of(trace: Trace) -> Iterator[dict[str, Any]]:
-    """Each point as DESIGN section 8 writes it; `None` where there is no picture of it."""
-    columns = (trace.world, trace.view, trace.clip, trace.ndc, trace.image, trace.depth)
-    rows = zip(
-        *(_plain(column) for column in columns),
-        trace.in_front.tolist(),
-        trace.outside.tolist(),
-        strict=True,
-    )
-    for world, view, clip, ndc, image, depth, in_front, outside in rows:
-        outside_of = _outside_of(outside)
-        yield {
-            "world": world,
-            "view": view,
-            "clip": clip,
-            "ndc": ndc if in_front else None,
-            "image": image if in_front else None,
-            "depth": depth if in_front else None,
-            "inside": in_front and not outside_of,
-            "outside_of": outside_of,
-        }
+_STAGES = (
+    ("world", ("world_x", "world_y", "world_z")),
+    ("view", ("view_x", "view_y", "view_z")),
+    ("clip", ("clip_x", "clip_y", "clip_z", "clip_w")),
+    ("ndc", ("ndc_x", "ndc_y", "ndc_z")),
+    ("image", ("image_x_px", "image_y_px")),
+    ("depth", ("depth",)),
+)
+_NUMBERS = sum(len(names) for _, names in _STAGES)
+_BEFORE_NDC = 10
+"""As many of them there are also of a point without a picture."""
+_BLOCK = 4096
+
+
+def _blocks(trace: Trace) -> Iterator[_Block]:
+    named = [
+        tuple(plane for i, plane in enumerate(PLANES) if code >> i & 1)
+        for code in range(1 << len(PLANES))
+    ]
+    for start in range(0, len(trace.world), _BLOCK):
+        part = Trace._make(column[start : start + _BLOCK] for column in trace)
+        codes = part.outside @ (1 << np.arange(len(PLANES)))
+        stages = part.world, part.view, part.clip, part.ndc, part.image, part.depth
+        yield _Block(
+            np.column_stack(stages) + 0.0,
+            part.in_front.tolist(),
+            [named[code] for code in codes.tolist()],
+        )
 
 
 def _plain(array: Array) -> list[Any]:
@@ -353,9 +379,26 @@ def _plain(array: Array) -> list[Any]:
 
 
 def _project_json(answer: _Answer) -> Iterator[str]:
+    parts = [
+        f'"{stage}": {"[%s]" if len(names) > 1 else "%s"}' % ", ".join(["%s"] * len(names))
+        for stage, names in _STAGES
+    ]
+    seen = "{" + ", ".join(parts)
+    unseen = "{" + ", ".join([*parts[:3], *(f'"{stage}": null' for stage, _ in _STAGES[3:])])
     separator = '{"points": [\n'
-    for point in _points_of(answer.trace):
-        yield separator + json.dumps(point, allow_nan=False)
+    for block in _blocks(answer.trace):
+        texts, lines = block.texts, []
+        for i, (in_front, outside_of) in enumerate(
+            zip(block.in_front, block.outside_of, strict=True)
+        ):
+            first = _NUMBERS * i
+            if in_front:
+                line = seen % tuple(texts[first : first + _NUMBERS])
+            else:
+                line = unseen % tuple(texts[first : first + _BEFORE_NDC])
+            inside = "true" if in_front and not outside_of else "false"
+            lines.append(f'{line}, "inside": {inside}, "outside_of": {json.dumps(outside_of)}}}')
+        yield separator + ",\n".join(lines)
         separator = ",\n"
     names = ("view_from_world", "clip_from_view", "clip_from_world")
     stages = (*answer.projection.stages, *answer.projection.direct_stages)
@@ -378,51 +421,63 @@ def _finite_or_text(error: float) -> float | str:
     return error if math.isfinite(error) else "inf"
 
 
-_CSV_COLUMNS = (
-    ("world", ("world_x", "world_y", "world_z")),
-    ("view", ("view_x", "view_y", "view_z")),
-    ("clip", ("clip_x", "clip_y", "clip_z", "clip_w")),
-    ("ndc", ("ndc_x", "ndc_y", "ndc_z")),
-    ("image", ("image_x_px", "image_y_px")),
-    ("depth", ("depth",)),
-)
-
-
 def _project_csv(answer: _Answer) -> Iterator[str]:
-    columns = [name for _, names in _CSV_COLUMNS for name in names]
+    columns = [name for _, names in _STAGES for name in names]
     yield ",".join([*columns, "inside", "outside_of"]) + "\n"
-    for point in _points_of(answer.trace):
-        cells = []
-        for stage, names in _CSV_COLUMNS:
-            values = point[stage]
-            if values is None:
-                cells += [""] * len(names)
-            else:
-                cells += map(repr, values if isinstance(values, list) else [values])
-        cells += ["true" if point["inside"] else "false", " ".join(point["outside_of"])]
-        yield ",".join(cells) + "\n"
+    none = [""] * (_NUMBERS - _BEFORE_NDC)
+    for block in _blocks(answer.trace):
+        texts, lines = block.texts, []
+        for i, (in_front, outside_of) in enumerate(
+            zip(block.in_front, block.outside_of, strict=True)
+        ):
+            cells = texts[_NUMBERS * i : _NUMBERS * (i + 1)]
+            if not in_front:
+                cells[_BEFORE_NDC:] = none
+            cells += ["true" if in_front and not outside_of else "false", " ".join(outside_of)]
+            lines.append(",".join(cells) + "\n")
+        yield "".join(lines)
 
 
 def _project_table(answer: _Answer) -> Iterator[str]:
-    labels = (
-        ("world", "world"), ("view", "view"), ("clip", "clip"), ("ndc", "NDC"),
-        ("image", "image px"), ("depth", "depth"),
-    )  # fmt: skip
-    for number, point in enumerate(_points_of(answer.trace), start=1):
-        rows = [["x", "y", "z", "w"]]
-        for stage, _ in labels:
-            values = point[stage]
-            values = [] if values is None else values if isinstance(values, list) else [values]
-            rows.append([format_value(value) for value in values])
-        if number > 1:
-            yield "\n"
-        head, *lines = _aligned(rows)
-        yield f"{f'point {number}':<10}  {head}\n"
-        for (stage, label), line in zip(labels, lines, strict=True):
-            none = "none: the point is not in front of the eye"
-            yield f"{label:>10}  {none if point[stage] is None else line}\n"
-        beyond = ", ".join(point["outside_of"])
-        yield f"{'outside of' if beyond else 'inside':>10}  {beyond or 'the view volume'}\n"
+    labels = ("world", "view", "clip", "NDC", "image px", "depth")
+    rows, line = len(labels) + 1, "%*s" * 4 + "\n"
+    seen = "%-10s  " + line + "".join(f"{label:>10}  {line}" for label in labels)
+    none = "none: the point is not in front of the eye\n"
+    unseen = "%-10s  " + line + "".join(f"{label:>10}  {line}" for label in labels[:3])
+    unseen += "".join(f"{label:>10}  {none}" for label in labels[3:])
+    # Where each number stands in a table of four columns, below its head.
+    places = [4 * row + i for row, (_, names) in enumerate(_STAGES, 1) for i in range(len(names))]
+    number = 0
+    for block in _blocks(answer.trace):
+        count, texts = len(block.numbers), block.texts
+        whole = (block.numbers == np.rint(block.numbers)) & (np.abs(block.numbers) < 1e15)
+        for i in np.flatnonzero(whole).tolist():
+            texts[i] = texts[i].removesuffix(".0")
+        counted = np.zeros((2, count, 4 * rows), dtype=int)
+        counted[0, :, :4] = counted[1, :, :4] = 1
+        counted[:, :, places] = np.reshape(_lengths(texts), (2, count, _NUMBERS))
+        counted[:, ~np.array(block.in_front), places[_BEFORE_NDC] :] = 0
+        cells = np.full((count, 4 * rows), "", dtype=object)
+        cells[:, :4] = "x", "y", "z", "w"
+        cells[:, places] = np.array(texts, dtype=object).reshape(count, _NUMBERS)
+        filled: list[Any] = [None] * (2 * cells.size)
+        filled[::2] = _widths(*counted.reshape(2, count, rows, 4))
+        filled[1::2] = cells.ravel().tolist()
+        lines = []
+        for i, (in_front, outside_of) in enumerate(
+            zip(block.in_front, block.outside_of, strict=True)
+        ):
+            number += 1
+            shown = seen if in_front else unseen
+            first = 8 * rows * i
+            values = filled[first : first + 8 * (rows if in_front else 4)]
+            lines.append("\n" if number > 1 else "")
+            lines.append(shown % (f"point {number}", *values))
+            beyond = ", ".join(outside_of)
+            lines.append(
+                f"{'outside of' if beyond else 'inside':>10}  {beyond or 'the view volume'}\n"
+            )
+        yield "".join(lines)
     if answer.predictions is not None:
         errors = [
             f"{rung} {error.px:.1e} px" if math.isfinite(error.px) else f"{rung} has no bound"
@@ -438,22 +493,31 @@ _PROJECT_FORMATS: dict[str, Callable[[_Answer], Iterator[str]]] = {
 }
 
 
-def _aligned(rows: Sequence[Sequence[str]]) -> list[str]:
-    """Write the rows with the numbers of each column under each other at their points.
+def _lengths(texts: Sequence[str]) -> tuple[NDArray[np.int_], NDArray[np.int_]]:
+    """Characters of each text, and of them those before a number's point or exponent."""
+    length = np.fromiter(map(len, texts), int, len(texts))
+    point = np.fromiter(map(str.find, texts, itertools.repeat(".")), int, len(texts))
+    for i in np.flatnonzero(point < 0).tolist():
+        point[i] = len(texts[i].partition("e")[0])
+    return length, point
 
-    A row may be short; its line is as long as its cells.
+
+def _widths(length: NDArray[np.int_], before: NDArray[np.int_]) -> list[int]:
+    """To how many characters each text is filled from the left, so that they stand in columns.
+
+    In each table the numbers of a column are under each other at their points.
+
+    Parameters
+    ----------
+    length, before : (tables, rows, columns) array
+        As `_lengths` counts them. A row may be short: its last lengths are 0, and get no room.
     """
-    columns = max(map(len, rows))
-    split = [[re.fullmatch(r"([^.e]*)(.*)", cell, re.DOTALL) for cell in row] for row in rows]
-    parts = [[(m[1], m[2]) if m else ("", "") for m in row] for row in split]
-    left = [max(len(row[i][0]) for row in parts if i < len(row)) for i in range(columns)]
-    right = [max(len(row[i][1]) for row in parts if i < len(row)) for i in range(columns)]
-    return [
-        "  ".join(
-            before.rjust(left[i]) + after.ljust(right[i]) for i, (before, after) in enumerate(row)
-        ).rstrip()
-        for row in parts
-    ]
+    after = length - before
+    left, right = before.max(axis=1), after.max(axis=1)
+    point = np.cumsum(left + right + 2, axis=1) - right - 2
+    widths = np.diff(point[:, None] + after, axis=2, prepend=0)
+    widths[length == 0] = 0
+    return widths.ravel().tolist()  # type: ignore[no-any-return]
 
 
 # --------------------------------------------------------------------------- matrices
@@ -494,8 +558,10 @@ def _matrices_text(projection: Projection) -> str:
 
 
 def _text(matrix: Array) -> str:
-    rows = [[format_value(value) for value in row] for row in _plain(matrix)]
-    return "".join(f"  {line}\n" for line in _aligned(rows))
+    texts = [format_value(value) for value in (matrix + 0.0).ravel().tolist()]
+    length, before = (part.reshape(1, *matrix.shape) for part in _lengths(texts))
+    cells = map(str.rjust, texts, _widths(length, before))
+    return "".join(f"  {''.join(row)}\n" for row in zip(*[cells] * matrix.shape[1], strict=True))
 
 
 def _matrices_json(projection: Projection) -> str:

@@ -19,8 +19,7 @@ point have in common (5e-5 px at 1e9 from the origin, against 1e-12 px here); it
 because it is what a GPU is given and what the lectures write.
 
 The dot products of the rotation are taken with some 75 bits, because a lens stretches their
-rounding (a field of view near 0 or 180 degrees, a parallel camera far from its small window);
-`Projection.image_rows` alone spares that where a lens stretches it little.
+rounding (a field of view near 0 or 180 degrees, a parallel camera far from its small window).
 
 The letters u, v, n, the look-at and the view matrix are those of lecture 004 (Horvat); the
 perspective matrix is equation (13) of lecture 000, the oblique one P_ort H of lecture 002, the
@@ -31,10 +30,9 @@ from __future__ import annotations
 
 import math
 import numbers
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import cached_property, partial
+from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -199,11 +197,9 @@ __all__ = [  # the model's one door: what its other rooms hold can be had here
     "six_digits",
 ]
 
-_STRETCH = 8.0  # `Projection.stretch` up to which plain dot products keep 2e-12 px of 1920
-_LARGE_STRETCH = 2.0**24  # and up to which those do that have 75 bits
+_LARGE_STRETCH = 2.0**24  # `Projection.stretch` up to which dot products of 75 bits will do
 _ABOVE_OFFSETS = 2.0**27  # added and taken away again, leaves the upper 27 bits of the offsets
 _BEYOND = 1e250  # where double-double products would overflow
-_FLOAT64 = np.dtype(np.float64)
 _CHUNK = 16384  # larger blocks wake OpenBLAS's second thread, which fights a software renderer
 _FACE = ((-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0))
 
@@ -492,15 +488,7 @@ class Projection:
             (height - 1) / 2.0 + height / 2.0 * y_axis.skew,
         )
 
-    @property
-    def is_compensated(self) -> bool:
-        """Whether plain dot products will not do, not even for `image_rows`: `stretch` tells.
-
-        Never for a free matrix: nobody knows what it is to enlarge.
-        """
-        return not isinstance(self.lens, FreeMatrix) and self.stretch > _STRETCH
-
-    @property
+    @cached_property
     def stretch(self) -> float:
         """By how much the lens enlarges the rounding of view coordinates, in NDC.
 
@@ -985,107 +973,13 @@ class Projection:
         )
         return Trace(world, view, clip, ndc, image, depth, in_front, outside)
 
-    def image_rows(self, points_world: ArrayLike, out: Array | None = None) -> Array:
-        """Project many points at once: `trace`'s image and depth, and nothing else.
-
-        Parameters
-        ----------
-        points_world : (3, n) array_like
-            World coordinates as rows x, y, z; fastest as a C-contiguous float64 array.
-        out : (3, n) float64 array, optional
-            Where to write; must not overlap the points.
+    def _view(self, world: Array) -> tuple[Array, Array]:
+        """View coordinates of points (n, 3), rounded once, and what that cut off of z.
 
         Returns
         -------
-        (3, n) float64 array
-            Rows x and y in pixels and depth in [0, 1], as `Trace.image` and `Trace.depth`;
-            NaN where w <= 0.
-
-        Raises
-        ------
-        ProjectionError
-            If the points are not three rows of finite numbers, and if a picture overflows
-            because of one larger than `LARGEST`.
-        ValueError
-            If `out` is no array that this can be written to.
-
-        Notes
-        -----
-        Eye first as in `trace`, but the rotation, the lens and the viewport are one matrix and
-        one division serves all three rows: within `trace`'s bounds, not the same to the last bit.
-        All of it is one compiled pass over the points (`app.loops`), bound by the memory's speed;
-        the first call waits for the compiler. A compensated projection takes `trace` instead.
-        """
-        try:
-            points = np.asarray(points_world)
-        except ValueError:  # rows of different lengths
-            raise ProjectionError("points", points_world, THREE_NUMBERS) from None
-        if points.ndim != 2 or len(points) != 3 or points.dtype.kind not in "iuf":
-            raise ProjectionError("points", points_world, THREE_NUMBERS)
-        if out is None:
-            out = np.empty(points.shape)
-        elif (
-            out.shape != points.shape
-            or out.dtype != _FLOAT64
-            or not out.flags.writeable
-            or out is points
-            # Two that own their memory share none: that is seen in a sixth of the time.
-            or (
-                (out.base is not None or points.base is not None)
-                and np.may_share_memory(out, points)
-            )
-        ):
-            raise ValueError(f"out must be a {points.shape} float64 array apart from the points")
-        project_rows = self._project_rows
-        if project_rows is None:
-            trace = self.trace(points.T)
-            out[:2], out[2] = trace.image.T, trace.depth
-            return out
-        if points.dtype is not _FLOAT64 or not points.flags.c_contiguous:
-            with np.errstate(over="ignore"):  # of a wider kind: told as infinite below
-                points = np.ascontiguousarray(points, dtype=np.float64)
-        rows = out if out.flags.c_contiguous else np.empty_like(points)
-        if not project_rows(points, rows):
-            checked_points(points.T)
-            rows[:, ~np.isfinite(rows).all(axis=0)] = np.nan
-        if rows is not out:
-            out[...] = rows
-        return out
-
-    @cached_property
-    def _project_rows(self) -> Callable[[Array, Array], bool] | None:
-        """`app.loops.project_rows` with this projection's matrix; None where `trace` has to do."""
-        if isinstance(self.lens, FreeMatrix) or self.is_compensated:
-            return None
-        near, far, parallel = self.lens.near, self.lens.far, self.lens.parallel
-        image_from_view = self.image_from_ndc @ self.clip_from_view
-        # The depth's numerator as the difference of distances that `trace` takes.
-        image_from_view[2] = (0.0, 0.0, -1.0, -near)
-        factor = 1.0
-        if self.depth == "reversed":
-            image_from_view[2] = (0.0, 0.0, 1.0, far)
-            factor = 1.0 if parallel else near
-        elif not parallel:
-            factor = far
-        if far == math.inf:
-            factor = 1.0
-            if self.depth == "reversed":
-                image_from_view[2] = (0.0, 0.0, 0.0, near)
-        else:
-            factor /= far - near
-            # Exact where near and far are close and a factor would magnify its rounding; elsewhere
-            # it can go into the matrix.
-            if max(abs(near), abs(far)) <= 2.0 * (far - near):
-                image_from_view[2] *= factor
-                factor = 1.0
-        image_from_view[:, :3] = image_from_view[:, :3] @ self.camera.frame
-        from app import loops
-
-        eye = read_only(self.camera.eye).reshape(3, 1)
-        return partial(loops.project_rows, eye, image_from_view, factor)
-
-    def _view(self, world: Array) -> DoubleDouble:
-        """View coordinates (..., 3), rounded once, and what that cut off of z (...).
+        view : (3, n) array
+        rest : (n,) array
 
         Notes
         -----
@@ -1094,28 +988,26 @@ class Projection:
         numbers of a unit, below 2^53 of them, which no order of summing rounds. What is left has
         2^-25 of the size, and its rounding 2^-75.
         """
-        flat = world.reshape(-1, 3)
-        view, rest = np.empty_like(flat), np.empty(len(flat))
-        doubled = not self.stretch <= _LARGE_STRETCH
+        if not self.stretch <= _LARGE_STRETCH:
+            parts = self.view_double_double(world)
+            return np.stack([part.hi for part in parts]), parts[2].lo
         large, small = self._frame_parts
-        eye = read_only(self.camera.eye).reshape(3, 1)
-        for start in range(0, len(flat), _CHUNK):
-            block = slice(start, start + _CHUNK)
-            if doubled:
-                parts = self.view_double_double(flat[block])
-                for i, part in enumerate(parts):
-                    view[block, i] = part.hi
-                rest[block] = parts[2].lo
-                continue
-            offset, cut_off = dd.two_sum(np.ascontiguousarray(flat[block].T), -eye)
-            unit = _ABOVE_OFFSETS * np.add.reduce(np.abs(offset), axis=0)
-            high = (offset + unit) - unit
-            whole = large @ high
-            left_over = large @ ((offset - high) + cut_off) + small @ offset
-            total = whole + left_over
-            view[block] = total.T
-            rest[block] = left_over[2] - (total[2] - whole[2])
-        return DoubleDouble(view.reshape(world.shape), rest.reshape(world.shape[:-1]))
+        offset, left_over = dd.two_sum(np.ascontiguousarray(world.T), self._minus_eye)
+        unit = np.abs(offset)
+        unit = unit[0] + unit[1] + unit[2]
+        unit *= _ABOVE_OFFSETS
+        high = offset + unit
+        high -= unit
+        whole = large @ high
+        left_over += np.subtract(offset, high, out=high)
+        left_over = large @ left_over
+        left_over += small @ offset
+        view = whole + left_over
+        return view, left_over[2] - (view[2] - whole[2])
+
+    @cached_property
+    def _minus_eye(self) -> Array:
+        return read_only([[-part] for part in self.camera.eye])
 
     @cached_property
     def _frame_parts(self) -> tuple[Array, Array]:
@@ -1154,33 +1046,54 @@ class Projection:
         ]
 
     def _trace_view(self, world: Array) -> Trace:
+        flat = world.reshape(-1, 3)
+        count = len(flat)
+        # In one piece: the system hands out a large one many times as fast as several.
+        numbers = np.empty(13 * count)
+        view, clip, ndc, image = (
+            numbers[first * count : last * count].reshape(count, last - first)
+            for first, last in ((0, 3), (3, 7), (7, 10), (10, 12))
+        )
+        in_front, outside = np.empty(count, dtype=bool), np.empty((count, 6), dtype=bool)
+        traced = Trace(flat, view, clip, ndc, image, numbers[12 * count :], in_front, outside)
+        for start in range(0, count, _CHUNK):
+            self._trace_block(Trace._make(part[start : start + _CHUNK] for part in traced))
+        shape = world.shape[:-1]
+        return Trace._make(part.reshape(shape + part.shape[1:]) for part in traced)
+
+    def _trace_block(self, traced: Trace) -> None:
+        """Fill in what follows from the world coordinates, row by row: so numpy is fast."""
         lens = self.standard_lens
-        view, rest = self._view(world)
         near, far = lens.near, lens.far
-        x_axis, y_axis = self._axes
-        x, y, distance = view[..., 0], view[..., 1], -view[..., 2]
-        # Between planes that nearly touch, all that the depth has left is what was cut off.
-        from_near, to_far = (distance - near) - rest, (far - distance) + rest
+        rows, rest = self._view(traced.world)
+        x, y, z = rows
+        distance = -z
+        reverse = self.depth == "reversed"
+        if lens.parallel or not reverse:
+            # Between planes that nearly touch, all that the depth has left is what was cut off.
+            from_plane = (far - distance) + rest if reverse else (distance - near) - rest
         if lens.parallel:
-            w = np.ones_like(distance)
+            w, minus_w = np.ones_like(z), -1.0
             cot_alpha, cot_beta = self.shear
-            x_clip = x_axis.across(x + cot_alpha * (near - distance))
-            y_clip = y_axis.across(y + cot_beta * (near - distance))
-            x_ndc, y_ndc = x_clip, y_clip
-            from_plane = to_far if self.depth == "reversed" else from_near
-            numerator = depth = np.asarray(from_plane / (far - near))
+            before = near - distance
+            x_axis, y_axis = self._axes
+            x_clip = x_ndc = x_axis.across(x + cot_alpha * before)
+            y_clip = y_ndc = y_axis.across(y + cot_beta * before)
+            numerator = depth = from_plane / (far - near)
         else:
-            w = distance
+            w, minus_w = distance, z
             if isinstance(lens, Perspective):
                 scale_y = lens.cot_half_fov_y
-                x_clip, y_clip = scale_y / self.aspect * x, scale_y * y
-                x_ndc, y_ndc = scale_y / self.aspect * (x / w), scale_y * (y / w)
+                scale_x = scale_y / self.aspect
+                x_clip, y_clip = scale_x * x, scale_y * y
+                x_ndc, y_ndc = scale_x * (x / w), scale_y * (y / w)
             else:
+                x_axis, y_axis = self._axes
                 x_ndc, y_ndc = x_axis.across(near * (x / w)), y_axis.across(near * (y / w))
                 # Where w is 0 there is no quotient, but still a point in clip space.
                 x_clip = 2.0 * near / x_axis.extent * x - x_axis.skew * w
                 y_clip = 2.0 * near / y_axis.extent * y - y_axis.skew * w
-            if self.depth == "reversed" and far != math.inf:
+            if reverse and far != math.inf:
                 # What the difference, the ratio and w were rounded by is added to the product:
                 # three roundings in all, 3.4e-16 of w that depth implies.
                 ratio, ratio_rest = self._near_ratio
@@ -1188,27 +1101,39 @@ class Projection:
                 product = ratio * gap
                 tail = ratio_rest * gap + ratio * (((far - gap) - w) + rest)
                 numerator = product + tail
-                depth = np.asarray((product + (tail + product * (rest / w))) / w)
+                depth = (product + (tail + product * (rest / w))) / w
             else:
-                if self.depth == "reversed":
+                if reverse:
                     numerator = near + 0.0 * w
                 else:
-                    numerator = (1.0 if far == math.inf else far / (far - near)) * from_near
-                depth = np.asarray(numerator / w)
+                    numerator = (1.0 if far == math.inf else far / (far - near)) * from_plane
+                depth = numerator / w
         opengl = self.depth == "opengl"
         z_clip = 2.0 * numerator - w if opengl else numerator
-        clip = np.stack([x_clip, y_clip, z_clip, w], axis=-1)
-        ndc = np.stack([x_ndc, y_ndc, 2.0 * depth - 1.0 if opengl else depth], axis=-1)
+        z_ndc = 2.0 * depth - 1.0 if opengl else depth
         width, height = self.image_size
-        image = np.stack([(x_ndc + 1.0) * (width / 2.0), (1.0 - y_ndc) * (height / 2.0)], axis=-1)
-        in_front = (w > 0.0) & np.isfinite(ndc).all(axis=-1) & np.isfinite(image).all(axis=-1)
-        for array in (ndc, image, depth):
-            array[~in_front] = np.nan
-        outside = np.stack(
-            [distance < near, distance > far, x_clip < -w, x_clip > w, y_clip < -w, y_clip > w],
-            axis=-1,
-        )
-        return Trace(world, view, clip, ndc, image, depth, in_front, outside)
+        right, down = (x_ndc + 1.0) * (width / 2.0), (1.0 - y_ndc) * (height / 2.0)
+        for array, columns in (
+            (traced.view, rows),
+            (traced.clip, (x_clip, y_clip, z_clip, w)),
+            (traced.ndc, (x_ndc, y_ndc, z_ndc)),
+            (traced.image, (right, down)),
+        ):
+            for i, column in enumerate(columns):
+                array[:, i] = column
+        traced.depth[...] = depth
+        in_front = np.greater(w, 0.0, out=traced.in_front)
+        for row in (right, down, z_ndc):  # pixels are finite only where x and y of the cube are
+            in_front &= np.isfinite(row)
+        if not in_front.all():
+            for array in (traced.ndc, traced.image, traced.depth):
+                array[~in_front] = np.nan
+        beyond = traced.outside.T
+        np.less(distance, near, out=beyond[0])
+        np.greater(distance, far, out=beyond[1])
+        for i, row in ((2, x_clip), (4, y_clip)):
+            np.less(row, minus_w, out=beyond[i])
+            np.greater(row, w, out=beyond[i + 1])
 
     @cached_property
     def _near_ratio(self) -> tuple[float, float]:
@@ -1476,6 +1401,8 @@ def checked_points(points: ArrayLike) -> Array:
     if given.dtype.kind not in "iuf" or given.shape[-1:] != (3,):
         raise ProjectionError("points", points, THREE_NUMBERS)
     checked = given.astype(np.float64)
+    if not checked.size or (checked.max() <= LARGEST and checked.min() >= -LARGEST):
+        return checked
     wrong = ~np.isfinite(checked).all(axis=-1) | (np.abs(checked) > LARGEST).any(axis=-1)
     if wrong.any():
         raise ProjectionError("points", tuple(checked[wrong][0].tolist()), THREE_NUMBERS)

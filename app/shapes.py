@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from functools import cache
 from typing import TypeAlias
 
 import numpy as np
@@ -143,6 +144,12 @@ def letter_f() -> Coloured:
                 quads.append(face)
                 rgb.append(SIDE_RGB[side])
     return np.array(quads), np.array(rgb)
+
+
+@cache
+def letter_f_edges() -> Coloured:
+    """Every edge of the letter F's faces, once."""
+    return edges_of(letter_f()[0])
 
 
 # The seven segments of a digit one unit wide and two high, as (left, bottom, right, top), and

@@ -93,13 +93,10 @@ ROOMS = {
     "app/camera.py": Room(("numpy",), ("app.double_double", "app.values")),
     "app/lenses.py": Room(rooms=("app.double_double", "app.values")),
     "app/rationals.py": Room(),
-    # Compiled when it is imported, which takes its time.
-    "app/loops.py": Room(("numpy", "numba")),
     # The model's one door: what values, camera and lenses hold is had from here.
     "app/projection.py": Room(
         ("numpy",),
         ("app.double_double", "app.rationals", "app.values", "app.camera", "app.lenses"),
-        late=("app.loops",),
     ),
     "app/precision.py": Room(("numpy",), ("app.double_double", "app.projection")),
     "app/depth.py": Room(("numpy",), ("app.projection",)),
@@ -159,6 +156,8 @@ ROOMS = {
     # What is measured, and how it is kept, needs no OpenGL until a picture is timed.
     "app/measure/results.py": Room(),
     "app/measure/run.py": Room(),
+    # mpmath only when something is judged: a window knows the rooms of the measurements.
+    "app/measure/reference.py": Room(("numpy",), ("app.projection",), late=("mpmath",)),
     # matplotlib only when a picture is drawn without a window.
     "app/measure/chart.py": Room(
         ("numpy",),
@@ -502,5 +501,5 @@ def test_numbers_start_without_pictures(module: str) -> None:
     )
     loaded = done.stdout.split()
     assert "app" in loaded
-    slow = {"PySide6", "shiboken6", "vtkmodules", "pyvista", "matplotlib", "numba"}
+    slow = {"PySide6", "shiboken6", "vtkmodules", "pyvista", "matplotlib", "mpmath"}
     assert not slow & set(loaded)

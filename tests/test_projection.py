@@ -1277,6 +1277,32 @@ def test_many_points_are_each_point() -> None:
                 np.testing.assert_allclose(whole[index], single, rtol=1e-11, atol=1e-11)
 
 
+@pytest.mark.parametrize("projection", all_projections()[::4])
+def test_a_trace_is_its_own_formulas_to_the_bit(projection: Projection) -> None:
+    """However its blocks and columns are worked through: the same bits as one plain formula."""
+    points = 20.0 * np.random.default_rng(7).normal(size=(17_000, 3))
+    trace = projection.trace(points)
+    x, y, _, w = trace.clip.T
+    distance = -trace.view[:, 2]
+    np.testing.assert_array_equal(w, 1.0 if projection.lens.parallel else distance)
+    lens = projection.lens
+    outside = [distance < lens.near, distance > lens.far, x < -w, x > w, y < -w, y > w]
+    np.testing.assert_array_equal(trace.outside.T, outside)
+    np.testing.assert_array_equal(trace.in_front, w > 0.0)  # nothing here is beyond float64
+    x, y, z = trace.ndc.T
+    width, height = projection.image_size
+    np.testing.assert_array_equal(trace.image[:, 0], (x + 1.0) * (width / 2.0))
+    np.testing.assert_array_equal(trace.image[:, 1], (1.0 - y) * (height / 2.0))
+    opengl = projection.depth == "opengl"
+    np.testing.assert_array_equal(z, 2.0 * trace.depth - 1.0 if opengl else trace.depth)
+    for array in (trace.ndc, trace.image, trace.depth):
+        lost = np.isnan(array.reshape(len(points), -1))
+        np.testing.assert_array_equal(lost, np.repeat(~trace.in_front[:, None], lost.shape[1], 1))
+    for part in (slice(16_384), slice(16_384, None)):
+        for whole, alone in zip(trace, projection.trace(points[part]), strict=True):
+            np.testing.assert_array_equal(whole[part], alone)
+
+
 # --------------------------------------------------------------------------- values
 
 

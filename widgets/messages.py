@@ -428,9 +428,9 @@ MEASURE_NOTES = (
 
 MEASURE_WORDS = (
     QT_TRANSLATE_NOOP("Measure", "eye first"),
-    QT_TRANSLATE_NOOP("Measure", "concatenated"),
-    QT_TRANSLATE_NOOP("Measure", "rows at once"),
+    QT_TRANSLATE_NOOP("Measure", "every stage"),
     QT_TRANSLATE_NOOP("Measure", "exact"),
+    QT_TRANSLATE_NOOP("Measure", "numpy's hstack"),
     QT_TRANSLATE_NOOP("Measure", "VTK's transform"),
     QT_TRANSLATE_NOOP("Measure", "matplotlib's proj3d"),
     QT_TRANSLATE_NOOP("Measure", "perspective-correct"),
@@ -444,6 +444,7 @@ MEASURE_WORDS = (
     QT_TRANSLATE_NOOP("Measure", "half resolution"),
     QT_TRANSLATE_NOOP("Measure", "supersampling {0} x {0}"),
     QT_TRANSLATE_NOOP("Measure", "this OpenGL gives {0} samples"),
+    QT_TRANSLATE_NOOP("Measure", "the same picture"),
     QT_TRANSLATE_NOOP("Measure", "p95"),
     QT_TRANSLATE_NOOP("Measure", "predicted"),
     QT_TRANSLATE_NOOP("Measure", "world units"),
@@ -465,6 +466,7 @@ MEASURE_WORDS = (
     QT_TRANSLATE_NOOP("Measure", "aspect"),
     QT_TRANSLATE_NOOP("Measure", "far is 4 near at least"),
     QT_TRANSLATE_NOOP("Measure", "near is far / 4 at most"),
+    QT_TRANSLATE_NOOP("Measure", "the largest of up to {0} points against 200 digits of mpmath"),
 )
 """Members of `app.measure.results.WORDS`."""
 

@@ -1,7 +1,8 @@
 """Trade 1, arithmetic: ns a point against the largest error in px and in depth; and the sweeps.
 
 Every way of projecting gets the same points in the layout it likes best and answers x and y in
-pixels and the depth; `app.precision.Reference` knows the truth to more digits than any of them.
+pixels and the depth; on a sample of the points `reference.Truth` tells how far they are off.
+Precisions are compared by the same code, `summed`, in each: only the numbers' format differs.
 """
 
 from __future__ import annotations
@@ -21,9 +22,10 @@ from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkCommonTransforms import vtkPerspectiveTransform
 from vtkmodules.vtkRenderingCore import vtkCamera
 
+from app.measure.reference import SAMPLE, Truth, sample, truth
 from app.measure.results import Choice, Curve, Sweep, Trade
 from app.measure.run import Cancelled, Watch, in_turns, unwatched
-from app.precision import Prediction, Reference, Rung, predict, trace
+from app.precision import Prediction, Rung, predict, trace
 from app.projection import Array, Camera, Frustum, Perspective, Projection, ProjectionError, Vector
 
 Rows: TypeAlias = NDArray[Any]
@@ -32,7 +34,11 @@ Rows: TypeAlias = NDArray[Any]
 MOST_POINTS = 8192
 """Points of a scene that are projected: as many as every way does in one go."""
 _BLOCK = 8192
-_RUNGS: dict[str, Rung] = {"float32": "float32", "float64, eye first": "float64", "exact": "exact"}
+_RUNGS: dict[str, Rung] = {
+    "float32": "float32",
+    "float64, every stage": "float64",
+    "exact": "exact",
+}
 """Which ways are rungs of the model, that it predicts and can draw or read with."""
 
 NO_POINTS = "no vertex is in front of the eye, so that there is nothing to measure"
@@ -64,7 +70,7 @@ def looked_at(projection: Projection, points_world: Array) -> Array:
 
 
 def ways(projection: Projection, world: Array, origin: Vector) -> dict[str, Way]:
-    """Our own ways, from the crudest to the exact one, and VTK's.
+    """Our own ways, from the crudest to the exact one.
 
     Parameters
     ----------
@@ -73,65 +79,57 @@ def ways(projection: Projection, world: Array, origin: Vector) -> dict[str, Way]
     origin : Vector
         World point from which the GPU's vertices are measured.
     """
-    with np.errstate(all="ignore"):  # what overflows is a finding
-        from_local = projection.image_from_ndc @ projection.clip_from_world_at(origin)
-        from_world = projection.image_from_ndc @ projection.clip_from_world
-    local = np.ascontiguousarray((world - origin).T)
-    columns = np.ascontiguousarray(world.T)
-    homogeneous = np.vstack([columns, np.ones(len(world))])
-    eye = np.array(projection.camera.eye).reshape(3, 1)
-    lens = (projection.image_from_ndc @ projection.clip_from_view) @ projection.view_rotation
-
-    def concatenated(kind: Any, matrix: Array, points: Array) -> Callable[[], Rows]:
-        with np.errstate(all="ignore"):
-            small, rows = matrix.astype(kind), points.astype(kind)
-        return lambda: _divided(_product(small, rows))
-
-    def float32_eye_first() -> Rows:
-        offset = (columns - eye).astype(np.float32)
-        return _divided(_product(lens32, offset))
-
-    def float64_concatenated() -> Rows:
-        clip = from_world @ homogeneous
-        rows: Rows = clip[:3] / clip[3]
-        return rows
-
-    with np.errstate(all="ignore"):
-        lens32 = lens.astype(np.float32)
-    plain: dict[str, Callable[[], Rows]] = {
-        "float16": concatenated(np.float16, from_local, local),
-        "float32": float32(projection, world, origin),
-        "float32, eye first": float32_eye_first,
-        "float64, concatenated": float64_concatenated,
-        "float64, eye first, rows at once": lambda: projection.image_rows(columns),
-    }
 
     def same(rows: Rows) -> Rows:
         return rows
 
-    found = {name: Way(run, same) for name, run in plain.items()}
-    exact: tuple[tuple[str, Rung], ...] = (("float64, eye first", "float64"), ("exact", "exact"))
-    for name, rung in exact:
-        found[name] = Way(
-            partial(trace, projection, world, rung),
-            lambda traced: np.vstack([traced.image.T, traced.depth]),
-        )
-    found["VTK's transform"] = _vtk(from_world, world)
+    found = {
+        kind: Way(summed(projection, world, origin, kind), same)
+        for kind in ("float16", "float32", "float64")
+    }
+    for kind in ("float32", "float64"):
+        found[f"{kind}, eye first"] = Way(summed(projection, world, None, kind), same)
+    for name, rung in _RUNGS.items():
+        if rung != "float32":  # that one is above, without what nobody reads
+            found[name] = Way(
+                partial(trace, projection, world, rung),
+                lambda traced: np.vstack([traced.image.T, traced.depth]),
+            )
     return found
 
 
-def float32(projection: Projection, world: Array, origin: Vector) -> Callable[[], Rows]:
-    """The rung ``float32`` of `app.precision` without what nobody reads: the same to the bit."""
-    single = np.float32
+def summed(
+    projection: Projection, world: Array, origin: Vector | None, kind: str
+) -> Callable[[], Rows]:
+    """One matrix, one division and the viewport in a precision, sum by sum as a GPU does it.
+
+    Parameters
+    ----------
+    projection : Projection
+    world : (n, 3) float64 array
+    origin : Vector or None
+        World point from which the vertices are measured, once, in float64; None for the eye,
+        which moves: it is then subtracted in every run.
+    kind : str
+        Of numpy's floats, ``"float16"``, ``"float32"`` or ``"float64"``. With an origin and float32
+        it is the rung ``float32`` of `app.precision` without what nobody reads, to the bit.
+    """
+    number = np.dtype(kind).type
+    columns = np.ascontiguousarray(world.T)
+    eye = np.array(projection.camera.eye).reshape(3, 1)
     with np.errstate(all="ignore"):
-        matrix = projection.clip_from_world_at(origin).astype(single)
-        local = np.ascontiguousarray((world - origin).T).astype(single)
-    width, height = (single(side / 2.0) for side in projection.image_size)
-    one, half = single(1.0), single(0.5)
+        if origin is None:
+            matrix = projection.clip_from_eye.astype(kind)
+        else:
+            matrix = projection.clip_from_world_at(origin).astype(kind)
+            columns = (columns - np.reshape(origin, (3, 1))).astype(kind)
+    width, height = (number(side / 2.0) for side in projection.image_size)
+    one, half = number(1.0), number(0.5)
     opengl = projection.depth == "opengl"
 
     def run() -> Rows:
-        x, y, z, w = _product(matrix, local)
+        points = columns if origin is not None else (columns - eye).astype(kind, copy=False)
+        x, y, z, w = _product(matrix, points)
         x, y, z = x / w, y / w, z / w
         return np.stack([(x + one) * width, (one - y) * height, half * z + half if opengl else z])
 
@@ -139,7 +137,7 @@ def float32(projection: Projection, world: Array, origin: Vector) -> Callable[[]
 
 
 def _product(matrix: Rows, points: Rows) -> Rows:
-    """A (4, 4) times points (3, n) in their own arithmetic, sum by sum as a GPU does it."""
+    """A (4, 4) times points (3, n) in their own arithmetic."""
     out = np.empty((4, points.shape[1]), dtype=points.dtype)
     for start in range(0, points.shape[1], _BLOCK):
         x, y, z = points[:, start : start + _BLOCK]
@@ -148,30 +146,10 @@ def _product(matrix: Rows, points: Rows) -> Rows:
     return out
 
 
-def _divided(clip: Rows) -> Rows:
-    rows: Rows = clip[:3] / clip[3]
-    return rows
-
-
-def _vtk(matrix: Array, world: Array) -> Way:
-    """VTK's own transform of a homogeneous matrix, float64 points in and out."""
-    transform, elements = vtkPerspectiveTransform(), vtkMatrix4x4()
-    elements.DeepCopy(matrix.ravel().tolist())
-    transform.SetMatrix(elements)
-    source, target = vtkPoints(), vtkPoints()
-    source.SetData(numpy_to_vtk(world))  # type: ignore[no-untyped-call]
-    target.SetDataTypeToDouble()
-
-    def run() -> Any:
-        target.Reset()
-        transform.TransformPoints(source, target)
-        return target
-
-    return Way(run, lambda _done: vtk_to_numpy(target.GetData()).T)  # type: ignore[no-untyped-call]
-
-
 def peers(projection: Projection, world: Array) -> tuple[dict[str, Way], dict[str, str]]:
-    """Other libraries' natural ways, and why some are not there.
+    """Other libraries' natural ways, float64 in and out, and why some are not there.
+
+    Each gets the picture's matrix ready made and the points as its own kind of array.
 
     Returns
     -------
@@ -181,9 +159,32 @@ def peers(projection: Projection, world: Array) -> tuple[dict[str, Way], dict[st
     """
     found: dict[str, Way] = {}
     missing: dict[str, str] = {}
-    with np.errstate(all="ignore"):
+    with np.errstate(all="ignore"):  # what overflows is a finding
         matrix = np.array(projection.image_from_ndc @ projection.clip_from_world)
     columns = np.ascontiguousarray(world.T)
+
+    def numpy(_module: Any) -> Way:
+        def run() -> Rows:
+            clip = np.hstack([world, np.ones((len(world), 1))]) @ matrix.T
+            rows: Rows = clip[:, :3] / clip[:, 3:]
+            return rows
+
+        return Way(run, np.transpose)
+
+    def vtk(_module: Any) -> Way:
+        transform, elements = vtkPerspectiveTransform(), vtkMatrix4x4()
+        elements.DeepCopy(matrix.ravel().tolist())
+        transform.SetMatrix(elements)
+        source, target = vtkPoints(), vtkPoints()
+        source.SetData(numpy_to_vtk(world))  # type: ignore[no-untyped-call]
+        target.SetDataTypeToDouble()
+
+        def run() -> Any:
+            target.Reset()
+            transform.TransformPoints(source, target)
+            return target
+
+        return Way(run, lambda _done: vtk_to_numpy(target.GetData()).T)  # type: ignore[no-untyped-call]
 
     def proj3d(module: Any) -> Way:
         return Way(lambda: module.proj_transform(*columns, matrix), np.array)
@@ -192,18 +193,19 @@ def peers(projection: Projection, world: Array) -> tuple[dict[str, Way], dict[st
         return Way(lambda: module.vec_transform(world, matrix), np.transpose)
 
     def pyglm(module: Any) -> Way:
-        view = module.dmat4(*projection.view_from_world.T.ravel().tolist())
-        lens = module.dmat4(*projection.clip_from_view.T.ravel().tolist())
-        width, height = projection.image_size
-        viewport = module.dvec4(0.0, height, width, -height)  # glm's pixels count from the bottom
-        vectors = [module.dvec3(*row) for row in world.tolist()]
-        project = module.projectZO if projection.depth != "opengl" else module.projectNO
-        return Way(
-            lambda: [project(vector, view, lens, viewport) for vector in vectors],
-            lambda done: np.array([tuple(vector) for vector in done]).T,
-        )
+        transform = module.dmat4(*matrix.T.ravel().tolist())
+        vectors = module.array(np.column_stack([world, np.ones(len(world))]))
+
+        def run() -> Rows:
+            clip = np.asarray(transform * vectors)
+            rows: Rows = clip[:, :3] / clip[:, 3:]
+            return rows
+
+        return Way(run, np.transpose)
 
     for name, module, make in (
+        ("numpy's hstack", "numpy", numpy),
+        ("VTK's transform", "vtkmodules", vtk),
         ("matplotlib's proj3d", "mpl_toolkits.mplot3d.proj3d", proj3d),
         ("pylinalg", "pylinalg", pylinalg),
         ("PyGLM", "pyglm.glm", pyglm),
@@ -245,12 +247,16 @@ def measure(
     world = looked_at(projection, points_world)
     if not len(world):
         return Trade("arithmetic", "ns", "px", (Choice("", None, None, None, note=NO_POINTS),), 0)
-    reference = Reference.of(projection, world)
+    judged, where = sample(world)
+    reference = truth(projection, judged)
     predicted = predict(projection, world, origin) or {}
     others, missing = peers(projection, world)
     all_ways = ways(projection, world, origin) | others
     with np.errstate(all="ignore"):
-        found = {name: _errors(reference, way) for name, way in all_ways.items()}
+        found = {
+            name: _largest(reference, np.asarray(way.rows(way.run()), dtype=np.float64).T[where])
+            for name, way in all_ways.items()
+        }
         complete = True
         try:
             times = in_turns({name: way.run for name, way in all_ways.items()}, seconds, watch)
@@ -283,13 +289,7 @@ def measure(
     return trade
 
 
-def _errors(reference: Reference, way: Way) -> tuple[Prediction | None, str]:
-    """The largest errors of a way, or why there are none."""
-    rows = np.asarray(way.rows(way.run()), dtype=np.float64)
-    return _largest(reference, rows.T)
-
-
-def _largest(reference: Reference, answers: Array) -> tuple[Prediction | None, str]:
+def _largest(reference: Truth, answers: Array) -> tuple[Prediction | None, str]:
     errors = reference.errors(answers)
     if np.isnan(answers).any():
         return None, NOT_A_NUMBER
@@ -472,7 +472,6 @@ def _curve(answers: Sequence[_Answer]) -> Curve:
     return Curve(px(measured), depth(measured), px(predicted), depth(predicted), notes)
 
 
-_SAMPLES = 64
 _Answer: TypeAlias = tuple[Prediction | None, Prediction | None, str]
 """Largest errors, what was predicted, and what happened if there is no number."""
 
@@ -486,7 +485,7 @@ def _at(
     except ProjectionError as error:
         return {name: (None, None, str(error)) for name in (*_RUNGS, "VTK's camera")}
     world = in_view(there, points_world + moved)
-    reference = Reference.of(there, world)
+    reference = truth(there, world)
     origin = tuple(moved.tolist())
     predicted = predict(there, world, origin) or {}
     found: dict[str, _Answer] = {}
@@ -500,15 +499,15 @@ def _at(
 
 
 def in_view(projection: Projection, points_world: Array) -> Array:
-    """Points of the scene, moved into the view volume: (64, 3) at the most.
+    """Points of the scene, moved into the view volume: (`reference.SAMPLE`, 3) at the most.
 
     What is inside already stays. Otherwise directions and depths are spread over the volume.
     """
     traced = projection.trace(points_world)
     inside = points_world[traced.in_front & ~traced.outside.any(axis=1)]
-    if len(inside) >= _SAMPLES:
-        step = len(inside) // _SAMPLES
-        kept: Array = inside[::step][:_SAMPLES]
+    if len(inside) >= SAMPLE:
+        step = len(inside) // SAMPLE
+        kept: Array = inside[::step][:SAMPLE]
         return kept
     rng = np.random.default_rng(1)
     width, height = projection.image_size
@@ -516,11 +515,11 @@ def in_view(projection: Projection, points_world: Array) -> Array:
     far = lens.far if math.isfinite(lens.far) else 1e3 * max(abs(lens.near), 1e-100)
     near = lens.near
     if lens.parallel:
-        depth = near + (far - near) * rng.uniform(0.02, 0.98, _SAMPLES)
+        depth = near + (far - near) * rng.uniform(0.02, 0.98, SAMPLE)
     else:
         # As far as float64 can place a point beside this eye at all.
-        depth = np.geomspace(near, min(far, 1e9 * near), _SAMPLES + 2)[1:-1]
-    pixels = rng.uniform(0.02, 0.98, (_SAMPLES, 2)) * (width, height)
+        depth = np.geomspace(near, min(far, 1e9 * near), SAMPLE + 2)[1:-1]
+    pixels = rng.uniform(0.02, 0.98, (SAMPLE, 2)) * (width, height)
     world = _spread(projection, pixels, depth)
     traced = projection.trace(world)
     seen = traced.in_front & ~traced.outside.any(axis=1)
@@ -544,7 +543,7 @@ def _spread(projection: Projection, pixels: Array, depth: Array) -> Array:
     return world
 
 
-def _vtk_camera(projection: Projection, world: Array, reference: Reference) -> _Answer:
+def _vtk_camera(projection: Projection, world: Array, reference: Truth) -> _Answer:
     """VTK's own camera set as a program would set it, and whether it took what it was given."""
     lens, camera = projection.standard_lens, vtkCamera()
     camera.SetPosition(*projection.camera.eye)

@@ -12,16 +12,17 @@ from dataclasses import replace
 
 import numpy as np
 
-from app.depth import FORMATS, MAPPINGS, Codes, DepthBuffer
+from app.depth import FORMATS, MAPPINGS, DepthBuffer
 from app.measure.results import Choice, Trade
 from app.measure.run import Cancelled, Watch, unwatched
-from app.projection import Array, Projection, ProjectionError
+from app.projection import Projection, ProjectionError
 
 PAIRS = 10_000
 """Neighbours among evenly spaced distances from near to far, as N. Reed compares them (2015)."""
 FARTHEST = 1e4
 """In units of near: how far pairs reach where far is infinite."""
-_PHASES = 256
+_EDGES = 4
+"""Of the code that a surface has and the next two, as codes may be wide and narrow by turns."""
 
 BEYOND = "the target lies outside of near and far"
 
@@ -99,30 +100,35 @@ def smallest_gap(buffer: DepthBuffer, distance: float) -> float:
     Returns
     -------
     float
-        The largest, over surfaces within a code or two before `distance`, of the least gap that
-        changes the code; infinite if that of some does not change before far.
+        The largest, over surfaces from `distance` to two codes behind it, of the least gap that
+        changes the code; infinite if one at `distance` or in the next code has the far plane's.
+
+    Notes
+    -----
+    The worst surface is the first of its code, wherever that begins: codes are therefore walked
+    from edge to edge. A formula for a surface at `distance` supposes that a code begins right
+    there. Codes before it are narrower, so that it is those behind it that reach the formula; the
+    code that `distance` lies in counts where the next ones are finer.
     """
-    predicted = float(buffer.gap(distance))
-    nearest = buffer.near
-    if math.isfinite(predicted):
-        nearest = max(nearest, distance - 2.0 * predicted)
-    starts = np.linspace(nearest, distance, _PHASES)
-    codes = buffer.encode(starts)
-    if (buffer.encode(np.full_like(starts, min(buffer.far, 1e300))) == codes).any():
+    edges = [_edge(buffer, distance, buffer.near), _edge(buffer, distance, buffer.far)]
+    while len(edges) < _EDGES and math.isfinite(edges[-1]):
+        edges.append(_edge(buffer, edges[-1], buffer.far))
+    if not all(map(math.isfinite, edges[:3])):
         return math.inf
-    same, other = np.zeros(_PHASES), _first_different(buffer, starts, codes)
-    for _ in range(60):  # halving, for all of them at once
-        middle = (same + other) / 2.0
-        equal = buffer.encode(np.minimum(starts + middle, buffer.far)) == codes
-        same, other = np.where(equal, middle, same), np.where(equal, other, middle)
-    return float(other.max())
+    return float(np.diff([edge for edge in edges if math.isfinite(edge)]).max())
 
 
-def _first_different(buffer: DepthBuffer, starts: Array, codes: Codes) -> Array:
-    """Some gap of each surface that changes its code."""
-    gap = np.maximum(1e-16 * starts, 1e-300)
-    while True:
-        equal = buffer.encode(np.minimum(starts + gap, min(buffer.far, 1e300))) == codes
-        if not equal.any():
-            return gap
-        gap = np.where(equal, 2.0 * gap, gap)
+def _edge(buffer: DepthBuffer, start: float, end: float) -> float:
+    """Where the code of `start` ends on the way to `end`: near itself, or infinite, if nowhere."""
+    code = buffer.encode(start)
+    toward = 1.0 if end > start else -1.0
+    end = min(end, 1e300)
+    if buffer.encode(end) == code:
+        return end if toward < 0.0 else math.inf
+    same, gap = start, max(1e-16 * start, 1e-300)
+    while abs(gap) < abs(end - start) and buffer.encode(start + toward * gap) == code:
+        same, gap = start + toward * gap, 2.0 * gap
+    other = start + toward * min(gap, abs(end - start))
+    while (middle := (same + other) / 2.0) not in (same, other):
+        same, other = (middle, other) if buffer.encode(middle) == code else (same, middle)
+    return other

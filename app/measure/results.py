@@ -60,13 +60,16 @@ SWEEP_NOTES = {
     "far": "near is far / 4 at most",
 }
 """What a sweep moves besides its parameter: near must be less than far."""
+JUDGED = "the largest of up to 64 points against 200 digits of mpmath"
+"""Which errors those of trade 1 and of the sweeps are."""
 WORDS = (
-    "eye first", "concatenated", "rows at once", "exact", "VTK's transform",
+    "eye first", "every stage", "exact", "numpy's hstack", "VTK's transform",
     "matplotlib's proj3d", "perspective-correct", "affine", "{0} pieces", "opengl", "direct3d",
     "reversed", "logarithmic", "none", "half resolution", "supersampling {0} x {0}",
-    "this OpenGL gives {0} samples",
+    "this OpenGL gives {0} samples", "the same picture",
     "p95", "predicted", "world units", "texels", "levels RMS", *COLUMNS.values(), "triangles",
     "near", "far", "fov", "distance", "up", "aspect", *SWEEP_NOTES.values(),
+    JUDGED.replace("64", "{0}"),
 )  # fmt: skip
 """What names of choices and of columns are put together from, for translators."""
 
@@ -491,12 +494,13 @@ def table(part: Trade | Sweep) -> list[list[str]]:
     -------
     list of list of str
         Numbers of three digits; ``-`` where there is none, and then the last cell says why. The
-        last cell of a sweep's names says what is moved besides.
+        last cell of the names says which errors these are, and what a sweep moves besides.
     """
     if isinstance(part, Trade):
         columns = part.columns
         rows = [["", part.cost_unit, "p95", part.error_unit, "predicted"]]
-        rows[0] += [*(COLUMNS.get(name, name) for name in columns), ""]
+        judged = JUDGED if part.name == "arithmetic" else ""
+        rows[0] += [*(COLUMNS.get(name, name) for name in columns), judged]
         for choice in part.choices:
             numbers = [choice.cost, choice.cost_p95, choice.error, choice.predicted]
             numbers += [choice.values.get(name) for name in columns]
@@ -506,12 +510,13 @@ def table(part: Trade | Sweep) -> list[list[str]]:
             rows.append([choice.name, *cells, note])
         return rows
     name = ", ".join(filter(None, (part.parameter, part.unit)))
-    rows = [[name, *part.curves, SWEEP_NOTES.get(part.parameter, "")]]
+    notes = filter(None, (JUDGED, SWEEP_NOTES.get(part.parameter)))
+    rows = [[name, *part.curves, ", ".join(notes)]]
     for i, value in enumerate(part.values):
         errors = [curve.errors[i] for curve in part.curves.values()]
-        notes = [f"{name} {c.notes[i]}" for name, c in part.curves.items() if c.notes[i]]
+        said = [f"{name} {c.notes[i]}" for name, c in part.curves.items() if c.notes[i]]
         cells = [plain(error, 2) for error in errors]
-        rows.append([_swept(value), *cells, "; ".join(notes)])
+        rows.append([_swept(value), *cells, "; ".join(said)])
     return rows
 
 

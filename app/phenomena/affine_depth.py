@@ -33,7 +33,7 @@ from app.phenomena.exhibit import (
     point,
 )
 from app.projection import Array, Camera, Perspective, Projection
-from app.shapes import Coloured, edges_of, ground_grid, joined, letter_f
+from app.shapes import Coloured, ground_grid, joined, letter_f, letter_f_edges
 
 _STEPS = np.linspace(0.0, 1.0, 65)
 _EDGE_STEPS = np.linspace(0.0, 1.0, 9)
@@ -62,7 +62,6 @@ _SOME_EDGES = QT_TRANSLATE_NOOP(
 
 _MOST_EDGES = 200
 """Of a mesh of the user's."""
-_EDGES, _EDGE_RGB = edges_of(letter_f()[0])
 
 
 class Inside(NamedTuple):
@@ -195,7 +194,7 @@ def deviation(projection: Projection, part: Inside) -> Deviation:
 def _geometry() -> tuple[Coloured, Coloured]:
     faces, rgb = letter_f()
     grid = ground_grid((-4.0, -4.0), (4.0, 4.0), (1.0, 1.0), 0.0)
-    return (faces, rgb), joined(grid, (_EDGES, _EDGE_RGB))
+    return (faces, rgb), joined(grid, letter_f_edges())
 
 
 def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhibit:
@@ -210,7 +209,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
     if projection.standard_lens.far == math.inf:
         readings, why = _readings(None, None, Phrase(_INFINITE), mesh), Phrase(_INFINITE)
         return Exhibit(readings, world, warning=why, grips=grips)
-    others = _EDGES if mesh is None else mesh.edges[:_MOST_EDGES]
+    others = letter_f_edges()[0] if mesh is None else mesh.edges[:_MOST_EDGES]
     part = inside(projection, np.concatenate([ends[None], others]))
     if projection.standard_lens.parallel:
         lines = [Line(pair, "muted") for pair in part.ndc[part.rows > 0]]

@@ -40,7 +40,7 @@ from app.phenomena.exhibit import (
     point,
 )
 from app.projection import Array, Camera, Perspective, Projection
-from app.shapes import Coloured, edges_of, ground_grid, joined, letter_f
+from app.shapes import Coloured, ground_grid, joined, letter_f, letter_f_edges
 
 _SIDES = ("left", "right", "bottom", "top")
 _THROUGH_EYE = 1e-14  # sine of the angle between the ends' rays below which they are one ray
@@ -82,7 +82,6 @@ _SOME_EDGES = QT_TRANSLATE_NOOP(
 
 _MOST_EDGES = 300
 """Of a mesh of the user's."""
-_EDGES, _EDGE_RGB = edges_of(letter_f()[0])
 
 
 class Pictures(NamedTuple):
@@ -251,7 +250,7 @@ def circle_angles(projection: Projection, clip: Array) -> tuple[float, float] | 
 def _geometry() -> tuple[Coloured, Coloured]:
     faces, rgb = letter_f()
     grid = ground_grid((-4.0, -6.0), (4.0, 6.0), (1.0, 1.0), 0.0)
-    return (faces, rgb), joined(grid, (_EDGES, _EDGE_RGB))
+    return (faces, rgb), joined(grid, letter_f_edges())
 
 
 def _curve(segments: Array, colour: str, label: str = "", width: float = 1.0) -> Curve:
@@ -312,7 +311,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
     mesh = subject.mesh
     if projection.standard_lens.parallel:
         return Exhibit((), warning=Phrase(_PARALLEL))
-    others = _EDGES if mesh is None else _edges_that_matter(projection.camera, mesh)
+    others = letter_f_edges()[0] if mesh is None else _edges_that_matter(projection.camera, mesh)
     segments = np.concatenate([[(a, b)], others])
     trace = projection.trace(segments)
     drawn = pictures(projection, trace.view, trace.clip)
