@@ -124,11 +124,10 @@ def main() -> int:
     failed = False
     with screens(1) as environment, tempfile.TemporaryDirectory() as place:
         for names in together:
-            runs = []
+            runs, began = [], time.monotonic()
             for part in names:
                 home = Path(place, part)
                 home.mkdir()
-                began = time.monotonic()
                 words = [options.act, str(folder), "--inside", part]
                 words += [word for kind in options.skip for word in ("--skip", kind)]
                 run = subprocess.Popen(
@@ -138,10 +137,11 @@ def main() -> int:
                     | {name: str(home) for name in ("HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME")}
                     | {"OPENBLAS_NUM_THREADS": "1", "LC_ALL": "C.UTF-8"},
                 )
-                runs.append((part, began, run))
-            for part, began, run in runs:
+                runs.append((part, run))
+            for _, run in runs:
                 failed |= run.wait() != 0
-                print(f"{part}: {time.monotonic() - began:.0f} s", flush=True)
+            if names:
+                print(f"{', '.join(names)}: {time.monotonic() - began:.0f} s", flush=True)
     print("something differs" if failed else f"{options.act}: done, nothing amiss")
     return int(failed)
 
@@ -599,13 +599,15 @@ class Window:
             canvas, self.core.Qt.MouseButton.LeftButton, pos=self.place(canvas, across, down)
         )
 
-    def swing(self, pane: str, x_px: int, y_px: int) -> None:
-        """Drag in a pane, away from any mark."""
+    def swing(
+        self, pane: str, x_px: int, y_px: int, start: tuple[float, float] = (0.03, 0.03)
+    ) -> None:
+        """Drag in a pane, from a place that is given in its width and height."""
         canvas, left = self.canvas(pane), self.core.Qt.MouseButton.LeftButton
-        start = self.core.QPoint(12, 12)
-        self.test.mousePress(canvas, left, pos=start)
+        begin = self.place(canvas, *start)
+        self.test.mousePress(canvas, left, pos=begin)
         for part in (0.5, 1.0):
-            place = start + self.core.QPoint(round(part * x_px), round(part * y_px))
+            place = begin + self.core.QPoint(round(part * x_px), round(part * y_px))
             self.move(canvas, place, held=True)
         self.test.mouseRelease(canvas, left, pos=place)
 
@@ -613,17 +615,28 @@ class Window:
         canvas = self.canvas(pane)
         self.move(canvas, self.place(canvas, across, down))
 
-    def point_at(self, kind: str, name: str) -> None:
-        """Move the mouse onto a widget, as Qt tells it."""
-        widget = self.find(kind, name)
-        middle = self.core.QPointF(widget.rect().center())
-        everywhere = self.core.QPointF(widget.mapToGlobal(widget.rect().center()))
-        event = self.gui.QEnterEvent(middle, middle, everywhere)
-        self.parts.QApplication.sendEvent(widget, event)
+    def point_at(self, name: str) -> None:
+        """Move the mouse onto the row of a name, as Qt tells it."""
+        row = self.find("QLabel", name).parentWidget()
+        middle = self.core.QPointF(row.rect().center())
+        everywhere = self.core.QPointF(row.mapToGlobal(row.rect().center()))
+        self.parts.QApplication.sendEvent(row, self.gui.QEnterEvent(middle, middle, everywhere))
 
-    def leave(self, kind: str, name: str) -> None:
-        event = self.core.QEvent(self.core.QEvent.Type.Leave)
-        self.parts.QApplication.sendEvent(self.find(kind, name), event)
+    def leave(self, name: str) -> None:
+        row = self.find("QLabel", name).parentWidget()
+        self.parts.QApplication.sendEvent(row, self.core.QEvent(self.core.QEvent.Type.Leave))
+
+    def set_first(self) -> None:
+        """Move the first slider of the scene's own settings, and choose what comes next."""
+        region = self.find("QScrollArea", "Settings of this scene")
+        for slider in region.findChildren(self.parts.QSlider):
+            if slider.isVisible() and slider.isEnabled():
+                self.drag(slider.accessibleName().removesuffix(", slider"), 4, 3)
+                break
+        for box in region.findChildren(self.parts.QComboBox):
+            if box.isVisible() and box.isEnabled():
+                self.key("QComboBox", box.accessibleName(), "Down")
+                break
 
     def key(self, kind: str, name: str, key: str) -> None:
         widget = self.find(kind, name)
@@ -708,7 +721,7 @@ def script(user: Window) -> Iterator[tuple[str, Callable[[], object]]]:
     yield "opens", lambda: None
     yield "idle", lambda: user.wait(700)
     yield "drag fov", lambda: user.drag("Vertical fov", 3, 4, -2)
-    yield "drag near", lambda: user.drag("Near", 5, 5)
+    yield "drag near", lambda: user.drag("Near", -5, -5)
     yield "drag far", lambda: user.drag("Far", -12, 4)
     yield "type fov", lambda: user.type("Vertical fov (degrees)", "60,5")
     yield "type near", lambda: user.type("Near (world units)", "0.25")
@@ -728,9 +741,9 @@ def script(user: Window) -> Iterator[tuple[str, Callable[[], object]]]:
     yield "drag fov with matrices", lambda: user.drag("Vertical fov", -6, 2)
     yield "formulas", lambda: user.choose("Cells", "Formulas")
     yield "row vectors", lambda: user.choose("Vectors", "Row vectors")
-    for lens in ("frustum", "orthographic", "oblique", "perspective"):
+    for lens in (OFF_AXIS, "orthographic", "oblique", "perspective"):
         yield f"lens {lens}", lambda lens=lens: user.choose("Lens", lens)
-    yield "lens frustum again", lambda: user.choose("Lens", "frustum")
+    yield "lens frustum again", lambda: user.choose("Lens", OFF_AXIS)
     yield "type left", lambda: user.type("Left (world units)", "-0.2")
     yield "keep x", lambda: user.key("QComboBox", "Proportions", "Down")
     yield "drag right", lambda: user.drag("Right", 4)
@@ -755,13 +768,15 @@ def script(user: Window) -> Iterator[tuple[str, Callable[[], object]]]:
     yield "drag near between stages", lambda: user.drag("Near", 3)
     yield "stage: image", lambda: user.stage(1200)
     yield "stage: NDC", lambda: user.stage(960)
-    yield "point at near", lambda: user.point_at("QLabel", "Near")
-    yield "leave near", lambda: user.leave("QLabel", "Near")
+    yield "point at near", lambda: user.point_at("Near")
+    yield "leave near", lambda: user.leave("Near")
     yield "hover in the world", lambda: user.hover("World", 0.5, 0.5)
+    yield "hover in the cube", lambda: user.hover("NDC cube", 0.5, 0.5)
     yield "hover in the image", lambda: user.hover("Image", 0.5, 0.5)
     yield "turn the world", lambda: user.swing("World", 60, 20)
     yield "turn the cube", lambda: user.swing("NDC cube", -40, 15)
-    yield "move in the image", lambda: user.swing("Image", 30, 10)
+    yield "move in the image", lambda: user.swing("Image", 30, 10, (0.4, 0.4))
+    yield "drag in the world", lambda: user.swing("World", 25, 5, (0.5, 0.5))
     yield "views back", lambda: user.act("Reset the panes' own views")
     yield "enlarge the image", lambda: user.act("Enlarge Image")
     yield "drag fov in a hidden row", lambda: user.drag("Vertical fov", 5)
@@ -776,13 +791,13 @@ def script(user: Window) -> Iterator[tuple[str, Callable[[], object]]]:
     titles = [box.itemText(i) for i in range(box.count()) if box.itemText(i)]
     for scene in titles[3:]:
         yield scene, lambda scene=scene: user.choose("Scene", scene)
-        yield f"{scene}: fov", lambda: user.drag(SHOWN_SLIDER, 4)
-    yield "undo in the last scene", lambda: user.act("Undo")
+        yield f"{scene}: settings", user.set_first
+        yield f"{scene}: near", lambda: user.drag("Near", 4)
     yield "reset", lambda: user.act("Reset all")
+    yield "undo the reset", lambda: user.act("Undo")
 
 
-SHOWN_SLIDER = "Near"
-"""What every scene has whatever its lens."""
+OFF_AXIS = "frustum (off-axis)"
 REST_MS = 450
 """After which nothing is under way that a timer started: the window counts pixels after 250."""
 
