@@ -667,10 +667,10 @@ class Window:
             "document": self.file.read_text(encoding="utf-8"),
             "status line": line,
             "texts": lines,
-            "actions": sorted(actions),
+            "actions": sorted(text.replace(str(self.file.parent), "HOME") for text in actions),
             "title": list(title),
             "repaints": repaints,
-            "repaints of saving": {n: self.repaints[n] - repaints[n] for n in repaints},
+            "repaints of saving": {n: self.repaints[n] - repaints[n] for n in self.repaints},
         }
         self.repaints |= dict.fromkeys(self.repaints, 0)
         return found
@@ -798,6 +798,8 @@ def script(user: Window) -> Iterator[tuple[str, Callable[[], object]]]:
 
 
 OFF_AXIS = "frustum (off-axis)"
+LAID_OUT = ("enlarge the image", "all panes", "projector", "projector off")
+"""Where Qt lays all out anew, in as many goes as time leaves it: not how often is told, but who."""
 REST_MS = 450
 """After which nothing is under way that a timer started: the window counts pixels after 250."""
 
@@ -829,6 +831,9 @@ def run_window() -> list[dict[str, Any]]:
                 step["failed"] = str(error)
             user.wait(REST_MS)
             steps.append(step | user.seen())
+            if name in LAID_OUT:
+                found = steps[-1]["repaints"]
+                steps[-1]["repaints"] = {pane: count > 0 for pane, count in found.items()}
             if name.startswith(("open Matrices", "formulas", "row", "lens", "type left", "keep")):
                 steps[-1]["matrices"] = user.matrices()
         user.window.close()
