@@ -46,11 +46,11 @@ def main() -> int:
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     options = parser.parse_args()
     mutants = json.loads(LIST.read_text(encoding="utf-8"))
-    known = [mutant["id"] for mutant in mutants]
+    by_id = {mutant["id"]: mutant for mutant in mutants}
     for name in options.ids:
-        if name not in known:
+        if name not in by_id:
             parser.error(f"there is no mutant {name}")
-    chosen = [mutant for mutant in mutants if not options.ids or mutant["id"] in options.ids]
+    chosen = [by_id[name] for name in options.ids] or mutants
     if options.act == "list":
         lost = [mutant for mutant in chosen if place_of(mutant) is None]
         for mutant in chosen:
@@ -162,7 +162,7 @@ class Copy:
         return verdict, by
 
     def _found(self, words: list[str]) -> list[str]:
-        """Words for pytest; the first is a file or a test, looked for where it is not: they move."""
+        """Words for pytest; the first is a file or a test, looked for: they move."""
         file, colons, name = words[0].partition("::")
         if (self.folder / file).exists():
             return words
