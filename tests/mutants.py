@@ -190,7 +190,7 @@ class Copy:
         failed = re.findall(r"^(?:FAILED|ERROR) (tests/.*?)(?: - .*)?$", run.stdout, re.MULTILINE)
         if run.returncode == 0:
             return "survived", ""
-        return ("killed", failed[0]) if run.returncode == 1 and failed else ("no test", "")
+        return ("killed", failed[0]) if run.returncode in (1, 2) and failed else ("no test", "")
 
 
 if __name__ == "__main__":
