@@ -422,6 +422,7 @@ MEASURE_WORDS = (
     QT_TRANSLATE_NOOP("Measure", "half resolution"),
     QT_TRANSLATE_NOOP("Measure", "supersampling {0} x {0}"),
     QT_TRANSLATE_NOOP("Measure", "this OpenGL gives {0} samples"),
+    QT_TRANSLATE_NOOP("Measure", "the same picture"),
     QT_TRANSLATE_NOOP("Measure", "p95"),
     QT_TRANSLATE_NOOP("Measure", "predicted"),
     QT_TRANSLATE_NOOP("Measure", "world units"),

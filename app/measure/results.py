@@ -66,7 +66,7 @@ WORDS = (
     "eye first", "every stage", "exact", "numpy's hstack", "VTK's transform",
     "matplotlib's proj3d", "perspective-correct", "affine", "{0} pieces", "opengl", "direct3d",
     "reversed", "logarithmic", "none", "half resolution", "supersampling {0} x {0}",
-    "this OpenGL gives {0} samples",
+    "this OpenGL gives {0} samples", "the same picture",
     "p95", "predicted", "world units", "texels", "levels RMS", *COLUMNS.values(), "triangles",
     "near", "far", "fov", "distance", "up", "aspect", *SWEEP_NOTES.values(),
     JUDGED.replace("64", "{0}"),

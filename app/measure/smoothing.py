@@ -29,6 +29,8 @@ LARGEST_PX = 640
 """Longer side of the picture that is timed: about that of a pane."""
 
 OTHER_SAMPLES = "this OpenGL gives {0} samples"
+SAME_PICTURE = "the same picture"
+"""What is said of other names for a choice, which stand before it."""
 
 
 class Smoothing(NamedTuple):
@@ -95,7 +97,7 @@ def measure(
             reference = shown(read(), REFERENCE, size)
         runs: dict[str, Callable[[], Any]] = {}
         errors, notes = {}, {}
-        for smoothing in SMOOTHINGS:
+        for smoothing, note in pictures():
             draw, read = stack.enter_context(pane(scene, projection, size, smoothing))
             draw()
 
@@ -111,9 +113,7 @@ def measure(
             runs[smoothing.name] = frame
             difference = shown(read(), smoothing.scale, size) - reference
             errors[smoothing.name] = float(np.sqrt((difference**2).mean()))
-            samples = samples_given(smoothing.samples) if smoothing.samples else 0
-            as_asked = samples == smoothing.samples
-            notes[smoothing.name] = "" if as_asked else OTHER_SAMPLES.format(samples)
+            notes[smoothing.name] = note
         try:
             times, complete = in_turns(runs, seconds, watch), True
         except Cancelled as cancelled:
@@ -136,6 +136,27 @@ def measure(
     if not complete:
         raise Cancelled(trade)
     return trade
+
+
+def pictures() -> list[tuple[Smoothing, str]]:
+    """Those of `SMOOTHINGS` that are different pictures here, and what is to be said of each.
+
+    Of several that this OpenGL draws with as many samples one is kept: the one that asks for so
+    many, or else the first.
+    """
+    found: dict[Smoothing, list[Smoothing]] = {}
+    for smoothing in SMOOTHINGS:
+        samples = samples_given(smoothing.samples) if smoothing.samples else 1
+        drawn = smoothing._replace(name="", samples=0 if samples == 1 else samples)
+        found.setdefault(drawn, []).append(smoothing)
+    kept = []
+    for drawn, alike in found.items():
+        one = next((each for each in alike if each.samples == drawn.samples), alike[0])
+        others = [each.name for each in alike if each is not one]
+        as_asked = one.samples == drawn.samples
+        notes = [] if as_asked else [OTHER_SAMPLES.format(drawn.samples)]
+        kept.append((one, ", ".join(notes + (others and [*others, SAME_PICTURE]))))
+    return kept
 
 
 def picture_size(projection: Projection) -> tuple[int, int]:
