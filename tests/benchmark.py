@@ -558,6 +558,77 @@ def until_seen(command: list[str], environment: dict[str, str]) -> float:
     return next(at for at, pixels in seen[1:] if (pixels == final).mean() > 0.995) - began
 
 
+def project_points(scale: float) -> dict[str, Any]:
+    """``project`` of 10 000 points against a script that writes the same columns as CSV.
+
+    Whole processes in turn, from start to end.
+    """
+    import numpy as np
+
+    path = Path(os.environ["HOME"]) / "points.csv"
+    world = np.random.default_rng(1).uniform(-4.0, 4.0, (10_000, 3)).tolist()
+    path.write_text("x,y,z\n" + "".join(f"{x!r},{y!r},{z!r}\n" for x, y, z in world))
+    commands = {"script": ["-c", SAME_COLUMNS, str(path)]} | {
+        form: ["-m", "app", "project", str(path), "--format", form]
+        for form in ("table", "csv", "json")
+    }
+    environment = {k: v for k, v in os.environ.items() if k != "PYTHONDONTWRITEBYTECODE"}
+    times: dict[str, list[float]] = {name: [] for name in commands}
+    for turn in range(1 + max(3, round(10 * scale))):
+        for name, command in commands.items():
+            began = time.perf_counter()
+            subprocess.run(
+                [sys.executable, *command], check=True, cwd=bootstrap.ROOT, env=environment,
+                stdout=subprocess.DEVNULL,
+            )  # fmt: skip
+            if turn:
+                times[name].append(time.perf_counter() - began)
+    script = times.pop("script")
+    return {
+        f"10000 points as {name} / a numpy script (median of pairs)": round(
+            statistics.median(mine / its for mine, its in zip(found, script, strict=True)), 2
+        )
+        for name, found in times.items()
+    }
+
+
+SAME_COLUMNS = """
+import sys
+import numpy as np
+
+points = np.loadtxt(sys.argv[1], delimiter=",", ndmin=2, skiprows=1)
+eye, target, up = np.array([6.0, 5.0, 9.0]), np.array([0.0, 2.2, 0.0]), np.array([0.0, 1.0, 0.0])
+n = eye - target
+n /= np.linalg.norm(n)
+u = np.cross(up, n)
+u /= np.linalg.norm(u)
+v = np.cross(n, u)
+view = (points - eye) @ np.array([u, v, n]).T
+near, far, width, height = 1.0, 30.0, 1280, 720
+cot = 1.0 / np.tan(np.radians(45.0) / 2.0)
+w = -view[:, 2]
+clip = np.column_stack([
+    cot * height / width * view[:, 0], cot * view[:, 1],
+    -(far + near) / (far - near) * view[:, 2] - 2 * far * near / (far - near), w])
+ndc = clip[:, :3] / w[:, None]
+image = np.column_stack([(ndc[:, 0] + 1) * width / 2, (1 - ndc[:, 1]) * height / 2])
+depth = (ndc[:, 2] + 1) / 2
+outside = [w < near, w > far, clip[:, 0] < -w, clip[:, 0] > w, clip[:, 1] < -w, clip[:, 1] > w]
+names = ["near", "far", "left", "right", "bottom", "top"]
+columns = np.column_stack([points, view, clip, ndc, image, depth]).tolist()
+out = ["world_x,world_y,world_z,view_x,view_y,view_z,clip_x,clip_y,clip_z,clip_w,ndc_x,ndc_y,ndc_z,"
+       "image_x_px,image_y_px,depth,inside,outside_of\\n"]
+for row, beyond in zip(columns, np.array(outside).T.tolist()):
+    where = " ".join(name for name, is_beyond in zip(names, beyond) if is_beyond)
+    if row[9] > 0:
+        cells = ",".join(map(repr, row))
+    else:
+        cells = ",".join(map(repr, row[:10])) + ",,,,,,"
+    out.append(f"{cells},{'false' if where or row[9] <= 0 else 'true'},{where}\\n")
+sys.stdout.write("".join(out))
+"""
+
+
 # --------------------------------------------------------------------------- memory
 
 
@@ -763,6 +834,7 @@ PARTS: dict[str, Callable[[float], dict[str, Any]]] = {
     "measuring": measuring,
     "repaints": repaints,
     "first-frame": first_frame,
+    "project": project_points,
     "cycles": open_and_close,
     "changes": random_changes,
     "imports": imports,

@@ -20,6 +20,7 @@ from app.measure.arithmetic import SWEEPS
 from app.measure.meaning import meaning
 from app.measure.results import (
     COLUMNS,
+    JUDGED,
     WORDS,
     Choice,
     Curve,
@@ -200,7 +201,7 @@ def test_a_huge_error_leaves_the_chart_and_not_the_others() -> None:
 
 def test_a_table_has_a_word_for_what_has_no_number() -> None:
     heads, *rows = table(replace(TRADE, complete=False))
-    assert heads == ["", "ns", "p95", "px", "predicted", ""]
+    assert heads == ["", "ns", "p95", "px", "predicted", JUDGED]
     assert rows[1] == ["bad", "5", "5", "2", "-", ""]
     assert rows[-1] == ["absent", "-", "-", "-", "-", "not installed"]
     waiting = Trade("arithmetic", "ns", "px", (choice("late", None, 1.0),), 0, complete=False)
@@ -213,14 +214,16 @@ def test_a_sweep_s_values_and_head_say_what_they_are() -> None:
     values = (179.0, 179.999999999995, 180.0 - 1e-12)
     swept = Sweep("fov", "°", values, {"a": curve((1e-9,) * 3, ("",) * 3)})
     head, *rows = table(swept)
-    assert head == ["fov, °", "a", ""]
+    assert head == ["fov, °", "a", JUDGED]
     assert [row[0] for row in rows] == ["179", "179.999999999995", "179.999999999999"]
     assert named(head[0], {"fov": "kut"}.__getitem__) == "kut, °"
 
 
 @pytest.mark.parametrize("parameter", ["near", "far"])
 def test_what_a_sweep_moves_besides_is_told(parameter: str) -> None:
-    (told,) = {table(sweep(parameter, (1.0,), {"a": curve((1e-9,), ("",))}))[0][-1]} & set(WORDS)
+    said = table(sweep(parameter, (1.0,), {"a": curve((1e-9,), ("",))}))[0][-1]
+    judged, told = said.split(", ")
+    assert judged == JUDGED and told in WORDS
     low, high = SWEEPS[parameter].low, SWEEPS[parameter].high
     lenses = [SWEEPS[parameter].set(Projection(), value)[0].lens for value in (low, 1.0, high)]
     assert {lens.near * 4.0 for lens in lenses} & {lens.far for lens in lenses}, told
