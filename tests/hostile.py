@@ -456,8 +456,9 @@ def main() -> int:
             slowest, largest = max(slowest, outcome.seconds), max(largest, outcome.largest)
             path.unlink()
     print(
-        f"{found.count} files from {found.first} of seed {found.seed}: {outcomes['opened']} opened, {outcomes['refused']} refused in one "
-        f"sentence, {findings} findings; at most {slowest:.1f} s and {largest >> 20} MiB; "
+        f"{found.count} files from {found.first} of seed {found.seed}: "
+        f"{outcomes['opened']} opened, {outcomes['refused']} refused in one sentence, "
+        f"{findings} findings; at most {slowest:.1f} s and {largest >> 20} MiB; "
         f"{confirmed if forks else found.count} by the whole command"
     )
     return 1 if findings else 0
