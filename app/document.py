@@ -620,9 +620,8 @@ def picture_json(document: Document) -> str:
     It has a mesh's name and no folder, so that nobody reads there how somebody's home is called;
     the mesh is looked for beside the picture.
     """
-    names = {key: getattr(document, key) for key in ("scene", "mesh")}
-    names = {key: os.path.basename(name) for key, name in names.items() if is_mesh(name)}
-    return to_json(replace(document, **names))
+    scene = os.path.basename(document.scene) if is_mesh(document.scene) else document.scene
+    return to_json(replace(document, scene=scene, mesh=os.path.basename(document.mesh)))
 
 
 def _dump(tree: Tree, ensure_ascii: bool) -> str:

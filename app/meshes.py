@@ -480,7 +480,8 @@ class _Lines:
         """Which lines have this letter alone as their first word."""
         second = self.text[np.minimum(self.begins + 1, len(self.text) - 1)]
         which: NDArray[np.bool_] = self.text[self.begins] == word[0]
-        return which & ((second == 32) | (second == 9))
+        which &= (second == 32) | (second == 9)
+        return which
 
     def chosen(self, which: NDArray[np.bool_], mark: int) -> NDArray[np.uint8]:
         """Some lines, one after the other, a mark in the place of their first letters."""

@@ -407,6 +407,7 @@ def main() -> int:
     """Open hostile files and tell what became of them; 1 if there are findings."""
     parser = argparse.ArgumentParser(description="Open hostile mesh files.")
     parser.add_argument("--count", type=int, default=5000)
+    parser.add_argument("--first", type=int, default=0, help="number of the first, to go on from")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--keep", type=Path, help="a folder for the files of findings")
     found = parser.parse_args()
@@ -427,7 +428,7 @@ def main() -> int:
         if forks:
             os.mkfifo(folder / "pipe.bin")
             (folder / "link.bin").symlink_to(outer / "out.bin")
-        for number in range(found.count):
+        for number in range(found.first, found.first + found.count):
             ending, kind, data = hostile(found.seed, number)
             path = folder / f"{number}{ending}"
             path.write_bytes(data)
@@ -444,7 +445,10 @@ def main() -> int:
                     what = what or f"the whole command says something else: {again.err!r}"
             if what:
                 findings += 1
-                print(f"{found.seed} {number} {ending} {kind}: {what}: {outcome.err[-400:]!r}")
+                print(
+                    f"{found.seed} {number} {ending} {kind}: {what}: {outcome.err[-400:]!r}",
+                    flush=True,
+                )
                 if found.keep:
                     found.keep.mkdir(parents=True, exist_ok=True)
                     (found.keep / path.name).write_bytes(data)
@@ -452,8 +456,9 @@ def main() -> int:
             slowest, largest = max(slowest, outcome.seconds), max(largest, outcome.largest)
             path.unlink()
     print(
-        f"{found.count} files: {outcomes['opened']} opened, {outcomes['refused']} refused in one "
-        f"sentence, {findings} findings; at most {slowest:.1f} s and {largest >> 20} MiB; "
+        f"{found.count} files from {found.first} of seed {found.seed}: "
+        f"{outcomes['opened']} opened, {outcomes['refused']} refused in one sentence, "
+        f"{findings} findings; at most {slowest:.1f} s and {largest >> 20} MiB; "
         f"{confirmed if forks else found.count} by the whole command"
     )
     return 1 if findings else 0

@@ -42,7 +42,16 @@ from vtkmodules.vtkRenderingCore import vtkTextActor
 
 import app.document
 import app.scene
-from app.document import UNWRITABLE, Document, DocumentError, extract, read, to_json, write
+from app.document import (
+    UNWRITABLE,
+    Document,
+    DocumentError,
+    extract,
+    picture_json,
+    read,
+    to_json,
+    write,
+)
 from app.drawings import actors, rungs
 from app.drawings.image import ImageDrawing
 from app.drawings.style import LIGHT, rgb
@@ -1554,6 +1563,29 @@ def tetrahedron(folder: Path) -> Path:
     mesh = folder / "tetra.obj"
     mesh.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 1 3 4\nf 2 3 4\n")
     return mesh
+
+
+def test_a_picture_asks_for_a_mesh_that_is_not_beside_it(
+    make_window: Callable[..., MainWindow], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in ("here", "there"):
+        (tmp_path / name).mkdir()
+    mesh, picture = tetrahedron(tmp_path / "there"), tmp_path / "here" / "a.png"
+    text = picture_json(on_triangles(mesh=str(mesh)))
+    picture.write_bytes(png_bytes(np.zeros((4, 4, 3), np.uint8), text))
+    window = make_window(Document("cube"))
+    asked = []
+
+    def choose(_: object, title: str, *_more: object) -> tuple[str, str]:
+        asked.append(title)
+        return str(mesh), ""
+
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", choose)
+    assert window.files.open(picture)
+    assert window.store.document.mesh == str(mesh) and "tetra.obj" in asked[0]
+    beside = tetrahedron(tmp_path / "here")
+    assert window.files.open(picture) and len(asked) == 1
+    assert window.store.document.mesh == str(beside)
 
 
 def test_a_mesh_of_the_user_s_takes_the_place_of_the_objects_and_leaves_it(

@@ -155,15 +155,19 @@ class Files(QObject):
 
     def _with_mesh(self, document: Document, path: str) -> Document:
         """A picture's document, with the mesh from beside it, or else from where the user says."""
-        key = "scene" if is_mesh(document.scene) else "mesh"
-        mesh: str = getattr(document, key)
+        mesh = document.scene if is_mesh(document.scene) else document.mesh
         if not mesh or holds_document(path) or os.path.exists(mesh):
             return document
         place = self._ask_for_mesh(
             self.tr("Where is {0}, which the picture shows?").format(os.path.basename(mesh)),
             os.path.dirname(mesh),
         )
-        return replace(document, **{key: os.path.abspath(place)}) if place else document
+        if not place:
+            return document
+        place = os.path.abspath(place)
+        if is_mesh(document.scene):
+            return replace(document, scene=place)
+        return replace(document, mesh=place)
 
     def _ask_for_mesh(self, title: str, folder: str) -> str:
         endings = " ".join(f"*{ending}" for ending in MESH_ENDINGS)
