@@ -37,7 +37,7 @@ def main() -> int:
         from app import bootstrap
 
         bootstrap.start(need_of(arguments))
-        from app.cli import main as run  # only now are its imports sure to be there
+        from app.commands.cli import main as run  # only now are its imports sure to be there
     except KeyboardInterrupt:
         return 130
     return run(arguments)
@@ -45,7 +45,7 @@ def main() -> int:
 
 def _without_set_up(arguments: Sequence[str]) -> int | None:
     """Do what needs nothing to be set up, or return None: behind -- a file may have such a name."""
-    from app import doctor, options
+    from app.commands import doctor, options
 
     options.answer(arguments)
     return doctor.command(arguments[1:]) if arguments[0] == "doctor" else None

@@ -2,7 +2,7 @@
 
 Where it starts the X servers itself, there is one for each processor, and the tests are shared
 out among as many processes: two windows on one screen would take each other's keyboard.
-Arguments go to pytest: ``python3 -m tests tests/test_scene.py -k posts``. The exit status is
+Arguments go to pytest: ``python3 -m tests tests/scenes/test_scene.py -k posts``. The exit status is
 pytest's own, and so is the last line. ruff and mypy are tests like the others (``test_quality``).
 """
 

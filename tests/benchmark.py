@@ -72,13 +72,13 @@ def application() -> Any:
     """The one QApplication of this process, with what it shows imported as the program does."""
     from PySide6.QtWidgets import QApplication
 
-    from widgets.opengl import prepare
+    from widgets.program.opengl import prepare
 
     if QApplication.instance() is None:
         prepare()
         made = QApplication([])
         with bootstrap.for_good():
-            import widgets.main_window  # noqa: F401
+            import widgets.window.main_window  # noqa: F401
         return made
     return QApplication.instance()
 
@@ -86,10 +86,10 @@ def application() -> Any:
 def open_window(scene: str = "letter-f", size: tuple[int, int] = (1600, 700)) -> Any:
     """A main window, shown and drawn."""
     app = application()
-    from app.document import Document
-    from app.scene import load
-    from widgets.application import Settings
-    from widgets.main_window import MainWindow
+    from app.document.document import Document
+    from app.scenes.scene import load
+    from widgets.program.application import Settings
+    from widgets.window.main_window import MainWindow
 
     folder = Path(os.environ["HOME"])
     window = MainWindow(
@@ -207,7 +207,7 @@ def in_a_drag(window: Any, row: Any, turns: int) -> tuple[list[float], list[floa
 
 def scene_steps(scale: float) -> dict[str, Any]:
     """A step of the camera over the bare repaint in each phenomenon's scene, its panel open."""
-    from app.phenomena import PHENOMENA
+    from app.scenes.phenomena import PHENOMENA
 
     figures: dict[str, Any] = {}
     for name in PHENOMENA:
@@ -442,7 +442,7 @@ def count_repaints(window: Any) -> dict[str, int]:
 
 def repaints(scale: float) -> dict[str, Any]:
     """Repaints per change, of visible and hidden panes, and when idle."""
-    from app.projection import Perspective
+    from app.model.projection import Perspective
 
     window = open_window()
     app = application()
@@ -505,7 +505,7 @@ FIRST_FRAME = {
         "-c",
         f"""
 from PySide6.QtWidgets import QApplication, QMainWindow, QSplitter
-from widgets.opengl import prepare
+from widgets.program.opengl import prepare
 prepare()
 app = QApplication([])
 from pyvistaqt import QtInteractor
@@ -659,7 +659,7 @@ def open_and_close(scale: float) -> dict[str, Any]:
 
 def random_changes(scale: float) -> dict[str, Any]:
     """Random slider changes, drawn; memory after the first fifth and at the end."""
-    from app.projection import ProjectionError
+    from app.model.projection import ProjectionError
 
     window = open_window()
     app = application()
@@ -693,14 +693,14 @@ def random_changes(scale: float) -> dict[str, Any]:
 
 def imports(scale: float) -> dict[str, Any]:
     """What importing the projection core brings along."""
-    code = "import sys, app.projection; print(*sys.modules)"
+    code = "import sys, app.model.projection; print(*sys.modules)"
     run = subprocess.run(
         [sys.executable, "-c", code], cwd=bootstrap.ROOT, capture_output=True, text=True, check=True
     )
     heavy = {name.split(".")[0] for name in run.stdout.split()} & {
         "PySide6", "vtk", "vtkmodules", "pyvista", "pyvistaqt", "matplotlib", "mpmath",
     }  # fmt: skip
-    return {"app.projection imports of Qt, VTK and the like": sorted(heavy)}
+    return {"app.model.projection imports of Qt, VTK and the like": sorted(heavy)}
 
 
 # --------------------------------------------------------------------------- projecting points
@@ -718,7 +718,7 @@ def points(scale: float) -> dict[str, Any]:
     import numpy as np
 
     from app.measure.arithmetic import peers, ways
-    from app.projection import Projection
+    from app.model.projection import Projection
 
     projection = Projection()
     figures: dict[str, Any] = {}

@@ -82,7 +82,7 @@ def qapp_cls() -> type:
     """The application class for pytest-qt, after what must precede the first window."""
     from PySide6.QtWidgets import QApplication
 
-    from widgets.opengl import prepare
+    from widgets.program.opengl import prepare
 
     prepare()
     return QApplication
@@ -93,7 +93,7 @@ def display(qapp: Any) -> Any:
     """The application, on a platform that can draw: Qt's `offscreen` paints garbage with rc 0."""
     if sys.platform.startswith("linux"):
         assert qapp.platformName() == "xcb", os.environ.get("QT_QPA_PLATFORM")
-    import widgets.main_window  # noqa: F401
+    import widgets.window.main_window  # noqa: F401
 
     # What is there for good is not searched again for survivors after every window.
     gc.collect()
@@ -104,10 +104,10 @@ def display(qapp: Any) -> Any:
 @pytest.fixture
 def make_window(display: Any, qtbot: Any, own_home: Path) -> Iterator[Callable[..., Any]]:
     """Open main windows; after the test all are closed and no interactor survives."""
-    from app.document import Document
-    from app.scene import load
-    from widgets.application import Settings
-    from widgets.main_window import MainWindow
+    from app.document.document import Document
+    from app.scenes.scene import load
+    from widgets.program.application import Settings
+    from widgets.window.main_window import MainWindow
 
     windows: list[Any] = []
     canvases: list[weakref.ref[Any]] = []

@@ -148,7 +148,7 @@ def main() -> int:
 
 def command_line(words: Sequence[str]) -> int:
     """Run ``python3 -m app WORDS`` in this process: the one name of the program's own."""
-    from app.cli import main as run
+    from app.commands.cli import main as run
 
     return run(list(words))
 

@@ -374,7 +374,7 @@ def _waited(started: float, pid: int, folder: Path) -> Outcome:
 
 
 def _forked(path: Path, folder: Path) -> Outcome:
-    from app import cli
+    from app.commands import cli
 
     started = time.perf_counter()
     pid = os.fork()
@@ -414,7 +414,7 @@ def main() -> int:
     forks = hasattr(os, "fork")
     if forks:
         os.environ["OPENBLAS_NUM_THREADS"] = "1"  # a fork takes no threads along
-        from app.scene import load
+        from app.scenes.scene import load
 
         load("cube")
     findings, outcomes = 0, collections.Counter[str]()

@@ -39,8 +39,8 @@ from vtkmodules.vtkRenderingCore import (
 )
 
 from app.drawings.style import Style, rgb
-from app.projection import FreeMatrix, Projection
-from app.scene import Scene
+from app.model.projection import FreeMatrix, Projection
+from app.scenes.scene import Scene
 
 CUBE_CORNERS = np.array(
     [(x, y, z) for z in (-1, 1) for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))], dtype=np.float64

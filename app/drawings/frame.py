@@ -13,11 +13,11 @@ from typing import Any
 import numpy as np
 from vtkmodules.vtkRenderingCore import vtkActor
 
-from app.camera_frame import STEPS, up_and_view
 from app.drawings import actors
 from app.drawings.actors import Canvas, Space
 from app.drawings.style import Style
-from app.projection import Array, Camera
+from app.lecture.camera_frame import STEPS, up_and_view
+from app.model.projection import Array, Camera
 
 TIPS = {"v": (0.0, 1.7, 0.0), "n": (0.0, 0.0, 2.5), "u": (1.7, 0.0, 0.0)}
 """Of the axes in view space, in sizes of the camera's body."""

@@ -19,7 +19,7 @@ from vtkmodules.vtkRenderingCore import vtkActor2D, vtkPolyDataMapper2D
 
 from app.drawings.actors import Canvas
 from app.drawings.style import Style, rgb
-from app.handles import Handle, Spot
+from app.picking.handles import Handle, Spot
 
 APART_EM = 0.9
 """Of two marks at least."""

@@ -16,21 +16,21 @@ import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.vtkRenderingCore import vtkRenderer
 
-from app.attention import SIDES, Attention, corner_at
 from app.drawings.actors import Canvas, Space, face_actor, identity_camera, lifted
 from app.drawings.labels import Layout
 from app.drawings.marks import MarksDrawing, Placing, spread_over
 from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at
+from app.drawings.precision import ModelActors, least_tolerance
 from app.drawings.probes import Mark, Probes
 from app.drawings.rasterising import RASTERISED, Rasteriser
-from app.drawings.rungs import ModelActors, least_tolerance
 from app.drawings.style import Style, rgb
-from app.phenomena.exhibit import Exhibit, Marks, Phrase, Rendering
-from app.picking import Probe, Sight
-from app.precision import DRAWING_TOLERANCE_PX, Rung
-from app.projection import Array, Camera, Projection, ProjectionError
-from app.quality import AUTOMATIC, Quality
-from app.scene import Scene
+from app.lecture.highlight import SIDES, Attention, corner_at
+from app.model.projection import Array, Camera, Projection, ProjectionError
+from app.picking.picking import Probe, Sight
+from app.precision.levels import DRAWING_TOLERANCE_PX, Rung
+from app.precision.quality import AUTOMATIC, Quality
+from app.scenes.phenomena.illustration import Exhibit, Marks, Phrase, Rendering
+from app.scenes.scene import Scene
 
 _SQUARE = ((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (1.0, 1.0, 0.0), (0.0, 1.0, 0.0))
 _MARKS_DEPTH = -0.9999  # just behind near

@@ -20,7 +20,7 @@ from vtkmodules.vtkRenderingCore import vtkActor2D, vtkPolyDataMapper2D
 
 from app.drawings.actors import Canvas, Label
 from app.drawings.style import rgb
-from app.projection import Array
+from app.model.projection import Array
 
 AXES = ("v", "n", "u")
 """The camera's axes, in the order in which they are written."""

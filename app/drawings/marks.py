@@ -34,7 +34,6 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPlane
 from vtkmodules.vtkRenderingCore import vtkActor
 
-from app.clipping import LARGEST_CLIP, clip_polygon, clip_segments
 from app.drawings.actors import (
     Canvas,
     Detail,
@@ -47,9 +46,10 @@ from app.drawings.actors import (
 )
 from app.drawings.labels import Layout, Spot
 from app.drawings.style import Style, rgb
-from app.phenomena.exhibit import Copy, Dot, Face, Line, Marks, Text
-from app.projection import Array
-from app.scene import Scene
+from app.model.clipping import LARGEST_CLIP, clip_polygon, clip_segments
+from app.model.projection import Array
+from app.scenes.phenomena.illustration import Copy, Dot, Face, Line, Marks, Text
+from app.scenes.scene import Scene
 
 DOT = 5.0
 """Diameter of an ordinary dot, in widths of a line."""

@@ -15,7 +15,7 @@ seen is the projection's own.
 
 That is the pane at the NDC stop of its stage strip, and as it is exported. At any other position
 (`NdcDrawing.show_stage`) the scene and the view volume, which is the cube's own edges and faces,
-stand under the matrices of `app.morph` instead, and the words are those of the nearest stop. A
+stand under the matrices of `app.lecture.stages` instead, and the words are those of the nearest stop. A
 step of the strip sets these matrices and nothing else.
 """
 
@@ -30,7 +30,6 @@ import pyvista as pv
 from numpy.typing import NDArray
 from vtkmodules.vtkCommonDataModel import vtkPlane
 
-from app.attention import AXES, CORNERS, Attention
 from app.drawings.actors import (
     CUBE_CORNERS,
     Canvas,
@@ -44,11 +43,12 @@ from app.drawings.actors import (
 from app.drawings.labels import Layout
 from app.drawings.marks import MarksDrawing, Placing
 from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at, volume_edges
+from app.drawings.precision import ModelActors, least_tolerance
 from app.drawings.probes import Mark, Probes
 from app.drawings.rasterising import Rasteriser
-from app.drawings.rungs import ModelActors, least_tolerance
 from app.drawings.style import Style, rgb
-from app.morph import (
+from app.lecture.highlight import AXES, CORNERS, Attention
+from app.lecture.stages import (
     CANONICAL_PARALLEL,
     CANONICAL_PERSPECTIVE,
     IMAGE,
@@ -59,11 +59,11 @@ from app.morph import (
     FreeMorph,
     Morph,
 )
-from app.phenomena.exhibit import Exhibit, Marks
-from app.picking import Probe, Sight
-from app.precision import DRAWING_TOLERANCE_PX, Rung
-from app.projection import DEPTH_RANGES, Array, Camera, FreeMatrix, Projection
-from app.scene import Scene
+from app.model.projection import DEPTH_RANGES, Array, Camera, FreeMatrix, Projection
+from app.picking.picking import Probe, Sight
+from app.precision.levels import DRAWING_TOLERANCE_PX, Rung
+from app.scenes.phenomena.illustration import Exhibit, Marks
+from app.scenes.scene import Scene
 
 VIEW_AZIMUTH_DEG, VIEW_ELEVATION_DEG = 27.0, 18.0
 """Where this pane's camera stands at first: to the right of the near face and above it."""

@@ -13,7 +13,6 @@ from typing import Any, TypeAlias
 
 from vtkmodules.vtkRenderingCore import vtkActor
 
-from app.attention import CORNERS, NOTHING, SIDES, Attention
 from app.drawings.actors import (
     CUBE_EDGES,
     Canvas,
@@ -24,7 +23,8 @@ from app.drawings.actors import (
     point_actor,
 )
 from app.drawings.style import Style
-from app.projection import Array
+from app.lecture.highlight import CORNERS, NOTHING, SIDES, Attention
+from app.model.projection import Array
 
 NEAR_FACE, FAR_FACE = (0, 1, 2, 3), (4, 5, 6, 7)
 FACES = {

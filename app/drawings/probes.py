@@ -24,9 +24,9 @@ from vtkmodules.vtkRenderingCore import vtkActor2D, vtkPolyDataMapper2D
 
 from app.drawings.actors import Canvas, Label, Space, lift_lines, line_actor
 from app.drawings.style import Style, rgb
-from app.picking import Hit, Lines, Probe, Sight, Surface, pick, projector
-from app.projection import Array, FreeMatrix, Projection, Trace, Vector
-from app.scene import Scene
+from app.model.projection import Array, FreeMatrix, Projection, Trace, Vector
+from app.picking.picking import Hit, Lines, Probe, Sight, Surface, pick, projector
+from app.scenes.scene import Scene
 
 _RIM_EM, _FILL_EM, _CROSSING_EM = 0.44, 0.32, 0.24  # radii
 

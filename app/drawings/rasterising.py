@@ -37,13 +37,20 @@ from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkRenderingCore import vtkActor
 
-from app.depth import FORMATS, DepthBuffer
 from app.drawings.actors import Canvas, Space, identity_camera, unlit_actor
 from app.drawings.style import LIGHT, Style, rgb
-from app.phenomena.depth_buffer import FINEST
-from app.phenomena.exhibit import QT_TRANSLATE_NOOP, Fog, Level, Phrase, Rendering, Texture
-from app.projection import Array, FreeMatrix, Lens, Projection
-from app.scene import Scene
+from app.model.depth import FORMATS, DepthBuffer
+from app.model.projection import Array, FreeMatrix, Lens, Projection
+from app.scenes.phenomena.depth_buffer import FINEST
+from app.scenes.phenomena.illustration import (
+    QT_TRANSLATE_NOOP,
+    Fog,
+    Level,
+    Phrase,
+    Rendering,
+    Texture,
+)
+from app.scenes.scene import Scene
 
 REFUSED = QT_TRANSLATE_NOOP(
     "phenomena",

@@ -31,7 +31,6 @@ import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkPlane
 from vtkmodules.vtkRenderingCore import vtkActor
 
-from app.attention import CORNERS, Attention
 from app.drawings import actors
 from app.drawings.actors import Canvas, Space
 from app.drawings.frame import DIMMED, LARGER, TIPS, FrameSteps, arrow, arrow_tips, is_built
@@ -42,10 +41,8 @@ from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at, volume_ed
 from app.drawings.probes import Probes
 from app.drawings.rasterising import Rasteriser
 from app.drawings.style import Style
-from app.handles import Handle, nearest, shown
-from app.phenomena.exhibit import Exhibit, Marks, Rendering
-from app.picking import Probe, Sight
-from app.projection import (
+from app.lecture.highlight import CORNERS, Attention
+from app.model.projection import (
     Array,
     Camera,
     FreeMatrix,
@@ -54,7 +51,10 @@ from app.projection import (
     Projection,
     StandardLens,
 )
-from app.scene import Scene
+from app.picking.handles import Handle, nearest, shown
+from app.picking.picking import Probe, Sight
+from app.scenes.phenomena.illustration import Exhibit, Marks, Rendering
+from app.scenes.scene import Scene
 
 SLAB = 0.005
 """Thickness of the picture on the near plane, relative to near (parallel lens: the reach)."""
@@ -311,7 +311,7 @@ class WorldDrawing:
         Parameters
         ----------
         step : int or None
-            Index into `app.camera_frame.STEPS`.
+            Index into `app.lecture.camera_frame.STEPS`.
         """
         if step == self._step:
             return

@@ -19,12 +19,12 @@ import pyvista as pv
 import vtkmodules
 
 from app import __version__
-from app.document import Document, to_json
+from app.document.document import Document, to_json
 from app.measure import arithmetic, depth, detail, interpolation, smoothing
 from app.measure.results import Results, Sweep, Trade
 from app.measure.run import Cancelled, Watch, part_of, unwatched
-from app.projection import Projection
-from app.scene import Scene
+from app.model.projection import Projection
+from app.scenes.scene import Scene
 
 TRADES: dict[str, Callable[[Scene, Projection, float, Watch], Trade]] = {
     "arithmetic": lambda scene, projection, seconds, watch: arithmetic.measure(

@@ -25,8 +25,16 @@ from vtkmodules.vtkRenderingCore import vtkCamera
 from app.measure.reference import SAMPLE, Truth, sample, truth
 from app.measure.results import Choice, Curve, Sweep, Trade
 from app.measure.run import Cancelled, Watch, in_turns, unwatched
-from app.precision import Prediction, Rung, predict, trace
-from app.projection import Array, Camera, Frustum, Perspective, Projection, ProjectionError, Vector
+from app.model.projection import (
+    Array,
+    Camera,
+    Frustum,
+    Perspective,
+    Projection,
+    ProjectionError,
+    Vector,
+)
+from app.precision.levels import Prediction, Rung, predict, trace
 
 Rows: TypeAlias = NDArray[Any]
 """(3, n): x and y in pixels, depth in [0, 1]; NaN or infinite where the way has no answer."""
@@ -112,7 +120,7 @@ def summed(
         which moves: it is then subtracted in every run.
     kind : str
         Of numpy's floats, ``"float16"``, ``"float32"`` or ``"float64"``. With an origin and float32
-        it is the rung ``float32`` of `app.precision` without what nobody reads, to the bit.
+        it is the rung ``float32`` of `app.precision.levels` without what nobody reads, to the bit.
     """
     number = np.dtype(kind).type
     columns = np.ascontiguousarray(world.T)

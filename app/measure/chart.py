@@ -18,11 +18,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from app.drawings.label_placement import beside
 from app.drawings.style import LIGHT
 from app.measure.meaning import meaning
 from app.measure.results import MEASURED_ONLY, Choice, Results, Sweep, Trade, named, plain
-from app.phenomena.exhibit import Curve, Diagram, Spot
-from app.placing import beside
+from app.scenes.phenomena.illustration import Curve, Diagram, Spot
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -12,10 +12,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from app.depth import FORMATS, MAPPINGS, DepthBuffer
 from app.measure.results import Choice, Trade
 from app.measure.run import Cancelled, Watch, unwatched
-from app.projection import Projection, ProjectionError
+from app.model.depth import FORMATS, MAPPINGS, DepthBuffer
+from app.model.projection import Projection, ProjectionError
 
 PAIRS = 10_000
 """Neighbours among evenly spaced distances from near to far, as N. Reed compares them (2015)."""

@@ -15,12 +15,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from app.detail import SHARES, can_be_reduced, reduced
 from app.measure.results import Choice, Trade
 from app.measure.run import Cancelled, Watch, in_turns, part_of, unwatched
 from app.measure.smoothing import SMOOTHINGS, pane, picture_size
-from app.projection import Projection
-from app.scene import Scene
+from app.model.projection import Projection
+from app.scenes.fewer_triangles import SHARES, can_be_reduced, reduced
+from app.scenes.scene import Scene
 
 FINER = 3.0
 """Pixels for which an outline is found, along each side of one that is shown."""

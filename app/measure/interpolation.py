@@ -21,10 +21,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from app.clipping import clip_segments
 from app.measure.results import Choice, Trade
 from app.measure.run import Cancelled, Watch, in_turns, unwatched
-from app.projection import Array, Projection
+from app.model.clipping import clip_segments
+from app.model.projection import Array, Projection
 
 SPLITS = (1, 2, 4, 8, 16, 32, 64)
 TEXELS = 256

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from app.projection import Array, Oblique, Perspective, Projection
+from app.model.projection import Array, Oblique, Perspective, Projection
 
 DIGITS = 200
 SAMPLE = 64

@@ -15,13 +15,13 @@ import pyvista as pv
 from numpy.typing import NDArray
 
 from app.drawings import WORDS
+from app.drawings.figures import Pixels, off_screen, pixels_of
 from app.drawings.image import ImageDrawing
 from app.drawings.style import LIGHT
-from app.figures import Pixels, off_screen, pixels_of
 from app.measure.results import Choice, Trade
 from app.measure.run import Cancelled, Watch, in_turns, unwatched
-from app.projection import Projection
-from app.scene import Scene
+from app.model.projection import Projection
+from app.scenes.scene import Scene
 
 REFERENCE = 4
 """Sixteen samples a pixel, by far the finest that is compared."""

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 import mpmath
 
-from app.projection import FreeMatrix, Perspective, Projection
+from app.model.projection import FreeMatrix, Perspective, Projection
 
 mp = mpmath.mp.clone()
 mp.dps = 80

@@ -10,8 +10,7 @@ from dataclasses import replace
 import numpy as np
 
 from app.drawings.style import LIGHT
-from app.phenomena.exhibit import Exhibit, Marks, Phenomenon, Reading, Subject
-from app.projection import (
+from app.model.projection import (
     Camera,
     Frustum,
     Oblique,
@@ -20,6 +19,7 @@ from app.projection import (
     Perspective,
     Projection,
 )
+from app.scenes.phenomena.illustration import Exhibit, Marks, Phenomenon, Reading, Subject
 
 
 def subject_of(phenomenon: Phenomenon) -> Subject:

@@ -1,0 +1,1 @@
+"""Numbers of more digits: double-double, and rationals."""

@@ -1,0 +1,1 @@
+"""The command line: one entry, and what its commands share."""

@@ -1,0 +1,190 @@
+"""What the commands open: documents, what ``--set`` makes of them, and scenes.
+
+Numbers only: a scene is loaded, and VTK with it, when it is asked for.
+"""
+
+from __future__ import annotations
+
+import functools
+import os
+from collections.abc import Container, Iterable, Sequence
+from typing import TYPE_CHECKING
+
+from app import bootstrap
+from app.commands.options import CANNOT_DRAW, CliError, check_file
+from app.document.document import Document, DocumentError, is_mesh, read, set_values
+from app.model.projection import (
+    BOTTOM_BEFORE_TOP,
+    LEFT_BEFORE_RIGHT,
+    NEAR_BEFORE_FAR,
+    NOT_THE_EYE,
+    Projection,
+    format_value,
+)
+from app.scenes.phenomena import PHENOMENA
+
+if TYPE_CHECKING:
+    from app.scenes.scene import Scene
+
+
+def document_of(file: str | None, assignments: Sequence[str]) -> Document:
+    """The document that a FILE is, holds, or opens with, after the values set by ``--set``."""
+    return with_values(document_before(file, assignments), assignments)
+
+
+def document_before(file: str | None, assignments: Sequence[str]) -> Document:
+    """The document that a FILE is, holds, or opens with, before the values set by ``--set``.
+
+    Without a FILE, ``scene=NAME`` opens that scene as the menu does: seen with its own camera.
+    """
+    scene = _texts(assignments).get("scene")
+    if file is None:
+        return Document() if scene is None else _opened(scene)
+    document = _open(file)
+    if scene:
+        _start(scene)
+    return document
+
+
+def with_values(document: Document, assignments: Sequence[str]) -> Document:
+    """A document after the values set by ``--set``, or a complaint that speaks of these."""
+    texts = _texts(assignments)
+    try:
+        return set_values(document, assignments)
+    except DocumentError as error:
+        raise _seen_from(texts, error) from error
+
+
+_OTHER_SIDE = {
+    ("lens.near", NEAR_BEFORE_FAR): ("lens.far", "must be greater than near, which is {0}"),
+    ("lens.left", LEFT_BEFORE_RIGHT): ("lens.right", "must be greater than left, which is {0}"),
+    ("lens.bottom", BOTTOM_BEFORE_TOP): ("lens.top", "must be greater than bottom, which is {0}"),
+}
+
+
+def _seen_from(texts: Container[str], error: DocumentError) -> DocumentError:
+    """Turn a complaint so that it speaks of what was set.
+
+    The model says "near must be less than far" whichever of the two was set.
+
+    Parameters
+    ----------
+    texts : container of str
+        The paths that were set.
+    error : DocumentError
+        What the document answered.
+    """
+    if error.field in texts:
+        return error
+    if error.bound == NOT_THE_EYE and "camera.eye" in texts:
+        bound = "must differ from the target, or the camera looks nowhere"
+        return DocumentError(bound, field="camera.eye", value=error.value)
+    other, bound = _OTHER_SIDE.get((error.field, error.bound), ("", ""))
+    if other in texts:
+        (refused,) = error.limits
+        return DocumentError(
+            bound, format_value(error.value), field=other, value=float(str(refused))
+        )
+    return error
+
+
+def _texts(assignments: Iterable[str]) -> dict[str, str]:
+    parts = (assignment.partition("=") for assignment in assignments)
+    return {key.strip(): text.strip() for key, _, text in parts}
+
+
+def full_path(name: str) -> str:
+    """A file's name with all the folders that it is in.
+
+    Raises
+    ------
+    CliError
+        If it begins in the current folder, and that was deleted.
+    """
+    try:
+        return os.path.abspath(name)
+    except FileNotFoundError as error:
+        raise CliError(f"{name!r} is in the current folder, which was deleted.") from error
+
+
+def check_out(name: str, out: str) -> None:
+    """Make sure, before anything is computed, that a file can be written, as far as one can tell.
+
+    Raises
+    ------
+    CliError
+        If it cannot.
+    """
+    if os.path.isdir(out):
+        raise CliError(f"{name} = {out!r}: is a folder.")
+    needed = [out] if os.path.exists(out) else []
+    if not needed or os.path.isfile(out):  # it gives way to a new one; /dev/stdout does not
+        folder = os.path.dirname(os.path.realpath(full_path(out)))
+        if not os.path.isdir(folder):
+            named = os.path.dirname(out) or folder
+            raise CliError(f"{name} = {out!r}: there is no folder {named}.")
+        needed.append(folder)
+    if not all(os.access(place, os.W_OK) for place in needed):
+        raise CliError(f"{name} = {out!r}: may not be written.")
+
+
+def _opened(scene: str) -> Document:
+    name = full_path(scene) if is_mesh(scene) else scene
+    return Document(name, _start(name))
+
+
+def _start(scene: str) -> Projection:
+    """How a scene opens; only what is no phenomenon has to be loaded for that.
+
+    Raises
+    ------
+    CliError
+        If there is no such scene.
+    """
+    return PHENOMENA[scene].start if scene in PHENOMENA else load_scene(scene).start
+
+
+def _open(file: str) -> Document:
+    if is_mesh(file):
+        return _opened(file)
+    check_file(file)
+    return read(file)
+
+
+def load_scene(scene: str, mesh: str = "", file: str | None = None) -> Scene:
+    """Load a scene once, with VTK's import failing like any other lack of a library.
+
+    Parameters
+    ----------
+    scene, mesh : str
+        As a document names them.
+    file : str, optional
+        The document, perhaps, that asks for them.
+    """
+    try:
+        with bootstrap.for_good():
+            from app.scenes.scene import SceneError
+    except ImportError as error:
+        raise cannot_import(error) from error
+    try:
+        return _load_once(scene, mesh)
+    except SceneError as error:
+        asked = "" if file is None or is_mesh(file) else f"{file}: "
+        raise CliError(f"{asked}{error}") from error
+
+
+@functools.cache
+def _load_once(scene: str, mesh: str) -> Scene:
+    from app.scenes.scene import load
+
+    return load(scene, mesh=mesh)
+
+
+def cannot_import(error: ImportError) -> CliError:
+    """What to say of a library that cannot be loaded: what is missing, and how to get it."""
+    missing = bootstrap.missing_system("window")
+    if missing:
+        return CliError(f"{bootstrap.advice(missing)}.", CANNOT_DRAW)
+    return CliError(
+        f"A library cannot be loaded ({error}); python3 -m app doctor says more.", CANNOT_DRAW
+    )

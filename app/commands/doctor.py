@@ -1,0 +1,249 @@
+"""What this machine has of all that Frustum Lab needs, and how to get what is missing.
+
+Drivers are tried in processes of their own: a broken one ends the process that asks it.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import platform
+import subprocess
+import sys
+from collections.abc import Iterator, Sequence
+from importlib import metadata
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from app import __version__, bootstrap
+from app.commands.options import CANNOT_DRAW, parser_of, write_out
+
+LONGEST_TRIAL_S = 60.0
+"""A driver that has not answered by then is taken for one that never will."""
+
+
+class Finding(NamedTuple):
+    """One line of the report.
+
+    Attributes
+    ----------
+    name, text : str
+        What was looked at, and what was found.
+    remedy : str
+        What to do about it; empty if nothing is wrong.
+    """
+
+    name: str
+    text: str
+    remedy: str = ""
+
+
+def command(arguments: Sequence[str]) -> int:
+    """The command ``doctor``: print what is found, with what is missing at the end.
+
+    Parameters
+    ----------
+    arguments : sequence of str
+        What follows ``doctor``.
+
+    Returns
+    -------
+    int
+        The exit status.
+    """
+    parser_of("doctor").read(arguments)
+    missing = []
+    for finding in examine():
+        write_out([f"{finding.name:<20}{finding.text}\n"])
+        if finding.remedy:
+            missing.append(finding)
+    if not missing:
+        write_out(["\nEverything needed is here.\n"])
+        return 0
+    lines = [f"  {finding.name}: {finding.remedy}\n" for finding in missing]
+    write_out(["\nThis is missing:\n", *lines])
+    return CANNOT_DRAW
+
+
+def examine() -> Iterator[Finding]:
+    """Look at everything in turn; the slow parts come last.
+
+    Where nothing is set up yet, it looks at what can be seen without: nothing is downloaded.
+    """
+    set_up = bootstrap.enter()
+    yield Finding("Frustum Lab", f"{__version__} in {bootstrap.ROOT}")
+    yield Finding("Python", f"{platform.python_version()} ({sys.executable})")
+    yield Finding("Platform", platform.platform())
+    if set_up:
+        yield from _packages()
+    else:
+        start = bootstrap.command_line([Path(sys.executable).name, "-m", "app"])
+        remedy = f"the first start sets it up, which needs the network: {start}"
+        yield Finding("Environment", "not set up yet", remedy)
+    missing = [*([] if set_up else bootstrap.venv_module()), *bootstrap.missing_system("window")]
+    if missing:
+        names = ", ".join(item.name for item in missing)
+        yield Finding("System libraries", f"missing: {names}", bootstrap.advice(missing))
+    else:
+        yield Finding("System libraries", "all here")
+    if set_up:
+        yield from _folders()
+        yield from _display()
+        yield _off_screen()
+
+
+def _packages() -> Iterator[Finding]:
+    if (bootstrap.ROOT / "pyproject.toml").exists():
+        for requirement in bootstrap.requirements(bootstrap.ROOT):
+            bounds = requirement.text.partition(";")[0].removeprefix(requirement.name).strip()
+            try:
+                version = metadata.version(requirement.name)
+            except metadata.PackageNotFoundError:
+                remedy = f"install it with: {_pip(requirement.text)}"
+                yield Finding(requirement.name, f"missing, needed: {bounds}", remedy)
+                continue
+            text = f"{version} (needed: {bounds})"
+            remedy = "" if requirement.admits(version) else f"change it: {_pip(requirement.text)}"
+            yield Finding(requirement.name, text, remedy)
+    try:
+        from PySide6.QtCore import qVersion
+    except ImportError as error:
+        yield Finding("Qt", f"cannot be loaded: {error}", "see the system libraries above")
+    else:
+        yield Finding("Qt", qVersion())
+
+
+def _pip(requirement: str) -> str:
+    return bootstrap.command_line([sys.executable, "-m", "pip", "install", requirement])
+
+
+def _folders() -> Iterator[Finding]:
+    try:
+        from widgets.program import application
+    except ImportError as error:
+        yield Finding("Window", f"cannot be loaded: {error}", "see the system libraries above")
+        return
+    for name, folder in (
+        ("Settings in", application.settings_path().parent),
+        ("Recovery in", application.data_folder()),
+        ("Log in", application.log_path().parent),
+    ):
+        there = folder
+        while not there.exists() and there != there.parent:
+            there = there.parent
+        if there.is_dir() and os.access(there, os.W_OK):
+            yield Finding(name, str(folder))
+        else:
+            yield Finding(name, f"{folder}: not writable", f"make {there} a folder you may write")
+
+
+def _display() -> Iterator[Finding]:
+    try:
+        from widgets.program import application
+    except ImportError:
+        return  # said already
+    try:
+        with application.display():
+            answer, problem = _try(
+                [sys.executable, "-m", "widgets.program.opengl"], dict(os.environ)
+            )
+    except application.DisplayError as error:
+        yield Finding("Display", "none", str(error))
+        return
+    if answer is None:
+        remedy = "update the graphics driver, or start with LIBGL_ALWAYS_SOFTWARE=1"
+        yield Finding("OpenGL", problem, remedy)
+        return
+    places = {"xcb": "DISPLAY", "wayland": "WAYLAND_DISPLAY"}
+    place = os.environ.get(places.get(answer["platform"], ""), "")
+    yield Finding("Display", f"{answer['platform']} {place}".rstrip())
+    for name, width, height, scale in answer["screens"]:
+        yield Finding("Screen", f"{name}: {width} x {height} at scale {scale:g}")
+    if "error" in answer:
+        yield Finding("OpenGL", "not usable", answer["error"])
+    else:
+        how = "software, without a graphics card" if answer["software"] else "graphics card"
+        text = f"{answer['version']}, {answer['renderer']} ({how})"
+        yield Finding("OpenGL", text)
+
+
+def _off_screen() -> Finding:
+    environment = dict(os.environ)
+    for name in ("DISPLAY", "WAYLAND_DISPLAY"):
+        environment.pop(name, None)
+    answer, problem = _try([sys.executable, "-m", "app.commands.doctor"], environment)
+    if answer is None:
+        remedy = "install Mesa (libegl1 libegl-mesa0 libgl1-mesa-dri), or update the driver"
+        return Finding("Export", problem, remedy)
+    return Finding("Export", f"without a display through {answer['window']}, {answer['renderer']}")
+
+
+def _try(command: list[str], environment: dict[str, str]) -> tuple[dict[str, Any] | None, str]:
+    """Run a trial that prints JSON in its last line; None and why, if it fails."""
+    root = str(Path(__file__).resolve().parent.parent)
+    try:
+        done = subprocess.run(
+            command, cwd=root, env=environment, capture_output=True, text=True, errors="replace",
+            stdin=subprocess.DEVNULL, timeout=LONGEST_TRIAL_S, check=False,
+        )  # fmt: skip
+    except subprocess.TimeoutExpired:
+        return None, f"does not answer within {LONGEST_TRIAL_S:g} s"
+    if done.returncode < 0:
+        return None, f"the driver crashed (signal {-done.returncode})"
+    lines = done.stdout.strip().splitlines()
+    if done.returncode != 0 or not lines:
+        said = done.stderr.strip().splitlines()
+        return None, said[-1] if said else f"failed with exit status {done.returncode}"
+    answer: dict[str, Any] = json.loads(lines[-1])
+    return answer, ""
+
+
+def check_off_screen() -> None:
+    """Make sure that VTK can draw without a window: with less OpenGL it ends the process.
+
+    Raises
+    ------
+    RuntimeError
+        If it cannot: what to do, in one sentence.
+    """
+    import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (without it no window is one of OpenGL)
+    from vtkmodules.vtkCommonCore import vtkLogger
+    from vtkmodules.vtkRenderingCore import vtkRenderWindow
+
+    # A search through X, EGL and Mesa that leads to a picture is nothing to warn of.
+    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_ERROR)
+    window: Any = vtkRenderWindow()
+    window.SetOffScreenRendering(1)
+    # Its last resort, a library that is not there, says yes untested.
+    if not window.SupportsOpenGL() or "Not tested" in window.GetOpenGLSupportMessage():
+        raise RuntimeError(
+            "There is no OpenGL 3.2 to draw with: update the graphics driver; on Linux install "
+            "Mesa (libegl1 libegl-mesa0 libgl1-mesa-dri) or start with LIBGL_ALWAYS_SOFTWARE=1."
+        )
+
+
+def _draw_off_screen() -> None:
+    """Draw a red square without a window, make sure that it is there, print by what."""
+    try:
+        check_off_screen()
+    except RuntimeError as error:
+        raise SystemExit(str(error)) from None
+    import pyvista as pv
+
+    plotter: Any = pv.Plotter(off_screen=True, window_size=[40, 30])
+    plotter.set_background("black")
+    plotter.add_mesh(pv.Plane(), color="red", lighting=False)
+    plotter.view_xy()
+    picture = plotter.screenshot(return_img=True)
+    if picture is None or picture[15, 20].tolist() != [255, 0, 0]:
+        raise SystemExit("The picture is wrong: update the graphics driver.")
+    window: Any = plotter.render_window
+    details = window.ReportCapabilities().splitlines()
+    renderer = [line.partition(":")[2].strip() for line in details if "renderer string" in line]
+    name = window.GetClassName().removeprefix("vtk").removesuffix("RenderWindow")
+    plotter.close()
+    print(json.dumps({"window": name, "renderer": renderer[0] if renderer else "unknown"}))
+
+
+if __name__ == "__main__":
+    _draw_off_screen()

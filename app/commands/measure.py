@@ -1,0 +1,185 @@
+"""The command ``measure``: what is to be measured, how far it is, and where the results go."""
+
+from __future__ import annotations
+
+import os
+import signal
+import sys
+import threading
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+
+from app import measure
+from app.commands.arguments import check_out, document_of, load_scene
+from app.commands.doctor import check_off_screen
+from app.commands.options import (
+    CANNOT_DRAW,
+    INTERRUPTED,
+    CliError,
+    complain,
+    parse_number,
+    parser_of,
+    standard_output,
+    write_out,
+)
+from app.document.document import write_bytes_atomically
+from app.measure import chart
+from app.measure.arithmetic import SWEEPS
+from app.measure.meaning import meaning
+from app.measure.results import Results, table, to_csv, to_json
+from app.measure.run import Cancelled
+from app.model.projection import LENSES, FreeMatrix
+
+
+def run(arguments: Sequence[str]) -> int:
+    """Measure, and print and write what came out, as `app.commands.cli.main` is told.
+
+    Parameters
+    ----------
+    arguments : sequence of str
+        What follows ``measure``.
+
+    Returns
+    -------
+    int
+        The exit status.
+
+    Raises
+    ------
+    CliError
+        For input that is wrong.
+    """
+    found, words = parser_of("measure").read(arguments)
+    swept = dict(_range(name, ends) for name, ends in found.sweep or ())
+    if found.attended and sys.platform != "win32":
+        os.nice(10)  # whoever attends draws meanwhile, and comes first; alone it is as fast
+    options = {f"--{option}": getattr(found, option) for option in ("json", "csv", "chart")}
+    outs = {option: out for option, out in options.items() if out is not None}
+    if len(set(outs.values())) < len(outs):
+        raise CliError(f"{' and '.join(outs)} must go to different files.")
+    if found.chart is not None and not found.chart.lower().endswith(chart.ENDINGS):
+        raise CliError(f"--chart = {found.chart!r}: must end in {' or '.join(chart.ENDINGS)}.")
+    # It would take long to find out afterwards.
+    for option, out in outs.items():
+        if out != "-":
+            check_out(option, out)
+    standard_output()
+    settings = [*found.set, *([f"scene={found.scene}"] if found.scene else [])]
+    file = words[0] if words else None
+    document = document_of(file, settings)
+    scene = load_scene(document.scene, document.mesh, file)
+    if isinstance(document.projection.lens, FreeMatrix):
+        raise CliError(
+            "lens.kind = matrix: a free matrix has no near, no far and no angle to measure; it must"
+            f" be one of {', '.join(LENSES)}."
+        )
+    everything = not (found.trade or found.sweep)
+    trades = list(dict.fromkeys(found.trade or (measure.TRADES if everything else ())))
+    if everything:
+        swept = dict.fromkeys(SWEEPS, (None, None))
+    opengl = True
+    try:
+        check_off_screen()
+    except RuntimeError as error:
+        opengl = False
+        left_out = [name for name in trades if name in measure.NEED_OPENGL]
+        if left_out:
+            complain(f"{error} Not measured: {', '.join(left_out)}.", 0)
+        trades = [name for name in trades if name not in left_out]
+        if not trades and not swept:
+            return CANNOT_DRAW
+    with _watched(found.attended) as watch:
+        results = measure.measure_all(
+            document, scene, trades, swept, quick=found.quick, opengl=opengl, watch=watch
+        )
+    texts = {
+        found.json: to_json(results),
+        found.csv: "\n".join([*map(to_csv, results.trades), *map(to_csv, results.sweeps)]),
+    }
+    try:
+        write_out([texts["-"]] if "-" in texts else _measured(results))
+    finally:  # the files are written also for a reader of the tables who leaves early
+        for out, text in texts.items():
+            if out not in (None, "-"):
+                write_bytes_atomically(out, text.encode())
+        if found.chart is not None:
+            write_bytes_atomically(found.chart, chart.picture(results, found.chart))
+    return 0 if results.complete else INTERRUPTED
+
+
+def _range(name: str, ends: str) -> tuple[str, tuple[float | None, float | None]]:
+    """A parameter's ends, as ``1e-3:10``; none are its own."""
+    if not ends:
+        return name, (None, None)
+    try:
+        low, high = (parse_number(end) for end in ends.split(":"))
+    except ValueError:
+        raise CliError(f"--sweep {name} = {ends!r}: must be LOW:HIGH, such as 0.001:10.") from None
+    whole = SWEEPS[name]
+    if not whole.low <= low < high <= whole.high:
+        raise CliError(
+            f"--sweep {name} = {ends!r}: must rise, and lie between {whole.low:g} and"
+            f" {whole.high:g}."
+        )
+    return name, (low, high)
+
+
+@contextmanager
+def _watched(attended: bool) -> Iterator[Callable[[float], None]]:
+    """Tells how far the measurement is, and stops it when it is told to: Ctrl-C, or ``cancel``."""
+    cancelled, going = threading.Event(), threading.Event()
+    going.set()
+    told = -1.0
+
+    def watch(fraction: float) -> None:
+        nonlocal told
+        going.wait()
+        if cancelled.is_set():
+            raise Cancelled
+        if abs(fraction - told) >= 0.01 and sys.stderr is not None:
+            told = fraction
+            if attended:
+                print(f"{fraction:.3f}", file=sys.stderr, flush=True)
+            elif sys.stderr.isatty():
+                print(f"\r{100.0 * fraction:3.0f} % ", end="", file=sys.stderr, flush=True)
+
+    def obey() -> None:
+        for line in sys.stdin:
+            if line.strip() == "pause":
+                going.clear()
+            elif line.strip() == "resume":
+                going.set()
+            else:
+                break
+        cancelled.set()  # also when whoever attended has gone
+        going.set()
+
+    former = signal.signal(signal.SIGINT, lambda *_: cancelled.set())
+    if attended:
+        threading.Thread(target=obey, daemon=True).start()
+    try:
+        yield watch
+    finally:
+        signal.signal(signal.SIGINT, former)
+        if not attended and sys.stderr is not None and sys.stderr.isatty():
+            print("\r      \r", end="", file=sys.stderr, flush=True)
+
+
+def _measured(results: Results) -> Iterator[str]:
+    """Tables to read, with what each trade means."""
+    for trade in results.trades:
+        yield f"{trade.name}{'' if trade.complete else ' (cancelled)'}\n"
+        yield from _lines_of(table(trade), str.ljust)
+        yield f"{meaning(trade).sentence()}\n\n"
+    for sweep in results.sweeps:
+        yield f"{sweep.parameter}, largest error in px{'' if sweep.complete else ' (cancelled)'}\n"
+        yield from _lines_of(table(sweep), str.rjust)
+        yield "\n"
+
+
+def _lines_of(rows: list[list[str]], align_names: Callable[[str, int], str]) -> Iterator[str]:
+    """A table's lines; names as they are wanted, numbers to the right, notes at the end."""
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    for name, *cells, note in rows:
+        numbers = [cell.rjust(width) for cell, width in zip(cells, widths[1:-1], strict=True)]
+        yield f"  {'  '.join([align_names(name, widths[0]), *numbers, note]).rstrip()}\n"

@@ -1,0 +1,1 @@
+"""The document, its text and files, and the store with its undo."""

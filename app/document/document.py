@@ -1,0 +1,1162 @@
+"""The document: a scene with its settings, and a projection, kept in a file.
+
+It is JSON, described in `to_json`. Everything that comes from outside (files, PNG pictures that
+carry a document, the ``--set`` language of the command line) enters here and is checked here;
+what is wrong is refused with one sentence, a `DocumentError`. Files are written whole or not at
+all. The numbers themselves are checked by `app.model.projection`, once for the whole program.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import difflib
+import json
+import math
+import os
+import re
+import secrets
+import stat
+import struct
+import sys
+import time
+import zlib
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field, fields, replace
+from functools import partial
+from types import MappingProxyType
+from typing import Any, BinaryIO, NamedTuple, TypeAlias
+
+from app.model.projection import (
+    FINITE_NUMBER,
+    FOUR_BY_FOUR,
+    KINDS,
+    LARGEST_IMAGE_PX,
+    LENSES,
+    ONE_OF,
+    OTHER_SIDE,
+    THREE_NUMBERS,
+    WHOLE_PIXELS,
+    Camera,
+    FreeMatrix,
+    Lens,
+    Projection,
+    ProjectionError,
+    StandardLens,
+    format_value,
+    shown_limits,
+)
+from app.precision.quality import AUTOMATIC, Quality
+from app.scenes.phenomena import PHENOMENA
+from app.scenes.phenomena.illustration import Setting, Settings
+from app.strangers import open_regular, printable
+
+if sys.platform != "win32":
+    import fcntl
+
+Path: TypeAlias = str | os.PathLike[str]
+Tree: TypeAlias = dict[str, Any]
+
+FORMAT = "frustum-lab"
+MIGRATIONS: tuple[Callable[[Tree], Tree], ...] = ()
+"""Step i turns a document of version i + 1 into one of version i + 2."""
+VERSION = len(MIGRATIONS) + 1
+"""Version of the documents that are written."""
+
+MESH_ENDINGS = (".obj", ".stl", ".ply", ".gltf", ".glb")
+"""A scene whose name ends so is a mesh file; any other is built in."""
+
+LARGEST_DOCUMENT = 16 * 2**20
+"""Most bytes read as a document; one of a thousand keys of its own has 100 000."""
+LARGEST_PICTURE = 2**30
+"""Most bytes read as a PNG picture."""
+MOST_VALUES = 200_000
+"""Most values of a document, by its brackets and commas: reading takes microseconds for each."""
+DEEPEST = 50
+"""Most levels of brackets in a document, far below what Python's recursion can write again."""
+
+MISSING = "is missing"
+EMPTY = "is empty"
+BROKEN = "is broken or cut short: from line {0}, column {1} on it is not JSON"
+NOT_TEXT = "is not a Frustum Lab document: it is not UTF-8 text"
+FOREIGN = "is not a Frustum Lab document"
+NEWER = "was written by a newer Frustum Lab: its version is {0}, this program reads up to {1}"
+VERSION_NUMBER = "must be a whole number from 1 on"
+TWICE = "is given twice"
+FINITE_OR_INF = "must be a finite number or inf"
+TOO_DEEP = "has more than {0} levels of brackets"
+TOO_MANY = "has more than {0} values"
+TOO_LARGE = "is larger than {0} MiB"
+OBJECT = "must be an object with named values in braces"
+SCENE_NAME = "must be the name of a scene or of a mesh file"
+NO_FILE = "does not exist"
+FOLDER = "is a folder, not a file"
+WRITE_PROTECTED = "cannot be written: it is write-protected"
+UNREADABLE = "cannot be read: {0}"
+UNWRITABLE = "cannot be written: {0}"
+BAD_NAME = "is not a name that a file can have"
+BROKEN_PICTURE = "is not a whole PNG picture: it is broken or cut short"
+NEITHER = "is neither a document (.json), an exported picture (.png) nor a mesh ({0})"
+PLAIN_PICTURE = "is a picture without a Frustum Lab document in it"
+UNKNOWN = "is not known; the nearest name is {0}"
+OTHER_LENS = "belongs to another lens: set lens.kind as well ({0})"
+OTHER_SCENE = "belongs to another scene: set scene as well ({0})"
+MESH_NAME = "must be the path of a mesh file ({0}), or empty for none"
+NO_MESH_HERE = "cannot be shown in the scene {0}, which needs its own objects"
+NO_EQUALS = "must be written as NAME=VALUE"
+THE_DOCUMENT = "The document"
+BOUNDS = (
+    MISSING, EMPTY, BROKEN, NOT_TEXT, FOREIGN, NEWER, VERSION_NUMBER, TWICE, FINITE_OR_INF,
+    TOO_DEEP, TOO_MANY, TOO_LARGE, OBJECT, SCENE_NAME, NO_FILE, FOLDER, WRITE_PROTECTED, UNREADABLE,
+    UNWRITABLE, BAD_NAME, BROKEN_PICTURE, NEITHER, PLAIN_PICTURE, UNKNOWN, OTHER_LENS, OTHER_SCENE,
+    MESH_NAME, NO_MESH_HERE, NO_EQUALS, THE_DOCUMENT,
+)  # fmt: skip
+"""Every part of a `DocumentError` beyond those of `app.model.projection.BOUNDS`, for translators."""
+
+
+class DocumentError(ValueError):
+    """A document, or a file, that cannot be used.
+
+    Parameters
+    ----------
+    bound : str
+        What is wrong or what the value must be, with ``{0}``, ``{1}`` for the limits, so that
+        it can be translated before they are filled in. One of `BOUNDS` or
+        `app.model.projection.BOUNDS`.
+    *limits : object
+        The limits themselves.
+    field : str
+        Path of the refused value in the document (``"lens.near"``); empty if it is the whole.
+    value : object
+        The value that was refused; `Ellipsis` if there is none to show.
+    file : str
+        Name of the file; empty if there is none.
+    """
+
+    def __init__(
+        self, bound: str, *limits: object, field: str = "", value: object = ..., file: str = ""
+    ) -> None:
+        super().__init__(bound, *limits)
+        self.bound, self.limits = bound, limits
+        self.field, self.value, self.file = field, value, file
+
+    def __str__(self) -> str:
+        return self.sentence()
+
+    def sentence(self, translate: Callable[[str], str] = str) -> str:
+        """The one sentence that tells what is wrong: file, field, value and bound.
+
+        Parameters
+        ----------
+        translate : callable
+            Turns one of `BOUNDS` into another language.
+        """
+        bound = translate(self.bound).format(*shown_limits(self.limits, self.value))
+        file = printable(self.file)
+        if len(file) > _LONGEST_FILE:
+            file = "..." + file[3 - _LONGEST_FILE :]
+        if not self.field:
+            return f"{file or translate(THE_DOCUMENT)} {bound}."
+        place = f"{file}: " if file else ""
+        if self.value is ...:
+            return f"{place}{self.field} {bound}."
+        return f"{place}{self.field} = {_as_written(self.value)}: {bound}."
+
+
+@dataclass(frozen=True)
+class Document:
+    """What a file holds: a scene seen through a projection.
+
+    Parameters
+    ----------
+    scene : str
+        Name of a built-in scene, or path of a mesh file.
+    projection : Projection
+    extra : dict
+        Keys that this program does not know, kept for those that do, in the places where they
+        stood: ``{"author": "...", "lens": {"label": "..."}}``. Not to be changed in place.
+    views : dict of str to Camera
+        From where a pane (``"world"``, ``"ndc"``) was looked at, if somebody turned it: no part
+        of the model, but a figure shall be drawn as it was seen. Not to be changed in place.
+    settings : mapping
+        Of the phenomenon that the scene is; those not given are its defaults. Complete and
+        read-only when it is made, and empty for every other scene.
+    mesh : str
+        Path of the user's mesh that stands in the place of a phenomenon's own objects; empty for
+        none.
+    quality : Quality
+        How exactly and how finely it is drawn.
+
+    Raises
+    ------
+    DocumentError
+        If the scene is not a name, or the mesh not one that it can show.
+    ProjectionError
+        If the scene cannot have these settings.
+    """
+
+    scene: str = "letter-f"
+    projection: Projection = field(default_factory=Projection)
+    extra: Tree = field(default_factory=dict)
+    views: dict[str, Camera] = field(default_factory=dict)
+    settings: Settings = field(default_factory=dict)
+    mesh: str = ""
+    quality: Quality = AUTOMATIC
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.scene, str) or not self.scene or "\0" in self.scene:
+            raise DocumentError(SCENE_NAME, field="scene", value=self.scene)
+        phenomenon = PHENOMENA.get(self.scene)
+        settings = phenomenon.checked(self.settings) if phenomenon else MappingProxyType({})
+        object.__setattr__(self, "settings", settings)
+        if self.mesh != "":
+            if not isinstance(self.mesh, str) or "\0" in self.mesh or not is_mesh(self.mesh):
+                bound = MESH_NAME, ", ".join(MESH_ENDINGS)
+                raise DocumentError(*bound, field="mesh", value=self.mesh)
+            if phenomenon is None or not phenomenon.own_mesh:
+                raise DocumentError(NO_MESH_HERE, self.scene, field="mesh", value=self.mesh)
+        # A key that the lens before did not know may be a field of the one it was changed to.
+        object.__setattr__(
+            self, "extra", _unknown(self.extra, self.scene, self.projection.lens.kind, self.views)
+        )
+
+    def __hash__(self) -> int:
+        return hash(
+            (self.scene, self.projection, tuple(self.settings.items()), self.mesh, self.quality)
+        )
+
+    def with_settings(self, settings: Mapping[str, Any]) -> Document:
+        """The document with some settings changed, and the projection that goes with them.
+
+        Parameters
+        ----------
+        settings : mapping
+            New values; what is not in it stays.
+
+        Raises
+        ------
+        ProjectionError
+            If the scene cannot have them, or no projection goes with them.
+        """
+        phenomenon = PHENOMENA.get(self.scene)
+        if phenomenon is None:
+            return self
+        projection, after = phenomenon.changed(self.projection, self.settings, settings)
+        return replace(self, projection=projection, settings=after)
+
+
+# --------------------------------------------------------------------------- names and values
+
+_CAMERA = tuple(f.name for f in fields(Camera))
+_LENS = {kind: tuple(f.name for f in fields(lens)) for kind, lens in LENSES.items()}
+_LENS[FreeMatrix.kind] = tuple(f.name for f in fields(FreeMatrix))
+_QUALITY = tuple(f.name for f in fields(Quality))
+_OPTIONAL = ("keep",)
+_MATRICES = ("lens.clip_from_view", "lens.view_from_world")
+_TEXTS = (
+    *("scene", "mesh", "depth", "lens.keep"),
+    *(f"quality.{key}" for key in _QUALITY if key != "detail"),
+)
+_PATHS = (
+    {key: f"camera.{key}" for key in _CAMERA}
+    | {key: f"lens.{key}" for names in _LENS.values() for key in ("kind", *names)}
+    | {key: f"image.{key}" for key in ("width", "height")}
+)  # of the model's fields in the document, where they are not the same
+# What float() takes and no document would: 1_000, nan, infinity, digits of other scripts.
+_NUMBER = re.compile(r"[+-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?")
+_LONGEST_SHOWN = 60
+_LONGEST_FILE = 200
+
+
+_SECTIONS = ("settings", "camera", "lens", "image", "quality")
+
+
+def _known(scene: str, kind: object) -> dict[str, tuple[str, ...]]:
+    """The keys that this program knows, by section; the top level is section ``""``."""
+    lens = _LENS.get(kind, ()) if isinstance(kind, str) else ()
+    return {
+        "": ("format", "version", "scene", "mesh", "depth", "views", *_SECTIONS),
+        "settings": tuple(setting.name for setting in _settings_of(scene)),
+        "camera": _CAMERA,
+        "lens": ("kind", *lens),
+        "image": ("width", "height"),
+        "quality": _QUALITY,
+    }
+
+
+def _settings_of(scene: str) -> tuple[Setting, ...]:
+    return PHENOMENA[scene].settings if scene in PHENOMENA else ()
+
+
+def _unknown(tree: Tree, scene: str, kind: str, views: Iterable[str]) -> Tree:
+    """What is left of a document without the keys that this program knows."""
+    known = _known(scene, kind)
+    left = {key: value for key, value in tree.items() if key not in known[""]}
+    for section in _SECTIONS:
+        inside = {k: v for k, v in tree.get(section, {}).items() if k not in known[section]}
+        former = tree.get(section, {}).get("former")
+        if kind == FreeMatrix.kind and section == "lens" and isinstance(former, dict):
+            names = ("kind", *_LENS.get(former.get("kind", ""), ()))
+            beside = {k: v for k, v in former.items() if k not in names}
+            inside |= {"former": beside} if beside else {}
+        if inside:
+            left[section] = inside
+    inside = {name: tree.get("views", {}).get(name, {}) for name in views}
+    inside = {n: {k: v for k, v in view.items() if k not in _CAMERA} for n, view in inside.items()}
+    if any(inside.values()):
+        left["views"] = {name: view for name, view in inside.items() if view}
+    return left
+
+
+class _Literal(str):
+    """A number as it was typed, where no float can stand for it: shown without quotes."""
+
+    def __repr__(self) -> str:
+        return str(self)
+
+
+def _as_written(value: object) -> str:
+    """A refused value as a document writes it, cut to what a sentence can hold."""
+    if value is None or isinstance(value, bool):
+        return json.dumps(value)
+    if isinstance(value, (list, tuple)):
+        text = "[" + ", ".join(map(_as_written, value[:_LONGEST_SHOWN])) + "]"
+    elif isinstance(value, dict):
+        keys = list(value)[:_LONGEST_SHOWN]
+        text = "{" + ", ".join(f"{printable(key)}: ..." for key in keys) + "}"
+    elif isinstance(value, str):
+        text = repr(type(value)(value[: _LONGEST_SHOWN + 1]))
+    else:
+        text = format_value(value)
+    return text if len(text) <= _LONGEST_SHOWN else text[: _LONGEST_SHOWN - 3] + "..."
+
+
+def _number(text: str) -> float | None:
+    """A number in the C locale, or None: what is not one, or is too large for float64."""
+    number = float(text) if _NUMBER.fullmatch(text) else math.inf
+    return number if math.isfinite(number) else None
+
+
+def _plain(number: float) -> float | str:
+    """A number as JSON is to show it: 6, not 6.0; and it has no word for infinity."""
+    if number == math.inf:
+        return "inf"
+    if number.is_integer() and abs(number) < 1e15 and (number or math.copysign(1.0, number) > 0):
+        return int(number)
+    return number
+
+
+# --------------------------------------------------------------------------- text to document
+
+
+class _Refused(NamedTuple):
+    """Stands in a tree for what must not be there, until its path is known."""
+
+    bound: str
+    key: str = ""
+    value: object = ...
+
+
+def _read_pairs(pairs: list[tuple[str, Any]]) -> Tree | _Refused:
+    tree = dict(pairs)
+    if len(tree) < len(pairs):
+        seen: set[str] = set()
+        for key, _ in pairs:
+            if key in seen:
+                return _Refused(TWICE, key)
+            seen.add(key)
+    return tree
+
+
+def _read_float(text: str) -> float | _Refused:
+    number = float(text)
+    return number if math.isfinite(number) else _not_finite(text)
+
+
+def _read_int(text: str) -> int | _Refused:
+    return int(text) if math.isfinite(float(text)) else _not_finite(text)
+
+
+def _not_finite(text: str) -> _Refused:
+    return _Refused(FINITE_NUMBER, "", _Literal(text))
+
+
+def _check_tree(value: Any, path: str, depth: int) -> None:
+    """Refuse, by its path, what JSON's grammar lets through."""
+    if isinstance(value, _Refused):
+        path = _join(path, value.key) if value.key else path
+        if not path:
+            raise DocumentError(FOREIGN)
+        raise DocumentError(value.bound, field=path, value=value.value)
+    if depth > DEEPEST:
+        raise DocumentError(TOO_DEEP, DEEPEST)
+    if isinstance(value, dict):
+        for key, part in value.items():
+            if key == "far" and isinstance(part, _Refused) and part.bound == FINITE_NUMBER:
+                part = part._replace(bound=_bound_of_far(value.get("kind")))
+            if isinstance(part, (dict, list, _Refused)):
+                _check_tree(part, _join(path, key), depth + 1)
+    elif isinstance(value, list):
+        for place, part in enumerate(value):
+            if isinstance(part, (dict, list, _Refused)):
+                _check_tree(part, f"{path}[{place}]", depth + 1)
+
+
+def _bound_of_far(kind: object) -> str:
+    """What a far that is no number must be: of some lenses it may be infinite."""
+    lens = LENSES.get(kind) if isinstance(kind, str) else None
+    return FINITE_NUMBER if lens is None or lens.parallel else FINITE_OR_INF
+
+
+def _join(path: str, key: str) -> str:
+    shown = printable(key[:_LONGEST_SHOWN])
+    return f"{path}.{shown}" if path else shown
+
+
+def parse(text: str, folder: Path | None = None) -> Document:
+    """Read a document from its text.
+
+    Parameters
+    ----------
+    text : str
+        JSON as `to_json` writes it.
+    folder : path, optional
+        Where the text was found; the path of a mesh is understood from there.
+
+    Raises
+    ------
+    DocumentError
+        For anything but a valid document.
+    """
+    text = text.removeprefix("\ufeff")  # some editors' mark that the text is UTF-8
+    if not text.strip():
+        raise DocumentError(EMPTY)
+    if sum(map(text.count, "[{,")) > MOST_VALUES:
+        raise DocumentError(TOO_MANY, MOST_VALUES)
+    try:
+        tree = json.loads(
+            text,
+            object_pairs_hook=_read_pairs,
+            parse_float=_read_float,
+            parse_int=_read_int,
+            parse_constant=_not_finite,
+        )
+    except json.JSONDecodeError as error:
+        raise DocumentError(BROKEN, error.lineno, error.colno) from error
+    except RecursionError as error:
+        raise DocumentError(TOO_DEEP, DEEPEST) from error
+    _check_tree(tree, "", 0)
+    if not isinstance(tree, dict) or tree.get("format") != FORMAT:
+        raise DocumentError(FOREIGN)
+    version = _whole(_required(tree, "version", "version"))
+    if isinstance(version, bool) or not isinstance(version, int) or version < 1:
+        raise DocumentError(VERSION_NUMBER, field="version", value=version)
+    if version > VERSION:
+        raise DocumentError(NEWER, format_value(version), VERSION)
+    for step in MIGRATIONS[version - 1 :]:
+        tree = step(tree)
+    return _document(tree, folder)
+
+
+def _whole(number: Any) -> Any:
+    """JSON knows one kind of number: 800.0 is 800."""
+    return int(number) if isinstance(number, float) and number.is_integer() else number
+
+
+def _required(tree: Tree, key: str, path: str) -> Any:
+    if key not in tree:
+        raise DocumentError(MISSING, field=path)
+    return tree[key]
+
+
+def _section(tree: Tree, name: str) -> Tree:
+    section = _required(tree, name, name)
+    if not isinstance(section, dict):
+        raise DocumentError(OBJECT, field=name, value=section)
+    return section
+
+
+@contextlib.contextmanager
+def _paths() -> Iterator[None]:
+    """Give the model's complaints their paths in the document."""
+    try:
+        yield
+    except ProjectionError as error:
+        name, bracket, cell = error.field.partition("[")
+        path = _PATHS.get(name, name) + bracket + cell
+        raise DocumentError(error.bound, *error.limits, field=path, value=error.value) from error
+
+
+@_paths()
+def _document(tree: Tree, folder: Path | None = None) -> Document:
+    """Make a document of the current version from its JSON tree."""
+    scene = _required(tree, "scene", "scene")
+    if not isinstance(scene, str):
+        raise DocumentError(SCENE_NAME, field="scene", value=scene)
+    mesh = tree.get("mesh", "")
+    if folder is not None:
+        if is_mesh(scene):
+            scene = os.path.normpath(os.path.join(os.path.realpath(folder), scene))
+        if isinstance(mesh, str) and mesh:
+            mesh = os.path.normpath(os.path.join(os.path.realpath(folder), mesh))
+    settings = _section(tree, "settings") if "settings" in tree else {}
+
+    values = _section(tree, "camera")
+    camera = Camera(*(_required(values, key, f"camera.{key}") for key in _CAMERA))
+
+    values = _section(tree, "lens")
+    kind = _required(values, "kind", "lens.kind")
+    lens: Lens
+    if kind == FreeMatrix.kind:
+        cells = _required(values, "clip_from_view", "lens.clip_from_view")
+        former = _lens(values["former"], "lens.former") if "former" in values else None
+        view = values.get("view_from_world")
+        lens = FreeMatrix(cells, view) if former is None else FreeMatrix(cells, view, former)
+    else:
+        lens = _lens(values, "lens")
+
+    values = _section(tree, "image")
+    width, height = (_whole(_required(values, key, f"image.{key}")) for key in ("width", "height"))
+    projection = Projection(camera, lens, (width, height), _required(tree, "depth", "depth"))
+    views = _section(tree, "views") if "views" in tree else {}
+    cameras = {name: _view(views, name) for name in views}
+    values = _section(tree, "quality") if "quality" in tree else {}
+    quality = Quality(**{key: values[key] for key in _QUALITY if key in values})
+    unknown = _unknown(tree, scene, kind, cameras)
+    return Document(scene, projection, unknown, cameras, settings, mesh, quality)
+
+
+def _lens(values: Any, path: str) -> StandardLens:
+    """A lens that has fields; of a free matrix it is the former one, with a path of its own."""
+    if not isinstance(values, dict):
+        raise DocumentError(OBJECT, field=path, value=values)
+    kind = _required(values, "kind", f"{path}.kind")
+    if not isinstance(kind, str) or kind not in LENSES:
+        kinds = KINDS if path == "lens" else LENSES
+        raise DocumentError(ONE_OF, ", ".join(kinds), field=f"{path}.kind", value=kind)
+    for key in _LENS[kind]:
+        if key not in _OPTIONAL:
+            _required(values, key, f"{path}.{key}")
+    values = {key: values[key] for key in _LENS[kind] if key in values}
+    if values["far"] == "inf":
+        values["far"] = math.inf
+    try:
+        return LENSES[kind](**values)
+    except ProjectionError as error:
+        refused, bound = error.field, error.bound
+        if refused == "far" and bound == FINITE_NUMBER:
+            bound = _bound_of_far(kind)
+        raise DocumentError(
+            bound, *error.limits, field=f"{path}.{refused}", value=error.value
+        ) from error
+
+
+def _view(views: Tree, name: str) -> Camera:
+    path = _join("views", name)
+    if not isinstance(views[name], dict):
+        raise DocumentError(OBJECT, field=path, value=views[name])
+    try:
+        return Camera(*(_required(views[name], key, f"{path}.{key}") for key in _CAMERA))
+    except ProjectionError as error:
+        raise DocumentError(
+            error.bound, *error.limits, field=f"{path}.{error.field}", value=error.value
+        ) from error
+
+
+# --------------------------------------------------------------------------- document to text
+
+
+def is_mesh(scene: str) -> bool:
+    """Tell whether a scene's name is the path of a mesh file."""
+    return scene.lower().endswith(MESH_ENDINGS)
+
+
+def to_json(document: Document, folder: Path | None = None) -> str:
+    """Write a document as text; `parse` gives back exactly the same document.
+
+    Parameters
+    ----------
+    document : Document
+    folder : path, optional
+        Where the text is going to be; a mesh near there is named from there, so that the two
+        can be moved together.
+
+    Returns
+    -------
+    str
+        One line for each part::
+
+            {
+              "format": "frustum-lab",
+              "version": 1,
+              "scene": "letter-f",
+              "camera": {"eye": [6, 5, 9], "target": [0, 2.2, 0], "up": [0, 1, 0]},
+              "lens": {"kind": "perspective", "fov_y_deg": 45, "near": 1, "far": 30},
+              "depth": "opengl",
+              "image": {"width": 1280, "height": 720}
+            }
+
+        An infinite far is ``"inf"``; ``views``, if there are any, hold cameras too. A phenomenon
+        has its ``settings`` after the scene, and perhaps a ``mesh``; ``quality`` holds what of it
+        is not automatic. Keys that were not known
+        when it was read are there again.
+    """
+    tree = _tree(document)
+    if folder is not None:
+        for key in ("scene", "mesh"):
+            if key in tree:
+                tree[key] = _mesh_from(tree[key], folder)
+    text = _dump(tree, ensure_ascii=False)
+    if not text.isascii():
+        try:
+            text.encode()
+        except UnicodeEncodeError:  # a file name that is not UTF-8, as POSIX allows
+            return _dump(tree, ensure_ascii=True)
+    return text
+
+
+def picture_json(document: Document) -> str:
+    """Write a document as the text that a picture carries, which goes to strangers.
+
+    It has a mesh's name and no folder, so that nobody reads there how somebody's home is called;
+    the mesh is looked for beside the picture.
+    """
+    scene = os.path.basename(document.scene) if is_mesh(document.scene) else document.scene
+    return to_json(replace(document, scene=scene, mesh=os.path.basename(document.mesh)))
+
+
+def _dump(tree: Tree, ensure_ascii: bool) -> str:
+    dump = partial(json.dumps, ensure_ascii=ensure_ascii, allow_nan=False)
+    return "{\n" + ",\n".join(f"  {dump(k)}: {dump(v)}" for k, v in tree.items()) + "\n}\n"
+
+
+def _tree(document: Document) -> Tree:
+    projection, extra = document.projection, document.extra
+    camera, lens = projection.camera, projection.lens
+    width, height = projection.image_size
+    tree: Tree = {
+        "format": FORMAT,
+        "version": VERSION,
+        "scene": document.scene,
+        **({"mesh": document.mesh} if document.mesh else {}),
+        **({"settings": _settings_tree(document)} if document.settings else {}),
+        "camera": _camera_tree(camera),
+        "lens": _lens_tree(lens),
+        "depth": projection.depth,
+        "image": {"width": width, "height": height},
+    }
+    if document.quality.chosen:
+        tree["quality"] = {
+            key: _plain(value) if isinstance(value, float) else value
+            for key, value in document.quality.chosen.items()
+        }
+    if document.views:
+        unknown = extra.get("views", {})
+        tree["views"] = {
+            name: _camera_tree(view) | unknown.get(name, {})
+            for name, view in document.views.items()
+        }
+    for section in _SECTIONS:
+        unknown = dict(extra.get(section, {}))
+        if section == "lens" and isinstance(lens, FreeMatrix):
+            tree["lens"]["former"] |= unknown.pop("former", {})
+        if section in tree:
+            tree[section] |= unknown
+    return tree | {key: value for key, value in extra.items() if key not in tree}
+
+
+def _lens_tree(lens: Lens) -> Tree:
+    tree: Tree = {"kind": lens.kind}
+    if isinstance(lens, FreeMatrix):
+        for key in ("clip_from_view", "view_from_world"):
+            cells = getattr(lens, key)
+            if cells is not None:
+                tree[key] = [[_plain(part) for part in row] for row in cells]
+        return tree | {"former": _lens_tree(lens.former)}
+    values = {key: getattr(lens, key) for key in _LENS[lens.kind]}
+    return tree | {k: v if isinstance(v, str) else _plain(v) for k, v in values.items()}
+
+
+def _settings_tree(document: Document) -> Tree:
+    tree: Tree = {}
+    for name, value in document.settings.items():
+        if isinstance(value, tuple):
+            tree[name] = [_plain(part) for part in value]
+        else:
+            tree[name] = value if isinstance(value, (bool, str)) else _plain(value)
+    return tree
+
+
+def _camera_tree(camera: Camera) -> Tree:
+    return {key: [_plain(part) for part in getattr(camera, key)] for key in _CAMERA}
+
+
+def _mesh_from(path: str, folder: Path) -> str:
+    """Name a mesh as seen from a folder, if it is below it or at most two levels beside it."""
+    if not is_mesh(path):  # a built-in scene
+        return path
+    # The mesh's own name may be a link to a far store of data, and that is how it is wanted.
+    place, name = os.path.split(os.path.abspath(path))
+    mesh = os.path.join(os.path.realpath(place), name)
+    with contextlib.suppress(ValueError):  # on another drive of Windows
+        relative = os.path.relpath(mesh, os.path.realpath(folder))
+        if relative.split(os.sep)[:3] != [os.pardir] * 3:
+            mesh = relative
+    return mesh.replace(os.sep, "/")
+
+
+# --------------------------------------------------------------------------- the --set language
+
+
+def set_value(document: Document, path: str, text: str) -> Document:
+    """Set one value by its path in the document; see `set_values`."""
+    return set_values(document, [f"{path}={text}"])
+
+
+def set_values(document: Document, assignments: Iterable[str]) -> Document:
+    """Set values by their paths in the document, all at once.
+
+    Parameters
+    ----------
+    document : Document
+    assignments : iterable of str
+        ``lens.far=inf``, ``camera.eye=3,2,4``, ``depth=reversed``, ``scene=cube``,
+        ``settings.distance=2``; a matrix as its 16 cells, row after row. Only the outcome of
+        all of them has to be valid, so that their order does not matter; of two for the same
+        path the last holds. Another scene comes first and has its default settings; then
+        ``lens.kind``, which keeps the picture alike, or with numbers of its window has these as
+        they are typed: ``lens.keep`` is ``stretch`` then, unless it is set too; then settings,
+        which the camera and the lens may follow, but not to another kind than the one that was
+        asked for.
+
+    Raises
+    ------
+    DocumentError
+        For an unknown path (naming the nearest known one), a text that is no value, or an
+        outcome that is not valid.
+    """
+    texts: dict[str, str] = {}
+    for assignment in assignments:
+        path, equals, text = (part.strip() for part in assignment.partition("="))
+        if not equals or not path:
+            written = assignment.strip()
+            raise DocumentError(NO_EQUALS, field=printable(written) or repr(written))
+        texts[path] = text
+    scene = texts.pop("scene", document.scene)
+    if scene != document.scene:
+        document = replace(document, scene=scene, settings={}, mesh="")
+    kind = texts.pop("lens.kind", "")
+    if kind and any(f"lens.{side}" in texts for side in ("left", "right", "bottom", "top")):
+        texts.setdefault("lens.keep", "stretch")
+    document = _with_lens(document, kind)
+    known = _known(document.scene, document.projection.lens.kind)
+    paths = [path for path in known[""] if path not in (*known, "format", "version", "views")]
+    paths += [f"{section}.{key}" for section in known if section for key in known[section]]
+    paths = [path for path in paths if path != "lens.former"]
+    for path in texts:
+        if path not in paths:
+            raise _unknown_path(path, paths)
+    document = _with_lens(_set_settings(document, texts), kind)
+    tree = _tree(document)
+    for path, text in texts.items():
+        section, _, key = path.rpartition(".")
+        if section != "settings":
+            (tree.setdefault(section, {}) if section else tree)[key] = _read_text(path, text)
+    try:
+        return _document(tree)
+    except DocumentError as error:
+        side, bound = OTHER_SIDE.get(error.bound, ("", ""))
+        if f"lens.{side}" not in texts or error.field in texts:
+            raise
+        # What was set is the other of the two.
+        limit, value = format_value(error.value), tree["lens"][side]
+        raise DocumentError(bound, limit, field=f"lens.{side}", value=value) from error
+
+
+def _with_lens(document: Document, kind: str) -> Document:
+    """With a lens of that kind; an empty one changes nothing."""
+    if kind in ("", document.projection.lens.kind):
+        return document
+    with _paths():
+        return replace(document, projection=document.projection.with_lens(kind))
+
+
+def _set_settings(document: Document, texts: Mapping[str, str]) -> Document:
+    """Set those of the scene's own settings that are among the texts."""
+    values = {
+        setting.name: _read_setting(setting, texts[setting.path])
+        for setting in _settings_of(document.scene)
+        if setting.path in texts
+    }
+    with _paths():
+        return document.with_settings(values)
+
+
+def _read_setting(setting: Setting, text: str) -> Any:
+    if isinstance(setting.default, bool):
+        return {"true": True, "false": False}.get(text, text)
+    if isinstance(setting.default, str):
+        return text
+    if isinstance(setting.default, tuple):
+        return _read_vector(setting.path, text)
+    number = _number(text)
+    if number is None:
+        raise DocumentError(FINITE_NUMBER, field=setting.path, value=text)
+    return number
+
+
+def _read_vector(path: str, text: str) -> list[float]:
+    vector = [_number(part.strip()) for part in text.split(",")]
+    numbers = [part for part in vector if part is not None]
+    if len(vector) != 3 or len(numbers) != 3:
+        raise DocumentError(THREE_NUMBERS, field=path, value=text)
+    return numbers
+
+
+def _read_text(path: str, text: str) -> Any:
+    if path in _TEXTS or (path == "lens.far" and _number(text) is None):  # inf, or for the lens
+        return text
+    if path.startswith("camera."):
+        return _read_vector(path, text)
+    if path in _MATRICES:
+        cells = [_number(part.strip()) for part in text.split(",")]
+        if len(cells) != 16 or None in cells:
+            raise DocumentError(FOUR_BY_FOUR, field=path, value=text)
+        return [cells[i : i + 4] for i in range(0, 16, 4)]
+    number = _number(text)
+    if number is None:
+        whole = path.startswith("image.")
+        bound = (WHOLE_PIXELS, LARGEST_IMAGE_PX) if whole else (FINITE_NUMBER,)
+        raise DocumentError(*bound, field=path, value=text)
+    return number
+
+
+def _unknown_path(path: str, paths: list[str]) -> DocumentError:
+    shown = printable(path[:_LONGEST_SHOWN])
+    section, _, key = path.rpartition(".")
+    kinds = [kind for kind, names in _LENS.items() if key in names]
+    if section in ("lens", "") and kinds and f"lens.{key}" not in paths:
+        return DocumentError(OTHER_LENS, ", ".join(kinds), field=shown)
+    if section == "settings" and not any(known.startswith("settings.") for known in paths):
+        scenes = [name for name in PHENOMENA if key in _known(name, None)["settings"]]
+        if scenes:
+            return DocumentError(OTHER_SCENE, ", ".join(scenes), field=shown)
+
+    def likeness(known: str) -> float:
+        whole = difflib.SequenceMatcher(None, shown, known).ratio()
+        last = difflib.SequenceMatcher(
+            None, shown.rpartition(".")[2], known.rpartition(".")[2]
+        ).ratio()
+        begun = known.rpartition(".")[2].startswith(shown.rpartition(".")[2])
+        return max(whole, last) + whole / 100.0 + begun
+
+    return DocumentError(UNKNOWN, max(paths, key=likeness), field=shown)
+
+
+# --------------------------------------------------------------------------- PNG pictures
+
+_PNG = b"\x89PNG\r\n\x1a\n"
+_KEYWORD = FORMAT.encode() + b"\0"
+
+
+def _chunks(png: bytes) -> Iterator[tuple[bytes, int, int]]:
+    """Kind, begin and end of each chunk of a PNG picture, its length and checksum included.
+
+    Raises
+    ------
+    DocumentError
+        If the picture is not whole.
+    """
+    begin, kind = len(_PNG), b""
+    if not png.startswith(b"IHDR", begin + 4) or not png.startswith(_PNG):
+        raise DocumentError(BROKEN_PICTURE)
+    view = memoryview(png)
+    while kind != b"IEND":
+        if begin + 12 > len(png):
+            raise DocumentError(BROKEN_PICTURE)
+        length, kind = struct.unpack_from(">I4s", png, begin)
+        end = begin + 12 + length
+        if end > len(png) or zlib.crc32(view[begin + 4 : end - 4]) != _crc(png, end):
+            raise DocumentError(BROKEN_PICTURE)
+        yield kind, begin, end
+        begin = end
+
+
+def _crc(png: bytes, end: int) -> int:
+    crc: int = struct.unpack_from(">I", png, end - 4)[0]
+    return crc
+
+
+def _is_ours(png: bytes, kind: bytes, begin: int) -> bool:
+    return kind == b"iTXt" and png.startswith(_KEYWORD, begin + 8)
+
+
+def embed(png: bytes, text: str) -> bytes:
+    """Put a document into a PNG picture, in place of one that may be there.
+
+    Parameters
+    ----------
+    png : bytes
+        The picture, which looks the same afterwards.
+    text : str
+        The document as `to_json` writes it.
+
+    Raises
+    ------
+    DocumentError
+        If `png` is not a whole PNG picture.
+    """
+    # Not compressed, no language, no translated keyword (PNG specification, 11.3.3.4).
+    body = b"iTXt" + _KEYWORD + b"\0\0\0\0" + text.encode()
+    ours = struct.pack(">I", len(body) - 4) + body + struct.pack(">I", zlib.crc32(body))
+    parts = [_PNG]
+    for kind, begin, end in _chunks(png):
+        if not _is_ours(png, kind, begin):
+            parts.append(png[begin:end])
+        if kind == b"IHDR":
+            parts.append(ours)
+    return b"".join(parts)
+
+
+def extract(png: bytes) -> str | None:
+    """The text of the document in a PNG picture, or None if there is none.
+
+    Raises
+    ------
+    DocumentError
+        If `png` is not a whole PNG picture, or the text in it is broken.
+    """
+    text = None
+    for kind, begin, end in _chunks(png):
+        if text is None and _is_ours(png, kind, begin):
+            text = _itxt(png[begin + 8 + len(_KEYWORD) : end - 4])
+    return text
+
+
+def _itxt(body: bytes) -> str:
+    """The text of an iTXt chunk, after its keyword; other programs may have compressed it."""
+    compressed, rest = body[:1], body[2:]
+    _language, _, rest = rest.partition(b"\0")
+    _translated, _, rest = rest.partition(b"\0")
+    try:
+        if compressed == b"\1":
+            unpacked = zlib.decompressobj()
+            rest = unpacked.decompress(rest, LARGEST_DOCUMENT)
+            if not unpacked.eof:
+                raise DocumentError(BROKEN_PICTURE)
+        return rest.decode()
+    except (zlib.error, UnicodeDecodeError) as error:
+        raise DocumentError(BROKEN_PICTURE) from error
+
+
+# --------------------------------------------------------------------------- files
+
+
+def read(path: Path) -> Document:
+    """Read a document from its file, or from a PNG picture that carries one.
+
+    Parameters
+    ----------
+    path : path
+        Which of the two it is, is told by its content.
+
+    Raises
+    ------
+    DocumentError
+        If there is no such file, it cannot be read, or it is not a valid document.
+    """
+    with _blamed_on(path, UNREADABLE):
+        content = _read_bytes(path)
+        if content.startswith(_PNG):
+            text = extract(content)
+            if text is None:
+                raise DocumentError(PLAIN_PICTURE)
+            return parse(text, os.path.dirname(os.path.realpath(path)))
+        ending = os.path.splitext(path)[1].lower()
+        try:
+            return parse(_decode(content), os.path.dirname(os.path.realpath(path)))
+        except DocumentError as error:
+            if ending == ".json" or error.bound not in (BROKEN, EMPTY, FOREIGN, NOT_TEXT):
+                raise
+            if ending == ".png":
+                raise DocumentError(BROKEN_PICTURE) from error
+            raise DocumentError(NEITHER, ", ".join(MESH_ENDINGS)) from error
+
+
+def holds_document(path: Path) -> bool:
+    """Tell whether a file that was read can be saved in: it is no mesh, picture or device."""
+    if is_mesh(os.fspath(path)) or not os.path.isfile(path):
+        return False
+    with open_regular(path) as file:
+        return file.read(len(_PNG)) != _PNG
+
+
+@contextlib.contextmanager
+def _blamed_on(path: Path, bound: str) -> Iterator[None]:
+    """Name the file in what is raised, and turn the system's complaints into a sentence."""
+    file = os.fspath(path)
+    if "\0" in file:
+        raise DocumentError(BAD_NAME, file=file)
+    try:
+        yield
+    except DocumentError as error:
+        error.file = file
+        raise
+    except FileNotFoundError as error:
+        if bound == UNREADABLE:
+            raise DocumentError(NO_FILE, file=file) from error
+        raise DocumentError(bound, error.strerror or error, file=file) from error
+    except OSError as error:
+        raise DocumentError(bound, error.strerror or error, file=file) from error
+    except UnicodeEncodeError as error:  # a half of a surrogate pair
+        raise DocumentError(BAD_NAME, file=file) from error
+
+
+def _decode(content: bytes) -> str:
+    try:
+        return content.decode()
+    except UnicodeDecodeError as error:
+        raise DocumentError(NOT_TEXT) from error
+
+
+def _read_bytes(path: Path) -> bytes:
+    if os.path.isdir(path):
+        raise DocumentError(FOLDER)
+    with open_regular(path) as file:
+        content = file.read(len(_PNG))
+        limit = LARGEST_PICTURE if content == _PNG else LARGEST_DOCUMENT
+        content += file.read(limit - len(content) + 1)
+    if len(content) > limit:
+        raise DocumentError(TOO_LARGE, limit // 2**20)
+    return content
+
+
+def write(document: Document, path: Path) -> None:
+    """Write a document to its file, whole or not at all.
+
+    Parameters
+    ----------
+    document : Document
+    path : path
+        A link is followed; the permissions of a file that was there are kept.
+
+    Raises
+    ------
+    DocumentError
+        If it cannot be written; the file that was there is as it was.
+    """
+    with _blamed_on(path, UNWRITABLE):
+        folder = os.path.dirname(os.path.realpath(path))
+    write_bytes_atomically(path, to_json(document, folder).encode())
+
+
+def write_bytes_atomically(path: Path, content: bytes) -> None:
+    """Write a file whole or not at all, also if the power fails meanwhile.
+
+    Parameters
+    ----------
+    path : path
+        A link is followed; the permissions of a file that was there are kept.
+    content : bytes
+
+    Raises
+    ------
+    DocumentError
+        If it cannot be written; the file that was there is as it was.
+
+    Notes
+    -----
+    The content goes to a new file in the same folder, which takes the old one's name when it is
+    safely on the disk. What a killed program left behind of this is removed by the next one.
+    """
+    with _blamed_on(path, UNWRITABLE):
+        target = os.path.realpath(path)
+        mode = _mode_to_keep(target)
+        if mode is None or stat.S_ISREG(mode):
+            _replace(target, content, mode)
+        else:  # /dev/stdout and the like cannot be replaced
+            with open(target, "wb") as device:
+                device.write(content)
+
+
+def _mode_to_keep(target: str) -> int | None:
+    """The old file's mode, or None if there is none."""
+    try:
+        mode = os.stat(target).st_mode
+    except FileNotFoundError:
+        return None
+    if stat.S_ISDIR(mode):
+        raise DocumentError(FOLDER)
+    if not os.access(target, os.W_OK):  # replacing it would get round its owner's wish
+        raise DocumentError(WRITE_PROTECTED)
+    return mode
+
+
+_UNFINISHED = re.compile(r"\.frustum-lab-[0-9a-f]{8}\.tmp")
+
+
+def _replace(target: str, content: bytes, mode: int | None) -> None:
+    folder = os.path.dirname(target)
+    _remove_unfinished(folder)
+    unfinished = _create_unfinished(folder, 0o666 if mode is None else 0o600)
+    try:
+        with unfinished:
+            if mode is not None:
+                os.chmod(unfinished.name, stat.S_IMODE(mode))
+            unfinished.write(content)
+            unfinished.flush()
+            os.fsync(unfinished.fileno())
+            if sys.platform != "win32":  # while the lock is held
+                os.replace(unfinished.name, target)
+        if sys.platform == "win32":  # which renames closed files only
+            os.replace(unfinished.name, target)
+    except BaseException:
+        with contextlib.suppress(OSError):
+            os.unlink(unfinished.name)
+        raise
+    _sync_folder(folder)
+
+
+def _create_unfinished(folder: str, mode: int) -> BinaryIO:
+    while True:
+        path = os.path.join(folder, f".frustum-lab-{secrets.token_hex(4)}.tmp")
+        file = open(path, "xb", opener=partial(os.open, mode=mode))  # noqa: SIM115 the caller closes it
+        if not _lock(file.fileno(), wait=True) or os.path.exists(path):
+            return file
+        file.close()  # another program took it for a dead one's before it was locked
+
+
+def _lock(descriptor: int, wait: bool) -> bool:
+    """Lock an open file for as long as it is open; False where that cannot be done."""
+    if sys.platform != "win32":
+        with contextlib.suppress(OSError):  # held by another, or a file system without locks
+            fcntl.flock(descriptor, fcntl.LOCK_EX | (0 if wait else fcntl.LOCK_NB))
+            return True
+    return False
+
+
+def _remove_unfinished(folder: str) -> None:
+    """Remove what killed programs left behind: files of ours that nobody holds locked."""
+    with contextlib.suppress(OSError), os.scandir(folder) as entries:
+        for entry in entries:
+            if not _UNFINISHED.fullmatch(entry.name):
+                continue
+            with contextlib.suppress(OSError):
+                if sys.platform == "win32":
+                    # There nothing is locked once it is closed, for a moment before its renaming.
+                    if time.time() - entry.stat().st_mtime > 60.0:
+                        os.unlink(entry.path)
+                else:
+                    with open(entry.path, "rb") as file:
+                        if _lock(file.fileno(), wait=False):
+                            os.unlink(entry.path)
+
+
+def _sync_folder(folder: str) -> None:
+    """Put the new name on the disk, too, where a folder can be opened for that."""
+    if sys.platform != "win32":
+        with contextlib.suppress(OSError):
+            descriptor = os.open(folder, os.O_RDONLY)
+            try:
+                os.fsync(descriptor)
+            finally:
+                os.close(descriptor)

@@ -1,0 +1,359 @@
+"""Off-screen pictures of the panes, for papers and slides; needs no window and no display.
+
+A figure is drawn by the same drawings as the panes, but into windows of its own, so that it does
+not depend on a screen's size, scale or presence. It is drawn several times as large as asked for
+and averaged, which every driver does alike, where multisampling differs from driver to driver.
+This room knows no Qt.
+"""
+
+from __future__ import annotations
+
+import io
+import os
+import sys
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import replace
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+import pyvista as pv
+from numpy.typing import NDArray
+from PIL import Image
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
+from vtkmodules.vtkRenderingCore import vtkTextActor
+
+from app.document.document import embed, write_bytes_atomically
+from app.drawings import WORDS
+from app.drawings.image import ImageDrawing
+from app.drawings.ndc import NdcDrawing
+from app.drawings.style import LIGHT, Style
+from app.drawings.world import WorldDrawing
+from app.model.projection import LARGEST_IMAGE_PX, Camera, Projection, format_value
+from app.precision.levels import DRAWING_TOLERANCE_PX
+from app.precision.quality import AUTOMATIC, Quality
+from app.scenes.fewer_triangles import reduced
+from app.scenes.mesh_files import Refusal
+from app.scenes.phenomena.illustration import Exhibit
+from app.scenes.scene import Scene
+
+Pixels = NDArray[np.uint8]
+
+PANES = ("world", "ndc", "image")
+"""The panes of a figure, from left to right as in the window."""
+LARGEST_PX = LARGEST_IMAGE_PX
+"""Largest side of a figure."""
+PANE_PX = 640
+"""Side of a pane where no size is asked for."""
+SMALLEST_PANE_PX = 32
+"""Smallest side of a pane with labels."""
+
+_DRAWINGS: dict[str, type[WorldDrawing] | type[NdcDrawing] | type[ImageDrawing]] = {
+    "world": WorldDrawing,
+    "ndc": NdcDrawing,
+    "image": ImageDrawing,
+}
+_LARGEST_DRAWN_PX = 8192  # side of what is averaged; every driver can draw it
+_MOST_DRAWN_PX = 40_000_000  # of one pane before averaging: about 0.5 GB with depth and copies
+_WINDOW_CHOICE = "VTK_DEFAULT_OPENGL_WINDOW"
+
+NO_PANES = "panes = {0}: must name at least one of {1}."
+UNKNOWN_PANE = "pane = {0}: must be one of {1}."
+SCALE = "scale = {0}: must lie between 0, excluded, and {1}."
+WIDTH = "width = {0}: must be a whole number of pixels from {1} to {2}."
+HEIGHT = "height = {0}: must be a whole number of pixels from {1} to {2}."
+SCALED_WIDTH = "width = {0} times scale {3}: must be from {1} to {2} pixels."
+SCALED_HEIGHT = "height = {0} times scale {3}: must be from {1} to {2} pixels."
+SENTENCES = (NO_PANES, UNKNOWN_PANE, SCALE, WIDTH, HEIGHT, SCALED_WIDTH, SCALED_HEIGHT)
+"""Every sentence of a `FigureError`, for translators."""
+_SIDES = {"width": (WIDTH, SCALED_WIDTH), "height": (HEIGHT, SCALED_HEIGHT)}
+
+
+class FigureError(Refusal):
+    """A figure that cannot be made, with the value and its bound."""
+
+
+class FigureCancelled(Exception):
+    """The progress callback of `render` answered False."""
+
+
+def render(
+    scene: Scene,
+    projection: Projection,
+    panes: Sequence[str] = PANES,
+    size: tuple[int, int] | None = None,
+    scale: float = 1.0,
+    transparent: bool = False,
+    style: Style = LIGHT,
+    words: Mapping[str, str] = WORDS,
+    views: Mapping[str, Camera] = MappingProxyType({}),
+    progress: Callable[[float], bool] | None = None,
+    settings: Mapping[str, Any] | None = None,
+    quality: Quality = AUTOMATIC,
+) -> Pixels:
+    """Draw one pane, or several side by side.
+
+    Parameters
+    ----------
+    scene : Scene
+    projection : Projection
+    panes : sequence of {"world", "ndc", "image"}
+        From left to right, in equal widths.
+    size : (int, int), optional
+        Width and height in pixels. If not given: `PANE_PX` squares, and for the image alone the
+        image's own size. The image alone is drawn without its frame.
+    scale : float, optional
+        Multiplies the size, with all lines and letters: the same figure, finer.
+    transparent : bool, optional
+        Leave the background out.
+    style : Style, optional
+    words : mapping, optional
+        The words written into the drawings.
+    views : mapping of pane to Camera, optional
+        From where a pane is looked at; one that is not named shows all it has.
+    progress : callable, optional
+        Called before each pane with the fraction done; when it returns False, drawing stops.
+    settings : mapping, optional
+        Those of the scene's phenomenon, by name; one that is not there has its default.
+    quality : Quality, optional
+        The smoothing is none of a figure's choices: it is always averaged.
+
+    Returns
+    -------
+    (height, width, 3) uint8 array, or (height, width, 4) if transparent
+        The first row is the top one; colours are not multiplied by alpha.
+
+    Raises
+    ------
+    FigureError
+        For an unknown pane, or a size or scale that no figure can have.
+    ProjectionError
+        For a setting that the phenomenon cannot have.
+    FigureCancelled
+        When `progress` returned False.
+
+    Notes
+    -----
+    Beside live Qt panes, release Qt's current OpenGL context first (``doneCurrent``): where Qt
+    and VTK reach OpenGL through different systems, VTK would take Qt's context for its own.
+    """
+    width, height = checked_size(projection.image_size, panes, size, scale)
+    style = replace(style, margin=style.background).enlarged(scale)
+    exhibit = None
+    if scene.phenomenon is not None:
+        chosen = scene.phenomenon.checked(settings or {})
+        exhibit = scene.phenomenon.exhibit(projection, chosen, scene.subject)
+    scene = reduced(scene, quality.detail)
+    edges = [round(i * width / len(panes)) for i in range(len(panes) + 1)]
+    parts: list[Pixels] = []
+    for pane, left, right in zip(panes, edges[:-1], edges[1:], strict=True):
+        if progress is not None and not progress(len(parts) / len(panes)):
+            raise FigureCancelled
+        parts.append(
+            _render_pane(
+                pane,
+                scene,
+                projection,
+                exhibit,
+                (right - left, height),
+                transparent,
+                style,
+                words,
+                framed=len(panes) > 1,
+                view=views.get(pane),
+                quality=quality,
+            )
+        )
+    return parts[0] if len(parts) == 1 else np.concatenate(parts, axis=1)
+
+
+def write_png(
+    path: str | os.PathLike[str], pixels: Pixels, document_json: str | None = None
+) -> None:
+    """Write a figure, whole or not at all, with the document that it shows inside.
+
+    Parameters
+    ----------
+    path : str or Path
+    pixels : (height, width, 3 or 4) uint8 array
+        As `render` returns it.
+    document_json : str, optional
+        Dropped on the window, the picture brings this document back.
+    """
+    write_bytes_atomically(path, png_bytes(pixels, document_json))
+
+
+def png_bytes(pixels: Pixels, document_json: str | None = None) -> bytes:
+    """The file that `write_png` writes, for a clipboard.
+
+    Parameters
+    ----------
+    pixels : (height, width, 3 or 4) uint8 array
+    document_json : str, optional
+
+    Returns
+    -------
+    bytes
+    """
+    buffer = io.BytesIO()
+    Image.fromarray(pixels).save(buffer, "PNG")
+    png = buffer.getvalue()
+    return png if document_json is None else embed(png, document_json)
+
+
+def checked_size(
+    image_size: tuple[int, int],
+    panes: Sequence[str],
+    size: tuple[int, int] | None,
+    scale: float,
+) -> tuple[int, int]:
+    """The figure's width and height in pixels, for `render`'s parameters of these names.
+
+    Raises
+    ------
+    FigureError
+        For an unknown pane, or a size or scale that no figure can have.
+    """
+    if isinstance(panes, str) or not panes:
+        raise FigureError(NO_PANES, repr(panes), ", ".join(PANES))
+    for pane in panes:
+        if pane not in _DRAWINGS:
+            raise FigureError(UNKNOWN_PANE, repr(pane), ", ".join(PANES))
+    lone_image = tuple(panes) == ("image",)
+    if size is None:
+        size = image_size if lone_image else (PANE_PX * len(panes), PANE_PX)
+    if not 0.0 < scale <= LARGEST_PX:  # NaN fails too
+        raise FigureError(SCALE, f"{scale:g}", LARGEST_PX)
+    asked = dict(zip(("width", "height"), size, strict=True))
+    for name, side in asked.items():
+        smallest = 1 if lone_image else SMALLEST_PANE_PX * (len(panes) if name == "width" else 1)
+        # Again, also NaN; and a whole number of 400 digits cannot be multiplied with the scale.
+        if not (side <= sys.float_info.max and smallest <= side * scale <= LARGEST_PX):
+            plain, scaled = _SIDES[name]
+            template = plain if scale == 1.0 else scaled
+            raise FigureError(template, format_value(side), smallest, LARGEST_PX, f"{scale:g}")
+    return round(asked["width"] * scale), round(asked["height"] * scale)
+
+
+def _render_pane(
+    pane: str,
+    scene: Scene,
+    projection: Projection,
+    exhibit: Exhibit | None,
+    size: tuple[int, int],
+    transparent: bool,
+    style: Style,
+    words: Mapping[str, str],
+    framed: bool,
+    view: Camera | None,
+    quality: Quality,
+) -> Pixels:
+    factor = _oversampling(size)
+    width, height = (factor * side for side in size)
+    options: dict[str, Any] = {}
+    if pane != "world":
+        options["tolerance_px"] = quality.tolerance_px(DRAWING_TOLERANCE_PX)
+    if pane == "image":
+        options |= {"framed": framed, "quality": quality}
+    with off_screen(width, height) as plotter:
+        window = plotter.render_window
+        drawing = _DRAWINGS[pane](plotter, scene, words, style.enlarged(factor), **options)
+        drawing.show_projection(projection, exhibit)
+        drawing.reset_view()
+        if view is not None:
+            drawing.show_view(view)
+        if transparent:
+            for renderer in window.GetRenderers():
+                _clear_plates(renderer)
+                renderer.SetBackground(0.0, 0.0, 0.0)
+                renderer.SetBackgroundAlpha(0.0)
+        window.Render()
+        if isinstance(drawing, ImageDrawing) and drawing.problem is not None:  # known from now on
+            window.Render()
+        drawn = pixels_of(window)
+        drawing.remove()
+    return _averaged(drawn, factor, transparent)
+
+
+def _clear_plates(renderer: Any) -> None:
+    """Take the plates away that only have the background's colour: it is not there any more."""
+    for actor in renderer.GetViewProps():
+        if isinstance(actor, vtkTextActor):
+            text = actor.GetTextProperty()
+            if text.GetBackgroundColor() == renderer.GetBackground():
+                text.SetBackgroundOpacity(0.0)
+
+
+def pixels_of(window: Any) -> Pixels:
+    """What a render window shows, (height, width, 4), the first row at the top."""
+    width, height = window.GetSize()
+    buffer = vtkUnsignedCharArray()
+    window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, buffer)
+    pixels: Pixels = vtk_to_numpy(buffer).reshape(height, width, 4)[::-1]  # type: ignore[no-untyped-call]
+    return pixels
+
+
+def _oversampling(size: tuple[int, int]) -> int:
+    """How many times as large each side is drawn: 3, or less where that takes too much memory."""
+    width, height = size
+    for factor in (3, 2):
+        fits = factor * max(size) <= _LARGEST_DRAWN_PX
+        if fits and factor * width * factor * height <= _MOST_DRAWN_PX:
+            return factor
+    return 1
+
+
+def _averaged(drawn: Pixels, factor: int, transparent: bool) -> Pixels:
+    """Average blocks of pixels, (factor h, factor w, 4) to (h, w, 4), or 3 if opaque.
+
+    On a transparent background OpenGL's blending leaves colours multiplied by their alpha, and
+    only so can they be averaged; dividing afterwards, no edge has a dark seam.
+    """
+    channels = 4 if transparent else 3
+    if factor == 1 and not transparent:
+        return drawn[..., :3].copy()
+    if factor == 1:
+        total = drawn[..., :channels].astype(np.uint16)
+    else:
+        height, width = drawn.shape[0] // factor, drawn.shape[1] // factor
+        total = np.zeros((height, width, channels), dtype=np.uint16)
+        for row in range(factor):
+            for column in range(factor):
+                total += drawn[row::factor, column::factor, :channels]
+    count = factor * factor
+    if not transparent:
+        return ((total + count // 2) // count).astype(np.uint8)
+    alpha = total[..., 3:].astype(np.uint32)
+    colours = (total[..., :3] * np.uint32(255) + alpha // 2) // np.maximum(alpha, 1)
+    pixels = np.empty(total.shape, dtype=np.uint8)
+    pixels[..., :3] = np.minimum(colours, 255)
+    pixels[..., 3:] = (alpha + count // 2) // count
+    return pixels
+
+
+@contextmanager
+def off_screen(width: int, height: int) -> Iterator[Any]:
+    """An off-screen plotter that is closed afterwards, whatever happens."""
+    with _reachable_opengl():
+        plotter: Any = pv.Plotter(off_screen=True, window_size=[width, height], border=False)
+    try:
+        plotter.render_window.SetMultiSamples(0)
+        plotter.render_window.SetAlphaBitPlanes(1)
+        yield plotter
+    finally:
+        plotter.close()
+
+
+@contextmanager
+def _reachable_opengl() -> Iterator[None]:
+    """Make VTK's next window where there is no display, without a try that ends in a warning."""
+    if sys.platform != "linux" or os.environ.get("DISPLAY") or _WINDOW_CHOICE in os.environ:
+        yield
+        return
+    os.environ[_WINDOW_CHOICE] = "vtkEGLRenderWindow"
+    try:
+        yield
+    finally:
+        del os.environ[_WINDOW_CHOICE]

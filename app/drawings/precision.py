@@ -1,0 +1,338 @@
+"""The scene as the model's camera sees it, in the cheaper arithmetic that is exact enough.
+
+==========  ================================================================================
+rung        how vertices get their clip coordinates
+==========  ================================================================================
+float32     on the GPU, by one concatenated matrix; a step of a slider sets that matrix
+float64     here, eye first, by `Projection.trace`; the GPU is handed the results
+==========  ================================================================================
+
+In the second the price is paid per vertex and step. A vertex handed over has three coordinates,
+and they are x, y, z of clip space: w is ``(z - b)/a`` with lecture 000's ``z = a w + b``, or 1
+for a parallel lens, so that a matrix of a handful of numbers restores it. Rounding these to
+float32 costs 2e-4 px of 1280 at most. For edges to be as exact as their ends, what lies outside a
+cone somewhat wider than the picture, before near or beyond far is cut off beforehand: an edge
+that ends 1e5 pictures away would be drawn 1e5 times as inexactly as one that ends here.
+
+Under a free matrix w is no function of z. There the divide is done here too, which for faces of
+one colour draws the same picture.
+
+The world pane does without: its own camera is never at an extreme, and the picture on the near
+plane is too small to see wherever float32 is not enough for it (of 1086 random extreme cameras,
+one was off by more than half a pixel, at a field of view of 179.998 degrees).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from typing import Any, NamedTuple
+from weakref import WeakKeyDictionary
+
+import numpy as np
+from numpy.typing import NDArray
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPlane, vtkPolyData
+from vtkmodules.vtkRenderingCore import vtkActor
+
+from app.drawings.actors import Detail, scene_actors
+from app.drawings.style import Style
+from app.model.projection import Array, FreeMatrix, Projection
+from app.precision.levels import Rung, rung_for_drawing
+from app.scenes.scene import Scene
+
+_WIDE = 2.0  # of the picture: beyond, wide lines and points do not reach into it
+_LEAST_W = 1e-30  # under a free matrix: what is nearer to w = 0 cannot be divided by it
+_SHALLOW = 1.0 - 2.0**-22  # of the depth range: or the far plane takes what float32 rounds onto it
+
+
+def least_tolerance(scene: Scene, tolerance_px: float) -> float:
+    """The tolerance at which a scene can be drawn.
+
+    A texture is laid over the scene's own vertices, and so over those that the GPU projects.
+    """
+    return math.inf if "texture" in scene.requires else tolerance_px
+
+
+_projected: WeakKeyDictionary[Scene, tuple[Scene | None, Projection, list[_Part]]]
+_projected = WeakKeyDictionary()
+
+
+class ModelActors:
+    """The scene's faces and lines, and the vertices that they have under a projection.
+
+    Parameters
+    ----------
+    scene : Scene
+    style : Style
+    tolerance_px : float
+        Error up to which the GPU's own float32 may draw.
+    clip : iterable of vtkPlane
+        As for `scene_actors`.
+
+    Attributes
+    ----------
+    surface, lines : vtkActor or None
+    rung : {"float32", "float64"}
+        The arithmetic of the last projection shown.
+    """
+
+    def __init__(
+        self, scene: Scene, style: Style, tolerance_px: float, clip: Iterable[vtkPlane] = ()
+    ) -> None:
+        self._scene = scene
+        self._tolerance_px = tolerance_px
+        self.surface, self.lines = scene_actors(scene, style, clip)
+        self._detail = Detail(self.surface)
+        self._made: list[_Made] = []
+        self.rung: Rung = "float32"
+        self.show_detail(None)
+
+    def show_detail(self, fewer: Scene | None) -> None:
+        """Take a scene's fewer triangles, or None for all; then show a projection."""
+        self.show_local()
+        self._detail.show(fewer)
+        self._fewer = fewer
+        self._made = [_Made(actor) for actor in (self.surface, self.lines) if actor is not None]
+
+    def show_projection(self, projection: Projection) -> Array:
+        """Choose the rung and give the actors its vertices.
+
+        Parameters
+        ----------
+        projection : Projection
+            Of the depth range ``opengl``.
+
+        Returns
+        -------
+        (4, 4) float64 array
+            Clip from vertex coordinates, for the actors to stand under.
+        """
+        scene = self._scene
+        if (
+            self._made
+            and rung_for_drawing(projection, scene.corners, scene.origin, self._tolerance_px)
+            == "float64"
+        ):
+            self.rung = "float64"
+            return self._project(projection)
+        self.show_local()
+        return projection.clip_from_world_at(scene.origin)
+
+    def show_local(self) -> None:
+        """Give the actors the scene's own vertices, scene-local, whatever they stand under."""
+        if self.rung != "float32":
+            self.rung = "float32"
+            _projected.pop(self._scene, None)
+            for made in self._made:
+                made.restore()
+
+    def _parts(self, projection: Projection) -> list[_Part]:
+        """What a projection leaves of the scene, computed once for all panes that show it."""
+        kept = _projected.get(self._scene)
+        if kept is not None and kept[0] is self._fewer and kept[1] == projection:
+            return kept[2]
+        planes = _planes(projection)
+        parts = []
+        for made in self._made:
+            world = made.points.astype(np.float64) + self._scene.origin
+            part = _cut(projection.trace(world).clip, made.cells, planes)
+            if isinstance(projection.lens, FreeMatrix):
+                w = part.clip[:, 3:]
+                part = part._replace(clip=part.clip / np.where(w > 0.0, w, 1.0))
+            parts.append(part)
+        _projected[self._scene] = self._fewer, projection, parts
+        return parts
+
+    def _project(self, projection: Projection) -> Array:
+        parts = self._parts(projection)
+        largest = max((float(np.abs(part.clip).max(initial=0.0)) for part in parts), default=0.0)
+        # The homogeneous factor is free: as a power of two, whatever there is fits into float32.
+        unit = 2.0 ** -math.frexp(largest)[1]
+        for made, part in zip(self._made, parts, strict=True):
+            made.replace(part, unit)
+        clip_from_vertex = np.diag([1.0, 1.0, _SHALLOW, 0.0]) / unit
+        if isinstance(projection.lens, FreeMatrix) or projection.lens.parallel:
+            clip_from_vertex[3, 3] = 1.0
+        else:
+            a, b = projection.clip_from_view[2, 2:]  # for z of view space, which is -w
+            clip_from_vertex[3, 2:] = -1.0 / (a * unit), b / a
+        return clip_from_vertex
+
+
+class _Made:
+    """An actor, the mesh that it was made with, and the one that a projection has put there.
+
+    All cells of the mesh are of one kind: points, segments or triangles.
+    """
+
+    def __init__(self, actor: vtkActor) -> None:
+        self._mapper: Any = actor.GetMapper()
+        self._mesh: vtkPolyData = self._mapper.GetInput()
+        self._projected = vtkPolyData()
+        self._kind = next(
+            (kind for kind in ("Verts", "Polys") if _cells(self._mesh, kind).GetNumberOfCells()),
+            "Lines",
+        )
+
+    @property
+    def points(self) -> NDArray[np.float32]:
+        """The mesh's vertices, scene-local, (n, 3)."""
+        points: NDArray[np.float32] = vtk_to_numpy(self._mesh.GetPoints().GetData())  # type: ignore[no-untyped-call]
+        return points
+
+    @property
+    def cells(self) -> NDArray[np.integer]:
+        """Indices of each cell's vertices, (m, k) with k from 1 to 3."""
+        cells = _cells(self._mesh, self._kind)
+        count = cells.GetNumberOfCells()
+        flat: NDArray[np.integer] = vtk_to_numpy(cells.GetConnectivityArray())  # type: ignore[no-untyped-call]
+        return flat.reshape(count, -1) if count else flat.reshape(0, 1)
+
+    def restore(self) -> None:
+        """Show the mesh that it was made with."""
+        self._mapper.SetInputData(self._mesh)
+        self._projected.Initialize()
+
+    def replace(self, part: _Part, unit: float) -> None:
+        """Show the same things with other vertices, ``unit`` times x, y, z of clip space."""
+        made = self._projected
+        made.ShallowCopy(self._mesh)
+        points = vtkPoints()
+        vertices = (part.clip[:, :3] * unit).astype(np.float32)
+        points.SetData(numpy_to_vtk(vertices, deep=True))  # type: ignore[no-untyped-call]
+        made.SetPoints(points)
+        if part.vertex is not None:
+            cells = vtkCellArray()
+            flat = numpy_to_vtk(part.cells.astype(np.int64).ravel(), deep=True)  # type: ignore[no-untyped-call]
+            cells.SetData(part.cells.shape[1], flat)
+            getattr(made, f"Set{self._kind}")(cells)
+            for data, chosen in (
+                (made.GetPointData(), part.vertex),
+                (made.GetCellData(), part.cell),
+            ):
+                colours = data.GetArray("rgb")
+                if colours is not None:
+                    left = numpy_to_vtk(vtk_to_numpy(colours)[chosen], deep=True)  # type: ignore[no-untyped-call]
+                    left.SetName("rgb")
+                    data.AddArray(left)
+        if self._mapper.GetInput() is not made:
+            self._mapper.SetInputData(made)
+
+
+def _cells(mesh: vtkPolyData, kind: str) -> vtkCellArray:
+    cells: vtkCellArray = getattr(mesh, f"Get{kind}")()
+    return cells
+
+
+# --------------------------------------------------------------------------- cutting
+
+
+class _Part(NamedTuple):
+    """What is left of a mesh.
+
+    Attributes
+    ----------
+    clip : (n, 4) float64 array
+        Vertices in clip space.
+    cells : (m, k) array of int
+    vertex, cell : arrays of int, (n,) and (m,), or None
+        Of which vertex each has the colour, and of which cell each is left; None if all are.
+    """
+
+    clip: Array
+    cells: NDArray[np.integer]
+    vertex: NDArray[np.integer] | None
+    cell: NDArray[np.integer] | None
+
+
+def _planes(projection: Projection) -> tuple[Array, Array]:
+    """Half-spaces of clip space that the picture lies in, the depth range exactly.
+
+    Returns
+    -------
+    normals, offsets : (p, 4) and (p,) arrays
+        What is inside has ``normal . (x, y, z, w) + offset >= 0`` for all.
+    """
+    sides = [(1.0, 0.0, 0.0, _WIDE), (-1.0, 0.0, 0.0, _WIDE)]
+    sides += [(0.0, 1.0, 0.0, _WIDE), (0.0, -1.0, 0.0, _WIDE)]
+    lens = projection.lens
+    if isinstance(lens, FreeMatrix):
+        depth = [((0.0, 0.0, 1.0, 1.0), 0.0), ((0.0, 0.0, -1.0, 1.0), 0.0)]
+        depth.append(((0.0, 0.0, 0.0, 1.0), -_LEAST_W))
+    elif lens.parallel:
+        depth = [((0.0, 0.0, 1.0, 0.0), 1.0), ((0.0, 0.0, -1.0, 0.0), 1.0)]
+    else:  # by w itself: z and w have not enough digits left to compare if far/near is large
+        depth = [((0.0, 0.0, 0.0, 1.0), -lens.near)]
+        if lens.far != math.inf:
+            depth.append(((0.0, 0.0, 0.0, -1.0), lens.far))
+    normals = np.array([*(normal for normal, _ in depth), *sides])
+    return normals, np.array([*(offset for _, offset in depth), 0.0, 0.0, 0.0, 0.0])
+
+
+def _cut(clip: Array, cells: NDArray[np.integer], planes: tuple[Array, Array]) -> _Part:
+    """Leave of points, segments or triangles what lies within planes."""
+    out = np.zeros(len(clip), dtype=np.uint8)
+    for bit, (normal, offset) in enumerate(zip(*planes, strict=True)):
+        out |= (clip @ normal + offset < 0.0).astype(np.uint8) * np.uint8(1 << bit)
+    if not out.any():
+        return _Part(clip, cells, None, None)
+    corners = out[cells]
+    whole = ~corners.any(axis=1)
+    crossing = np.flatnonzero(~whole & (np.bitwise_and.reduce(corners, axis=1) == 0))
+    pieces, owner = clip[cells[crossing]], crossing.astype(cells.dtype)
+    for normal, offset in zip(*planes, strict=True):
+        pieces, owner = _cut_at(pieces, owner, normal, offset)
+    kept = np.flatnonzero(whole)
+    count, size = cells.shape[1], len(clip)
+    needed = np.where(out[:, None] == 0, clip, 0.0)  # what is outside may not fit into float32
+    return _Part(
+        np.concatenate([needed, pieces.reshape(-1, 4)]),
+        np.concatenate([cells[kept], size + np.arange(len(pieces) * count).reshape(-1, count)]),
+        # A triangle's last corner carries its colour; its other corners' are never looked at.
+        np.concatenate([np.arange(size), np.repeat(cells[owner, -1], count)]),
+        np.concatenate([kept, owner]),
+    )
+
+
+def _cut_at(
+    pieces: Array, owner: NDArray[np.integer], normal: Array, offset: float
+) -> tuple[Array, NDArray[np.integer]]:
+    """Cut points, segments or triangles (m, k, 4) at one plane."""
+    values = pieces @ normal + offset
+    inside = values >= 0.0
+    if inside.all():
+        return pieces, owner
+    count = inside.sum(axis=1)
+    corners = pieces.shape[1]
+    left, owners = [pieces[count == corners]], [owner[count == corners]]
+    for held in range(1, corners):
+        which = np.flatnonzero(count == held)
+        if not len(which):
+            continue
+        # The corner that is alone, or a segment's inside one, comes first.
+        alone = np.argmax(inside[which] == (held == 1), axis=1)
+        order = (alone[:, None] + np.arange(corners)) % corners
+        p = list(pieces[which[:, None], order].swapaxes(0, 1))
+        v = list(values[which[:, None], order].T)
+        if held == 1:
+            first = [_between(p[0], p[i], v[0], v[i]) for i in range(1, corners)]
+            new = [[p[0], *first]]
+        else:  # a triangle's quadrangle, cut in two
+            one, two = (_between(p[i], p[0], v[i], v[0]) for i in (1, 2))
+            new = [[one, p[1], p[2]], [one, p[2], two]]
+        for piece in new:
+            left.append(np.stack(piece, axis=1))
+            owners.append(owner[which])
+    return np.concatenate(left), np.concatenate(owners)
+
+
+def _between(inside: Array, outside: Array, value_inside: Array, value_outside: Array) -> Array:
+    """Where edges (m, 4) meet the plane, on which the values (m,) are 0.
+
+    Always from the inside outwards, so that neighbours find the same point on a common edge.
+    """
+    part = value_inside / (value_inside - value_outside)
+    met: Array = inside + part[:, None] * (outside - inside)
+    return met

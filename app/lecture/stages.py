@@ -1,0 +1,563 @@
+"""The stage strip's matrices: the scene, and its view volume, at every moment between two stages.
+
+The strip runs through six stops (`STOPS`) and shows each in a *display* space of its own, a
+right-handed one whose size is that of the NDC pane's cube::
+
+    display_from_local = display_from_stage . stage_from_local
+
+where `stage_from_local` is the pipeline's own matrix and `display_from_stage` only scales and
+shifts it into the pane, and mirrors z of NDC, which is left-handed. Between two stops
+
+=============================  ================================================================
+world -> view                  a rigid motion: one rotation about the middle of what is shown
+view -> ... -> image           ``(1 - t) A + t B`` of the two homogeneous matrices, each scaled
+                               such that w is 1 at the middle of what is seen
+=============================  ================================================================
+
+Both are matrices, so that a straight line is straight at every moment. Where w is positive at two
+stops, a point is between them on the straight line from the one place to the other: what fits
+into the pane at both stops fits at every moment, and the determinant keeps its sign, because z
+was mirrored before and not by passing through a flat picture.
+
+Until the view stop all of the scene is shown. In the first half of the step after it the planes
+of the view volume close from outside (`planes_display`), and from then on the scene is cut by
+them: what the perspective step would throw to infinity, or turn round behind the eye, is gone
+before that step begins.
+
+The canonical volumes, M_pp and M_z are lecture 001's; all matrices but these frames come from
+`Projection`.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from app.model.projection import Array, FreeMatrix, Projection, StandardLens, Vector
+
+STOPS = ("world", "view", "canonical_perspective", "canonical_parallel", "ndc", "image")
+"""The strip's stops in order; a position is an index into them, or between two."""
+WORLD, VIEW, CANONICAL_PERSPECTIVE, CANONICAL_PARALLEL, NDC, IMAGE = range(len(STOPS))
+
+RADIUS = 1.3
+"""Of the ball that holds what is framed at the first two stops, in display space."""
+CLOSED_AT = VIEW + 0.5
+"""Position at which the planes of the view volume have closed."""
+
+_OPEN = 1.5 * RADIUS  # a plane as far outside the middle cuts nothing
+_FARTHEST = 1e6  # an offset that stands for infinity
+_SHOWN_DEPTHS = 2.5  # a frustum is framed to this many times the depth of the scene
+_FLAT = 0.1  # depth of the picture to that of NDC: seen from the front it does not show
+_CUBE_BOX = np.array([[1.0, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, -1], [0, 0, 0, 1]])
+"""The canonical parallel volume from the box with z = 1 at near and 0 at far."""
+
+
+@dataclass(frozen=True)
+class Morph:
+    """What the strip shows of one projection and one scene.
+
+    Parameters
+    ----------
+    projection : Projection
+    origin : Vector
+        World point that the scene's geometry is relative to; it meets the eye in float64.
+    corners_world : (n, 3) array
+        Corners of a box round what is drawn.
+
+    Notes
+    -----
+    The *box* has x and y from -1 to 1 and z from 1 at near to 0 at far, the reversed depth range:
+    there 1/w of the far face is near/far itself and survives float32.
+    """
+
+    projection: Projection
+    origin: Vector
+    corners_world: Array
+
+    @property
+    def _lens(self) -> StandardLens:
+        return self.projection.standard_lens
+
+    # -- the pipeline's own
+
+    def stage_from_local(self, stop: int) -> Array:
+        """The pipeline's matrix up to a stop, for points relative to `origin`, (4, 4).
+
+        `clip_from_world_at` at the NDC stop and times the viewport at the image: homogeneous
+        coordinates, whose divide is still to come.
+        """
+        if stop == WORLD:
+            return np.eye(4)
+        if stop >= NDC:
+            clip_from_local = self.projection.clip_from_world_at(self.origin)
+            return clip_from_local if stop == NDC else self._image_from_clip @ clip_from_local
+        matrix: Array = self._view_from_local
+        if stop >= CANONICAL_PERSPECTIVE:
+            matrix = self._canonical_from_view @ matrix
+        if stop == CANONICAL_PARALLEL:
+            matrix = self._m_pp @ matrix
+        return matrix
+
+    @cached_property
+    def _view_from_local(self) -> Array:
+        matrix: Array = self.projection.view_rotation @ self._shift(
+            np.asarray(self.origin) - self.projection.camera.eye
+        )
+        return matrix
+
+    @cached_property
+    def _canonical(self) -> tuple[Array, Array]:
+        """From view to the canonical volume of the lens' kind, and M_pp."""
+        first, m_pp = self.projection.stages[2:4]
+        return first.matrix, m_pp.matrix
+
+    @property
+    def _canonical_from_view(self) -> Array:
+        return self._canonical[0]
+
+    @property
+    def _m_pp(self) -> Array:
+        return self._canonical[1]
+
+    @property
+    def _image_from_clip(self) -> Array:
+        return self.projection.image_from_ndc
+
+    @cached_property
+    def _ratio(self) -> float:
+        """z of the near plane in the canonical pyramid, mirrored: near/far, 1 for far = inf."""
+        near, far = self._lens.near, self._lens.far
+        return 1.0 if far == math.inf else near / far
+
+    # -- frames
+
+    @staticmethod
+    def _shift(offset: Array) -> Array:
+        matrix = np.eye(4)
+        matrix[:3, 3] = offset
+        return matrix
+
+    def display_from_stage(self, stop: int) -> Array:
+        """Scale and shift of a stop into the pane, (4, 4); with z mirrored where it is NDC's."""
+        if stop <= VIEW:
+            middle, scale = self._ball
+            if stop == VIEW:
+                middle = self._view_from_local[:3] @ [*middle, 1.0]
+            return _scaled(scale) @ self._shift(-middle)
+        if stop == CANONICAL_PERSPECTIVE:
+            return self._shift(np.array([0.0, 0.0, 0.5])) @ _scaled(1.0 / self._reach)
+        if stop == CANONICAL_PARALLEL:
+            return self._shift(np.array([0.0, 0.0, 0.5]))
+        z_near, z_far = self.projection.depth_range
+        if stop == NDC:
+            mirror = 1.0 if z_near > z_far else -1.0
+            matrix = np.diag([1.0, 1.0, mirror, 1.0])
+            matrix[2, 3] = -mirror * (z_near + z_far) / 2.0
+            return matrix
+        width, height = self.projection.image_size
+        scale = 2.0 / max(width, height)
+        # The viewport has depth 0 at near, 1 at far, or the other way round.
+        flat = _FLAT if z_near > z_far else -_FLAT
+        matrix = np.diag([scale, -scale, flat, 1.0])
+        matrix[:3, 3] = -scale * width / 2.0, scale * height / 2.0, -flat / 2.0
+        return matrix
+
+    @cached_property
+    def _reach(self) -> float:
+        """How deep the canonical pyramid is shown: its own 1, or as deep as an infinite scene."""
+        if self._lens.far != math.inf:
+            return 1.0
+        depth = -float((self._local_corners @ self._view_from_local[2, :3]).min())
+        depth -= float(self._view_from_local[2, 3])
+        return max(2.0, depth / self._lens.near)
+
+    @property
+    def _local_corners(self) -> Array:
+        corners: Array = self.corners_world - np.asarray(self.origin)
+        return corners
+
+    @cached_property
+    def _ball(self) -> tuple[Array, float]:
+        """Middle, relative to `origin`, of what is framed at first, and its display scale."""
+        lens = self._lens
+        scene = self._local_corners
+        eye = np.asarray(self.projection.camera.eye) - self.origin
+        depth = max(float(np.abs(part - eye).max()) for part in scene)
+        last = self._box_to_view(0.0)
+        if lens.parallel:
+            first = self._box_to_view(1.0)
+            along = last - first
+        else:
+            # The far corners, or the near ones of an infinite frustum, are rays times a length.
+            first = last * self._ratio
+            along = last * ((lens.far - lens.near) / lens.far if lens.far < math.inf else math.inf)
+            along[np.isnan(along)] = 0.0  # 0 times infinity, on an axis
+        seen = []
+        for corner, edge in zip(first, along, strict=True):
+            limit = _SHOWN_DEPTHS * max(depth, float(np.abs(corner).max()))
+            length = float(np.abs(edge).max())
+            if length == math.inf:
+                part = corner / np.abs(corner).max() * limit
+            else:
+                part = edge * min(1.0, limit / length)
+            seen += [corner, corner + part]
+        frustum = np.array(seen) @ self.projection.camera.frame + eye
+        return _ball_of(np.vstack([scene, frustum, [eye]]))
+
+    def _box_to_view(self, z: float) -> Array:
+        """View coordinates of the box's corners at 1 or 0; the rays of the latter if infinite."""
+        corners = np.array([(x, y) for y in (-1.0, 1.0) for x in (-1.0, 1.0)])
+        depth = z - 1.0 if self._lens.parallel else -1.0
+        stage = np.column_stack([corners, np.full(4, depth), np.ones(4)])
+        view: Array = (stage @ self._view_from_canonical.T)[:, :3]
+        return view
+
+    @cached_property
+    def _view_from_canonical(self) -> Array:
+        """The inverse of the (triangular) first canonical stage."""
+        (a, _, c, x), (_, b, d, y), (_, _, e, z), _ = self._canonical_from_view
+        inverse = np.diag([1.0 / a, 1.0 / b, 1.0 / e, 1.0])
+        inverse[:2, 2] = -c / e / a, -d / e / b
+        inverse[:3, 3] = (c * z / e - x) / a, (d * z / e - y) / b, -z / e
+        return inverse
+
+    @cached_property
+    def _middle_depth(self) -> float:
+        """Distance of what is seen: of the scene's middle, but inside the view volume."""
+        lens = self._lens
+        middle = self._local_corners.min(axis=0) / 2.0 + self._local_corners.max(axis=0) / 2.0
+        depth = -float(self._view_from_local[2] @ [*middle, 1.0])
+        return min(max(depth, lens.near), lens.far)
+
+    # -- the scene at a position
+
+    def display_from_local(self, position: float) -> Array:
+        """The scene's matrix at a position of the strip, (4, 4), for points from `origin`.
+
+        Parameters
+        ----------
+        position : float
+            0 to 5; whole at the `STOPS`.
+
+        Returns
+        -------
+        (4, 4) array
+            Homogeneous: a common factor has no meaning.
+        """
+        stop, part = _between(position)
+        if part == 0.0:
+            return self._display_stop(stop)
+        if stop == WORLD:
+            middle, _ = self._ball
+            turned: Array = self._turned(part) @ self._shift(-middle)
+            return turned
+        return (1.0 - part) * self._even(stop) + part * self._even(stop + 1)
+
+    def _display_stop(self, stop: int) -> Array:
+        matrix: Array = self.display_from_stage(stop) @ self.stage_from_local(stop)
+        return matrix
+
+    def _even(self, stop: int) -> Array:
+        """A stop's matrix with w = 1 at the middle of what is seen."""
+        if stop not in self._evens:
+            self._evens[stop] = self._display_stop(stop) * self._evening(stop)
+        return self._evens[stop]
+
+    @cached_property
+    def _evens(self) -> dict[int, Array]:
+        return {}
+
+    def _evening(self, stop: int) -> float:
+        if self._lens.parallel or stop <= CANONICAL_PERSPECTIVE:
+            return 1.0
+        if stop >= NDC:
+            return 1.0 / self._middle_depth
+        near, far = self._lens.near, self._lens.far
+        return (near if far == math.inf else far) / self._middle_depth
+
+    def _turned(self, part: float) -> Array:
+        """The part of the way from the world's axes to the camera's, times the display scale."""
+        matrix = np.eye(4)
+        matrix[:3, :3] = rotation_between(self.projection.camera.frame, part)
+        return _scaled(self._ball[1]) @ matrix
+
+    # -- the view volume at a position
+
+    def display_from_box(self, position: float) -> Array:
+        """The view volume's matrix at a position, (4, 4), from the box."""
+        stop, part = _between(position)
+        if stop == WORLD:
+            frame = np.eye(4)
+            frame[:3, :3] = self.projection.camera.frame
+            from_view = self._turned(part) @ frame.T
+            middle = self._view_from_local[:3] @ [*self._ball[0], 1.0]
+            matrix: Array = from_view @ self._shift(-middle) @ self._view_from_box
+            return matrix
+        if part == 0.0:
+            return self._box_stop(stop)
+        return (1.0 - part) * self._box_at(stop) + part * self._box_at(stop + 1)
+
+    def _box_at(self, stop: int) -> Array:
+        if stop not in self._boxes:
+            self._boxes[stop] = self._box_stop(stop)
+        return self._boxes[stop]
+
+    @cached_property
+    def _boxes(self) -> dict[int, Array]:
+        return {}
+
+    @cached_property
+    def _pyramid_from_box(self) -> Array:
+        """``near/far M_pp^-1`` from the box, without the difference of 1 and near/far."""
+        lens = self._lens
+        if lens.parallel:
+            return _CUBE_BOX
+        matrix = np.diag([self._ratio, self._ratio, 0.0, 0.0])
+        if lens.far == math.inf:
+            matrix[2:, 2:] = (0.0, -1.0), (1.0, 0.0)
+        else:
+            matrix[2:, 2:] = (0.0, -self._ratio), ((lens.far - lens.near) / lens.far, self._ratio)
+        return matrix
+
+    @cached_property
+    def _view_from_box(self) -> Array:
+        matrix: Array = self._view_from_canonical @ self._pyramid_from_box
+        return matrix
+
+    def _box_stop(self, stop: int) -> Array:
+        """With the same factor at every stop, that of `_even`."""
+        if stop == VIEW:
+            matrix: Array = self.display_from_stage(VIEW) @ self._view_from_box
+            return matrix
+        if stop == CANONICAL_PERSPECTIVE:
+            framed: Array = self.display_from_stage(stop) @ self._pyramid_from_box
+            return framed
+        across, up, half = 1.0, 1.0, 0.5
+        if stop == NDC:
+            z_near, z_far = self.projection.depth_range
+            half = abs(z_far - z_near) / 2.0
+        elif stop == IMAGE:
+            width, height = self.projection.image_size
+            across, up, half = width / max(width, height), height / max(width, height), _FLAT / 2.0
+        box = np.diag([across, up, 2.0 * half, 1.0])
+        box[2, 3] = -half
+        lens = self._lens
+        return box if lens.parallel else box * (lens.near / self._middle_depth)
+
+    def planes_display(self, position: float) -> Array:
+        """The six planes behind which nothing of the scene is drawn, in display space, (6, 4).
+
+        Left, right, bottom, top, far, near: unit normals inwards, and offsets: inside,
+        ``normal . point + offset >= 0``. All open up to the view stop, closed from `CLOSED_AT` on.
+        """
+        box_planes = np.array(
+            [[1, 0, 0, 1], [-1, 0, 0, 1], [0, 1, 0, 1], [0, -1, 0, 1], [0, 0, 1, 0], [0, 0, -1, 1]],
+            dtype=np.float64,
+        )
+        if position <= VIEW:
+            opened = box_planes.copy()
+            opened[4:] = (0.0, 0.0, 1.0, 0.0), (0.0, 0.0, -1.0, 0.0)
+            opened[:, 3] = _FARTHEST
+            return opened
+        box = self.display_from_box(position)
+        planes = box_planes @ self._inverse(box / np.abs(box).max())  # or |det| underflows
+        open_part = max(0.0, (CLOSED_AT - position) / (CLOSED_AT - VIEW))
+        for i, plane in enumerate(planes):
+            plane /= np.abs(plane).max()
+            length = math.hypot(*plane[:3])
+            if length * _FARTHEST <= abs(plane[3]):  # at infinity
+                plane[:3] = (0.0, 0.0, 1.0 if i == 4 else -1.0) if i >= 4 else box_planes[i, :3]
+                plane[3] = math.copysign(_FARTHEST, plane[3])
+            else:
+                plane /= length
+            opened_to = max(_OPEN, float(plane[3]))
+            plane[3] += open_part * (opened_to - plane[3])
+        return planes
+
+    def _inverse(self, box: Array) -> Array:
+        return _positive_inverse(box)
+
+    def has_volume(self, position: float) -> bool:
+        """Whether there is a view volume to show at a position, and to cut the scene by."""
+        return True
+
+
+class FreeMorph(Morph):
+    """What the strip shows of a free matrix: it has no canonical volumes.
+
+    From the view stop to NDC it is one step over all three. Without a view volume, where the
+    matrix has no inverse or its volume reaches infinity or is all behind, nothing could be cut on
+    that way: there the strip jumps from the one to the other in its middle.
+    """
+
+    def stage_from_local(self, stop: int) -> Array:
+        return super().stage_from_local(VIEW if VIEW < stop < NDC else stop)
+
+    @cached_property
+    def _view_from_local(self) -> Array:
+        view_from_eye = np.array(self.projection.exact_from_eye[0], dtype=np.float64)
+        shift = self._shift(np.asarray(self.origin) - self.projection.camera.eye)
+        matrix: Array = view_from_eye @ shift
+        return matrix
+
+    @property
+    def _is_rigid(self) -> bool:
+        """Whether the view matrix is the camera's, which the world turns into as a whole."""
+        lens = self.projection.lens
+        return isinstance(lens, FreeMatrix) and lens.view_from_world is None
+
+    @cached_property
+    def _local_from_box(self) -> Array | None:
+        if self.projection.frustum_sign <= 0:
+            return None
+        return self.projection.with_depth("reversed").world_from_clip_at(self.origin)
+
+    @cached_property
+    def _framed(self) -> Array:
+        """What is framed at the first two stops: the scene, the eye, and of the volume as much."""
+        scene = self._local_corners
+        eye = np.asarray(self.projection.camera.eye) - self.origin
+        points = np.vstack([scene, [eye]])
+        if self._local_from_box is None:
+            return points
+        size = _SHOWN_DEPTHS * max(float(np.abs(part - eye).max()) for part in scene)
+        cube = np.array([(x, y, z, 1.0) for z in (0, 1) for y in (-1, 1) for x in (-1, 1)])
+        corners = cube @ self._local_from_box.T
+        away = corners[:, :3] / corners[:, 3:] - eye
+        away *= np.minimum(1.0, size / np.maximum(np.abs(away).max(axis=1, keepdims=True), 1e-300))
+        return np.vstack([points, eye + away])
+
+    @cached_property
+    def _ball(self) -> tuple[Array, float]:
+        return _ball_of(self._framed)
+
+    def display_from_stage(self, stop: int) -> Array:
+        if stop != VIEW or self._is_rigid:
+            return super().display_from_stage(stop)
+        framed = np.column_stack([self._framed, np.ones(len(self._framed))])
+        seen = framed @ self._view_from_local.T
+        seen = seen[seen[:, 3] > 0.0]
+        middle, scale = _ball_of(seen[:, :3] / seen[:, 3:]) if len(seen) else (np.zeros(3), 1.0)
+        matrix: Array = _scaled(scale) @ self._shift(-middle)
+        return matrix
+
+    def _evening(self, stop: int) -> float:
+        stage = self.stage_from_local(stop if stop < NDC else NDC)
+        middle = self._local_corners.min(axis=0) / 2.0 + self._local_corners.max(axis=0) / 2.0
+        w = float(stage[3] @ [*middle, 1.0])
+        return 1.0 / w if w > 0.0 else 1.0
+
+    def display_from_local(self, position: float) -> Array:
+        position = self._jumped(position)
+        if position == WORLD or position >= NDC or (position < VIEW and self._is_rigid):
+            return super().display_from_local(position)
+        if position < VIEW:
+            return (1.0 - position) * self._even(WORLD) + position * self._even(VIEW)
+        part = (position - VIEW) / (NDC - VIEW)
+        between: Array = (1.0 - part) * self._even(VIEW) + part * self._even(NDC)
+        return between
+
+    def display_from_box(self, position: float) -> Array:
+        position = self._jumped(position)
+        if position < NDC:
+            assert self._local_from_box is not None
+            matrix: Array = self.display_from_local(position) @ self._local_from_box
+            return matrix
+        part = position - NDC
+        cube = self.display_from_stage(NDC) @ self._clip_from_box
+        picture = self.display_from_stage(IMAGE) @ self._image_from_clip @ self._clip_from_box
+        shown: Array = (1.0 - part) * cube + part * picture
+        return shown
+
+    @property
+    def _clip_from_box(self) -> Array:
+        z_near, z_far = self.projection.depth_range
+        matrix = np.diag([1.0, 1.0, z_near - z_far, 1.0])
+        matrix[2, 3] = z_far
+        return matrix
+
+    def planes_display(self, position: float) -> Array:
+        return super().planes_display(self._jumped(position))
+
+    def has_volume(self, position: float) -> bool:
+        return self._local_from_box is not None or self._jumped(position) >= NDC
+
+    def _jumped(self, position: float) -> float:
+        if self._local_from_box is None and VIEW < position < NDC:
+            return float(VIEW if position < (VIEW + NDC) / 2.0 else NDC)
+        return position
+
+    def _inverse(self, box: Array) -> Array:
+        # A mirror image is flat for a moment on its way, and has no inverse then.
+        flat = abs(float(np.linalg.det(box))) < 1e-290
+        return np.asarray(np.linalg.inv(box + 1e-9 * np.eye(4) if flat else box), np.float64)
+
+
+def _ball_of(points: Array) -> tuple[Array, float]:
+    """Middle of points, and the scale at which they fill the ball that is framed."""
+    low, high = points.min(axis=0), points.max(axis=0)
+    middle = low / 2.0 + high / 2.0
+    radius = max(math.hypot(*point) for point in points - middle)
+    return middle, RADIUS / radius
+
+
+def rotation_between(frame: Array, part: float) -> Array:
+    """Part of the rotation whose rows are an orthonormal right-handed frame, (3, 3).
+
+    About its one axis, by `part` of its angle, which is at most 180 degrees (Shoemake 1985,
+    spherical linear interpolation from the identity).
+    """
+    if part == 1.0:
+        return frame
+    # Shepperd 1978: the largest of the four squares, so that nothing cancels.
+    diagonal = np.diag(frame)
+    squares = np.array([frame.trace(), *diagonal])
+    largest = int(squares.argmax())
+    skew = np.array(
+        [frame[2, 1] - frame[1, 2], frame[0, 2] - frame[2, 0], frame[1, 0] - frame[0, 1]]
+    )
+    if largest == 0:
+        quaternion = np.array([1.0 + squares[0], *skew])
+    else:
+        i = largest - 1
+        quaternion = np.array([skew[i], *(frame[i] + frame[:, i])])
+        quaternion[largest] = 1.0 + 2.0 * diagonal[i] - squares[0]
+    if quaternion[0] < 0.0:
+        quaternion = -quaternion
+    length = math.hypot(*quaternion[1:])
+    if length == 0.0:
+        return np.eye(3)
+    angle = part * 2.0 * math.atan2(length, quaternion[0])
+    x, y, z = quaternion[1:] / length
+    cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
+    rotation: Array = (
+        np.eye(3) + math.sin(angle) * cross + 2.0 * math.sin(angle / 2.0) ** 2 * (cross @ cross)
+    )
+    return rotation
+
+
+def _positive_inverse(matrix: Array) -> Array:
+    """The inverse of ``[[a, 0, p, q], [0, b, s, u], [0, 0, 2x2]]`` times the 2x2's |det|.
+
+    A factor above 0 changes no plane, and near/far can be too small to divide by.
+    """
+    (a, _, p, q), (_, b, s, u), (_, _, zz, zw), (_, _, wz, ww) = matrix
+    det = zz * ww - zw * wz
+    sign = math.copysign(1.0, det)
+    depth, w = sign * np.array([0, 0, ww, -zw]), sign * np.array([0, 0, -wz, zz])
+    x = (np.array([abs(det), 0, 0, 0]) - p * depth - q * w) / a
+    y = (np.array([0, abs(det), 0, 0]) - s * depth - u * w) / b
+    return np.array([x, y, depth, w])
+
+
+def _between(position: float) -> tuple[int, float]:
+    """The stop at or before a position, and the part of the way to the next one."""
+    stop = min(int(position), IMAGE)
+    return stop, position - stop
+
+
+def _scaled(factor: float) -> Array:
+    return np.diag([factor, factor, factor, 1.0])

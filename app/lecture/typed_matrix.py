@@ -1,0 +1,528 @@
+"""Matrices as somebody types them: which are a lens or a camera after all, and what the others do.
+
+A typed matrix is recognised where a lens, or a camera, has it: up to a positive factor of the
+lens, which no picture shows, and up to what rounding the lens' own fields to float64 costs
+(`_ROUNDING`). Of fields that fit, those in hand are taken, then short decimals: who types the
+matrix of ``near = 1`` gets 1, not 0.9999999999999999. What is decided about a matrix without
+an answer (its rank, the sign of its determinant, where w vanishes) is decided in rationals.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
+from fractions import Fraction
+from functools import partial
+from itertools import chain
+from typing import Any, NamedTuple, TypeAlias
+
+from app.arithmetic.double_double import cotangent_deg
+from app.arithmetic.rationals import Rationals, eliminate, rationals
+from app.model.projection import (
+    LENSES,
+    OBLIQUE_PRESETS,
+    ONE_OF,
+    Camera,
+    Cells,
+    FreeMatrix,
+    Frustum,
+    Oblique,
+    Orthographic,
+    Perspective,
+    Projection,
+    ProjectionError,
+    StandardLens,
+    Vector,
+    finite_matrix,
+    format_value,
+)
+
+EDITABLE = ("view_from_world", "clip_from_view")
+"""The matrices whose cells can be typed."""
+
+_ROUNDING = 2.0**-49
+"""What a cell may differ, of the largest number that it is a sum of: 8 roundings."""
+_OF_ITSELF = 2.0**-20
+"""What a cell may differ of itself, though it be tiny: 1e-20 typed is not taken for 0."""
+_RIGID = 2.0**-46
+"""What rows of a rotation may lack to length 1 and right angles.
+
+Each cell rounded once leaves 2^-52; 64 times that is what another program's arithmetic in float64
+leaves, and far less than six typed digits do: a matrix that shears by 1e-7 is no rotation.
+"""
+_UNIT = Fraction(1, 2**52)
+_DIGITS = 17
+_MEANT = 12
+"""Digits of a decimal that is taken though a cell is a rounding off: chance hits one in 500."""
+
+Exact: TypeAlias = tuple[Fraction, ...]
+
+
+# --------------------------------------------------------------------------- editing
+
+
+def shown(projection: Projection, name: str) -> Cells:
+    """One of the `EDITABLE` matrices, every cell rounded once: what an edit begins with.
+
+    Raises
+    ------
+    ProjectionError
+        For another name.
+    """
+    stages = {
+        "view_from_world": projection.stages[1],
+        "clip_from_view": projection.direct_stages[0],
+    }
+    if name not in stages:
+        raise ProjectionError("matrix", name, ONE_OF, ", ".join(EDITABLE))
+    return finite_matrix(name, (stages[name].matrix + 0.0).tolist())
+
+
+def with_cell(projection: Projection, name: str, row: int, column: int, value: float) -> Projection:
+    """The projection with another number in one cell; see `with_matrix`."""
+    cells: list[Any] = [list(line) for line in shown(projection, name)]
+    if cells[row][column] == value:
+        return projection
+    cells[row][column] = value
+    return with_matrix(projection, name, cells)
+
+
+def with_matrix(projection: Projection, name: str, matrix: Sequence[Sequence[float]]) -> Projection:
+    """The projection with another matrix: that of a lens or a camera, where there is one.
+
+    Parameters
+    ----------
+    projection : Projection
+    name : {"view_from_world", "clip_from_view"}
+    matrix : (4, 4) sequence of floats
+
+    Returns
+    -------
+    Projection
+        Of the lens in hand, or that a free matrix was made of, where its kind has the matrix; else
+        of the simplest that has it, else with a `FreeMatrix`. And the same for the camera.
+
+    Raises
+    ------
+    ProjectionError
+        For a cell that is not finite or beyond `LARGEST`, or another name.
+    """
+    cells = finite_matrix(name, matrix)
+    if cells == shown(projection, name):
+        return projection
+    lens, camera = projection.lens, projection.camera
+    former = lens.former if isinstance(lens, FreeMatrix) else lens
+    clip_from_view = shown(projection, "clip_from_view")
+    view_from_world = lens.view_from_world if isinstance(lens, FreeMatrix) else None
+    if name == "view_from_world":
+        found = recognised_camera(cells, camera)
+        camera, view_from_world = (camera, cells) if found is None else (found, None)
+    else:
+        clip_from_view = cells
+    if view_from_world is None:
+        if lens is former and name == "view_from_world":
+            return replace(projection, camera=camera)
+        moved = replace(projection, camera=camera, lens=former)
+        standard = recognised_lens(clip_from_view, moved)
+        if standard is not None:
+            return replace(moved, lens=standard)
+    return replace(
+        projection, camera=camera, lens=FreeMatrix(clip_from_view, view_from_world, former)
+    )
+
+
+# --------------------------------------------------------------------------- recognition: lenses
+
+
+def recognised_lens(cells: Cells, projection: Projection) -> StandardLens | None:
+    """The lens whose ``clip_from_view`` this is, if there is one.
+
+    Parameters
+    ----------
+    cells : (4, 4) tuple of floats
+        Up to a positive factor. A negative one turns w round: all is behind the eye.
+    projection : Projection
+        Its image, its depth range, and with its lens the kind that comes before the simplest and
+        the fields that are taken where they fit.
+    """
+    exact = rationals(cells)
+    last = exact[3]
+    if last[:2] != [0, 0] or exact[0][1] or exact[1][0] or exact[2][0] or exact[2][1]:
+        return None
+    if last[2] < 0 and last[3] == 0:
+        exact = [[part / -last[2] for part in row] for row in exact]
+        kinds = [Perspective.kind, Frustum.kind]
+    elif last[2] == 0 and last[3] > 0:
+        exact = [[part / last[3] for part in row] for row in exact]
+        kinds = [Orthographic.kind, Oblique.kind]
+    else:
+        return None
+    kinds.sort(key=lambda kind: kind != projection.standard_lens.kind)
+    for kind in kinds:
+        for lens in _candidates(kind, exact, projection):
+            if _has(lens, exact, projection):
+                return lens
+    return None
+
+
+def _candidates(kind: str, exact: Rationals, projection: Projection) -> Iterator[StandardLens]:
+    """Lenses of a kind that may have the matrix, those with the fields in hand first."""
+    in_hand = projection.standard_lens
+    try:
+        near, far = _planes(exact, projection, parallel=kind in ("orthographic", "oblique"))
+        if kind == Perspective.kind:
+            fields = [(in_hand.fov_y_deg,)] if isinstance(in_hand, Perspective) else []
+            for (fov_y_deg,) in (*fields, (_fov_y_deg(exact[1][1]),)):
+                yield Perspective(fov_y_deg, near, far)
+            return
+        angles: tuple[float, ...] = ()
+        shift = [row[2] for row in exact[:2]]
+        unit = Fraction(near)
+        if kind != Frustum.kind:
+            cots = [row[2] / row[0 if i == 0 else 1] for i, row in enumerate(exact[:2])]
+            if kind == Oblique.kind:
+                angles = tuple(map(_angle_deg, cots))
+                if isinstance(in_hand, Oblique):
+                    was = in_hand.alpha_deg, in_hand.beta_deg
+                    angles = tuple(
+                        a if _same(cotangent_deg(Fraction(a)), cot, Fraction(1)) else b
+                        for a, b, cot in zip(was, angles, cots, strict=True)
+                    )
+                cots = [cotangent_deg(Fraction(angle)) for angle in angles]
+            shift = [
+                row[i] * cot * Fraction(near) - row[3]
+                for i, (row, cot) in enumerate(zip(exact[:2], cots, strict=True))
+            ]
+            unit = Fraction(1)
+        scales = exact[0][0], exact[1][1]
+        lens: Any = LENSES[kind]
+        leaning: Any = dict(zip(("alpha_deg", "beta_deg"), angles, strict=False))
+        if in_hand.kind == kind and not isinstance(in_hand, Perspective):
+            yield replace(in_hand, near=near, far=far, **leaning)
+        sides = [
+            *_ends(scales[0], shift[0], unit),
+            *_ends(scales[1], shift[1], unit),
+        ]
+        yield lens(*sides, near, far, **leaning)
+    except (ProjectionError, ZeroDivisionError, OverflowError):
+        return
+
+
+def _planes(exact: Rationals, projection: Projection, *, parallel: bool) -> tuple[float, float]:
+    """Near and far whose row makes z: those in hand if they do, else solved for."""
+    (a, b), (z_near, z_far) = exact[2][2:], map(Fraction, projection.depth_range)
+
+    def row(near: float, far: float) -> tuple[float, ...]:
+        n = Fraction(near)
+        if far == math.inf:
+            return float(-z_far), float((z_near - z_far) * n)
+        f = Fraction(far)
+        if parallel:
+            return float((z_near - z_far) / (f - n)), float((z_near * f - z_far * n) / (f - n))
+        return float(-(z_far * f - z_near * n) / (f - n)), float((z_near - z_far) * n * f / (f - n))
+
+    wanted = float(a), float(b)
+    in_hand = projection.standard_lens
+    with_parallel_far = parallel and in_hand.far == math.inf
+    if not with_parallel_far and row(in_hand.near, in_hand.far) == wanted:
+        return in_hand.near, in_hand.far
+    if parallel:
+        solved = (b - z_near) / a, (b - z_far) / a
+    elif a + z_far == 0:
+        of_near = partial(row, far=math.inf)
+        return _shortest(of_near, (b / (a + z_near),), wanted, (1.0, 0.0))[0], math.inf
+    else:
+        solved = b / (a + z_near), b / (a + z_far)
+    near, far = _shortest(row, solved, wanted, (1.0, 0.0 if not parallel else 1.0))
+    return near, far
+
+
+def _fov_y_deg(cot: Fraction) -> float:
+    """The field of view whose half has this cotangent."""
+    if cot <= 0:
+        raise ZeroDivisionError
+
+    def cell(fov_y_deg: float) -> tuple[float, ...]:
+        return (float(cotangent_deg(Fraction(fov_y_deg) / 2)),)
+
+    solved = math.degrees(2.0 * math.atan2(1.0, float(cot)))
+    return _shortest(cell, (Fraction(solved),), (float(cot),), (0.0,))[0]
+
+
+def _angle_deg(cot: Fraction) -> float:
+    """The angle between 0 and 180 degrees that has this cotangent."""
+
+    def cell(angle_deg: float) -> tuple[float, ...]:
+        return (float(cotangent_deg(Fraction(angle_deg))),)
+
+    solved = math.degrees(math.atan2(1.0, float(cot)))
+    for preset_deg in chain.from_iterable(OBLIQUE_PRESETS.values()):
+        if abs(preset_deg - solved) <= 2.0 * math.ulp(solved):
+            return preset_deg
+    return _shortest(cell, (Fraction(solved),), (float(cot),), (1.0,))[0]
+
+
+def _ends(scale: Fraction, skew: Fraction, unit: Fraction) -> tuple[float, float]:
+    """Low and high end of a window.
+
+    From ``2 unit/(high - low)`` and ``(high + low)/(high - low)``.
+    """
+
+    def cells(low: float, high: float) -> tuple[float, ...]:
+        extent = Fraction(high) - Fraction(low)
+        return float(2 * unit / extent), float((Fraction(high) + Fraction(low)) / extent)
+
+    solved = (skew - 1) * unit / scale, (skew + 1) * unit / scale
+    low, high = _shortest(cells, solved, (float(scale), float(skew)), (0.0, 1.0))
+    return low, high
+
+
+def _shortest(
+    cells: Callable[..., tuple[float, ...]],
+    solved: Exact,
+    wanted: tuple[float, ...],
+    sizes: tuple[float, ...],
+) -> tuple[float, ...]:
+    """The decimals of the fewest digits that have these cells; the solution itself if none do.
+
+    Parameters
+    ----------
+    cells : callable
+        The cells, rounded, from the fields.
+    solved : tuple of Fraction
+        The fields.
+    wanted : tuple of float
+        The cells as typed.
+    sizes : tuple of float
+        Of the least number that each cell is a sum of.
+    """
+    floats = tuple(map(float, solved))
+    for digits in range(1, _DIGITS):
+        rounded = tuple(float(f"{number:.{digits - 1}e}") for number in floats)
+        try:
+            near_enough = [
+                abs(a - b) <= _ROUNDING / 2.0 * max(size, abs(b)) if digits <= _MEANT else a == b
+                for a, b, size in zip(cells(*rounded), wanted, sizes, strict=True)
+            ]
+            if all(near_enough):
+                return rounded
+        except (ZeroDivisionError, ValueError, OverflowError):  # two that so few digits make one
+            continue
+    return floats
+
+
+def _same(a: Fraction, b: Fraction, size: Fraction) -> bool:
+    """Whether two numbers differ by rounding only, of numbers of this size."""
+    apart = abs(a - b)
+    return apart <= Fraction(_ROUNDING) * size and apart <= Fraction(_OF_ITSELF) * abs(b)
+
+
+def _has(lens: StandardLens, exact: Rationals, projection: Projection) -> bool:
+    """Whether a lens has the matrix, cell by cell, but for the rounding of its fields."""
+    try:
+        own = replace(projection, lens=lens).direct_stages[0].exact
+    except ProjectionError:  # a window that its image makes nothing of
+        return False
+    near = abs(Fraction(lens.near))
+    for i, (mine, typed) in enumerate(zip(own, exact, strict=True)):
+        for j, (a, b) in enumerate(zip(mine, typed, strict=True)):
+            size = abs(b)
+            if i == 2:
+                size = max(size, Fraction(1)) if lens.parallel or j == 2 else size
+            elif i < 2 and j == 2:
+                size = max(size, abs(typed[i]) if lens.parallel else Fraction(1))
+            elif i < 2 and j == 3 and lens.parallel:
+                size = max(size, Fraction(1), abs(typed[2] * near))
+            if not _same(a, b, size):
+                return False
+    return True
+
+
+# --------------------------------------------------------------------------- recognition: cameras
+
+
+def recognised_camera(cells: Cells, in_hand: Camera) -> Camera | None:
+    """The camera whose ``view_from_world`` this is, if there is one.
+
+    Parameters
+    ----------
+    cells : (4, 4) tuple of floats
+    in_hand : Camera
+        Its distance to the target stays, and its up where that gives the same frame.
+    """
+    exact = rationals(cells)
+    if exact[3] != [0, 0, 0, 1]:
+        return None
+    rows, shift = [row[:3] for row in exact[:3]], [row[3] for row in exact[:3]]
+    for i, one in enumerate(rows):
+        for j, other in enumerate(rows[: i + 1]):
+            if abs(_dot(one, other) - (i == j)) > Fraction(_RIGID):
+                return None
+    if _determinant(rows) < 0:
+        return None
+    solved = [-_dot(column, shift) for column in zip(*rows, strict=True)]
+    # Rows and shift rounded once are off by 3 2^-53 of the shift, an eye by as much.
+    room = 2 * _UNIT * max(map(abs, shift))
+    eye = _near(solved, in_hand.eye, room)
+    distance = Fraction(in_hand.distance)
+    ahead = [Fraction(e) - distance * n for e, n in zip(eye, rows[2], strict=True)]
+    room += 2 * _UNIT * distance
+    target = _near(ahead, in_hand.target, room)
+    typed_up = tuple(map(float, rows[1]))
+    for up in (in_hand.up, typed_up):
+        try:
+            camera = Camera(eye, target, up)  # type: ignore[arg-type]
+        except ProjectionError:
+            continue
+        turned = max(
+            abs(a - b)
+            for axis, row in zip(camera.exact_frame, rows, strict=True)
+            for a, b in zip(axis, row, strict=True)
+        )
+        if turned <= Fraction(_RIGID) + 16 * room / distance:
+            return camera
+    return None
+
+
+def _near(solved: Sequence[Fraction], in_hand: Vector, room: Fraction) -> Vector:
+    """The numbers in hand that are within `room` of the solved ones, else the shortest decimals.
+
+    Of cells that were typed one after the other, each has been rounded with those before it: a
+    decimal of few digits is what was meant.
+    """
+    x, y, z = (
+        was if abs(Fraction(was) - number) <= 8 * room else _short(number, room)
+        for number, was in zip(solved, in_hand, strict=True)
+    )
+    return x, y, z
+
+
+def _short(number: Fraction, room: Fraction) -> float:
+    if abs(number) <= 8 * room:
+        return 0.0
+    for digits in range(1, _DIGITS):
+        rounded = float(f"{float(number):.{digits - 1}e}")
+        if abs(Fraction(rounded) - number) <= (8 if digits <= _MEANT else 1) * room:
+            return rounded
+    return float(number)
+
+
+def _dot(a: Sequence[Fraction], b: Sequence[Fraction]) -> Fraction:
+    return sum((x * y for x, y in zip(a, b, strict=True)), Fraction(0))
+
+
+def _determinant(rows: Rationals) -> Fraction:
+    return eliminate(rows).determinant
+
+
+# --------------------------------------------------------------------------- properties
+
+AFFINE = "affine: w is {0} everywhere"
+NOT_AFFINE = "not affine: w depends on {0}"
+SINGULAR = "singular (rank {0}): the frustum cannot be drawn"
+MIRRORED_VIEW = "mirrored: it turns right-handed space into left-handed (determinant {0})"
+MIRRORED_CLIP = "mirrored: as if left and right, top and bottom, or near and far were exchanged"
+NOT_RIGID = "not rigid: it changes lengths or angles, so that no camera has it"
+W_VANISHES = "w vanishes where {0} = 0: the divide sends these points to infinity"
+W_IS_NOT_POSITIVE = "w is {0} everywhere: there is no picture"
+ALL_BEHIND = "w is negative all over the view volume: there is no picture"
+THROUGH_INFINITY = "the view volume reaches infinity: the frustum cannot be drawn"
+PROPERTIES = (
+    AFFINE, NOT_AFFINE, SINGULAR, MIRRORED_VIEW, MIRRORED_CLIP, NOT_RIGID, W_VANISHES,
+    W_IS_NOT_POSITIVE, ALL_BEHIND, THROUGH_INFINITY,
+)  # fmt: skip
+"""Every sentence of a `Property`, for translators."""
+
+
+class Property(NamedTuple):
+    """One thing that is true of a matrix: a template of `PROPERTIES` and the figures in it."""
+
+    template: str
+    figures: tuple[str, ...] = ()
+
+    def __str__(self) -> str:
+        return self.template.format(*self.figures)
+
+
+def properties(projection: Projection, name: str) -> list[Property]:
+    """What is to be said of a matrix that is none of a lens or a camera.
+
+    Parameters
+    ----------
+    projection : Projection
+    name : str
+        The matrix; only the `EDITABLE` ones of a `FreeMatrix` have properties.
+
+    Returns
+    -------
+    list of Property
+        Empty for the matrix of a lens or a camera. Decided in rationals.
+    """
+    lens = projection.lens
+    if not isinstance(lens, FreeMatrix):
+        return []
+    if name == "clip_from_view":
+        return _of_clip(projection, rationals(lens.clip_from_view))
+    if name == "view_from_world" and lens.view_from_world is not None:
+        return _of_view(rationals(lens.view_from_world))
+    return []
+
+
+def _of_clip(projection: Projection, matrix: Rationals) -> list[Property]:
+    rank, determinant, _ = eliminate(matrix)
+    if rank < 4:
+        return [Property(SINGULAR, (str(rank),)), *_of_last_row(matrix[3])]
+    found = []
+    z_near, z_far = projection.depth_range
+    # Right-handed view space ends left-handed where near goes to less than far.
+    if (determinant > 0) == (z_near < z_far):
+        found.append(Property(MIRRORED_CLIP))
+    if projection.frustum_sign < 0 and any(matrix[3][:3]):
+        found.append(Property(ALL_BEHIND))
+    if projection.frustum_sign == 0 and _is_regular_view(projection):
+        found.append(Property(THROUGH_INFINITY))
+    return found + _of_last_row(matrix[3])
+
+
+def _is_regular_view(projection: Projection) -> bool:
+    """Whether the view matrix has an inverse: else it is to blame, and says so itself."""
+    return eliminate(projection.exact_from_eye[0]).rank == 4
+
+
+def _of_view(matrix: Rationals) -> list[Property]:
+    rank = eliminate(matrix).rank
+    turning = _determinant([row[:3] for row in matrix[:3]])
+    found = [Property(SINGULAR, (str(rank),))] if rank < 4 else []
+    if turning < 0:
+        found.append(Property(MIRRORED_VIEW, (f"{float(turning):.3g}",)))
+    rows = [row[:3] for row in matrix[:3]]
+    angles = [_dot(a, b) - (a is b) for i, a in enumerate(rows) for b in rows[: i + 1]]
+    if max(map(abs, angles)) > Fraction(_RIGID):
+        found.append(Property(NOT_RIGID))
+    return found + _of_last_row(matrix[3])
+
+
+def _of_last_row(last: list[Fraction]) -> list[Property]:
+    """What the row that makes w says."""
+    linear = [name for name, part in zip("xyz", last, strict=False) if part]
+    if linear:
+        return [
+            Property(NOT_AFFINE, (", ".join(linear),)),
+            Property(W_VANISHES, (linear[0] if sum(map(bool, last)) == 1 else _sum(last),)),
+        ]
+    template = AFFINE if last[3] > 0 else W_IS_NOT_POSITIVE
+    return [Property(template, (format_value(float(last[3])).replace("-", "−"),))]
+
+
+def _sum(coefficients: Sequence[Fraction]) -> str:
+    """``2 x - z + 1``."""
+    text = ""
+    for name, part in zip(("x", "y", "z", ""), coefficients, strict=True):
+        if not part:
+            continue
+        size = "" if abs(part) == 1 and name else f"{float(abs(part)):.4g}"
+        term = f"{size} {name}".strip()
+        sign = "−" if part < 0 else "+"
+        text = f"{text} {sign} {term}" if text else f"{'−' if part < 0 else ''}{term}"
+    return text

@@ -1,0 +1,1 @@
+"""The projection: formulas, lenses, camera, limits, points, clipping, depth. numpy only."""

@@ -1,0 +1,251 @@
+"""Where the camera stands: eye, target, up, its frame, and the same as an orbit.
+
+The letters u, v, n and the look-at are those of lecture 004 (Horvat).
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import NamedTuple, TypeAlias
+
+import numpy as np
+
+from app.arithmetic import double_double as dd
+from app.model.values import (
+    ABOVE,
+    AT_LEAST,
+    AT_MOST,
+    DISTINCT,
+    NOT_PARALLEL,
+    NOT_THE_EYE,
+    NOT_ZERO,
+    SMALLEST_UP_ANGLE,
+    Array,
+    ProjectionError,
+    Vector,
+    cos_sin_deg,
+    finite,
+    finite_vector,
+    read_only,
+)
+
+Whole: TypeAlias = tuple[int, int, int]
+
+
+def _whole(*vectors: Vector) -> list[Whole]:
+    """Float64 vectors as whole numbers of one common, very small unit: exact."""
+    ratios = [[part.as_integer_ratio() for part in vector] for vector in vectors]
+    unit = max(below for vector in ratios for _, below in vector)  # they are all powers of two
+    return [
+        tuple(above * (unit // below) for above, below in vector)  # type: ignore[misc]
+        for vector in ratios
+    ]
+
+
+def _dot(a: Whole, b: Whole) -> int:
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def _cross(a: Whole, b: Whole) -> Whole:
+    return (
+        a[1] * b[2] - a[2] * b[1],
+        a[2] * b[0] - a[0] * b[2],
+        a[0] * b[1] - a[1] * b[0],
+    )
+
+
+def _unit(exact: Whole) -> tuple[Fraction, ...]:
+    """The direction of an exact vector, each component to `double_double.BITS` bits."""
+    square = _dot(exact, exact)
+    unit = []
+    for part in exact:
+        shift = dd.BITS + square.bit_length() // 2 - part.bit_length() + 1
+        size = math.isqrt((part * part << 2 * shift) // square)
+        unit.append(Fraction(size if part >= 0 else -size, 1 << shift))
+    return tuple(unit)
+
+
+class Orbit(NamedTuple):
+    """The camera's place as seen from its target.
+
+    Attributes
+    ----------
+    azimuth_deg : float
+        Angle round the world's y axis; 0 puts the eye on the +z side, 90 on the +x side.
+    elevation_deg : float
+        Angle above the target's horizon, from -90 to 90.
+    distance : float
+        From target to eye, in world units.
+    roll_deg : float
+        Turn about the view direction, clockwise as the photographer sees the camera.
+    """
+
+    azimuth_deg: float
+    elevation_deg: float
+    distance: float
+    roll_deg: float = 0.0
+
+
+@dataclass(frozen=True)
+class Camera:
+    """Where the camera stands and what it looks at.
+
+    Parameters
+    ----------
+    eye, target, up : sequence of 3 floats
+        World coordinates of the centre of projection and of the point looked at, and the
+        direction that shall be vertical in the picture (any length, not parallel to the view).
+
+    Raises
+    ------
+    ProjectionError
+        For a coordinate that is not finite or larger than `LARGEST`, ``eye = target``,
+        ``up = 0``, or up within `SMALLEST_UP_ANGLE` of the view direction.
+    """
+
+    eye: Vector = (6.0, 5.0, 9.0)
+    target: Vector = (0.0, 2.2, 0.0)
+    up: Vector = (0.0, 1.0, 0.0)
+
+    def __post_init__(self) -> None:
+        for field in ("eye", "target", "up"):
+            object.__setattr__(self, field, finite_vector(field, getattr(self, field)))
+        if self.eye == self.target:
+            raise ProjectionError("target", self.target, NOT_THE_EYE)
+        if self.up == (0.0, 0.0, 0.0):
+            raise ProjectionError("up", self.up, NOT_ZERO)
+        backward, right = self._exact_axes
+        up = _whole(self.up)[0]
+        sin_squared = Fraction(_dot(right, right), _dot(backward, backward) * _dot(up, up))
+        if sin_squared < Fraction(SMALLEST_UP_ANGLE) ** 2:
+            raise ProjectionError("up", self.up, NOT_PARALLEL)
+
+    @cached_property
+    def _exact_axes(self) -> tuple[Whole, Whole]:
+        """``N = eye - target`` and ``U = up x N`` of lecture 004, without any rounding.
+
+        With up 1e-12 rad from the view direction the cross product cancels 12 of float64's 16
+        digits; in whole numbers it cancels none, and rounding once at the end is all that is lost.
+        """
+        eye, target = _whole(self.eye, self.target)
+        backward = (eye[0] - target[0], eye[1] - target[1], eye[2] - target[2])
+        return backward, _cross(_whole(self.up)[0], backward)
+
+    @cached_property
+    def frame(self) -> Array:
+        """Rows u, v, n of the camera's right-handed orthonormal frame (lecture 004), (3, 3)."""
+        return read_only([list(map(float, axis)) for axis in self.exact_frame])
+
+    @cached_property
+    def exact_frame(self) -> tuple[tuple[Fraction, ...], ...]:
+        """`frame` to `double_double.BITS` bits, rows u, v, n."""
+        backward, right = self._exact_axes
+        return tuple(map(_unit, (right, _cross(backward, right), backward)))
+
+    def exact_view(self, point_world: Vector) -> tuple[Fraction, Fraction, Fraction]:
+        """View coordinates of a point to `double_double.BITS` bits, zero where they are zero.
+
+        Parameters
+        ----------
+        point_world : Vector
+        """
+        offset = [Fraction(p) - Fraction(e) for p, e in zip(point_world, self.eye, strict=True)]
+        backward, right = self._exact_axes
+        x, y, z = (
+            sum((c * o for c, o in zip(axis, offset, strict=True)), Fraction(0)) / length
+            for axis, length in zip(
+                (right, _cross(backward, right), backward), self._exact_lengths, strict=True
+            )
+        )
+        return x, y, z
+
+    @cached_property
+    def _exact_lengths(self) -> tuple[Fraction, Fraction, Fraction]:
+        """Lengths of U, V = N x U and N, to `double_double.BITS` bits.
+
+        Where their ratio is rational it is so to the last bit: a point on a plane of the view
+        volume, where coordinates cancel, is found there.
+        """
+        backward, right = self._exact_axes
+        n_squared, u_squared = _dot(backward, backward), _dot(right, right)
+        n_length = dd.root(Fraction(n_squared))
+        product = math.isqrt(n_squared * u_squared)
+        if product * product == n_squared * u_squared:
+            return n_length * Fraction(product, n_squared), Fraction(product), n_length
+        u_length = dd.root(Fraction(u_squared))
+        return u_length, u_length * n_length, n_length
+
+    @property
+    def distance(self) -> float:
+        """Distance from the eye to the target, in world units."""
+        return math.dist(self.eye, self.target)
+
+    @classmethod
+    def from_orbit(cls, target: Vector, orbit: Orbit) -> Camera:
+        """Place the camera about a target.
+
+        Parameters
+        ----------
+        target : Vector
+            World coordinates of the point looked at.
+        orbit : Orbit
+            Angles in degrees and distance in world units.
+
+        Raises
+        ------
+        ProjectionError
+            For ``distance <= 0``, an elevation outside -90..90, numbers that are not finite, and a
+            distance so small that float64 cannot place the eye there beside the target.
+        """
+        target = finite_vector("target", target)
+        azimuth_deg, elevation_deg, distance, roll_deg = (
+            finite(field, value) for field, value in zip(Orbit._fields, orbit, strict=True)
+        )
+        if distance <= 0.0:
+            raise ProjectionError("distance", distance, ABOVE, 0)
+        if abs(elevation_deg) > 90.0:
+            bound, limit = (AT_MOST, 90) if elevation_deg > 0 else (AT_LEAST, -90)
+            raise ProjectionError("elevation_deg", elevation_deg, bound, limit)
+        right, upward, backward = _orbit_axes(azimuth_deg, elevation_deg)
+        offset = [distance * b for b in backward]
+        eye = tuple(t + o for t, o in zip(target, offset, strict=True))
+        held = [e - t for e, t in zip(eye, target, strict=True)]
+        if math.dist(held, offset) > 1e-6 * distance:
+            raise ProjectionError("distance", distance, DISTINCT, 0)
+        if roll_deg == 0.0 and abs(elevation_deg) < 89.9999:
+            up: tuple[float, ...] = (0.0, 1.0, 0.0)
+        else:
+            cos_roll, sin_roll = cos_sin_deg(roll_deg)
+            up = tuple(cos_roll * v + sin_roll * u for u, v in zip(right, upward, strict=True))
+        return cls(eye, target, up)  # type: ignore[arg-type]
+
+    @cached_property
+    def orbit(self) -> Orbit:
+        """The same camera as azimuth, elevation, distance and roll about its target."""
+        _, upward, backward = self.frame
+        horizontal = math.hypot(backward[0], backward[2])
+        elevation_deg = math.degrees(math.atan2(backward[1], horizontal))
+        if horizontal > 1e-9:
+            azimuth_deg = math.degrees(math.atan2(backward[0], backward[2]))
+        else:  # straight above or below: the picture's vertical is all that tells the azimuth
+            toward = -math.copysign(1.0, backward[1])
+            azimuth_deg = math.degrees(math.atan2(toward * upward[0], toward * upward[2]))
+        level_right, level_upward, _ = _orbit_axes(azimuth_deg, elevation_deg)
+        roll_deg = math.degrees(
+            math.atan2(float(np.dot(upward, level_right)), float(np.dot(upward, level_upward)))
+        )
+        if abs(roll_deg) < 1e-9:  # what the frame's rounding leaves of a level camera
+            roll_deg = 0.0
+        return Orbit(azimuth_deg, elevation_deg, self.distance, roll_deg)
+
+
+def _orbit_axes(azimuth_deg: float, elevation_deg: float) -> tuple[Vector, Vector, Vector]:
+    """u, v, n of a camera without roll at these angles."""
+    cos_a, sin_a = cos_sin_deg(azimuth_deg)
+    cos_e, sin_e = cos_sin_deg(elevation_deg)
+    right = (cos_a, 0.0, -sin_a)
+    upward = (-sin_e * sin_a, cos_e, -sin_e * cos_a)
+    return right, upward, (cos_e * sin_a, sin_e, cos_e * cos_a)

@@ -1,0 +1,471 @@
+"""Clipping before the divide: segments and convex polygons against the six planes, with w <= 0.
+
+A point of clip space is inside where six sums are not negative (Blinn & Newell, *Clipping Using
+Homogeneous Coordinates*, 1978)::
+
+    left  w + x    right w - x    bottom  w + y    top  w - y
+    near  s (z - z_near w)        far  s (z_far w - z)        s = sign(z_far - z_near)
+
+so that for ``opengl`` near and far are ``w + z`` and ``w - z``, for ``direct3d`` ``z`` and
+``w - z``, for ``reversed`` ``w - z`` and ``z``. A sum of two floats has the exact sign, so what is
+in and what is out is never a matter of rounding. Nothing is divided by w: a point behind the eye
+is simply beyond planes, and a point at infinity (a direction of world space) is an end like any
+other. ``left`` and ``right`` together ask ``w >= 0``; only a choice of `planes` without such a
+pair can leave a piece behind the eye.
+
+Lecture 004's own way, cutting in view space a little before the eye plane, and what happens when
+nothing is cut, are here for comparison.
+"""
+
+from __future__ import annotations
+
+import math
+import numbers
+from collections.abc import Iterable
+from fractions import Fraction
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from app.model.projection import (
+    AT_LEAST,
+    AT_MOST,
+    DEPTH_RANGES,
+    DISTINCT,
+    FINITE_NUMBER,
+    NOT_ZERO,
+    ONE_OF,
+    PLANES,
+    Array,
+    ProjectionError,
+)
+
+LARGEST_CLIP = 1e307
+"""Largest clip coordinate: sums and differences of four of them stay finite."""
+
+NOT_CUT = -1
+"""In `ClippedSegments.planes`: the end is the segment's own."""
+
+EYE_Z = -0.01
+"""Where lecture 004 cuts, in view space: "a near negative number" instead of the eye plane's 0."""
+
+EYE_CASES = ("in front", "behind", "from behind", "to behind")
+"""Lecture 004's four cases 1 to 4 of a segment and the eye plane, from its start to its end."""
+
+# Coordinate and factor of each plane's equation, coordinate = factor * w.
+_SIDES = {"left": (0, -1.0), "right": (0, 1.0), "bottom": (1, -1.0), "top": (1, 1.0)}
+
+# Two parameters nearer than this are compared exactly: each is off by at most 4 roundings.
+_TIE = 1e-15
+
+
+class ClippedSegments(NamedTuple):
+    """The visible parts of segments; ``...`` is the segments' shape.
+
+    Attributes
+    ----------
+    visible : (...) bool
+        Whether any of it is inside; a segment that only touches counts, as one point.
+    t : (..., 2) float64
+        Where the visible part begins and ends, 0 at the start and 1 at the end of the whole;
+        linear in clip space, and in the world too where both ends have the same world w. NaN
+        where nothing is visible.
+    points_clip : (..., 2, 4) float64
+        Its ends; a cut end satisfies its plane's equation exactly. NaN where nothing is visible.
+    planes : (..., 2) int
+        Index in `PLANES` of the plane that cut each end, or `NOT_CUT`; where the segment misses
+        the volume past an edge of it (invisible, `outside` all false), the two planes between
+        which it passes.
+    outside : (..., 6) bool
+        Which of `PLANES` the whole segment lies beyond.
+    """
+
+    visible: NDArray[np.bool_]
+    t: Array
+    points_clip: Array
+    planes: NDArray[np.intp]
+    outside: NDArray[np.bool_]
+
+
+class ClippedPolygon(NamedTuple):
+    """What is left of a convex polygon, in its own order.
+
+    Attributes
+    ----------
+    points_clip : (m, 4) float64
+        Its corners; m is 0 where nothing with an area is left.
+    edges : tuple of m (str or None)
+        For the edge from each corner to the next: the plane that made it, or None for a part of
+        an original edge.
+    """
+
+    points_clip: Array
+    edges: tuple[str | None, ...]
+
+
+class EyeCut(NamedTuple):
+    """Segments after lecture 004's cut; ``...`` is their shape.
+
+    Attributes
+    ----------
+    case : (...) int
+        1 to 4, see `EYE_CASES`.
+    points_view : (..., 2, 3) float64
+        What is drawn; NaN in case 2, where nothing is.
+    """
+
+    case: NDArray[np.intp]
+    points_view: Array
+
+
+# --------------------------------------------------------------------------- checks
+
+
+def _points(field: str, value: ArrayLike, size: int) -> Array:
+    """Finite points in rows of `size`."""
+    try:
+        given = np.asarray(value)
+    except ValueError:  # rows of different lengths
+        raise ProjectionError(field, value, FINITE_NUMBER) from None
+    if given.dtype.kind not in "iuf" or given.shape[-1:] != (size,):
+        raise ProjectionError(field, value, FINITE_NUMBER)
+    points = given.astype(np.float64)
+    wrong = ~(np.abs(points) <= LARGEST_CLIP)
+    if wrong.any():
+        number = float(points[wrong][0])
+        if not math.isfinite(number):
+            raise ProjectionError(field, number, FINITE_NUMBER)
+        bound, limit = (AT_MOST, LARGEST_CLIP) if number > 0 else (AT_LEAST, -LARGEST_CLIP)
+        raise ProjectionError(field, number, bound, limit)
+    if size == 4:
+        zero = ~points.any(axis=-1)
+        if zero.any():
+            raise ProjectionError(field, tuple(points[zero][0].tolist()), NOT_ZERO)
+    return points
+
+
+def _chosen(planes: Iterable[str], depth: str) -> NDArray[np.bool_]:
+    """Which of `PLANES` are asked for, after checking their names and the depth range's."""
+    if not isinstance(depth, str) or depth not in DEPTH_RANGES:
+        raise ProjectionError("depth", depth, ONE_OF, ", ".join(DEPTH_RANGES))
+    names = [planes] if isinstance(planes, str) else list(planes)
+    for name in names:
+        if name not in PLANES:
+            raise ProjectionError("planes", name, ONE_OF, ", ".join(PLANES))
+    return np.array([plane in names for plane in PLANES])
+
+
+def _refuse_opposite(field: str, starts: Array, ends: Array) -> None:
+    """Refuse ends p and -k p: one point of space, with no line from the one to the other.
+
+    Halfway between them every coordinate vanishes, and with it the segment's meaning. Scaled to
+    their largest coordinate such ends round to the same four numbers.
+    """
+    opposite = (starts / np.abs(starts).max(axis=-1, keepdims=True)) == -(
+        ends / np.abs(ends).max(axis=-1, keepdims=True)
+    )
+    wrong = opposite.all(axis=-1)
+    if wrong.any():
+        end = tuple(ends[wrong][0].tolist())
+        raise ProjectionError(field, end, DISTINCT, "the opposite of the segment's other end")
+
+
+# --------------------------------------------------------------------------- the six planes
+
+
+def _boundaries(points_clip: Array, depth: str) -> Array:
+    """The six sums of the module's table, (..., 6): negative beyond the plane, 0 on it."""
+    x, y, z, w = np.moveaxis(points_clip, -1, 0)
+    z_near, z_far = DEPTH_RANGES[depth]
+    sign = math.copysign(1.0, z_far - z_near)
+    near, far = sign * (z - z_near * w), sign * (z_far * w - z)
+    return np.stack([near, far, w + x, w - x, w + y, w - y], axis=-1)
+
+
+def outcodes(points_clip: ArrayLike, depth: str = "opengl") -> NDArray[np.bool_]:
+    """Which planes points lie beyond.
+
+    Parameters
+    ----------
+    points_clip : (..., 4) array_like
+        Homogeneous, before the divide; any w.
+    depth : {"opengl", "direct3d", "reversed"}
+        The NDC range of z.
+
+    Returns
+    -------
+    (..., 6) bool array
+        In the order of `PLANES`, as in `Trace.outside`: a point on a plane is not beyond it.
+
+    Raises
+    ------
+    ProjectionError
+        For another depth range, a coordinate that is not finite or larger than `LARGEST_CLIP`,
+        or four zeros.
+    """
+    _chosen((), depth)
+    return _boundaries(_points("points_clip", points_clip, 4), depth) < 0.0
+
+
+def _cut(
+    inside: Array, outside: Array, b_inside: Array, b_outside: Array, plane: str, depth: str
+) -> Array:
+    """The points where segments cross a plane, (..., 4).
+
+    The same for the segment and its reverse, because only in and out are told apart, and exactly
+    on the plane, because the coordinate of its equation is set from w.
+    """
+    total = (b_inside - b_outside)[..., None]
+    points = (b_inside[..., None] / total) * outside + (-b_outside[..., None] / total) * inside
+    if plane in _SIDES:
+        axis, factor = _SIDES[plane]
+    else:
+        axis, factor = 2, DEPTH_RANGES[depth][plane == "far"]
+    points[..., axis] = factor * points[..., 3] + 0.0
+    return np.asarray(points)
+
+
+# --------------------------------------------------------------------------- segments
+
+
+def clip_segments(
+    starts_clip: ArrayLike,
+    ends_clip: ArrayLike,
+    depth: str = "opengl",
+    planes: Iterable[str] = PLANES,
+) -> ClippedSegments:
+    """Cut segments to the view volume in homogeneous clip space (Liang & Barsky 1984).
+
+    Parameters
+    ----------
+    starts_clip, ends_clip : (..., 4) array_like
+        The ends, before the divide; any w, 0 for points at infinity of clip space.
+    depth : {"opengl", "direct3d", "reversed"}
+        The NDC range of z.
+    planes : names in `PLANES`
+        The planes to cut with.
+
+    Returns
+    -------
+    ClippedSegments
+        The same from either direction, start and end exchanged.
+
+    Raises
+    ------
+    ProjectionError
+        For another depth range or plane, a coordinate that is not finite or larger than
+        `LARGEST_CLIP`, an end of four zeros, or ends that are negative multiples of each other.
+
+    Notes
+    -----
+    The crossings are compared by ``b_in/b_out``, whose precision is relative at both ends of the
+    segment; the farthest from either end wins. Where the two that won meet within `_TIE`, whether
+    anything is left between them is decided in rational numbers.
+    """
+    chosen = _chosen(planes, depth)
+    starts, ends = np.broadcast_arrays(
+        _points("starts_clip", starts_clip, 4), _points("ends_clip", ends_clip, 4)
+    )
+    _refuse_opposite("ends_clip", starts, ends)
+    shape = starts.shape[:-1]
+    starts, ends = starts.reshape(-1, 4), ends.reshape(-1, 4)
+    b_starts, b_ends = _boundaries(starts, depth), _boundaries(ends, depth)
+    b_starts[:, ~chosen] = b_ends[:, ~chosen] = 1.0
+
+    outside = (b_starts < 0.0) & (b_ends < 0.0)
+    t = np.zeros((len(starts), 2))  # measured from either end until the last lines
+    t_rest = np.ones((len(starts), 2))  # 1 - t, which has digits of its own
+    cut_by = np.full((len(starts), 2), NOT_CUT)
+    points = np.stack([starts, ends], axis=1)
+    ways = ((starts, ends, b_starts, b_ends), (ends, starts, b_ends, b_starts))
+    for side, (here, there, b_here, b_there) in enumerate(ways):
+        crossing = (b_here < 0.0) & (b_there >= 0.0)
+        (rows,) = np.nonzero(crossing.any(axis=1))
+        b_out, b_in = b_here[rows], b_there[rows]
+        with np.errstate(over="ignore"):
+            ratio = np.where(crossing[rows], b_in, 0.0) / np.where(crossing[rows], -b_out, 1.0)
+        # The least ratio is the farthest crossing; an overflowed one still before no crossing.
+        ratio = np.where(crossing[rows], np.minimum(ratio, np.finfo(np.float64).max), np.inf)
+        which = ratio.argmin(axis=1)
+        b_out, b_in = (b[np.arange(len(rows)), which] for b in (b_out, b_in))
+        t[rows, side] = b_out / (b_out - b_in)
+        t_rest[rows, side] = b_in / (b_in - b_out)
+        cut_by[rows, side] = which
+        for index in np.unique(which):
+            one = which == index
+            row = rows[one]
+            points[row, side] = _cut(
+                there[row], here[row], b_in[one], b_out[one], PLANES[index], depth
+            )
+    slack = 1.0 - t.sum(axis=1)
+    visible = ~outside.any(axis=1) & (slack >= 0.0)
+    close = (np.abs(slack) <= _TIE) & (cut_by != NOT_CUT).all(axis=1) & ~outside.any(axis=1)
+    for row in np.flatnonzero(close):
+        visible[row] = _meets_exactly(starts[row], ends[row], depth, chosen)
+    t = np.stack([t[:, 0], np.maximum(t_rest[:, 1], t[:, 0])], axis=1)
+    t[~visible], points[~visible] = np.nan, np.nan
+    cut_by[outside.any(axis=1)] = NOT_CUT
+    return ClippedSegments(
+        visible.reshape(shape),
+        t.reshape(*shape, 2),
+        points.reshape(*shape, 2, 4),
+        cut_by.reshape(*shape, 2),
+        outside.reshape(*shape, 6),
+    )
+
+
+def _meets_exactly(start: Array, end: Array, depth: str, chosen: NDArray[np.bool_]) -> bool:
+    """Whether one segment has a point inside, in rational numbers."""
+    low, high = Fraction(0), Fraction(1)
+    z_near, z_far = (Fraction(z) for z in DEPTH_RANGES[depth])
+    sign = 1 if z_far > z_near else -1
+    sums = []
+    for x, y, z, w in ([Fraction(float(part)) for part in point] for point in (start, end)):
+        sums.append((sign * (z - z_near * w), sign * (z_far * w - z), w + x, w - x, w + y, w - y))
+    for b_start, b_end, asked in zip(*sums, chosen, strict=True):
+        if not asked or (b_start >= 0 and b_end >= 0):
+            continue
+        t = b_start / (b_start - b_end)  # both negative have been told apart before
+        low, high = (max(low, t), high) if b_start < 0 else (low, min(high, t))
+    return low <= high
+
+
+# --------------------------------------------------------------------------- polygons
+
+
+def clip_polygon(
+    points_clip: ArrayLike, depth: str = "opengl", planes: Iterable[str] = PLANES
+) -> ClippedPolygon:
+    """Cut a convex polygon to the view volume (Sutherland & Hodgman 1974), in clip space.
+
+    Parameters
+    ----------
+    points_clip : (n, 4) array_like
+        Its corners in order, n >= 3, before the divide; any w.
+    depth : {"opengl", "direct3d", "reversed"}
+        The NDC range of z.
+    planes : names in `PLANES`
+        The planes to cut with, one after the other in the order of `PLANES`.
+
+    Returns
+    -------
+    ClippedPolygon
+        An edge that two polygons share is cut at the same points in both.
+
+    Raises
+    ------
+    ProjectionError
+        As `clip_segments`, and for fewer than 3 corners.
+    """
+    chosen = _chosen(planes, depth)
+    points = _points("points_clip", points_clip, 4)
+    if points.ndim != 2 or len(points) < 3:
+        raise ProjectionError("points_clip", len(np.atleast_2d(points)), AT_LEAST, 3)
+    _refuse_opposite("points_clip", points, np.roll(points, -1, axis=0))
+    edges: list[str | None] = [None] * len(points)
+    for index in np.flatnonzero(chosen):
+        plane = PLANES[index]
+        boundary = _boundaries(points, depth)[:, index]
+        if (boundary >= 0.0).all():
+            continue
+        kept: list[Array] = []
+        kept_edges: list[str | None] = []
+        for i, edge in enumerate(edges):
+            j = (i + 1) % len(edges)
+            here, there = boundary[i], boundary[j]
+            if here >= 0.0:
+                kept.append(points[i])
+                # A corner on the plane is itself where the polygon leaves.
+                kept_edges.append(plane if here == 0.0 and there < 0.0 else edge)
+            if here > 0.0 > there:
+                kept.append(_cut(points[i], points[j], here, there, plane, depth))
+                kept_edges.append(plane)
+            elif here < 0.0 < there:
+                kept.append(_cut(points[j], points[i], there, here, plane, depth))
+                kept_edges.append(edge)
+        if len(kept) < 3:
+            return ClippedPolygon(np.empty((0, 4)), ())
+        points, edges = np.array(kept), kept_edges
+    return ClippedPolygon(points, tuple(edges))
+
+
+# --------------------------------------------------------------------------- lecture 004's way
+
+
+def cut_at_eye(starts_view: ArrayLike, ends_view: ArrayLike, z_cut: float = EYE_Z) -> EyeCut:
+    """Lecture 004's own clipping: in view space, against one plane in front of the eye.
+
+    A point is in front where ``z <= z_cut``. Cases 3 and 4 are cut at
+    ``t = (z_start - z_cut)/(z_start - z_end)`` (lecture 004, "Presjek pravca i ravnine").
+
+    Parameters
+    ----------
+    starts_view, ends_view : (..., 3) array_like
+        The segments' ends in view space, where the camera looks along -z.
+    z_cut : float
+        The plane, at most 0; at 0 the cut end has no finite picture.
+
+    Returns
+    -------
+    EyeCut
+
+    Raises
+    ------
+    ProjectionError
+        For a coordinate or `z_cut` that is not finite, or ``z_cut > 0``.
+    """
+    if isinstance(z_cut, bool) or not isinstance(z_cut, numbers.Real) or not np.isfinite(z_cut):
+        raise ProjectionError("z_cut", z_cut, FINITE_NUMBER)
+    if z_cut > 0.0:
+        raise ProjectionError("z_cut", z_cut, AT_MOST, 0)
+    starts, ends = np.broadcast_arrays(
+        _points("starts_view", starts_view, 3), _points("ends_view", ends_view, 3)
+    )
+    z_start, z_end = starts[..., 2], ends[..., 2]
+    front_start, front_end = z_start <= z_cut, z_end <= z_cut
+    case = np.select(
+        [front_start & front_end, ~front_start & ~front_end, front_end], [1, 2, 3], default=4
+    )
+    crosses = case > 2
+    span = np.where(crosses, z_start - z_end, 1.0)
+    of_start, of_end = (z_cut - z_end) / span, (z_start - z_cut) / span
+    crossing = of_start[..., None] * starts + of_end[..., None] * ends
+    crossing[..., 2] = z_cut
+    points = np.stack(
+        [
+            np.where((case == 3)[..., None], crossing, starts),
+            np.where((case == 4)[..., None], crossing, ends),
+        ],
+        axis=-2,
+    )
+    points[case == 2] = np.nan
+    return EyeCut(case.astype(np.intp), points)
+
+
+def naive_ndc(points_clip: ArrayLike) -> Array:
+    """Divide by w and ask nothing, as the lecture's first program does.
+
+    A point behind the eye comes out mirrored through the picture's centre, and a segment across
+    the eye plane is then drawn as the wrong one of the projective line's two arcs (lecture 004:
+    the one without the point at infinity).
+
+    Parameters
+    ----------
+    points_clip : (..., 4) array_like
+
+    Returns
+    -------
+    (..., 3) float64 array
+        NaN where w is 0 or so small that the quotient overflows: the picture is at infinity.
+
+    Raises
+    ------
+    ProjectionError
+        As `outcodes`.
+    """
+    points = _points("points_clip", points_clip, 4)
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        ndc = points[..., :3] / points[..., 3:]
+    ndc[~np.isfinite(ndc).all(axis=-1)] = np.nan
+    return np.asarray(ndc)

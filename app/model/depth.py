@@ -1,0 +1,445 @@
+"""Depth buffers: what a distance is stored as, and which surfaces can no longer be told apart.
+
+============  =============================================================================
+mapping       depth in [0, 1] of the distance w from the eye plane (near n, far f)
+============  =============================================================================
+opengl        ``f/(f - n) (w - n)/w``, by way of an NDC z in [-1, 1] and ``0.5 z + 0.5``
+direct3d      ``f/(f - n) (w - n)/w``
+reversed      ``n/(f - n) (f - w)/w``
+logarithmic   ``log(w/n)/log(f/n)`` (Ulrich, *Logarithmic Depth Buffer*: Kemen's of 2009 without
+              its constant C)
+============  =============================================================================
+
+with their limits for f = inf, and linear in w for a parallel lens. These are lecture 000's
+A + B/w taken apart so that nothing cancels: ``w - n`` keeps digits that the sum of two large
+numbers loses. Distances come back by way of the *nearness*, ``1 - depth`` or the reversed depth
+itself, for the same reason.
+
+A format rounds the depth once, to the nearest code. That is the best a buffer can do; what a GPU
+does on the way there, in float32, is `arithmetic` ``"float32"``.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any, Literal, NamedTuple, TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike, DTypeLike, NDArray
+
+from app.model.projection import (
+    AT_LEAST,
+    AT_MOST,
+    DEPTH_RANGES,
+    FINITE_NUMBER,
+    ONE_OF,
+    Array,
+    Orthographic,
+    Perspective,
+    ProjectionError,
+)
+
+Arithmetic: TypeAlias = Literal["float64", "float32"]
+Codes: TypeAlias = NDArray[np.uint8] | NDArray[np.uint16] | NDArray[np.uint32]
+
+
+class DepthFormat(NamedTuple):
+    """How a depth in [0, 1] is stored.
+
+    Attributes
+    ----------
+    bits : int
+        Of one pixel.
+    largest : int
+        The code of depth 1; codes run from 0.
+    code_type : numpy dtype
+        Of the codes, unsigned.
+    float_type : numpy dtype or None
+        Whose bit patterns the codes are; None for unsigned normalised integers.
+    digits : int
+        Significant bits of the float, 0 for an integer.
+    """
+
+    bits: int
+    largest: int
+    code_type: DTypeLike
+    float_type: DTypeLike | None = None
+    digits: int = 0
+
+
+FORMATS: dict[str, DepthFormat] = {
+    "fixed8": DepthFormat(8, 2**8 - 1, np.uint8),
+    "fixed16": DepthFormat(16, 2**16 - 1, np.uint16),
+    "fixed24": DepthFormat(24, 2**24 - 1, np.uint32),
+    "fixed32": DepthFormat(32, 2**32 - 1, np.uint32),
+    "float16": DepthFormat(16, 0x3C00, np.uint16, np.float16, 11),
+    "float32": DepthFormat(32, 0x3F800000, np.uint32, np.float32, 24),
+}
+
+MAPPINGS = (*DEPTH_RANGES, "logarithmic")
+ARITHMETICS = ("float64", "float32")
+
+
+@dataclass(frozen=True)
+class DepthBuffer:
+    """A depth buffer and the lens in front of it.
+
+    Parameters
+    ----------
+    format : name in `FORMATS`
+    mapping : name in `MAPPINGS`
+        How distance becomes depth.
+    near, far : float
+        Distances of the clipping planes from the eye plane, as the lens has them:
+        ``0 < near < far <= inf`` for a perspective one, finite and of any sign for a parallel one.
+    parallel : bool
+        Whether the lens is parallel: depth is then linear, and there is no logarithmic mapping.
+
+    Raises
+    ------
+    ProjectionError
+        For an unknown name, or what the lens refuses as near and far; for a logarithmic mapping
+        with far = inf or a parallel lens.
+
+    Notes
+    -----
+    All methods take arrays of any shape and keep it. Distances must lie between near and far:
+    a buffer holds nothing else, because the lens clips it.
+    """
+
+    format: str = "fixed24"
+    mapping: str = "opengl"
+    near: float = 1.0
+    far: float = 30.0
+    parallel: bool = False
+
+    def __post_init__(self) -> None:
+        for field, value, known in (
+            ("format", self.format, tuple(FORMATS)),
+            ("mapping", self.mapping, MAPPINGS),
+        ):
+            if not isinstance(value, str) or value not in known:
+                raise ProjectionError(field, value, ONE_OF, ", ".join(known))
+        if not isinstance(self.parallel, bool):
+            raise ProjectionError("parallel", self.parallel, ONE_OF, "True, False")
+        lens: Perspective | Orthographic
+        if self.parallel:
+            lens = Orthographic(near=self.near, far=self.far)
+        else:
+            lens = Perspective(near=self.near, far=self.far)
+        if self.mapping == "logarithmic":
+            if self.parallel:
+                raise ProjectionError("mapping", self.mapping, ONE_OF, ", ".join(DEPTH_RANGES))
+            if lens.far == math.inf:
+                raise ProjectionError("far", lens.far, FINITE_NUMBER)
+        object.__setattr__(self, "near", lens.near)
+        object.__setattr__(self, "far", lens.far)
+
+    # -- from distance to code
+
+    def depth(self, distance: ArrayLike, arithmetic: Arithmetic = "float64") -> Array:
+        """The depth in [0, 1] of a distance, before it is stored.
+
+        Parameters
+        ----------
+        distance : (...) array_like
+            From the eye plane, in world units, between near and far.
+        arithmetic : {"float64", "float32"}
+            ``"float64"`` is the closed form, right to 4 ulp. ``"float32"`` is what a GPU computes:
+            matrix entries, products, sums and the divide each rounded to float32, clamped to
+            [0, 1] as its viewport does.
+
+        Returns
+        -------
+        (...) float64 array
+
+        Raises
+        ------
+        ProjectionError
+            For a distance that is not a number between near and far; for another arithmetic, or
+            ``"float32"`` where it overflows.
+        """
+        w = self._distances("distance", distance)
+        if arithmetic == "float64":
+            return self._depth(w)
+        if arithmetic == "float32":
+            return self._depth_float32(w)
+        raise ProjectionError("arithmetic", arithmetic, ONE_OF, ", ".join(ARITHMETICS))
+
+    def encode(self, distance: ArrayLike, arithmetic: Arithmetic = "float64") -> Codes:
+        """The code that is stored for a distance.
+
+        Parameters
+        ----------
+        distance : (...) array_like
+        arithmetic : {"float64", "float32"}
+            As for `depth`.
+
+        Returns
+        -------
+        (...) array of uint8, uint16 or uint32
+            ``round(depth (2^bits - 1))``, or the bit pattern of the nearest float. Codes order
+            like depths: they fall with the distance if the mapping is reversed.
+
+        Raises
+        ------
+        ProjectionError
+            As `depth`.
+        """
+        kind = FORMATS[self.format]
+        depth = self.depth(distance, arithmetic)
+        if kind.float_type is None:
+            return np.asarray(np.rint(depth * kind.largest)).astype(kind.code_type)
+        if self.mapping == "opengl":  # NDC z is a float32 near -1, whatever the arithmetic
+            depth = 0.5 * np.asarray(2.0 * depth - 1.0).astype(np.float32).astype(np.float64) + 0.5
+        return np.asarray(depth).astype(kind.float_type).view(kind.code_type)
+
+    def decode(self, code: ArrayLike) -> Array:
+        """The distance that a code stands for: the one whose depth is the code's own.
+
+        Parameters
+        ----------
+        code : (...) array_like of int
+
+        Returns
+        -------
+        (...) float64 array
+            Between near and far, right to some ulp of the distance; the farthest code of an
+            infinite lens is inf.
+
+        Raises
+        ------
+        ProjectionError
+            For what is not a code of depths 0 to 1 in this format.
+        """
+        kind = FORMATS[self.format]
+        codes = np.asarray(code)
+        wrong = (
+            np.ones(codes.shape, bool)
+            if codes.dtype.kind not in "iu"
+            else (codes < 0) | (codes > kind.largest)
+        )
+        if wrong.any():
+            allowed = f"the whole numbers from 0 to {kind.largest}"
+            raise ProjectionError("code", codes[wrong][0].tolist(), ONE_OF, allowed)
+        if kind.float_type is None:
+            depth = codes / kind.largest
+            rest = (kind.largest - codes.astype(np.int64)) / kind.largest
+        else:
+            depth = codes.astype(kind.code_type).view(kind.float_type).astype(np.float64)
+            rest = 1.0 - depth
+        near, far = self.near, self.far
+        if self.mapping == "logarithmic":
+            span = self._log_span
+            distance = np.where(
+                depth < 0.5, near * np.exp(depth * span), far * np.exp(-rest * span)
+            )
+        else:
+            nearness, farness = (depth, rest) if self._is_reversed else (rest, depth)
+            if self.parallel:
+                distance = near * nearness + far * farness
+            else:
+                with np.errstate(divide="ignore"):
+                    distance = near / (nearness + farness * (near / far))
+        # The ends themselves come back one rounding off; a distance beyond far is none.
+        return np.asarray(np.clip(distance, near, far))
+
+    # -- what is lost
+
+    def gap(self, distance: ArrayLike) -> Array:
+        """How far behind a surface another must be, to be sure of another code.
+
+        Parameters
+        ----------
+        distance : (...) array_like
+            Of the nearer surface.
+
+        Returns
+        -------
+        (...) float64 array
+            World units: any pair farther apart differs, wherever between two codes it falls; of
+            the nearer pairs some collapse. inf where even what lies on the far plane may not
+            differ. Just below a power of two in the depth, where a float's steps change, it is
+            the larger step's, up to twice too large.
+
+        Raises
+        ------
+        ProjectionError
+            For a distance that is not a number between near and far.
+
+        Notes
+        -----
+        A step s of the depth is ``w x/(1 - x)`` with ``x = s w (1/n - 1/f)``: for 24 bits and
+        far >> near this is ``w^2/(n 2^24)`` and a little.
+        """
+        w = self._distances("distance", distance)
+        depth = self._depth(w)
+        mean, uneven = self._cells(depth)
+        toward = -1.0 if self._is_reversed else 1.0
+        behind = np.add(*self._cells(np.clip(depth + toward * (mean + uneven), 0.0, 1.0)))
+        step = np.maximum(mean + uneven, behind)
+        near, far = self.near, self.far
+        if self.parallel:
+            gap = step * (far - near)
+        elif self.mapping == "logarithmic":
+            gap = w * np.expm1(step * self._log_span)
+        else:
+            with np.errstate(invalid="ignore", divide="ignore"):
+                x = w / near * step * (1.0 if far == math.inf else (far - near) / far)
+                gap = np.where(x < 1.0, w * (x / (1.0 - x)), np.inf)
+        with np.errstate(invalid="ignore"):  # inf - inf: a surface at infinity has none behind
+            return np.asarray(np.where(gap <= far - w, gap, np.inf))
+
+    def collapsed_share(
+        self, first: ArrayLike, second: ArrayLike, arithmetic: Arithmetic = "float64"
+    ) -> float:
+        """The share of pairs of surfaces that are stored as one, counted.
+
+        Parameters
+        ----------
+        first, second : (...) array_like
+            Distances of each pair's surfaces.
+        arithmetic : {"float64", "float32"}
+            As for `depth`.
+
+        Returns
+        -------
+        float
+            From 0 to 1; 0 for no pairs.
+
+        Raises
+        ------
+        ProjectionError
+            As `depth`.
+        """
+        same = self.encode(first, arithmetic) == self.encode(second, arithmetic)
+        return float(np.mean(same)) if same.size else 0.0
+
+    def predicted_collapsed_share(self, first: ArrayLike, second: ArrayLike) -> float:
+        """The share of such pairs that collapses, whatever their place between two codes.
+
+        A pair whose depths are d apart, where codes lie a step s apart, falls into one code's cell
+        with probability ``1 - d/s``, or not at all if d > s.
+
+        Parameters
+        ----------
+        first, second : (...) array_like
+            Distances of each pair's surfaces.
+
+        Returns
+        -------
+        float
+            From 0 to 1; 0 for no pairs.
+
+        Raises
+        ------
+        ProjectionError
+            As `depth`.
+        """
+        one = self._depth(self._distances("distance", first))
+        other = self._depth(self._distances("distance", second))
+        apart = np.abs(one - other)
+        mean, uneven = self._cells((one + other) / 2.0)
+        share = np.maximum(mean + uneven - apart, 0.0) + np.maximum(mean - uneven - apart, 0.0)
+        return float(np.mean(share / (2.0 * mean))) if share.size else 0.0
+
+    # -- the closed forms
+
+    @property
+    def _is_reversed(self) -> bool:
+        return self.mapping == "reversed"
+
+    @property
+    def _log_span(self) -> float:
+        """``log(f/n)``, with its digits where near is close to far."""
+        return math.log1p((self.far - self.near) / self.near)
+
+    def _distances(self, field: str, value: ArrayLike) -> Array:
+        try:
+            given = np.asarray(value)
+        except ValueError:  # rows of different lengths
+            raise ProjectionError(field, value, FINITE_NUMBER) from None
+        if given.dtype.kind not in "iuf":
+            raise ProjectionError(field, value, FINITE_NUMBER)
+        distances = given.astype(np.float64)
+        inside = (distances >= self.near) & (distances <= self.far)
+        if not inside.all():
+            wrong = float(distances[~inside][0])
+            if math.isnan(wrong):
+                raise ProjectionError(field, wrong, FINITE_NUMBER)
+            bound, limit = (AT_LEAST, self.near) if wrong < self.near else (AT_MOST, self.far)
+            raise ProjectionError(field, wrong, bound, limit)
+        return distances
+
+    def _depth(self, w: Array) -> Array:
+        """The module's table."""
+        near, far = self.near, self.far
+        if self.mapping == "logarithmic":
+            return np.asarray(np.minimum(np.log1p((w - near) / near) / self._log_span, 1.0))
+        if far == math.inf:
+            with np.errstate(invalid="ignore"):
+                standard = np.where(w == math.inf, 1.0, (w - near) / w)
+            return np.asarray(near / w if self._is_reversed else standard)
+        from_plane = far - w if self._is_reversed else w - near
+        if self.parallel:
+            return np.asarray(from_plane / (far - near))
+        scale = (near if self._is_reversed else far) / (far - near)
+        return np.asarray(np.minimum(scale * (from_plane / w), 1.0))  # 1 + 1 ulp at the end
+
+    def _depth_float32(self, w: Array) -> Array:
+        """Depth as a GPU's float32 makes it: ``(A w + B)/w``, then the viewport."""
+        single = np.float32
+        with np.errstate(all="ignore"):
+            distance = w.astype(single)
+            if self.mapping == "logarithmic":
+                scale = single(math.log(2.0) / self._log_span)
+                z = np.log2(distance / single(self.near)) * scale
+            else:
+                a, b = (single(entry) for entry in self._entries())
+                z = a * distance + b
+                if not self.parallel:
+                    z = z / distance
+                if self.mapping == "opengl":
+                    z = z * single(0.5) + single(0.5)
+        depth = np.where(w == math.inf, 0.0 if self._is_reversed else 1.0, z)
+        if not np.isfinite(depth).all():
+            raise ProjectionError("arithmetic", "float32", ONE_OF, "float64")
+        return np.asarray(np.clip(depth, 0.0, 1.0), dtype=np.float64)
+
+    def _entries(self) -> tuple[float, float]:
+        """A and B of ``z_clip = A w + B``, what the matrix of the lens holds."""
+        near, far = self.near, self.far
+        z_near, z_far = DEPTH_RANGES[self.mapping]
+        if self.parallel:
+            a = (z_far - z_near) / (far - near)
+            return a, (z_near * far - z_far * near) / (far - near)
+        if far == math.inf:
+            return z_far, (z_near - z_far) * near
+        a = (z_far * far - z_near * near) / (far - near)
+        return a, (z_near - z_far) * near * (far / (far - near))
+
+    def _cells(self, depth: Array) -> tuple[Any, Any]:
+        """Width of the codes' cells at a depth: the mean, and by how much they alternate.
+
+        The [-1, 1] range rounds twice in a float format, to NDC's own steps and to the format's.
+        Where NDC's are the finer, half of them lie midway between two codes and go to the even
+        one: its cell is wider by one of them, its neighbours' are narrower. Where they are the
+        coarser, near depth 0, the format's finer steps are never used.
+        """
+        kind = FORMATS[self.format]
+        if kind.float_type is None:
+            return np.full_like(depth, 1.0 / kind.largest), np.zeros_like(depth)
+        smallest = float(np.finfo(kind.float_type).smallest_subnormal)
+        own = _ulp(depth, kind.digits, smallest)
+        if self.mapping != "opengl":
+            return own, np.zeros_like(depth)
+        ndc = 0.5 * _ulp(np.abs(2.0 * depth - 1.0), 24, 2.0**-149)
+        return np.maximum(own, ndc), np.where(ndc < own, ndc, 0.0)
+
+
+def _ulp(value: Array, digits: int, smallest: float) -> Array:
+    """Distance to the float below, for floats of so many digits."""
+    _, exponent = np.frexp(np.nextafter(value, 0.0))
+    steps = np.ldexp(1.0, exponent - digits)
+    return np.asarray(np.where(value > 0.0, np.maximum(steps, smallest), smallest))

@@ -1,0 +1,1409 @@
+"""The shared projection model: camera, lens, image, and every matrix between them.
+
+Conventions, stated once for the whole program:
+
+=================  ==========================================================================
+vectors, matrices  column vectors, ``p_out = M @ p_in``; batches are rows ``(..., 3)``; float64
+names              ``target_from_source``; points carry their space (``points_world``)
+world, view        right-handed, y up; the camera looks along -z of view space
+camera frame       ``n = (eye - target)/|.|``, ``u = up x n / |.|``, ``v = n x u``
+clip, NDC          OpenGL cube ``[-1, 1]^3``, near -> -1, far -> +1 (``opengl``);
+                   ``direct3d`` maps near..far to ``[0, 1]``, ``reversed`` to ``[1, 0]``
+image              origin top-left, x right, y down, pixels; the first pixel's centre is at 0.5
+angles, lengths    degrees at every boundary (``_deg``), world units
+=================  ==========================================================================
+
+Points are projected *eye first*: the eye is subtracted before anything else, then the rotation,
+then the closed form of the lens. A concatenated matrix loses the digits that the eye and the
+point have in common (5e-5 px at 1e9 from the origin, against 1e-12 px here); it is still made,
+because it is what a GPU is given and what the lectures write.
+
+The dot products of the rotation are taken with some 75 bits, because a lens stretches their
+rounding (a field of view near 0 or 180 degrees, a parallel camera far from its small window).
+
+The letters u, v, n, the look-at and the view matrix are those of lecture 004 (Horvat); the
+perspective matrix is equation (13) of lecture 000, the oblique one P_ort H of lecture 002, the
+canonical volumes and the matrices M_pp and M_z between them those of lecture 001.
+"""
+
+from __future__ import annotations
+
+import math
+import numbers
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from functools import cached_property
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from app.arithmetic import double_double as dd
+from app.arithmetic.double_double import DoubleDouble
+from app.arithmetic.rationals import Rationals, eliminate, product, rationals
+from app.model.camera import (
+    Camera,
+    Orbit,
+)
+from app.model.lenses import (
+    KINDS,
+    LENSES,
+    OBLIQUE_PRESETS,
+    FreeMatrix,
+    Frustum,
+    Lens,
+    Oblique,
+    Orthographic,
+    Perspective,
+    StandardLens,
+    Windowed,
+    check_planes,
+    focal_length_35mm,
+    focal_length_e,
+    fov_x_from_fov_y,
+    fov_y_from_focal_length_35mm,
+    fov_y_from_focal_length_e,
+    fov_y_from_window,
+    oblique_angles,
+    receding_of,
+)
+from app.model.values import (
+    ABOVE,
+    AT_LEAST,
+    AT_MOST,
+    BETWEEN,
+    BOTTOM_BEFORE_TOP,
+    BOUNDS,
+    DEPTH_RANGES,
+    DISTINCT,
+    FAR_BEYOND_NEAR,
+    FINITE_NUMBER,
+    FOUR_BY_FOUR,
+    INVERTIBLE,
+    LARGEST,
+    LARGEST_IMAGE_PX,
+    LARGEST_INVERSE,
+    LARGEST_SHEAR,
+    LEFT_BEFORE_RIGHT,
+    NEAR_BEFORE_FAR,
+    NO_POINT,
+    NOT_PARALLEL,
+    NOT_THE_EYE,
+    NOT_ZERO,
+    ONE_OF,
+    OTHER_SIDE,
+    PLANES,
+    RIGHT_OF_LEFT,
+    SMALL_INVERSE,
+    SMALLEST,
+    SMALLEST_FIELD,
+    SMALLEST_OPENING,
+    SMALLEST_UP_ANGLE,
+    SMALLEST_WINDOW,
+    THREE_NUMBERS,
+    TOP_ABOVE_BOTTOM,
+    WHOLE_PIXELS,
+    WIDER,
+    Array,
+    Cells,
+    DepthRange,
+    Keep,
+    ProjectionError,
+    Vector,
+    finite,
+    finite_matrix,
+    format_value,
+    keep_checked,
+    read_only,
+    shown_limits,
+    six_digits,
+)
+
+__all__ = [  # the model's one door: what its other rooms hold can be had here
+    "ABOVE",
+    "AT_LEAST",
+    "AT_MOST",
+    "BETWEEN",
+    "BOTTOM_BEFORE_TOP",
+    "BOUNDS",
+    "DEPTH_RANGES",
+    "DISTINCT",
+    "FAR_BEYOND_NEAR",
+    "FINITE_NUMBER",
+    "FOUR_BY_FOUR",
+    "INVERTIBLE",
+    "KINDS",
+    "LARGEST",
+    "LARGEST_IMAGE_PX",
+    "LARGEST_SHEAR",
+    "LEFT_BEFORE_RIGHT",
+    "LENSES",
+    "NEAR_BEFORE_FAR",
+    "NOTES",
+    "NOT_PARALLEL",
+    "NOT_THE_EYE",
+    "NOT_ZERO",
+    "NO_M_PP",
+    "NO_OBJECT_TRANSFORM",
+    "NO_POINT",
+    "OBLIQUE_PRESETS",
+    "ONE_OF",
+    "OTHER_SIDE",
+    "PLANES",
+    "RIGHT_OF_LEFT",
+    "SCALED_BY_NEAR",
+    "SMALLEST",
+    "SMALLEST_FIELD",
+    "SMALLEST_OPENING",
+    "SMALLEST_UP_ANGLE",
+    "SMALLEST_WINDOW",
+    "THREE_NUMBERS",
+    "TOP_ABOVE_BOTTOM",
+    "WHOLE_PIXELS",
+    "WIDER",
+    "Array",
+    "Camera",
+    "Cells",
+    "DepthRange",
+    "ExactLens",
+    "FreeMatrix",
+    "Frustum",
+    "Intrinsics",
+    "Keep",
+    "Lens",
+    "Oblique",
+    "Orbit",
+    "Orthographic",
+    "Perspective",
+    "Projection",
+    "ProjectionError",
+    "Rationals",
+    "Stage",
+    "StandardLens",
+    "Trace",
+    "Vector",
+    "checked_points",
+    "finite_matrix",
+    "focal_length_35mm",
+    "focal_length_e",
+    "format_value",
+    "fov_x_from_fov_y",
+    "fov_y_from_focal_length_35mm",
+    "fov_y_from_focal_length_e",
+    "fov_y_from_window",
+    "oblique_angles",
+    "receding_of",
+    "shown_limits",
+    "six_digits",
+]
+
+_LARGE_STRETCH = 2.0**24  # `Projection.stretch` up to which dot products of 75 bits will do
+_ABOVE_OFFSETS = 2.0**27  # added and taken away again, leaves the upper 27 bits of the offsets
+_BEYOND = 1e250  # where double-double products would overflow
+_CHUNK = 16384  # larger blocks wake OpenBLAS's second thread, which fights a software renderer
+_FACE = ((-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0))
+
+
+def _translation(offset: ArrayLike) -> Array:
+    matrix = np.eye(4)
+    matrix[:3, 3] = offset
+    return read_only(matrix)
+
+
+class _Axis(NamedTuple):
+    """One side of the picture: its middle and its extent."""
+
+    middle: float
+    extent: float
+
+    @property
+    def skew(self) -> float:
+        """How far the middle is from 0, in halves of the extent: ``(r + l)/(r - l)``."""
+        return self.middle / (self.extent / 2.0)
+
+    def across(self, value: Array) -> Array:
+        """From -1 at the low end to 1 at the high one; the difference is rounded where small."""
+        across: Array = (value - self.middle) / (self.extent / 2.0)
+        return across
+
+
+def _axis(low: Fraction, high: Fraction) -> _Axis:
+    return _Axis(float((low + high) / 2), float(high - low))
+
+
+class ExactLens(NamedTuple):
+    """A lens in rationals, irrational numbers to `double_double.BITS` bits.
+
+    Attributes
+    ----------
+    scale, shift : (Fraction, Fraction)
+        ``x_clip = scale x + shift w`` with w the distance for a perspective lens, 1 otherwise.
+    shear : (Fraction, Fraction)
+        ``cot(alpha), cot(beta)`` of an oblique lens.
+    near : Fraction
+    far : Fraction or None
+        None at infinity.
+    """
+
+    scale: tuple[Fraction, Fraction]
+    shift: tuple[Fraction, Fraction]
+    shear: tuple[Fraction, Fraction]
+    near: Fraction
+    far: Fraction | None
+
+
+class Stage(NamedTuple):
+    """One step of the pipeline.
+
+    Attributes
+    ----------
+    name : str
+        ``target_from_source``.
+    exact : 4 lists of 4 Fraction
+        The matrix before it is rounded.
+    factors : tuple of (str, (4, 4) array)
+        Named factors whose product, in this order, is the matrix; empty for the identity.
+    note : str
+        What is special about it for this lens, one of `NOTES`; empty if nothing is.
+    """
+
+    name: str
+    exact: Rationals
+    factors: tuple[tuple[str, Array], ...]
+    note: str
+
+    @property
+    def matrix(self) -> Array:
+        """The matrix, (4, 4), every number rounded once."""
+        return _rounded(self.exact)
+
+
+NO_OBJECT_TRANSFORM = "the scene's objects are given in world coordinates"
+NO_M_PP = "a parallel lens has no M_pp: this is the identity"
+SCALED_BY_NEAR = "far is infinite: the canonical pyramid is scaled by near, which is at z = -1"
+NOTES = (NO_OBJECT_TRANSFORM, NO_M_PP, SCALED_BY_NEAR)
+"""Every note of a `Stage`, for translators."""
+
+
+class Intrinsics(NamedTuple):
+    """A perspective camera as photogrammetry and OpenCV write it, all in pixels.
+
+    Attributes
+    ----------
+    fx, fy : float
+        Focal length in pixel widths and in pixel heights.
+    cx, cy : float
+        Principal point, counted from the *centre* of the first pixel as OpenCV does: an image
+        640 wide with the axis in its middle has ``cx = 319.5``, which is 320 in our pixels.
+
+    Notes
+    -----
+    ``K = [[fx, 0, cx], [0, fy, cy], [0, 0, 1]]`` maps x right, y down, z forward to pixels
+    (Hartley and Zisserman, Multiple View Geometry, 6.1).
+    """
+
+    fx: float
+    fy: float
+    cx: float
+    cy: float
+
+
+class Trace(NamedTuple):
+    """Points followed through every stage; ``...`` is the shape of the points without the 3.
+
+    Attributes
+    ----------
+    world, view : (..., 3) float64
+    clip : (..., 4) float64
+        Homogeneous, before the divide; w is the distance from the eye plane (1 for a parallel
+        lens).
+    ndc : (..., 3) float64
+        After the divide; NaN where w <= 0: a point behind the eye has no picture. Nor has one so
+        close to the eye plane that its picture is beyond float64's 1e308.
+    image : (..., 2) float64
+        Pixels, origin top-left; NaN where `ndc` is.
+    depth : (...) float64
+        What a depth buffer in [0, 1] would hold before quantising; NaN where `ndc` is.
+    in_front : (...) bool
+        Where there is a picture: w > 0.
+    outside : (..., 6) bool
+        Which of `PLANES` the point lies beyond.
+    """
+
+    world: Array
+    view: Array
+    clip: Array
+    ndc: Array
+    image: Array
+    depth: Array
+    in_front: NDArray[np.bool_]
+    outside: NDArray[np.bool_]
+
+
+def _stage(name: str, *factors: tuple[str, Rationals], note: str = "") -> Stage:
+    """A stage that is the product of its factors."""
+    whole = _diagonal(1, 1, 1, 1)
+    for _, factor in factors:
+        whole = product(whole, factor)
+    return Stage(name, whole, tuple((label, _rounded(f)) for label, f in factors), note)
+
+
+def _rounded(matrix: Rationals) -> Array:
+    return read_only([[float(part) for part in row] for row in matrix])
+
+
+def _inverse(field: str, matrix: Rationals) -> Rationals:
+    rank, _, inverse = eliminate(matrix)
+    if inverse is None:
+        cells = tuple(map(tuple, _rounded(matrix).tolist()))
+        raise ProjectionError(field, cells, INVERTIBLE, rank)
+    return inverse
+
+
+def _diagonal(*parts: Fraction | int) -> Rationals:
+    return [[Fraction(part if i == j else 0) for j in range(4)] for i, part in enumerate(parts)]
+
+
+def _shift(*offset: Fraction | int) -> Rationals:
+    matrix = _diagonal(1, 1, 1, 1)
+    for row, part in zip(matrix, offset, strict=False):
+        row[3] = Fraction(part)
+    return matrix
+
+
+@dataclass(frozen=True)
+class Projection:
+    """A camera, a lens, an image and a depth range: everything a picture depends on.
+
+    A value that exists is a value that works; edits are made with `dataclasses.replace`.
+
+    Parameters
+    ----------
+    camera : Camera
+    lens : Perspective, Frustum, Orthographic, Oblique or FreeMatrix
+    image_size : (int, int)
+        Width and height in pixels.
+    depth : {"opengl", "direct3d", "reversed"}
+        The NDC range of z.
+
+    Raises
+    ------
+    ProjectionError
+        For an image side outside 1..`LARGEST_IMAGE_PX` or an unknown depth range.
+    """
+
+    camera: Camera = Camera()
+    lens: Lens = Perspective()
+    image_size: tuple[int, int] = (1280, 720)
+    depth: DepthRange = "opengl"
+
+    def __post_init__(self) -> None:
+        try:
+            size = tuple(self.image_size)
+            if len(size) != 2:
+                raise TypeError
+        except TypeError:
+            raise ProjectionError(
+                "image", self.image_size, WHOLE_PIXELS, LARGEST_IMAGE_PX
+            ) from None
+        for name, side in zip(("width", "height"), size, strict=True):
+            whole = isinstance(side, numbers.Integral) and not isinstance(side, bool)
+            if not whole or not 1 <= side <= LARGEST_IMAGE_PX:
+                raise ProjectionError(name, side, WHOLE_PIXELS, LARGEST_IMAGE_PX)
+        if not isinstance(self.depth, str) or self.depth not in DEPTH_RANGES:
+            raise ProjectionError("depth", self.depth, ONE_OF, ", ".join(DEPTH_RANGES))
+        keep_checked(self, image_size=(int(size[0]), int(size[1])))
+        if isinstance(self.lens, Windowed):  # `keep` can shrink it to nothing, far from the axis
+            left, right, bottom, top = self.window
+            x_axis, y_axis = self._axes
+            for name, low, high, axis in (
+                ("left", left, right, x_axis),
+                ("bottom", bottom, top, y_axis),
+            ):
+                if abs(high - low - axis.extent) > axis.extent / 2.0:
+                    raise ProjectionError(name, low, DISTINCT, format_value(high))
+            self.lens.check_window(left, right, bottom, top)
+
+    # -- plain figures
+
+    @property
+    def standard_lens(self) -> StandardLens:
+        """The lens, where it is one that has fields.
+
+        Raises
+        ------
+        ProjectionError
+            For a free matrix.
+        """
+        if isinstance(self.lens, FreeMatrix):
+            raise ProjectionError("kind", self.lens.kind, ONE_OF, ", ".join(LENSES))
+        return self.lens
+
+    @property
+    def aspect(self) -> float:
+        """The image's width over its height."""
+        return self.image_size[0] / self.image_size[1]
+
+    @property
+    def depth_range(self) -> tuple[float, float]:
+        """NDC z of the near and of the far plane."""
+        return DEPTH_RANGES[self.depth]
+
+    @cached_property
+    def window(self) -> tuple[float, float, float, float]:
+        """Left, right, bottom, top of the picture on the near plane, in world units."""
+        return self.standard_lens.window(Fraction(*self.image_size))
+
+    @cached_property
+    def _axes(self) -> tuple[_Axis, _Axis]:
+        """The picture's x and y range on the near plane, after `keep`, without its rounding."""
+        lens = self.standard_lens
+        if isinstance(lens, Perspective):
+            _, right, _, top = self.window
+            return _Axis(0.0, 2.0 * right), _Axis(0.0, 2.0 * top)
+        exact = lens.exact_window(Fraction(*self.image_size))
+        return _axis(*exact[:2]), _axis(*exact[2:])
+
+    @property
+    def intrinsics(self) -> Intrinsics:
+        """The perspective camera's K.
+
+        Raises
+        ------
+        ProjectionError
+            For a parallel lens and for a free matrix, which have none.
+        """
+        if isinstance(self.lens, FreeMatrix) or self.lens.parallel:
+            raise ProjectionError("kind", self.lens.kind, ONE_OF, "perspective, frustum")
+        width, height = self.image_size
+        if isinstance(self.lens, Perspective):  # square pixels, and the axis in the middle
+            focal = height / 2.0 * self.lens.cot_half_fov_y
+            return Intrinsics(focal, focal, (width - 1) / 2.0, (height - 1) / 2.0)
+        x_axis, y_axis = self._axes
+        near = self.lens.near
+        return Intrinsics(
+            width * near / x_axis.extent,
+            height * near / y_axis.extent,
+            (width - 1) / 2.0 - width / 2.0 * x_axis.skew,
+            (height - 1) / 2.0 + height / 2.0 * y_axis.skew,
+        )
+
+    @cached_property
+    def stretch(self) -> float:
+        """By how much the lens enlarges the rounding of view coordinates, in NDC.
+
+        A view coordinate is wrong by some 1e-16 of the point's distance from the eye; this is
+        that distance's largest ratio to the picture's half-width or half-height there, times
+        what the lens adds. About 4 for everyday lenses.
+        """
+        lens = self.standard_lens
+        left, right, bottom, top = self.window
+        across, up = max(abs(left), abs(right)), max(abs(bottom), abs(top))
+        half_width, half_height = (right - left) / 2.0, (top - bottom) / 2.0
+        if not lens.parallel:
+            slant = math.hypot(across, up, lens.near) / lens.near
+            return slant * max((lens.near + across) / half_width, (lens.near + up) / half_height)
+        depth = max(abs(lens.near), abs(lens.far))
+        shear_x, shear_y = (abs(cot) for cot in self.shear)
+        extent = lens.far - lens.near
+        distance = math.hypot(across + shear_x * extent, up + shear_y * extent, depth)
+        return distance * max((1.0 + shear_x) / half_width, (1.0 + shear_y) / half_height)
+
+    @property
+    def view_error(self) -> float:
+        """What `trace`'s view coordinates lack beside their last rounding, of the distance from
+        the eye (the sum of the offset's sizes); z with what its rounding cut off.
+        """
+        return 2.0**-74 if self.stretch <= _LARGE_STRETCH else 2.0**-96
+
+    @property
+    def shear(self) -> tuple[float, float]:
+        """``cot(alpha), cot(beta)`` of an oblique lens, 0 and 0 of the others."""
+        return self.lens.shear if isinstance(self.lens, Oblique) else (0.0, 0.0)
+
+    # -- matrices
+
+    @cached_property
+    def view_rotation(self) -> Array:
+        """Factor R of the view matrix: rows u, v, n (lecture 004), (4, 4)."""
+        matrix = np.eye(4)
+        matrix[:3, :3] = self.camera.frame
+        return read_only(matrix)
+
+    @cached_property
+    def view_translation(self) -> Array:
+        """Factor P of the view matrix: the eye moves to the origin (lecture 004), (4, 4)."""
+        return _translation(-np.array(self.camera.eye))
+
+    @cached_property
+    def view_from_world(self) -> Array:
+        """The view matrix R P of lecture 004, or the one typed in its place, (4, 4)."""
+        if isinstance(self.lens, FreeMatrix) and self.lens.view_from_world is not None:
+            return read_only(self.lens.view_from_world)
+        return read_only(self.view_rotation @ self.view_translation)
+
+    @cached_property
+    def clip_from_view(self) -> Array:
+        """The lens' matrix, (4, 4), for the chosen depth range.
+
+        Lecture 000 (13) for a perspective lens, glOrtho for the orthographic one, lecture 002's
+        ``P_obl = P_ort H`` for the oblique one.
+        """
+        lens = self.lens
+        if isinstance(lens, FreeMatrix):
+            return read_only(lens.clip_from_view)
+        near, far = lens.near, lens.far
+        matrix = np.zeros((4, 4))
+        if isinstance(lens, Perspective):
+            matrix[1, 1] = lens.cot_half_fov_y
+            matrix[0, 0] = matrix[1, 1] / self.aspect
+        else:
+            unit = 1.0 if lens.parallel else near
+            for row, axis in enumerate(self._axes):
+                matrix[row, row] = 2.0 * unit / axis.extent
+                matrix[row, 3 if lens.parallel else 2] = axis.skew
+        if not lens.parallel:
+            matrix[2, 2:] = self._depth_row
+            matrix[3, 2] = -1.0
+        else:
+            z_near, z_far = self.depth_range
+            matrix[:2, 3] *= -1.0
+            matrix[2, 2] = (z_near - z_far) / (far - near)
+            matrix[2, 3] = (z_near * far - z_far * near) / (far - near)
+            matrix[3, 3] = 1.0
+            for row, cot in enumerate(self.shear):
+                matrix[row, 2] = matrix[row, row] * cot
+                matrix[row, 3] += matrix[row, row] * (cot * near)
+        return read_only(matrix)
+
+    @property
+    def _depth_row(self) -> tuple[float, float]:
+        """A and B of ``z_clip = A z_view + B`` for a perspective lens (lecture 000, before (12)).
+
+        Both planes' conditions give ``A = -(z_far f - z_near n)/(f - n)`` and
+        ``B = (z_near - z_far) n f/(f - n)``; with far = inf they have the limits below.
+        """
+        near, far = self.standard_lens.near, self.standard_lens.far
+        z_near, z_far = self.depth_range
+        if far == math.inf:
+            return -z_far, (z_near - z_far) * near
+        a = -(z_far * far - z_near * near) / (far - near)
+        return a, (z_near - z_far) * near * (far / (far - near))
+
+    @cached_property
+    def view_from_clip(self) -> Array:
+        """The inverse of `clip_from_view` in closed form, (4, 4); also for far = inf.
+
+        Raises
+        ------
+        ProjectionError
+            For a free matrix without an inverse.
+        """
+        lens = self.lens
+        if isinstance(lens, FreeMatrix):
+            return _rounded(_inverse("clip_from_view", rationals(lens.clip_from_view)))
+        near, far = lens.near, lens.far
+        z_near, z_far = self.depth_range
+        matrix = np.zeros((4, 4))
+        if isinstance(lens, Perspective):
+            matrix[0, 0] = self.aspect / lens.cot_half_fov_y
+            matrix[1, 1] = 1.0 / lens.cot_half_fov_y
+        else:
+            unit = 1.0 if lens.parallel else near
+            for row, axis in enumerate(self._axes):
+                matrix[row, row] = axis.extent / 2.0 / unit
+                matrix[row, 3] = axis.middle / unit
+        if not lens.parallel:
+            matrix[2, 3] = -1.0
+            # 1/w is affine in z_ndc: 1/near on the near face, 1/far on the far one.
+            step = (1.0 if far == math.inf else (far - near) / far) / near
+            matrix[3, 2] = step / (z_near - z_far)
+            if z_far == 0.0:
+                matrix[3, 3] = 1.0 / far
+            else:
+                matrix[3, 3] = (z_near / far - z_far / near) / (z_near - z_far)
+        else:
+            matrix[2, 2] = (far - near) / (z_near - z_far)
+            matrix[2, 3] = -(z_near * far - z_far * near) / (z_near - z_far)
+            matrix[3, 3] = 1.0
+            # From the near plane the depth is (far - near) (z - z_near)/(z_near - z_far).
+            for row, cot in enumerate(self.shear):
+                matrix[row, 2] = -cot * matrix[2, 2]
+                matrix[row, 3] += cot * matrix[2, 2] * z_near
+        return read_only(matrix)
+
+    @cached_property
+    def clip_from_world(self) -> Array:
+        """`clip_from_view` times `view_from_world`, (4, 4)."""
+        return read_only(self.clip_from_view @ self.view_from_world)
+
+    @cached_property
+    def world_from_clip(self) -> Array:
+        """The inverse of `clip_from_world`, (4, 4): it un-projects the NDC cube to the frustum."""
+        return self.world_from_clip_at((0.0, 0.0, 0.0))
+
+    def clip_from_world_at(self, origin: ArrayLike) -> Array:
+        """`clip_from_world` for points given relative to `origin`.
+
+        Parameters
+        ----------
+        origin : (3,) array_like
+            World point that the given points are measured from. It meets the eye in float64
+            before anything is multiplied, so that a scene at 1e9 loses no digit.
+
+        Returns
+        -------
+        (4, 4) float64 array
+        """
+        shift = _translation(np.asarray(origin, dtype=np.float64) - self.camera.eye)
+        return read_only(self.clip_from_eye @ shift)
+
+    @cached_property
+    def clip_from_eye(self) -> Array:
+        """Clip from world axes with their origin in the eye: `clip_from_world_at` it, (4, 4)."""
+        if isinstance(self.lens, FreeMatrix):
+            return _rounded(self.exact_from_eye[1])
+        return read_only(self.clip_from_view @ self.view_rotation)
+
+    @cached_property
+    def exact_from_eye(self) -> tuple[Rationals, Rationals]:
+        """View and clip from ``(p - eye, 1)``, before they are rounded.
+
+        For a view matrix of its own the eye is but a point near by: what it and a point have in
+        common is subtracted before anything is multiplied.
+        """
+        if not isinstance(self.lens, FreeMatrix) or self.lens.view_from_world is None:
+            view = _diagonal(1, 1, 1, 1)
+            for row, axis in zip(view, self.camera.exact_frame, strict=False):
+                row[:3] = axis
+        else:
+            eye = map(Fraction, self.camera.eye)
+            view = product(rationals(self.lens.view_from_world), _shift(*eye))
+        return view, product(self.direct_stages[0].exact, view)
+
+    @cached_property
+    def _eye_from_clip(self) -> Rationals:
+        """The inverse of `exact_from_eye`'s clip matrix, or a `ProjectionError`."""
+        view_from_clip = _inverse("clip_from_view", self.direct_stages[0].exact)
+        inverse = product(_inverse("view_from_world", self.exact_from_eye[0]), view_from_clip)
+        if max(abs(part) for row in inverse for part in row) > LARGEST_INVERSE:
+            cells = self.clip_from_view.tolist()
+            raise ProjectionError("clip_from_view", cells, SMALL_INVERSE)
+        return inverse
+
+    @cached_property
+    def frustum_sign(self) -> int:
+        """The sign of w at all eight of the cube's corners un-projected; 0 for no frustum.
+
+        A lens always has one, whose far corners may be at infinity. A free matrix has none
+        without an inverse, with one too large to be drawn, or where infinity lies in or on its
+        volume.
+        """
+        if not isinstance(self.lens, FreeMatrix):
+            return 1
+        try:
+            x, y, z, w = self._eye_from_clip[3]
+        except ProjectionError:
+            return 0
+        ends = [w + z * Fraction(z_ndc) for z_ndc in self.depth_range]
+        reach = abs(x) + abs(y)
+        return (min(ends) > reach) - (max(ends) < -reach)
+
+    @property
+    def least_w(self) -> float:
+        """The least w of what is in the view volume, or less: near, of a perspective lens."""
+        lens = self.lens
+        if not isinstance(lens, FreeMatrix):
+            return 1.0 if lens.parallel else lens.near
+        if self.frustum_sign <= 0:
+            return 0.0
+        # Un-projected, the cube's corner (x, y, z, 1) has the inverse of the point's own w.
+        x, y, z, w = self._eye_from_clip[3]
+        most = max(w + z * Fraction(z_ndc) for z_ndc in self.depth_range) + abs(x) + abs(y)
+        return float(1 / most)
+
+    def world_from_clip_at(self, origin: ArrayLike) -> Array:
+        """The inverse of `clip_from_world_at`, (4, 4).
+
+        Raises
+        ------
+        ProjectionError
+            For a free matrix without an inverse, or one that float64 cannot hold.
+        """
+        shift = _translation(self.camera.eye - np.asarray(origin, dtype=np.float64))
+        if isinstance(self.lens, FreeMatrix):
+            return read_only(shift @ _rounded(self._eye_from_clip))
+        return read_only(shift @ self.view_rotation.T @ self.view_from_clip)
+
+    @cached_property
+    def image_from_ndc(self) -> Array:
+        """The viewport matrix (lecture 002), (4, 4): x, y to pixels, z to depth in [0, 1]."""
+        width, height = self.image_size
+        z_low = min(self.depth_range)
+        matrix = np.diag([width / 2.0, -height / 2.0, 1.0 / (1.0 - z_low), 1.0])
+        matrix[:3, 3] = width / 2.0, height / 2.0, -z_low / (1.0 - z_low)
+        return read_only(matrix)
+
+    @cached_property
+    def exact_lens(self) -> ExactLens:
+        """The numbers that the lens is made of, without their rounding to float64."""
+        lens = self.standard_lens
+        width, height = self.image_size
+        zero = Fraction(0)
+        shear, near = (zero, zero), Fraction(lens.near)
+        if isinstance(lens, Perspective):
+            cot = dd.cotangent_deg(Fraction(lens.fov_y_deg) / 2)
+            scale, shift = (cot * height / width, cot), (zero, zero)
+        else:
+            left, right, bottom, top = lens.exact_window(Fraction(width, height))
+            size = 2 if lens.parallel else 2 * near
+            scale = size / (right - left), size / (top - bottom)
+            shift = -(right + left) / (right - left), -(top + bottom) / (top - bottom)
+        if isinstance(lens, Oblique):
+            alpha, beta = Fraction(lens.alpha_deg), Fraction(lens.beta_deg)
+            shear = dd.cotangent_deg(alpha), dd.cotangent_deg(beta)
+        far = None if lens.far == math.inf else Fraction(lens.far)
+        return ExactLens(scale, shift, shear, near, far)
+
+    @cached_property
+    def stages(self) -> tuple[Stage, ...]:
+        """The pipeline in order; between clip and NDC comes the divide by w.
+
+        The canonical volumes and the matrices between them are those of lecture 001: for a
+        perspective lens the pyramid with its apex in the eye, x and y from -1 to 1 at z = -1, and
+        for every lens the box x, y from -1 to 1, z from 0 at near to -1 at far.
+
+        These are the matrices to be read: every number is computed in rationals and rounded once.
+        """
+        z_near, z_far = (Fraction(z) for z in self.depth_range)
+        width, height = self.image_size
+        z_low = min(z_near, z_far)
+        of_object = _stage("world_from_object", note=NO_OBJECT_TRANSFORM)
+        to_image = _stage(
+            "image_from_ndc",
+            ("scale", _diagonal(Fraction(width, 2), Fraction(-height, 2), 1 / (1 - z_low), 1)),
+            ("translation", _shift(1, -1, -z_low)),
+        )
+        if isinstance(self.lens, FreeMatrix):
+            return of_object, self._view_stage, to_image
+        near, far = self.exact_lens.near, self.exact_lens.far
+        if self.lens.parallel:
+            to_parallel, normalise = self._parallel_stages, _diagonal(1, 1, 1, 1)
+        else:
+            to_parallel = self._perspective_stages
+            # Times far: w is the distance again, last row 0 0 -1 0 as the field writes it.
+            reach = near if far is None else far
+            normalise = _diagonal(reach, reach, reach, reach)
+        return (
+            of_object,
+            self._view_stage,
+            *to_parallel,
+            _stage(
+                "depth_range_from_canonical_parallel",
+                ("translation", _shift(0, 0, z_near)),
+                ("scale", _diagonal(1, 1, z_near - z_far, 1)),
+            ),
+            _stage("clip_from_depth_range", ("scale", normalise)),
+            to_image,
+        )
+
+    @property
+    def _view_stage(self) -> Stage:
+        if isinstance(self.lens, FreeMatrix) and self.lens.view_from_world is not None:
+            return Stage("view_from_world", rationals(self.lens.view_from_world), (), "")
+        eye = [Fraction(-part) for part in self.camera.eye]
+        rotation = _diagonal(1, 1, 1, 1)
+        for row, axis in zip(rotation, self.camera.exact_frame, strict=False):
+            row[:3] = axis
+        view = _stage("view_from_world", ("rotation", rotation), ("translation", _shift(*eye)))
+        # The product's zeros cancel to the last of the frame's bits only.
+        for row, part in zip(view.exact, self.camera.exact_view((0.0, 0.0, 0.0)), strict=False):
+            row[3] = part
+        return view
+
+    @cached_property
+    def direct_stages(self) -> tuple[Stage, Stage]:
+        """`clip_from_view` and `clip_from_world` as products of `stages`, rounded once.
+
+        A free matrix is one step, and has no factors.
+        """
+        view, *lens = self.stages[1:-1]
+        direct = _stage("clip_from_view", *((stage.name, stage.exact) for stage in reversed(lens)))
+        if isinstance(self.lens, FreeMatrix):
+            direct = Stage("clip_from_view", rationals(self.lens.clip_from_view), (), "")
+            lens = [direct]
+        return (
+            direct,
+            _stage(
+                "clip_from_world",
+                *((stage.name, stage.exact) for stage in (*reversed(lens), view)),
+            ),
+        )
+
+    @property
+    def _perspective_stages(self) -> tuple[Stage, Stage]:
+        """From view space through the canonical pyramid to the canonical box (lecture 001)."""
+        (scale_x, scale_y), (shift_x, shift_y), _, near, far = self.exact_lens
+        reach, note = (near, SCALED_BY_NEAR) if far is None else (far, "")
+        factors = [("scale", _diagonal(scale_x / reach, scale_y / reach, 1 / reach, 1))]
+        if self.lens.kind == "frustum":  # H of lecture 002: the window's middle to the axis
+            shear = _diagonal(1, 1, 1, 1)
+            shear[0][2], shear[1][2] = -shift_x / scale_x, -shift_y / scale_y
+            factors.append(("shear", shear))
+        m_pp = _diagonal(1, 1, 1, 0)
+        m_pp[3][2] = Fraction(-1)
+        m_pp[2][3] = Fraction(1)
+        if far is not None:
+            m_pp[2][2:] = far / (far - near), near / (far - near)
+        return (
+            _stage("canonical_perspective_from_view", *factors, note=note),
+            _stage("canonical_parallel_from_canonical_perspective", ("M_pp", m_pp), note=note),
+        )
+
+    @property
+    def _parallel_stages(self) -> tuple[Stage, Stage]:
+        """From view space to the canonical box (lecture 002: P_ort H, ours in 001's z range)."""
+        (scale_x, scale_y), (shift_x, shift_y), cots, near, far = self.exact_lens
+        assert far is not None
+        factors = [
+            ("scale", _diagonal(scale_x, scale_y, 1 / (far - near), 1)),
+            ("translation", _shift(shift_x / scale_x, shift_y / scale_y, near)),
+        ]
+        if self.lens.kind == "oblique":
+            shear = _diagonal(1, 1, 1, 1)
+            for row, cot in enumerate(cots):
+                shear[row][2:] = cot, near * cot
+            factors.append(("shear", shear))
+        return (
+            _stage("canonical_parallel_from_view", *factors),
+            _stage("canonical_parallel_from_canonical_perspective", note=NO_M_PP),
+        )
+
+    @cached_property
+    def frustum_corners_world(self) -> Array:
+        """The cube's eight corners un-projected, homogeneous, (8, 4).
+
+        Left-bottom, right-bottom, right-top, left-top of the near face, then of the far face;
+        w is 1, or 0 for the far corners of an infinite frustum, which are directions
+        (lecture 002: points at infinity).
+
+        Raises
+        ------
+        ProjectionError
+            For a free matrix without an inverse.
+        """
+        if isinstance(self.lens, FreeMatrix):
+            cube = [(x, y, z, 1.0) for z in self.depth_range for x, y in _FACE]
+            corners = np.array(cube) @ _rounded(self._eye_from_clip).T
+            finite = corners[:, 3] != 0.0
+            corners[finite] /= corners[finite, 3:]
+            corners[finite, :3] += self.camera.eye
+            return read_only(corners)
+        # Through the reversed range: there 1/w of the far face is 1/far itself, where [-1, 1]
+        # makes it a difference of two numbers of the size of 1/near.
+        cube = [(x, y, z, 1.0) for z in (1.0, 0.0) for x, y in _FACE]
+        corners = np.array(cube) @ replace(self, depth="reversed").view_from_clip.T
+        finite = corners[:, 3] != 0.0
+        corners[finite] /= corners[finite, 3:]
+        directions = corners[:, :3] @ self.camera.frame
+        directions[finite] += self.camera.eye
+        return read_only(np.column_stack([directions, corners[:, 3]]))
+
+    # -- points
+
+    def trace(self, points_world: ArrayLike) -> Trace:
+        """Follow points through every stage, eye first and in closed form.
+
+        Parameters
+        ----------
+        points_world : (..., 3) array_like
+            World coordinates.
+
+        Returns
+        -------
+        Trace
+
+        Raises
+        ------
+        ProjectionError
+            If a coordinate is not a finite number.
+
+        Notes
+        -----
+        Depth is ``f/(f - n) * ((w - n)/w)``, not ``A + B/w``: the difference ``w - n`` keeps
+        1.3e-16 where the sum of two large numbers keeps 6e-5 (near close to far).
+        """
+        world = checked_points(points_world)
+        with np.errstate(divide="ignore", invalid="ignore", over="ignore", under="ignore"):
+            if isinstance(self.lens, FreeMatrix):
+                return self._trace_free(world)
+            return self._trace_view(world)
+
+    def _trace_free(self, world: Array) -> Trace:
+        """Under a free matrix: the six planes are those of the cube, and any w is possible."""
+        offsets = world - self.camera.eye
+        view_from_eye = _rounded(self.exact_from_eye[0])
+        view = offsets @ view_from_eye[:3, :3].T + view_from_eye[:3, 3]
+        if tuple(view_from_eye[3]) != (0.0, 0.0, 0.0, 1.0):
+            view /= (offsets @ view_from_eye[3, :3] + view_from_eye[3, 3])[..., None]
+            view[~np.isfinite(view).all(axis=-1)] = np.nan
+        clip = offsets @ self.clip_from_eye[:, :3].T + self.clip_from_eye[:, 3]
+        x, y, z, w = np.moveaxis(clip, -1, 0)
+        ndc = clip[..., :3] / w[..., None]
+        width, height = self.image_size
+        image = np.stack(
+            [(ndc[..., 0] + 1.0) * (width / 2.0), (1.0 - ndc[..., 1]) * (height / 2.0)], axis=-1
+        )
+        depth = np.asarray((ndc[..., 2] + 1.0) / 2.0 if self.depth == "opengl" else ndc[..., 2])
+        in_front = (w > 0.0) & np.isfinite(ndc).all(axis=-1) & np.isfinite(image).all(axis=-1)
+        for array in (ndc, image, depth):
+            array[~in_front] = np.nan
+        z_near, z_far = self.depth_range
+        sign = math.copysign(1.0, z_far - z_near)
+        outside = np.stack(
+            [
+                sign * z < sign * z_near * w,
+                sign * z > sign * z_far * w,
+                x < -w,
+                x > w,
+                y < -w,
+                y > w,
+            ],
+            axis=-1,
+        )
+        return Trace(world, view, clip, ndc, image, depth, in_front, outside)
+
+    def _view(self, world: Array) -> tuple[Array, Array]:
+        """View coordinates of points (n, 3), rounded once, and what that cut off of z.
+
+        Returns
+        -------
+        view : (3, n) array
+        rest : (n,) array
+
+        Notes
+        -----
+        Ozaki, Ogita, Oishi, Rump, "Error-free transformations of matrix multiplication" (2012):
+        offsets and frame are cut in two, so that the large parts' products and sums are whole
+        numbers of a unit, below 2^53 of them, which no order of summing rounds. What is left has
+        2^-25 of the size, and its rounding 2^-75.
+        """
+        if not self.stretch <= _LARGE_STRETCH:
+            parts = self.view_double_double(world)
+            return np.stack([part.hi for part in parts]), parts[2].lo
+        large, small = self._frame_parts
+        offset, left_over = dd.two_sum(np.ascontiguousarray(world.T), self._minus_eye)
+        unit = np.abs(offset)
+        unit = unit[0] + unit[1] + unit[2]
+        unit *= _ABOVE_OFFSETS
+        high = offset + unit
+        high -= unit
+        whole = large @ high
+        left_over += np.subtract(offset, high, out=high)
+        left_over = large @ left_over
+        left_over += small @ offset
+        view = whole + left_over
+        return view, left_over[2] - (view[2] - whole[2])
+
+    @cached_property
+    def _minus_eye(self) -> Array:
+        return read_only([[-part] for part in self.camera.eye])
+
+    @cached_property
+    def _frame_parts(self) -> tuple[Array, Array]:
+        """The camera's frame as multiples of 2^-25, and the rest; (3, 3) each."""
+        large = np.round(self.camera.frame * 2.0**25) / 2.0**25
+        small = [
+            [float(exact - Fraction(part)) for exact, part in zip(*rows, strict=True)]
+            for rows in zip(self.camera.exact_frame, large.tolist(), strict=True)
+        ]
+        return read_only(large), read_only(small)
+
+    def view_double_double(self, points_world: Array) -> tuple[DoubleDouble, ...]:
+        """View coordinates x, y, z with twice the digits of float64.
+
+        Parameters
+        ----------
+        points_world : (n, 3) array
+
+        Returns
+        -------
+        tuple of 3 DoubleDouble of (n,) arrays
+            Their errors are below ``3 double_double.RELATIVE_ERROR`` of the distance from the eye.
+        """
+        offsets = [dd.two_sum(points_world[:, i], -part) for i, part in enumerate(self.camera.eye)]
+        rows = []
+        for axis in self._frame_double_double:
+            x, y, z = (dd.multiply(part, o) for part, o in zip(axis, offsets, strict=True))
+            rows.append(dd.add(dd.add(x, y), z))
+        return tuple(rows)
+
+    @cached_property
+    def _frame_double_double(self) -> list[list[DoubleDouble]]:
+        return [
+            [DoubleDouble(*map(np.asarray, dd.from_exact(part))) for part in axis]
+            for axis in self.camera.exact_frame
+        ]
+
+    def _trace_view(self, world: Array) -> Trace:
+        flat = world.reshape(-1, 3)
+        count = len(flat)
+        # In one piece: the system hands out a large one many times as fast as several.
+        numbers = np.empty(13 * count)
+        view, clip, ndc, image = (
+            numbers[first * count : last * count].reshape(count, last - first)
+            for first, last in ((0, 3), (3, 7), (7, 10), (10, 12))
+        )
+        in_front, outside = np.empty(count, dtype=bool), np.empty((count, 6), dtype=bool)
+        traced = Trace(flat, view, clip, ndc, image, numbers[12 * count :], in_front, outside)
+        for start in range(0, count, _CHUNK):
+            self._trace_block(Trace._make(part[start : start + _CHUNK] for part in traced))
+        shape = world.shape[:-1]
+        return Trace._make(part.reshape(shape + part.shape[1:]) for part in traced)
+
+    def _trace_block(self, traced: Trace) -> None:
+        """Fill in what follows from the world coordinates, row by row: so numpy is fast."""
+        lens = self.standard_lens
+        near, far = lens.near, lens.far
+        rows, rest = self._view(traced.world)
+        x, y, z = rows
+        distance = -z
+        reverse = self.depth == "reversed"
+        if lens.parallel or not reverse:
+            # Between planes that nearly touch, all that the depth has left is what was cut off.
+            from_plane = (far - distance) + rest if reverse else (distance - near) - rest
+        if lens.parallel:
+            w, minus_w = np.ones_like(z), -1.0
+            cot_alpha, cot_beta = self.shear
+            before = near - distance
+            x_axis, y_axis = self._axes
+            x_clip = x_ndc = x_axis.across(x + cot_alpha * before)
+            y_clip = y_ndc = y_axis.across(y + cot_beta * before)
+            numerator = depth = from_plane / (far - near)
+        else:
+            w, minus_w = distance, z
+            if isinstance(lens, Perspective):
+                scale_y = lens.cot_half_fov_y
+                scale_x = scale_y / self.aspect
+                x_clip, y_clip = scale_x * x, scale_y * y
+                x_ndc, y_ndc = scale_x * (x / w), scale_y * (y / w)
+            else:
+                x_axis, y_axis = self._axes
+                x_ndc, y_ndc = x_axis.across(near * (x / w)), y_axis.across(near * (y / w))
+                # Where w is 0 there is no quotient, but still a point in clip space.
+                x_clip = 2.0 * near / x_axis.extent * x - x_axis.skew * w
+                y_clip = 2.0 * near / y_axis.extent * y - y_axis.skew * w
+            if reverse and far != math.inf:
+                # What the difference, the ratio and w were rounded by is added to the product:
+                # three roundings in all, 3.4e-16 of w that depth implies.
+                ratio, ratio_rest = self._near_ratio
+                gap = far - w
+                product = ratio * gap
+                tail = ratio_rest * gap + ratio * (((far - gap) - w) + rest)
+                numerator = product + tail
+                depth = (product + (tail + product * (rest / w))) / w
+            else:
+                if reverse:
+                    numerator = near + 0.0 * w
+                else:
+                    numerator = (1.0 if far == math.inf else far / (far - near)) * from_plane
+                depth = numerator / w
+        opengl = self.depth == "opengl"
+        z_clip = 2.0 * numerator - w if opengl else numerator
+        z_ndc = 2.0 * depth - 1.0 if opengl else depth
+        width, height = self.image_size
+        right, down = (x_ndc + 1.0) * (width / 2.0), (1.0 - y_ndc) * (height / 2.0)
+        for array, columns in (
+            (traced.view, rows),
+            (traced.clip, (x_clip, y_clip, z_clip, w)),
+            (traced.ndc, (x_ndc, y_ndc, z_ndc)),
+            (traced.image, (right, down)),
+        ):
+            for i, column in enumerate(columns):
+                array[:, i] = column
+        traced.depth[...] = depth
+        in_front = np.greater(w, 0.0, out=traced.in_front)
+        for row in (right, down, z_ndc):  # pixels are finite only where x and y of the cube are
+            in_front &= np.isfinite(row)
+        if not in_front.all():
+            for array in (traced.ndc, traced.image, traced.depth):
+                array[~in_front] = np.nan
+        beyond = traced.outside.T
+        np.less(distance, near, out=beyond[0])
+        np.greater(distance, far, out=beyond[1])
+        for i, row in ((2, x_clip), (4, y_clip)):
+            np.less(row, minus_w, out=beyond[i])
+            np.greater(row, w, out=beyond[i + 1])
+
+    @cached_property
+    def _near_ratio(self) -> tuple[float, float]:
+        """``n/(f - n)`` of a finite lens, rounded once, and the rest."""
+        near, far = Fraction(self.standard_lens.near), Fraction(self.standard_lens.far)
+        return dd.from_exact(near / (far - near))
+
+    def world_from_image(self, points_image: ArrayLike) -> Array:
+        """Un-project pixels with a depth.
+
+        Parameters
+        ----------
+        points_image : (..., 3) array_like
+            x and y in pixels and depth in [0, 1], as `Trace.image` and `Trace.depth`.
+
+        Returns
+        -------
+        (..., 3) float64 array
+            World coordinates.
+
+        Raises
+        ------
+        ProjectionError
+            If a number is not finite, a depth is outside [0, 1], or one is that of a far plane
+            at infinity (or farther than 1e250), where a pixel has a direction but no point. And
+            for a free matrix without an inverse.
+        """
+        points = checked_points(points_image)
+        depth = points[..., 2]
+        for wrong, bound, limit in ((depth < 0.0, AT_LEAST, 0), (depth > 1.0, AT_MOST, 1)):
+            if wrong.any():
+                raise ProjectionError("depth", float(depth[wrong][0]), bound, limit)
+        if isinstance(self.lens, FreeMatrix):
+            return self._world_from_image_free(points)
+        lens = self.lens
+        near, far = lens.near, lens.far
+        # From 0 at the near plane to 1 at the far one, and what is left of it, without a
+        # difference where the format has its digits.
+        gone, left_over = (1.0 - depth, depth) if self.depth == "reversed" else (depth, 1.0 - depth)
+        if lens.parallel:
+            distance = near * left_over + far * gone
+        elif far == math.inf:
+            with np.errstate(divide="ignore", over="ignore"):
+                distance = near / left_over
+        else:
+            distance = near / (left_over + near / far * gone)
+        width, height = self.image_size
+        x_axis, y_axis = self._axes
+        x = x_axis.middle + x_axis.extent * ((points[..., 0] - width / 2.0) / width)
+        y = y_axis.middle - y_axis.extent * ((points[..., 1] - height / 2.0) / height)
+        if lens.parallel:
+            cot_alpha, cot_beta = self.shear
+            x, y = x + cot_alpha * (distance - near), y + cot_beta * (distance - near)
+        else:
+            with np.errstate(over="ignore", invalid="ignore"):
+                x, y = x * (distance / near), y * (distance / near)
+        nowhere = ~(np.abs(x) + np.abs(y) + np.abs(distance) < _BEYOND)
+        if nowhere.any():
+            raise ProjectionError("depth", float(depth[nowhere][0]), NO_POINT)
+        # With twice the digits, so that there and back together stay within 1e-15 of w.
+        view = [DoubleDouble(part, np.zeros_like(part)) for part in (x, y, -distance)]
+        world = np.empty_like(points)
+        for column, eye in enumerate(self.camera.eye):
+            total = DoubleDouble(np.asarray(eye), np.zeros(()))
+            for axis, part in zip(self._frame_double_double, view, strict=True):
+                total = dd.add(total, dd.multiply(axis[column], part))
+            world[..., column] = total.hi
+        return world
+
+    def _world_from_image_free(self, points: Array) -> Array:
+        z_near, z_far = self.depth_range
+        low, high = min(z_near, z_far), max(z_near, z_far)
+        width, height = self.image_size
+        ndc = np.stack(
+            [
+                2.0 * (points[..., 0] / width) - 1.0,
+                1.0 - 2.0 * (points[..., 1] / height),
+                low + (high - low) * points[..., 2],
+                np.ones(points.shape[:-1]),
+            ],
+            axis=-1,
+        )
+        offsets = ndc @ _rounded(self._eye_from_clip).T
+        with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
+            world = offsets[..., :3] / offsets[..., 3:] + self.camera.eye
+        nowhere = ~(np.abs(world).max(axis=-1) < _BEYOND)
+        if nowhere.any():
+            raise ProjectionError("depth", float(points[..., 2][nowhere][0]), NO_POINT)
+        return np.asarray(world)
+
+    # -- the same picture with another lens
+
+    def with_depth(self, depth: DepthRange) -> Projection:
+        """The same view volume and picture in another depth range.
+
+        Parameters
+        ----------
+        depth : {"opengl", "direct3d", "reversed"}
+
+        Raises
+        ------
+        ProjectionError
+            For another depth range.
+        """
+        if depth == self.depth:
+            return self
+        changed = replace(self, depth=depth)
+        if not isinstance(self.lens, FreeMatrix):
+            return changed
+        old_near, old_far = map(Fraction, self.depth_range)
+        new_near, new_far = map(Fraction, changed.depth_range)
+        scale = (new_far - new_near) / (old_far - old_near)
+        x, y, z, w = rationals(self.lens.clip_from_view)
+        z = [scale * a + (new_near - scale * old_near) * b for a, b in zip(z, w, strict=True)]
+        cells: Any = _rounded([x, y, z, w]).tolist()
+        return replace(changed, lens=replace(self.lens, clip_from_view=cells))
+
+    @property
+    def _target_window(self) -> tuple[float, float, float, float]:
+        """Left, right, bottom, top of the picture in the plane through the target."""
+        left, right, bottom, top = self.window
+        distance, near = self.camera.distance, self.standard_lens.near
+        if not self.standard_lens.parallel:
+            k = distance / near
+            return k * left, k * right, k * bottom, k * top
+        x, y = (cot * (distance - near) for cot in self.shear)
+        return left + x, right + x, bottom + y, top + y
+
+    def with_lens(self, kind: str) -> Projection:
+        """Change the kind of lens, keeping the picture as alike as it can be.
+
+        Near, far and `keep` stay where the new lens can have them. Between the perspective lenses
+        the window on the near plane stays, and so does the whole picture; otherwise the picture
+        of the plane through the target stays. A free matrix starts with the lens' own cells, and
+        goes back to that lens.
+
+        Parameters
+        ----------
+        kind : {"perspective", "frustum", "orthographic", "oblique", "matrix"}
+
+        Raises
+        ------
+        ProjectionError
+            For another kind.
+        """
+        if kind not in KINDS:
+            raise ProjectionError("kind", kind, ONE_OF, ", ".join(KINDS))
+        if kind == self.lens.kind:
+            return self
+        if isinstance(self.lens, FreeMatrix):
+            return replace(self, lens=self.lens.former).with_lens(kind)
+        lens, distance = self.lens, self.camera.distance
+        if kind == FreeMatrix.kind:
+            cells: Any = self.direct_stages[0].matrix.tolist()
+            return replace(self, lens=FreeMatrix(cells, None, lens))
+        near, far = lens.near, lens.far
+        keep: Keep = "y" if isinstance(lens, Perspective) else lens.keep
+        if kind in ("perspective", "frustum"):
+            if near < SMALLEST:
+                near = (min(distance, far) if far > 0.0 else distance) / 1000.0
+            if far <= near:  # the volume is behind the eye; the target shall be in the new one
+                far = 2.0 * distance
+            if lens.parallel:
+                window = tuple(near / distance * side for side in self._target_window)
+            else:
+                window = self.window
+            left, right, bottom, top = window
+            if kind == "frustum":
+                return replace(self, lens=Frustum(left, right, bottom, top, near, far, keep))
+            fov_y_deg = fov_y_from_window((top - bottom) / 2.0, near)
+            return replace(self, lens=Perspective(fov_y_deg, near, far))
+        if far == math.inf:
+            far = max(4.0 * distance, 2.0 * near)
+        box = (*self._target_window, near, far, keep)
+        if kind == "orthographic":
+            return replace(self, lens=Orthographic(*box))
+        oblique = Oblique(*box)
+        x, y = (cot * (distance - near) for cot in oblique.shear)
+        left, right, bottom, top = self._target_window
+        shifted = replace(oblique, left=left - x, right=right - x, bottom=bottom - y, top=top - y)
+        return replace(self, lens=shifted)
+
+    def between(self, near: float, far: float) -> Projection:
+        """The same view volume, and so the same picture, cut by other near and far planes.
+
+        Parameters
+        ----------
+        near, far : float
+            Distances from the eye plane, in world units.
+
+        Raises
+        ------
+        ProjectionError
+            For planes that the lens cannot have, and for a free matrix.
+        """
+        lens = self.standard_lens
+        near, far = check_planes(near, far, parallel=lens.parallel)
+        left, right, bottom, top = self.window
+        if isinstance(lens, Frustum):  # its window is on the near plane, and moves with it
+            k = near / lens.near
+            window = {"left": k * left, "right": k * right, "bottom": k * bottom, "top": k * top}
+            return replace(self, lens=replace(lens, near=near, far=far, keep="stretch", **window))
+        if isinstance(lens, Oblique):
+            x, y = (cot * (near - lens.near) for cot in lens.shear)
+            window = {"left": left + x, "right": right + x, "bottom": bottom + y, "top": top + y}
+            return replace(self, lens=replace(lens, near=near, far=far, keep="stretch", **window))
+        return replace(self, lens=replace(lens, near=near, far=far))
+
+    def with_intrinsics(self, intrinsics: Intrinsics) -> Projection:
+        """The same camera with the lens of a calibrated one.
+
+        Parameters
+        ----------
+        intrinsics : Intrinsics
+            In pixels of this projection's image.
+
+        Returns
+        -------
+        Projection
+            With a `Perspective` lens if the pixels are square and the axis is in the middle of
+            the image, with a `Frustum` otherwise; near and far stay.
+
+        Raises
+        ------
+        ProjectionError
+            For a focal length that is not above 0 or a number that is not finite, and for a
+            window that a `Frustum` refuses.
+        """
+        fx, fy, cx, cy = (
+            finite(name, value) for name, value in zip(Intrinsics._fields, intrinsics, strict=True)
+        )
+        for name, value in (("fx", fx), ("fy", fy)):
+            if value <= 0.0:
+                raise ProjectionError(name, value, ABOVE, 0)
+        width, height = self.image_size
+        for name, value, side, centre in (("fx", fx, width, cx), ("fy", fy, height, cy)):
+            least = (abs(centre) + side + 1.0) * SMALLEST_FIELD
+            if value < least:
+                raise ProjectionError(name, value, AT_LEAST, format_value(least))
+            if value > side / (2.0 * SMALLEST_OPENING):
+                most = format_value(side / (2.0 * SMALLEST_OPENING))
+                raise ProjectionError(name, value, AT_MOST, most)
+        lens = self.with_lens("frustum").standard_lens
+        near, far = lens.near, lens.far
+        if fx == fy and cx == (width - 1) / 2.0 and cy == (height - 1) / 2.0:
+            fov_y_deg = fov_y_from_window(height / 2.0, fy)
+            return replace(self, lens=Perspective(fov_y_deg, near, far))
+        left, right = near * (-0.5 - cx) / fx, near * (width - 0.5 - cx) / fx
+        top, bottom = near * (cy + 0.5) / fy, near * (cy + 0.5 - height) / fy
+        return replace(self, lens=Frustum(left, right, bottom, top, near, far))
+
+
+def checked_points(points: ArrayLike) -> Array:
+    """Points as a float64 array of their own, (..., 3).
+
+    Raises
+    ------
+    ProjectionError
+        If they are not rows of three finite numbers up to `LARGEST`.
+    """
+    try:
+        given = np.asarray(points)
+    except ValueError:  # rows of different lengths
+        raise ProjectionError("points", points, THREE_NUMBERS) from None
+    if given.dtype.kind not in "iuf" or given.shape[-1:] != (3,):
+        raise ProjectionError("points", points, THREE_NUMBERS)
+    checked = given.astype(np.float64)
+    if not checked.size or (checked.max() <= LARGEST and checked.min() >= -LARGEST):
+        return checked
+    wrong = ~np.isfinite(checked).all(axis=-1) | (np.abs(checked) > LARGEST).any(axis=-1)
+    if wrong.any():
+        raise ProjectionError("points", tuple(checked[wrong][0].tolist()), THREE_NUMBERS)
+    return checked

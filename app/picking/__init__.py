@@ -1,0 +1,1 @@
+"""What is under a pixel, and what a drag means."""

@@ -1,0 +1,549 @@
+"""Taking hold of the camera itself: what can be held in a pane, and what a drag makes of it.
+
+Everything follows from one `Sight`: a pixel is a ray, a place on the screen. A handle is either
+free in a plane (eye, target, the corner of a window), which the ray meets, or it runs on a rail, a
+line in the world on which one number of the model moves it (near, far, a field of view). The rail's
+picture is a straight line too, so that the point of it that is nearest to the pixel is the answer
+to one linear equation; beyond the vanishing point that answer is infinity, and the model says
+whether it can have that.
+
+A drag is reckoned from what was at its start, by where the hand is and not by how it came there.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
+from types import MappingProxyType
+from typing import Literal, NamedTuple, TypeAlias
+
+import numpy as np
+
+from app.model.projection import (
+    LENSES,
+    ONE_OF,
+    Array,
+    FreeMatrix,
+    Perspective,
+    Projection,
+    ProjectionError,
+    Vector,
+)
+from app.picking.picking import Sight
+
+Change: TypeAlias = dict[str, "float | Vector"]
+"""Fields of the camera or of the lens, and what they become."""
+Spot: TypeAlias = tuple[float, float]
+"""A place in a pane, in pixels from its top left."""
+
+
+class Handle(NamedTuple):
+    """What can be held.
+
+    Attributes
+    ----------
+    name : {"eye", "target", "near", "far", "corner", "grip"}
+    face : {"", "near", "far"}
+        On which face of the view volume it is, if on one.
+    at : (float, float)
+        Where on that face, from -1 to 1.
+    setting : str
+        Of a grip: which of the scene's settings it moves.
+    """
+
+    name: Literal["eye", "target", "near", "far", "corner", "grip"]
+    face: Literal["", "near", "far"] = ""
+    at: tuple[float, float] = (0.0, 0.0)
+    setting: str = ""
+
+
+EYE, TARGET = Handle("eye"), Handle("target")
+# A plane is held at the middle of an edge, or in its own middle where no edge is in the pane.
+_MIDDLES = ((0.0, 1.0), (0.0, -1.0), (1.0, 0.0), (-1.0, 0.0), (0.0, 0.0))
+_CORNERS = ((-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0))
+_NEAR = [Handle("near", "near", at) for at in _MIDDLES]
+_FAR = [Handle("far", "far", at) for at in _MIDDLES]
+_NEAR_CORNERS = [Handle("corner", "near", at) for at in _CORNERS]
+_FAR_CORNERS = [Handle("corner", "far", at) for at in _CORNERS]
+_ALL = [EYE, TARGET, *_NEAR, *_FAR, *_NEAR_CORNERS, *_FAR_CORNERS]
+_ON_FACES = _ALL[2:]
+_AT = np.array([handle.at for handle in _ON_FACES])
+_IS_FAR = np.array([handle.face == "far" for handle in _ON_FACES])
+
+_CAMERA = ("eye", "target")
+_PER_PX = 0.1  # to what part of a pixel a value is rounded: nobody's hand is steadier
+
+
+def shown(
+    projection: Projection,
+    drawn: tuple[float, float],
+    sight: Sight,
+    size_px: tuple[int, int],
+    apart_px: float,
+    kept: Handle | None = None,
+    grips: Mapping[str, Array] = MappingProxyType({}),
+) -> list[tuple[Handle, Spot]]:
+    """The handles for which a pane has room, and where they are in it.
+
+    Those that stand in the pane and not on one another; the first of grips, eye, target, near, far
+    and corners is kept. The corners are the near face's, or the far face's where that one is small.
+
+    Parameters
+    ----------
+    projection : Projection
+    drawn : (float, float)
+        Distances from the eye plane at which near and far are drawn.
+    sight : Sight
+        How the pane looks at the world.
+    size_px : (int, int)
+    apart_px : float
+        The least distance of two handles.
+    kept : Handle, optional
+        Stays, whatever it stands on: it is under the hand.
+    grips : mapping of setting to (3,) array, optional
+        Points of the world that settings of the scene are held at.
+    """
+    free = isinstance(projection.lens, FreeMatrix)
+    held = [Handle("grip", setting=name) for name in grips]
+    held_at = sight.seen(np.array(list(grips.values())).reshape(-1, 3)).tolist()
+    spots = dict(zip(held, map(tuple, held_at), strict=True))
+    cameras = [] if free and not has_camera(projection) else [EYE, TARGET]
+    places = np.array([projection.camera.eye, projection.camera.target])
+    if not free:  # a free matrix has no planes and no window
+        places = np.vstack([places, _places(projection, drawn)])
+    spots |= zip(_ALL, map(tuple, sight.seen(places).tolist()), strict=False)
+    width_px, height_px = size_px
+    found: list[tuple[Handle, Spot]] = []
+
+    def take(handle: Handle) -> bool:
+        x, y = spot = spots[handle]
+        if not (0.0 <= x < width_px and 0.0 <= y < height_px):  # nor NaN, behind the pane's camera
+            return False
+        if any(math.dist(spot, other) < apart_px for _, other in found):
+            return False
+        found.append((handle, (x, y)))
+        return True
+
+    if kept is not None and kept in spots:
+        found.append((kept, spots[kept]))
+    single = [[handle] for handle in (*held, *cameras)]
+    for alternatives in single if free else (*single, _NEAR, _FAR):
+        same = kept is not None and alternatives[0].name == kept.name != "grip"
+        if not same and alternatives[0] != kept:
+            any(take(handle) for handle in alternatives)
+    if free:
+        return found
+    corners = [spots[handle] for handle in _NEAR_CORNERS]
+    sides = [math.dist(corners[i], corners[i - 1]) for i in range(4)]
+    face = _NEAR_CORNERS if min(sides) >= 2.0 * apart_px else _FAR_CORNERS
+    if kept is not None and kept.name == "corner":
+        face = _FAR_CORNERS if kept.face == "far" else _NEAR_CORNERS
+    for handle in face:
+        if handle != kept:
+            take(handle)
+    return found
+
+
+def has_camera(projection: Projection) -> bool:
+    """Whether the view is a camera's; it is not where somebody typed another view matrix."""
+    lens = projection.lens
+    return not (isinstance(lens, FreeMatrix) and lens.view_from_world is not None)
+
+
+def nearest(handles: Sequence[tuple[Handle, Spot]], pixel: Spot, within_px: float) -> Handle | None:
+    """The handle at a pixel: the nearest within that distance, None if there is none."""
+    away, best = within_px, None
+    for handle, spot in handles:
+        distance = math.dist(spot, pixel)
+        if distance <= away:  # never for NaN
+            away, best = distance, handle
+    return best
+
+
+def place(projection: Projection, handle: Handle, drawn: tuple[float, float]) -> Array:
+    """Where a handle is in the world, (3,)."""
+    if handle.name in _CAMERA:
+        return np.array(getattr(projection.camera, handle.name))
+    at: Array = _places(projection, drawn)[_ON_FACES.index(handle)]
+    return at
+
+
+def dragged(
+    projection: Projection,
+    handle: Handle,
+    drawn: tuple[float, float],
+    sight: Sight,
+    pixel: Spot,
+    *,
+    shift: bool = False,
+) -> Change:
+    """What a handle is to become when it is dragged to a pixel.
+
+    Parameters
+    ----------
+    projection : Projection
+        As it was when the drag began.
+    handle : Handle
+    drawn : (float, float)
+        Distances at which near and far were drawn then.
+    sight : Sight
+        How the pane looks at the world; with a perspective camera.
+    pixel : (float, float)
+        In the pane, from its top left.
+    shift : bool
+        Move the eye or the target up and down the world's vertical, not in the plane that faces
+        the pane; let a window's corner take the opposite one along, about the window's middle.
+
+    Returns
+    -------
+    Change
+        Not checked yet: `changed` does that.
+
+    Notes
+    -----
+    Near moves with its window as it is: towards the eye for a `Perspective` lens, straight along
+    the view direction for those whose window is given in numbers. Where a plane is drawn at a
+    break, short of its place, a drag inwards puts it where it is drawn, and one outwards moves it
+    in proportion.
+    """
+    if handle.name in _CAMERA:
+        before = getattr(projection.camera, handle.name)
+        return {handle.name: _moved_point(before, sight, pixel, shift)}
+    if handle.name in ("near", "far"):
+        return {handle.name: _moved_plane(projection, handle, drawn, sight, pixel)}
+    if isinstance(projection.lens, Perspective):
+        return {"fov_y_deg": _opened(projection, projection.lens, handle, drawn, sight, pixel)}
+    return _resized(projection, handle, drawn, sight, pixel, shift)
+
+
+def dragged_grip(point: Vector, sight: Sight, pixel: Spot, *, shift: bool = False) -> Vector:
+    """Where a point of the world is dragged to: as the eye is, see `dragged`."""
+    return _moved_point(point, sight, pixel, shift)
+
+
+def panned(projection: Projection, shift_px: tuple[float, float]) -> Change:
+    """Eye and target when the picture is dragged: what is as far as the target goes with the hand.
+
+    Parameters
+    ----------
+    projection : Projection
+    shift_px : (float, float)
+        Right and down, in the image's pixels.
+    """
+    camera, lens = projection.camera, projection.standard_lens
+    left, right, bottom, top = projection.window
+    away = 1.0 if lens.parallel else camera.distance / lens.near
+    width, height = projection.image_size
+    per_px = (right - left) * away / width, (top - bottom) * away / height
+    across, up = (
+        _tidy(sign * unit * px, 0.0, unit)
+        for sign, unit, px in zip((-1.0, 1.0), per_px, shift_px, strict=True)
+    )
+    shift = across * camera.frame[0] + up * camera.frame[1]
+    return {name: _vector(np.array(getattr(camera, name)) + shift) for name in _CAMERA}
+
+
+def dollied(projection: Projection, factor: float) -> Change:
+    """The eye at `factor` times its distance from the target, in the same direction.
+
+    Raises
+    ------
+    ProjectionError
+        Where a typed view matrix has taken the camera's place.
+    """
+    if not has_camera(projection):
+        raise ProjectionError("kind", projection.lens.kind, ONE_OF, ", ".join(LENSES))
+    eye, target = np.array(projection.camera.eye), np.array(projection.camera.target)
+    return {"eye": _vector(target + factor * (eye - target))}
+
+
+def changed(projection: Projection, change: Mapping[str, float | Vector]) -> Projection:
+    """A projection with other fields.
+
+    Parameters
+    ----------
+    projection : Projection
+    change : mapping
+        As the functions above give it.
+
+    Raises
+    ------
+    ProjectionError
+        If there is no such camera or lens.
+    """
+    camera = {name: value for name, value in change.items() if name in _CAMERA}
+    lens = {name: value for name, value in change.items() if name not in _CAMERA}
+    return replace(
+        projection,
+        camera=replace(projection.camera, **camera),  # type: ignore[arg-type]
+        lens=replace(projection.lens, **lens),  # type: ignore[arg-type]
+    )
+
+
+def present(projection: Projection, names: Iterable[str]) -> Change:
+    """What these fields of the camera or the lens are now."""
+    return {
+        name: getattr(projection.camera if name in _CAMERA else projection.lens, name)
+        for name in names
+    }
+
+
+# --------------------------------------------------------------------------- in the view volume
+
+
+def _places(projection: Projection, drawn: tuple[float, float]) -> Array:
+    """World points of all handles on the faces, (18, 3)."""
+    distances = np.where(_IS_FAR, drawn[1], drawn[0])
+    left, right, bottom, top = projection.window
+    middle = np.array([(left + right) / 2.0, (bottom + top) / 2.0])
+    half = np.array([(right - left) / 2.0, (top - bottom) / 2.0])
+    on_near = middle + _AT * half
+    points = np.column_stack([_outwards(projection, on_near, distances[:, None]), -distances])
+    world: Array = points @ projection.camera.frame + projection.camera.eye
+    return world
+
+
+def _outwards(projection: Projection, on_near: Array, distances: Array) -> Array:
+    """From the near plane along the projectors: x, y of view space at these distances."""
+    near = projection.standard_lens.near
+    if projection.standard_lens.parallel:
+        moved: Array = on_near + np.array(projection.shear) * (distances - near)
+        return moved
+    scaled: Array = on_near / near * distances
+    return scaled
+
+
+def _rail(
+    projection: Projection, handle: Handle, drawn: tuple[float, float]
+) -> tuple[Array, Array]:
+    """Where a plane's handle is at distance 0, and its way per unit of distance; world, (3,)."""
+    lens = projection.standard_lens
+    distance = drawn[handle.face == "far"]
+    x, y, _ = projection.camera.frame @ (place(projection, handle, drawn) - projection.camera.eye)
+    along = np.array([0.0, 0.0, -1.0])
+    if not lens.parallel and (handle.face == "far" or isinstance(lens, Perspective)):
+        along[:2] = x / distance, y / distance
+    elif handle.face == "far":
+        along[:2] = projection.shear
+    start = np.array([x, y, -distance]) - distance * along
+    world_from_view = projection.camera.frame.T
+    return world_from_view @ start + projection.camera.eye, world_from_view @ along
+
+
+def _moved_plane(
+    projection: Projection,
+    handle: Handle,
+    drawn: tuple[float, float],
+    sight: Sight,
+    pixel: Spot,
+) -> float:
+    before: float = getattr(projection.standard_lens, handle.name)
+    drawn_at = drawn[handle.name == "far"]
+    distance, per_px = _slide(sight, *_rail(projection, handle, drawn), pixel)
+    if not projection.standard_lens.parallel and distance <= 0.0:  # in the eye, or behind it
+        distance = 0.0 if handle.name == "near" else projection.standard_lens.near
+    if abs(before) > (1.0 + 1e-9) * abs(drawn_at) and abs(distance) >= abs(drawn_at):
+        return float(f"{before * (distance / drawn_at):.6g}")
+    return _tidy(distance, before, per_px)
+
+
+def _opened(
+    projection: Projection,
+    lens: Perspective,
+    handle: Handle,
+    drawn: tuple[float, float],
+    sight: Sight,
+    pixel: Spot,
+) -> float:
+    """The field of view with a corner at a pixel: the rail is the diagonal of its face."""
+    distance = drawn[handle.face == "far"]
+    frame, (right, up) = projection.camera.frame, handle.at
+    middle = np.array(projection.camera.eye) - distance * frame[2]
+    along = distance * (right * projection.aspect * frame[0] + up * frame[1])
+    slope, per_px = _slide(sight, middle, along, pixel)
+    slope = max(slope, 0.0)
+    fov_y_deg = math.degrees(2.0 * math.atan(slope))
+    return _tidy(fov_y_deg, lens.fov_y_deg, math.degrees(2.0 * per_px / (1.0 + slope * slope)))
+
+
+def _resized(
+    projection: Projection,
+    handle: Handle,
+    drawn: tuple[float, float],
+    sight: Sight,
+    pixel: Spot,
+    symmetric: bool,
+) -> Change:
+    """A window with one corner at a pixel, the opposite one where it is, or mirrored.
+
+    Where the window keeps the image's proportions its corner runs on its diagonal, and the fields
+    become the window that is seen.
+    """
+    lens, camera = projection.standard_lens, projection.camera
+    assert not isinstance(lens, Perspective)
+    distance = drawn[handle.face == "far"]
+    window = projection.window
+    x, y = handle.at
+    corner = np.array([window[1] if x > 0.0 else window[0], window[3] if y > 0.0 else window[2]])
+    opposite = np.array([window[0] if x > 0.0 else window[1], window[2] if y > 0.0 else window[3]])
+    fixed = (corner + opposite) / 2.0 if symmetric else opposite
+
+    def in_world(on_near: Array) -> Array:
+        view = np.append(_outwards(projection, on_near, np.array(distance)), -distance)
+        world: Array = camera.frame.T @ view + camera.eye
+        return world
+
+    if lens.keep != "stretch":
+        start = in_world(fixed)
+        part, per_px = _slide(sight, start, in_world(corner) - start, pixel)
+        axis = 0 if lens.keep == "x" else 1  # the other one follows
+        length = float(corner[axis] - fixed[axis])
+        value = float(fixed[axis]) + length * part
+        kept = _tidy(value, float(corner[axis]), abs(length) * per_px)
+        moved = fixed + (corner - fixed) * ((kept - fixed[axis]) / length)
+        moved[axis], per_px = kept, 0.0
+    else:
+        moved, per_px = _on_window(projection, sight, distance, pixel)
+        if not np.isfinite(moved).all():  # beyond the horizon of its plane
+            moved = np.array(handle.at) * math.inf
+    change: Change = {}
+    for axis, (low, high) in enumerate((("left", "right"), ("bottom", "top"))):
+        name, other = (high, low) if handle.at[axis] > 0.0 else (low, high)
+        value = _tidy(float(moved[axis]), float(corner[axis]), per_px)
+        change[name] = value
+        if symmetric:
+            mirrored = float(opposite[axis] + (corner[axis] - value))
+            change[other] = _tidy(mirrored, float(opposite[axis]), per_px)
+        elif lens.keep != "stretch":
+            change[other] = float(opposite[axis])
+    return change
+
+
+def _on_window(
+    projection: Projection, sight: Sight, distance: float, pixel: Spot
+) -> tuple[Array, float]:
+    """Where a pixel's ray meets the face at a distance, (2,) on the near plane; what a pixel is."""
+    frame, eye, near = projection.camera.frame, projection.camera.eye, projection.standard_lens.near
+    point = _meets(sight, pixel, -frame[2], np.array(eye) - distance * frame[2])
+    per_px = min(_per_px(sight, point, axis) for axis in frame[:2])
+    flat = frame[:2] @ (point - eye)
+    if projection.standard_lens.parallel:
+        return flat - np.array(projection.shear) * (distance - near), per_px
+    return flat / distance * near, per_px / distance * near
+
+
+# --------------------------------------------------------------------------- on the screen
+
+
+def _moved_point(before: Vector, sight: Sight, pixel: Spot, shift: bool) -> Vector:
+    point = np.array(before)
+    if shift:
+        up, per_px = _slide(sight, point, np.array([0.0, 1.0, 0.0]), pixel)
+        return before[0], _tidy(before[1] + up, before[1], per_px), before[2]
+    moved = _meets(sight, pixel, sight.rows[3, :3], point)
+    per_px = min(_per_px(sight, moved, axis) for axis in np.eye(3))
+    x, y, z = (_tidy(new, old, per_px) for new, old in zip(moved.tolist(), before, strict=True))
+    return x, y, z
+
+
+def _meets(sight: Sight, pixel: Spot, normal: Array, point: Array) -> Array:
+    """Where the ray of a pixel meets a plane, (3,); NaN if it does not."""
+    x, y, _, w = sight.rows
+    across, down = x - pixel[0] * w, y - pixel[1] * w
+    system = np.stack([across[:3], down[:3], normal])
+    known = np.array([-across[3], -down[3], normal @ (point - sight.eye)])
+    try:
+        offset = np.linalg.solve(system, known)
+    except np.linalg.LinAlgError:  # the plane is seen edge on
+        return np.full(3, np.nan)
+    met: Array = sight.eye + offset
+    return met if w[:3] @ offset + w[3] > 0.0 else np.full(3, np.nan)
+
+
+class _Line(NamedTuple):
+    """The picture of a line ``start + t along``.
+
+    Attributes
+    ----------
+    start, along : (3,) array
+        Homogeneous pixels: x w, y w and w.
+    way : (float, float)
+        The direction in which it is seen to run, times w squared: the derivative of the pixel.
+    """
+
+    start: Array
+    along: Array
+    way: tuple[float, float]
+
+
+def _line(sight: Sight, start: Array, along: Array) -> _Line:
+    rows = sight.rows[[0, 1, 3]]
+    one, two = rows[:, :3] @ (start - sight.eye) + rows[:, 3], rows[:, :3] @ along
+    return _Line(one, two, (two[0] * one[2] - one[0] * two[2], two[1] * one[2] - one[1] * two[2]))
+
+
+def _per_px(sight: Sight, point: Array, along: Array) -> float:
+    """How far along a direction a point has to go for a pixel; infinite if that is not seen."""
+    line = _line(sight, point, along)
+    length = math.hypot(*line.way)
+    return float(line.start[2]) ** 2 / length if length > 0.0 else math.inf
+
+
+def _slide(sight: Sight, start: Array, along: Array, pixel: Spot) -> tuple[float, float]:
+    """The point ``start + t along`` that is seen nearest to a pixel.
+
+    Parameters
+    ----------
+    sight : Sight
+    start, along : (3,) array
+        World coordinates.
+    pixel : (float, float)
+
+    Returns
+    -------
+    t : float
+        Infinite where the pixel lies at the line's vanishing point or beyond it; NaN for a line
+        that is seen end on, where no point of it is nearer than another.
+    per_px : float
+        How much t changes from one pixel to the next; infinite where that is not told.
+    """
+    line = _line(sight, start, along)
+    length = math.hypot(*line.way)
+    if not length > 0.0:
+        return math.nan, math.inf
+    (x0, y0, w0), (x1, y1, w1) = line.start.tolist(), line.along.tolist()
+    right, down = line.way[0] / length, line.way[1] / length
+    # The perpendicular to the line through the pixel, and where the line meets it.
+    offset = right * pixel[0] + down * pixel[1]
+    slope = right * x1 + down * y1 - offset * w1
+    t = -(right * x0 + down * y0 - offset * w0) / slope if slope else math.inf
+    w = w0 + t * w1
+    if not w > 0.0 or math.isinf(t):
+        return math.copysign(math.inf, w1), math.inf
+    return t, w * w / length
+
+
+def _tidy(value: float, before: float, per_px: float) -> float:
+    """A value in as few digits as the hand can have meant, and as it was where the hand is back.
+
+    Parameters
+    ----------
+    value : float
+        As it was computed for a pixel.
+    before : float
+        What it was when the drag began.
+    per_px : float
+        By how much it differs from one pixel to the next.
+    """
+    step = _PER_PX * per_px
+    if not (math.isfinite(value) and 0.0 < step < math.inf):
+        return value
+    digits = -math.floor(math.log10(step))
+    rounded = round(value, digits)
+    return before if rounded == round(before, digits) else rounded
+
+
+def _vector(point: Array) -> Vector:
+    x, y, z = point.tolist()
+    return x, y, z

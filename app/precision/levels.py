@@ -1,0 +1,700 @@
+"""Arithmetic rungs: how exactly points are projected, and what each rung's error will be.
+
+==========  =================================================================================
+float32     as a GPU does it: the concatenated matrix and the points rounded to 24 bits
+float64     `Projection.trace`: eye first, closed form
+exact       double-double with a running error bound, rounded once; where the bound cannot
+            tell how to round, rationals. Within 0.5001 ulp of the true value, every number
+==========  =================================================================================
+
+A rung's error is bounded before anything is computed, from the roundings of its operations (Higham,
+Accuracy and Stability of Numerical Algorithms, 3.1) and the sizes of what they round: for every
+point by itself, in half of the time of projecting it. The bound is some ten times the largest
+error that is found, and infinite where a rounding can bring w to 0.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any, Literal, NamedTuple, TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from app.arithmetic import double_double as dd
+from app.arithmetic.double_double import DoubleDouble
+from app.model.projection import (
+    DEPTH_RANGES,
+    ONE_OF,
+    Array,
+    ExactLens,
+    FreeMatrix,
+    Oblique,
+    Projection,
+    ProjectionError,
+    Trace,
+    Vector,
+    checked_points,
+)
+
+Rung: TypeAlias = Literal["float32", "float64", "exact"]
+RUNGS: tuple[Rung, ...] = ("float32", "float64", "exact")
+"""From the cheapest to the most exact."""
+
+DRAWING_TOLERANCE_PX = 0.01
+"""Error up to which `float32` may draw, unless another is set; else `float64` does."""
+LEAST_TOLERANCE_PX, LARGEST_TOLERANCE_PX = 1e-4, 100.0
+"""Between which it can be set: below, no drawing in pixels could hold it."""
+READING_TOLERANCE_PX = 1e-9
+"""Error of float64 from which numbers are read from the exact rung."""
+READING_TOLERANCE_DEPTH = 1e-12
+
+_UNIT_32, _UNIT_64 = 2.0**-24, 2.0**-53
+_LARGEST_32, _LEAST_32 = 2.0**127, 2.0**-126  # the largest with room for a sum
+_CHUNK = 8192
+_CERTAIN = 2.0**-16  # of an ulp: a bound below it leaves no doubt worth a rational
+_ROUNDED_UP = 1.0 + 2.0**-10  # for products of roundings, and for those of the bounds themselves
+_UNDERFLOW = 1e-300  # what products near the smallest float64 may lose, and some
+
+
+class Prediction(NamedTuple):
+    """Bounds of the largest errors of a rung over some points.
+
+    Attributes
+    ----------
+    px : float
+        Of x or y in the image, in pixels; ``inf`` where the rung cannot tell.
+    depth : float
+        Of the depth in [0, 1].
+    """
+
+    px: float
+    depth: float
+
+
+class Reference(NamedTuple):
+    """The true image and depth of points, to hold other arithmetics' answers against.
+
+    Attributes
+    ----------
+    numbers : (n, 3) float64 array
+        x and y in pixels and depth, by the exact rung; NaN where there is no picture.
+    rests : (n, 3) float64 array
+        What its rounding cut off.
+    """
+
+    numbers: Array
+    rests: Array
+
+    @classmethod
+    def of(cls, projection: Projection, points_world: ArrayLike) -> Reference:
+        """The truth about points (n, 3) in world coordinates."""
+        world = checked_points(points_world).reshape(-1, 3)
+        with np.errstate(all="ignore"):
+            numbers, rests, _ = _exact_numbers(projection, world)
+        numbers[~(numbers[:, 6] > 0.0)] = np.nan
+        return cls(numbers[:, 10:], rests)
+
+    def errors(self, answers: Array) -> Array:
+        """How far answers are off, and what is not known of it.
+
+        Parameters
+        ----------
+        answers : (n, 3) array
+            x and y in pixels and depth.
+
+        Returns
+        -------
+        (n, 3) array
+            NaN where the answer is, or where there is no picture.
+        """
+        unknown = _CERTAIN * np.spacing(np.abs(self.numbers))
+        errors: Array = np.abs((answers - self.numbers) - self.rests) + unknown
+        return errors
+
+
+# --------------------------------------------------------------------------- bounds
+
+
+def predict(
+    projection: Projection, points_world: ArrayLike, origin: Vector = (0.0, 0.0, 0.0)
+) -> dict[Rung, Prediction] | None:
+    """Bound every rung's largest error over points, from the roundings of its operations.
+
+    Parameters
+    ----------
+    projection : Projection
+    points_world : (n, 3) array_like
+        World coordinates. Those that `Projection.trace` finds in front of the eye plane count,
+        inside of the view volume or not; the others have no picture.
+    origin : Vector
+        World point from which the GPU's vertices are measured (a scene's origin).
+
+    Returns
+    -------
+    dict from rung to Prediction, or None if no point has a picture
+
+    Notes
+    -----
+    Every point is bounded by itself: 0.15 microseconds each where there are many.
+    """
+    world = checked_points(points_world).reshape(-1, 3)
+    bounds = _Bounds(projection, origin)
+    with np.errstate(all="ignore"):
+        blocks = (world[start : start + _CHUNK] for start in range(0, len(world), _CHUNK))
+        found = [errors for errors in map(bounds.of, blocks) if errors is not None]
+    if not found:
+        return None
+    largest = np.max(found, axis=0)
+    largest[np.isnan(largest)] = math.inf
+    return {
+        rung: Prediction(max(x_px, y_px), depth)
+        for rung, (x_px, y_px, depth) in zip(RUNGS, largest.tolist(), strict=True)
+    }
+
+
+class _Bounds:
+    """What bounds every rung's errors at any points under a projection.
+
+    What is divided are the *numerators*: x and y of clip space, the depth times w, and w.
+    """
+
+    def __init__(self, projection: Projection, origin: Vector) -> None:
+        self._projection = projection
+        self._origin = np.reshape(origin, (3, 1))
+        self._eye = np.reshape(projection.camera.eye, (3, 1))
+        clip_from_local = projection.clip_from_world_at(origin)
+        self._single = _single_sizes(projection, origin, clip_from_local)
+        lens = projection.lens
+        if isinstance(lens, FreeMatrix):
+            self._axes = np.eye(3)
+            self._rows = _with_depth(projection, projection.clip_from_eye)
+            sizes = _with_depth(projection, np.abs(projection.clip_from_eye))
+            roundings = np.full((4, 1), 6.0)  # offset, cell, product and three sums
+            view_error = 0.0
+        else:
+            self._axes = projection.camera.frame
+            self._rows = projection.clip_from_view.copy()
+            self._rows[2] = _depth_row(projection)
+            sizes = _cell_sizes(projection)
+            sizes[2] = 0.0  # a difference of distances, which are rounded once: by its own size
+            # View 1, cotangent 4, aspect and its quotient, x/w, product; w 1. Of a parallel lens:
+            # view and near - w, cotangent 4, product, sum, and middle, extent, quotient; w is 1.
+            roundings = np.full((4, 1), 12.0 if lens.parallel else 8.0)
+            roundings[3] = 0.0 if lens.parallel else 1.0
+            view_error = projection.view_error
+        cells = np.maximum(sizes, np.abs(self._rows))
+        by_distance = np.column_stack([cells[:, :3].sum(axis=1), cells[:, 3]])
+        # What float64 loses of each numerator, what the product in `of` does, and the least w that
+        # this leaves sure; from the view, the depth's numerator, the distance from the eye and 1.
+        self._weights = np.zeros((8, 6))
+        self._weights[:4, [0, 1, 2, 5]] = _UNIT_64 * roundings * sizes
+        self._weights[2, 3] = _UNIT_64 * roundings[2, 0]
+        self._weights[:4, 4] = view_error * by_distance[:, 0]
+        self._weights[:4, 5] += _UNDERFLOW
+        self._weights[4:7, 4:] = 2.0**-48 * by_distance[:3]
+        self._weights[7, 4:] = 2.0**-38 * by_distance[3]
+
+    def of(self, world: Array) -> Array | None:
+        """The largest errors of x and y in pixels and of the depth by each of `RUNGS`, (3, 3).
+
+        None if no point has a picture.
+        """
+        columns = np.ascontiguousarray(world.T)
+        offset = columns - self._eye
+        view = self._axes @ offset
+        clip = self._rows[:, :3] @ view + self._rows[:, 3:]
+        w = clip[3].copy()
+        sizes = np.empty((6, len(world)))
+        np.abs(view, out=sizes[:3])
+        np.abs(clip, out=clip)
+        sizes[3] = clip[2]
+        np.abs(offset, out=offset).sum(axis=0, out=sizes[4])
+        sizes[4] += 1e30 * _UNDERFLOW  # below, 2^-100 of it underflows
+        sizes[5] = 1.0
+        weighed = self._weights @ sizes
+        numerators = np.add(clip[:3], weighed[4:7], out=clip[:3])
+        certain = clip[3] > np.maximum(weighed[7], 1e-290 * numerators.max())
+        seen = certain & (w > 0.0)
+        if not certain.all():
+            traced = self._projection.trace(world[~certain])
+            w[~certain], seen[~certain] = traced.clip[:, 3], traced.in_front
+        if not seen.any():
+            return None
+        local = np.abs(columns - self._origin)
+        if not seen.all():
+            numerators, w, weighed, local = (
+                part[..., seen] for part in (numerators, w, weighed, local)
+            )
+        w *= 1.0 - 2.0**-10  # the product's error
+        quotients = numerators * (1.0 / w)
+        largest = quotients.max(axis=1)
+        lost = _lost_single(self._single, local)
+        single = _divided(self._projection, quotients, w, lost, _UNIT_32) + _LEAST_32
+        if not largest.max() < 2.0**110:  # beyond what float32 holds once it is in pixels
+            single = np.full(3, math.inf)
+        double = _divided(self._projection, quotients, w, weighed[:4], _UNIT_64)
+        width, height = self._projection.image_size
+        rounded = (largest + np.array([1.0, 1.0, 0.0])) * [width / 2.0, height / 2.0, 1.0]
+        exact = np.where(np.isfinite(double), 0.5001 * np.spacing(rounded), math.inf)
+        return np.stack([single, double, exact])
+
+
+def _depth_row(projection: Projection) -> tuple[float, float, float, float]:
+    """The depth times w from view coordinates, as `Projection.trace` has it."""
+    lens = projection.standard_lens
+    near, far, reverse = lens.near, lens.far, projection.depth == "reversed"
+    if far == math.inf:
+        return (0.0, 0.0, 0.0, near) if reverse else (0.0, 0.0, -1.0, -near)
+    per_unit = (1.0 if lens.parallel else near if reverse else -far) / (far - near)
+    if lens.parallel and not reverse:
+        per_unit = -per_unit
+    return 0.0, 0.0, per_unit, per_unit * (far if reverse else near)
+
+
+def _cell_sizes(projection: Projection) -> Array:
+    """The sizes of the terms that `clip_from_view`'s cells are summed from."""
+    lens = projection.lens
+    sizes = np.abs(projection.clip_from_view)
+    if isinstance(lens, Oblique):
+        sizes[:2, 3] += 2.0 * sizes[:2, 2] * abs(lens.near)
+    return sizes
+
+
+def _with_depth(projection: Projection, clip: Array) -> Array:
+    """Rows of clip space with the depth's numerator in the place of z."""
+    rows = clip.copy()
+    rows[2] = projection.image_from_ndc[2, 2:] @ clip[2:]
+    return rows
+
+
+def _divided(projection: Projection, quotients: Array, w: Array, lost: Array, unit: float) -> Array:
+    """The largest errors of x and y in pixels and of the depth, (3,); infinite where w may be 0.
+
+    The quotient's own rounding is one, the sum with 1 and its product with half a side two more.
+
+    Parameters
+    ----------
+    quotients : (3, n) array
+        Their sizes, or more.
+    w : (n,) array
+        Or less.
+    lost : (4, n) array
+        Of the numerators, before the divide.
+    unit : float
+        Half of what 1 is away from the next larger number.
+    """
+    rest = w - lost[3]
+    if not rest.min() > 0.0:
+        return np.full(3, math.inf)
+    inverse = 1.0 / rest
+    off = lost[:3] * inverse
+    off += quotients * (lost[3] * inverse + 3.0 * unit)
+    width, height = projection.image_size
+    summed = np.array([1.0, 1.0, float(projection.depth == "opengl")])
+    sizes = np.array([width / 2.0, height / 2.0, 1.0])
+    largest: Array = _ROUNDED_UP * sizes * (off.max(axis=1) + 2.0 * unit * summed) + _UNDERFLOW
+    return largest
+
+
+def _single_sizes(projection: Projection, origin: Vector, clip_from_local: Array) -> Array:
+    """Of the cells that a GPU is given, (4, 4), x, y, depth and w, for `_lost_single`.
+
+    What float64 lost in making them is in it, as 2^-27 of the terms that they are summed from.
+    """
+    if isinstance(projection.lens, FreeMatrix):
+        from_eye = np.abs(projection.clip_from_eye)
+    else:
+        from_eye = _cell_sizes(projection) @ np.abs(projection.view_rotation)
+    shift = np.append(np.abs(np.subtract(origin, projection.camera.eye)), 1.0)
+    summed = np.column_stack([from_eye[:, :3], from_eye @ shift])
+    sizes = np.abs(clip_from_local) + 2.0**-27 * summed
+    return _with_depth(projection, sizes)
+
+
+def _lost_single(sizes: Array, local: Array) -> Array:
+    """What float32 loses at most of x, y, depth and w, (4, n), before the divide.
+
+    Parameters
+    ----------
+    sizes : (4, 4) array
+        As of `_single_sizes`.
+    local : (3, n) array
+        Sizes of the points' coordinates from the origin.
+
+    Notes
+    -----
+    A clip coordinate is a sum of four products: 2 u from the rounded factors, 1 from the product
+    and 3 from the sums, each of the sum of the products' sizes. What is below float32's least
+    number may be lost whole, what is beyond its largest is.
+    """
+    largest = local.max()
+    least = _LEAST_32 / _UNIT_32 * (sizes.sum(axis=1)[:, None] + 3.0 * largest + 4.0)
+    lost: Array = 6.0 * _UNIT_32 * sizes[:, :3] @ local
+    lost += 6.0 * _UNIT_32 * (sizes[:, 3:] + least)
+    if not max(largest, sizes.max(), lost.max() / (6.0 * _UNIT_32)) < _LARGEST_32:
+        lost[:] = math.inf
+    return lost
+
+
+# --------------------------------------------------------------------------- choice
+
+
+def drawing_bound_px(
+    projection: Projection, corners_world: Array, origin: Vector = (0.0, 0.0, 0.0)
+) -> float:
+    """What `float32` can lose at most in what is seen of a box, from its corners alone.
+
+    Quick enough for every step of a slider, and therefore coarse: up to a hundred times the error.
+
+    Parameters
+    ----------
+    projection : Projection
+    corners_world : (8, 3) array
+        The box that holds all vertices.
+    origin : Vector
+        World point from which the GPU's vertices are measured.
+
+    Returns
+    -------
+    float
+        In pixels.
+
+    Notes
+    -----
+    `predict`'s bound, of the largest coordinates and the least w; where it is seen, no NDC
+    coordinate is larger than 1.
+    """
+    local = corners_world - origin
+    clip_from_local = projection.clip_from_world_at(origin)
+    sizes = _single_sizes(projection, origin, clip_from_local)
+    lost = _lost_single(sizes, np.abs(local).max(axis=0)[:, None])
+    if not np.isfinite(lost).all():
+        return math.inf
+    least_w = 1.0
+    lens = projection.lens
+    if isinstance(lens, FreeMatrix) or not lens.parallel:
+        near = projection.least_w
+        clip = local @ clip_from_local[:, :3].T + clip_from_local[:, 3]
+        least_w = max(near, _least_w_seen(clip, lost[:, 0] / _UNIT_32))
+        if least_w == math.inf or clip[:, 3].max() < near:  # nothing of it is seen
+            return 0.0
+    errors = _divided(projection, np.ones((3, 1)), np.array([least_w]), lost, _UNIT_32)
+    return float(errors[:2].max())
+
+
+def _least_w_seen(clip: Array, sizes: Array) -> float:
+    """The least w of what is in view of a box, or less; infinite if nothing is.
+
+    The box is cut with each side plane of the view volume alone: where it lies beside the eye, w
+    is much larger in view than at its nearest corner.
+
+    Parameters
+    ----------
+    clip : (8, 4) array
+        Its corners.
+    sizes : (4,) array
+        Of the terms that clip coordinates are sums of, for their rounding.
+    """
+    x, y, _, w = clip.T
+    beyond = 1e-14 * (sizes[[0, 0, 1, 1]] + sizes[3])
+    inside = np.stack([w + x, w - x, w + y, w - y]) + beyond[:, None]
+    # All pairs of corners: the edges and diagonals, whose cuts are in the box too.
+    a, b = inside[:, :, None], inside[:, None, :]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        cut = w[:, None] + a / (a - b) * (w - w[:, None])
+    cut = np.where((a >= 0.0) & (b < 0.0), cut, np.where(a >= 0.0, w[:, None], np.inf))
+    return float(cut.min(axis=(1, 2)).max())
+
+
+def rung_for_drawing(
+    projection: Projection,
+    corners_world: Array,
+    origin: Vector = (0.0, 0.0, 0.0),
+    tolerance_px: float = DRAWING_TOLERANCE_PX,
+) -> Rung:
+    """The cheaper of the two rungs that can be drawn, if what it can lose is below a tolerance."""
+    bound_px = drawing_bound_px(projection, corners_world, origin)
+    return "float32" if bound_px <= tolerance_px else "float64"
+
+
+def rung_for_reading(predictions: Mapping[Rung, Prediction] | None) -> Rung:
+    """The rung of numbers that somebody reads: float64 where it is good enough, else exact."""
+    if predictions is None:
+        return "float64"
+    px, depth = predictions["float64"]
+    good = px <= READING_TOLERANCE_PX and depth <= READING_TOLERANCE_DEPTH
+    return "float64" if good else "exact"
+
+
+# --------------------------------------------------------------------------- the rungs
+
+
+def trace(
+    projection: Projection,
+    points_world: ArrayLike,
+    rung: Rung = "float64",
+    origin: Vector = (0.0, 0.0, 0.0),
+) -> Trace:
+    """Follow points through every stage with the arithmetic of a rung.
+
+    Parameters
+    ----------
+    projection : Projection
+    points_world : (..., 3) array_like
+    rung : {"float32", "float64", "exact"}
+    origin : Vector
+        World point from which the GPU's vertices are measured; `float32` only.
+
+    Returns
+    -------
+    Trace
+
+    Raises
+    ------
+    ProjectionError
+        For coordinates that are not finite numbers, or another rung.
+    """
+    if rung not in RUNGS:
+        raise ProjectionError("rung", rung, ONE_OF, ", ".join(RUNGS))
+    if rung == "float64":
+        return projection.trace(points_world)
+    world = checked_points(points_world)
+    flat = world.reshape(-1, 3)
+    with np.errstate(all="ignore"):
+        if rung == "float32":
+            parts = _trace_float32(projection, flat, origin)
+        else:
+            parts = _trace_exact(projection, flat)
+    return Trace(world, *(part.reshape(world.shape[:-1] + part.shape[1:]) for part in parts))
+
+
+def _trace_float32(projection: Projection, world: Array, origin: Vector) -> tuple[Any, ...]:
+    single = np.float32
+    matrix = projection.clip_from_world_at(origin).astype(single)
+    local = (world - origin).astype(single)
+    offset = (world - projection.camera.eye).astype(single)
+    lens = projection.lens
+    if isinstance(lens, FreeMatrix):
+        view_matrix = np.array(projection.exact_from_eye[0], dtype=np.float64).astype(single)
+        view = offset @ view_matrix[:, :3].T + view_matrix[:, 3]
+        view = view[:, :3] / view[:, 3:]
+    else:
+        view = offset @ projection.view_rotation.astype(single)[:3, :3].T
+
+    def row(i: int) -> Any:
+        total = matrix[i, 0] * local[:, 0]
+        for j in (1, 2):
+            total = total + matrix[i, j] * local[:, j]
+        return total + matrix[i, 3]
+
+    clip = np.stack([row(i) for i in range(4)], axis=1)
+    ndc = clip[:, :3] / clip[:, 3:]
+    width, height = (single(side / 2.0) for side in projection.image_size)
+    one = single(1.0)
+    image = np.stack([(ndc[:, 0] + one) * width, (one - ndc[:, 1]) * height], axis=1)
+    depth = ndc[:, 2]
+    if projection.depth == "opengl":
+        depth = single(0.5) * depth + single(0.5)
+    x, y, z, w = clip.T
+    in_front = (w > 0.0) & np.isfinite(ndc).all(axis=1) & np.isfinite(image).all(axis=1)
+    if isinstance(lens, FreeMatrix):
+        z_near, z_far = projection.depth_range
+        sign = math.copysign(1.0, z_far - z_near)
+        before, beyond = sign * z < sign * z_near * w, sign * z > sign * z_far * w
+    else:
+        distance = -view[:, 2]
+        before, beyond = distance < single(lens.near), distance > single(lens.far)
+    outside = np.stack([before, beyond, x < -w, x > w, y < -w, y > w], axis=1)
+    return _finish(view, clip, ndc, image, depth, in_front, outside)
+
+
+def _finish(*parts: Any) -> tuple[Any, ...]:
+    """View, clip, NDC, image, depth as float64, without a picture where there is none."""
+    *numbers, in_front, outside = parts
+    view, clip, ndc, image, depth = (np.array(part, dtype=np.float64) for part in numbers)
+    for array in (ndc, image, depth):
+        array[~in_front] = np.nan
+    return view, clip, ndc, image, depth, in_front, outside
+
+
+# --------------------------------------------------------------------------- exact
+
+
+def _clip_free(projection: Projection, x: Any, y: Any, z: Any) -> list[Any]:
+    """`_clip` of a free matrix, from a point's offset from the eye, in whatever arithmetic."""
+    view, clip = (
+        [x * row[0] + y * row[1] + z * row[2] + row[3] for row in matrix]
+        for matrix in projection.exact_from_eye
+    )
+    if projection.exact_from_eye[0][3] != [0, 0, 0, 1]:
+        nowhere = isinstance(view[3], Fraction) and view[3] == 0
+        view = [math.nan if nowhere else part / view[3] for part in view]
+    x_clip, y_clip, z_clip, w = clip
+    z_near, z_far = map(int, DEPTH_RANGES[projection.depth])
+    sign = 1 if z_far > z_near else -1
+    from_near, to_far = (z_clip - w * z_near) * sign, (w * z_far - z_clip) * sign
+    inside = from_near, to_far, x_clip + w, -x_clip + w, y_clip + w, -y_clip + w
+    return [*view[:3], *clip, *inside]
+
+
+def _clip(projection: Projection, n: ExactLens, x: Any, y: Any, distance: Any) -> list[Any]:
+    """View and clip coordinates, and what is negative beyond each of `PLANES`, 3 + 4 + 6.
+
+    From the view coordinates, in whatever arithmetic they are.
+    """
+    reverse = projection.depth == "reversed"
+    one = distance * 0 + 1
+    from_near, to_far = distance - n.near, one if n.far is None else -distance + n.far
+    if projection.standard_lens.parallel:
+        assert n.far is not None
+        w = one
+        x_clip, y_clip = (
+            (value - from_near * cot) * scale + shift
+            for value, cot, scale, shift in zip((x, y), n.shear, n.scale, n.shift, strict=True)
+        )
+        numerator = (to_far if reverse else from_near) * (1 / (n.far - n.near))
+    else:
+        w = distance
+        x_clip, y_clip = (
+            value * scale + w * shift
+            for value, scale, shift in zip((x, y), n.scale, n.shift, strict=True)
+        )
+        if n.far is None:
+            numerator = one * n.near if reverse else from_near
+        else:
+            planes = n.near if reverse else n.far
+            numerator = (to_far if reverse else from_near) * (planes / (n.far - n.near))
+    z_clip = numerator * 2 - w if projection.depth == "opengl" else numerator
+    inside = from_near, to_far, x_clip + w, -x_clip + w, y_clip + w, -y_clip + w
+    return [x, y, -distance, x_clip, y_clip, z_clip, w, *inside]
+
+
+def _divide(projection: Projection, clip: list[Any]) -> list[Any]:
+    """NDC, image and depth, 3 + 2 + 1, from clip coordinates that have a w."""
+    x, y, z, w = clip
+    x_ndc, y_ndc, z_ndc = x / w, y / w, z / w
+    depth = z_ndc
+    if projection.depth == "opengl":
+        depth = (z + w) / (w * 2)
+    half_width, half_height = (Fraction(side, 2) for side in projection.image_size)
+    return [x_ndc, y_ndc, z_ndc, (x_ndc + 1) * half_width, (-y_ndc + 1) * half_height, depth]
+
+
+@dataclass(frozen=True)
+class _Bounded:
+    """A double-double array with a bound of its absolute error, to be used like a number."""
+
+    value: DoubleDouble
+    error: Array
+
+    def _made(self, value: DoubleDouble, error: Array) -> _Bounded:
+        return _Bounded(value, error + dd.RELATIVE_ERROR * np.abs(value.hi))
+
+    def __neg__(self) -> _Bounded:
+        return _Bounded(DoubleDouble(-self.value.hi, -self.value.lo), self.error)
+
+    def __add__(self, other: Any) -> _Bounded:
+        other = _bounded(other)
+        return self._made(dd.add(self.value, other.value), self.error + other.error)
+
+    def __sub__(self, other: Any) -> _Bounded:
+        return self + -_bounded(other)
+
+    def __mul__(self, other: Any) -> _Bounded:
+        other = _bounded(other)
+        mine, its = np.abs(self.value.hi) + self.error, np.abs(other.value.hi)
+        return self._made(
+            dd.multiply(self.value, other.value),
+            mine * other.error
+            + its * self.error
+            + _UNDERFLOW * (mine * (its + other.error) != 0.0),
+        )
+
+    def __truediv__(self, other: Any) -> _Bounded:
+        other = _bounded(other)
+        quotient = dd.divide(self.value, other.value)
+        least = np.abs(other.value.hi) - other.error
+        error = (self.error + np.abs(quotient.hi) * other.error) / least * (1.0 + 1e-9)
+        error = error + _UNDERFLOW * (np.abs(self.value.hi) + self.error > 0.0)  # 0/w is 0
+        return self._made(quotient, np.where(least > 0.0, error, math.inf))
+
+
+def _bounded(number: Any) -> _Bounded:
+    """An exact scalar as an array of no dimension."""
+    if isinstance(number, _Bounded):
+        return number
+    hi, lo = dd.from_exact(Fraction(number))
+    error = abs(lo) * 2.0**-52
+    return _Bounded(DoubleDouble(np.asarray(hi), np.asarray(lo)), np.asarray(error))
+
+
+def _trace_exact(projection: Projection, world: Array) -> tuple[Any, ...]:
+    numbers, _, outside = _exact_numbers(projection, world)
+    view, clip, ndc, image, depth = np.split(numbers, (3, 7, 10, 12), axis=1)
+    in_front = (clip[:, 3] > 0.0) & np.isfinite(numbers[:, 7:]).all(axis=1)
+    return _finish(view, clip, ndc, image, depth[:, 0], in_front, outside)
+
+
+def _exact_numbers(projection: Projection, world: Array) -> tuple[Array, Array, Any]:
+    """View 3, clip 4, NDC 3, image 2 and depth; what rounding cut off the last 3; outside 6."""
+    numbers, rests = np.empty((len(world), 13)), np.empty((len(world), 3))
+    outside = np.empty((len(world), 6), dtype=bool)
+    for start in range(0, len(world), _CHUNK):
+        block = slice(start, start + _CHUNK)
+        points = world[block]
+        if isinstance(projection.lens, FreeMatrix):
+            offsets = (
+                dd.two_sum(points[:, i], -part) for i, part in enumerate(projection.camera.eye)
+            )
+            first = _clip_free(projection, *(_Bounded(o, 0.0 * o.hi) for o in offsets))
+        else:
+            size = np.abs(points - projection.camera.eye).sum(axis=1)
+            x, y, z = (
+                _Bounded(part, 3.0 * dd.RELATIVE_ERROR * size + _UNDERFLOW)
+                for part in projection.view_double_double(points)
+            )
+            first = _clip(projection, projection.exact_lens, x, y, -z)
+        doubtful = np.zeros(len(points), dtype=bool)
+        for column, number in enumerate(first[:7] + _divide(projection, first[3:7])):
+            numbers[block, column] = number.value.hi
+            if column >= 10:
+                rests[block, column - 10] = number.value.lo
+            doubtful |= ~(number.error <= _CERTAIN * np.spacing(np.abs(number.value.hi)))
+        for plane, number in enumerate(first[7:]):
+            outside[block, plane] = number.value.hi < 0.0
+            doubtful |= ~((number.error < np.abs(number.value.hi)) | (number.error == 0.0))
+        for i in start + np.flatnonzero(doubtful):
+            numbers[i], rests[i], outside[i] = _trace_rational(projection, world[i].tolist())
+    return numbers, rests, outside
+
+
+def _trace_rational(
+    projection: Projection, point: Sequence[float]
+) -> tuple[list[float], list[float], list[bool]]:
+    """One point of `_exact_numbers` in rationals, each number rounded once."""
+    if isinstance(projection.lens, FreeMatrix):
+        pairs = zip(point, projection.camera.eye, strict=True)
+        first = _clip_free(projection, *(Fraction(part) - Fraction(eye) for part, eye in pairs))
+    else:
+        x, y, z = projection.camera.exact_view((point[0], point[1], point[2]))
+        first = _clip(projection, projection.exact_lens, x, y, -z)
+    w = first[6]
+    quotients = _divide(projection, first[3:7]) if w != 0 else [math.nan] * 6
+    numbers = [_rounded(number) for number in (*first[:7], *quotients)]
+    rests = [
+        float(true - Fraction(number)) if math.isfinite(number) else math.nan
+        for true, number in zip(quotients[3:], numbers[10:], strict=True)
+    ]
+    return numbers, rests, [number < 0 for number in first[7:]]
+
+
+def _rounded(number: Any) -> float:
+    """The nearest float64; infinite if it is beyond them all."""
+    try:
+        return float(number)
+    except OverflowError:
+        return math.copysign(math.inf, number)

@@ -1,0 +1,127 @@
+"""How exactly and how finely a document's panes are drawn, where somebody chose it.
+
+Everything is automatic at first: the cheapest arithmetic that is exact enough, edges smoothed
+while the hand rests, all triangles, and the depth buffer that the graphics card has. A choice,
+mostly of a point in a chart of `app.measure`, is part of the document: it can be undone and saved.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, fields
+
+from app.model.depth import FORMATS, MAPPINGS, DepthBuffer
+from app.model.projection import (
+    AT_LEAST,
+    AT_MOST,
+    FINITE_NUMBER,
+    LENSES,
+    ONE_OF,
+    FreeMatrix,
+    Projection,
+    ProjectionError,
+)
+
+AUTO = "auto"
+RUNGS = (AUTO, "float32", "float64")
+SMOOTHINGS = (
+    AUTO, "none", "half resolution", "FXAA", "MSAA 2", "MSAA 4", "MSAA 8",
+    "supersampling 2 x 2", "supersampling 3 x 3",
+)  # fmt: skip
+LEAST_DETAIL = 0.01
+"""Share of the triangles that is kept at the least."""
+_CHOICES = {
+    "rung": RUNGS,
+    "smoothing": SMOOTHINGS,
+    "depth_format": ("", *FORMATS),
+    "depth_mapping": ("", *MAPPINGS),
+}
+
+
+@dataclass(frozen=True)
+class Quality:
+    """What was chosen; what was not is automatic.
+
+    Parameters
+    ----------
+    rung : one of `RUNGS`
+        The arithmetic that the image and the NDC cube are drawn with.
+    smoothing : one of `SMOOTHINGS`
+        Of the panes; figures are always averaged.
+    detail : float
+        Share of the scene's triangles that is drawn, from `LEAST_DETAIL` to 1.
+    depth_format : name in `app.model.depth.FORMATS`, or empty
+        Of the image's depth buffer; empty for the graphics card's own, or ``"fixed24"`` if
+        there is a mapping.
+    depth_mapping : name in `app.model.depth.MAPPINGS`, or empty
+        Empty for the projection's own depth range.
+
+    Raises
+    ------
+    ProjectionError
+        For a name that is not known, or a share that cannot be drawn.
+    """
+
+    rung: str = AUTO
+    smoothing: str = AUTO
+    detail: float = 1.0
+    depth_format: str = ""
+    depth_mapping: str = ""
+
+    def __post_init__(self) -> None:
+        for field, known in _CHOICES.items():
+            value = getattr(self, field)
+            if not isinstance(value, str) or value not in known:
+                names = ", ".join(name or "''" for name in known)
+                raise ProjectionError(f"quality.{field}", value, ONE_OF, names)
+        detail = self.detail
+        if isinstance(detail, bool) or not isinstance(detail, (int, float)):
+            raise ProjectionError("quality.detail", detail, FINITE_NUMBER)
+        if not math.isfinite(detail):
+            raise ProjectionError("quality.detail", detail, FINITE_NUMBER)
+        if detail < LEAST_DETAIL:
+            raise ProjectionError("quality.detail", detail, AT_LEAST, LEAST_DETAIL)
+        if detail > 1.0:
+            raise ProjectionError("quality.detail", detail, AT_MOST, 1)
+        object.__setattr__(self, "detail", float(detail))
+
+    @property
+    def chosen(self) -> dict[str, str | float]:
+        """What is not automatic, by its name in the document."""
+        values = {f.name: (getattr(self, f.name), f.default) for f in fields(self)}
+        return {name: value for name, (value, default) in values.items() if value != default}
+
+    def tolerance_px(self, tolerance_px: float) -> float:
+        """The error up to which float32 may draw: any, none, or the one that is given."""
+        return {"float32": math.inf, "float64": 0.0}.get(self.rung, tolerance_px)
+
+    @property
+    def has_depth(self) -> bool:
+        """Whether a depth buffer was chosen."""
+        return bool(self.depth_format or self.depth_mapping)
+
+    def depth_buffer(self, projection: Projection) -> DepthBuffer:
+        """The depth buffer that was chosen, in front of a projection's lens.
+
+        Raises
+        ------
+        ProjectionError
+            If the lens cannot have it.
+        """
+        lens = projection.lens
+        if isinstance(lens, FreeMatrix):
+            raise ProjectionError("lens.kind", lens.kind, ONE_OF, ", ".join(LENSES))
+        try:
+            return DepthBuffer(
+                self.depth_format or "fixed24",
+                self.depth_mapping or projection.depth,
+                lens.near,
+                lens.far,
+                lens.parallel,
+            )
+        except ProjectionError as error:
+            path = {"mapping": "quality.depth_mapping"}.get(error.field, error.field)
+            raise ProjectionError(path, error.value, error.bound, *error.limits) from error
+
+
+AUTOMATIC = Quality()

@@ -1,0 +1,124 @@
+"""What the numbers in hand cost: the sentences of the health line.
+
+Each risk is a sentence with its figures; where nothing is at risk there is none.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from itertools import product
+from typing import NamedTuple
+
+from app.model.depth import DepthBuffer
+from app.model.projection import (
+    INVERTIBLE,
+    PLANES,
+    FreeMatrix,
+    Perspective,
+    Projection,
+    ProjectionError,
+    Vector,
+)
+from app.precision.levels import Prediction, Rung, rung_for_reading
+
+NO_GAP = "At the target, a 24-bit depth buffer cannot tell any two surfaces apart"
+WIDE_GAP = "At the target, a 24-bit depth buffer tells surfaces apart only from {0} on"
+FEW_DIGITS = (
+    "In float64 only {0} decimals of a pixel and {1} of the depth would be certain: the numbers "
+    "are computed exactly"
+)
+NO_PICTURE = "None of the scene's objects is in the picture: all lie beyond the {0} plane"
+NO_FLOAT32 = "A GPU's float32 cannot hold this picture: it is computed in float64"
+ROUGH_DRAWING = "A GPU's float32 would draw up to {0} px off: the picture is computed in float64"
+NO_INVERSE = "The free matrix has no inverse: no frustum is drawn"
+LARGE_INVERSE = "The free matrix is too nearly singular: no frustum is drawn"
+REACHES_INFINITY = "The free matrix' view volume reaches infinity: no frustum is drawn"
+VTK_CLAMPS = "VTK's own camera would clamp the field of view to {0}°"
+VTK_DROPS = "The scene is {0} times as large as near: VTK by itself drops what is near from 1e7 on"
+SENTENCES = (
+    NO_PICTURE, NO_GAP, WIDE_GAP, FEW_DIGITS, NO_FLOAT32, ROUGH_DRAWING, NO_INVERSE,
+    LARGE_INVERSE, REACHES_INFINITY, VTK_CLAMPS, VTK_DROPS,
+)  # fmt: skip
+"""Every sentence of a `Risk`, for translators."""
+
+_GAP = 1e-3  # of the scene's size: surfaces nearer to each other than this are drawn
+_SEEN_PX = 0.5  # an error that lights another pixel
+_LARGEST_VTK_FOV_DEG, _SMALLEST_VTK_FOV_DEG = 179.0, 1e-8
+_VTK_DROPS_FROM = 1e6  # of extent over near: told before it happens
+
+
+class Risk(NamedTuple):
+    """One sentence: a template of `SENTENCES` and the figures in it."""
+
+    template: str
+    figures: tuple[str, ...] = ()
+
+    def __str__(self) -> str:
+        return f"{self.template.format(*self.figures)}."
+
+
+def _why_no_frustum(projection: Projection) -> str:
+    try:
+        projection.world_from_clip_at(projection.camera.eye)
+    except ProjectionError as error:
+        return NO_INVERSE if error.bound == INVERTIBLE else LARGE_INVERSE
+    return REACHES_INFINITY
+
+
+def risks(
+    projection: Projection,
+    lower: Vector,
+    upper: Vector,
+    drawn: Rung,
+    drawing_px: float,
+    predictions: Mapping[Rung, Prediction] | None,
+) -> list[Risk]:
+    """Name what the numbers in hand put at risk, the worst first.
+
+    Parameters
+    ----------
+    projection : Projection
+    lower, upper : Vector
+        World bounds of the scene's objects.
+    drawn : {"float32", "float64"}
+        The rung that the panes are drawn with.
+    drawing_px : float
+        What float32 can lose in the picture, as `precision.drawing_bound_px` gives it.
+    predictions : dict from rung to Prediction, or None
+        As `precision.predict` gives them for the scene's vertices.
+    """
+    found = []
+    size = math.dist(lower, upper)
+    beyond = projection.trace(list(product(*zip(lower, upper, strict=True)))).outside.all(axis=0)
+    if beyond.any():
+        found.append(Risk(NO_PICTURE, (PLANES[beyond.argmax()],)))
+    lens, distance = projection.lens, projection.camera.distance
+    if not isinstance(lens, FreeMatrix) and lens.near <= distance <= lens.far:
+        buffer = DepthBuffer("fixed24", projection.depth, lens.near, lens.far, lens.parallel)
+        gap = float(buffer.gap(distance))
+        if gap > _GAP * size:
+            found.append(Risk(WIDE_GAP, (f"{gap:.2g}",)) if gap < math.inf else Risk(NO_GAP))
+    if drawn != "float32" and drawing_px >= _SEEN_PX:
+        rough = Risk(ROUGH_DRAWING, (f"{drawing_px:.2g}",))
+        found.append(rough if drawing_px < math.inf else Risk(NO_FLOAT32))
+    if predictions is not None and rung_for_reading(predictions) == "exact":
+        found.append(Risk(FEW_DIGITS, tuple(map(_decimals, predictions["float64"]))))
+    if isinstance(lens, Perspective):
+        if lens.fov_y_deg > _LARGEST_VTK_FOV_DEG:
+            found.append(Risk(VTK_CLAMPS, (f"{_LARGEST_VTK_FOV_DEG:g}",)))
+        elif lens.fov_y_deg < _SMALLEST_VTK_FOV_DEG:
+            found.append(Risk(VTK_CLAMPS, (f"{_SMALLEST_VTK_FOV_DEG:g}",)))
+    if isinstance(lens, FreeMatrix):
+        if not projection.frustum_sign:
+            found.append(Risk(_why_no_frustum(projection)))
+    elif not lens.parallel and size / lens.near >= _VTK_DROPS_FROM:
+        found.append(Risk(VTK_DROPS, (f"{size / lens.near:.2g}",)))
+    return found
+
+
+def _decimals(error: float) -> str:
+    """How many decimals of a number with this error are certain."""
+    if error == math.inf:
+        return "0"
+    return str(max(0, math.floor(-math.log10(2.0 * error))))

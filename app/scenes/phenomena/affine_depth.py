@@ -1,0 +1,354 @@
+"""Bent by an affine z: why z' = A z + B will not do for the depth after the divide.
+
+x and y have been divided by ``w = -z`` and so has everything that shall stay straight beside them.
+``z' = A z + B`` (lecture 000, (9)) sends near and far to the ends of the cube too, but it is linear
+in w where x' and y' are linear in 1/w: a segment becomes a bow. ``A + B/z`` (000, (12); 002) is
+linear in 1/w as well.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.model.clipping import NOT_CUT, clip_segments
+from app.model.projection import Array, Camera, Perspective, Projection
+from app.scenes.phenomena.illustration import (
+    QT_TRANSLATE_NOOP,
+    Dot,
+    Exhibit,
+    Grip,
+    Line,
+    Marks,
+    OwnMesh,
+    Phenomenon,
+    Phrase,
+    Reading,
+    Setting,
+    Settings,
+    Subject,
+    Text,
+    point,
+)
+from app.scenes.shapes import Coloured, ground_grid, joined, letter_f, letter_f_edges
+
+_STEPS = np.linspace(0.0, 1.0, 65)
+_EDGE_STEPS = np.linspace(0.0, 1.0, 9)
+
+_INFINITE = QT_TRANSLATE_NOOP(
+    "phenomena",
+    "with far at infinity no affine z' = A z + B holds all depths: choose a finite far plane",
+)
+_PARALLEL = QT_TRANSLATE_NOOP(
+    "phenomena", "a parallel lens divides by 1: its own z' is affine, and nothing is bent"
+)
+_OUTSIDE = QT_TRANSLATE_NOOP("phenomena", "the segment lies outside the view volume")
+_AWAY = QT_TRANSLATE_NOOP("phenomena", "no edge of the letter lies in the view volume")
+_MESH_AWAY = QT_TRANSLATE_NOOP(
+    "phenomena", "none of the mesh's edges that are looked at lies in the view volume"
+)
+_STRAIGHT = QT_TRANSLATE_NOOP("phenomena", "its image is straight: no place is the farthest")
+_SHORT = QT_TRANSLATE_NOOP("phenomena", "the segment is a single point of the cube")
+_CUT = QT_TRANSLATE_NOOP(
+    "phenomena", "the view volume cuts PQ: what is measured is the part inside it, from P' to Q'"
+)
+
+_SOME_EDGES = QT_TRANSLATE_NOOP(
+    "phenomena", "of the mesh's {1} edges only the {0} longest are drawn so and counted"
+)
+
+_MOST_EDGES = 200
+"""Of a mesh of the user's."""
+
+
+class Inside(NamedTuple):
+    """Segments cut to the view volume: what of m segments is in the cube.
+
+    Attributes
+    ----------
+    rows : (k,) int array
+        Which segments have a part inside.
+    ndc : (k, 2, 3) array
+        Its ends in the cube, under A + B/z.
+    w : (k, 2) array
+        Their distances from the eye plane.
+    cut : (k,) bool array
+        Whether that is only a part of the segment.
+    """
+
+    rows: NDArray[np.intp]
+    ndc: Array
+    w: Array
+    cut: NDArray[np.bool_]
+
+
+def inside(projection: Projection, segments_world: Array) -> Inside:
+    """Cut segments (m, 2, 3) to the view volume."""
+    lens = projection.standard_lens
+    clip = projection.trace(segments_world).clip
+    rows = np.arange(len(clip))
+    cut: NDArray[np.bool_] = np.zeros(len(clip), dtype=bool)
+    if not lens.parallel:
+        # The near plane first: what is left before it has w > 0, of any size.
+        rows = rows[(clip[..., 3] >= lens.near).any(axis=1)]
+        clip = clip[rows]
+        beyond = lens.near - clip[..., 3]
+        row, end = np.nonzero(beyond > 0.0)
+        cut = np.asarray((beyond > 0.0).any(axis=1))
+        here, there = beyond[row, end], beyond[row, 1 - end]
+        share = (here / (here - there))[:, None]
+        clip[row, end] = (1.0 - share) * clip[row, end] + share * clip[row, 1 - end]
+        clip[row, end, 2:] = projection.depth_range[0] * lens.near, lens.near
+    found = clip_segments(clip[:, 0], clip[:, 1], projection.depth)
+    seen = found.visible & (found.points_clip[..., 3] > 0.0).all(axis=1)
+    w = found.points_clip[seen, :, 3]
+    if not lens.parallel:  # a cut end's w may have lost digits
+        w = np.clip(w, lens.near, lens.far)
+    ndc = np.clip(found.points_clip[seen, :, :3] / w[..., None], -1.0, 1.0)
+    cut |= (found.planes != NOT_CUT).any(axis=1)
+    return Inside(rows[seen], ndc, w, cut[seen])
+
+
+def _of(part: Inside, chosen: NDArray[np.bool_]) -> Inside:
+    return Inside(part.rows[chosen], part.ndc[chosen], part.w[chosen], part.cut[chosen])
+
+
+def slope(projection: Projection) -> float:
+    """How much z' grows with w under ``z' = A z + B``: -A of lecture 000, (9).
+
+    Both planes' conditions give ``(z_far - z_near)/(f - n)``, 2/(f - n) in OpenGL's cube.
+    """
+    z_near, z_far = projection.depth_range
+    return (z_far - z_near) / (projection.standard_lens.far - projection.standard_lens.near)
+
+
+def bow(projection: Projection, part: Inside, steps: Array) -> Array:
+    """The segments' images under the affine z, (k, len(steps), 3), from end to end.
+
+    Parameters
+    ----------
+    projection : Projection
+        Perspective, with a finite far plane.
+    part : Inside
+    steps : (s,) array
+        Where along the straight image, 0 to 1.
+    """
+    z_near, _ = projection.depth_range
+    start, end = part.w[:, :1], part.w[:, 1:]
+    points = part.ndc[:, :1] + steps[:, None] * (part.ndc[:, 1:] - part.ndc[:, :1])
+    w = 1.0 / ((1.0 - steps) / start + steps / end)  # 1/w is linear along the image
+    points[..., 2] = z_near + slope(projection) * (w - projection.standard_lens.near)
+    return points
+
+
+class Deviation(NamedTuple):
+    """How far bows are from their chords; one of each for every segment, (k,).
+
+    Attributes
+    ----------
+    percent : array
+        Largest distance between bow and chord, in percent of the chord's length; NaN for a chord
+        of no length.
+    ndc : array
+        The same distance in units of the cube.
+    step : array
+        Where it is, from 0 to 1 along the image.
+    w : array
+        Its distance from the eye plane, in world units.
+    """
+
+    percent: Array
+    ndc: Array
+    step: Array
+    w: Array
+
+
+def deviation(projection: Projection, part: Inside) -> Deviation:
+    """The largest deviation of each bow from its chord, in closed form.
+
+    Notes
+    -----
+    Between ends at w0 and w1 the bow differs from its chord in z' alone, by
+    ``a (w - w0 - s (w1 - w0))`` with ``1/w = (1 - s)/w0 + s/w1`` and the slope a. Its derivative is
+    0 where ``w^2 = w0 w1``: at the geometric mean, at ``s = sqrt(w1)/(sqrt(w0) + sqrt(w1))``, where
+    the difference is ``-a (sqrt(w1) - sqrt(w0))^2``. Across the chord (x, y, z) that is a distance
+    of ``|a| (sqrt(w1) - sqrt(w0))^2 hypot(x, y)/hypot(x, y, z)``.
+    """
+    root_start, root_end = np.sqrt(part.w).T
+    chord = part.ndc[:, 1] - part.ndc[:, 0]
+    across = np.hypot(chord[:, 0], chord[:, 1])
+    a = abs(slope(projection))
+    gap = part.w[:, 1] - part.w[:, 0]
+    length = np.hypot(across, a * gap)
+    # The difference of roots from that of the distances, which has its digits.
+    sag = a * (gap / (root_start + root_end)) ** 2
+    with np.errstate(invalid="ignore", divide="ignore"):
+        distance = np.where(length > 0.0, sag * (across / length), 0.0)
+        percent = 100.0 * distance / length
+    return Deviation(percent, distance, root_end / (root_start + root_end), root_start * root_end)
+
+
+def _geometry() -> tuple[Coloured, Coloured]:
+    faces, rgb = letter_f()
+    grid = ground_grid((-4.0, -4.0), (4.0, 4.0), (1.0, 1.0), 0.0)
+    return (faces, rgb), joined(grid, letter_f_edges())
+
+
+def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhibit:
+    ends = np.array([point(settings, "start"), point(settings, "end")])
+    world = Marks(
+        lines=(Line(ends, "accent", 2.5),),
+        dots=(Dot(ends[0], "accent"), Dot(ends[1], "accent")),
+        texts=(Text("P", ends[0], "accent"), Text("Q", ends[1], "accent")),
+    )
+    grips = Grip("start", ends[0]), Grip("end", ends[1])
+    mesh = subject.mesh
+    if projection.standard_lens.far == math.inf:
+        readings, why = _readings(None, None, Phrase(_INFINITE), mesh), Phrase(_INFINITE)
+        return Exhibit(readings, world, warning=why, grips=grips)
+    others = letter_f_edges()[0] if mesh is None else mesh.edges[:_MOST_EDGES]
+    part = inside(projection, np.concatenate([ends[None], others]))
+    if projection.standard_lens.parallel:
+        lines = [Line(pair, "muted") for pair in part.ndc[part.rows > 0]]
+        lines += [Line(pair, "accent", 2.5) for pair in part.ndc[part.rows == 0]]
+        straight = (0.0, 0.0)
+        return Exhibit(
+            _readings(straight, 0.0, Phrase(_PARALLEL), mesh),
+            world,
+            Marks(tuple(lines)),
+            _in_picture(projection, part.ndc[part.rows == 0]),
+            warning=Phrase(_PARALLEL),
+            grips=grips,
+        )
+    found = deviation(projection, part)
+    own = part.rows == 0
+    percent = found.percent[~own]
+    percent = percent[np.isfinite(percent)]
+    worst = float(percent.max()) if len(percent) else None
+    lines = [Line(points, "u") for points in bow(projection, _of(part, ~own), _EDGE_STEPS)]
+    dots: list[Dot] = []
+    texts: list[Text] = []
+    if own.any():
+        (curve,) = bow(projection, _of(part, own), _STEPS)
+        lines += [
+            Line(part.ndc[0], "accent", 2.5),
+            Line(curve[[0, -1]], "muted"),
+            Line(curve, "u", 2.5),
+        ]
+        step = float(found.step[0])
+        on_chord = (1.0 - step) * curve[0] + step * curve[-1]
+        on_bow = on_chord.copy()
+        z_near, _ = projection.depth_range
+        on_bow[2] = z_near + slope(projection) * (float(found.w[0]) - projection.standard_lens.near)
+        lines.append(Line(np.array([on_chord, on_bow]), "ink", 1.5))
+        dots.append(Dot(on_bow, "u", 1.2))
+        texts += [
+            Text("A z + B", on_bow, "u"),
+            Text("A + B / z", part.ndc[0].mean(axis=0), "accent"),
+        ]
+    note = None
+    if not own.any():
+        note = Phrase(_OUTSIDE)
+    elif not math.isfinite(found.percent[0]):
+        note = Phrase(_SHORT)
+    at = None if note else (float(found.percent[0]), float(found.w[0]))
+    cut = note is None and bool(part.cut[0])
+    return Exhibit(
+        _readings(at, worst, Phrase(_CUT) if cut else note, mesh, cut),
+        world,
+        Marks(tuple(lines), (), tuple(dots), tuple(texts)),
+        _in_picture(projection, part.ndc[own]),
+        warning=note,
+        grips=grips,
+    )
+
+
+def _in_picture(projection: Projection, ndc: Array) -> Marks:
+    """Segments of the cube over the picture, where x' and y' are straight either way."""
+    width, height = projection.image_size
+    pixels = (ndc[..., :2] * (1.0, -1.0) + 1.0) * (width / 2.0, height / 2.0)
+    return Marks(tuple(Line(pair, "accent", 2.5) for pair in pixels))
+
+
+def _readings(
+    own: tuple[float, float] | None,
+    worst: float | None,
+    note: Phrase | None,
+    mesh: OwnMesh | None,
+    cut: bool = False,
+) -> tuple[Reading, ...]:
+    """The readout: of PQ percent and distance, of the letter's or the mesh's edges percent."""
+    percent, w = own or (None, None)
+    where = QT_TRANSLATE_NOOP("phenomena", "where: w = √(w_P·w_Q)")
+    if cut:
+        where = QT_TRANSLATE_NOOP("phenomena", "where: w = √(w_P'·w_Q')")
+    label, away = QT_TRANSLATE_NOOP("phenomena", "worst edge of the letter F, inside"), _AWAY
+    some = None
+    if mesh is not None:
+        label, away = QT_TRANSLATE_NOOP("phenomena", "worst edge of the mesh, inside"), _MESH_AWAY
+        if mesh.edge_count > _MOST_EDGES:
+            some = Phrase(_SOME_EDGES, (str(_MOST_EDGES), str(mesh.edge_count)))
+    straight = percent == 0.0
+    return (
+        Reading(
+            QT_TRANSLATE_NOOP("phenomena", "largest deviation, of the length"), percent, "%", note
+        ),
+        Reading(
+            where,
+            None if straight else w,
+            note=Phrase(_STRAIGHT) if straight and (cut or note is None) else note,
+        ),
+        Reading(
+            label,
+            worst,
+            "%",
+            some if worst is not None else note if note == Phrase(_INFINITE) else Phrase(away),
+        ),
+    )
+
+
+_START = Projection(
+    Camera((3.2, 3.4, 5.0), (-0.2, 2.3, 0.0), (0.0, 1.0, 0.0)),
+    Perspective(fov_y_deg=60.0, near=1.0, far=14.0),
+    (1280, 720),
+)
+
+PHENOMENON = Phenomenon(
+    name="affine-depth",
+    title=QT_TRANSLATE_NOOP("phenomena", "Bent by an affine z"),
+    explanation=QT_TRANSLATE_NOOP(
+        "phenomena",
+        "x and y are divided by the distance w. If z were only scaled and shifted, z' = A z + B, a"
+        " straight segment PQ would come into the cube as a bow, and nothing between its ends could"
+        " be interpolated or clipped as a line. With z' = A + B / z it stays straight.",
+    ),
+    lectures=("000", "002"),
+    start=_START,
+    geometry=_geometry,
+    show=_show,
+    settings=(
+        Setting(
+            "start",
+            QT_TRANSLATE_NOOP("phenomena", "End P"),
+            QT_TRANSLATE_NOOP("phenomena", "One end of the segment, in world coordinates"),
+            (3.0, 2.9, 4.0),
+            low=-1e100,
+            high=1e100,
+            span=(-12.0, 12.0),
+        ),
+        Setting(
+            "end",
+            QT_TRANSLATE_NOOP("phenomena", "End Q"),
+            QT_TRANSLATE_NOOP("phenomena", "Its other end, in world coordinates"),
+            (-9.0, 3.5, -2.5),
+            low=-1e100,
+            high=1e100,
+            span=(-12.0, 12.0),
+        ),
+    ),
+    controls=("lens.near", "lens.far"),
+    own_mesh=True,
+)

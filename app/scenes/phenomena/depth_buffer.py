@@ -1,0 +1,364 @@
+"""The depth buffer: two surfaces a little apart, and the pixels that show the wrong one.
+
+A depth buffer keeps one code a pixel, so that two surfaces nearer to each other than a step of
+the codes are stored as one; what is drawn last then wins, and stripes of the hidden surface
+appear (z-fighting). A perspective lens with the standard range spends most codes just behind the
+near plane: at w >> n the step is ``w^2/(n 2^bits)`` (lectures 000 and 001; `app.model.depth`).
+
+The hidden surface is the visible one moved away along n by the gap. On a plane with normal m, in
+view space, that is a gap of ``gap / (1 - (m_x X + m_y Y)/m_z)`` along the projector ``(X, Y, -1)``.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.model.clipping import clip_polygon
+from app.model.depth import FORMATS, DepthBuffer
+from app.model.projection import Array, Camera, Perspective, Projection
+from app.scenes.phenomena.illustration import (
+    QT_TRANSLATE_NOOP,
+    Copy,
+    Curve,
+    Diagram,
+    Exhibit,
+    Line,
+    Marks,
+    Phenomenon,
+    Phrase,
+    Reading,
+    Rendering,
+    Setting,
+    Settings,
+    Subject,
+    Text,
+    number,
+)
+from app.scenes.phenomena.sampling import seen_distances
+from app.scenes.shapes import Coloured, flat, ground_grid
+
+FINEST = 2.0**-17
+"""Relative to the distance: what is finer than this drowns in the graphics card's own float32."""
+_FINEST_PARALLEL = 2.0**-21
+"""The same of a parallel lens, whose depth is linear, relative to far - near."""
+
+_NO_LOG = QT_TRANSLATE_NOOP(
+    "phenomena",
+    "a logarithmic depth buffer needs a perspective lens and a far plane that is not at infinity",
+)
+_NO_INFINITE = QT_TRANSLATE_NOOP(
+    "phenomena", "a parallel lens cannot have its far plane at infinity"
+)
+_NOT_IN_PICTURE = QT_TRANSLATE_NOOP("phenomena", "no pixel of the picture shows both surfaces")
+_TOO_FEW = QT_TRANSLATE_NOOP(
+    "phenomena", "too few pixels of the picture show both surfaces to count them"
+)
+_NONE_IS_SURE = QT_TRANSLATE_NOOP(
+    "phenomena", "what lies behind the target may share its code, as far away as the far plane is"
+)
+_TARGET_OUTSIDE = QT_TRANSLATE_NOOP("phenomena", "the target is not between near and far")
+_TOO_FINE = QT_TRANSLATE_NOOP(
+    "phenomena",
+    "computed: gap and codes are finer than the graphics card's own float32, so that the picture"
+    " shows its noise instead",
+)
+
+_FRONT_RGB, _FRONT, _BEHIND = (230, 159, 0), "#e69f00", "#0072b2"
+_CORNERS = np.array([(-5.0, 0, 4), (5, 0, 4), (5, 6, -44), (-5, 6, -44)])
+"""A ramp that leads away, so that one picture has many distances."""
+_SAMPLES, _STRIDE = 1597, 987
+"""A Fibonacci lattice: as many rows and columns as places, since stripes are rows or columns."""
+_LATTICE = (np.arange(_SAMPLES)[:, None] * (1, _STRIDE) % _SAMPLES + 0.5) / _SAMPLES
+_TICKS = 32  # of all codes, evenly spread
+RANGES = ("standard", "reversed", "infinite", "logarithmic")
+"""Of depth, the choices there are."""
+_MAPPINGS = {"standard": "opengl", "infinite": "opengl"}
+
+
+def _geometry() -> tuple[Coloured, Coloured]:
+    return (_CORNERS[None], flat(_FRONT_RGB, 1)), ground_grid(
+        (-8.0, -48.0), (8.0, 8.0), (4.0, 4.0), -1.0
+    )
+
+
+def buffer_of(projection: Projection, settings: Settings) -> DepthBuffer | Phrase:
+    """The depth buffer that the settings describe, or why there is none."""
+    lens, chosen = projection.standard_lens, str(settings["range"])
+    if chosen == "logarithmic" and (lens.parallel or lens.far == math.inf):
+        return Phrase(_NO_LOG)
+    if chosen == "infinite" and lens.parallel:
+        return Phrase(_NO_INFINITE)
+    far = math.inf if chosen == "infinite" else lens.far
+    mapping = _MAPPINGS.get(chosen, chosen)
+    return DepthBuffer(str(settings["format"]), mapping, lens.near, far, lens.parallel)
+
+
+def moved_behind(projection: Projection, gap: float) -> Array:
+    """The 4x4 that moves world points away along n by the gap."""
+    matrix = np.eye(4)
+    matrix[:3, 3] = -gap * projection.camera.frame[2]
+    return matrix
+
+
+def distances(projection: Projection, gap: float, subject: Subject) -> tuple[Array, Array]:
+    """Distances of both surfaces from the eye plane, at places spread evenly over the picture.
+
+    Parameters
+    ----------
+    projection : Projection
+    gap : float
+        Along n.
+    subject : Subject
+        The ramp: rays through a lattice of places are cut with its plane. A mesh of the user's:
+        its triangles are cut with rays through places of a grid.
+
+    Returns
+    -------
+    (first, second) : (k,) arrays
+        Between near and far; none where the picture does not show both.
+    """
+    near, far = projection.standard_lens.near, projection.standard_lens.far
+    if subject.mesh is not None:
+        return seen_distances(projection, subject.mesh.surface, gap)
+    corners = projection.trace(_CORNERS)
+    rays = _rays(projection, corners.clip)
+    if rays is None:
+        return np.empty(0), np.empty(0)
+    starts, directions = rays
+    first, inside_first = _cut(corners.view, starts, directions)
+    second, inside_second = _cut(corners.view - (0.0, 0.0, gap), starts, directions)
+    low, high = np.minimum(first, second), np.maximum(first, second)
+    seen = inside_first & inside_second & (low >= near) & (high <= far)
+    return first[seen], second[seen]
+
+
+def wrong_share(buffer: DepthBuffer, first: Array, second: Array) -> float:
+    """The share of places where the second surface, drawn last, hides a first one in front of it.
+
+    Drawn last it wins where the codes are the same: the depth test lets equal depths pass.
+    """
+    if not len(first):
+        return math.nan
+    same = buffer.encode(first) == buffer.encode(second)
+    return float(np.mean(same & (second > first)))
+
+
+def _rays(projection: Projection, corners_clip: Array) -> tuple[Array, Array] | None:
+    """Rays in view space through a lattice over what the ramp covers: ``start + w direction``."""
+    largest = float(np.abs(corners_clip).max())
+    if not 0.0 < largest < math.inf:
+        return None
+    # Near and far are looked at later, with all their digits.
+    sides = ("left", "right", "bottom", "top")
+    polygon = clip_polygon(corners_clip / largest, planes=sides, depth=projection.depth).points_clip
+    if not len(polygon) or not (polygon[:, 3] >= 0.0).all():
+        return None
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        ndc = polygon[:, :2] / polygon[:, 3:]
+    ndc = np.clip(np.where(np.isfinite(ndc), ndc, 0.0), -1.0, 1.0)
+    x, y = ((ndc - ndc[0]) * projection.image_size / 2.0).T
+    if abs(x @ np.roll(y, -1) - y @ np.roll(x, -1)) < 2.0:  # less than a pixel is covered
+        return None
+    places = _spread(ndc)
+    left, right, bottom, top = projection.window
+    lens = projection.standard_lens
+    window = (0.5 * (places + 1.0)) * (right - left, top - bottom) + (left, bottom)
+    starts, directions = np.zeros((len(places), 3)), np.full((len(places), 3), -1.0)
+    if lens.parallel:
+        shear = np.array(projection.shear)
+        starts[:, :2] = window - shear * lens.near
+        directions[:, :2] = shear
+    else:
+        directions[:, :2] = window / lens.near
+    return starts, directions
+
+
+def _spread(polygon: Array) -> Array:
+    """Places spread evenly over a convex polygon, (`_SAMPLES`, 2)."""
+    first, one, other = polygon[0], polygon[1:-1] - polygon[0], polygon[2:] - polygon[0]
+    areas = np.abs(one[:, 0] * other[:, 1] - one[:, 1] * other[:, 0])
+    ends = np.cumsum(areas)
+    u, v = ends[-1] * _LATTICE[:, 0], _LATTICE[:, 1:]
+    which = np.minimum(np.searchsorted(ends, u, side="right"), len(areas) - 1)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        part = np.sqrt(np.clip((u - ends[which]) / areas[which] + 1.0, 0.0, 1.0))[:, None]
+    places: Array = first + np.nan_to_num(part) * ((1.0 - v) * one[which] + v * other[which])
+    return places
+
+
+def _cut(corners: Array, starts: Array, directions: Array) -> tuple[Array, NDArray[np.bool_]]:
+    """Where rays meet a parallelogram's plane, as w, and whether it is inside."""
+    origin, across, along = corners[0], corners[1] - corners[0], corners[3] - corners[0]
+    normal = np.cross(across, along)
+    with np.errstate(all="ignore"):
+        w = ((origin - starts) @ normal) / (directions @ normal)
+        place = starts + w[:, None] * directions - origin
+        inside = np.isfinite(w)
+        for side in (across, along):
+            part = place @ (side / (side @ side))  # the sides are at right angles
+            inside &= (part >= 0.0) & (part <= 1.0)
+    return np.where(inside, w, -1.0), inside
+
+
+def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhibit:
+    gap = number(settings, "gap")
+    matrix = moved_behind(projection, gap)
+    # In the other panes, whose depth buffers are their own, its outline is enough.
+    copies = (Copy(matrix, panes=("image",), colour=_BEHIND),)
+    marks = Marks()
+    if subject.mesh is None:
+        moved = _CORNERS + matrix[:3, 3]
+        marks = Marks(
+            lines=(Line(moved[[0, 1, 2, 3, 0]], _BEHIND, 2.0),),
+            texts=(Text("1", _CORNERS[0], _FRONT), Text("2", moved[1], _BEHIND)),
+        )
+    buffer = buffer_of(projection, settings)
+    if isinstance(buffer, Phrase):
+        return Exhibit((), world=marks, copies=copies, warning=buffer)
+    first, second = distances(projection, gap, subject)
+    share: float | None = None
+    note: Phrase | None = Phrase(_NOT_IN_PICTURE)
+    if len(first):
+        share, note = 100.0 * wrong_share(buffer, first, second), None
+        w = min(max(float(first.mean()), buffer.near), buffer.far)  # a mean is rounded
+        finest = FINEST * (w + math.dist(subject.lower, subject.upper))
+        if buffer.parallel:
+            finest = max(finest, _FINEST_PARALLEL * (buffer.far - buffer.near))
+        if max(gap, float(buffer.gap(w))) < finest:
+            note = Phrase(_TOO_FINE)
+    w = projection.camera.distance
+    known = buffer.near <= w <= buffer.far
+    smallest = float(buffer.gap(w)) if known else math.nan
+    why = Phrase(_NONE_IS_SURE if smallest == math.inf else _TARGET_OUTSIDE)
+    readings = (
+        Reading(
+            QT_TRANSLATE_NOOP("phenomena", "pixels that show surface 2, which is behind"),
+            share,
+            "%",
+            note,
+        ),
+        Reading(
+            QT_TRANSLATE_NOOP("phenomena", "the same, counted in the picture"),
+            None,
+            "%",
+            note if share is None else Phrase(_TOO_FEW),
+            counted=True,
+        ),
+        Reading(
+            QT_TRANSLATE_NOOP("phenomena", "smallest gap that is sure at the target"),
+            smallest if math.isfinite(smallest) else None,
+            note=None if math.isfinite(smallest) else why,
+        ),
+        Reading(QT_TRANSLATE_NOOP("phenomena", "distance of the target, w"), w),
+        Reading(
+            QT_TRANSLATE_NOOP("phenomena", "codes of the buffer"),
+            float(FORMATS[buffer.format].largest) + 1.0,
+        ),
+    )
+    return Exhibit(
+        readings,
+        world=marks,
+        copies=copies,
+        diagrams=(_diagram(buffer, w if known else None),),
+        rendering=Rendering(buffer=buffer),
+    )
+
+
+def _diagram(buffer: DepthBuffer, target: float | None) -> Diagram:
+    """Depth over distance, with a few of the codes as ticks on both axes."""
+    near, far = buffer.near, buffer.far
+    right = far if far != math.inf else max(1e3 * near, 2.0 * (target or near))
+    if buffer.parallel:
+        w = np.linspace(near, right, 160)
+    else:
+        w = np.exp(np.linspace(math.log(near), math.log(right), 160))
+    w = np.clip(w, near, right)
+    curves = [Curve(np.stack([w, buffer.depth(w)], axis=1), "accent", width=2.0)]
+    if target is not None and target <= right:
+        curves.append(Curve(np.array([(target, float(buffer.depth(target)))]), "target", dots=True))
+    last = FORMATS[buffer.format].largest
+    codes = np.append(np.arange(_TICKS) * ((last + 1) // _TICKS), last)
+    x_ticks = np.sort(buffer.decode(codes))
+    x_ticks = x_ticks[x_ticks <= right]
+    return Diagram(
+        QT_TRANSLATE_NOOP("phenomena", "d over w, 32 of the codes"),
+        tuple(curves),
+        near,
+        right,
+        0.0,
+        1.0,
+        x_label="w",
+        y_label="d",
+        x_log=not buffer.parallel,
+        x_ticks=x_ticks,
+        y_ticks=buffer.depth(x_ticks),
+    )
+
+
+PHENOMENON = Phenomenon(
+    name="depth-buffer",
+    title=QT_TRANSLATE_NOOP("phenomena", "Depth buffer"),
+    explanation=QT_TRANSLATE_NOOP(
+        "phenomena",
+        "Surface 2 lies behind surface 1 by the gap, along n. Where the depth buffer stores both"
+        " as one code, the surface drawn last is seen: z-fighting. With a perspective lens and the"
+        " standard range most codes lie just behind near, so near decides, far hardly: as the"
+        " scene opens, with its ramp, 63 % of the pixels are wrong, 0 % with near 0.1, 62 % with"
+        " far 60. Codes of up to 24 bits are kept apart exactly.",
+    ),
+    lectures=("000", "001"),
+    start=Projection(
+        Camera((3.0, 7.0, 15.0), (0.0, 1.5, -8.0), (0.0, 1.0, 0.0)),
+        Perspective(fov_y_deg=45.0, near=0.01, far=200.0),
+        (1280, 720),
+    ),
+    geometry=_geometry,
+    show=_show,
+    settings=(
+        Setting(
+            "gap",
+            QT_TRANSLATE_NOOP("phenomena", "Gap"),
+            QT_TRANSLATE_NOOP("phenomena", "How far surface 2 lies behind surface 1, along n"),
+            0.25,
+            low=1e-9,
+            high=1e6,
+            span=(1e-6, 1.0),
+            logarithmic=True,
+        ),
+        Setting(
+            "format",
+            QT_TRANSLATE_NOOP("phenomena", "Format"),
+            QT_TRANSLATE_NOOP("phenomena", "How a depth is stored: whole numbers, or floats"),
+            "fixed16",
+            choices=(
+                ("fixed8", QT_TRANSLATE_NOOP("phenomena", "8 bits")),
+                ("fixed16", QT_TRANSLATE_NOOP("phenomena", "16 bits")),
+                ("fixed24", QT_TRANSLATE_NOOP("phenomena", "24 bits")),
+                ("fixed32", QT_TRANSLATE_NOOP("phenomena", "32 bits")),
+                ("float16", QT_TRANSLATE_NOOP("phenomena", "float of 16 bits")),
+                ("float32", QT_TRANSLATE_NOOP("phenomena", "float of 32 bits")),
+            ),
+        ),
+        Setting(
+            "range",
+            QT_TRANSLATE_NOOP("phenomena", "Depth range"),
+            QT_TRANSLATE_NOOP(
+                "phenomena", "How distance becomes depth; infinite puts the far plane at infinity"
+            ),
+            "standard",
+            choices=(
+                ("standard", QT_TRANSLATE_NOOP("phenomena", "standard, 0 at near")),
+                ("reversed", QT_TRANSLATE_NOOP("phenomena", "reversed, 1 at near")),
+                ("infinite", QT_TRANSLATE_NOOP("phenomena", "standard, far at infinity")),
+                ("logarithmic", QT_TRANSLATE_NOOP("phenomena", "logarithmic")),
+            ),
+        ),
+    ),
+    controls=("lens.near", "camera.eye"),
+    copies=1,
+    requires=frozenset({"depth"}),
+    own_mesh=True,
+)

@@ -1,0 +1,502 @@
+"""Crossing the eye plane: what the divide alone draws, lecture 004's cut, homogeneous clipping.
+
+A point with ``w < 0`` is behind the eye. Divided all the same it comes out mirrored through the
+principal point, and a segment with one end behind is drawn as the wrong one of the two arcs into
+which its ends part the projective line (lecture 004, "Opis problema"). The lecture cuts at
+``z = -0.01`` before it divides; clipping in homogeneous coordinates needs no such number, because
+the left and the right plane together ask ``w >= 0``.
+
+Near and far are left out of all three pictures: they take away more, and cure nothing else.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.model.clipping import LARGEST_CLIP, clip_segments, cut_at_eye, naive_ndc
+from app.model.projection import Array, Camera, Perspective, Projection
+from app.scenes.phenomena.illustration import (
+    QT_TRANSLATE_NOOP,
+    Curve,
+    Diagram,
+    Dot,
+    Exhibit,
+    Face,
+    Grip,
+    Line,
+    Marks,
+    OwnMesh,
+    Phenomenon,
+    Phrase,
+    Reading,
+    Setting,
+    Settings,
+    Subject,
+    Text,
+    figure,
+    point,
+)
+from app.scenes.shapes import Coloured, ground_grid, joined, letter_f, letter_f_edges
+
+_SIDES = ("left", "right", "bottom", "top")
+_THROUGH_EYE = 1e-14  # sine of the angle between the ends' rays below which they are one ray
+_RADIUS = 0.93  # of the arc of the naive divide, inside the circle of radius 1
+_STEPS = np.linspace(0.0, 1.0, 65)
+_MARGIN = 0.02  # of the picture's size, round the frame
+
+CASES = (
+    QT_TRANSLATE_NOOP("phenomena", "1: both ends before it"),
+    QT_TRANSLATE_NOOP("phenomena", "2: both ends behind it"),
+    QT_TRANSLATE_NOOP("phenomena", "3: only A behind it"),
+    QT_TRANSLATE_NOOP("phenomena", "4: only B behind it"),
+)
+"""Lecture 004's four cases, in the order of `app.model.clipping.EYE_CASES`; its cut is before the eye."""
+
+_PARALLEL = QT_TRANSLATE_NOOP(
+    "phenomena",
+    "a parallel lens has no eye plane, and divides by 1: choose a perspective lens to cross it",
+)
+_THROUGH = QT_TRANSLATE_NOOP(
+    "phenomena", "the segment points at the eye: its whole line has one point for an image"
+)
+_WITHIN = QT_TRANSLATE_NOOP(
+    "phenomena", "the segment lies in the eye plane: all of its image is at infinity"
+)
+_NONE_BEHIND = QT_TRANSLATE_NOOP("phenomena", "no end is behind the eye, so none is mirrored")
+_AT_INFINITY = QT_TRANSLATE_NOOP("phenomena", "the end lies in the eye plane: its image is at ∞")
+_OFF_AXIS = QT_TRANSLATE_NOOP(
+    "phenomena",
+    "the two agree where the lens' axis meets the middle of the picture; here it meets ({0}, {1})"
+    " px, and their sum is twice that",
+)
+
+_SOME_EDGES = QT_TRANSLATE_NOOP(
+    "phenomena",
+    "of the mesh's {1} edges only {0} are drawn so and counted: first those that cross the eye"
+    " plane, then the longest",
+)
+
+_MOST_EDGES = 300
+"""Of a mesh of the user's."""
+
+
+class Pictures(NamedTuple):
+    """Three drawings of the same m segments, in pixels, cut to the frame.
+
+    Attributes
+    ----------
+    naive, cut, right : (m, 2, 2) arrays
+        By the divide alone, by lecture 004's cut, by homogeneous clipping; NaN where nothing is
+        drawn.
+    case : (m,) int array
+        Lecture 004's case, 1 to 4.
+    wrong_px : (m,) array
+        Length that the naive drawing has inside the frame and the right one has not: all that it
+        draws of a segment with an end behind the eye, for its arc and the right one have nothing
+        but their ends in common.
+    missed_px : (m,) array
+        Length that the right drawing has and the naive one has not.
+    left_out_px : (m,) array
+        Length that lecture 004's cut takes away in front of the eye.
+    """
+
+    naive: Array
+    cut: Array
+    right: Array
+    case: NDArray[np.intp]
+    wrong_px: Array
+    missed_px: Array
+    left_out_px: Array
+
+
+def pictures(projection: Projection, view: Array, clip: Array) -> Pictures:
+    """Draw segments in the three ways.
+
+    Parameters
+    ----------
+    projection : Projection
+        With a perspective lens.
+    view, clip : (m, 2, 3) and (m, 2, 4) arrays
+        The segments' ends, as `Projection.trace` gives them.
+    """
+    eye_cut = cut_at_eye(view[:, 0], view[:, 1])
+    matrix = projection.clip_from_view
+    flat = np.empty((3, *clip.shape))
+    flat[0, ..., :3], flat[0, ..., 3] = naive_ndc(clip), 1.0
+    flat[1] = np.where(
+        (eye_cut.case == 1)[:, None, None], clip, eye_cut.points_view @ matrix[:, :3].T
+    )
+    flat[2] = clip
+    flat[..., 2] = 1.0  # of the depth nothing is asked; any one will do that is not 0 at the eye
+    nothing = ~(np.abs(flat) <= LARGEST_CLIP).all(axis=(2, 3))
+    flat[nothing] = (2.0, 0.0, 1.0, 1.0)  # beyond the right plane
+    found = clip_segments(flat[..., 0, :], flat[..., 1, :], planes=_SIDES)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        ndc = found.points_clip[..., :2] / found.points_clip[..., 3:]
+    # A segment that points at the eye ends there without an image; what is seen is one point.
+    size = np.maximum(np.abs(clip[..., [0, 1, 3]]).max(axis=-1), 5e-324)
+    (xa, xb), (ya, yb), (wa, wb) = rays = clip.T[[0, 1, 3]] / size.T
+    sine = np.maximum(np.abs(ya * wb - yb * wa), np.abs(xa * wb - xb * wa))
+    for row in np.flatnonzero((sine <= _THROUGH_EYE) & found.visible[2]):
+        x, y, w = rays[:, np.argmax(clip[row, :, 3]), row]
+        ndc[1:, row] = (x / w, y / w) if w > 0.0 and max(abs(x), abs(y)) <= w else math.nan
+    ndc[~np.isfinite(ndc).all(axis=(2, 3))] = np.nan
+    width, height = projection.image_size
+    drawn = np.stack([(ndc[..., 0] + 1.0) * (width / 2), (1.0 - ndc[..., 1]) * (height / 2)], -1)
+    span = drawn[:, :, 1] - drawn[:, :, 0]
+    lengths = np.nan_to_num(np.hypot(span[..., 0], span[..., 1]))
+    in_front = (clip[..., 3] > 0.0).all(axis=1)
+    naive, cut, right = drawn
+    return Pictures(
+        naive,
+        cut,
+        right,
+        eye_cut.case,
+        np.where(in_front, 0.0, lengths[0]),
+        np.where(in_front, 0.0, lengths[2]),
+        np.maximum(lengths[2] - lengths[1], 0.0),
+    )
+
+
+def mirrored_end(
+    projection: Projection, view: Array
+) -> tuple[tuple[float, float], tuple[float, float]] | None:
+    """Where the divide draws a point behind the eye, and the frame's size minus its right place.
+
+    Parameters
+    ----------
+    projection : Projection
+        With a perspective lens.
+    view : (3,) array
+        View coordinates, z > 0.
+
+    Returns
+    -------
+    ((x, y), (x, y)) or None
+        In pixels: the mirrored end, and ``(width, height)`` minus the pixel of the right end,
+        ``(x, y, -z)``: the same point as far before the eye as it is behind it. None where a
+        pixel is beyond 1e307.
+
+    Notes
+    -----
+    With ``x_clip = s x - k w``, where ``k = (r + l)/(r - l)``, the two ends have
+    ``x_ndc = -s x/z - k`` and ``s x/z - k``. Their sum is -2k, in pixels twice the principal
+    point: so the mirrored end is the frame's size minus the right one just where k is 0 in x and
+    in y, that is, where the lens' axis goes through the middle of the picture.
+    """
+    x, y, z = view.tolist()
+    matrix = projection.clip_from_view[[0, 1, 3], :3]
+    ends = np.array([[x, y, z], [x, y, -z]]) @ matrix.T
+    width, height = projection.image_size
+    with np.errstate(over="ignore", divide="ignore", invalid="ignore"):
+        across, up = (ends[:, :2] / ends[:, 2:]).T
+        left, top = (across + 1.0) * (width / 2.0), (1.0 - up) * (height / 2.0)
+    if not (np.abs([left, top]) <= LARGEST_CLIP).all():
+        return None
+    return (float(left[0]), float(top[0])), (float(width - left[1]), float(height - top[1]))
+
+
+def principal_point(projection: Projection) -> tuple[float, float]:
+    """Where the lens' axis meets the picture, in pixels; (x, y)."""
+    k_x, k_y = -projection.clip_from_view[:2, 2]
+    width, height = projection.image_size
+    return float(width / 2.0 * (1.0 + k_x)), float(height / 2.0 * (1.0 - k_y))
+
+
+def circle_angles(projection: Projection, clip: Array) -> tuple[float, float] | None:
+    """A segment's image on its projective line, drawn as a circle with infinity at the top.
+
+    Parameters
+    ----------
+    projection : Projection
+    clip : (2, 4) array
+        The segment's ends.
+
+    Returns
+    -------
+    (float, float) or None
+        Angles of start and end in radians, anticlockwise from the bottom. All angles between
+        them, as numbers, are the segment's image: across an odd multiple of pi if and only if the
+        segment crosses the eye plane. None where the image is a single point, or the eye plane's.
+
+    Notes
+    -----
+    A point of the image line at s from the point nearest to the picture's middle, in half
+    diagonals of the picture, stands at ``2 atan(s)``. With ``s = l/w`` and both linear along the
+    segment, ``2 atan2(l, w)`` is continuous through w = 0.
+    """
+    width, height = projection.image_size
+    ends = clip[:, [0, 1, 3]] * (width / 2.0, height / 2.0, math.hypot(width, height) / 2.0)
+    ends /= np.maximum(np.abs(ends).max(axis=1, keepdims=True), 5e-324)
+    (xa, ya, wa), (xb, yb, wb) = ends.tolist()
+    normal_x, normal_y = ya * wb - yb * wa, xb * wa - xa * wb
+    size = math.hypot(normal_x, normal_y)
+    if size <= _THROUGH_EYE:
+        return None
+    along_x, along_y = normal_y / size, -normal_x / size
+    if (along_x, along_y) < (0.0, 0.0):  # to the right, so that A and B stand as in the picture
+        along_x, along_y = -along_x, -along_y
+    start = math.atan2(along_x * xa + along_y * ya, wa)
+    end = math.atan2(along_x * xb + along_y * yb, wb)
+    if abs(end - start) > math.pi:  # the segment's own arc is the shorter one
+        end += math.copysign(2.0 * math.pi, start - end)
+    return 2.0 * start, 2.0 * end
+
+
+def _geometry() -> tuple[Coloured, Coloured]:
+    faces, rgb = letter_f()
+    grid = ground_grid((-4.0, -6.0), (4.0, 6.0), (1.0, 1.0), 0.0)
+    return (faces, rgb), joined(grid, letter_f_edges())
+
+
+def _curve(segments: Array, colour: str, label: str = "", width: float = 1.0) -> Curve:
+    """Segments as one curve with breaks between them."""
+    broken = np.full((len(segments), 3, 2), np.nan)
+    broken[:, :2] = segments
+    return Curve(broken.reshape(-1, 2), colour, label, width)
+
+
+def _picture(title: str, drawn: Array, colour: str, size: tuple[int, int]) -> Diagram:
+    width, height = size
+    frame = np.array([(0.0, 0.0), (width, 0.0), (width, height), (0.0, height)])
+    return Diagram(
+        title,
+        (
+            Curve(frame, "muted", closed=True),
+            _curve(drawn[1:], "ink"),
+            _curve(drawn[:1], colour, "AB" if np.isfinite(drawn[0]).all() else "", 2.5),
+        ),
+        left=-_MARGIN * width,
+        right=(1.0 + _MARGIN) * width,
+        bottom=(1.0 + _MARGIN) * height,
+        top=-_MARGIN * height,
+        equal=True,
+    )
+
+
+def _arc(start: float, end: float, radius: float) -> Array:
+    """Points of the circle from one angle to another, (65, 2)."""
+    angles = start + (end - start) * _STEPS
+    return radius * np.stack([np.sin(angles), -np.cos(angles)], axis=1)
+
+
+def _circle(angles: tuple[float, float] | None, in_front: bool) -> Diagram:
+    curves = [Curve(_arc(0.0, 2.0 * math.pi, 1.0), "muted", closed=True)]
+    dots = [Curve(np.array([(0.0, 1.0)]), "ink", "∞", dots=True)]
+    if angles is not None:
+        a, b = angles
+        # Back into the turn between two infinities, where s itself runs from A' to B'.
+        from_a, to_b = (math.remainder(angle, 2.0 * math.pi) for angle in angles)
+        naive = QT_TRANSLATE_NOOP("phenomena", "naive divide")
+        curves.append(Curve(_arc(from_a, to_b, _RADIUS), "u", naive, 2.0))
+        if in_front:  # of what is behind the eye there is no image
+            image = QT_TRANSLATE_NOOP("phenomena", "image of AB")
+            curves.append(Curve(_arc(a, b, 1.0), "accent", image, 2.5))
+        dots += [
+            Curve(_arc(a, a, 1.0)[:1], "ink", "A'", dots=True),
+            Curve(_arc(b, b, 1.0)[:1], "ink", "B'", dots=True),
+        ]
+    return Diagram(
+        QT_TRANSLATE_NOOP("phenomena", "the line as a circle"),
+        (*curves, *dots), left=-1.4, right=1.4, bottom=-1.4, top=1.4, equal=True,
+    )  # fmt: skip
+
+
+def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhibit:
+    a, b = np.array(point(settings, "start")), np.array(point(settings, "end"))
+    mesh = subject.mesh
+    if projection.standard_lens.parallel:
+        return Exhibit((), warning=Phrase(_PARALLEL))
+    others = letter_f_edges()[0] if mesh is None else _edges_that_matter(projection.camera, mesh)
+    segments = np.concatenate([[(a, b)], others])
+    trace = projection.trace(segments)
+    drawn = pictures(projection, trace.view, trace.clip)
+    angles = circle_angles(projection, trace.clip[0])
+    warning = None
+    if angles is None and (a != b).any():
+        warning = Phrase(_THROUGH if trace.view[0, :, 2].any() else _WITHIN)
+    size = projection.image_size
+    diagrams = (
+        _picture(QT_TRANSLATE_NOOP("phenomena", "divided, not cut"), drawn.naive, "u", size),
+        _picture(QT_TRANSLATE_NOOP("phenomena", "cut at z = −0.01"), drawn.cut, "accent", size),
+        _picture(QT_TRANSLATE_NOOP("phenomena", "clipped, then divided"), drawn.right, "accent",
+                 size),
+        _circle(angles, bool((trace.view[0, :, 2] < 0.0).any())),
+    )  # fmt: skip
+    return Exhibit(
+        _readings(projection, drawn, trace.view[0], mesh),
+        world=_world_marks(projection, subject, a, b, -trace.view[0, :, 2]),
+        ndc=_ndc_marks(projection, trace.clip[0]),
+        image=_image_marks(drawn),
+        diagrams=diagrams,
+        warning=warning,
+        grips=(Grip("start", a), Grip("end", b)),
+    )
+
+
+def _edges_that_matter(camera: Camera, mesh: OwnMesh) -> Array:
+    """Those that reach through the eye plane, then the longest: `_MOST_EDGES` at most."""
+    if len(mesh.edges) <= _MOST_EDGES:
+        return mesh.edges
+    n = camera.frame[2]
+    behind = mesh.edges.reshape(-1, 3) @ n >= np.array(camera.eye) @ n
+    crossing = behind[::2] != behind[1::2]
+    chosen = np.concatenate([np.flatnonzero(crossing), np.flatnonzero(~crossing)[:_MOST_EDGES]])
+    edges: Array = mesh.edges[chosen[:_MOST_EDGES]]
+    return edges
+
+
+def _readings(
+    projection: Projection, drawn: Pictures, view: Array, mesh: OwnMesh | None
+) -> tuple[Reading, ...]:
+    behind = [end for end in (1, 0) if view[end, 2] > 0.0]
+    ends = mirrored_end(projection, view[behind[0]]) if behind else None
+    absent = None if ends else Phrase(_AT_INFINITY if behind else _NONE_BEHIND)
+    principal, middle = principal_point(projection), [side / 2.0 for side in projection.image_size]
+    off_axis = None
+    if any(abs(p - m) > 1e-6 * m for p, m in zip(principal, middle, strict=True)):
+        off_axis = Phrase(_OFF_AXIS, tuple(figure(part, 6) for part in principal))
+    wrongly = QT_TRANSLATE_NOOP("phenomena", "F drawn wrongly")
+    missed = QT_TRANSLATE_NOOP("phenomena", "F missed")
+    if mesh is not None:
+        wrongly = QT_TRANSLATE_NOOP("phenomena", "mesh drawn wrongly")
+        missed = QT_TRANSLATE_NOOP("phenomena", "mesh missed")
+    readings = [
+        Reading(
+            QT_TRANSLATE_NOOP("phenomena", "case, by the cut at z = −0.01"),
+            CASES[int(drawn.case[0]) - 1],
+        ),
+        Reading(QT_TRANSLATE_NOOP("phenomena", "AB drawn wrongly"), float(drawn.wrong_px[0]), "px"),
+        Reading(QT_TRANSLATE_NOOP("phenomena", "AB missed"), float(drawn.missed_px[0]), "px"),
+        Reading(
+            QT_TRANSLATE_NOOP("phenomena", "AB left out by the cut at z = −0.01"),
+            float(drawn.left_out_px[0]),
+            "px",
+        ),
+    ]
+    some = None
+    counted = len(drawn.case) - 1
+    if mesh is not None and counted < mesh.edge_count:
+        some = Phrase(_SOME_EDGES, (str(counted), str(mesh.edge_count)))
+        label = QT_TRANSLATE_NOOP("phenomena", "edges of the mesh that are counted, and all")
+        readings.append(Reading(label, (float(counted), float(mesh.edge_count))))
+    readings += [
+        Reading(wrongly, float(drawn.wrong_px[1:].sum()), "px", some),
+        Reading(missed, float(drawn.missed_px[1:].sum()), "px", some),
+        Reading(QT_TRANSLATE_NOOP("phenomena", "mirrored end"), ends and ends[0], "px", absent),
+        Reading(
+            QT_TRANSLATE_NOOP("phenomena", "frame size minus right end"),
+            ends and ends[1],
+            "px",
+            absent or off_axis,
+        ),
+    ]
+    return tuple(readings)
+
+
+def _world_marks(
+    projection: Projection, subject: Subject, a: Array, b: Array, depths: Array
+) -> Marks:
+    """The segment, before the eye and behind it, and a piece of the eye plane."""
+    eye = np.array(projection.camera.eye)
+    u, v, _ = projection.camera.frame
+    reach = 0.4 * float(np.linalg.norm(np.subtract(subject.upper, subject.lower)))
+    corners = eye + reach * np.array([-u - v, u - v, u + v, v - u])
+    lines = [Line(np.vstack([corners, corners[:1]]), "eye", 1.2)]
+    dots = [Dot(eye, "eye"), Dot(a, "accent", 1.2), Dot(b, "accent", 1.2)]
+    start, end = depths.tolist()
+    pieces = [(a, b, start > 0.0)]
+    if (start > 0.0) != (end > 0.0):
+        share = start / (start - end)
+        crossing = (1.0 - share) * a + share * b
+        dots.append(Dot(crossing, "u", 1.2))
+        pieces = [(a, crossing, start > 0.0), (crossing, b, end > 0.0)]
+    lines += [
+        Line(np.array([one, other]), "accent" if front else "u", 2.5 if front else 1.5)
+        for one, other, front in pieces
+    ]
+    texts = (Text("A", a, "accent"), Text("B", b, "accent"), Text("w = 0", corners[2], ""))
+    return Marks(tuple(lines), (Face(corners, "eye", 0.15),), tuple(dots), texts)
+
+
+def _ndc_marks(projection: Projection, clip: Array) -> Marks:
+    """What of the segment is between near and far; the cube's sides cut the rest."""
+    near, far = projection.standard_lens.near, projection.standard_lens.far
+    (start, end), low, high = clip[:, 3].tolist(), 0.0, 1.0
+    for at_start, at_end in ((start - near, end - near), (far - start, far - end)):
+        if at_start < 0.0 and at_end < 0.0:
+            return Marks()
+        if at_start < 0.0 or at_end < 0.0:
+            share = 0.0 if math.isinf(at_start) else at_start / (at_start - at_end)
+            low, high = (max(low, share), high) if at_start < 0.0 else (low, min(high, share))
+    if low >= high:
+        return Marks()
+    ends = np.array([[1.0 - low, low], [1.0 - high, high]]) @ clip
+    w = np.clip(ends[:, 3:], near, far)  # where the cut has cancelled all of its digits
+    with np.errstate(over="ignore"):
+        ndc = ends[:, :3] / w
+    return Marks((Line(ndc, "accent", 2.5),)) if np.isfinite(ndc).all() else Marks()
+
+
+def _image_marks(drawn: Pictures) -> Marks:
+    """The naive and the right image of the segment, over the picture."""
+    lines, dots, texts = [], [], []
+    right, wrong = drawn.right[0], drawn.naive[0]
+    if drawn.wrong_px[0] > 0.0:
+        lines.append(Line(wrong, "u", 1.5))
+        texts.append(Text(QT_TRANSLATE_NOOP("phenomena", "wrong"), wrong.mean(axis=0), "u"))
+    if np.isfinite(right).all():
+        lines.append(Line(right, "accent", 2.5))
+        dots += [Dot(end, "accent", 1.2) for end in right]
+        texts.append(Text("AB", right.mean(axis=0), "accent"))
+    return Marks(tuple(lines), (), tuple(dots), tuple(texts))
+
+
+_START = Projection(
+    Camera((0.8, 2.4, 1.2), (-1.2, 2.4, 0.2), (0.0, 1.0, 0.0)),
+    Perspective(fov_y_deg=75.0, near=0.05, far=30.0),
+    (1280, 720),
+)
+
+PHENOMENON = Phenomenon(
+    name="eye-plane",
+    title=QT_TRANSLATE_NOOP("phenomena", "Crossing the eye plane"),
+    explanation=QT_TRANSLATE_NOOP(
+        "phenomena",
+        "A point behind the eye has w < 0: divided by w all the same, its image is mirrored. With"
+        " one end behind, AB is then drawn along the wrong part of its line: the right part goes"
+        " through infinity. So AB must be cut before the divide: at z = −0.01 as in lecture 004,"
+        " or in homogeneous coordinates, which need no such number.",
+    ),
+    lectures=("001", "004"),
+    start=_START,
+    geometry=_geometry,
+    show=_show,
+    settings=(
+        Setting(
+            "start",
+            QT_TRANSLATE_NOOP("phenomena", "Start A"),
+            QT_TRANSLATE_NOOP("phenomena", "Where the segment starts, in world coordinates"),
+            (-2.5, 1.5, 0.0),
+            low=-1e100,
+            high=1e100,
+            span=(-8.0, 8.0),
+        ),
+        Setting(
+            "end",
+            QT_TRANSLATE_NOOP("phenomena", "End B"),
+            QT_TRANSLATE_NOOP("phenomena", "Where it ends; behind the eye its image is mirrored"),
+            (2.5, 1.8, 2.5),
+            low=-1e100,
+            high=1e100,
+            span=(-8.0, 8.0),
+        ),
+    ),
+    controls=("camera.eye",),
+    own_mesh=True,
+    own_mesh_crosses=True,  # what lies on the floor beside the eye crosses nothing
+)

@@ -1,0 +1,401 @@
+"""Field of view: what the lectures call wide angle and telephoto, with sizes at the target held.
+
+What lies in the plane through the target is drawn in a size that goes with ``1 / (d tan(fov/2))``,
+foreshortening with the distance d alone: a ride along n with d tan(fov/2) held (a dolly zoom)
+shows that perspective is a matter of where one stands. What of the subject is nearer than the
+target is drawn larger than that, what is farther smaller. Fields of view and the two photographs,
+29 mm at 30 cm and 105 mm at 360 cm, are those of lecture 001; one unit of this scene is 10 cm.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+
+from app.model.projection import (
+    Array,
+    Camera,
+    Frustum,
+    Perspective,
+    Projection,
+    Vector,
+    fov_x_from_fov_y,
+    fov_y_from_focal_length_35mm,
+)
+from app.scenes.phenomena.illustration import (
+    CLOSE,
+    QT_TRANSLATE_NOOP,
+    Exhibit,
+    Found,
+    Line,
+    Marks,
+    Phenomenon,
+    Phrase,
+    Reading,
+    Setting,
+    Settings,
+    Subject,
+    Text,
+    number,
+)
+from app.scenes.phenomena.picture import cut_in_picture, seen_lines, seen_texts
+from app.scenes.shapes import Coloured, box_faces, edges_of, flat, ground_grid, joined
+
+_PARALLEL = QT_TRANSLATE_NOOP("phenomena", "a parallel lens has no field of view, only a width")
+_BEHIND_EYE = QT_TRANSLATE_NOOP("phenomena", "part of the subject is beside the eye or behind it")
+_NOT_SEEN = QT_TRANSLATE_NOOP("phenomena", "nothing of the subject is in the picture")
+_BAR_NOT_SEEN = QT_TRANSLATE_NOOP(
+    "phenomena", "its height in the plane through the target is not in the picture"
+)
+_TOO_LARGE = QT_TRANSLATE_NOOP("phenomena", "too large or too small for a number in pixels")
+
+_NEAREST = QT_TRANSLATE_NOOP("phenomena", "nearest")
+_FARTHEST = QT_TRANSLATE_NOOP("phenomena", "farthest")
+
+_FILM_DIAGONAL_MM = math.hypot(36.0, 24.0)
+_WIDE_MM, _TELE_MM = 29.0, 105.0
+_WIDE_DISTANCE, _TELE_DISTANCE = 3.0, 36.0
+# Horizontal fields of view, lecture 001: without peripheral vision, at a comfortable distance
+# (25 to 30 degrees), "only a few degrees".
+_SEEN_DEG = {"eye": 120.0, "monitor": 30.0, "phone": 5.0}
+
+
+def _head() -> Coloured:
+    """A head of boxes that looks along +z: nose, brow and ears at depths of their own."""
+    skin, dark, light = (225, 180, 140), (120, 84, 60), (245, 242, 230)
+    parts = [
+        ((-0.5, 0.9, -0.5), (0.5, 2.0, 0.4), skin),
+        ((-0.14, 1.2, 0.4), (0.14, 1.5, 0.8), (213, 94, 0)),
+        ((-0.52, 1.78, -0.52), (0.52, 2.1, 0.48), dark),
+        ((-0.36, 1.5, 0.4), (-0.16, 1.66, 0.44), light),
+        ((0.16, 1.5, 0.4), (0.36, 1.66, 0.44), light),
+        ((-0.26, 1.0, 0.4), (0.26, 1.08, 0.44), dark),
+        ((-0.66, 1.2, -0.3), (-0.5, 1.6, 0.0), (0, 158, 115)),
+        ((0.5, 1.2, -0.3), (0.66, 1.6, 0.0), (0, 114, 178)),
+        ((-0.9, 0.0, -0.7), (0.9, 0.75, 0.2), (86, 180, 233)),
+        ((-0.25, 0.75, -0.4), (0.25, 0.9, 0.1), skin),
+    ]
+    shades = (0.92, 0.84, 1.0, 0.6, 0.97, 0.7)  # so that a box's sides are told apart
+    quads, rgb = [], []
+    for lower, upper, colour in parts:
+        quads.append(0.8 * box_faces(lower, upper))
+        rgb += [flat([round(part * shade) for part in colour], 1) for shade in shades]
+    return np.concatenate(quads), np.concatenate(rgb)
+
+
+def _geometry() -> tuple[Coloured, Coloured]:
+    faces = _head()
+    return faces, joined(
+        ground_grid((-6.0, -12.0), (6.0, 2.0), (1.0, 1.0), 0.0), edges_of(faces[0])
+    )
+
+
+class View(NamedTuple):
+    """Distance from the subject in world units, and vertical field of view in degrees."""
+
+    distance: float
+    fov_y_deg: float
+
+
+def _fov_y_deg(half_height: float, distance: float) -> float:
+    return math.degrees(2.0 * math.atan2(half_height, distance))
+
+
+def preset_view(name: str, aspect: float, enlarged: bool = True) -> View:
+    """Where a preset looks from.
+
+    Parameters
+    ----------
+    name : {"wide", "tele", "eye", "monitor", "phone"}
+    aspect : float
+        The image's width over its height. The focal lengths are those of the full-frame camera
+        with the same diagonal field of view, the others are horizontal fields of view.
+    enlarged : bool
+        Whether the 105-mm photograph is enlarged until things at the target's distance are as
+        large as on the 29-mm one, which narrows its field of view.
+
+    Returns
+    -------
+    View
+        All with things at the target's distance as large as on the 29-mm photograph at 30 cm.
+    """
+    wide_deg = fov_y_from_focal_length_35mm(_WIDE_MM, aspect)
+    half_height = _WIDE_DISTANCE / Perspective(wide_deg).cot_half_fov_y  # at the subject
+    if name == "wide":
+        return View(_WIDE_DISTANCE, wide_deg)
+    if name == "tele":
+        own = fov_y_from_focal_length_35mm(_TELE_MM, aspect)
+        return View(_TELE_DISTANCE, _fov_y_deg(half_height, _TELE_DISTANCE) if enlarged else own)
+    fov_y_deg = fov_x_from_fov_y(_SEEN_DEG[name], 1.0 / aspect)
+    return View(half_height * Perspective(fov_y_deg).cot_half_fov_y, fov_y_deg)
+
+
+def dollied(projection: Projection, factor: float) -> Projection:
+    """Ride along n to `factor` times the distance, and let the target's plane keep its size.
+
+    Raises
+    ------
+    ProjectionError
+        Where the lens or the camera cannot follow.
+    """
+    camera, lens = projection.camera, projection.standard_lens
+    distance = factor * camera.distance
+    moved = replace(projection, camera=_at(camera, distance))
+    if isinstance(lens, Perspective):
+        fov_y_deg = _fov_y_deg(1.0, factor * lens.cot_half_fov_y)
+        return replace(moved, lens=replace(lens, fov_y_deg=fov_y_deg))
+    if isinstance(lens, Frustum):
+        left, right, bottom, top = (side / factor for side in projection.window)
+        lens = replace(lens, left=left, right=right, bottom=bottom, top=top)
+        return replace(moved, lens=lens)
+    return moved
+
+
+def _at(camera: Camera, distance: float) -> Camera:
+    """The camera at another distance from its target, on the same line."""
+    x, y, z = (
+        t + distance * n for t, n in zip(camera.target, camera.frame[2].tolist(), strict=True)
+    )
+    return Camera((x, y, z), camera.target, camera.up)
+
+
+def _from_preset(projection: Projection, settings: Settings, factor: float) -> Projection:
+    view = preset_view(str(settings["preset"]), projection.aspect, bool(settings["enlarged"]))
+    lens = projection.with_lens("perspective").standard_lens
+    at = Projection(
+        _at(projection.camera, view.distance),
+        Perspective(view.fov_y_deg, lens.near, lens.far),
+        projection.image_size,
+        projection.depth,
+    )
+    return dollied(at, factor) if factor != 1.0 else at
+
+
+def _follow(projection: Projection, before: Found, after: Settings) -> Projection:
+    if before["preset"] is None:
+        return _from_preset(projection, after, 1.0)
+    factor = number(after, "distance")
+    enlarged = after["preset"] == "tele" and before["enlarged"] != after["enlarged"]
+    if enlarged or before["preset"] != after["preset"]:
+        return _from_preset(projection, after, factor)
+    if before["distance"] != after["distance"]:
+        return dollied(projection, factor / number(before, "distance"))
+    return projection
+
+
+def _found(projection: Projection, settings: Settings) -> Found:
+    name, camera, lens = str(settings["preset"]), projection.camera, projection.standard_lens
+    view = preset_view(name, projection.aspect, bool(settings["enlarged"]))
+    held = view.distance / Perspective(view.fov_y_deg).cot_half_fov_y  # half the plane's height
+    x, y = projection.aspect * held, held
+    seen = [side / lens.near * camera.distance for side in projection.window]
+    holds = not lens.parallel and math.dist(seen, (-x, x, -y, y)) <= CLOSE * x
+    return {"preset": name if holds else None, "distance": camera.distance / view.distance}
+
+
+def _angles(projection: Projection) -> tuple[Reading, ...]:
+    lens = projection.standard_lens
+    labels = (
+        (QT_TRANSLATE_NOOP("phenomena", "vertical field of view"), "°"),
+        (QT_TRANSLATE_NOOP("phenomena", "horizontal field of view"), "°"),
+        (QT_TRANSLATE_NOOP("phenomena", "focal length, 35-mm camera"), "mm"),
+    )
+    values: list[float | None] = [None, None, None]
+    if isinstance(lens, Perspective):
+        cot, aspect = lens.cot_half_fov_y, projection.aspect
+        fov_x_deg = fov_x_from_fov_y(lens.fov_y_deg, aspect)
+        focal_mm = _FILM_DIAGONAL_MM / 2.0 * cot / math.hypot(aspect, 1.0)
+        values = [lens.fov_y_deg, fov_x_deg, focal_mm]
+    elif isinstance(lens, Frustum):
+        left, right, bottom, top = (math.atan2(side, lens.near) for side in projection.window)
+        x_extent, y_extent = (
+            high - low for low, high in (projection.window[:2], projection.window[2:])
+        )
+        focal_mm = _FILM_DIAGONAL_MM * (lens.near / math.hypot(x_extent, y_extent))
+        values = [math.degrees(top - bottom), math.degrees(right - left), focal_mm]
+    note = Phrase(_PARALLEL) if lens.parallel else None
+    return tuple(
+        Reading(label, value, unit, note)
+        for (label, unit), value in zip(labels, values, strict=True)
+    )
+
+
+def _show(projection: Projection, _settings: Settings, subject: Subject) -> Exhibit:
+    camera = projection.camera
+    distance = camera.distance
+    height = subject.upper[1] - subject.lower[1]
+    width = math.hypot(subject.upper[0] - subject.lower[0], subject.upper[2] - subject.lower[2])
+    w = (np.array(camera.eye) - subject.points) @ camera.frame[2]
+    w_near, w_far = float(w.min()), float(w.max())
+    ratio: float | None = 1.0 if projection.standard_lens.parallel else None
+    if ratio is None and w_near > 0.0 and math.isfinite(w_far / w_near):
+        ratio = w_far / w_near
+
+    # The subject's height, upright in the plane through the target: what the ride holds. With a
+    # tick at either end it is a measure beside the subject.
+    x, y, tick = -0.55 * width, height / 2.0, 0.06 * width
+    bar = _beside_target(camera, [(x, -y, 0.0), (x, y, 0.0)])
+    ticks = _beside_target(
+        camera, [(x + side, end, 0.0) for end in (-y, y) for side in (-tick, tick)]
+    )
+    size, why = _size_px(projection, bar, subject)
+    polylines, colours, at_squares = [], [], []
+    if size is not None:
+        polylines += [bar, ticks[:2], ticks[2:]]
+        colours += ["accent"] * 3
+    if ratio is not None:
+        # Two squares of one size at the subject's nearest and farthest depth.
+        polylines += [_square(camera, 0.45 * height, depth) for depth in (w_near, w_far)]
+        colours += ["near", "far"]
+        at_squares = [
+            Text(_NEAREST, polylines[-2][2], "near"), Text(_FARTHEST, polylines[-1][2], "far")
+        ]  # fmt: skip
+    at_bar = [] if size is None else [Text(f"{size:.0f} px", bar[1], "accent")]
+    at_target = Text(f"d = {distance:.4g}", np.array(camera.target), "accent")
+    image_texts = [*at_bar, *at_squares]
+    segments = np.array([ends for p in polylines for ends in pairwise(p)])
+    of_segments = [c for c, p in zip(colours, polylines, strict=True) for _ in p[1:]]
+    places = [text.point for text in image_texts]
+    trace = projection.trace(np.array([*segments.reshape(-1, 3), *places]).reshape(-1, 3))
+
+    readings = (
+        Reading(QT_TRANSLATE_NOOP("phenomena", "distance d to the target"), distance),
+        *_angles(projection),
+        Reading(
+            QT_TRANSLATE_NOOP("phenomena", "subject's height, at the target's distance"),
+            size,
+            "px",
+            why,
+        ),
+        Reading(
+            QT_TRANSLATE_NOOP("phenomena", "foreshortening, nearest : farthest"),
+            ratio,
+            "×",
+            Phrase(_BEHIND_EYE) if ratio is None else None,
+        ),
+    )
+    axis = Line(np.array([camera.eye, camera.target]), "accent", 1.2)
+    lines = (Line(p, colour, 2.0) for p, colour in zip(polylines, colours, strict=True))
+    segments_clip = trace.clip[: 2 * len(segments)].reshape(-1, 2, 4)
+    return Exhibit(
+        readings,
+        world=Marks((axis, *lines), texts=(at_target, *at_squares)),
+        image=Marks(
+            seen_lines(projection, segments_clip, of_segments, 2.0),
+            texts=seen_texts(trace, image_texts),
+        ),
+    )
+
+
+def _size_px(
+    projection: Projection, bar: Array, subject: Subject
+) -> tuple[float | None, Phrase | None]:
+    """How high an upright bar (2, 3) is drawn, or why nothing is to be measured in the picture."""
+    subject_trace, trace = projection.trace(subject.points), projection.trace(bar)
+    # Beyond one and the same plane all of it is, whatever there is between its vertices.
+    if subject_trace.outside.all(axis=0).any():
+        return None, Phrase(_NOT_SEEN)
+    size_px = float(trace.image[0, 1] - trace.image[1, 1])
+    if not size_px > 0.0:  # NaN, too
+        return None, Phrase(_TOO_LARGE)
+    if cut_in_picture(projection, trace.clip[:1], trace.clip[1:])[0] is None:
+        return None, Phrase(_BAR_NOT_SEEN)
+    return size_px, None
+
+
+def _square(camera: Camera, side: float, depth: float) -> Array:
+    """A square across the axis at a depth, its first corner again at the end, (5, 3)."""
+    half, z = side / 2.0, camera.distance - depth
+    corners = [(-half, -half), (half, -half), (half, half), (-half, half), (-half, -half)]
+    return _beside_target(camera, [(x, y, z) for x, y in corners])
+
+
+def _beside_target(camera: Camera, offsets_uvn: list[Vector]) -> Array:
+    """World points at offsets along u, v, n from the target, where a far eye costs no digits."""
+    points: Array = np.array(camera.target) + np.array(offsets_uvn) @ camera.frame
+    return points
+
+
+_TARGET = (0.0, 0.95, 0.0)
+_AZIMUTH, _ELEVATION = math.radians(20.0), math.radians(8.0)
+
+
+def _start() -> Projection:
+    view = preset_view("wide", 1280 / 720)
+    n = (
+        math.cos(_ELEVATION) * math.sin(_AZIMUTH),
+        math.sin(_ELEVATION),
+        math.cos(_ELEVATION) * math.cos(_AZIMUTH),
+    )
+    x, y, z = (t + view.distance * part for t, part in zip(_TARGET, n, strict=True))
+    return Projection(Camera((x, y, z), _TARGET), Perspective(view.fov_y_deg, 0.1, 200.0))
+
+
+PHENOMENON = Phenomenon(
+    name="field-of-view",
+    title=QT_TRANSLATE_NOOP("phenomena", "Field of view"),
+    explanation=QT_TRANSLATE_NOOP(
+        "phenomena",
+        "The wider the field of view, the nearer the camera must stand for a subject of the same"
+        " size, and the more its near parts outgrow its far ones: the foreshortening is a matter"
+        " of the distance alone. Ride along n, and the field of view follows so that things at"
+        " the target's distance keep their size (a dolly zoom). One unit is 10 cm.",
+    ),
+    lectures=("001", "003"),
+    start=_start(),
+    geometry=_geometry,
+    show=_show,
+    settings=(
+        Setting(
+            "preset",
+            QT_TRANSLATE_NOOP("phenomena", "Seen as by"),
+            QT_TRANSLATE_NOOP(
+                "phenomena",
+                "A field of view of lecture 001; the camera stands where things at the target's"
+                " distance have their size",
+            ),
+            "wide",
+            choices=(
+                ("wide", QT_TRANSLATE_NOOP("phenomena", "Photograph: 29 mm at 30 cm")),
+                ("tele", QT_TRANSLATE_NOOP("phenomena", "Photograph: 105 mm at 360 cm")),
+                ("eye", QT_TRANSLATE_NOOP("phenomena", "Human eye: 120° across")),
+                ("monitor", QT_TRANSLATE_NOOP("phenomena", "Monitor: 30° across")),
+                ("phone", QT_TRANSLATE_NOOP("phenomena", "Phone: 5° across")),
+            ),
+        ),
+        Setting(
+            "distance",
+            QT_TRANSLATE_NOOP("phenomena", "Distance, times the preset's"),
+            QT_TRANSLATE_NOOP(
+                "phenomena",
+                "Moves the eye along n; the field of view holds sizes at the target's distance",
+            ),
+            1.0,
+            low=0.05,
+            high=20.0,
+            span=(0.4, 8.0),
+            unit="×",
+            logarithmic=True,
+            per_second=0.5,
+        ),
+        Setting(
+            "enlarged",
+            QT_TRANSLATE_NOOP("phenomena", "Enlarge the 105-mm photograph"),
+            QT_TRANSLATE_NOOP(
+                "phenomena",
+                "Until things at the target's distance are as large as on the 29-mm one: the middle"
+                " of the picture, and so a narrower field of view",
+            ),
+            True,
+            only_with=("preset", "tele"),
+        ),
+    ),
+    controls=("lens.fov_y_deg", "camera.eye"),
+    follow=_follow,
+    found=_found,
+    own_mesh=True,
+)

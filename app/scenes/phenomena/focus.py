@@ -1,0 +1,351 @@
+"""Lens and focus: what a real camera's lens adds to the pinhole, computed and not simulated.
+
+Lecture 001 names the focal distance (what is in focus) and the depth of field (how far before and
+behind it things are acceptably sharp) among a camera's parameters. For a thin lens of focal length
+f, opened to ``A = f/N`` and focused at the distance s, a point at distance D is drawn as a disc of
+diameter ``b = A f |D - s| / (D (s - f))`` on the film; where b is the largest that still passes for
+a point, the circle of confusion c, are the limits of sharpness (S. F. Ray, *Applied Photographic
+Optics*, 3rd ed., 2002)::
+
+    H = f^2/(N c) + f        near = s (H - f)/(H + s - 2 f)        far = s (H - f)/(H - s)
+
+with the hyperfocal distance H: focused there or beyond, the far limit is infinity.
+
+The focal length is the lens' own: that of a 36 x 24 mm camera with the same diagonal field of view.
+The lens is in the eye, distances are measured along the view direction, and one world unit is 1 m.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from app.model.projection import Array, Camera, Perspective, Projection
+from app.scenes.phenomena.illustration import (
+    QT_TRANSLATE_NOOP,
+    Curve,
+    Diagram,
+    Exhibit,
+    Face,
+    Line,
+    Marks,
+    Phenomenon,
+    Phrase,
+    Reading,
+    Setting,
+    Settings,
+    Subject,
+    Text,
+    number,
+)
+from app.scenes.shapes import (
+    EDGE_RGB,
+    SIDE_RGB,
+    Coloured,
+    box_faces,
+    edges_of,
+    flat,
+    ground_grid,
+    joined,
+    written_number,
+)
+
+_FILM_DIAGONAL_MM = math.hypot(36.0, 24.0)
+_MM = 1e-3  # in world units, which are metres
+
+_PARALLEL = QT_TRANSLATE_NOOP(
+    "phenomena", "a parallel lens has no focal length: choose a perspective lens to focus it"
+)
+_TOO_CLOSE = QT_TRANSLATE_NOOP(
+    "phenomena",
+    "the focal distance {0} m is not beyond the focal length {1} m: nothing so close has an image",
+)
+_TO_INFINITY = QT_TRANSLATE_NOOP(
+    "phenomena", "∞: focused at the hyperfocal distance or beyond, all that is far away is sharp"
+)
+
+_BOUNDLESS = QT_TRANSLATE_NOOP(
+    "phenomena", "the target is so close to the lens that its disc has no finite size"
+)
+
+_ELLIPSE = QT_TRANSLATE_NOOP(
+    "phenomena",
+    "the picture is stretched: the target's disc is drawn as an ellipse, so wide and so high",
+)
+
+SHARP_FROM = QT_TRANSLATE_NOOP("phenomena", "sharp from")
+SHARP_TO = QT_TRANSLATE_NOOP("phenomena", "sharp to")
+IN_FOCUS = QT_TRANSLATE_NOOP("phenomena", "in focus")
+
+
+def focal_length_mm(projection: Projection) -> float:
+    """Focal length of the 36 x 24 mm camera with the diagonal field of view of a perspective lens.
+
+    ``f/diagonal of the film = near/diagonal of the window``, also of a window off the axis.
+    """
+    left, right, bottom, top = projection.window
+    return _FILM_DIAGONAL_MM * (
+        projection.standard_lens.near / math.hypot(right - left, top - bottom)
+    )
+
+
+class Sharpness(NamedTuple):
+    """The range of sharpness of a focused lens, in metres.
+
+    Attributes
+    ----------
+    near, far : float
+        Its limits; `far` is infinite from the hyperfocal distance on.
+    hyperfocal : float
+    """
+
+    near: float
+    far: float
+    hyperfocal: float
+
+
+def sharpness(f_mm: float, f_number: float, focus: float, confusion_mm: float) -> Sharpness:
+    """The limits of sharpness, as at the top of this module.
+
+    Parameters
+    ----------
+    f_mm : float
+        Focal length.
+    f_number : float
+        N: the lens is opened to f/N.
+    focus : float
+        Distance focused at, in m; greater than the focal length.
+    confusion_mm : float
+        Largest diameter on the film that passes for a point.
+    """
+    f = f_mm * _MM
+    reach = f * (f_mm / f_number / confusion_mm)  # H - f
+    share = (focus - f) / reach  # both formulas divided by H - f: no digit of it is lost in a sum
+    near = focus / (1.0 + share)
+    far = focus / (1.0 - share) if share < 1.0 else math.inf
+    return Sharpness(near, far, reach + f)
+
+
+def blur_mm(f_mm: float, f_number: float, focus: float, distances: Array) -> Array:
+    """Diameter on the film of the disc as which points at these distances (m) are drawn, in mm."""
+    opening_mm = f_mm / f_number
+    magnification = f_mm * _MM / (focus - f_mm * _MM)
+    discs: Array = opening_mm * magnification * np.abs(1.0 - focus / distances)
+    return discs
+
+
+_POSTS = (2, 3, 4, 5, 6, 8, 10, 12, 15, 20)
+
+
+def _geometry() -> tuple[Coloured, Coloured]:
+    """Posts with their distances from the eye in m on them, beside each other in the picture."""
+    faces: list[Coloured] = []
+    boxes = []
+    tangent = -0.4  # of the angle from the axis to the next post's left side
+    for distance in _POSTS:
+        x = tangent * distance + 0.15
+        tangent += 0.3 / distance + 0.025
+        box = box_faces((x - 0.15, 0.0, -distance - 0.15), (x + 0.15, 1.4, -distance + 0.15))
+        digits = written_number(distance, (x, 1.1, -distance + 0.155), 0.22)
+        faces += [(box, SIDE_RGB), (digits, flat(EDGE_RGB, len(digits)))]
+        boxes.append(box)
+    ground = ground_grid((-4.0, -24.0), (8.0, 0.0), (1.0, 1.0), 0.0)
+    return joined(*faces), joined(ground, edges_of(np.concatenate(boxes)))
+
+
+def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhibit:
+    n, focus, c_mm = (number(settings, name) for name in ("aperture", "focus", "confusion"))
+    if projection.standard_lens.parallel:
+        note = Phrase(_PARALLEL)
+        readings = (*_readings(None, None, None, note), _target_reading(None, note))
+        return Exhibit(readings, warning=note)
+    f_mm = focal_length_mm(projection)
+    if focus <= f_mm * _MM:
+        note = Phrase(_TOO_CLOSE, (f"{focus:.6g}", f"{f_mm * _MM:.6g}"))
+        readings = (*_readings(f_mm, f_mm / n, None, note), _target_reading(None, note))
+        return Exhibit(readings, warning=note)
+    sharp = sharpness(f_mm, n, focus, c_mm)
+    with np.errstate(over="ignore"):
+        target = np.array(projection.camera.distance)
+        disc_mm = float(blur_mm(f_mm, n, focus, target))
+    return Exhibit(
+        (
+            *_readings(f_mm, f_mm / n, sharp, Phrase(_TO_INFINITY)),
+            _drawn_disc(projection, disc_mm),
+        ),
+        world=_planes(projection, focus, sharp, subject),
+        diagrams=(_diagram(f_mm, n, focus, c_mm, sharp),),
+    )
+
+
+def _readings(
+    f_mm: float | None, opening_mm: float | None, sharp: Sharpness | None, note: Phrase
+) -> tuple[Reading, ...]:
+    """The lens' readout; what there is not is None, and `note` says why."""
+    near = far = depth = hyperfocal = None
+    if sharp is not None:
+        near, hyperfocal = sharp.near, sharp.hyperfocal
+        if sharp.far < math.inf:
+            far, depth = sharp.far, sharp.far - sharp.near
+    lines = (
+        (SHARP_FROM, near, "m"),
+        (SHARP_TO, far, "m"),
+        (QT_TRANSLATE_NOOP("phenomena", "depth of field"), depth, "m"),
+        (QT_TRANSLATE_NOOP("phenomena", "hyperfocal distance H"), hyperfocal, "m"),
+        (QT_TRANSLATE_NOOP("phenomena", "focal length f"), f_mm, "mm"),
+        (QT_TRANSLATE_NOOP("phenomena", "opening f / N"), opening_mm, "mm"),
+    )
+    return tuple(
+        Reading(label, value, unit, note if value is None else None) for label, value, unit in lines
+    )
+
+
+def _drawn_disc(projection: Projection, disc_mm: float) -> Reading:
+    """The target's disc in the picture: its diameter, or both of an ellipse."""
+    blur_px: tuple[float, ...] = (
+        disc_mm * (math.hypot(*projection.image_size) / _FILM_DIAGONAL_MM),
+    )
+    left, right, bottom, top = projection.window
+    window = right - left, top - bottom
+    stretched = not math.isclose(window[0] / window[1], projection.aspect, rel_tol=1e-6)
+    if stretched:
+        film_mm = (side * (_FILM_DIAGONAL_MM / math.hypot(*window)) for side in window)
+        blur_px = tuple(
+            disc_mm * (size_px / side_mm)
+            for size_px, side_mm in zip(projection.image_size, film_mm, strict=True)
+        )
+    if not np.isfinite(blur_px).all():
+        return _target_reading(None, Phrase(_BOUNDLESS))
+    return _target_reading(blur_px, Phrase(_ELLIPSE)) if stretched else _target_reading(blur_px[0])
+
+
+def _target_reading(
+    blur_px: float | tuple[float, ...] | None, note: Phrase | None = None
+) -> Reading:
+    return Reading(QT_TRANSLATE_NOOP("phenomena", "blur of the target"), blur_px, "px", note)
+
+
+def _planes(projection: Projection, focus: float, sharp: Sharpness, subject: Subject) -> Marks:
+    """Near limit, focus and far limit, each where it crosses the frustum."""
+    near, far = projection.standard_lens.near, projection.standard_lens.far
+    eye, frame = np.array(projection.camera.eye), projection.camera.frame
+    left, right, bottom, top = projection.window
+    window = np.array([(left, bottom), (right, bottom), (right, top), (left, top)])
+    window /= near
+
+    def section(distance: float) -> Array:
+        view = np.column_stack([window * distance, np.full(4, -distance)])
+        corners: Array = eye + view @ frame
+        return corners
+
+    faces, lines, texts = [], [], []
+    for name, distance, colour, opacity in (
+        (SHARP_FROM, sharp.near, "v", 0.12),
+        (IN_FOCUS, focus, "accent", 0.3),
+        (SHARP_TO, sharp.far, "v", 0.12),
+    ):
+        if near <= distance <= far and distance < math.inf:
+            corners = section(distance)
+            faces.append(Face(corners, colour, opacity))
+            lines.append(Line(np.vstack([corners, corners[:1]]), colour, 1.5))
+            texts.append(Text(name, corners[2 if colour == "accent" else 3], colour))
+    # The frustum's edges, thick where what is between them is sharp.
+    size = float(np.linalg.norm(np.subtract(subject.upper, subject.lower)))
+    low, high = max(near, sharp.near), min(far, sharp.far, 4.0 * (focus + size))
+    if low < high:
+        lines += [Line(np.array(pair), "v", 2.5) for pair in zip(section(low), section(high),
+                                                                strict=True)]  # fmt: skip
+    return Marks(tuple(lines), tuple(faces), (), tuple(texts))
+
+
+def _diagram(f_mm: float, n: float, focus: float, c_mm: float, sharp: Sharpness) -> Diagram:
+    """Blur against distance, about the range of sharpness."""
+    left = max(focus - 3.0 * (focus - sharp.near), 0.05 * focus)
+    right = focus + 3.0 * (min(sharp.far, 4.0 * focus) - focus)
+    if not left < focus < right:  # so narrow a range that float64 has no number beside it
+        left, right = 0.5 * focus, 1.5 * focus
+    distances = np.append(np.linspace(left, right, 128), focus)
+    distances.sort()
+    curve = np.stack([distances, blur_mm(f_mm, n, focus, distances)], axis=1)
+    top = 4.0 * c_mm
+    limits = [part for part in (sharp.near, sharp.far) if left <= part <= right]
+    curve[curve[:, 1] > 1e3 * top] = np.nan
+    return Diagram(
+        QT_TRANSLATE_NOOP("phenomena", "blur disc on the film"),
+        (
+            Curve(np.array([(left, c_mm), (right, c_mm)]), "muted",
+                  QT_TRANSLATE_NOOP("phenomena", "circle of confusion")),
+            Curve(curve, "ink", QT_TRANSLATE_NOOP("phenomena", "blur disc"), 2.0),
+            *(Curve(np.array([(limit, 0.0), (limit, c_mm)]), "v", width=1.5) for limit in limits),
+            Curve(np.array([(focus, 0.0)]), "accent", IN_FOCUS, dots=True),
+        ),
+        left=left, right=right, bottom=0.0, top=top,
+        x_label=QT_TRANSLATE_NOOP("phenomena", "distance, m"),
+        y_label=QT_TRANSLATE_NOOP("phenomena", "diameter, mm"),
+    )  # fmt: skip
+
+
+_START = Projection(
+    Camera((0.0, 1.3, 0.0), (0.0, 1.0, -5.0), (0.0, 1.0, 0.0)),
+    Perspective(fov_y_deg=28.0, near=0.5, far=30.0),
+    (1280, 720),
+)
+
+PHENOMENON = Phenomenon(
+    name="focus",
+    title=QT_TRANSLATE_NOOP("phenomena", "Lens and focus"),
+    explanation=QT_TRANSLATE_NOOP(
+        "phenomena",
+        "The synthetic camera has a point for a lens, and all of its picture is sharp; of a real"
+        " lens only what is at the focal distance is drawn as points, and the rest as discs."
+        " Between the two limits the discs are no larger than the circle of confusion and pass for"
+        " points. One world unit is 1 m; the picture itself is not blurred.",
+    ),
+    lectures=("001",),
+    start=_START,
+    geometry=_geometry,
+    show=_show,
+    settings=(
+        Setting(
+            "focus",
+            QT_TRANSLATE_NOOP("phenomena", "Focal distance s"),
+            QT_TRANSLATE_NOOP("phenomena", "From the lens to what is in focus"),
+            5.0,
+            low=1e-6,
+            high=1e6,
+            span=(0.3, 30.0),
+            unit="m",
+            logarithmic=True,
+        ),
+        Setting(
+            "aperture",
+            QT_TRANSLATE_NOOP("phenomena", "Aperture N"),
+            QT_TRANSLATE_NOOP(
+                "phenomena",
+                "The f-number: the lens is opened to f / N, and no lens opens wider than f / 0.5",
+            ),
+            2.8,
+            low=0.5,
+            high=1e6,
+            span=(1.0, 64.0),
+            logarithmic=True,
+        ),
+        Setting(
+            "confusion",
+            QT_TRANSLATE_NOOP("phenomena", "Circle of confusion c"),
+            QT_TRANSLATE_NOOP(
+                "phenomena", "Largest disc on 35-mm film that passes for a point: 0.03 mm is usual"
+            ),
+            0.03,
+            low=1e-6,
+            high=10.0,
+            span=(0.005, 0.2),
+            unit="mm",
+            logarithmic=True,
+        ),
+    ),
+    controls=("lens.fov_y_deg", "camera.target"),
+    own_mesh=True,
+)

@@ -1,0 +1,321 @@
+"""Perspective-correct interpolation: why what is half-way on the screen is not half-way there.
+
+On the screen 1/w is linear, and so is s/w for whatever is linear on a face (lectures 002 and 003):
+the rasteriser interpolates both and divides. Along an edge from depth w_a to w_b = k w_a, a part
+sigma of the way on the screen is therefore a part ``sigma / ((1 - sigma) k + sigma)`` of the edge.
+To interpolate s itself (affine interpolation) takes sigma instead, too much by at most
+
+    e(k) = (sqrt k - 1)/(sqrt k + 1)    at sigma = sqrt k/(sqrt k + 1)
+
+of the edge, which follows from setting the derivative of the difference to 0. What belongs at
+that place is drawn, at the most, as far away from it: the same e(k), of the edge on the screen.
+
+Inside a triangle it is never more. With barycentric weights b on the screen and q_i = 1/w_i the
+error of s is ``sum b q s / sum b q - sum b s``. Where its gradient is 0 inside the triangle, its
+second derivative along a direction d is ``-2 (d.q) (d.q(s - s0)) / (b.q)^2``, a product of two
+different linear forms in d that takes both signs: a saddle, no maximum. So the largest error, of s
+or of any direction of the texture, and by the same argument of the place on the screen, is on an
+edge. All edges of the triangles are looked at, the diagonals too.
+"""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+
+from app.model.projection import Array, Camera, Perspective, Projection
+from app.scenes.phenomena.illustration import (
+    QT_TRANSLATE_NOOP,
+    Dot,
+    Exhibit,
+    Line,
+    Marks,
+    Phenomenon,
+    Phrase,
+    Reading,
+    Rendering,
+    Setting,
+    Settings,
+    Subject,
+    Text,
+    Texture,
+    number,
+)
+from app.scenes.phenomena.picture import seen, seen_lines
+from app.scenes.shapes import Coloured, flat, ground_grid
+
+TEXELS = 256
+"""Of the board's texture, each side."""
+
+_CHECKS = 8
+_CORNERS = np.array([(-5.0, 0, 5), (5, 0, 5), (5, 0, -5), (-5, 0, -5)])
+_RGB = (245, 242, 230)
+
+_BOARD = _CORNERS[[[0, 1, 3], [1, 2, 3]]]
+"""Its two triangles; the diagonal is that which the rasteriser draws."""
+_MOST_PARTS = 1000
+"""Of this many sides of a mesh's triangles, after they are cut, the readings are found."""
+
+_LAID = QT_TRANSLATE_NOOP(
+    "phenomena",
+    "the mesh has the texture laid over its two largest extents; coordinates of its own file are"
+    " not used",
+)
+_SOME = QT_TRANSLATE_NOOP(
+    "phenomena",
+    "the mesh has the texture laid over its two largest extents; only its {0} triangles with the"
+    " longest sides are looked at",
+)
+_CUT = QT_TRANSLATE_NOOP(
+    "phenomena",
+    "the board reaches behind the near plane: there is no picture of the edges that are cut there",
+)
+_PARALLEL = QT_TRANSLATE_NOOP(
+    "phenomena",
+    "with a parallel lens half-way on the screen is half-way in the world: affine is correct",
+)
+_MESH_CUT = QT_TRANSLATE_NOOP(
+    "phenomena",
+    "the mesh reaches behind the near plane: there is no picture of the edges that are cut there",
+)
+
+
+def _geometry() -> tuple[Coloured, Coloured]:
+    return (_CORNERS[None], flat(_RGB, 1)), ground_grid((-8.0, -8.0), (8.0, 8.0), (2.0, 2.0), -1.5)
+
+
+def edge_error(ratio: Array) -> Array:
+    """e(k) of the module's text, for k of any size: the part of an edge by which it is missed."""
+    root = np.sqrt(ratio)
+    error: Array = np.abs(root - 1.0) / (root + 1.0)
+    return error
+
+
+def largest_errors(
+    projection: Projection, triangles: Array, texture_from_world: Array, parts: int
+) -> tuple[float, float] | None:
+    """The largest error of affine interpolation on some triangles, in texels and in pixels.
+
+    Parameters
+    ----------
+    projection : Projection
+    triangles : (t, 3, 3) array
+        World coordinates.
+    texture_from_world : (2, 4) array
+    parts : int
+        Of each of the triangles' sides; each triangle is drawn as the square of it.
+
+    Returns
+    -------
+    (texels, px) or None
+        None where the near plane cuts a triangle.
+    """
+    starts, steps = _edges_at_rim(parts)
+    ends = np.stack([starts, starts + steps]) / parts  # (2, m, 3), of the triangle's corners
+    trace = projection.trace(triangles)
+    if trace.outside[..., 0].any():
+        return None
+    width, height = projection.image_size
+    # What is linear on a triangle: clip x, y, w of every edge's two ends, (2, t, m, 3).
+    clip = ends[:, None] @ trace.clip[None, ..., [0, 1, 3]]
+    with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
+        image = clip[..., :2] / clip[..., 2:] * (width / 2.0, height / 2.0)
+        error = edge_error(clip[1, ..., 2] / clip[0, ..., 2])
+        px = error * np.hypot(*np.moveaxis(image[1] - image[0], -1, 0))
+    sides = steps @ (triangles @ texture_from_world[:, :3].T) / parts
+    texels = TEXELS * (error * np.hypot(sides[..., 0], sides[..., 1]))
+    if not (np.isfinite(px).all() and np.isfinite(texels).all()):
+        return None
+    return float(texels.max()), float(px.max())
+
+
+@cache
+def _edges_at_rim(parts: int) -> tuple[Array, Array]:
+    """The small triangles' edges where an error can be the largest, of each of three directions.
+
+    Of the edges of one direction the nearest have the largest e. An edge's length on the screen is
+    the length of something affine in its place, times a factor that depends on w alone: along a
+    line of constant w it is convex, and so it is largest where that line meets the rim of the
+    triangle of the edges' starts.
+
+    Returns
+    -------
+    (m, 3) and (m, 3) arrays
+        Starts and steps, as multiples of the three corners; the starts add up to `parts`, the
+        steps to 0.
+    """
+    grid = np.array([(a, b) for a in range(parts) for b in range(parts - a)], dtype=np.float64)
+    rest = parts - 1.0 - grid.sum(axis=1, keepdims=True)
+    inner = np.concatenate([grid, rest], axis=1)
+    rim = inner[(inner == 0.0).any(axis=1)]
+    starts, steps = [], []
+    for corner in range(3):
+        start, step = np.zeros(3), np.zeros(3)
+        start[corner] = 1.0
+        step[corner], step[(corner + 1) % 3] = -1.0, 1.0
+        starts.append(rim + start)
+        steps.append(np.broadcast_to(step, rim.shape))
+    return np.concatenate(starts), np.concatenate(steps)
+
+
+def planar_texture(subject: Subject) -> Array:
+    """s and t of a world point along the two largest extents of a subject's bounds, (2, 4)."""
+    low = np.array(subject.lower)
+    extent = np.array(subject.upper) - low
+    axes = sorted(np.argsort(-extent, kind="stable")[:2].tolist())
+    matrix = np.zeros((2, 4))
+    for row, axis in enumerate(axes):
+        scale = 1.0 / (extent[axis] or float(extent.max()))
+        matrix[row, axis], matrix[row, 3] = scale, -low[axis] * scale
+    return matrix
+
+
+def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhibit:
+    parts, affine = int(number(settings, "subdivision")), settings["interpolation"] == "affine"
+    texture = Texture(
+        planar_texture(subject), _CHECKS, affine, parts, settings["pattern"] == "coordinates"
+    )
+    rendering = Rendering(texture=texture)
+    triangles, ends, said, cut = _looked_at(subject, parts)
+    errors = largest_errors(projection, triangles, texture.texture_from_world, parts)
+    trace = projection.trace(ends)
+    note = Phrase(cut) if errors is None else None
+    if trace.outside[:, 0].any() or not np.isfinite(trace.image).all():
+        return Exhibit(
+            _readings(errors, None, Phrase(cut), said), rendering=rendering, warning=Phrase(cut)
+        )
+    nearer_first = np.argsort(trace.clip[:, 3], kind="stable")
+    ends, w = ends[nearer_first], trace.clip[nearer_first, 3]
+    part = 1.0 / (float(w[1] / w[0]) + 1.0)
+    in_world = np.stack([ends.mean(axis=0), ends[0] + part * (ends[1] - ends[0])])
+    middles = projection.trace(in_world)
+    words = (
+        QT_TRANSLATE_NOOP("phenomena", "½ in the world"),
+        QT_TRANSLATE_NOOP("phenomena", "½ on the screen"),
+    )
+    colours = ("target", "accent")
+    world = Marks(
+        lines=(Line(ends, "ink", 2.0),),
+        dots=tuple(Dot(place, c, 1.4) for place, c in zip(in_world, colours, strict=True)),
+        texts=tuple(
+            Text(word, place, c) for word, place, c in zip(words, in_world, colours, strict=True)
+        ),
+    )
+    places = (middles.image[0], trace.image.mean(axis=0))
+    here = [
+        (Dot(place, c, 1.4), Text(word, place, c))
+        for word, place, c, shown in zip(words, places, colours, seen(middles), strict=True)
+        if shown
+    ]
+    image = Marks(
+        lines=seen_lines(projection, trace.clip[None], ("ink",), 2.0),
+        dots=tuple(dot for dot, _ in here),
+        texts=tuple(text for _, text in here),
+    )
+    return Exhibit(
+        _readings(errors, part, note, said),
+        world=world,
+        image=image,
+        rendering=rendering,
+        warning=note or (Phrase(_PARALLEL) if projection.standard_lens.parallel else None),
+    )
+
+
+def _looked_at(subject: Subject, parts: int) -> tuple[Array, Array, Phrase | None, str]:
+    """Triangles, the edge that is marked, what is to be said of them, and what if near cuts."""
+    mesh = subject.mesh
+    if mesh is None:
+        return _BOARD, _CORNERS[[0, 3]], None, _CUT
+    triangles = mesh.triangles[: max(1, _MOST_PARTS // parts)]
+    some = mesh.more_triangles or len(triangles) < len(mesh.triangles)
+    said = Phrase(_SOME, (str(len(triangles)),)) if some else Phrase(_LAID)
+    return triangles, mesh.edges[0], said, _MESH_CUT
+
+
+def _readings(
+    errors: tuple[float, float] | None,
+    part: float | None,
+    note: Phrase | None,
+    said: Phrase | None,
+) -> tuple[Reading, ...]:
+    """The readout; `note` says why there is none, `said` what it is of."""
+    texels, px = (None, None) if errors is None else errors
+    return (
+        Reading(
+            QT_TRANSLATE_NOOP("phenomena", "largest error of affine, in texels of 256"),
+            texels,
+            note=note or said,
+        ),
+        Reading(
+            QT_TRANSLATE_NOOP("phenomena", "largest error of affine, on the screen"),
+            px,
+            "px",
+            note,
+        ),
+        Reading(
+            QT_TRANSLATE_NOOP(
+                "phenomena",
+                "half-way along the marked edge on the screen, in the world, from its nearer end",
+            ),
+            None if part is None else 100.0 * part,
+            "%",
+            None if part is not None else note,
+        ),
+    )
+
+
+PHENOMENON = Phenomenon(
+    name="interpolation",
+    title=QT_TRANSLATE_NOOP("phenomena", "Perspective-correct interpolation"),
+    explanation=QT_TRANSLATE_NOOP(
+        "phenomena",
+        "What is half-way on the screen is not half-way in the world: along an edge 1/w is linear"
+        " on the screen, and so is s/w, but s is not. Interpolated linearly (affine), a texture"
+        " bends at the diagonal of every quadrangle. Smaller triangles hide it: twice as many"
+        " parts leave more than a quarter of the error while they are few, a quarter in the limit.",
+    ),
+    lectures=("002", "003"),
+    start=Projection(
+        Camera((1.5, 4.0, 10.0), (0.0, 0.0, 0.5), (0.0, 1.0, 0.0)),
+        Perspective(fov_y_deg=50.0, near=1.0, far=40.0),
+        (1280, 720),
+    ),
+    geometry=_geometry,
+    show=_show,
+    settings=(
+        Setting(
+            "interpolation",
+            QT_TRANSLATE_NOOP("phenomena", "Interpolation"),
+            QT_TRANSLATE_NOOP("phenomena", "How the texture's coordinates are spread over a face"),
+            "affine",
+            choices=(
+                ("affine", QT_TRANSLATE_NOOP("phenomena", "affine: s linear on the screen")),
+                ("correct", QT_TRANSLATE_NOOP("phenomena", "correct: s/w and 1/w, divided")),
+            ),
+        ),
+        Setting(
+            "subdivision",
+            QT_TRANSLATE_NOOP("phenomena", "Parts a side"),
+            QT_TRANSLATE_NOOP("phenomena", "Into how many parts the board's sides are cut"),
+            1.0,
+            low=1.0,
+            high=64.0,
+            logarithmic=True,
+            whole=True,
+        ),
+        Setting(
+            "pattern",
+            QT_TRANSLATE_NOOP("phenomena", "Texture"),
+            QT_TRANSLATE_NOOP("phenomena", "Checks, or the coordinates themselves as colours"),
+            "checks",
+            choices=(
+                ("checks", QT_TRANSLATE_NOOP("phenomena", "checks")),
+                ("coordinates", QT_TRANSLATE_NOOP("phenomena", "s red, t green")),
+            ),
+        ),
+    ),
+    controls=("camera.eye", "lens.fov_y_deg"),
+    requires=frozenset({"texture"}),
+    own_mesh=True,
+)

@@ -1,0 +1,354 @@
+"""Oblique drawing: cavalier, cabinet and any other slant of the projectors.
+
+Faces parallel to the image keep their shape, edges along n are drawn at one angle and one scale:
+``-cot(alpha), -cot(beta)`` per unit of depth (lecture 002, matrix H). At scale 0 the drawing is the
+orthographic one, at 1 a cavalier, at 1/2 a cabinet drawing.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+
+from app.model.projection import (
+    Array,
+    Camera,
+    Oblique,
+    Orthographic,
+    Projection,
+    oblique_angles,
+    receding_of,
+)
+from app.scenes.phenomena.illustration import (
+    CLOSE,
+    QT_TRANSLATE_NOOP,
+    Dot,
+    Exhibit,
+    Found,
+    Line,
+    Marks,
+    Phenomenon,
+    Phrase,
+    Reading,
+    Setting,
+    Settings,
+    Subject,
+    Text,
+    figure,
+    number,
+)
+from app.scenes.phenomena.picture import box_corners, seen_lines, seen_texts, world_from_view
+from app.scenes.shapes import SIDE_RGB, Coloured, box_faces, edges_of, ground_grid, joined
+
+_NOT_PARALLEL = QT_TRANSLATE_NOOP(
+    "phenomena", "with a perspective lens equal edges are drawn unequal: choose the oblique lens"
+)
+_END_ON = QT_TRANSLATE_NOOP("phenomena", "edges along n are seen end on, as points")
+_UNMEASURED = QT_TRANSLATE_NOOP(
+    "phenomena", "the edge's pixels are too many or too few for float64 to measure"
+)
+
+_STRETCHED = QT_TRANSLATE_NOOP(
+    "phenomena",
+    "the picture is stretched: v is drawn {0} times as long as u: faces do not keep their shape",
+)
+_BEFORE = QT_TRANSLATE_NOOP(
+    "phenomena",
+    "the angles α and β give scale and angle as they are before it is stretched",  # noqa: RUF001
+)
+_SQUARE = 1e-6
+"""Relative to 1: how much longer v may be than u."""
+
+_SCALES = {"cavalier": 1.0, "cabinet": 0.5}
+
+# Cells of a cube of two by two by two; the upper left one in front is missing.
+_CELLS = tuple(
+    (x, y, z) for x in (-1, 0) for y in (0, 1) for z in (-1, 0) if (x, y, z) != (-1, 1, 0)
+)
+
+
+def _geometry() -> tuple[Coloured, Coloured]:
+    quads, rgb = [], []
+    steps = ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1))
+    for x, y, z in _CELLS:
+        faces = box_faces((x, y, z), (x + 1, y + 1, z + 1))
+        for side, (dx, dy, dz) in enumerate(steps):
+            if (x + dx, y + dy, z + dz) not in _CELLS:
+                quads.append(faces[side])
+                rgb.append(SIDE_RGB[side])
+    cube = np.array(quads)
+    grid = ground_grid((-4.0, -4.0), (4.0, 4.0), (1.0, 1.0), 0.0)
+    return (cube, np.array(rgb)), joined(grid, edges_of(cube))
+
+
+# --------------------------------------------------------------------------- drawn and measured
+
+
+class Drawn(NamedTuple):
+    """How an edge along n is drawn, beside edges along u and v: measured on the image.
+
+    Attributes
+    ----------
+    scale : float
+        Its length in units of an equal edge's along u.
+    up : float
+        Likewise of an edge along v: 1 unless the picture is stretched.
+    angle_deg : float
+        Its direction away from the viewer, from the right, anticlockwise; of no meaning at scale 0.
+    """
+
+    scale: float
+    up: float
+    angle_deg: float
+
+
+def measured(ends_px: Array) -> Drawn | None:
+    """Measure drawn edges.
+
+    Parameters
+    ----------
+    ends_px : (4, 2) array
+        Pixels of a corner and of the ends of equal edges from it along -u, v and -n.
+
+    Returns
+    -------
+    Drawn or None
+        None if a pixel is missing, or an edge along u or v has no length.
+    """
+    corner, left, top, back = ends_px.tolist()
+    across, up = corner[0] - left[0], corner[1] - top[1]
+    if not (across > 0.0 and up > 0.0):
+        return None
+    x, y = (back[0] - corner[0]) / across, (corner[1] - back[1]) / across
+    if not math.isfinite(math.hypot(x, y) + up / across):
+        return None
+    return Drawn(math.hypot(x, y), up / across, math.degrees(math.atan2(y, x)))
+
+
+def oblique(projection: Projection, scale: float, angle_deg: float) -> Projection:
+    """The same camera with an oblique lens; the picture of the plane through the target stays.
+
+    Parameters
+    ----------
+    projection : Projection
+    scale, angle_deg : float
+        As `app.model.lenses.oblique_angles` takes them.
+    """
+    straight = projection.with_lens("orthographic")
+    lens = straight.lens
+    assert isinstance(lens, Orthographic)
+    alpha_deg, beta_deg = oblique_angles(scale, angle_deg)
+    left, right, bottom, top = straight.window
+    box = (lens.near, lens.far, lens.keep)
+    slanted = Oblique(left, right, bottom, top, *box, alpha_deg, beta_deg)
+    # On the near plane nothing is shifted; what shall stay is the plane through the target.
+    x, y = (cot * (projection.camera.distance - lens.near) for cot in slanted.shear)
+    slanted = replace(slanted, left=left - x, right=right - x, bottom=bottom - y, top=top - y)
+    return replace(projection, lens=slanted)
+
+
+def _follow(projection: Projection, before: Found, after: Settings) -> Projection:
+    wanted = _wanted(after)
+    if None not in before.values() and wanted == _wanted(before):
+        return projection
+    return oblique(projection, *wanted)
+
+
+def _found(projection: Projection, settings: Settings) -> Found:
+    lens = projection.standard_lens
+    if not isinstance(lens, Oblique):
+        return dict.fromkeys(settings)
+    wanted, direction = _wanted(settings)
+    turned = math.radians(direction)
+    slant = (-wanted * math.cos(turned), -wanted * math.sin(turned))
+    if math.dist(lens.shear, slant) <= CLOSE * max(1.0, wanted):
+        return settings
+    # It is drawn so, then, and nothing of it is on the way from the orthographic drawing.
+    scale, angle_deg = receding_of(lens)
+    near = (name for name, known in _SCALES.items() if math.isclose(scale, known, rel_tol=CLOSE))
+    return {
+        "drawing": next(near, "free"),
+        "receding": scale,
+        "angle_deg": angle_deg if scale > 0.0 else settings["angle_deg"],
+        "morph": 1.0,
+    }
+
+
+def _wanted(settings: Found) -> tuple[float, float]:
+    """Receding scale and angle that the settings ask for."""
+    scale = _SCALES.get(str(settings["drawing"]), number(settings, "receding"))
+    return scale * number(settings, "morph"), number(settings, "angle_deg")
+
+
+# --------------------------------------------------------------------------- what is shown
+
+
+def _show(projection: Projection, _settings: Settings, subject: Subject) -> Exhibit:
+    lens, camera = projection.standard_lens, projection.camera
+    u, v, n = camera.frame
+    # The lower right corner in front: with things receding to the upper right, its edge is seen.
+    corner = np.array([subject.upper[0], subject.lower[1], subject.upper[2]])
+    length = max(high - low for low, high in zip(subject.lower, subject.upper, strict=True))
+    ends = corner + length * np.array([np.zeros(3), -u, v, -n])
+    segments = np.array([ends[[0, i]] for i in (1, 2, 3)])
+    colours = ("u", "v", "n")
+    lines = tuple(Line(ends, c, 3.0) for ends, c in zip(segments, colours, strict=True))
+
+    corners = box_corners(subject.lower, subject.upper)
+    middles = segments.mean(axis=1)
+    trace = projection.trace(np.concatenate([ends, corners, middles]))
+    by_formula = receding_of(lens) if isinstance(lens, Oblique) else (0.0, 0.0)
+    drawn = measured(trace.image[:4]) if lens.parallel else None
+    note = None
+    if drawn is None:
+        note = Phrase(_UNMEASURED if lens.parallel else _NOT_PARALLEL)
+    elif abs(drawn.up - 1.0) > _SQUARE:
+        note = Phrase(_STRETCHED, (f"{drawn.up:.3g}",))
+    end_on = drawn is not None and by_formula[0] == 0.0
+    has_angle = drawn is not None and not end_on
+    readings = [
+        Reading(
+            QT_TRANSLATE_NOOP("phenomena", "receding scale as drawn"),
+            None if drawn is None else drawn.scale,
+            "×",
+            note,
+        ),
+        Reading(
+            QT_TRANSLATE_NOOP("phenomena", "receding angle as drawn"),
+            drawn.angle_deg if drawn is not None and has_angle else None,
+            "°",
+            Phrase(_END_ON) if end_on else note,
+        ),
+    ]
+    if isinstance(lens, Oblique):
+        readings += [
+            Reading(
+                "√(cot²α + cot²β)",  # noqa: RUF001
+                by_formula[0],
+                "×",
+                Phrase(_BEFORE) if drawn is not None and note is not None else None,
+            ),
+            Reading(
+                "atan2(−cot β, −cot α)",  # noqa: RUF001
+                None if end_on or by_formula[0] == 0.0 else by_formula[1],
+                "°",
+                Phrase(_END_ON) if by_formula[0] == 0.0 else None,
+            ),
+            Reading("α, β", (lens.alpha_deg, lens.beta_deg), "°"),  # noqa: RUF001
+        ]
+    labels: tuple[str, ...] = colours
+    if drawn is not None:
+        label = f"n: {drawn.scale:.3g} ×"
+        up = 1.0 if note is None else drawn.up
+        labels = (
+            "u: 1 ×",
+            f"v: {up:.3g} ×",
+            label + (f", {figure(drawn.angle_deg, 3)}°" if has_angle else ""),
+        )
+    texts = tuple(
+        Text(text, place, colour)
+        for text, place, colour in zip(labels, middles, colours, strict=True)
+    )
+    world = Marks(lines, texts=texts)
+    if lens.parallel:
+        world = _projectors(projection, corners, trace.view[4:12], world)
+    segments_clip = trace.clip[[[0, 1], [0, 2], [0, 3]]]
+    return Exhibit(
+        tuple(readings),
+        world=world,
+        image=Marks(
+            seen_lines(projection, segments_clip, colours, 3.0),
+            texts=seen_texts(trace, texts),
+        ),
+        warning=None if lens.parallel else Phrase(_NOT_PARALLEL),
+    )
+
+
+def _projectors(projection: Projection, corners: Array, view: Array, marks: Marks) -> Marks:
+    """Marks, and projectors from the subject's corners (8, 3), also in view, to the near plane."""
+    cot_alpha, cot_beta = projection.shear
+    near = projection.standard_lens.near
+    depth = view[:, 2] + near  # 0 on the near plane
+    x, y = view[:, 0] + cot_alpha * depth, view[:, 1] + cot_beta * depth
+    feet = world_from_view(projection, np.column_stack([x, y, np.full(len(view), -near)]))
+    rays = tuple(Line(np.array(pair), "accent", 0.9) for pair in zip(corners, feet, strict=True))
+    dots = tuple(Dot(foot, "accent", 0.7) for foot in feet)
+    return replace(marks, lines=(*rays, *marks.lines), dots=dots)
+
+
+PHENOMENON = Phenomenon(
+    name="oblique-drawing",
+    title=QT_TRANSLATE_NOOP("phenomena", "Oblique drawing"),
+    explanation=QT_TRANSLATE_NOOP(
+        "phenomena",
+        "All projectors are parallel, but slant towards the image: faces parallel to it keep their"
+        " shape, and edges along n are drawn at one angle and one scale. With scale 1 it is a"
+        " cavalier drawing, with 1/2 a cabinet drawing, and with 0 the orthographic one.",
+    ),
+    lectures=("002",),
+    start=oblique(
+        Projection(
+            Camera((0.0, 1.0, 8.0), (0.0, 1.0, 0.0)),
+            Orthographic(-2.1 * 16 / 9, 2.1 * 16 / 9, -2.1, 2.1, 5.0, 15.0, "y"),
+        ),
+        1.0,
+        45.0,
+    ),
+    geometry=_geometry,
+    show=_show,
+    settings=(
+        Setting(
+            "drawing",
+            QT_TRANSLATE_NOOP("phenomena", "Drawing"),
+            QT_TRANSLATE_NOOP("phenomena", "How long edges along n are drawn"),
+            "cavalier",
+            choices=(
+                ("cavalier", QT_TRANSLATE_NOOP("phenomena", "Cavalier: 1 ×")),
+                ("cabinet", QT_TRANSLATE_NOOP("phenomena", "Cabinet: 1/2 ×")),
+                ("free", QT_TRANSLATE_NOOP("phenomena", "Free scale")),
+            ),
+        ),
+        Setting(
+            "receding",
+            QT_TRANSLATE_NOOP("phenomena", "Free receding scale"),
+            QT_TRANSLATE_NOOP(
+                "phenomena", "Drawn length of edges along n per true length, of the free drawing"
+            ),
+            0.7,
+            low=0.0,
+            high=100.0,
+            span=(0.0, 2.0),
+            unit="×",
+            only_with=("drawing", "free"),
+        ),
+        Setting(
+            "angle_deg",
+            QT_TRANSLATE_NOOP("phenomena", "Receding angle"),
+            QT_TRANSLATE_NOOP(
+                "phenomena", "Direction in which things recede, from the right, anticlockwise"
+            ),
+            45.0,
+            low=-360.0,
+            high=360.0,
+            span=(-180.0, 180.0),
+            unit="°",
+        ),
+        Setting(
+            "morph",
+            QT_TRANSLATE_NOOP("phenomena", "From orthographic"),
+            QT_TRANSLATE_NOOP("phenomena", "0 is the orthographic drawing, 1 the oblique one"),
+            1.0,
+            low=0.0,
+            high=1.0,
+            unit="",
+            per_second=0.5,
+        ),
+    ),
+    controls=("lens.alpha_deg", "lens.beta_deg"),
+    follow=_follow,
+    found=_found,
+    own_mesh=True,
+)

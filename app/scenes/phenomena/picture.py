@@ -1,0 +1,121 @@
+"""Marks of the image pane: what of a world point, line or direction the picture shows, in pixels.
+
+Lines are cut in clip space, before the divide by w, so that a mark never is a mirrored one and
+never runs to infinity, whatever the camera does.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from app.model.clipping import LARGEST_CLIP, clip_segments
+from app.model.projection import PLANES, Array, Projection, Trace, Vector
+from app.scenes.phenomena.illustration import Line, Text
+
+SIDES = ("left", "right", "bottom", "top")
+"""The planes that cut a line which is in the picture at any depth: a guide line, the horizon."""
+
+
+def box_edges(lower: Vector, upper: Vector) -> Array:
+    """The edges of a box, four each along x, y, z, from lower to upper end, (3, 4, 2, 3)."""
+    low, high = np.array(lower), np.array(upper)
+    edges = np.empty((3, 4, 2, 3))
+    for axis in range(3):
+        others = [other for other in range(3) if other != axis]
+        for row, ends in enumerate(edges[axis]):
+            ends[:, axis] = low[axis], high[axis]
+            for bit, other in enumerate(others):
+                ends[:, other] = (low, high)[row >> bit & 1][other]
+    return edges
+
+
+def box_corners(lower: Vector, upper: Vector) -> Array:
+    """The corners of a box, (8, 3)."""
+    which = np.array([[i >> axis & 1 for axis in range(3)] for i in range(8)], dtype=bool)
+    corners: Array = np.where(which, np.array(upper), np.array(lower))
+    return corners
+
+
+def world_from_view(projection: Projection, points_view: ArrayLike) -> Array:
+    """World coordinates of points (..., 3) of view space."""
+    camera = projection.camera
+    points: Array = np.asarray(camera.eye) + np.asarray(points_view) @ camera.frame
+    return points
+
+
+def image_from_clip(projection: Projection, points_clip: Array) -> Array:
+    """Pixels (..., 2) of clip points (..., 4) with w > 0."""
+    width, height = projection.image_size
+    ndc = points_clip[..., :2] / points_clip[..., 3:]
+    return np.stack(
+        [(ndc[..., 0] + 1.0) * (width / 2.0), (1.0 - ndc[..., 1]) * (height / 2.0)], axis=-1
+    )
+
+
+def cut_in_picture(
+    projection: Projection,
+    starts_clip: Array,
+    ends_clip: Array,
+    planes: Iterable[str] = PLANES,
+) -> list[Array | None]:
+    """What the picture shows of segments between clip points, in pixels.
+
+    Parameters
+    ----------
+    projection : Projection
+    starts_clip, ends_clip : (k, 4) arrays
+        Ends may be points at infinity: directions of the world have ``w`` like points.
+    planes : names in `PLANES`
+        Left and right must be among them.
+
+    Returns
+    -------
+    list of k (2, 2) arrays or None
+        None where nothing is seen, and for a segment through the eye, whose picture is a point.
+    """
+    with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
+        largest = [np.abs(ends).max(axis=1, keepdims=True) for ends in (starts_clip, ends_clip)]
+        # The same quotients by which `clip_segments` refuses ends p and -k p.
+        opposite = (starts_clip / largest[0] == -(ends_clip / largest[1])).all(axis=1)
+    held = (np.maximum(*largest)[:, 0] <= LARGEST_CLIP) & ~opposite
+    (rows,) = np.nonzero(held)
+    pieces: list[Array | None] = [None] * len(starts_clip)
+    if not len(rows):
+        return pieces
+    cut = clip_segments(starts_clip[rows], ends_clip[rows], projection.depth, planes)
+    drawn = cut.visible & (cut.points_clip[..., 3] > 0.0).all(axis=1)
+    pixels = image_from_clip(projection, cut.points_clip[drawn])
+    for row, ends in zip(rows[drawn], pixels, strict=True):
+        pieces[row] = ends
+    return pieces
+
+
+def seen_lines(
+    projection: Projection, segments_clip: Array, colours: Iterable[str], width: float = 1.0
+) -> tuple[Line, ...]:
+    """Segments (k, 2, 4) of clip space as lines of the image, cut to the view volume."""
+    pieces = cut_in_picture(projection, segments_clip[:, 0], segments_clip[:, 1])
+    return tuple(
+        Line(piece, colour, width)
+        for piece, colour in zip(pieces, colours, strict=True)
+        if piece is not None
+    )
+
+
+def seen(trace: Trace) -> NDArray[np.bool_]:
+    """Which of traced points (..., 3) are in the view volume, (...) bool."""
+    shown: NDArray[np.bool_] = trace.in_front & ~trace.outside.any(axis=-1)
+    return shown
+
+
+def seen_texts(trace: Trace, texts: Sequence[Text]) -> tuple[Text, ...]:
+    """Letters beside the last of traced points, as letters of the image: those in the volume."""
+    last = slice(len(trace.image) - len(texts), None)
+    return tuple(
+        Text(text.text, place, text.colour)
+        for text, place, here in zip(texts, trace.image[last], seen(trace)[last], strict=True)
+        if here
+    )

@@ -1,0 +1,420 @@
+"""Planar shadow: the scene once more under the matrix that projects it from the light.
+
+A light L and a plane ``p·x = 0`` (both homogeneous; L has w = 0 for the sun) cast the point x on
+the plane along the line through L and x::
+
+    x' = (p·L) x - (p·x) L        S = (p·L) I - L p^T
+
+which is a perspective projection with its centre in the light (lecture 002, "Perspective
+shadows"), and a parallel one for the sun. For a light above the plane ``w' = p·L - L_w (p·x)`` is
+the height of the light above the point: above 0 for what lies below the light. What is as high as
+the light has its shadow at infinity, and what is higher has ``w' < 0``: divided all the same, it
+is drawn on the other side of the light as an anti-shadow. The GPU cuts it off before it divides,
+because it clips what has w < 0; the matrix -S turns the sign round and lets it through. (Where the
+camera's own w is below 0 too, the product of both is above: such points are beyond the far plane.)
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from app.model.projection import NOT_ZERO, Array, Camera, Perspective, Projection, ProjectionError
+from app.model.values import format_value
+from app.scenes.phenomena.illustration import (
+    QT_TRANSLATE_NOOP,
+    Copy,
+    Dot,
+    Exhibit,
+    Face,
+    Grip,
+    Line,
+    Marks,
+    Phenomenon,
+    Phrase,
+    Reading,
+    Setting,
+    Settings,
+    Subject,
+    Text,
+    figure,
+    number,
+    point,
+)
+from app.scenes.phenomena.picture import seen
+from app.scenes.shapes import Coloured, edges_of, ground_grid, joined, letter_f
+
+ABOVE_THE_PLANE = QT_TRANSLATE_NOOP(
+    "ProjectionError",
+    "must lie above the plane y = {0}: on the plane or under it, it casts no shadow on it",
+)
+FROM_ABOVE = QT_TRANSLATE_NOOP(
+    "ProjectionError",
+    "must point upward, to the sun: parallel to the plane or from under it, its rays never meet it",
+)
+
+_IN_THE_OBJECT = QT_TRANSLATE_NOOP(
+    "phenomena", "the light is inside the object's bounds: move it out to see the whole shadow"
+)
+_NO_SHADOW = QT_TRANSLATE_NOOP(
+    "phenomena", "every vertex is as high as the light or higher: none has a shadow on the plane"
+)
+_FAR_AWAY = QT_TRANSLATE_NOOP("phenomena", "the shadow is farther than 1e30 away")
+
+_OF_LAMP = QT_TRANSLATE_NOOP(
+    "phenomena", "S = (p·L) I − L pᵀ, plane p = (0, 1, 0, {0}), L = ({1}, {2}, {3}, 1)"
+)
+_OF_SUN = QT_TRANSLATE_NOOP(
+    "phenomena",
+    "S = (p·L) I − L pᵀ, plane p = (0, 1, 0, {0}), L = ({1}, {2}, {3}, 0): the direction over"
+    " its largest part, {4}",
+)
+
+_LAMP = QT_TRANSLATE_NOOP("phenomena", "light")
+_SUN = QT_TRANSLATE_NOOP("phenomena", "sun")
+
+_PANES = ("world", "ndc", "image")
+_NOTHING = Copy(np.zeros((4, 4)), panes=())
+_TRUSTED = 1e30  # how far away a mark may be
+
+
+def _light(settings: Settings) -> Array:
+    """The light, homogeneous; of the sun, whose length has no meaning, with 1 as largest part."""
+    light = np.array([*point(settings, "light"), 1.0])
+    if settings["kind"] == "sun":
+        light[3] = 0.0
+        light /= np.abs(light).max()
+    return light
+
+
+def shadow_matrix(light: Array, height: float) -> Array:
+    """The matrix S that casts world points on the plane y = height, (4, 4).
+
+    Parameters
+    ----------
+    light : (4,) array
+        Homogeneous world coordinates.
+    height : float
+
+    Returns
+    -------
+    (4, 4) array
+        ``(p·L) I - L p^T`` with the plane p = (0, 1, 0, -height); w' > 0 for points below a light
+        that is above the plane.
+    """
+    plane = np.array([0.0, 1.0, 0.0, -height])
+    # The difference first where the light is a point: p·L itself.
+    matrix: Array = (light[1] - height * light[3]) * np.eye(4) - np.outer(light, plane)
+    return matrix
+
+
+def on_ray(light: Array, height: float, place: Array) -> Array | None:
+    """Where the ray from the light through a point meets y = height; no matrix is used.
+
+    Returns
+    -------
+    (3,) array or None
+        None where the ray does not come down to the plane, or does so too far away.
+    """
+    way = -light[:3] if light[3] == 0.0 else place - light[:3]
+    if way[1] >= 0.0:
+        return None
+    with np.errstate(over="ignore"):
+        met: Array = place + (height - place[1]) / way[1] * way
+    return met if (np.abs(met) < _TRUSTED).all() else None
+
+
+class Cast(NamedTuple):
+    """The shadows of n points.
+
+    Attributes
+    ----------
+    places : (n, 3) array
+        NaN where w' is 0 or too small to divide by.
+    w : (n,) array
+        Their w' before the divide; at 0 and below there is no shadow.
+    """
+
+    places: Array
+    w: Array
+
+
+def cast(matrix: Array, points: Array) -> Cast:
+    """Cast points (n, 3) with the matrix, and divide."""
+    homogeneous = points @ matrix[:, :3].T + matrix[:, 3]
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        places = homogeneous[:, :3] / homogeneous[:, 3:]
+    places[~(np.abs(places) < _TRUSTED).all(axis=1)] = np.nan
+    return Cast(places, homogeneous[:, 3])
+
+
+def _check(settings: Settings) -> None:
+    light, height = point(settings, "light"), number(settings, "height")
+    if settings["kind"] == "sun":
+        if not any(light):
+            raise ProjectionError("settings.light", light, NOT_ZERO)
+        if light[1] <= 0.0:
+            raise ProjectionError("settings.light", light, FROM_ABOVE)
+    elif light[1] <= height:
+        raise ProjectionError("settings.light", light, ABOVE_THE_PLANE, format_value(height))
+
+
+def _geometry() -> tuple[Coloured, Coloured]:
+    faces, rgb = letter_f()
+    return (faces, rgb), joined(
+        ground_grid((-8.0, -8.0), (8.0, 8.0), (1.0, 1.0), 0.0), edges_of(faces)
+    )
+
+
+def _scaled(matrix: Array) -> Array:
+    """The same projective map, with numbers that the GPU's float32 holds."""
+    scaled: Array = matrix / np.abs(matrix).max()
+    return scaled
+
+
+def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhibit:
+    light, height = _light(settings), number(settings, "height")
+    matrix = shadow_matrix(light, height)
+    shadows = cast(matrix, subject.points)
+    too_high = int(np.count_nonzero(shadows.w <= 0.0))
+    copies = [Copy(_scaled(matrix), _PANES, "muted"), _NOTHING]
+    if too_high and not settings["clip"]:
+        copies[1] = Copy(_scaled(-matrix), _PANES, "u")
+    # The vertex followed: the highest of those with a shadow, and among these the farthest one.
+    lit = np.flatnonzero(shadows.w > 0.0)
+    chosen = None
+    if len(lit):
+        tops = subject.points[lit]
+        chosen = lit[np.lexsort((tops[:, 0], tops[:, 1]))[-1]]
+    world, image = _marks(projection, settings, subject, light, shadows, chosen)
+    inside = light[3] == 1.0 and all(
+        low <= part <= high
+        for low, part, high in zip(subject.lower, light[:3], subject.upper, strict=True)
+    )
+    warning = Phrase(_IN_THE_OBJECT) if inside else None
+    if warning is None and chosen is None:
+        warning = Phrase(_NO_SHADOW)
+    return Exhibit(
+        _readings(
+            matrix, _formula(settings, light), light, height, subject, shadows, chosen, too_high
+        ),
+        world=world,
+        image=image,
+        copies=tuple(copies),
+        warning=warning,
+        grips=(_grip(light, subject),),
+    )
+
+
+def _formula(settings: Settings, light: Array) -> Phrase:
+    """What S is made of."""
+    parts = [-number(settings, "height"), *light[:3].tolist()]
+    if light[3] == 1.0:
+        return Phrase(_OF_LAMP, tuple(figure(part, 6) for part in parts))
+    largest = max(map(abs, point(settings, "light")))
+    return Phrase(_OF_SUN, tuple(figure(part, 6) for part in (*parts, largest)))
+
+
+def _readings(
+    matrix: Array,
+    formula: Phrase,
+    light: Array,
+    height: float,
+    subject: Subject,
+    shadows: Cast,
+    chosen: int | None,
+    too_high: int,
+) -> tuple[Reading, ...]:
+    place = shadow = met = None
+    note = Phrase(_NO_SHADOW)
+    if chosen is not None:
+        place = subject.points[chosen]
+        note = Phrase(_FAR_AWAY)
+        met = on_ray(light, height, place)
+        if met is not None and np.isfinite(shadows.places[chosen]).all():
+            shadow = shadows.places[chosen]
+    off = None if shadow is None or met is None else float(np.linalg.norm(shadow - met))
+    return (
+        *(
+            Reading(
+                f"S, {row + 1}",
+                tuple(float(part) + 0.0 for part in matrix[row]),
+                note=None if row else formula,
+            )
+            for row in range(4)
+        ),
+        Reading(
+            QT_TRANSLATE_NOOP("phenomena", "vertex P"), _three(place), note=_if_none(place, note)
+        ),
+        Reading(
+            QT_TRANSLATE_NOOP("phenomena", "its shadow S·P / w"),
+            _three(shadow),
+            note=_if_none(shadow, note),
+        ),
+        Reading(
+            QT_TRANSLATE_NOOP("phenomena", "from there to the ray's end"),
+            off,
+            note=_if_none(off, note),
+        ),
+        Reading(
+            QT_TRANSLATE_NOOP("phenomena", "vertices not below the light"),
+            float(too_high),
+            note=Phrase(
+                QT_TRANSLATE_NOOP("phenomena", "of {0} vertices"), (str(len(subject.points)),)
+            ),
+        ),
+    )
+
+
+def _three(place: Array | None) -> tuple[float, ...] | None:
+    return None if place is None else tuple(float(part) for part in place)
+
+
+def _if_none(value: object, note: Phrase) -> Phrase | None:
+    return note if value is None else None
+
+
+def _reach(subject: Subject) -> tuple[Array, float]:
+    """The object's middle, and how far from it the plane and the sun are drawn."""
+    low, high = np.array(subject.lower), np.array(subject.upper)
+    return (low + high) / 2.0, 1.5 * float(np.linalg.norm(high - low))
+
+
+def _grip(light: Array, subject: Subject) -> Grip:
+    """The lamp where it is; the sun where its direction is drawn."""
+    if light[3] == 1.0:
+        return Grip("light", light[:3])
+    middle, reach = _reach(subject)
+    x, y, z = middle.tolist()
+    return Grip("light", middle + reach * light[:3] / np.linalg.norm(light[:3]), (x, y, z))
+
+
+def _marks(
+    projection: Projection,
+    settings: Settings,
+    subject: Subject,
+    light: Array,
+    shadows: Cast,
+    chosen: int | None,
+) -> tuple[Marks, Marks]:
+    """World and image: the plane, the light, and the rays through the object's highest corners."""
+    low, high = np.array(subject.lower), np.array(subject.upper)
+    height = number(settings, "height")
+    middle, reach = _reach(subject)
+    corners = np.array(
+        [
+            (middle[0] + x * reach, height, middle[2] + z * reach)
+            for x, z in ((-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0))
+        ]
+    )
+    lines = [Line(np.vstack([corners, corners[:1]]), "muted")]
+    dots: list[Dot] = []
+    texts = [Text(f"y = {figure(height, 4)}", corners[3], "")]
+    sun = light[3] == 0.0
+    way = light[:3] / np.linalg.norm(light[:3]) if sun else light[:3]
+    which = np.array([(x, 1, z) for x in (0, 1) for z in (0, 1)], dtype=bool)
+    tops = np.where(which, high, low)
+    ends = cast(shadow_matrix(light, height), tops)
+    for top, end, w in zip(tops, ends.places, ends.w, strict=True):
+        source = top + reach * way if sun else light[:3]
+        if w > 0.0:
+            lines.append(Line(np.array([source, end if np.isfinite(end).all() else top]), "muted"))
+        elif not settings["clip"] and np.isfinite(end).all():
+            lines.append(Line(np.array([top, end]), "u", 0.7))
+    if sun:
+        head = middle + reach * way
+        lines.append(Line(np.array([head, head - 0.3 * reach * way]), "accent", 3.0))
+    else:
+        head = light[:3]
+    dots.append(Dot(head, "accent", 1.6))
+    name = _SUN if sun else _LAMP
+    texts.append(Text(name, head, "accent"))
+    image: list[Dot] = []
+    if chosen is not None:
+        place, shadow = subject.points[chosen], shadows.places[chosen]
+        dots.append(Dot(place, "accent", 1.2))
+        texts.append(Text("P", place, "accent"))
+        shown = [place]
+        if np.isfinite(shadow).all():
+            source = place + reach * way if sun else light[:3]
+            lines.append(Line(np.array([source, shadow]), "accent", 2.0))
+            dots.append(Dot(shadow, "accent", 1.2))
+            texts.append(Text("P'", shadow, "accent"))
+            shown.append(shadow)
+        trace = projection.trace(np.array(shown))
+        image = [Dot(pixel, "accent", 1.2) for pixel in trace.image[seen(trace)]]
+    face = Face(corners, "muted", 0.12)
+    return Marks(tuple(lines), (face,), tuple(dots), tuple(texts)), Marks(dots=tuple(image))
+
+
+_START = Projection(
+    Camera((6.0, 7.5, 12.0), (1.9, 1.7, -0.6), (0.0, 1.0, 0.0)),
+    Perspective(fov_y_deg=32.0, near=4.0, far=24.0),
+    (1280, 720),
+)
+
+PHENOMENON = Phenomenon(
+    name="planar-shadow",
+    title=QT_TRANSLATE_NOOP("phenomena", "Planar shadow"),
+    explanation=QT_TRANSLATE_NOOP(
+        "phenomena",
+        "A shadow is a projection with its centre in the light: the object is drawn once more, in"
+        " one colour, under the matrix S; for the sun, a light at infinity with w = 0, the"
+        " projection is parallel. With a lamp lower than the object's top, what is higher has"
+        " w < 0, and unless it is clipped it is drawn on the other side as an anti-shadow.",
+    ),
+    lectures=("002",),
+    start=_START,
+    geometry=_geometry,
+    show=_show,
+    settings=(
+        Setting(
+            "kind",
+            QT_TRANSLATE_NOOP("phenomena", "Kind of light"),
+            QT_TRANSLATE_NOOP("phenomena", "A lamp at a point, or the sun: a point at infinity"),
+            "point",
+            choices=(
+                ("point", QT_TRANSLATE_NOOP("phenomena", "Lamp at a point")),
+                ("sun", QT_TRANSLATE_NOOP("phenomena", "Sun")),
+            ),
+        ),
+        Setting(
+            "light",
+            QT_TRANSLATE_NOOP("phenomena", "Light L"),
+            QT_TRANSLATE_NOOP(
+                "phenomena",
+                "Where the lamp is, in world coordinates; of the sun, the direction to it",
+            ),
+            (-4.0, 9.0, 3.0),
+            low=-1e100,
+            high=1e100,
+            span=(-12.0, 12.0),
+        ),
+        Setting(
+            "height",
+            QT_TRANSLATE_NOOP("phenomena", "Height of the plane"),
+            QT_TRANSLATE_NOOP(
+                "phenomena", "World y of the plane; at most 0, where the object stands"
+            ),
+            0.0,
+            low=-1e6,
+            high=0.0,
+            span=(-4.0, 0.0),
+        ),
+        Setting(
+            "clip",
+            QT_TRANSLATE_NOOP("phenomena", "Clip what is above the light"),
+            QT_TRANSLATE_NOOP(
+                "phenomena",
+                "Only what is between light and plane casts a shadow; without clipping the rest"
+                " casts an anti-shadow, with w < 0",
+            ),
+            True,
+        ),
+    ),
+    controls=("camera.eye",),
+    check=_check,
+    copies=2,
+    own_mesh=True,
+)

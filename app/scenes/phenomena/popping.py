@@ -1,0 +1,432 @@
+"""Far objects popping in, and the two ways out of it that lecture 001 names: fog, level of detail.
+
+Driving along an avenue with a row of trees every `SPACING` on both sides, a tree of each row
+passes the far plane every ``SPACING / speed``: with density 1/SPACING a row, ``speed x density``
+objects a second appear out of nothing, or vanish into it for who looks back. Fog hides it where
+little contrast is left at the far plane: ``(end - far)/(end - start)`` of it for linear fog,
+``exp(-density far)`` for exponential.
+Level of detail draws what is far with fewer vertices, so that the far plane can be farther away
+for the same price.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import cache
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.model.projection import (
+    ABOVE,
+    LARGEST,
+    Array,
+    Camera,
+    Perspective,
+    Projection,
+    ProjectionError,
+)
+from app.scenes.phenomena.illustration import (
+    QT_TRANSLATE_NOOP,
+    Curve,
+    Diagram,
+    Exhibit,
+    Fog,
+    Found,
+    Level,
+    Phenomenon,
+    Phrase,
+    Reading,
+    Rendering,
+    Setting,
+    Settings,
+    Subject,
+    number,
+)
+from app.scenes.shapes import Coloured, brightness, ground_grid
+
+SPEED = 12.0
+"""World units a second, when the position is played."""
+SPACING = 6.0
+ROWS = (-4.0, 4.0)
+"""World x of the two rows of trees; they stand at z = 0, -SPACING, ..."""
+TREES = 60
+"""In a row."""
+HEIGHT = 5.0
+
+_FAR_AT_INFINITY = QT_TRANSLATE_NOOP("phenomena", "the far plane is at infinity: nothing pops in")
+
+_NONE_POPS = QT_TRANSLATE_NOOP("phenomena", "no tree passes the far plane in the picture")
+
+_TRUNK_RGB, _CROWN_RGB = (150, 100, 60), (0, 158, 115)
+# Of each level: sides of the trunk and of the crown, and radius and height of the crown's rings.
+_SHAPES = (
+    (8, 12, ((1.5, 1.2), (0.75, 2.6), (1.2, 2.6), (0.5, 3.8), (0.8, 3.8), (0.02, HEIGHT))),
+    (4, 6, ((1.5, 1.2), (0.02, HEIGHT))),
+    (0, 3, ((1.5, 1.2), (0.02, HEIGHT))),
+)
+_RADIUS = 1.5
+_START_Z = 10.0  # of the eye, where the position is 0
+_RIGHT = 400.0  # of the diagram, where far is farther
+
+
+def _ring(radius: float, height: float, sides: int) -> Array:
+    angle = 2.0 * np.pi * np.arange(sides) / sides
+    return np.stack([radius * np.sin(angle), np.full(sides, height), radius * np.cos(angle)], 1)
+
+
+def _between(lower: Array, upper: Array) -> Array:
+    """Quads (sides, 4, 3) between two rings, counter-clockwise from outside."""
+    return np.stack([lower, np.roll(lower, -1, axis=0), np.roll(upper, -1, axis=0), upper], axis=1)
+
+
+def _tree(level: int) -> Coloured:
+    """One tree at the origin."""
+    trunk_sides, crown_sides, rings = _SHAPES[level]
+    parts: list[tuple[Array, Sequence[int]]] = []
+    if trunk_sides:
+        trunk = _between(_ring(0.25, 0.0, trunk_sides), _ring(0.2, 1.2, trunk_sides))
+        parts.append((trunk, _TRUNK_RGB))
+    circles = [_ring(radius, height, crown_sides) for radius, height in rings]
+    parts += [(_between(low, high), _CROWN_RGB) for low, high in pairwise(circles)]
+    colours = []
+    for quads, rgb in parts:
+        normals = np.cross(quads[:, 1] - quads[:, 0], quads[:, 3] - quads[:, 0])
+        lengths = np.linalg.norm(normals, axis=1, keepdims=True)
+        lit = brightness(normals / np.where(lengths > 0.0, lengths, 1.0))
+        colours.append((lit[:, None] * np.array(rgb)).astype(np.uint8))
+    return np.concatenate([quads for quads, _ in parts]), np.concatenate(colours)
+
+
+@cache
+def places() -> Array:
+    """Where the trees stand, (2 TREES, 3)."""
+    z = -SPACING * np.arange(TREES)
+    return np.array([(x, 0.0, at) for x in ROWS for at in z])
+
+
+@cache
+def _levels() -> tuple[tuple[Coloured, Array], ...]:
+    """Of each level: the faces of all trees, and the place of each face's tree."""
+    made = []
+    for level in range(len(_SHAPES)):
+        quads, rgb = _tree(level)
+        all_quads = (places()[:, None, None] + quads).reshape(-1, 4, 3)
+        objects = np.repeat(places(), len(quads), axis=0)
+        made.append(((all_quads, np.tile(rgb, (len(places()), 1))), objects))
+    return tuple(made)
+
+
+VERTICES = tuple(4 * (trunk + crown * (len(rings) - 1)) for trunk, crown, rings in _SHAPES)
+"""Of a tree's faces, at each level of detail."""
+
+
+def _geometry() -> tuple[Coloured, Coloured]:
+    length = SPACING * (TREES - 1)
+    return _levels()[0][0], ground_grid((-8.0, -length), (8.0, 8.0), (4.0, 12.0), 0.0)
+
+
+def _check(settings: Settings) -> None:
+    for low, high in (("fog_start", "fog_end"), ("detail_1", "detail_2")):
+        first, second = number(settings, low), number(settings, high)
+        if second <= first:
+            raise ProjectionError(f"settings.{high}", second, ABOVE, first)
+
+
+def fog_of(settings: Settings) -> Fog | None:
+    """The fog that the settings describe."""
+    if settings["fog"] == "linear":
+        return Fog(number(settings, "fog_start"), number(settings, "fog_end"))
+    if settings["fog"] == "exponential":
+        return Fog(density=number(settings, "fog_density"))
+    return None
+
+
+def trees_in_view(projection: Projection) -> NDArray[np.bool_]:
+    """Which of the `places` have a tree in the view volume, by its bounds, (n,) bool."""
+    corners = np.array(
+        [(x, y, z) for x in (-_RADIUS, _RADIUS) for y in (0.0, HEIGHT) for z in (-_RADIUS, _RADIUS)]
+    )
+    outside = projection.trace(places()[:, None] + corners).outside
+    beyond_one_plane = np.asarray(outside.all(axis=1))
+    return np.asarray(~beyond_one_plane.any(axis=1))
+
+
+def vertices_drawn(projection: Projection, until: Sequence[float]) -> int:
+    """Vertices of the trees in view, each at its level.
+
+    Parameters
+    ----------
+    projection : Projection
+    until : sequence of 2 floats
+        Distances at which the next level begins; infinity for none.
+    """
+    seen = trees_in_view(projection)
+    w = -projection.trace(places()[seen]).view[:, 2]
+    return int(np.array(VERTICES)[np.searchsorted(until, w, side="right")].sum())
+
+
+def popped_per_second(
+    projection: Projection, until: Sequence[float] = (math.inf, math.inf)
+) -> tuple[float, float]:
+    """How many trees pass the far plane in the picture, or a part of each, a second at `SPEED`.
+
+    Parameters
+    ----------
+    projection : Projection
+    until : sequence of 2 floats
+        As of `vertices_drawn`.
+
+    Returns
+    -------
+    (float, float)
+        Driving on along -z: those that come into the picture, and those that go. All come where
+        the camera looks the way it drives, and all go where it looks back.
+    """
+    far, camera = projection.standard_lens.far, projection.camera
+    n = camera.frame[2]
+    if far == math.inf or n[2] == 0.0:
+        return 0.0, 0.0
+    outline = _outline(int(np.searchsorted(until, far, side="right")))
+    # A point that is driven past goes along z: where its row's trees meet w = n . (eye - p) = far.
+    places = np.zeros((len(ROWS), *outline.shape[:2], 3))
+    places[..., :2] = outline
+    places[..., 0] += np.array(ROWS)[:, None, None]
+    with np.errstate(over="ignore"):
+        places[..., 2] = (float(n @ np.array(camera.eye)) - far - places @ n) / n[2]
+    if not (np.abs(places) <= LARGEST).all():  # so far away that nothing passes it
+        return 0.0, 0.0
+    clip, z = projection.trace(places).clip, places[..., 2:]
+    x_y, w = clip[..., :2], clip[..., 3:]
+    within = np.concatenate(
+        [w + x_y, w - x_y, z + SPACING * (TREES - 0.5), SPACING / 2.0 - z], axis=-1
+    )
+    rows = sum(any(_is_within(part) for part in row) for row in within.tolist())
+    rate = rows * SPEED / SPACING
+    return (rate, 0.0) if n[2] > 0.0 else (0.0, rate)
+
+
+@cache
+def _outline(level: int) -> Array:
+    """A tree seen along z, which the drive leaves as it is: trapezoids (k, 4, 2) of x and y."""
+    trunk_sides, crown_sides, rings = _SHAPES[level]
+    circles = [[_ring(radius, height, crown_sides) for radius, height in rings]]
+    if trunk_sides:
+        circles.append([_ring(0.25, 0.0, trunk_sides), _ring(0.2, 1.2, trunk_sides)])
+    return np.array([
+        [ring[at, :2] for ring, at in ((one, left), (one, right), (other, right), (other, left))]
+        for stack in circles for one, other in pairwise(stack)
+        for left, right in [(one[:, 0].argmin(), one[:, 0].argmax())]
+    ])  # fmt: skip
+
+
+def _is_within(polygon: list[list[float]]) -> bool:
+    """Whether a point of a convex polygon has nothing below 0; of each corner a few numbers."""
+    for which in range(len(polygon[0])):
+        kept = []
+        for here, there in zip(polygon, polygon[1:] + polygon[:1], strict=True):
+            if here[which] >= 0.0:
+                kept.append(here)
+            if (here[which] < 0.0) != (there[which] < 0.0):
+                share = here[which] / (here[which] - there[which])
+                kept.append([a + share * (b - a) for a, b in zip(here, there, strict=True)])
+        polygon = kept
+        if not polygon:
+            return False
+    return True
+
+
+def _follow(projection: Projection, before: Found, after: Settings) -> Projection:
+    step = number(after, "position") - number(before, "position")
+    if step == 0.0:
+        return projection
+    camera = projection.camera
+    (x, y, z), (tx, ty, tz) = camera.eye, camera.target
+    return replace(
+        projection, camera=replace(camera, eye=(x, y, z - step), target=(tx, ty, tz - step))
+    )
+
+
+def _found(projection: Projection, _settings: Settings) -> Found:
+    return {"position": _START_Z - projection.camera.eye[2]}
+
+
+def _show(projection: Projection, settings: Settings, _subject: Subject) -> Exhibit:
+    far = projection.standard_lens.far
+    fog = fog_of(settings)
+    until = (math.inf, math.inf)
+    if settings["detail"]:
+        until = (number(settings, "detail_1"), number(settings, "detail_2"))
+    levels = tuple(
+        Level(faces, objects, end)
+        for (faces, objects), end in zip(_levels(), (*until, math.inf), strict=True)
+    )
+    note = Phrase(_FAR_AT_INFINITY) if far == math.inf else None
+    contrast = 1.0 if fog is None else fog.left(far)
+    popped_in, popped_out = popped_per_second(projection, until)
+    why = note if note is not None or popped_in + popped_out > 0.0 else Phrase(_NONE_POPS)
+    readings = (
+        Reading(
+            QT_TRANSLATE_NOOP("phenomena", "vertices drawn"),
+            float(vertices_drawn(projection, until)),
+        ),
+        Reading(
+            QT_TRANSLATE_NOOP("phenomena", "vertices drawn without level of detail"),
+            float(VERTICES[0] * int(trees_in_view(projection).sum())),
+        ),
+        Reading(
+            QT_TRANSLATE_NOOP(
+                "phenomena", "trees that pop in each second, driving on at 12 units a second"
+            ),
+            popped_in,
+            note=note,
+        ),
+        Reading(
+            QT_TRANSLATE_NOOP("phenomena", "trees that pop out each second, driving on"),
+            popped_out,
+            note=note,
+        ),
+        Reading(
+            QT_TRANSLATE_NOOP("phenomena", "contrast left where they pop"),
+            100.0 * contrast if why is None else None,
+            "%",
+            why,
+        ),
+    )
+    return Exhibit(
+        readings,
+        diagrams=(_diagram(fog, far),),
+        rendering=Rendering(fog=fog, levels=levels),
+    )
+
+
+def _diagram(fog: Fog | None, far: float) -> Diagram:
+    """Contrast over distance, and where the far plane cuts."""
+    right = far if 0.0 < far < _RIGHT else _RIGHT
+    w = np.linspace(0.0, 1.1 * right, 120)
+    left = np.array([1.0 if fog is None else fog.left(at) for at in w.tolist()])
+    curves = [
+        Curve(np.stack([w, 100.0 * left], axis=1), "accent", width=2.0),
+    ]
+    if 0.0 < far <= 1.1 * right:
+        word = QT_TRANSLATE_NOOP("phenomena", "far")
+        curves.append(Curve(np.array([(far, 0.0), (far, 100.0)]), "far", word))
+    return Diagram(
+        QT_TRANSLATE_NOOP("phenomena", "Contrast left by fog"),
+        tuple(curves),
+        0.0,
+        1.1 * right,
+        0.0,
+        100.0,
+        x_label="w",
+        y_label="%",
+    )
+
+
+PHENOMENON = Phenomenon(
+    name="far-plane-popping",
+    title=QT_TRANSLATE_NOOP("phenomena", "Popping at the far plane"),
+    explanation=QT_TRANSLATE_NOOP(
+        "phenomena",
+        "What is beyond the far plane is not drawn: on a drive along the avenue, trees appear out"
+        " of nothing, or vanish into it on the way back. Fog hides it if little contrast is left at"
+        " the far plane. Level of detail draws far trees with fewer vertices, which pays for a far"
+        " plane farther away.",
+    ),
+    lectures=("001",),
+    start=Projection(
+        Camera((0.5, 2.2, _START_Z), (0.0, 2.0, -40.0), (0.0, 1.0, 0.0)),
+        Perspective(fov_y_deg=45.0, near=1.0, far=100.0),
+        (1280, 720),
+    ),
+    geometry=_geometry,
+    show=_show,
+    settings=(
+        Setting(
+            "position",
+            QT_TRANSLATE_NOOP("phenomena", "Position"),
+            QT_TRANSLATE_NOOP("phenomena", "How far the camera has driven along the avenue"),
+            0.0,
+            low=0.0,
+            high=300.0,
+            per_second=SPEED,
+        ),
+        Setting(
+            "fog",
+            QT_TRANSLATE_NOOP("phenomena", "Fog"),
+            QT_TRANSLATE_NOOP("phenomena", "How colours fade into the background with distance"),
+            "none",
+            choices=(
+                ("none", QT_TRANSLATE_NOOP("phenomena", "none")),
+                ("linear", QT_TRANSLATE_NOOP("phenomena", "linear, from start to end")),
+                ("exponential", QT_TRANSLATE_NOOP("phenomena", "exponential, by its density")),
+            ),
+        ),
+        Setting(
+            "fog_start",
+            QT_TRANSLATE_NOOP("phenomena", "Fog starts at"),
+            QT_TRANSLATE_NOOP("phenomena", "Distance at which linear fog begins"),
+            20.0,
+            low=0.0,
+            high=1e6,
+            span=(0.0, 200.0),
+            only_with=("fog", "linear"),
+        ),
+        Setting(
+            "fog_end",
+            QT_TRANSLATE_NOOP("phenomena", "Fog ends at"),
+            QT_TRANSLATE_NOOP("phenomena", "Distance at which linear fog leaves nothing"),
+            110.0,
+            low=1e-3,
+            high=1e6,
+            span=(1.0, 400.0),
+            only_with=("fog", "linear"),
+        ),
+        Setting(
+            "fog_density",
+            QT_TRANSLATE_NOOP("phenomena", "Fog density"),
+            QT_TRANSLATE_NOOP("phenomena", "Of exponential fog: what is left is exp(-density w)"),
+            0.03,
+            low=1e-6,
+            high=10.0,
+            span=(1e-3, 1.0),
+            unit="1/w",
+            logarithmic=True,
+            only_with=("fog", "exponential"),
+        ),
+        Setting(
+            "detail",
+            QT_TRANSLATE_NOOP("phenomena", "Level of detail"),
+            QT_TRANSLATE_NOOP("phenomena", "Draw simpler trees where they are far"),
+            False,
+        ),
+        Setting(
+            "detail_1",
+            QT_TRANSLATE_NOOP("phenomena", "Simpler from"),
+            QT_TRANSLATE_NOOP("phenomena", "Distance from which trees have fewer vertices"),
+            30.0,
+            low=0.0,
+            high=1e6,
+            span=(0.0, 200.0),
+            only_with=("detail", True),
+        ),
+        Setting(
+            "detail_2",
+            QT_TRANSLATE_NOOP("phenomena", "Simplest from"),
+            QT_TRANSLATE_NOOP("phenomena", "Distance from which trees have fewest vertices"),
+            60.0,
+            low=1e-3,
+            high=1e6,
+            span=(1.0, 200.0),
+            only_with=("detail", True),
+        ),
+    ),
+    controls=("lens.far",),
+    follow=_follow,
+    found=_found,
+    check=_check,
+    requires=frozenset({"fog", "levels"}),
+)

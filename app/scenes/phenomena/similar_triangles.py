@@ -1,0 +1,251 @@
+"""Similar triangles: a plane at distance d cuts the projectors, before the eye or behind it.
+
+A point at depth ``w = -z`` in view space meets the plane ``z = -d`` at ``x_p = d x / w``,
+``y_p = d y / w`` (lectures 000, 002, 004). With d negative the plane is behind the eye, as the
+film of a camera obscura is behind its hole (lectures 001, 002): the same formula, and both
+coordinates change their signs.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from app.model.projection import Array, Camera, Perspective, Projection, ProjectionError
+from app.scenes.phenomena.illustration import (
+    QT_TRANSLATE_NOOP,
+    Copy,
+    Dot,
+    Exhibit,
+    Face,
+    Grip,
+    Line,
+    Marks,
+    Phenomenon,
+    Phrase,
+    Reading,
+    Setting,
+    Settings,
+    Subject,
+    Text,
+    figure,
+    number,
+    point,
+)
+from app.scenes.phenomena.picture import seen
+from app.scenes.shapes import Coloured, edges_of, ground_grid, joined, letter_f
+
+NOT_THE_EYE_PLANE = QT_TRANSLATE_NOOP(
+    "ProjectionError", "must not be 0: the plane would go through the eye, where nothing is cut"
+)
+_BEHIND = QT_TRANSLATE_NOOP(
+    "phenomena", "the point is behind the eye or beside it: its projector meets no plane in front"
+)
+_PARALLEL = QT_TRANSLATE_NOOP(
+    "phenomena",
+    "a parallel lens has no eye that projectors meet in: choose a perspective lens to see them",
+)
+
+_SLAB = 4e-3  # of the plane's distance: thickness of the picture on it
+
+
+def _geometry() -> tuple[Coloured, Coloured]:
+    faces, rgb = letter_f()
+    return (faces, rgb), joined(
+        ground_grid((-4.0, -2.0), (4.0, 10.0), (1.0, 1.0), 0.0), edges_of(faces)
+    )
+
+
+def _check(settings: Settings) -> None:
+    if number(settings, "distance") == 0.0:
+        raise ProjectionError("settings.distance", 0.0, NOT_THE_EYE_PLANE)
+
+
+def projected(projection: Projection, distance: float, place: Array) -> tuple[float, float] | None:
+    """Where a world point's projector meets the plane, (x_p, y_p) in view coordinates.
+
+    Parameters
+    ----------
+    projection : Projection
+    distance : float
+        Of the plane from the eye, d; negative behind it.
+    place : (3,) array
+        World coordinates.
+
+    Returns
+    -------
+    (float, float) or None
+        ``d x / w, d y / w`` (002, similar triangles); None for a point that is not in front.
+    """
+    x, y, z = projection.trace(place).view.tolist()
+    if z >= 0.0:
+        return None
+    return distance * x / -z, distance * y / -z
+
+
+def onto_plane(projection: Projection, distance: float, slab: float = 0.0) -> Array:
+    """The 4x4 that takes world points along their projectors onto the plane, (4, 4).
+
+    In view space ``(x, y, z, 1) -> (d x, d y, d z, -z)``: rows ``d, d, d`` and ``0 0 -1 0``, the
+    matrix with -1/d of the lectures times d.
+
+    Parameters
+    ----------
+    projection : Projection
+    distance : float
+    slab : float
+        Lifts a point at depth w off the plane by ``slab / w`` against the view direction, so that
+        what is in front stays in front.
+    """
+    camera = projection.camera
+    eye, (u, v, n) = np.array(camera.eye), camera.frame
+    view = np.eye(4)
+    view[:3, :3] = (u, v, n)
+    view[:3, 3] = -view[:3, :3] @ eye
+    flat = np.diag([distance, distance, distance, 0.0])
+    flat[2, 3], flat[3, 2] = slab, -1.0
+    back = np.eye(4)
+    back[:3, :3], back[:3, 3] = view[:3, :3].T, eye
+    matrix: Array = back @ flat @ view
+    return matrix
+
+
+def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhibit:
+    distance = number(settings, "distance")
+    place = np.array(point(settings, "point"))
+    camera, lens = projection.camera, projection.standard_lens
+    if lens.parallel:
+        return Exhibit((), copies=(Copy(np.zeros((4, 4)), panes=()),), warning=Phrase(_PARALLEL))
+    eye, frame = np.array(camera.eye), camera.frame
+
+    def world(x: float, y: float, z: float) -> Array:
+        there: Array = eye + np.array([x, y, z]) @ frame
+        return there
+
+    left, right, bottom, top = (side * distance / lens.near for side in projection.window)
+    plane = np.array(
+        [
+            world(x, y, -distance)
+            for x, y in ((left, bottom), (right, bottom), (right, top), (left, top))
+        ]
+    )
+    lines = [Line(plane[[0, 1, 2, 3, 0]], "v", 1.6)]
+    faces = [Face(plane, "v", 0.14)]
+    texts = [Text(f"d = {figure(distance, 4)}", plane[2], "v")]
+    dots, nearest = [], math.inf
+    for x, y, z in projection.trace(_outermost(subject)).view.tolist():
+        if z < 0.0:
+            hit = world(distance * x / -z, distance * y / -z, -distance)
+            lines.append(Line(_through(eye, world(x, y, z), hit, distance, -z), "muted", 0.6))
+            nearest = min(nearest, -z)
+
+    x, y, z = projection.trace(place).view.tolist()
+    at, scale = projected(projection, distance, place), None
+    if at is not None:
+        w, scale = -z, distance / -z
+        hit, foot, axis = world(*at, -distance), world(0.0, 0.0, -distance), world(0.0, 0.0, z)
+        # The two triangles: from the eye along the axis, across to the point, and back.
+        faces += [Face(np.array([eye, axis, place]), "accent", 0.16)]
+        faces += [Face(np.array([eye, foot, hit]), "accent", 0.3)]
+        lines += [
+            Line(np.array([foot, eye, axis, place]), "ink", 1.3),
+            Line(_through(eye, place, hit, distance, w), "accent", 2.2),
+            Line(np.array([foot, hit]), "v", 2.6),
+        ]
+        dots = [Dot(place, "accent", 1.3), Dot(hit, "accent", 1.3)]
+        texts += [Text("P", place, "accent"), Text("P'", hit, "accent")]
+        texts += [Text("w", (eye + axis) / 2.0)]
+        nearest = min(nearest, w)
+    note = Phrase(_BEHIND) if at is None else None
+    readings = (
+        Reading("x_p = d·x / w", None if at is None else at[0], note=note),
+        Reading("y_p = d·y / w", None if at is None else at[1], note=note),
+        Reading(QT_TRANSLATE_NOOP("phenomena", "scale d / w"), scale, "×", note),
+        Reading("w", -z + 0.0),
+        Reading(
+            QT_TRANSLATE_NOOP("phenomena", "the image on the plane"),
+            QT_TRANSLATE_NOOP("phenomena", "upright")
+            if distance > 0.0
+            else QT_TRANSLATE_NOOP("phenomena", "upside down and left for right"),
+        ),
+    )
+    slab = _SLAB * abs(distance) * (nearest if nearest < math.inf else 1.0)
+    trace = projection.trace(place)
+    here = bool(seen(trace))
+    return Exhibit(
+        readings,
+        world=Marks(tuple(lines), tuple(faces), tuple(dots), tuple(texts)),
+        ndc=_marked(trace.ndc) if here else Marks(),
+        image=_marked(trace.image) if here else Marks(),
+        copies=(Copy(onto_plane(projection, distance, slab)),),
+        grips=(Grip("point", place),),
+    )
+
+
+def _outermost(subject: Subject) -> Array:
+    """Vertices of the subject that are farthest toward the corners of its bounds, (k, 3)."""
+    corners = np.array([[1.0 - 2.0 * (i >> axis & 1) for axis in range(3)] for i in range(8)])
+    which = (subject.points @ corners.T).argmax(axis=0)
+    outermost: Array = subject.points[np.unique(which)]
+    return outermost
+
+
+def _through(eye: Array, end: Array, hit: Array, distance: float, w: float) -> Array:
+    """A projector from the farthest to the last of the point, the eye and the plane, (2, 3)."""
+    if distance < 0.0:
+        return np.array([end, hit])
+    return np.array([eye, hit if distance > w else end])
+
+
+def _marked(where: Array) -> Marks:
+    """The point P in another pane."""
+    return Marks(dots=(Dot(where, "accent", 1.3),), texts=(Text("P", where, "accent"),))
+
+
+_START = Projection(
+    Camera((5.5, 3.6, 9.5), (0.3, 2.4, 0.0), (0.0, 1.0, 0.0)),
+    Perspective(fov_y_deg=40.0, near=1.0, far=14.0),
+    (1280, 720),
+)
+
+PHENOMENON = Phenomenon(
+    name="similar-triangles",
+    title=QT_TRANSLATE_NOOP("phenomena", "Similar triangles"),
+    explanation=QT_TRANSLATE_NOOP(
+        "phenomena",
+        "Every projector runs from a point, of the object or beside it, to the eye; where it meets"
+        " the plane at distance d is the point's image. The two triangles between eye, axis and"
+        " projector are similar, so x_p : d = x : w. With d below 0 the plane is behind the eye, as"
+        " in a camera obscura: the image is upside down.",
+    ),
+    lectures=("000", "001", "002", "004"),
+    start=_START,
+    geometry=_geometry,
+    show=_show,
+    settings=(
+        Setting(
+            "distance",
+            QT_TRANSLATE_NOOP("phenomena", "Plane distance d"),
+            QT_TRANSLATE_NOOP(
+                "phenomena", "From the eye to the plane of projection; below 0 behind the eye"
+            ),
+            4.0,
+            low=-1e6,
+            high=1e6,
+            span=(-8.0, 12.0),
+        ),
+        Setting(
+            "point",
+            QT_TRANSLATE_NOOP("phenomena", "Point P"),
+            QT_TRANSLATE_NOOP("phenomena", "The point whose projector is followed"),
+            (1.5, 5.0, 0.5),
+            low=-1e100,
+            high=1e100,
+        ),
+    ),
+    controls=("camera.eye", "lens.fov_y_deg"),
+    check=_check,
+    copies=1,
+    own_mesh=True,
+)

@@ -1,0 +1,187 @@
+"""Meshes read where they can do no harm: what is large, in a process of its own.
+
+There it can be stopped at once, and takes no more memory than it may; neither its end nor
+exhausted memory reaches the window. The process is `python -m app.scenes.reading FILE`, a fresh one on
+every system, which imports nothing but numpy. It writes lines of JSON to its standard output (how
+far it is, or why the file was refused) and then the mesh's arrays as they lie in memory.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+from queue import Empty, SimpleQueue
+from typing import Any, BinaryIO
+
+import numpy as np
+
+from app.scenes import mesh_files as meshes
+from app.scenes.mesh_files import Mesh, Progress, SceneError, TooMuch, open_mesh, report
+
+SMALL = 4 * 2**20
+"""Most bytes of a file that is read at once: within 0.2 s, which a process takes to begin."""
+SMALL_MESH = 500_000, 128 * 2**20
+"""Most triangles of such a file, and most bytes of them: a few bytes of glTF may grow to many."""
+MEMORY = 6 * 2**30
+"""Most bytes that a process which reads may take: `meshes.LARGEST` and the text that it is in."""
+ENDED = (
+    "{0}: the program that reads it ended before it was done; make it smaller, or export or "
+    "download the file again."
+)
+SENTENCES = (ENDED,)
+"""Every further sentence of a `SceneError`, for translators; see also `app.scenes.mesh_files.SENTENCES`."""
+_POLL_S = 0.05
+
+
+def read(path: Path, progress: Progress | None = None) -> Mesh:
+    """Read a mesh file; see `app.scenes.mesh_files.read`.
+
+    Parameters
+    ----------
+    path : Path
+        A file with one of `app.scenes.mesh_files.ENDINGS`.
+    progress : callable, optional
+        As of `app.scenes.mesh_files.read`; of a large file asked at least 20 times a second.
+    """
+    with open_mesh(path) as file:
+        size = os.fstat(file.fileno()).st_size
+    if size <= SMALL:
+        try:
+            return meshes.read(path, progress, SMALL_MESH)
+        except TooMuch:  # for here
+            pass
+    return _read_apart(path, progress)
+
+
+def _read_apart(path: Path, progress: Progress | None) -> Mesh:
+    packages = [str(Path(__file__).parents[1]), os.environ.get("PYTHONPATH", "")]
+    child = subprocess.Popen(
+        [sys.executable, "-P", "-m", "app.scenes.reading", os.fspath(path)],
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.DEVNULL,
+        env=os.environ
+        | {"PYTHONPATH": os.pathsep.join(filter(None, packages)), "OPENBLAS_NUM_THREADS": "1"},
+        creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
+    )
+    assert child.stdout is not None
+    answers: SimpleQueue[Any] = SimpleQueue()
+    # No system lets a pipe be waited for together with the window's events.
+    listener = threading.Thread(target=_listen, args=(child.stdout, answers), daemon=True)
+    listener.start()
+    done = 0.0
+    try:
+        while True:
+            report(progress, done)
+            try:
+                answer = answers.get(timeout=_POLL_S)
+            except Empty:
+                continue
+            if isinstance(answer, Mesh):
+                return answer
+            if answer is None:
+                raise SceneError(ENDED, path)
+            if "refused" in answer:
+                template, *parts = answer["refused"]
+                raise SceneError(template, path, *parts[1:])
+            done = answer["done"]
+    finally:
+        child.kill()
+        child.wait()
+        listener.join()
+        child.stdout.close()
+
+
+def _listen(pipe: BinaryIO, answers: SimpleQueue[Any]) -> None:
+    """Pass on what the process says; None when it has ended."""
+    try:
+        while line := pipe.readline():
+            answer = json.loads(line)
+            if "mesh" in answer:
+                answer = _received(pipe, **answer["mesh"])
+            answers.put(answer)
+    except (EOFError, MemoryError, ValueError):  # it ended in the middle of a word
+        pass
+    finally:
+        answers.put(None)
+
+
+def _received(
+    pipe: BinaryIO, points: int, faces: int, corners: int, coloured: bool, painted: bool
+) -> Mesh:
+    def array(shape: tuple[int, ...], kind: Any) -> Any:
+        values = np.empty(shape, dtype=kind)
+        if pipe.readinto(values.data.cast("B")) != values.nbytes:  # type: ignore[attr-defined]
+            raise EOFError
+        return values
+
+    return Mesh(
+        array((points, 3), np.float64),
+        array((faces + 1,), np.int64),
+        array((corners,), np.int64),
+        array((faces, 3), np.uint8) if coloured else None,
+        painted,
+    )
+
+
+# --------------------------------------------------------------------------- in the other process
+
+
+def _main(path: Path) -> None:
+    _limit_memory()
+    out = sys.stdout.buffer
+
+    def say(answer: dict[str, Any]) -> None:
+        out.write(json.dumps(answer).encode() + b"\n")
+        out.flush()
+
+    said = -1.0
+
+    def progress(fraction: float) -> bool:
+        nonlocal said
+        if fraction != said:
+            said = fraction
+            say({"done": fraction})
+        return True
+
+    try:
+        mesh = meshes.read(path, progress)
+        sizes = {"points": len(mesh.points), "faces": len(mesh.offsets) - 1}
+        sizes |= {"corners": len(mesh.corners)}
+        say({"mesh": sizes | {"coloured": mesh.rgb is not None, "painted": mesh.painted}})
+        for values in (mesh.points, mesh.offsets, mesh.corners, mesh.rgb):
+            if values is not None:
+                out.write(np.ascontiguousarray(values).data.cast("B"))
+        out.flush()
+    except SceneError as error:
+        parts = [part if isinstance(part, int) else str(part) for part in error.parts]
+        say({"refused": [error.template, *parts]})
+
+
+def _limit_memory() -> None:
+    """Let this process take `MEMORY` and no more, as far as the system can be told."""
+    if sys.platform == "win32":
+        return  # which has no such limit without a job object; `meshes.LARGEST` holds there too
+    import resource
+
+    if sys.platform == "linux":
+        _, hard = resource.getrlimit(resource.RLIMIT_AS)
+        limit = MEMORY if hard == resource.RLIM_INFINITY else min(MEMORY, hard)
+        resource.setrlimit(resource.RLIMIT_AS, (limit, hard))
+        return
+
+    def watch() -> None:  # macOS takes the limit and does not keep it
+        while resource.getrusage(resource.RUSAGE_SELF).ru_maxrss < MEMORY:
+            time.sleep(_POLL_S)
+        os._exit(1)
+
+    threading.Thread(target=watch, daemon=True).start()
+
+
+if __name__ == "__main__":
+    _main(Path(sys.argv[1]))

@@ -1,0 +1,723 @@
+"""What is in the world: the built-in scenes, and meshes read from the user's files.
+
+A `Scene` is finished geometry. Its faces carry one flat colour each, baked once in world space,
+so that a face looks the same in the world, in NDC and in the image, and so that no pane needs a
+light. Everything drawn is stored relative to `Scene.origin`, subtracted in float64, because a GPU
+computes in float32: a mesh 1e7 away from the world's origin would be left with one digit.
+
+The letter F of eight cubes standing on a grid in the xz plane is the scene of lecture 004
+(Horvat); the cube and the receding row of posts prepare and follow it. After them come the
+phenomena of `app.scenes.phenomena`, whose subject can be the user's own mesh.
+
+This room knows no Qt and no plotter. It reads files and places the first camera, nothing else.
+"""
+
+from __future__ import annotations
+
+import difflib
+import math
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
+from typing import Any, TypeAlias
+
+import numpy as np
+import pyvista as pv
+from numpy.typing import ArrayLike, NDArray
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkDataArray
+from vtkmodules.vtkCommonDataModel import vtkCellArray
+
+from app.model.projection import Array, Camera, Perspective, Projection
+from app.scenes.mesh_files import ENDINGS as ENDINGS
+from app.scenes.mesh_files import (
+    PAINT_RGB,
+    Colours,
+    Floats,
+    Ints,
+    Mesh,
+    Progress,
+    merge_points,
+    open_mesh,
+    report,
+)
+from app.scenes.mesh_files import SceneCancelled as SceneCancelled  # `load` raises both
+from app.scenes.mesh_files import SceneError as SceneError
+from app.scenes.phenomena import PHENOMENA, Phenomenon
+from app.scenes.phenomena.illustration import OwnMesh, Subject
+from app.scenes.reading import read
+from app.scenes.shapes import (
+    EDGE_RGB,
+    GRID_AXIS_RGB,
+    GRID_RGB,
+    PLATE_RGB,
+    SIDE_RGB,
+    Coloured,
+    box_faces,
+    brightness,
+    edges_of,
+    flat,
+    ground_grid,
+    joined,
+    letter_f,
+    written_number,
+)
+
+Vector: TypeAlias = tuple[float, float, float]
+
+WRONG_ENDING = "{0}: a mesh file must end in {1} or {2}; convert it to one of these."
+NOT_A_SCENE = "There is no scene “{0}”, only {1} or {2}; a mesh file needs its ending."
+NEARLY_A_SCENE = "There is no scene “{0}”, only {1} or {2}; did you mean “{3}”?"
+ONE_POINT = "{0}: all vertices are at one point, so that there is nothing to see; check the export."
+ONE_LINE = "{0}: all vertices are on one line, so that there is nothing to see; check the export."
+WRONG_SIZE = "{0}: the mesh is {1} units large, but must be between 1e-30 and 1e30; scale it."
+NO_OWN_MESH = "mesh = {1}: the scene “{0}” has a subject of its own, no mesh can take its place."
+SENTENCES = (
+    WRONG_ENDING, NOT_A_SCENE, NEARLY_A_SCENE, ONE_POINT, ONE_LINE, WRONG_SIZE, NO_OWN_MESH,
+)  # fmt: skip
+"""Every further sentence of a `SceneError`, for translators; see also `app.scenes.mesh_files.SENTENCES`."""
+
+FACES_WITH_EDGES = 5_000
+"""Meshes of more faces get no edge lines: they would be denser than the pixels."""
+SAMPLE = 100_000
+"""Vertices of a larger mesh stand for all of them when speed is measured."""
+_SHARP = math.cos(math.radians(30.0))
+"""Edges whose faces turn by more than this are drawn."""
+_DEEPEST = 4.0  # times the bounds' longest side, that a mesh may reach which crosses them
+SUBJECT_SAMPLE = 2_000
+"""Vertices of a larger subject stand for all of them in what a phenomenon reckons at each step."""
+SUBJECT_EDGES, SUBJECT_TRIANGLES = 20_000, 1_000
+"""Of a mesh of more, a phenomenon reckons with the longest."""
+SUBJECT_SURFACE = 3_000
+"""Triangles of a larger mesh are brought together to so many, where its pixels are reckoned."""
+
+
+@dataclass(frozen=True, eq=False)
+class Scene:
+    """Geometry to look at, ready to draw, and the camera it is first seen with.
+
+    Attributes
+    ----------
+    name : str
+        One of `BUILT_IN`, or the path of the mesh file as it was given.
+    origin : tuple of 3 floats
+        World point that all geometry below is relative to: ``world = origin + points``.
+    surface : pyvista.PolyData or None
+        Polygons (m faces) with ``cell_data["rgb"]``, (m, 3) uint8; float32 points.
+    lines : pyvista.PolyData or None
+        Edges of the objects and ground-grid lines, with ``cell_data["rgb"]`` like the surface.
+    lower, upper : tuple of 3 floats
+        World bounds of the objects, without the grid.
+    start : Projection
+        The camera and lens with which the scene opens.
+    phenomenon : Phenomenon or None
+        What it shows beyond the pipeline itself.
+    own_mesh : bool
+        Whether a mesh from a file is in the place of the phenomenon's subject.
+    """
+
+    name: str
+    origin: Vector
+    surface: pv.PolyData | None
+    lines: pv.PolyData | None
+    lower: Vector
+    upper: Vector
+    start: Projection
+    phenomenon: Phenomenon | None = None
+    own_mesh: bool = False
+
+    @property
+    def requires(self) -> frozenset[str]:
+        """What drawings build for this scene beyond faces, lines and marks."""
+        return frozenset() if self.phenomenon is None else self.phenomenon.requires
+
+    @cached_property
+    def subject(self) -> Subject:
+        """What a phenomenon reckons with: the faces' bounds and vertices, without the grid."""
+        points = np.empty((0, 3)) if self.surface is None else self.surface.points
+        step = max(1, -(-len(points) // SUBJECT_SAMPLE))
+        sample = points[::step].astype(np.float64) + self.origin
+        mesh = None
+        if self.own_mesh and self.surface is not None:
+            mesh = _own_mesh(self.surface, self.origin, "depth" in self.requires)
+        return Subject(self.lower, self.upper, sample, mesh)
+
+    @property
+    def size(self) -> float:
+        """Diagonal of the objects' bounds in world units, greater than 0."""
+        return math.dist(self.lower, self.upper)
+
+    @property
+    def centre(self) -> Vector:
+        """World point in the middle of the objects' bounds."""
+        return _centre(self.lower, self.upper)
+
+    @cached_property
+    def corners(self) -> Array:
+        """World coordinates of the corners of a box round all that is drawn, (8, 3)."""
+        bounds = [m.bounds for m in (self.surface, self.lines) if m is not None]
+        low = np.min([b[::2] for b in bounds], axis=0)
+        high = np.max([b[1::2] for b in bounds], axis=0)
+        which = np.array([[i >> axis & 1 for axis in range(3)] for i in range(8)], dtype=bool)
+        corners: Array = np.where(which, high, low) + self.origin
+        return corners
+
+    @property
+    def vertices(self) -> Array:
+        """All vertices in world coordinates, (n, 3)."""
+        points = np.concatenate(
+            [mesh.points for mesh in (self.surface, self.lines) if mesh is not None]
+        )
+        vertices: Array = points.astype(np.float64) + self.origin
+        return vertices
+
+    @cached_property
+    def sample(self) -> Array:
+        """Of `vertices` all, or `SAMPLE` of a larger mesh."""
+        vertices = self.vertices
+        return vertices[:: max(1, -(-len(vertices) // SAMPLE))].copy()
+
+
+def load(name_or_path: str, progress: Progress | None = None, mesh: str = "") -> Scene:
+    """Open a built-in scene or a mesh file.
+
+    Parameters
+    ----------
+    name_or_path : str
+        One of `BUILT_IN`, or the path of a file with one of `ENDINGS`.
+    progress : callable, optional
+        Called now and then with the fraction done, from 0 to 1, on the caller's thread; when it
+        returns False, loading stops.
+    mesh : str, optional
+        Path of a mesh file that takes the place of a phenomenon's subject: scaled alike in all
+        directions into its bounds, and standing where it stands.
+
+    Returns
+    -------
+    Scene
+
+    Raises
+    ------
+    SceneError
+        For an unknown name, for a file that cannot be read or holds nothing to draw, and for a
+        mesh with a scene whose subject it cannot be.
+    SceneCancelled
+        When `progress` returned False.
+    """
+    phenomenon = PHENOMENA.get(name_or_path)
+    if mesh and not (phenomenon is not None and phenomenon.own_mesh):
+        raise SceneError(NO_OWN_MESH, name_or_path, mesh)
+    if phenomenon is not None:
+        return _scene_of_phenomenon(phenomenon, mesh, progress)
+    build = _BUILDERS.get(name_or_path)
+    if build is not None:
+        return build()
+    path = Path(name_or_path)
+    if path.suffix.lower() in ENDINGS:
+        return _scene_of_mesh(name_or_path, path, progress)
+    is_file_name = path.name != name_or_path or path.suffix != ""
+    if name_or_path and (is_file_name or _exists(path)):
+        open_mesh(path).close()
+        raise SceneError(WRONG_ENDING, path, *_but_last(ENDINGS))
+    likely = difflib.get_close_matches(name_or_path.lower(), BUILT_IN, n=1, cutoff=0.5)
+    template = NEARLY_A_SCENE if likely else NOT_A_SCENE
+    raise SceneError(template, name_or_path, *_but_last(BUILT_IN), *likely)
+
+
+def frame_camera(
+    lower: Sequence[float],
+    upper: Sequence[float],
+    direction: Sequence[float] = (0.6, 0.45, 0.9),
+) -> Projection:
+    """Place a camera so that a box is wholly in view, with room around it.
+
+    Parameters
+    ----------
+    lower, upper : sequence of 3 floats
+        World bounds; the box may be flat but not a point.
+    direction : sequence of 3 floats, optional
+        From the box towards the eye, any length.
+
+    Returns
+    -------
+    Projection
+        Looks at the box's centre, near plane just in front of the box, far plane
+        behind it, with room for the ground grid that `load` puts under a mesh.
+    """
+    size = math.dist(lower, upper)
+    # Rounded to what a reader wants to see in a number field: a thousandth of the size.
+    decimals = 3 - math.floor(math.log10(size))
+    target = _rounded(_centre(lower, upper), decimals)
+    toward_eye = _vector(np.asarray(direction, dtype=np.float64) / math.hypot(*direction))
+    vertical = math.hypot(toward_eye[0], toward_eye[2]) < 1e-6
+    up = (0.0, 0.0, -1.0) if vertical else (0.0, 1.0, 0.0)
+    u, v, n = Camera(toward_eye, (0.0, 0.0, 0.0), up).frame
+
+    lens = Perspective()
+    aspect = Projection().aspect
+    tan_y = math.tan(math.radians(lens.fov_y_deg / 2.0))
+    margin = 0.8  # of the half picture that the box may fill
+    corners = _corners(lower, upper) - np.asarray(target)
+    radius = float(np.linalg.norm(corners / size, axis=1).max()) * size
+    for_width = corners @ n + abs(corners @ u) / (margin * tan_y * aspect)
+    for_height = corners @ n + abs(corners @ v) / (margin * tan_y)
+    distance = max(float(for_width.max()), float(for_height.max()), 1.25 * radius)
+    eye = _rounded(
+        [t + distance * part for t, part in zip(target, toward_eye, strict=True)], decimals
+    )
+    camera = Camera(eye, target, up)
+    near = _two_digits(camera.distance - 1.05 * radius, math.floor)
+    far = _two_digits(camera.distance + 2.6 * radius, math.ceil)
+    return Projection(camera, Perspective(lens.fov_y_deg, near, far))
+
+
+def _centre(lower: Sequence[float], upper: Sequence[float]) -> Vector:
+    x, y, z = (low + (high - low) / 2.0 for low, high in zip(lower, upper, strict=True))
+    return x, y, z
+
+
+def _corners(lower: Sequence[float], upper: Sequence[float]) -> Floats:
+    """The eight corners of a box, (8, 3)."""
+    return np.array(np.meshgrid(*zip(lower, upper, strict=True))).reshape(3, 8).T
+
+
+def _rounded(point: Sequence[float], decimals: int) -> Vector:
+    x, y, z = (round(part, decimals) + 0.0 for part in point)  # + 0.0: no minus zero
+    return x, y, z
+
+
+def _two_digits(value: float, rounding: Callable[[float], int]) -> float:
+    exponent = math.floor(math.log10(value)) - 1
+    return float(f"{rounding(value / 10.0**exponent)}e{exponent}")
+
+
+def _but_last(words: Sequence[str]) -> tuple[str, str]:
+    """All but the last, and the last: to say “a, b or c” in any language."""
+    return ", ".join(words[:-1]), words[-1]
+
+
+# --------------------------------------------------------------------------- poly data
+
+
+def _cell_array(offsets: NDArray[Any], corners: NDArray[Any]) -> pv.CellArray:
+    return pv.CellArray.from_arrays(offsets, corners, deep=True)
+
+
+def values_of(array: vtkDataArray) -> NDArray[Any]:
+    return np.asarray(vtk_to_numpy(array))  # type: ignore[no-untyped-call]
+
+
+def cells_of(cells: vtkCellArray) -> tuple[Ints, Ints]:
+    """Offsets and corners of a VTK cell array."""
+    cells.ConvertTo64BitStorage()
+    offsets = values_of(cells.GetOffsetsArray())
+    corners = values_of(cells.GetConnectivityArray())
+    return offsets.astype(np.int64), corners.astype(np.int64)
+
+
+def _poly_data(points: NDArray[np.floating], cells: pv.CellArray, rgb: Colours) -> pv.PolyData:
+    poly_data = pv.PolyData()
+    poly_data.points = np.ascontiguousarray(points, dtype=np.float32)
+    if cells.n_cells and cells.GetMaxCellSize() > 2:
+        poly_data.SetPolys(cells)
+    else:
+        poly_data.SetLines(cells)
+    poly_data.cell_data["rgb"] = rgb
+    return poly_data
+
+
+def _surface(quads: Coloured) -> pv.PolyData:
+    points, corners = np.unique(quads[0].reshape(-1, 3), axis=0, return_inverse=True)
+    offsets = np.arange(0, corners.size + 1, 4)
+    return _poly_data(points, _cell_array(offsets, corners.ravel()), quads[1])
+
+
+def _line_set(lines: Coloured) -> pv.PolyData:
+    ends = np.arange(2 * len(lines[0]))
+    cells = _cell_array(np.arange(0, ends.size + 1, 2), ends)
+    return _poly_data(lines[0].reshape(-1, 3), cells, lines[1])
+
+
+# --------------------------------------------------------------------------- built-in scenes
+
+
+def _built_in(name: str, quads: Coloured, lines: Coloured, start: Projection) -> Scene:
+    points = quads[0].reshape(-1, 3)
+    return Scene(
+        name=name,
+        origin=(0.0, 0.0, 0.0),
+        surface=_surface(quads),
+        lines=_line_set(lines),
+        lower=_vector(points.min(axis=0)),
+        upper=_vector(points.max(axis=0)),
+        start=start,
+    )
+
+
+def _vector(values: ArrayLike) -> Vector:
+    x, y, z = np.asarray(values, dtype=np.float64).tolist()
+    return x, y, z
+
+
+def _letter_f() -> Scene:
+    """Eight unit cubes on the ground, the letter's three columns centred about x = 0."""
+    faces, rgb = letter_f()
+    return _built_in(
+        "letter-f",
+        (faces, rgb),
+        joined(ground_grid((-8.0, -8.0), (8.0, 8.0), (1.0, 1.0), 0.0), edges_of(faces)),
+        Projection(
+            Camera((6.0, 5.0, 9.0), (0.0, 2.2, 0.0), (0.0, 1.0, 0.0)),
+            Perspective(fov_y_deg=45.0, near=1.0, far=30.0),
+            (1280, 720),
+        ),
+    )
+
+
+def _cube() -> Scene:
+    """A unit cube standing on the ground, with the world's axes coming out of it."""
+    faces = box_faces((-0.5, 0.0, -0.5), (0.5, 1.0, 0.5))
+    axes = np.array([[(0.0, 0.0, 0.0), end] for end in np.diag([1.5, 2.0, 1.5]).tolist()])
+    return _built_in(
+        "cube",
+        (faces, SIDE_RGB.copy()),
+        joined(
+            ground_grid((-3.0, -3.0), (3.0, 3.0), (0.5, 0.5), 0.0),
+            edges_of(faces),
+            (axes, SIDE_RGB[[1, 3, 5]]),  # the darker shades, to be seen on a light background
+        ),
+        Projection(
+            Camera((2.4, 2.0, 3.2), (0.0, 0.5, 0.0), (0.0, 1.0, 0.0)),
+            Perspective(fov_y_deg=45.0, near=1.0, far=10.0),
+            (1280, 720),
+        ),
+    )
+
+
+_POSTS = 20
+_POST_SPACING = 6.0
+
+
+def _posts() -> Scene:
+    """Posts of equal height and spacing, numbered on geometry, so that every pane projects it."""
+    lit = brightness(np.repeat(np.eye(3), 2, axis=0) * np.tile([[1.0], [-1.0]], (3, 1)))
+    wood = (lit[:, None] * PAINT_RGB).astype(np.uint8)
+    plate_rgb = (np.clip(lit + 0.25, 0.0, 1.0)[:, None] * PLATE_RGB).astype(np.uint8)
+    plate_rgb[4] = PLATE_RGB  # the written side
+    quads: list[Coloured] = []
+    lines: list[Coloured] = []
+    for number in range(1, _POSTS + 1):
+        z = -_POST_SPACING * (number - 1)
+        post = box_faces((-0.1, 0.0, z - 0.24), (0.1, 2.4, z - 0.04))
+        plate = box_faces((-0.8, 1.5, z - 0.04), (0.8, 2.6, z + 0.04))
+        digits = written_number(number, (0.0, 2.05, z + 0.06), height=0.8)
+        quads += [(post, wood), (plate, plate_rgb), (digits, flat(EDGE_RGB, len(digits)))]
+        outline = edges_of(plate)[0]  # grey: far away there is little else than outline
+        lines.append((outline, flat(GRID_AXIS_RGB, len(outline))))
+    ground = ground_grid((-10.0, -126.0), (10.0, 12.0), (2.0, 6.0), 0.0)
+    return _built_in(
+        "posts",
+        joined(*quads),
+        joined(ground, *lines),
+        Projection(
+            Camera((6.0, 5.0, 9.0), (1.0, 1.8, -8.0), (0.0, 1.0, 0.0)),
+            Perspective(fov_y_deg=45.0, near=1.0, far=150.0),
+            (1280, 720),
+        ),
+    )
+
+
+_BUILDERS: dict[str, Callable[[], Scene]] = {
+    "letter-f": _letter_f,
+    "cube": _cube,
+    "posts": _posts,
+}
+BUILT_IN = (*_BUILDERS, *PHENOMENA)
+"""Names of the built-in scenes, phenomena last, each in the order of the lectures."""
+
+
+# --------------------------------------------------------------------------- meshes from files
+
+
+def _read_mesh(path: Path, progress: Progress | None) -> tuple[Mesh, Vector, Vector]:
+    """A mesh that has a size, and its bounds."""
+    if path.suffix.lower() not in ENDINGS:
+        open_mesh(path).close()
+        raise SceneError(WRONG_ENDING, path, *_but_last(ENDINGS))
+    mesh = read(path, progress)
+    report(progress, 0.5)
+    lower, upper = _vector(mesh.points.min(axis=0)), _vector(mesh.points.max(axis=0))
+    size = math.dist(lower, upper)
+    if size == 0.0:
+        raise SceneError(ONE_POINT, path)
+    if not 1e-30 < size < 1e30:  # the GPU's float32 ends near 1e-38 and 1e38
+        raise SceneError(WRONG_SIZE, path, f"{size:.2g}")
+    if _is_on_a_line((mesh.points - lower) / size):
+        raise SceneError(ONE_LINE, path)
+    return mesh, lower, upper
+
+
+def _is_on_a_line(points: Floats) -> bool:
+    """Whether points (n, 3) of a mesh of size 1 are thinner than float64 tells, in two directions.
+
+    By the principal axes: the second spread is lost in the rounding of the first.
+    """
+    away = points - points.mean(axis=0)
+    _, second, first = np.linalg.eigvalsh(away.T @ away)
+    return bool(second <= 1e-15 * first)
+
+
+def _edges(mesh: Mesh) -> Coloured:
+    """The edges of a mesh, if they are not denser than pixels."""
+    few = len(mesh.offsets) - 1 <= FACES_WITH_EDGES
+    edges = _feature_edges(mesh) if few else np.empty((0, 2, 3))
+    return edges, flat(EDGE_RGB, len(edges))
+
+
+def _scene_of_phenomenon(
+    phenomenon: Phenomenon, mesh_path: str, progress: Progress | None
+) -> Scene:
+    """A phenomenon with its own subject, or with a mesh in its place."""
+    faces, lines = phenomenon.geometry()
+    scene = replace(
+        _built_in(phenomenon.name, faces, lines, phenomenon.start), phenomenon=phenomenon
+    )
+    if not mesh_path:
+        return scene
+    mesh, lower, upper = _read_mesh(Path(mesh_path), progress)
+    room, sides = np.subtract(scene.upper, scene.lower), np.subtract(upper, lower)
+    held, place = np.array(_centre(lower, upper)), np.array(scene.centre)
+    if phenomenon.own_mesh_crosses:
+        held[::2], place[::2] = upper[::2], scene.upper[::2]
+        place[0] += room[0] / 6.0
+        room[2] = _DEEPEST * room.max()
+    else:  # it stands where the subject stood
+        held[1], place[1] = lower[1], scene.lower[1]
+    extended = (sides > 0.0) & (room > 0.0)
+    fallback = scene.size / math.dist(lower, upper)
+    scale = float((room[extended] / sides[extended]).min()) if extended.any() else fallback
+    mesh.points -= held
+    mesh.points *= scale
+    mesh.points += place
+    report(progress, 0.6)
+    rgb = _face_colours(mesh, progress)
+    grid = (lines[1] == GRID_RGB).all(axis=1) | (lines[1] == GRID_AXIS_RGB).all(axis=1)
+    scene = replace(
+        scene,
+        surface=_poly_data(mesh.points, _cell_array(mesh.offsets, mesh.corners), rgb),
+        lines=_line_set(joined((lines[0][grid], lines[1][grid]), _edges(mesh))),
+        lower=_vector(mesh.points.min(axis=0)),
+        upper=_vector(mesh.points.max(axis=0)),
+        own_mesh=True,
+    )
+    _ = scene.subject  # of a large mesh, which the first drawing would wait for
+    report(progress, 1.0)
+    return scene
+
+
+def _own_mesh(surface: pv.PolyData, origin: Vector, pixels: bool) -> OwnMesh:
+    """The longest edges of a surface, the triangles with the longest; for pixels all of them."""
+    points = np.asarray(surface.points)
+    offsets, corners = cells_of(surface.GetPolys())
+    following = corners[_following(offsets)]
+    # Most edges are there from either side, and with the copies of their ends that files make.
+    places, merged = merge_points(points)
+    starts, ends = merged[corners], merged[following]
+    apart = starts != ends
+    keys = np.minimum(starts, ends)[apart] * len(places) + np.maximum(starts, ends)[apart]
+    starts, ends = np.divmod(_distinct(keys), len(places))
+    if not len(starts):  # all of them are points
+        starts, ends = merged[corners[:1]], merged[corners[:1]]
+    chosen = _largest(_lengths(places, starts, ends), SUBJECT_EDGES)
+    edges = places[np.stack([starts[chosen], ends[chosen]], axis=1)].astype(np.float64)
+
+    if surface.is_all_triangles:
+        triangles = corners.reshape(-1, 3)
+    else:
+        triangles = np.asarray(surface.triangulate().regular_faces, dtype=np.int64)
+    spans = _lengths(points, triangles, np.roll(triangles, -1, axis=1))
+    longest = points[triangles[_largest(spans.max(axis=1), SUBJECT_TRIANGLES)]].astype(np.float64)
+    if not len(longest):  # all of them are lines
+        longest = edges[:1, [0, 0, 1]]
+    whole = np.empty((0, 3, 3))
+    if pixels:
+        whole = _coarser(points, triangles, SUBJECT_SURFACE) + origin
+    return OwnMesh(
+        edges + origin, len(starts), longest + origin, len(longest) < len(triangles), whole
+    )
+
+
+def _coarser(points: NDArray[np.floating], triangles: Ints, most: int) -> Floats:
+    """Triangles (k, 3, 3), at most so many: vertices in the same cell of a grid become one."""
+    found: Floats = points[triangles].astype(np.float64)
+    low, size = points.min(axis=0), float(np.ptp(points, axis=0).max())
+    cells = 48
+    while len(found) > most:
+        cell = np.floor((points - low) * (cells / size)).astype(np.int64)
+        keys = (cell[:, 0] * (cells + 1) + cell[:, 1]) * (cells + 1) + cell[:, 2]
+        _, where, count = np.unique(keys, return_inverse=True, return_counts=True)
+        middles = [np.bincount(where, points[:, axis]) / count for axis in range(3)]
+        corners = np.sort(where[triangles], axis=1)
+        corners = corners[(corners[:, 0] < corners[:, 1]) & (corners[:, 1] < corners[:, 2])]
+        a, b, c = corners.T
+        rest, c = np.divmod(_distinct((a * len(count) + b) * len(count) + c), len(count))
+        corners = np.stack([*np.divmod(rest, len(count)), c], axis=1)
+        found = np.stack(middles, axis=1)[corners]
+        cells = cells * 3 // 4
+    return found
+
+
+def _distinct(keys: Ints) -> Ints:
+    """Each of the numbers once, sorted: numpy's own takes 4 s for 3 million, and this 0.02."""
+    keys = np.sort(keys)
+    return keys[np.append(True, keys[1:] != keys[:-1])] if len(keys) else keys
+
+
+def _lengths(points: NDArray[np.floating], starts: Ints, ends: Ints) -> NDArray[np.floating]:
+    squares = np.zeros(starts.shape, points.dtype)
+    for axis in range(3):  # of millions, which takes half of the time of row by row
+        column = points[:, axis].copy()
+        along = column.take(ends) - column.take(starts)
+        squares += along * along
+    return np.sqrt(squares)
+
+
+def _largest(values: NDArray[np.floating], count: int) -> Ints:
+    """Which values are the largest, at most `count`, the largest first."""
+    which: NDArray[np.intp] = np.arange(len(values))
+    if count < len(values):
+        which = np.argpartition(-values, count)[:count]
+    found: Ints = which[np.argsort(-values[which], kind="stable")]
+    return found
+
+
+def _scene_of_mesh(name: str, path: Path, progress: Progress | None) -> Scene:
+    mesh, lower, upper = _read_mesh(path, progress)
+    size = math.dist(lower, upper)
+    # A round number near the middle, and 0 for a mesh that is at the origin anyway.
+    origin = _rounded(_centre(lower, upper), -math.floor(math.log10(size)))
+    mesh.points -= np.array(origin)
+    report(progress, 0.6)
+    rgb = _face_colours(mesh, progress)
+
+    lines = joined(_ground(lower, upper, origin), _edges(mesh))
+    scene = Scene(
+        name=name,
+        origin=origin,
+        surface=_poly_data(mesh.points, _cell_array(mesh.offsets, mesh.corners), rgb),
+        lines=_line_set(lines),
+        lower=lower,
+        upper=upper,
+        start=frame_camera(lower, upper),
+    )
+    report(progress, 1.0)
+    return scene
+
+
+def _exists(path: Path) -> bool:
+    try:
+        return path.exists()
+    except (OSError, ValueError):  # no permission to look, or a name that no file can have
+        return False
+
+
+def _faces_by_size(mesh: Mesh) -> Iterator[tuple[slice | Ints, Ints]]:
+    """Which faces, and their corners (m, k), for every k that occurs, in blocks to work on."""
+    block = 100_000
+    counts = np.diff(mesh.offsets)
+    for size in np.unique(counts).tolist():
+        if (counts == size).all():
+            corners = mesh.corners.reshape(-1, size)
+            for first in range(0, len(corners), block):
+                yield slice(first, first + block), corners[first : first + block]
+        else:
+            faces = np.flatnonzero(counts == size)
+            for first in range(0, len(faces), block):
+                some = faces[first : first + block]
+                yield some, mesh.corners[mesh.offsets[some][:, None] + np.arange(size)]
+
+
+def _face_colours(mesh: Mesh, progress: Progress | None) -> Colours:
+    faces = len(mesh.offsets) - 1
+    if mesh.rgb is not None and mesh.painted and (mesh.rgb != mesh.rgb[0]).any():
+        return mesh.rgb
+    paint = np.asarray(PAINT_RGB if mesh.rgb is None else mesh.rgb, dtype=np.float32)
+    light = np.empty((faces, 1), dtype=np.float32)
+    done = 0
+    for which, corners in _faces_by_size(mesh):
+        normals = _normals(mesh.points, corners)
+        light[which, 0] = brightness(normals)
+        done += len(corners)
+        report(progress, 0.6 + 0.3 * done / faces)
+    return (paint * light).astype(np.uint8)
+
+
+def _normals(points: Floats, corners: Ints) -> Floats:
+    """Unit normals (m, 3) of polygons (m, k), 0 where the area is 0.
+
+    The area vectors of the triangles of a fan add up to that of the polygon, also of a concave
+    one.
+    """
+    first = points[corners[:, 0]]
+    area = np.zeros((3, len(corners)))
+    before = (points[corners[:, 1]] - first).T
+    for k in range(2, corners.shape[1]):
+        after = (points[corners[:, k]] - first).T
+        area[0] += before[1] * after[2] - before[2] * after[1]
+        area[1] += before[2] * after[0] - before[0] * after[2]
+        area[2] += before[0] * after[1] - before[1] * after[0]
+        before = after
+    length = np.sqrt((area**2).sum(axis=0))
+    length[length == 0.0] = 1.0
+    normals: Floats = (area / length).T
+    return normals
+
+
+def _feature_edges(mesh: Mesh) -> Floats:
+    """Sharp and free edges (m, 2, 3) of a small mesh, and those of more than two faces.
+
+    Files repeat a vertex for every face, or where its texture or normal changes; only when the
+    copies are one point again do two faces know that they are neighbours. VTK's filter takes the
+    square of the faces at one edge, and a few kilobytes of glTF bring thousands.
+    """
+    points, merged = merge_points(mesh.points)
+    starts = merged[mesh.corners]
+    ends = merged[mesh.corners[_following(mesh.offsets)]]
+    faces = len(mesh.offsets) - 1
+    normals = np.empty((faces, 3))
+    for which, corners in _faces_by_size(mesh):
+        normals[which] = _normals(mesh.points, corners)
+    apart = starts != ends
+    face = np.repeat(np.arange(faces), np.diff(mesh.offsets))[apart]
+    keys = (np.minimum(starts, ends) * len(points) + np.maximum(starts, ends))[apart]
+    order = np.argsort(keys, kind="stable")
+    found, first, count = np.unique(keys[order], return_index=True, return_counts=True)
+    two = count == 2
+    one_side, other_side = (normals[face[order[first[two] + i]]] for i in (0, 1))
+    drawn = ~two
+    drawn[two] = (one_side * other_side).sum(axis=1) <= _SHARP
+    edges: Floats = points[np.stack(np.divmod(found[drawn], len(points)), axis=1)]
+    return edges
+
+
+def _following(offsets: Ints) -> Ints:
+    """For every place among the corners of faces, that of the next corner of the same face."""
+    following = np.arange(1, offsets[-1] + 1)
+    following[offsets[1:] - 1] = offsets[:-1]
+    return following
+
+
+def _ground(lower: Vector, upper: Vector, origin: Vector) -> Coloured:
+    """A grid under the mesh, at its lowest y, wider than the mesh, with 1-2-5 spacing."""
+    size = math.dist(lower, upper)
+    decade = 10.0 ** math.floor(math.log10(size / 8.0))
+    spacing = max(step * decade for step in (1.0, 2.0, 5.0) if step * decade <= size / 8.0)
+    rim = 0.5 * size
+    return ground_grid(
+        (lower[0] - rim, lower[2] - rim),
+        (upper[0] + rim, upper[2] + rim),
+        (spacing, spacing),
+        lower[1],
+        origin,
+    )

@@ -1,0 +1,956 @@
+"""The set-up, with real virtual environments and a real pip, but a package of a few bytes.
+
+Each test has a checkout of its own in a temporary folder: the real ``app/bootstrap.py`` and
+``app/__main__.py``, and a ``pyproject.toml`` that asks for "frustum-probe" instead of VTK and Qt.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import gc
+import io
+import itertools
+import json
+import os
+import re
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import threading
+import tomllib
+import zipfile
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from importlib.util import module_from_spec, spec_from_file_location
+from pathlib import Path
+from types import SimpleNamespace
+from typing import cast
+
+import pytest
+from packaging.markers import Marker
+from packaging.requirements import Requirement as Standard
+
+from app import __version__, bootstrap
+from app.__main__ import need_of
+from app.commands.options import SUMMARIES
+
+PYTHON = getattr(sys, "_base_executable", sys.executable)  # outside every virtual environment
+COMMAND_LINE = """
+import json, sys
+import frustum_probe
+
+def main(arguments):
+    print(json.dumps([sys.prefix, frustum_probe.VERSION, arguments]))
+    return 0
+"""
+PROJECT = """
+[project]
+dependencies = ["frustum-probe{bounds}"]
+[project.optional-dependencies]
+test = ["frustum-extra>=1,<2"]
+"""
+
+
+def wheel(folder: Path, name: str, version: str) -> None:
+    """Write a wheel of a package that knows its version and nothing else."""
+    info = f"{name}-{version}.dist-info"
+    files = {
+        f"{name}/__init__.py": f"VERSION = {version!r}\n",
+        f"{info}/METADATA": f"Metadata-Version: 2.1\nName: {name}\nVersion: {version}\n",
+        f"{info}/WHEEL": "Wheel-Version: 1.0\nRoot-Is-Purelib: true\nTag: py3-none-any\n",
+    }
+    record = "".join(f"{path},,\n" for path in [*files, f"{info}/RECORD"])
+    folder.mkdir(exist_ok=True)
+    with zipfile.ZipFile(folder / f"{name}-{version}-py3-none-any.whl", "w") as archive:
+        for path, text in {**files, f"{info}/RECORD": record}.items():
+            archive.writestr(path, text)
+
+
+@dataclass(frozen=True)
+class Checkout:
+    """A checkout, and the machine it is on: the package files it can reach."""
+
+    root: Path
+    wheels: Path
+
+    def ask_for(self, bounds: str, exactly: str) -> None:
+        (self.root / "pyproject.toml").write_text(PROJECT.format(bounds=bounds))
+        (self.root / "constraints.txt").write_text(f"frustum-probe=={exactly}\n")
+
+    @property
+    def package(self) -> Path:
+        (found,) = (self.root / ".venv").rglob("frustum_probe/__init__.py")
+        return found.parent
+
+    @property
+    def stamp(self) -> Path:
+        return self.root / ".venv" / "frustum-lab.stamp"
+
+    def start(self, *arguments: str, **environment: str) -> subprocess.Popen[str]:
+        """Start Python in the checkout, on a machine without a network and with an empty home."""
+        home, scratch = self.root.parent / "home", self.root.parent / "scratch"
+        home.mkdir(exist_ok=True)
+        scratch.mkdir(exist_ok=True)  # where a pip that is killed leaves its things
+        kept = {key: value for key, value in os.environ.items() if not key.startswith("PIP_")}
+        kept |= {"HOME": str(home), "TMPDIR": str(scratch)}
+        kept |= {"PIP_CONFIG_FILE": os.devnull, "PIP_NO_CACHE_DIR": "1"}
+        if "PIP_INDEX_URL" not in environment:
+            kept |= {"PIP_NO_INDEX": "1", "PIP_FIND_LINKS": str(self.wheels)}
+        return subprocess.Popen(
+            [PYTHON, *arguments],
+            cwd=self.root,
+            env=kept | environment,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
+
+    def run(self, *arguments: str, **environment: str) -> tuple[int, str, str]:
+        with self.start(*arguments, **environment) as process:
+            output, said = process.communicate()
+        return process.returncode, output, said
+
+    def assert_runs(self, version: str = "1.0") -> str:
+        """Run ``python3 -m app``, check that it ran inside .venv, return what was said."""
+        status, output, said = self.run("-m", "app", "project")
+        assert (status, said[-500:] if status else "") == (0, "")
+        assert json.loads(output) == [str(self.root / ".venv"), version, ["project"]]
+        return said
+
+
+@pytest.fixture
+def fresh(tmp_path: Path) -> Checkout:
+    """A checkout that was never started."""
+    checkout = Checkout(tmp_path / "lab with a space", tmp_path / "wheels")
+    (checkout.root / "app").mkdir(parents=True)
+    for name in ("__init__.py", "__main__.py", "bootstrap.py", "options.py", "doctor.py"):
+        shutil.copy(bootstrap.ROOT / "app" / name, checkout.root / "app")
+    (checkout.root / "app" / "cli.py").write_text(COMMAND_LINE)
+    checkout.ask_for(">=1,<2", exactly="1.0")
+    wheel(checkout.wheels, "frustum_probe", "1.0")
+    wheel(checkout.wheels, "frustum_extra", "1.0")
+    return checkout
+
+
+@pytest.fixture(scope="module")
+def first_starts(tmp_path_factory: pytest.TempPathFactory) -> tuple[Checkout, list[str]]:
+    """A checkout whose first start was two at the same moment, and what each of them said."""
+    checkout = fresh.__wrapped__(tmp_path_factory.mktemp("made"))
+    command = ("-m", "app", "project")
+    with checkout.start(*command) as one, checkout.start(*command) as two:
+        ends = [process.communicate() for process in (one, two)]
+    assert [process.returncode for process in (one, two)] == [0, 0], ends
+    return checkout, [said for _, said in ends]
+
+
+def copy(source: str, target: str) -> None:
+    """Copy a file, or share it where it is one of pip's thousand, which nobody writes to again."""
+    (os.link if "site-packages" in source else shutil.copy2)(source, target)
+
+
+@pytest.fixture
+def made(first_starts: tuple[Checkout, list[str]], tmp_path: Path) -> Checkout:
+    """A checkout of the test's own that was started before."""
+    original = first_starts[0].root
+    shutil.copytree(original.parent, tmp_path, True, copy_function=copy, dirs_exist_ok=True)
+    return Checkout(tmp_path / original.name, tmp_path / "wheels")
+
+
+def one_sentence(said: str) -> str:
+    """The last line that was said, after checking that no traceback was among them."""
+    assert "Traceback" not in said
+    return said.splitlines()[-1]
+
+
+# --- the virtual environment ----------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("command", ["", *SUMMARIES])
+def test_help_comes_before_any_set_up(command: str, fresh: Checkout) -> None:
+    status, output, said = fresh.run("-m", "app", *command.split(), "--help")
+    assert (status, said) == (0, "")
+    assert output.startswith(f"usage: python3 -m app {command}".rstrip())
+    assert not (fresh.root / ".venv").exists()
+
+
+def test_the_version_and_a_mistyped_option_come_before_any_set_up(fresh: Checkout) -> None:
+    assert fresh.run("-m", "app", "--version") == (0, f"Frustum Lab {__version__}\n", "")
+    status, output, said = fresh.run("-m", "app", "projct", "--help")
+    assert (status, output) == (2, "")
+    assert "nearest command is project" in one_sentence(said)
+    assert not (fresh.root / ".venv").exists()
+
+
+def test_the_doctor_comes_before_any_set_up(fresh: Checkout) -> None:
+    status, output, said = fresh.run("-m", "app", "doctor")
+    assert (status, said) == (3, "")
+    assert re.search(r"^Environment +not set up yet$", output, re.MULTILINE)
+    assert re.search(r"Environment: the first start sets it up.*: python\S* -m app$", output, re.M)
+    assert re.search(r"^System libraries +(all here|missing: )", output, re.MULTILINE)
+    assert not (fresh.root / ".venv").exists()
+
+
+def test_the_doctor_goes_into_the_environment_that_there_is(made: Checkout) -> None:
+    """And breaks off in this one, which has no Qt."""
+    _, output, _ = made.run("-m", "app", "doctor")
+    assert f"({made.root}/.venv/bin/python)" in output
+    assert "frustum-probe       1.0 (needed: >=1,<2)" in output
+    assert "not set up" not in output
+
+
+def test_two_first_starts_at_once_make_one_environment(
+    first_starts: tuple[Checkout, list[str]],
+) -> None:
+    checkout, said = first_starts
+    assert sorted("set up in" in text for text in said) == [False, True]
+    assert sorted("another start is setting up" in text for text in said) == [False, True]
+    assert checkout.assert_runs() == ""
+
+
+def test_a_first_start_says_what_it_does(first_starts: tuple[Checkout, list[str]]) -> None:
+    (said,) = (text for text in first_starts[1] if "set up in" in text)
+    assert "first start: setting up" in said
+    assert "frustum_probe 1.0" in said
+    assert all(line.startswith("frustum-lab: ") for line in said.splitlines())
+
+
+def test_a_second_start_installs_nothing_and_needs_no_network(made: Checkout) -> None:
+    shutil.rmtree(made.wheels)
+    assert made.assert_runs() == ""
+
+
+def test_a_start_inside_the_environment_stays_there(made: Checkout) -> None:
+    command = [made.root / ".venv" / "bin" / "python", "-m", "app", "project"]
+    done = subprocess.run(command, cwd=made.root, capture_output=True, text=True, check=True)
+    assert json.loads(done.stdout)[0] == str(made.root / ".venv")
+    assert done.stderr == ""
+
+
+def test_a_start_needs_no_standard_output(made: Checkout) -> None:
+    """As under pythonw, and as a service starts programs."""
+    closed = 'exec "$@" >&- 2>&-', "sh", PYTHON
+    probe = "import pathlib, sys; import app.__main__ as a; a.main(); pathlib.Path('ran').touch()"
+    done = subprocess.run(["/bin/sh", "-c", *closed, "-c", probe], cwd=made.root, check=False)
+    assert done.returncode == 0
+    assert (made.root / "ran").exists()
+
+
+def test_options_of_the_interpreter_survive_the_change_of_interpreter(made: Checkout) -> None:
+    probe = (
+        "import app.bootstrap as b, sys; b.start('numbers'); print(sys.flags.utf8_mode, sys.argv)"
+    )
+    status, output, _ = made.run("-X", "utf8", "-c", probe, "--set", "a b")
+    assert (status, output) == (0, "1 ['-c', '--set', 'a b']\n")
+
+
+def test_a_set_up_killed_while_it_asks_the_server_has_touched_nothing(made: Checkout) -> None:
+    made.ask_for(">=2,<3", exactly="2.1")
+    with socket.create_server(("127.0.0.1", 0)) as silent:
+        address = f"http://127.0.0.1:{silent.getsockname()[1]}/"
+        with made.start("-m", "app", "project", PIP_INDEX_URL=address) as process:
+            connection, _ = silent.accept()  # pip is at work, and waits for an answer
+            process.send_signal(signal.SIGKILL)
+        connection.close()
+    made.ask_for(">=1,<2", exactly="1.0")
+    assert made.assert_runs() == ""
+
+
+def test_an_environment_is_not_trusted_from_its_first_change_on(
+    made: Checkout, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Neither is what pip was killed at; but the program's part is none of the test extras'."""
+    seen = []
+
+    def pip(_: object, _command: object, follow: Callable[[str], object]) -> int:
+        follow("Collecting frustum-extra")
+        seen.append(made.stamp.read_text())
+        follow("Installing collected packages: frustum-extra")
+        seen.append(made.stamp.read_text())
+        return 1
+
+    monkeypatch.setattr(bootstrap.Held, "run", pip)
+    program = made.stamp.read_text()
+    for extras in ((), ("test",)):
+        made.stamp.write_text(program)
+        environment = bootstrap.Environment(made.root, extras)
+        with pytest.raises(bootstrap.SetupError), bootstrap._Progress() as progress:
+            environment._install(bootstrap.Held(io.BytesIO()), progress)
+        assert not environment.can_be_kept()
+    assert seen == [program, "setting up\n", program, f"{program}setting up\n"]
+    assert made.assert_runs() == ""  # and the tests' part is made anew, with its program
+    probe = "from app import bootstrap; bootstrap.start('numbers', ['test']); import frustum_extra"
+    status, _, said = made.run("-c", probe)
+    assert (status, "first start" in said) == (0, True)
+    assert not (made.root / ".venv.old").exists()
+
+
+def test_a_half_made_environment_is_made_anew(made: Checkout) -> None:
+    made.stamp.write_text("setting up\n")
+    (made.root / ".venv" / "half-made").touch()
+    assert "first start: setting up" in made.assert_runs()
+    assert not (made.root / ".venv" / "half-made").exists()
+    assert made.assert_runs() == ""
+
+
+def test_a_set_up_that_is_stopped_says_how_to_go_on(made: Checkout) -> None:
+    made.ask_for(">=2,<3", exactly="2.1")
+    with socket.create_server(("127.0.0.1", 0)) as silent:
+        address = f"http://127.0.0.1:{silent.getsockname()[1]}/"
+        with made.start("-m", "app", "project", PIP_INDEX_URL=address) as process:
+            connection, _ = silent.accept()
+            process.send_signal(signal.SIGINT)
+            connection.close()
+            output, said = process.communicate()
+    assert (process.returncode, output) == (130, "")
+    stopped = r"frustum-lab: the set-up was stopped; to go on: python\S* -m app project"
+    assert re.fullmatch(stopped, one_sentence(said))
+
+
+@pytest.mark.parametrize("room", ["cli.py", "bootstrap.py"])
+def test_a_start_that_is_stopped_before_anything_is_set_up_says_nothing(
+    made: Checkout, room: str
+) -> None:
+    (made.root / "app" / room).write_text("raise KeyboardInterrupt\n")
+    assert made.run("-m", "app", "project") == (130, "", "")
+
+
+def test_a_look_round_that_is_stopped_says_nothing(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def stop(_need: bootstrap.Need) -> list[bootstrap.System]:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(bootstrap, "missing_system", stop)
+    with pytest.raises(SystemExit) as end:
+        bootstrap.start("window")
+    assert (end.value.code, capsys.readouterr().err) == (130, "")
+
+
+def test_an_environment_whose_python_is_gone_is_made_anew(made: Checkout) -> None:
+    python = made.root / ".venv" / "bin" / "python"
+    python.unlink()
+    python.symlink_to("/nonexistent/python3")
+    assert "first start: setting up" in made.assert_runs()
+
+
+def test_an_environment_that_lost_a_package_is_not_trusted(made: Checkout) -> None:
+    shutil.rmtree(made.package)  # its dist-info stays, so pip would call it installed
+    (made.root / ".venv.lock").unlink()
+    (made.root / ".venv.lock").mkdir()  # as far as here and no further: making it anew is slow
+    status, output, _ = made.run("-m", "app", "project")
+    assert (status, output) == (3, "")
+    assert made.stamp.read_text() == "setting up\n"
+
+
+def test_windows_makes_no_environment_anew_that_is_running(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Nobody can remove a program's file there while it runs, and it would wait for its heir."""
+    monkeypatch.setattr(sys, "platform", "win32")
+    monkeypatch.setattr(bootstrap, "_is_met", lambda *_: False)
+    monkeypatch.setattr(bootstrap.Environment, "is_running", lambda _: True)
+    monkeypatch.setattr(bootstrap.Environment, "is_complete", lambda _: False)
+    with pytest.raises(bootstrap.SetupError, match=r"\.venv lacks .*; start again: .*python"):
+        bootstrap._start("numbers", ())
+
+
+def test_an_environment_that_cannot_be_removed_is_in_use(
+    made: Checkout, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse(folder: Path) -> None:
+        raise PermissionError(13, "Access is denied", str(folder / "numpy.pyd"))
+
+    made.stamp.write_text("setting up\n")
+    monkeypatch.setattr(shutil, "rmtree", refuse)
+    with pytest.raises(bootstrap.SetupError, match=r"removed .*close what runs in it and run ag"):
+        bootstrap.Environment(made.root).make()
+
+
+def test_a_package_that_is_in_use_is_not_the_networks_fault(
+    made: Checkout, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    said = "ERROR: Could not install packages due to an OSError: [WinError 5] Access is denied\n"
+    monkeypatch.setattr(bootstrap.Environment, "_pip", lambda *_: (1, [said]))
+    with pytest.raises(bootstrap.SetupError, match=r"close all windows of Frustum Lab and run ag"):
+        bootstrap.Environment(made.root)._install(
+            cast("bootstrap.Held", None), bootstrap._Progress()
+        )
+
+
+def test_ctrl_c_is_left_to_the_program_that_windows_waits_for(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    class Program(contextlib.nullcontext["Program"]):
+        """Asks about unsaved work, and ends in its own time."""
+
+        returncode: int | None = None
+
+        def __init__(self, _command: object) -> None:
+            super().__init__(self)
+            self.waits = 0
+
+        def poll(self) -> int | None:
+            return self.returncode
+
+        def wait(self) -> None:
+            self.waits += 1
+            if self.waits < 3:
+                raise KeyboardInterrupt
+            self.returncode = 7
+
+    monkeypatch.setattr(sys, "platform", "win32")
+    monkeypatch.setattr("subprocess.Popen", Program)
+    with pytest.raises(SystemExit) as end:
+        bootstrap._again(Path("python"))
+    assert end.value.code == 7
+
+
+def test_a_half_made_environment_is_not_trusted_from_inside_either(made: Checkout) -> None:
+    made.stamp.write_text("setting up\n")
+    (made.root / ".venv.lock").unlink()
+    (made.root / ".venv.lock").mkdir()
+    command = [made.root / ".venv" / "bin" / "python", "-m", "app", "project"]
+    done = subprocess.run(command, cwd=made.root, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stdout) == (3, "")
+
+
+def test_an_environment_made_by_hand_is_completed_not_replaced(made: Checkout) -> None:
+    made.stamp.unlink()
+    shutil.rmtree(made.package)
+    for info in (made.root / ".venv").rglob("frustum_probe-*.dist-info"):
+        shutil.rmtree(info)
+    (made.root / ".venv" / "mine").touch()
+    assert "bringing" in made.assert_runs()
+    assert (made.root / ".venv" / "mine").exists()
+    assert made.assert_runs() == ""
+
+
+def test_an_environment_made_by_hand_for_another_python_is_left_alone(made: Checkout) -> None:
+    made.stamp.unlink()
+    python = made.root / ".venv" / "bin" / "python"
+    python.unlink()
+    python.write_text("#!/bin/sh\necho cpython-399\n")
+    python.chmod(0o755)
+    status, _, said = made.run("-m", "app", "project")
+    assert status == 3
+    assert f"rm -r '{made.root}/.venv'" in one_sentence(said)
+    assert python.exists()
+
+
+def test_new_bounds_bring_new_packages(made: Checkout) -> None:
+    wheel(made.wheels, "frustum_probe", "2.1")
+    made.ask_for(">=2,<3", exactly="2.1")
+    assert "bringing" in made.assert_runs("2.1")
+    assert made.assert_runs("2.1") == ""
+
+
+def test_new_comments_and_tool_settings_bring_nothing(made: Checkout) -> None:
+    project = made.root / "pyproject.toml"
+    project.write_text(f"# A comment.\n{project.read_text()}\n[tool.ruff]\nline-length = 99\n")
+    shutil.rmtree(made.wheels)
+    assert made.assert_runs() == ""
+
+
+def test_test_extras_are_added_and_the_program_still_starts_at_once(made: Checkout) -> None:
+    probe = "from app import bootstrap; bootstrap.start('numbers', ['test']); import frustum_extra"
+    status, _, said = made.run("-c", probe)
+    assert (status, "frustum_extra 1.0" in said) == (0, True)
+    shutil.rmtree(made.wheels)
+    assert made.run("-c", probe) == (0, "", "")
+    assert made.assert_runs() == ""
+
+
+def test_tested_versions_that_do_not_exist_here_give_way_to_the_bounds(made: Checkout) -> None:
+    made.ask_for(">=1,<2", exactly="1.7")
+    assert "trying others" in made.assert_runs("1.0")
+    assert made.assert_runs("1.0") == ""
+
+
+# --- what cannot be helped ------------------------------------------------------------------------
+
+
+@pytest.fixture
+def offline() -> dict[str, str]:
+    """What makes pip ask where nobody answers."""
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        closed = f"http://127.0.0.1:{server.getsockname()[1]}/"
+    return {"PIP_INDEX_URL": closed, "PIP_RETRIES": "1"}
+
+
+def test_without_a_network_a_first_start_is_one_sentence(
+    fresh: Checkout, offline: dict[str, str]
+) -> None:
+    status, output, said = fresh.run("-m", "app", "project", **offline)
+    assert (status, output) == (3, "")
+    assert re.search(
+        "no package server could be reached.*run again: python.* -m app project$",
+        one_sentence(said),
+    )
+    assert "trying others" not in said  # which would only take as long again
+
+
+def test_without_a_network_what_worked_goes_on_under_new_bounds(
+    made: Checkout, offline: dict[str, str]
+) -> None:
+    stamp = made.stamp.read_text()
+    made.ask_for(">=2,<3", exactly="2.1")
+    status, output, said = made.run("-m", "app", "project", **offline)
+    assert (status, json.loads(output)[1]) == (0, "1.0")
+    *_, why, what = said.splitlines()
+    assert "no package server could be reached" in why
+    assert what == (
+        "frustum-lab: going on with what is installed, which is not frustum-probe>=2,<3"
+    )
+    assert made.stamp.read_text() == stamp
+    # A program that it starts says nothing of it again, and asks no server.
+    inside = made.root / ".venv" / "bin" / "python"
+    status, output, said = made.run(
+        "-c",
+        "import subprocess, sys; from app import bootstrap; bootstrap.start('numbers');"
+        f"subprocess.run([{str(inside)!r}, '-m', 'app', 'project'])",
+        **offline,
+    )
+    assert (status, json.loads(output)[1], said.count("going on")) == (0, "1.0", 1)
+    wheel(made.wheels, "frustum_probe", "2.1")
+    assert "bringing" in made.assert_runs("2.1")
+
+
+def test_without_a_network_tested_versions_that_changed_are_no_reason_to_stop(
+    made: Checkout, offline: dict[str, str]
+) -> None:
+    made.ask_for(">=1,<2", exactly="1.7")
+    status, output, said = made.run("-m", "app", "project", **offline)
+    assert (status, json.loads(output)[1]) == (0, "1.0")
+    assert one_sentence(said) == "frustum-lab: going on with what is installed"
+
+
+def test_without_a_network_the_tests_are_refused_and_the_program_still_starts(
+    made: Checkout, offline: dict[str, str]
+) -> None:
+    probe = "from app import bootstrap; bootstrap.start('numbers', ['test'])"
+    status, output, said = made.run("-c", probe, **offline)
+    assert (status, output) == (3, "")
+    assert "no package server could be reached" in one_sentence(said)
+    shutil.rmtree(made.wheels)
+    assert made.assert_runs() == ""
+
+
+def test_what_another_python_had_comes_back_where_nothing_takes_its_place(
+    made: Checkout, offline: dict[str, str]
+) -> None:
+    made.stamp.write_text(others := "cpython-399 linux - of that time\n")
+    status, _, said = made.run("-m", "app", "project", **offline)
+    assert status == 3
+    assert "no package server could be reached" in one_sentence(said)
+    assert made.stamp.read_text() == others and made.package.exists()
+    assert "first start" in made.assert_runs()
+    assert not (made.root / ".venv.old").exists()
+
+
+def test_what_a_killed_set_up_left_aside_comes_back(made: Checkout) -> None:
+    folder = made.root / ".venv"
+    folder.rename(made.root / ".venv.old")
+    folder.mkdir()
+    made.stamp.write_text("setting up\n")
+    shutil.rmtree(made.wheels)
+    assert made.assert_runs() == ""
+    assert not (made.root / ".venv.old").exists()
+
+
+def test_a_package_that_does_not_exist_is_named(fresh: Checkout) -> None:
+    fresh.ask_for(">=2,<3", exactly="2.1")
+    status, output, said = fresh.run("-m", "app", "project")
+    assert (status, output) == (3, "")
+    assert "frustum-probe" in one_sentence(said)
+
+
+@pytest.mark.parametrize("full", ["environment", "temporary"])
+@pytest.mark.parametrize("step", ["venv", "pip", "writing"])
+def test_a_full_disk_is_called_that_with_its_folder(
+    full: str, step: str, fresh: Checkout, monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:  # fmt: skip
+    """What pip and venv say of it was copied from a disk of 20 MB."""
+    temporary = fresh.root.parent / "temporary"
+    temporary.mkdir()
+    monkeypatch.setattr(tempfile, "tempdir", str(temporary))
+    monkeypatch.setattr(bootstrap, "ROOT", fresh.root)
+    monkeypatch.setattr(bootstrap, "missing_system", lambda _: [])
+    monkeypatch.setattr(bootstrap, "venv_module", list)
+
+    def run(_: object, command: Sequence[str], follow: Callable[[str], object]) -> int:
+        if ("pip" in command) != (step == "pip"):
+            return 0
+        if step == "writing":
+            raise OSError(28, "No space left on device")
+        follow("ERROR: Could not install packages due to an OSError: [Errno 28] No space left on")
+        return 1
+
+    def usage(folder: Path) -> object:
+        is_full = (Path(folder) == temporary) == (full == "temporary")
+        return SimpleNamespace(free=0 if is_full else 2**40)
+
+    monkeypatch.setattr(bootstrap.Held, "run", run)
+    monkeypatch.setattr(shutil, "disk_usage", usage)
+    with pytest.raises(SystemExit) as end:
+        bootstrap.start("numbers")
+    said = one_sentence(capsys.readouterr().err)
+    assert end.value.code == 3
+    place = str(temporary if full == "temporary" else fresh.root)
+    assert f"no space is left in {place}" in said
+    assert ("TMPDIR" in said) == (full == "temporary")
+
+
+class Terminal(io.StringIO):
+    def isatty(self) -> bool:
+        return True
+
+
+@pytest.mark.parametrize("live", [True, False])
+def test_what_takes_long_is_seen_to_go_on(live: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    out = Terminal() if live else io.StringIO()
+    monkeypatch.setattr(sys, "stderr", out)
+    monkeypatch.setattr(bootstrap._Progress, "EVERY_S", 0.01)
+    monkeypatch.setattr(bootstrap._Progress, "EVERY_S_ELSEWHERE", 0.01)
+    counted = itertools.count()
+    with bootstrap._Progress() as progress:
+        progress.say("  installing 37 packages", lambda: f"{next(counted)} done")
+        while next(counted) < 5:
+            threading.Event().wait(0.01)
+        progress.say("over")
+    written = out.getvalue()
+    between = "\r" if live else "\n"
+    assert (
+        len(re.findall(rf"{between}frustum-lab:   installing 37 packages, \d+ done", written)) > 1
+    )
+    assert written.splitlines()[-1].strip() == "frustum-lab: over"
+
+
+def test_packages_are_counted_while_they_are_installed(made: Checkout) -> None:
+    environment = bootstrap.Environment(made.root)
+    count = environment._installed()
+    (info,) = (made.root / ".venv").rglob("frustum_probe-*.dist-info")
+    shutil.rmtree(info)
+    assert environment._installed() == count - 1
+
+
+def test_a_folder_that_cannot_be_written_to_is_one_sentence(fresh: Checkout) -> None:
+    (fresh.root / ".venv.lock").mkdir()  # stands in for a read-only folder, which root can write to
+    status, output, said = fresh.run("-m", "app", "project")
+    assert (status, output) == (3, "")
+    assert "a folder that you may write to" in one_sentence(said)
+
+
+def test_a_python_that_is_too_old_is_told_so(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    spec = spec_from_file_location("old", bootstrap.ROOT / "app" / "__init__.py")
+    assert spec is not None and spec.loader is not None
+    monkeypatch.setattr(sys, "version_info", (3, 9, 2))
+    with pytest.raises(SystemExit) as end:
+        spec.loader.exec_module(module_from_spec(spec))
+    assert end.value.code == 3
+    assert "this is Python 3.9" in capsys.readouterr().err
+
+
+def test_installed_by_pip_there_is_nothing_to_do(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setattr(bootstrap, "ROOT", tmp_path)
+    bootstrap.start("numbers")
+    assert list(tmp_path.iterdir()) == []
+
+
+# --- the operating system's part ------------------------------------------------------------------
+
+
+@pytest.fixture
+def programs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A PATH with nothing on it but what the test puts there, on Linux."""
+    folder = tmp_path / "bin"
+    folder.mkdir()
+    monkeypatch.setenv("PATH", str(folder))
+    monkeypatch.setattr(sys, "platform", "linux")
+    return folder
+
+
+def program(folder: Path, name: str, script: str = "") -> None:
+    (folder / name).write_text(f"#!/bin/sh\n{script}\n")
+    (folder / name).chmod(0o755)
+
+
+LIBRARY = bootstrap.System("libfrustum-probe.so.7", "libfrustum-probe7")
+TOOL = bootstrap.System("frustum-tool", "frustum-tools frustum-tools-data")
+
+
+@pytest.fixture
+def lacking(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A machine that lacks a library and a program."""
+    monkeypatch.setattr(bootstrap, "SYSTEM", (LIBRARY, TOOL))
+
+
+@pytest.mark.parametrize("root", ["sudo sh -c", "su - -c"])
+@pytest.mark.usefixtures("lacking")
+def test_an_ordinary_user_is_told_the_one_command(
+    root: str,
+    programs: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    program(programs, "apt-get", "exit 99")
+    program(programs, root.partition(" ")[0])
+    monkeypatch.setattr(os, "geteuid", lambda: 1000)
+    with pytest.raises(SystemExit) as end:
+        bootstrap.start("window", ["test"])
+    assert end.value.code == 3
+    assert capsys.readouterr().err == (
+        f"frustum-lab: this system lacks libfrustum-probe.so.7, frustum-tool; run: {root} 'apt-get "
+        "update; apt-get install -y --no-install-recommends libfrustum-probe7 frustum-tools "
+        "frustum-tools-data'\n"
+    )
+
+
+def test_one_command_brings_what_app_export_and_tests_lack(
+    programs: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    program(programs, "apt-get")
+    monkeypatch.setenv("DISPLAY", ":0")
+    monkeypatch.setattr(bootstrap.System, "is_here", lambda _: False)
+    monkeypatch.setattr(bootstrap._Fonts, "is_here", lambda _: False)
+    words = bootstrap.advice(bootstrap.missing_system("picture")).replace("'", "").split()
+    named = {name for item in bootstrap.SYSTEM for name in item.packages.split()}
+    assert {"xauth", "xvfb", "libgssapi-krb5-2", "fonts-dejavu-core"} < named <= set(words)
+
+
+def test_a_system_without_a_font_is_told_so(
+    tmp_path: Path, programs: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """In a process of its own, whose fontconfig has read nothing yet."""
+    program(programs, "apt-get")
+    empty = tmp_path / "fonts.conf"
+    empty.write_text(f"<fontconfig><cachedir>{tmp_path}</cachedir></fontconfig>")
+    probe = "from app import bootstrap as b; print(b.advice(b.missing_system('window')))"
+    done = subprocess.run(
+        [sys.executable, "-c", probe],
+        cwd=bootstrap.ROOT,
+        env={**os.environ, "FONTCONFIG_FILE": str(empty)},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert done.stdout.startswith("this system lacks a font; run: ")
+    assert "fonts-dejavu-core" in done.stdout
+
+
+@pytest.mark.usefixtures("lacking")
+def test_without_apt_the_missing_libraries_are_named(
+    programs: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(os, "geteuid", lambda: 0)
+    with pytest.raises(SystemExit) as end:
+        bootstrap.start("window", ["test"])
+    assert end.value.code == 3
+    assert "lacks libfrustum-probe.so.7, frustum-tool; install" in capsys.readouterr().err
+
+
+def test_root_installs_what_is_missing_and_says_so(
+    programs: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    log, tool = programs.parent / "log", programs / "frustum-tool"
+    program(
+        programs,
+        "apt-get",
+        f'echo "$*" >> {log}\n[ "$1" = install ] || exit 1\n'
+        f"echo '#!/bin/sh' > {tool}; /bin/chmod 755 {tool}",
+    )
+    monkeypatch.setattr(bootstrap, "SYSTEM", (TOOL,))
+    monkeypatch.setattr(os, "geteuid", lambda: 0)
+    bootstrap.start("window", ["test"])
+    assert log.read_text().splitlines() == [
+        "update",  # which failed, and was no reason to stop
+        "install -y --no-install-recommends frustum-tools frustum-tools-data",
+    ]
+    said = capsys.readouterr().err.splitlines()
+    assert said[0].endswith("this system lacks frustum-tools frustum-tools-data")
+    assert said[-1].endswith("installing system packages")
+
+
+@pytest.mark.parametrize("script", ["echo 'E: No space left' >&2; exit 100", ""])
+@pytest.mark.usefixtures("lacking")
+def test_an_installation_that_fails_or_brings_nothing_is_one_sentence(
+    script: str,
+    programs: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    program(programs, "apt-get", script)
+    monkeypatch.setattr(os, "geteuid", lambda: 0)
+    with pytest.raises(SystemExit) as end:
+        bootstrap.start("window", ["test"])
+    assert end.value.code == 3
+    said = one_sentence(capsys.readouterr().err)
+    assert ("No space left" in said) == bool(script)
+    assert "apt-get install -y --no-install-recommends libfrustum-probe7" in said
+
+
+def test_each_need_asks_for_no_more_than_it_uses(programs: Path) -> None:
+    def absent(_: bootstrap.System) -> bool:
+        return False
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(bootstrap.System, "is_here", absent)
+        patch.setattr(bootstrap._Fonts, "is_here", absent)
+        patch.delenv("DISPLAY", raising=False)
+        numbers, picture, window, tests = (
+            {item.name for item in bootstrap.missing_system(need)}
+            for need in ("numbers", "picture", "window", "tests")
+        )
+        patch.setenv("DISPLAY", ":0")
+        assert "Xvfb" not in {item.name for item in bootstrap.missing_system("tests")}
+        patch.setattr(sys, "platform", "darwin")
+        assert bootstrap.missing_system("tests") == []
+    assert numbers == set()
+    assert picture < window < tests
+    assert {"libGL.so.1", "libEGL.so.1"} <= picture
+    assert tests - window == {"Xvfb", "libgssapi_krb5.so.2"}
+
+
+def test_a_library_is_here_when_the_loader_finds_it() -> None:
+    assert replace(LIBRARY, name="libc.so.6").is_here()
+    assert not LIBRARY.is_here()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "need"),
+    [
+        ("", "window"),
+        ("letter.json", "window"),
+        ("--reset", "window"),
+        ("project points.csv", "numbers"),
+        ("matrices", "numbers"),
+        ("export out.png letter.json", "picture"),
+    ],
+)
+def test_a_command_needs_no_more_than_it_uses(arguments: str, need: str) -> None:
+    assert need_of(arguments.split()) == need
+
+
+@pytest.mark.parametrize(
+    ("platform", "command"),
+    [
+        ("linux", r"'C:\My Lab\python.exe' -m pip install 'vtk>=9.7,<9.8' --set a=b"),
+        ("win32", r""""C:\My Lab\python.exe" -m pip install "vtk>=9.7,<9.8" --set a=b"""),
+    ],
+)
+def test_a_command_is_quoted_as_the_shell_there_takes_it(
+    platform: str, command: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sys, "platform", platform)
+    words = [r"C:\My Lab\python.exe", "-m", "pip", "install", "vtk>=9.7,<9.8", "--set", "a=b"]
+    assert bootstrap.command_line(words) == command
+
+
+def test_what_is_imported_for_good_is_not_searched_for_garbage() -> None:
+    class Imported:
+        """Made while others are imported."""
+
+    with pytest.raises(ImportError), bootstrap.for_good():
+        assert not gc.isenabled()
+        imported = Imported()
+        raise ImportError
+    assert gc.isenabled()
+    assert not any(found is imported for found in gc.get_objects())  # but for those frozen
+
+
+# --- requirements ---------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("extras", [(), ("test",)])
+def test_requirements_are_read_as_the_standard_reads_them(extras: tuple[str, ...]) -> None:
+    versions = [
+        "9",
+        "0.16.9",
+        "0.17",
+        "0.17.5",
+        "0.18",
+        "2.4.6",
+        "2.5.0",
+        "6.8",
+        "6.11.3",
+        "6.12.0",
+    ]
+    versions += ["6.13", "7.2.2", "9.2.0", "9.7.2", "9.8.0", "9.7.2.post1", "10.0", "2.4.10"]
+    for requirement in bootstrap.requirements(bootstrap.ROOT, extras):
+        standard = Standard(requirement.text)
+        assert requirement.name == standard.name
+        assert standard.marker is None or standard.marker.evaluate()
+        for version in versions:
+            assert requirement.admits(version) == standard.specifier.contains(version)
+
+
+@pytest.mark.parametrize("python", ["3.11", "3.12", "3.14"])
+def test_every_requirement_for_a_python_is_read_and_no_other(
+    python: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    project = tomllib.loads((bootstrap.ROOT / "pyproject.toml").read_text())["project"]
+    wanted = [
+        text
+        for text in project["dependencies"]
+        if ";" not in text or Marker(text.partition(";")[2]).evaluate({"python_version": python})
+    ]
+    monkeypatch.setattr(sys, "version_info", tuple(map(int, python.split("."))))
+    assert [found.text for found in bootstrap.requirements(bootstrap.ROOT)] == wanted
+
+
+def test_every_dependency_has_a_lower_and_an_upper_bound() -> None:
+    for requirement in bootstrap.requirements(bootstrap.ROOT, ["test"]):
+        assert [operator for operator, _ in requirement.bounds] == [">=", "<"]
+
+
+def test_the_tested_versions_are_within_the_bounds() -> None:
+    lines = (bootstrap.ROOT / "constraints.txt").read_text().splitlines()
+    pins = [Standard(line) for line in lines if not line.startswith("#")]
+    tested = {
+        pin.name.lower().replace("_", "-"): str(pin.specifier).removeprefix("==")
+        for pin in pins
+        if pin.marker is None or pin.marker.evaluate()
+    }
+    for requirement in bootstrap.requirements(bootstrap.ROOT, ["test"]):
+        assert requirement.admits(tested[requirement.name.lower()])
+
+
+def test_a_version_outside_the_bounds_does_not_pass_for_installed() -> None:
+    (fits,) = (r for r in bootstrap.requirements(bootstrap.ROOT) if r.name == "numpy")
+    too_new = replace(fits, bounds=((">=", (99,)),))
+    assert bootstrap.unmet([fits, too_new]) == [too_new]
+
+
+# --- the virtual screen ---------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("end", ["pass", "raise SystemExit(0)"])
+def test_the_tests_bring_a_screen_and_take_it_away(end: str, tmp_path: Path) -> None:
+    """In a process of its own, as a child process with a preparation is started."""
+    probe = (
+        "from tests.__main__ import screens\n"
+        "with screens(2) as environment:\n"
+        "    print(environment['QT_QPA_PLATFORM'], environment['TEST_DISPLAYS'], flush=True)\n"
+        "    assert environment['TEST_DISPLAYS'].startswith(environment['DISPLAY'])\n"
+        f"    {end}\n"
+    )
+    environment = {key: value for key, value in os.environ.items() if key != "DISPLAY"}
+    done = subprocess.run(
+        [sys.executable, "-c", probe],
+        cwd=bootstrap.ROOT,
+        env=environment,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    platform, *displays = done.stdout.split()
+    assert platform == "xcb" and len(set(displays)) == 2
+    for display in displays:
+        number = display.removeprefix(":")
+        assert int(number) >= 0
+        assert not Path(f"/tmp/.X11-unix/X{number}").exists()

@@ -1,0 +1,1601 @@
+"""The command line as a user types it: `python3 -m app ...` in a process of its own."""
+
+from __future__ import annotations
+
+import contextlib
+import csv
+import io
+import json
+import os
+import re
+import struct
+import subprocess
+import sys
+import zlib
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from app.commands import cli, options
+from app.document.document import Document, embed, read, set_values, to_json, write
+from app.model.projection import (
+    LARGEST,
+    SMALLEST_WINDOW,
+    Camera,
+    DepthRange,
+    Frustum,
+    Lens,
+    Oblique,
+    Orthographic,
+    Perspective,
+    Projection,
+    Stage,
+)
+from app.precision.levels import RUNGS, Rung, predict, trace
+from app.scenes.phenomena import PHENOMENA
+from app.scenes.scene import load
+from tests import PATIENCE_S
+from tests.oracles import exact
+
+ROOT = Path(__file__).parent.parent
+
+# Numbers that a hand can follow: cot(90/2) = 1, the aspect is 2, near 1 and far 9.
+BY_HAND = Document(
+    "letter-f",
+    Projection(
+        Camera((0.0, 0.0, 5.0), (0.0, 0.0, 0.0), (0.0, 1.0, 0.0)),
+        Perspective(90.0, 1.0, 9.0),
+        (200, 100),
+    ),
+)
+
+
+def run(
+    *arguments: str | Path, text: str | bytes = b"", **environment: str | None
+) -> subprocess.CompletedProcess[str]:
+    """Run the program; an environment variable that is None is not set."""
+    variables = {**os.environ, **environment}
+    done = subprocess.run(
+        [sys.executable, "-m", "app", *map(str, arguments)],
+        cwd=ROOT,
+        env={name: value for name, value in variables.items() if value is not None},
+        input=text.encode() if isinstance(text, str) else text,
+        capture_output=True,
+        check=False,
+        timeout=PATIENCE_S,
+    )
+    return subprocess.CompletedProcess(
+        done.args, done.returncode, done.stdout.decode(), done.stderr.decode()
+    )
+
+
+def run_here(*arguments: str | Path, text: str | bytes = b"") -> subprocess.CompletedProcess[str]:
+    """The same in this process, but for windows: a new one takes half a second to come to it."""
+    typed, out, said = (io.TextIOWrapper(io.BytesIO(), encoding="utf-8") for _ in range(3))
+    typed.buffer.write(text.encode() if isinstance(text, str) else text)
+    typed.seek(0)
+    with (
+        pytest.MonkeyPatch.context() as patch,
+        contextlib.redirect_stdout(out),
+        contextlib.redirect_stderr(said),
+    ):
+        patch.chdir(ROOT)
+        patch.setattr(sys, "stdin", typed)
+        status = cli.main([str(argument) for argument in arguments])
+    for stream in (out, said):
+        stream.seek(0)
+    return subprocess.CompletedProcess(arguments, status, out.read(), said.read())
+
+
+def one_sentence(done: subprocess.CompletedProcess[str], status: int) -> str:
+    """What was refused, and nothing else, in one sentence that says why."""
+    assert done.returncode == status, done
+    assert done.stdout == ""
+    assert done.stderr.endswith((".\n", "?\n")) and done.stderr.count("\n") == 1, done.stderr
+    return done.stderr
+
+
+def refused_by_a_process(*arguments: str | Path, status: int = 2) -> str:
+    """Run what must be refused, and return the one sentence that says why."""
+    return one_sentence(run(*arguments), status)
+
+
+def refused(*arguments: str | Path, text: str | bytes = b"", status: int = 2) -> str:
+    """The same in this process."""
+    return one_sentence(run_here(*arguments, text=text), status)
+
+
+def test_what_is_refused_ends_a_process_with_its_sentence_and_status() -> None:
+    for arguments in (("matrices", "--set", "lens.near=abc"), ("export", "no-picture.txt")):
+        assert refused_by_a_process(*arguments) == refused(*arguments)
+
+
+@pytest.fixture(scope="session")
+def comma_locale(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
+    """The environment of a locale that writes 0,5, built here: a bare machine has none."""
+    folder = tmp_path_factory.mktemp("locale")
+    (folder / "comma").write_text(
+        'LC_NUMERIC\ndecimal_point ","\nthousands_sep "."\ngrouping 3;3\nEND LC_NUMERIC\n'
+    )
+    codes = "\n".join(f"<U{code:04X}> /x{code:02x}" for code in range(128))
+    (folder / "ascii").write_text(
+        "<code_set_name> ANSI_X3.4-1968\n<comment_char> %\n<escape_char> /\n"
+        f"CHARMAP\n{codes}\nEND CHARMAP\n"
+    )
+    # It complains of all that a locale has besides, and status 1 says that it did.
+    command = ["localedef", "-c", "-i", "comma", "-f", "ascii", "./xx_XX"]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    assert (folder / "xx_XX" / "LC_NUMERIC").exists(), done.stderr
+    return {"LOCPATH": str(folder), "LC_ALL": "xx_XX", "PYTHONUTF8": "1"}
+
+
+@pytest.fixture
+def by_hand(tmp_path: Path) -> Path:
+    path = tmp_path / "by hand.json"
+    write(BY_HAND, path)
+    return path
+
+
+# --------------------------------------------------------------------------- project
+
+
+def project(*arguments: str | Path, points: str) -> list[dict[str, Any]]:
+    done = run_here("project", *arguments, "-", "--format", "json", text=points)
+    assert (done.returncode, done.stderr) == (0, "")
+    found: list[dict[str, Any]] = json.loads(done.stdout)["points"]
+    return found
+
+
+def test_point_in_view_has_the_numbers_worked_out_by_hand(by_hand: Path) -> None:
+    # The view is the world moved by -5 along z: (2, 1, 1) -> (2, 1, -4), and w = 4.
+    # x_clip = cot/aspect x = 2/2 = 1, y_clip = 1.
+    # z_clip = -(9+1)/(9-1) z - 2*9*1/(9-1) = -1.25*(-4) - 2.25 = 2.75.
+    # NDC = (1/4, 1/4, 2.75/4); depth = (0.6875 + 1)/2 = 0.84375.
+    # Image x = (0.25 + 1)*200/2 = 125, y = (1 - 0.25)*100/2 = 37.5.
+    (point,) = project(by_hand, points="2,1,1\n")
+    assert point["world"] == [2, 1, 1]
+    assert point["view"] == pytest.approx([2, 1, -4], rel=1e-15)
+    assert point["clip"] == pytest.approx([1, 1, 2.75, 4], rel=1e-15)
+    assert point["ndc"] == pytest.approx([0.25, 0.25, 0.6875], rel=1e-15)
+    assert point["image"] == pytest.approx([125, 37.5], rel=1e-15)
+    assert point["depth"] == pytest.approx(0.84375, rel=1e-15)
+    assert (point["inside"], point["outside_of"]) == (True, [])
+
+
+@pytest.mark.parametrize("z", [5, 6], ids=["in the eye plane", "behind the eye"])
+def test_point_that_has_no_picture_gets_null_and_no_mirrored_number(by_hand: Path, z: int) -> None:
+    (point,) = project(by_hand, points=f"2,1,{z}\n")
+    assert point["clip"][3] == 5 - z  # w is the distance before the eye plane
+    assert (point["ndc"], point["image"], point["depth"]) == (None, None, None)
+    assert (point["inside"], point["outside_of"][0]) == (False, "near")
+
+
+@pytest.mark.parametrize(
+    ("point", "planes"),
+    [
+        # At distance 4 the picture is 16 wide and 8 high: x in -8..8, y in -4..4.
+        ("-8.1,0,1", ["left"]),
+        ("8.1,0,1", ["right"]),
+        ("0,-4.1,1", ["bottom"]),
+        ("0,4.1,1", ["top"]),
+        ("0,0,4.5", ["near"]),  # at distance 0.5, nearer than 1
+        ("0,0,-4.5", ["far"]),  # at distance 9.5, farther than 9
+        ("8.1,-4.1,1", ["right", "bottom"]),
+        ("7.9,3.9,1", []),
+    ],
+)
+def test_a_point_is_outside_of_the_planes_it_lies_beyond(
+    by_hand: Path, point: str, planes: list[str]
+) -> None:
+    (found,) = project(by_hand, points=point)
+    assert found["outside_of"] == planes
+    assert found["inside"] is (planes == [])
+
+
+def test_a_parallel_lens_shows_what_is_behind_the_eye_as_outside_of_near(by_hand: Path) -> None:
+    # Parallel rays have no eye to be behind of: w = 1. The window is 4 wide, 2 high:
+    # (1, 0.5, 6) lies at (1/2, 0.5/1) in NDC, depth (-1 - 1)/(9 - 1) = -0.25.
+    sets = [f"lens.{name}" for name in ("left=-2", "right=2", "bottom=-1", "top=1")]
+    arguments = [f"--set={value}" for value in ["lens.kind=orthographic", *sets]]
+    (point,) = project(by_hand, *arguments, points="1,0.5,6\n")
+    assert point["clip"][3] == 1
+    assert point["ndc"][:2] == [0.5, 0.5]
+    assert point["depth"] == -0.25
+    assert point["outside_of"] == ["near"]
+
+
+def test_json_is_exactly_the_trace_of_the_model(by_hand: Path) -> None:
+    rng = np.random.default_rng(7)
+    points = rng.normal(scale=6.0, size=(200, 3))
+    projection = Projection(
+        Camera((3.1, 2.7, 9.3), (0.1, 0.2, 0.3), (0.1, 1.0, 0.0)),
+        Perspective(37.0, 0.01, np.inf),
+        (1366, 768),
+        "reversed",
+    )
+    write(Document("letter-f", projection), by_hand)
+    text = "".join(f"{x!r},{y!r},{z!r}\n" for x, y, z in points.tolist())
+    done = run_here("project", by_hand, "-", "--format=json", text=text)
+    answer = json.loads(done.stdout)
+    traced = projection.trace(points)
+    assert list(answer) == ["points", "matrices", "rung", "predicted_error_px", "predictions"]
+    assert list(answer["matrices"]) == ["view_from_world", "clip_from_view", "clip_from_world"]
+    for name, matrix in answer["matrices"].items():
+        assert np.array_equal(matrix, stage_of(projection, name).matrix)
+    keys = ["world", "view", "clip", "ndc", "image", "depth", "inside", "outside_of"]
+    for i, point in enumerate(answer["points"]):
+        assert list(point) == keys
+        for name in ("world", "view", "clip"):
+            assert point[name] == getattr(traced, name)[i].tolist()
+        for name in ("ndc", "image", "depth"):
+            value = getattr(traced, name)[i].tolist() if traced.in_front[i] else None
+            assert point[name] == value
+        assert point["inside"] == (traced.in_front[i] and not traced.outside[i].any())
+    assert {point["inside"] for point in answer["points"]} == {True, False}
+    assert any(point["ndc"] is None for point in answer["points"])
+    predictions = predict(projection, points)
+    assert predictions is not None and answer["rung"] == "float64"
+    assert answer["predictions"] == {rung: p._asdict() for rung, p in predictions.items()}
+    assert answer["predicted_error_px"] == predictions["float64"].px
+
+
+# Near is so close to far that float64 loses the depth of what is off the axis: 5.6e-11 of 1.
+NEAR_NEXT_TO_FAR = ("--set=lens.near=1", "--set=lens.far=1.0000000000001")
+OFF_AXIS = "0.3,0.2,3.9999999999995\n"
+
+
+def stage_of(projection: Projection, name: str) -> Stage:
+    (stage,) = (s for s in (*projection.stages, *projection.direct_stages) if s.name == name)
+    return stage
+
+
+@pytest.mark.parametrize("rung", RUNGS)
+def test_a_forced_rung_computes_the_numbers(by_hand: Path, rung: Rung) -> None:
+    done = run_here(
+        "project", by_hand, "-", "--format=json", f"--rung={rung}", text="0.1,0.7,-1e-3\n"
+    )
+    answer = json.loads(done.stdout)
+    points = np.array([[0.1, 0.7, -1e-3]])
+    predictions = predict(BY_HAND.projection, points)
+    assert predictions is not None
+    assert (answer["rung"], answer["predicted_error_px"]) == (rung, predictions[rung].px)
+    (point,), traced = answer["points"], trace(BY_HAND.projection, points, rung)
+    for name in ("view", "clip", "ndc", "image"):
+        assert point[name] == getattr(traced, name)[0].tolist()
+    assert point["depth"] == traced.depth[0]
+    true = exact.Exact(BY_HAND.projection)(points[0])
+    error = max(abs(float(a - b)) for a, b in zip(point["image"], true.image, strict=True))
+    low, high = {"float32": (1e-7, 1e-4), "float64": (0.0, 1e-13), "exact": (0.0, 1e-14)}[rung]
+    assert low <= error <= predictions[rung].px <= high
+    table = run_here("project", by_hand, "-", f"--rung={rung}", text="0.1,0.7,-1e-3\n").stdout
+    assert f"\ncomputed in {rung}; errors are below: float32 " in table
+
+
+def test_a_rung_that_is_none_is_refused(by_hand: Path) -> None:
+    assert refused("project", by_hand, "-", "--rung", "float16", text="0,0,0") == (
+        "--rung = 'float16': must be one of float32, float64, exact.\n"
+    )
+
+
+def test_numbers_are_exact_where_float64_would_lose_too_many_digits(by_hand: Path) -> None:
+    command = ("project", by_hand, "-", "--format=json", *NEAR_NEXT_TO_FAR)
+    slanted = "--set=camera.target=0.1,-0.2,0.3"
+    # Where the camera looks along an axis nothing is lost. No bound knows that.
+    assert json.loads(run_here(*command, text=OFF_AXIS).stdout)["rung"] == "exact"
+    projection = set_values(
+        BY_HAND, [word.removeprefix("--set=") for word in (*NEAR_NEXT_TO_FAR, slanted)]
+    ).projection
+    camera = projection.camera
+    inside = camera.eye + np.array([0.3, 0.2, -1.00000000000005]) @ camera.frame
+    text = ",".join(map(repr, inside.tolist()))
+    answer = json.loads(run_here(*command, slanted, text=text).stdout)
+    assert answer["rung"] == "exact"
+    true = float(exact.Exact(projection)(inside).depth)
+    assert answer["points"][0]["depth"] == pytest.approx(true, rel=2.0**-52)
+    worse = json.loads(run_here(*command, slanted, "--rung=float64", text=text).stdout)
+    assert worse["predictions"] == answer["predictions"]
+    assert worse["predictions"]["float64"]["depth"] > 1e-12
+    assert abs(worse["points"][0]["depth"] - true) > 1e-12
+
+
+def test_points_without_a_picture_have_no_error_and_an_infinite_one_is_written_in_words(
+    by_hand: Path,
+) -> None:
+    done = run_here("project", by_hand, "-", "--format=json", text="2,1,6\n2,1,5\n")
+    answer = json.loads(done.stdout)
+    expected = {"rung": "float64", "predicted_error_px": None, "predictions": {}}
+    assert {name: answer[name] for name in expected} == expected
+    assert "computed" not in run_here("project", by_hand, "-", text="2,1,6\n").stdout
+    # float32 ends at 3e38.
+    answer = json.loads(
+        run_here("project", by_hand, "-", "--format=json", text="0,1e39,-1e40").stdout
+    )
+    assert answer["predictions"]["float32"] == {"px": "inf", "depth": "inf"}
+    assert (answer["rung"], answer["points"][0]["view"]) == ("float64", [0.0, 1e39, -1e40])
+
+
+@pytest.mark.parametrize("form", ["table", "csv", "json"])
+def test_a_point_beyond_the_numbers_of_a_forced_rung_is_refused(by_hand: Path, form: str) -> None:
+    arguments = ("project", by_hand, "-", "--rung=float32", f"--format={form}")
+    assert refused(*arguments, text="x,y,z\n0,0,0\n0,1e39,-1e40\n") == (
+        "--rung = 'float32': point 2 leads to numbers that it cannot hold.\n"
+    )
+
+
+def test_csv_has_the_same_numbers_as_json_and_empty_cells_for_null(by_hand: Path) -> None:
+    points = "0.1,0.2,0.3\n0,0,6\n-90,0,1e-5\n"
+    done = run_here("project", by_hand, "-", "--format", "csv", text=points)
+    rows = list(csv.DictReader(io.StringIO(done.stdout)))
+    for row, point in zip(rows, project(by_hand, points=points), strict=True):
+        for stage, axes in (("world", "xyz"), ("view", "xyz"), ("clip", "xyzw"), ("ndc", "xyz")):
+            cells = [row[f"{stage}_{axis}"] for axis in axes]
+            expected = point[stage]
+            assert cells == (list(map(repr, expected)) if expected else [""] * len(axes))
+        cells = [row["image_x_px"], row["image_y_px"]]
+        assert cells == (list(map(repr, point["image"])) if point["image"] else ["", ""])
+        assert row["depth"] == ("" if point["depth"] is None else repr(point["depth"]))
+        assert row["inside"] == str(point["inside"]).lower()
+        assert row["outside_of"] == " ".join(point["outside_of"])
+
+
+def test_table_has_a_block_for_each_point_with_the_numbers_aligned(by_hand: Path) -> None:
+    # One unit behind the eye: w = -1 and z_clip = -1.25*1 - 2.25.
+    done = run_here("project", by_hand, "-", text="0,0,6\n0,0,0\n")
+    errors = r"float32 (\S+) px, float64 (\S+) px, exact (\S+) px"
+    last = re.fullmatch(
+        f"computed in float64; errors are below: {errors}", done.stdout.split("\n")[-2]
+    )
+    assert last is not None
+    # Of the middle of the picture, (100, 50), half an ulp is 7.1e-15.
+    single, double, exactly = map(float, last.groups())
+    assert 7.1e-15 <= exactly < 7.2e-15 < double < 1e-12 < 1e-6 < single < 1e-3
+    assert done.stdout.splitlines()[2:11] == [
+        "point 1     x  y   z     w",
+        "     world  0  0   6",
+        "      view  0  0   1",
+        "      clip  0  0  -3.5  -1",
+        "       NDC  none: the point is not in front of the eye",
+        "  image px  none: the point is not in front of the eye",
+        "     depth  none: the point is not in front of the eye",
+        "outside of  near, left, right, bottom, top",
+        "",
+    ]
+    # Parallel rays, the window 4 wide and 2 high, at distance 4: z = 2*(4-1)/(9-1) - 1 = -0.25.
+    sets = ["kind=orthographic", "left=-2", "right=2", "bottom=-1", "top=1"]
+    arguments = [f"--set=lens.{value}" for value in sets]
+    assert run_here("project", by_hand, "-", *arguments, text="1,0.5,1\n").stdout.splitlines()[
+        2:-2
+    ] == [
+        "point 1       x       y     z     w",
+        "     world    1       0.5   1",
+        "      view    1       0.5  -4",
+        "      clip    0.5     0.5  -0.25  1",
+        "       NDC    0.5     0.5  -0.25",
+        "  image px  150      25",
+        "     depth    0.375",
+        "    inside  the view volume",
+    ]
+
+
+def test_points_come_from_a_file_too_and_the_letter_f_is_the_default(tmp_path: Path) -> None:
+    points = tmp_path / "points.csv"
+    points.write_text("x,y,z\n0,2.2,0\n", encoding="utf-8")
+    done = run_here("project", points, "--format", "json")
+    (point,) = json.loads(done.stdout)["points"]
+    # What the camera looks at is in the middle of the picture.
+    assert point["image"] == pytest.approx([640, 360], abs=1e-9)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        b"\xef\xbb\xbfx,y,z\r\n1,2,3\r\n",
+        b"X, Y, Z\n\n1,2,3\n\n",
+        b' 1 , 2 ,"3"\n',
+        b"+1,2e0,.3e1",
+        b"1,2,3\r",
+    ],
+    ids=["bom and crlf", "capital header, empty lines", "spaces, quotes", "signs", "cr"],
+)
+def test_csv_of_every_kitchen_is_read(text: bytes) -> None:
+    done = run_here("project", "-", "--format", "json", text=text)
+    assert [point["world"] for point in json.loads(done.stdout)["points"]] == [[1, 2, 3]]
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        (b"", ["no points"]),
+        (b"\n\n", ["no points"]),
+        (b"x,y,z\n", ["no points"]),
+        (b"1,2,3\n1,2\n", ["line 2", "2 columns", "three"]),
+        (b"1,2,3,4\n", ["line 1", "4 columns", "three"]),
+        (b"1;2;3\n", ["line 1", "has 1 column, must", "with commas between them"]),
+        (b"0,5;1;2\n", ["line 1", "has 2 columns, must", "and decimal points"]),
+        (b"1,2,3\n\n1,b,3\n", ["line 3", "y = 'b'", "finite number"]),
+        (b"1,2,3\nx,y,z\n", ["line 2", "x = 'x'", "finite number"]),
+        (b"a,b,c\n1,2,3\n", ["line 1", "x = 'a'", "finite number"]),
+        (b"z,y,x\n1,2,3\n", ["line 1", "x = 'z'", "finite number"]),
+        (b"1,2,nan\n", ["line 1", "z = 'nan'", "finite number"]),
+        (b"-inf,2,3\n", ["line 1", "x = '-inf'", "finite number"]),
+        (b"1e400,2,3\n", ["line 1", "x = '1e400'", "finite number"]),
+        (b"1e200,2,3\n", ["line 1", "x = 1e200", f"{LARGEST}"]),
+        (b"1_000,2,3\n", ["line 1", "x = '1_000'", "finite number"]),
+        (b"1,,3\n", ["line 1", "y = ''", "finite number"]),
+        (b"1,2,3\n\xff\xfe\n", ["UTF-8"]),
+        ("1,2,3\n".encode("utf-16"), ["UTF-8"]),
+        (b"1,2," + b"3" * 200_000, ["line 1", "CSV"]),
+        (b"1,2,3\0\n", ["line 1", "z = '3\\x00'"]),
+    ],
+)
+def test_bad_points_are_refused_with_their_line(text: bytes, words: list[str]) -> None:
+    said = refused("project", "-", text=text)
+    for word in ["Standard input", *words]:
+        assert word in said
+
+
+def test_points_file_that_is_not_there_is_refused(tmp_path: Path) -> None:
+    said = refused("project", tmp_path / "none.csv")
+    assert "none.csv cannot be read: No such file" in said
+
+
+def test_points_that_are_a_folder_are_refused(tmp_path: Path) -> None:
+    assert "cannot be read: Is a directory" in refused("project", tmp_path)
+
+
+@pytest.mark.parametrize(
+    "command", ["", "matrices", "project", "export", "export a.png", "measure"]
+)
+def test_an_empty_name_is_refused(command: str) -> None:
+    assert "was given an empty name." in refused(*command.split(), "")
+
+
+def in_a_deleted_folder(folder: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
+    """Run the program where a folder was when it started."""
+    folder.mkdir()
+    return subprocess.run(
+        ["/bin/sh", "-c", f'rmdir "$PWD"; {sys.executable} -m app "$@"', "sh", *arguments],
+        cwd=folder, env={**os.environ, "PYTHONPATH": str(ROOT)},
+        capture_output=True, text=True, check=False,
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("command", "name"),
+    [
+        ("export x.png", "x.png"),
+        ("matrices --set scene=a.obj", "a.obj"),
+        ("matrices b.obj", "b.obj"),
+        ("measure --json j.json", "j.json"),
+        ("--screenshot s.png", "s.png"),
+    ],
+)
+def test_a_name_in_a_deleted_folder_is_refused(tmp_path: Path, command: str, name: str) -> None:
+    done = in_a_deleted_folder(tmp_path / "gone", *command.split())
+    said = f"{name!r} is in the current folder, which was deleted.\n"
+    assert (done.returncode, done.stderr) == (2, said)
+
+
+def test_a_deleted_folder_does_not_matter_to_what_needs_none(tmp_path: Path) -> None:
+    assert in_a_deleted_folder(tmp_path / "gone", "matrices").stdout == run_here("matrices").stdout
+
+
+def test_behind_two_dashes_are_names_only(tmp_path: Path, by_hand: Path) -> None:
+    (tmp_path / "-x.json").write_bytes(by_hand.read_bytes())
+    done = subprocess.run(
+        [sys.executable, "-m", "app", "matrices", "--format=json", "--", "-x.json"],
+        cwd=tmp_path, env={**os.environ, "PYTHONPATH": str(ROOT)},
+        capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert (done.returncode, json.loads(done.stdout)) == (0, matrices(by_hand))
+    assert "2 names were given" in refused("matrices", by_hand, "--", "--format")
+    assert "-- does not exist" in refused("matrices", "--", "--")
+
+
+def test_project_without_points_is_refused() -> None:
+    assert "project takes [FILE] POINTS, and 0 names were given" in refused("project")
+
+
+@pytest.mark.parametrize(
+    ("words", "typed", "point"),
+    [
+        (["1,2,3"], "1,2,3", "1,2,3"),
+        (["1", "2.5", "-3e1"], "1 2.5 -3e1", "1,2.5,-3e1"),
+        (["-1,2,3"], "-1,2,3", "-1,2,3"),
+        (["(1, 2, 3)", "--set", "camera.eye=1,2,3"], "(1, 2, 3)", "1,2,3"),
+        (["1,2"], "1,2", "1,2,3"),
+        (["1" * 60 + ",2,3,4"], "1" * 60 + ",2,3,4", "1,2,3"),
+    ],
+)
+def test_project_of_typed_coordinates_says_how_to_give_them(
+    words: list[str], typed: str, point: str
+) -> None:
+    assert refused("project", *words) == (
+        f"POINTS = '{typed}': must be a CSV file, or - for standard input; for a point:"
+        f" echo {point} | python3 -m app project -.\n"
+    )
+    assert run_here("project", "-", text=f"{point}\n").returncode == 0
+
+
+def test_project_reads_a_file_whose_name_is_a_number(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "1,2,3"
+    path.write_text("1,2,3\n")
+    assert run_here("project", path).returncode == 0
+    monkeypatch.chdir(tmp_path)
+    cli._check_typed_points(["1,2,3", "-", "--set", "lens.far=inf"])
+
+
+def test_project_with_a_document_only_says_that_points_are_missing(by_hand: Path) -> None:
+    assert "POINTS is missing" in refused("project", by_hand)
+
+
+def test_project_with_three_names_is_refused(by_hand: Path) -> None:
+    assert "and 3 names were given" in refused("project", by_hand, by_hand, "-")
+
+
+def test_options_may_stand_between_the_names(by_hand: Path) -> None:
+    done = run_here("project", by_hand, "--format", "json", "-", "--set=lens.far=8", text="2,1,1")
+    assert json.loads(done.stdout)["matrices"]["clip_from_view"][2][2] == -9 / 7
+
+
+def test_a_document_in_a_picture_is_read(tmp_path: Path, by_hand: Path) -> None:
+    picture = tmp_path / "picture.png"
+    picture.write_bytes(embed(one_pixel_png(), to_json(BY_HAND)))
+    assert run_here("matrices", picture).stdout == run_here("matrices", by_hand).stdout
+
+
+def one_pixel_png() -> bytes:
+    def chunk(kind: bytes, body: bytes) -> bytes:
+        return (
+            struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+        )
+
+    header = struct.pack(">IIBBBBB", 1, 1, 8, 2, 0, 0, 0)
+    pixels = zlib.compress(b"\0\1\2\3")
+    chunks = chunk(b"IHDR", header) + chunk(b"IDAT", pixels) + chunk(b"IEND", b"")
+    return b"\x89PNG\r\n\x1a\n" + chunks
+
+
+def buffered() -> dict[str, str]:
+    """The environment in which Python keeps output back, and writes the rest when it ends."""
+    return {name: text for name, text in os.environ.items() if name != "PYTHONUNBUFFERED"}
+
+
+def test_a_reader_who_leaves_early_is_no_error() -> None:
+    with subprocess.Popen(
+        [sys.executable, "-m", "app", "project", "-", "--format", "csv"],
+        cwd=ROOT,
+        env=buffered(),
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+    ) as process:
+        assert process.stdin and process.stdout and process.stderr
+        process.stdout.close()  # nobody reads, from the first byte on
+        process.stdin.write(b"1,2,3\n" * 20_000)
+        process.stdin.close()
+        assert process.stderr.read() == b""
+        assert process.wait() == 0
+
+
+def test_a_full_disk_behind_standard_output_is_a_sentence() -> None:
+    with open("/dev/full", "wb") as full:
+        done = subprocess.run(
+            [sys.executable, "-m", "app", "matrices"],
+            cwd=ROOT,
+            env=buffered(), stdout=full, stderr=subprocess.PIPE, text=True, check=False,
+        )  # fmt: skip
+    assert done.returncode == 2
+    assert done.stderr == "Standard output cannot be written: No space left on device.\n"
+
+
+@pytest.mark.parametrize("command", ["--help", "--version", "export --help"])
+def test_help_for_a_full_disk_is_a_sentence_too(command: str) -> None:
+    with open("/dev/full", "wb") as full:
+        done = subprocess.run(
+            [sys.executable, "-m", "app", *command.split()],
+            cwd=ROOT, stdout=full, stderr=subprocess.PIPE, text=True, check=False,
+        )  # fmt: skip
+    assert done.returncode == 2
+    assert done.stderr == "Standard output cannot be written: No space left on device.\n"
+
+
+@pytest.mark.parametrize(
+    "command", ["matrices", "project -", "doctor", "measure --json -", "measure", "--help"]
+)
+def test_a_closed_standard_output_is_a_sentence_at_once(command: str) -> None:
+    done = subprocess.run(
+        ["/bin/sh", "-c", 'exec "$@" >&-', "sh", sys.executable, "-m", "app", *command.split()],
+        cwd=ROOT, input="1,2,3\n", stderr=subprocess.PIPE, text=True, check=False,
+        timeout=PATIENCE_S,
+    )  # fmt: skip
+    assert (done.returncode, done.stderr) == (2, "Standard output is closed.\n")
+
+
+# Nothing here has these characters but UTF-8: what a pipe of Windows speaks, and a bare POSIX.
+OTHER_ENCODINGS: list[dict[str, str | None]] = [
+    {"PYTHONIOENCODING": "cp1252"},
+    {"LC_ALL": "C", "PYTHONUTF8": "0", "PYTHONCOERCECLOCALE": "0"},
+]
+WITH_MINUS = (
+    *("matrices", "--set=lens.kind=matrix"),
+    "--set=lens.clip_from_view=1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,-1,2",
+)
+"""Its properties, w vanishes where −z + 2 = 0, are told with a minus sign that is no hyphen."""
+
+
+@pytest.mark.parametrize("form", ["text", "latex"])
+@pytest.mark.parametrize("environment", OTHER_ENCODINGS, ids=["cp1252", "ascii"])
+def test_output_for_files_and_programs_is_utf_8_everywhere(
+    environment: dict[str, str | None], form: str
+) -> None:
+    done = run(*WITH_MINUS, f"--format={form}", **environment)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "\u2212" in done.stdout
+    assert done.stdout == run_here(*WITH_MINUS, f"--format={form}").stdout
+
+
+def test_a_terminal_is_told_the_number_of_a_character_that_it_lacks() -> None:
+    ours, theirs = os.openpty()
+    done = subprocess.run(
+        [sys.executable, "-m", "app", *WITH_MINUS],
+        cwd=ROOT,
+        env={**os.environ, "PYTHONIOENCODING": "latin-1"},
+        stdout=theirs, stderr=subprocess.PIPE, text=True, check=False,
+    )  # fmt: skip
+    os.close(theirs)
+    with open(ours, "rb", buffering=0) as terminal:
+        said = b""
+        with contextlib.suppress(OSError):  # so ends what a terminal has to say
+            while part := terminal.read(4096):
+                said += part
+    assert (done.returncode, done.stderr) == (0, "")
+    assert rb"\u2212" in said
+
+
+# --------------------------------------------------------------------------- matrices
+
+
+def matrices(*arguments: str | Path) -> dict[str, Any]:
+    done = run_here("matrices", *arguments, "--format", "json")
+    assert (done.returncode, done.stderr) == (0, "")
+    found: dict[str, Any] = json.loads(done.stdout)
+    return found
+
+
+PERSPECTIVE_STAGES = [
+    "world_from_object",
+    "view_from_world",
+    "canonical_perspective_from_view",
+    "canonical_parallel_from_canonical_perspective",
+    "depth_range_from_canonical_parallel",
+    "clip_from_depth_range",
+    "clip_from_view",
+    "clip_from_world",
+    "image_from_ndc",
+]
+PARALLEL_STAGES = [
+    *PERSPECTIVE_STAGES[:2],
+    "canonical_parallel_from_view",
+    *PERSPECTIVE_STAGES[3:],
+]
+
+
+def test_matrices_as_json_hold_every_stage_to_the_last_bit(by_hand: Path) -> None:
+    found = matrices(by_hand)
+    assert list(found) == PERSPECTIVE_STAGES
+    for name, matrix in found.items():
+        assert np.array_equal(matrix, stage_of(BY_HAND.projection, name).matrix)
+    # By hand: to the pyramid x and y by cot/(aspect far) and cot/far, z by 1/far; M_pp of lecture
+    # 001 with z_min = -near/far = -1/9; the range 0..-1 to -1..1; and w is the distance again.
+    ninth = 1.0 / 9.0
+    pyramid = np.diag([ninth / 2.0, ninth, ninth, 1.0])
+    assert np.array_equal(found["canonical_perspective_from_view"], pyramid)
+    m_pp = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1.125, 0.125], [0, 0, -1, 0]]
+    assert found["canonical_parallel_from_canonical_perspective"] == m_pp
+    to_opengl = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, -2, -1], [0, 0, 0, 1]]
+    assert found["depth_range_from_canonical_parallel"] == to_opengl
+    assert found["clip_from_depth_range"] == np.diag([9.0] * 4).tolist()
+    lens = [[0.5, 0, 0, 0], [0, 1, 0, 0], [0, 0, -1.25, -2.25], [0, 0, -1, 0]]
+    assert found["clip_from_view"] == lens
+    world = [[0.5, 0, 0, 0], [0, 1, 0, 0], [0, 0, -1.25, 4], [0, 0, -1, 5]]
+    assert found["clip_from_world"] == world
+
+
+SLANTED_AT_1E9 = Camera((1e9 + 6.1, 5.3e8, -9e8), (1e9, 5.3e8 + 2.2, -9e8 + 7.3), (0.3, 1.0, -0.2))
+
+
+@pytest.mark.parametrize("depth", ["opengl", "direct3d", "reversed"])
+@pytest.mark.parametrize(
+    "lens",
+    [
+        Perspective(37.0, 0.01, 1e7),
+        Perspective(120.0, 0.3, np.inf),
+        Frustum(-0.1, 0.7, 0.2, 0.9, 0.7, 31.0, "x"),
+        Orthographic(-4.1, 7.3, -3.3, 3.1, -1.7, 30.1, "y"),
+        Oblique(-4.1, 7.3, -3.3, 3.1, 1.7, 30.1, alpha_deg=63.4, beta_deg=150.0),
+    ],
+    ids=["perspective", "infinite", "frustum", "orthographic", "oblique"],
+)
+def test_matrices_of_a_slanted_camera_at_1e9_are_right_to_the_last_digit(
+    tmp_path: Path, lens: Lens, depth: DepthRange
+) -> None:
+    """Against 80 digits: the last column is a sum of products that cancels 16 of float64's."""
+    projection = Projection(SLANTED_AT_1E9, lens, (1366, 768), depth)
+    path = tmp_path / "far away.json"
+    write(Document("letter-f", projection), path)
+    found = matrices(path)
+    true = exact_matrices(projection)
+    for name in ("view_from_world", "clip_from_view", "clip_from_world"):
+        for value, row in zip(np.ravel(found[name]).tolist(), flat(true[name]), strict=True):
+            within = 0.5001 * np.spacing(abs(value)) if abs(row) > 1e-60 else 0.0
+            assert abs(value - row) <= within, (name, value, row)
+    # The stages multiply to the whole up to the rounding of each.
+    names = PARALLEL_STAGES if lens.parallel else PERSPECTIVE_STAGES
+    assert list(found) == names
+    product, sizes = np.eye(4), np.eye(4)
+    for name in names[2:6]:
+        product, sizes = found[name] @ product, np.abs(found[name]) @ sizes
+    assert (np.abs(product - found["clip_from_view"]) <= 2e-15 * sizes).all()
+
+
+def flat(matrix: list[list[Any]]) -> list[Any]:
+    return [value for row in matrix for value in row]
+
+
+def exact_matrices(projection: Projection) -> dict[str, list[list[Any]]]:
+    """The matrices at 80 digits, found from the pictures of points: they are linear."""
+    mp, answers = exact.mp, exact.Exact(projection)
+    lens, camera = projection.lens, projection.camera
+    zero, one = mp.mpf(0), mp.mpf(1)
+    view = [[*axis, -exact.dot(axis, exact.vector(camera.eye))] for axis in answers.frame]
+    left, right, bottom, top = answers.window()
+    near, z_near, z_far = mp.mpf(lens.near), answers.z_near, answers.z_far
+    # n f/(f - n) and f/(f - n), also with far = inf, whose reciprocal is 0.
+    per_far = zero if lens.far == np.inf else 1 / mp.mpf(lens.far)
+    part, whole = 1 / (1 / near - per_far), 1 / (1 - near * per_far)
+    width, height = right - left, top - bottom
+    across, up = (right + left) / width, (top + bottom) / height
+    if lens.parallel:  # glOrtho after lecture 002's H
+        far = mp.mpf(lens.far)
+        oblique = isinstance(lens, Oblique)
+        cots = [exact.cotangent_deg(a) if oblique and a != 90.0 else zero for a in angles(lens)]
+        scale = (z_near - z_far) / (far - near)
+        clip = [
+            [2 / width, zero, 2 / width * cots[0], 2 / width * cots[0] * near - across],
+            [zero, 2 / height, 2 / height * cots[1], 2 / height * cots[1] * near - up],
+            [zero, zero, scale, z_near + scale * near],
+            [zero, zero, zero, one],
+        ]
+    else:  # glFrustum; z_clip = a z + b has z_near w at near and z_far w at far
+        b = part * (z_near - z_far)
+        a = b / near - z_near
+        assert abs(a + z_near - whole * (z_near - z_far)) < mp.mpf(10) ** -70
+        clip = [
+            [2 * near / width, zero, across, zero],
+            [zero, 2 * near / height, up, zero],
+            [zero, zero, a, b],
+            [zero, zero, -one, zero],
+        ]
+    view = [*view, [zero, zero, zero, one]]
+    columns = list(zip(*view, strict=True))
+    world = [[exact.dot(row, column) for column in columns] for row in clip]
+    return {"view_from_world": view, "clip_from_view": clip, "clip_from_world": world}
+
+
+def angles(lens: Lens) -> tuple[float, float]:
+    return (lens.alpha_deg, lens.beta_deg) if isinstance(lens, Oblique) else (90.0, 90.0)
+
+
+@pytest.mark.parametrize(
+    ("sets", "stage", "note"),
+    [
+        ([], "world_from_object", "the scene's objects are given in world coordinates"),
+        (
+            ["lens.kind=orthographic"],
+            "canonical_parallel_from_canonical_perspective",
+            "a parallel lens has no M_pp: this is the identity",
+        ),
+        (
+            ["lens.far=inf"],
+            "canonical_perspective_from_view = scale",
+            "far is infinite: the canonical pyramid is scaled by near, which is at z = -1",
+        ),
+    ],
+)
+def test_what_is_special_about_a_stage_is_said(sets: list[str], stage: str, note: str) -> None:
+    arguments = [f"--set={value}" for value in sets]
+    assert f"\n{stage}\n  ({note})\n" in "\n" + run_here("matrices", *arguments).stdout
+    assert f"% {note}\n\\[\n" in run_here("matrices", *arguments, "--format=latex").stdout
+
+
+def test_perspective_matrix_has_the_last_row_of_the_field(by_hand: Path) -> None:
+    assert matrices(by_hand)["clip_from_view"][3] == [0, 0, -1, 0]
+    text = run_here("matrices", by_hand).stdout
+    assert re.search(r"\nclip_from_view = .*\n(.*\n){3}  0 +0 +-1 +0\n", text)
+
+
+def test_text_shows_a_factored_view_matrix_with_aligned_columns(by_hand: Path) -> None:
+    # eye (0, 0, 5) looking along -z: nothing is rotated, the eye moves to the origin.
+    assert run_here("matrices", by_hand).stdout.startswith(
+        """\
+lens perspective, fov_y_deg 90, near 1, far 9, image 200x100, depth opengl
+
+world_from_object
+  (the scene's objects are given in world coordinates)
+  1  0  0  0
+  0  1  0  0
+  0  0  1  0
+  0  0  0  1
+
+view_from_world = rotation translation
+  1  0  0   0
+  0  1  0   0
+  0  0  1  -5
+  0  0  0   1
+
+  rotation
+  1  0  0  0
+  0  1  0  0
+  0  0  1  0
+  0  0  0  1
+
+  translation
+  1  0  0   0
+  0  1  0   0
+  0  0  1  -5
+  0  0  0   1
+
+canonical_perspective_from_view = scale
+"""
+    )
+
+
+def test_text_shows_the_divide_between_clip_and_ndc(by_hand: Path) -> None:
+    blocks = run_here("matrices", by_hand).stdout.split("\n\n")
+    heads = [block.split()[0] for block in blocks if not block.startswith("  ")]
+    after = PERSPECTIVE_STAGES.index("clip_from_world") + 1
+    expected = [*PERSPECTIVE_STAGES[:after], "ndc_from_clip:", *PERSPECTIVE_STAGES[after:]]
+    assert heads == ["lens", *expected]
+    assert "ndc_from_clip: x, y and z divided by w" in blocks
+
+
+def test_no_matrix_shows_a_minus_zero() -> None:
+    # A symmetric window has -(right + left)/(right - left) = -0.0 in its matrix.
+    for form in ("text", "json", "latex"):
+        done = run_here("matrices", "--format", form, "--set", "lens.kind=orthographic")
+        assert not re.search(r"-0(\.0)?(?![.\d])", done.stdout)
+
+
+def test_latex_is_pmatrix_with_powers_of_ten_written_out() -> None:
+    done = run_here("matrices", "--format", "latex", "--set", "lens.near=1e-7")
+    blocks = re.findall(r"\\begin\{pmatrix\}\n(.*?)\n\\end\{pmatrix\}", done.stdout, re.DOTALL)
+    rows = [[row.split(" & ") for row in block.split(" \\\\\n")] for block in blocks]
+    assert all(len(matrix) == 4 and all(len(row) == 4 for row in matrix) for matrix in rows)
+
+    def value(cell: str) -> float:
+        return float(re.sub(r" \\cdot 10\^\{(-?\d+)\}", r"e\1", cell))
+
+    shown = [[[value(cell) for cell in row] for row in matrix] for matrix in rows]
+    projection = Projection(lens=Perspective(45.0, 1e-7, 30.0))
+    *stages, last = projection.stages
+    expected = []
+    for stage in (*stages, *projection.direct_stages, last):
+        own = [factor for name, factor in stage.factors if "_from_" not in name]
+        expected += [*(own if len(own) > 1 else []), stage.matrix]
+    assert len(expected) == 9 + 6  # view, depth range and viewport have two factors
+    assert shown == [matrix.tolist() for matrix in expected]
+    symbols = re.findall(r"^M_\{\\text\{(.*?)\}\\leftarrow\\text\{(.*?)\}\} = ", done.stdout, re.M)
+    names = ["_from_".join(symbol).replace(" ", "_") for symbol in symbols]
+    assert names == PERSPECTIVE_STAGES
+    assert "e-" not in done.stdout
+
+
+def test_set_speaks_the_language_of_the_document(by_hand: Path) -> None:
+    sets = ["lens.kind=orthographic", "depth=direct3d", "camera.eye=3,2,4", "lens.far=100"]
+    found = matrices(by_hand, *(f"--set={value}" for value in sets))
+    projection = set_values(BY_HAND, sets).projection
+    assert isinstance(projection.lens, Orthographic)
+    world = stage_of(projection, "clip_from_world").matrix
+    assert found["clip_from_world"] == world.tolist()
+    np.testing.assert_allclose(world, projection.clip_from_world, rtol=1e-15, atol=1e-15)
+    assert found["clip_from_view"][3] == [0, 0, 0, 1]
+
+
+def test_numbers_need_no_qt_and_no_vtk(by_hand: Path) -> None:
+    code = """
+import sys
+from app.commands.cli import main
+status = main(sys.argv[1:])
+heavy = {"PySide6", "shiboken6", "vtk", "vtkmodules", "pyvista", "pyvistaqt", "widgets"}
+assert not heavy & {name.partition(".")[0] for name in sys.modules}, sorted(sys.modules)
+assert "app.scenes.scene" not in sys.modules
+sys.exit(status)
+"""
+    for arguments in (["matrices", by_hand], ["project", by_hand, "-"], ["project", "--help"]):
+        done = subprocess.run(
+            [sys.executable, "-c", code, *map(str, arguments)],
+            cwd=ROOT, input="1,2,3\n", capture_output=True, text=True, check=False,
+        )  # fmt: skip
+        assert done.returncode == 0, done.stderr
+
+
+def test_numbers_are_written_the_same_in_every_locale(
+    comma_locale: dict[str, str], by_hand: Path
+) -> None:
+    code = (
+        "import locale, sys; locale.setlocale(locale.LC_ALL, ''); "
+        "assert locale.localeconv()['decimal_point'] == ','; "
+        "import numpy; numpy.set_printoptions(legacy='1.13', precision=2); "
+        "from app.commands.cli import main; sys.exit(main(sys.argv[1:]))"
+    )
+    for arguments in (
+        ["project", by_hand, "-", "--format", "json"],
+        ["project", by_hand, "-", "--format", "csv"],
+        ["project", by_hand, "-"],
+        ["matrices", by_hand],
+        ["matrices", by_hand, "--format", "latex"],
+    ):
+        done = subprocess.run(
+            [sys.executable, "-c", code, *map(str, arguments)],
+            cwd=ROOT, env={**os.environ, **comma_locale}, input="0.1,1234567.5,1e-9\n",
+            capture_output=True, text=True, check=False,
+        )  # fmt: skip
+        assert done.stderr == ""
+        assert done.stdout == run_here(*arguments, text="0.1,1234567.5,1e-9\n").stdout
+
+
+def test_the_largest_numbers_that_are_taken_are_numbers_in_json_too(by_hand: Path) -> None:
+    # JSON has no word for infinity: the narrowest window and the farthest points must not need one.
+    sets = ["lens.kind=orthographic", "lens.keep=stretch", f"lens.left={-SMALLEST_WINDOW}"]
+    arguments = [f"--set={value}" for value in [*sets, f"lens.right={SMALLEST_WINDOW}"]]
+    points = project(by_hand, *arguments, points=f"{LARGEST},0,0\n{-LARGEST},0,{LARGEST}\n")
+    assert [point["outside_of"] for point in points] == [["right"], ["near", "left"]]
+
+
+# --------------------------------------------------------------------------- words and options
+
+
+@pytest.mark.parametrize(
+    ("word", "nearest"),
+    [("expot", "export"), ("PROJECT", "project"), ("matrix", "matrices"), ("doktor", "doctor")],
+)
+def test_a_mistyped_command_names_the_nearest(word: str, nearest: str) -> None:
+    said = refused(word)
+    assert said == (
+        f"{word!r} is neither a file nor a command; the nearest command is {nearest}.\n"
+    )
+
+
+@pytest.mark.parametrize(
+    "rest", [["out.png"], ["--size=100x100", "out.png"], ["a.json", "points.csv"]], ids=" ".join
+)
+def test_a_mistyped_command_is_told_before_what_follows_it(rest: list[str]) -> None:
+    assert refused("exprot", *rest) == (
+        "'exprot' is neither a file nor a command; the nearest command is export.\n"
+    )
+
+
+def test_a_word_like_no_command_is_answered_with_all() -> None:
+    said = (
+        "is neither a file nor a command; the commands are export, project, matrices, measure,"
+        " doctor.\n"
+    )
+    assert refused("frobnicate") == f"'frobnicate' {said}"
+    assert refused("letter-f", "out.png") == f"'letter-f' {said}"
+
+
+def test_a_file_needs_no_ending_and_two_are_still_too_many(by_hand: Path, tmp_path: Path) -> None:
+    bare = by_hand.rename(tmp_path / "exprot")
+    done = subprocess.run(
+        [sys.executable, "-c", "from app.commands.cli import main; main()", bare.name, "out.png"],
+        cwd=tmp_path, env={**os.environ, "PYTHONPATH": str(ROOT)}, capture_output=True, text=True,
+        check=False,
+    )  # fmt: skip
+    assert done.stderr == "The window takes [FILE], and 2 names were given.\n"
+
+
+def test_a_command_wins_over_a_file_of_its_name(tmp_path: Path) -> None:
+    write(BY_HAND, tmp_path / "matrices")
+    done = subprocess.run(
+        [sys.executable, "-c", "from app.commands.cli import main; main()", "matrices"],
+        cwd=tmp_path, env={**os.environ, "PYTHONPATH": str(ROOT)}, capture_output=True, text=True,
+        check=False,
+    )  # fmt: skip
+    assert done.stdout.splitlines()[2] == "world_from_object"
+    # The letter F's matrices: the file of that name was not read.
+    assert (
+        done.stdout
+        == run_here("matrices").stdout
+        != run_here("matrices", tmp_path / "matrices").stdout
+    )
+
+
+def test_a_command_that_does_not_come_first_is_told_so() -> None:
+    assert "matrices is a command and must come first" in refused("--set", "lens.far=9", "matrices")
+
+
+def test_help_names_every_command_and_none_that_is_not_there() -> None:
+    done = run("--help")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert re.findall(r"^  ([a-z]+) ", done.stdout.partition("commands,")[2], re.MULTILINE) == [
+        "export", "project", "matrices", "measure", "doctor",
+    ]  # fmt: skip
+
+
+@pytest.mark.parametrize("command", list(cli.COMMANDS))
+def test_each_command_has_help(command: str) -> None:
+    done = run(command, "--help")
+    assert done.returncode == 0
+    assert done.stdout.startswith(f"usage: python3 -m app {command} [options]")
+
+
+WINDOW = ("lens.kind=frustum", "lens.left=-1", "lens.right=3", "lens.bottom=-2", "lens.top=2")
+
+
+@pytest.mark.parametrize("turn", range(len(WINDOW)))
+def test_a_window_typed_with_its_lens_is_used_as_typed(turn: int) -> None:
+    """Lecture 000 (13) by hand: 2 near / (right - left) = 4/4 in the corner, in any order."""
+    typed = [*WINDOW[turn:], *WINDOW[:turn], "lens.near=2", "lens.far=10"]
+    options = [word for path in typed for word in ("--set", path)]
+    said = json.loads(run_here("matrices", "--format", "json", *options).stdout)
+    assert said["clip_from_view"] == [[1, 0, 0.5, 0], [0, 1, 0, 0], [0, 0, -1.5, -5], [0, 0, -1, 0]]
+    kept = run_here("matrices", "--format", "json", *options, "--set", "lens.keep=y")
+    assert json.loads(kept.stdout)["clip_from_view"][0][0] == 0.5625  # 4 x 9/16 high, so wider
+
+
+def test_a_switch_of_the_lens_alone_keeps_the_picture() -> None:
+    document = set_values(Document(), ["lens.kind=frustum"])
+    assert isinstance(document.projection.lens, Frustum)
+    assert document.projection.lens.keep == "y"
+
+
+@pytest.mark.parametrize(
+    ("typed", "line"),
+    [
+        ("", "lens perspective, fov_y_deg 45, near 1, far 30"),
+        ("lens.far=inf", "lens perspective, fov_y_deg 45, near 1, far inf"),
+        (
+            " ".join(WINDOW),
+            "lens frustum, left -1, right 3, bottom -2, top 2, keep stretch, near 1, far 30",
+        ),
+        (
+            " ".join([*WINDOW, "lens.keep=x"]),
+            "lens frustum, left -1, right 3, bottom -2, top 2, keep x (uses -1, 3, -1.125, 1.125),"
+            " near 1, far 30",
+        ),
+        ("lens.kind=matrix", "lens matrix"),
+    ],
+)
+def test_the_lens_comes_first_as_it_is_used(typed: str, line: str) -> None:
+    options = [word for path in typed.split() for word in ("--set", path)]
+    line += ", image 1280x720, depth opengl"
+    assert run_here("matrices", *options).stdout.splitlines()[:2] == [line, ""]
+    said = run_here("project", "-", *options, text="1,2,3\n").stdout
+    assert said.splitlines()[:2] == [line, ""]
+    for form in ("csv", "json"):
+        assert "lens" not in run_here("project", "-", "--format", form, text="1,2,3\n").stdout
+
+
+def test_the_names_in_the_help_are_those_that_there_are() -> None:
+    """They are written twice, because help is given where nothing is installed yet."""
+    from app import measure
+    from app.document import document
+    from app.measure.arithmetic import SWEEPS
+
+    paths = {"scene", "mesh", "depth", *document._PATHS.values()} - {"lens.former"}
+    assert set(options.SETTABLE) == paths | {f"quality.{key}" for key in document._QUALITY}
+    assert options.RUNGS == RUNGS
+    assert tuple(measure.TRADES) == options.TRADES
+    assert tuple(SWEEPS) == options.SWEEPS
+    assert tuple(cli._PROJECT_FORMATS) == options.PROJECT_FORMATS
+    assert tuple(cli._MATRIX_FORMATS) == options.MATRIX_FORMATS
+    assert tuple(cli.COMMANDS) == tuple(options.SUMMARIES)
+
+
+def test_version() -> None:
+    from app import __version__
+
+    assert run("--version").stdout == f"Frustum Lab {__version__}\n"
+
+
+def test_unknown_option_names_the_nearest() -> None:
+    assert refused("matrices", "--fromat=json") == (
+        "--fromat is not an option of matrices; the nearest is --format.\n"
+    )
+
+
+def test_option_without_its_value_is_refused() -> None:
+    assert "--format" in refused("matrices", "--format")
+
+
+def test_unknown_format_names_the_known_ones() -> None:
+    assert "--format = 'xml': must be one of text, json, latex" in refused(
+        "matrices", "--format", "xml"
+    )
+
+
+def test_set_with_an_unknown_name_names_the_nearest() -> None:
+    said = refused("matrices", "--set", "lens.fra=3")
+    assert "lens.fra" in said and "lens.far" in said
+
+
+def test_set_without_a_value_is_refused() -> None:
+    assert "NAME=VALUE" in refused("matrices", "--set", "lens.far")
+
+
+@pytest.mark.parametrize(
+    ("value", "words"),
+    [
+        ("lens.near=0", "lens.near = 0: must be greater than 0"),
+        ("lens.near=-1", "lens.near = -1: must be greater than 0"),
+        ("lens.near=30", "lens.near = 30: must be less than far, which is 30"),
+        ("lens.near=nan", "lens.near = 'nan': must be a finite number"),
+        ("lens.far=1e400", "lens.far = '1e400': must be a finite number or inf."),
+        ("lens.far=abc", "lens.far = 'abc': must be a finite number or inf."),
+        ("lens.far=0.5", "lens.far = 0.5: must be greater than near, which is 1."),
+        ("lens.near=abc", "lens.near = 'abc': must be a finite number."),
+        ("lens.fov_y_deg=0", "lens.fov_y_deg = 0: must lie between 0 and 180"),
+        ("lens.fov_y_deg=180", "lens.fov_y_deg = 180: must lie between 0 and 180"),
+        ("lens.fov_y_deg=-1", "lens.fov_y_deg = -1: must lie between 0 and 180"),
+        ("lens.fov_y_deg=200", "lens.fov_y_deg = 200: must lie between 0 and 180"),
+        ("camera.eye=0,2.2,0", "camera.eye = (0, 2.2, 0): must differ from the target"),
+        ("camera.target=6,5,9", "camera.target = (6, 5, 9): must differ from the eye"),
+        ("camera.up=0,0,0", "camera.up = (0, 0, 0): must not be the zero vector"),
+        ("camera.up=6,2.8,9", "camera.up = (6, 2.8, 9): must not be parallel"),
+        ("camera.eye=1,2", "camera.eye = '1,2': must be three finite numbers"),
+        ("image.width=0", "image.width = 0: must be a whole number of pixels from 1 to 16384"),
+        ("image.height=100000", "image.height = 100000: must be a whole number of pixels"),
+        (
+            "lens.kind=fisheye",
+            "lens.kind = 'fisheye': must be one of perspective, frustum, orthographic, obl",
+        ),
+        ("depth=metal", "depth = 'metal': must be one of opengl, direct3d, reversed"),
+    ],
+)
+def test_bad_value_is_refused_with_field_value_and_bound(value: str, words: str) -> None:
+    said = refused("matrices", "--set", value)
+    # Vectors are written with brackets of one kind or the other.
+    assert words.replace("(", "[").replace(")", "]") in said.replace("(", "[").replace(")", "]")
+
+
+@pytest.mark.parametrize(
+    ("values", "words"),
+    [
+        ("lens.far=abc", "lens.far = 'abc': must be a finite number."),
+        ("lens.far=-5", "lens.far = -5: must be greater than near, which is 1."),
+        ("lens.right=-9", "lens.right = -9: must be greater than left, which is -4."),
+        ("lens.top=-9", "lens.top = -9: must be greater than bottom, which is -4."),
+        ("lens.left=9", "lens.left = 9: must be less than right, which is 4."),
+        ("lens.left=9 lens.right=8", "lens.left = 9: must be less than right, which is 8."),
+        ("lens.near=9 lens.far=8", "lens.near = 9: must be less than far, which is 8."),
+    ],
+)
+def test_what_was_set_is_blamed_and_not_its_neighbour(
+    tmp_path: Path, values: str, words: str
+) -> None:
+    box = tmp_path / "box.json"
+    write(Document("letter-f", Projection(lens=Orthographic())), box)
+    assert refused("matrices", box, *(f"--set={value}" for value in values.split())) == f"{words}\n"
+
+
+def test_a_lens_that_was_set_decides_whether_far_may_be_infinite(tmp_path: Path) -> None:
+    box = tmp_path / "box.json"
+    write(Document("letter-f", Projection(lens=Orthographic())), box)
+    far, kind = "--set=lens.far=1e", "--set=lens.kind="
+    bound = "lens.far = '1e': must be a finite number"
+    assert refused("matrices", box, far, kind + "perspective") == f"{bound} or inf.\n"
+    assert refused("matrices", far, kind + "orthographic") == f"{bound}.\n"
+
+
+def test_up_almost_along_the_view_direction_works() -> None:
+    # 1e-12 rad from it, as the issue asks.
+    view = np.array([6.0, 2.8, 9.0])
+    across = np.cross(view, [0.0, 1.0, 0.0])
+    up = view / np.linalg.norm(view) + 1e-12 * across / np.linalg.norm(across)
+    assert (
+        run_here("matrices", "--set", f"camera.up={','.join(map(repr, up.tolist()))}").returncode
+        == 0
+    )
+
+
+# --------------------------------------------------------------------------- files
+
+
+def cut(path: Path) -> None:
+    path.write_text(path.read_text(encoding="utf-8")[:100], encoding="utf-8")
+
+
+FILES: dict[str, tuple[str, Callable[[Path], object], list[str]]] = {
+    "missing": ("none.json", lambda path: None, ["does not exist"]),
+    "missing mesh": ("none.stl", lambda path: None, ["none.stl"]),
+    "empty": ("empty.json", lambda path: path.touch(), ["is empty"]),
+    "folder": ("folder.json", lambda path: path.mkdir(), ["folder"]),
+    "not JSON": ("text.json", lambda path: path.write_text("hello"), ["not JSON"]),
+    "another ending": ("notes.txt", lambda path: path.write_text("hello"), ["neither", ".stl"]),
+    "no PNG": ("broken.png", lambda path: path.write_bytes(b"\x89PNG\r\n\x1a\nxx"), ["PNG"]),
+    "plain picture": ("plain.png", lambda path: path.write_bytes(one_pixel_png()), ["document"]),
+    "text named .stl": ("text.stl", lambda path: path.write_text("hello"), ["text.stl"]),
+    "cut short": ("cut.json", lambda path: (write(BY_HAND, path), cut(path)), ["cut short"]),
+    "a newline in its name": ("a\nb.stl", lambda path: None, ["b.stl"]),
+}
+
+
+@pytest.mark.parametrize("command", ["", "matrices", "export out.png"])
+@pytest.mark.parametrize("kind", list(FILES))
+def test_a_file_that_cannot_be_used_is_refused_by_every_command(
+    tmp_path: Path, kind: str, command: str
+) -> None:
+    name, make, words = FILES[kind]
+    make(tmp_path / name)
+    arguments = [str(tmp_path / word) if "." in word else word for word in command.split()]
+    said = refused(*arguments, tmp_path / name)
+    for word in words:
+        assert word in said
+    assert not (tmp_path / "out.png").exists()
+
+
+def test_two_files_are_too_many(by_hand: Path) -> None:
+    assert "takes [FILE], and 2 names were given" in refused(by_hand, by_hand)
+
+
+def test_a_mesh_brings_the_camera_that_shows_it(tmp_path: Path) -> None:
+    mesh = tmp_path / "tetrahedron.obj"
+    mesh.write_text("v 0 0 0\nv 2 0 0\nv 0 2 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n")
+    done = run_here("project", mesh, "-", "--format=json", text="0,0,0\n2,0,0\n0,2,0\n0,0,2\n")
+    points = json.loads(done.stdout)["points"]
+    assert all(point["inside"] for point in points)
+
+
+# --------------------------------------------------------------------------- export
+
+
+def export(out: Path, *arguments: str | Path, **environment: str | None) -> np.ndarray:
+    import pyvista as pv
+
+    done = run("export", out, *arguments, **environment)
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+    # VTK's reader has the first row at the bottom.
+    image = pv.read(out)
+    width, height, _ = image.dimensions
+    return np.asarray(image.point_data["PNGImage"]).reshape(height, width, -1)[::-1]
+
+
+def test_export_has_the_same_pixels_with_and_without_a_display(
+    tmp_path: Path, by_hand: Path
+) -> None:
+    size = ("--size", "600x200")
+    assert os.environ["DISPLAY"]
+    with_one = export(tmp_path / "a.png", by_hand, *size)
+    without = export(tmp_path / "b.png", by_hand, *size, DISPLAY=None, WAYLAND_DISPLAY=None)
+    assert with_one.shape == (200, 600, 3)
+    assert len(np.unique(with_one.reshape(-1, 3), axis=0)) > 20  # a picture, not a blank
+    assert np.array_equal(with_one, without)
+
+
+def test_export_with_an_unreachable_display_draws_all_the_same(
+    tmp_path: Path, by_hand: Path
+) -> None:
+    size = ("--size", "300x100")
+    pixels = export(tmp_path / "a.png", by_hand, *size)
+    assert np.array_equal(pixels, export(tmp_path / "b.png", by_hand, *size, DISPLAY=":9999"))
+
+
+def test_export_carries_the_document_with_what_was_set(tmp_path: Path, by_hand: Path) -> None:
+    out = tmp_path / "figure.png"
+    export(out, by_hand, "--size=96x32", "--set", "lens.near=0.5")
+    assert read(out) == set_values(BY_HAND, ["lens.near=0.5"])
+
+
+def test_export_looks_from_where_the_document_says(tmp_path: Path) -> None:
+    from_above = Camera((0.0, 40.0, 0.1), (0.0, 0.0, 0.0), (0.0, 1.0, 0.0))
+    pictures = []
+    for name, views in (("plain", {}), ("turned", {"world": from_above})):
+        path = tmp_path / f"{name}.json"
+        write(Document("letter-f", views=views), path)
+        pictures.append(export(tmp_path / f"{name}.png", path, "--size=300x100"))
+    plain, turned = pictures
+    assert not np.array_equal(plain[:, :100], turned[:, :100])  # the world pane is turned
+    assert np.array_equal(plain[:, 100:], turned[:, 100:])  # and no other
+
+
+def test_export_options_reach_the_picture(tmp_path: Path, by_hand: Path) -> None:
+    image = export(tmp_path / "image.png", by_hand, "--panes", "image")
+    assert image.shape == (100, 200, 3)  # the image pane alone has the image's own size
+    two = export(tmp_path / "two.png", by_hand, "--panes=world,ndc", "--scale=0.5")
+    assert two.shape == (320, 640, 3)  # two squares of 640 at half the scale
+    clear = export(tmp_path / "clear.png", by_hand, "--size=96x32", "--transparent")
+    assert clear.shape == (32, 96, 4) and clear[..., 3].min() == 0
+    light = export(tmp_path / "light.png", by_hand, "--size=96x32")
+    dark = export(tmp_path / "dark.png", by_hand, "--size=96x32", "--theme", "dark")
+    assert np.median(dark) < 100 < 200 < np.median(light)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (["figure.svg"], "OUT = 'figure.svg': must end in .png"),
+        (["figure"], "OUT = 'figure': must end in .png"),
+        (["no/such/folder/figure.png"], "there is no folder no/such/folder"),
+        (["figure.png", "--size", "0x100"], "--size width = 0: must be a whole number of pixels"),
+        (
+            ["figure.png", "--size", "960x100000"],
+            "--size height = 100000: must be a whole number of pixels from 32 to 16384.",
+        ),
+        (
+            ["figure.png", "--size", "10x100", "--panes", "world"],
+            "--size width = 10: must be a whole number of pixels from 32 to 16384.",
+        ),
+        (["figure.png", "--size", "9000x900", "--scale", "2"], "--size width = 9000 times scale 2"),
+        (["figure.png", "--size", "big"], "--size = 'big': must be WIDTHxHEIGHT"),
+        (["figure.png", "--scale", "0"], "scale = 0: must lie between 0"),
+        (["figure.png", "--scale", "nan"], "scale = nan: must lie between 0"),
+        (["figure.png", "--scale", "2x"], "--scale = '2x': must be a finite number"),
+        (["figure.png", "--scale", "100"], "width = 1920 times scale 100: must be from"),
+        (["figure.png", "--panes", "world,depth"], "'depth': must be one of world, ndc, image"),
+        (["figure.png", "--panes", ""], "pane = '': must be one of world, ndc, image"),
+        (["figure.png", "--theme", "pink"], "--theme = 'pink': must be one of light, dark"),
+        (["figure.png", "--set", "scene=cubee"], "cube"),
+        ([], "export takes OUT [FILE], and 0 names were given"),
+    ],
+)
+def test_bad_export_is_refused(arguments: list[str], words: str) -> None:
+    assert words in refused("export", *arguments)
+    assert not (ROOT / "figure.png").exists()
+
+
+def test_export_to_a_full_disk_is_a_sentence(tmp_path: Path) -> None:
+    out = tmp_path / "full.png"
+    out.symlink_to("/dev/full")
+    assert "No space left" in refused("export", out, "--size=96x32")
+
+
+def test_export_without_opengl_says_what_to_do_instead_of_crashing(tmp_path: Path) -> None:
+    for display in (os.environ["DISPLAY"], None):
+        done = run("export", tmp_path / "a.png", DISPLAY=display, MESA_GL_VERSION_OVERRIDE="2.1")
+        assert done.returncode == 3
+        assert "OpenGL 3.2" in done.stderr and "driver" in done.stderr
+        assert done.stderr.count("\n") == 1
+    assert not (tmp_path / "a.png").exists()
+
+
+# --------------------------------------------------------------------------- doctor
+
+
+def test_doctor_finds_everything_on_a_machine_that_runs_the_tests() -> None:
+    done = run("doctor")
+    assert done.returncode == 0, done.stdout
+    assert done.stdout.endswith("\n\nEverything needed is here.\n")
+    for name in ("Python", "numpy", "vtk", "pyvista", "pyvistaqt", "PySide6-Essentials", "Qt",
+                 "System libraries", "Settings in", "Log in", "Display", "Screen", "OpenGL",
+                 "Export"):  # fmt: skip
+        assert re.search(rf"^{name} +\S", done.stdout, re.MULTILINE), name
+    assert os.environ["DISPLAY"] in done.stdout
+
+
+def test_doctor_without_a_display_says_how_to_get_one() -> None:
+    done = run("doctor", DISPLAY=None, WAYLAND_DISPLAY=None)
+    assert done.returncode == 3
+    assert re.search(r"This is missing:\n  Display: .*ssh with -X.*\n\Z", done.stdout)
+
+
+def test_doctor_survives_a_driver_that_crashes() -> None:
+    done = run("doctor", MESA_GL_VERSION_OVERRIDE="2.1")
+    assert done.returncode == 3
+    assert re.search(r"\n  OpenGL: OpenGL 2.1 is too old", done.stdout)
+    assert re.search(r"\n  Export: install Mesa", done.stdout)
+
+
+def test_doctor_names_a_package_of_the_wrong_version(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    from app.commands import doctor
+
+    monkeypatch.setattr(doctor, "_display", lambda: iter(()))
+    monkeypatch.setattr(doctor, "_off_screen", lambda: doctor.Finding("Export", "ok"))
+    version = doctor.metadata.version
+    monkeypatch.setattr(
+        doctor.metadata, "version", lambda name: "9.9" if name == "vtk" else version(name)
+    )
+    assert cli.main(["doctor"]) == 3
+    said = capsys.readouterr().out
+    assert re.search(r"This is missing:\n  vtk: change it: .* -m pip install 'vtk>=9", said)
+
+
+def test_doctor_tells_a_crash_and_a_silence_from_an_answer() -> None:
+    from app.commands import doctor
+
+    code = "import os, signal; os.kill(os.getpid(), signal.SIGSEGV)"
+    answer, problem = doctor._try([sys.executable, "-c", code], dict(os.environ))
+    assert (answer, problem) == (None, "the driver crashed (signal 11)")
+    answer, problem = doctor._try([sys.executable, "-c", "print('{\"a\": 1}')"], dict(os.environ))
+    assert (answer, problem) == ({"a": 1}, "")
+
+
+def test_doctor_does_not_wait_for_ever(monkeypatch: pytest.MonkeyPatch) -> None:
+    from app.commands import doctor
+
+    monkeypatch.setattr(doctor, "LONGEST_TRIAL_S", 0.2)
+    code = "import threading; threading.Event().wait(60)"
+    answer, problem = doctor._try([sys.executable, "-c", code], dict(os.environ))
+    assert answer is None and problem == "does not answer within 0.2 s"
+
+
+def test_doctor_does_not_take_the_keyboard_from_the_terminal() -> None:
+    code = (
+        "import os, sys; from app import doctor; "
+        "print(doctor._try([sys.executable, '-c', 'print(repr(input()))'], dict(os.environ)))"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code],
+        cwd=ROOT, input="typed\n", capture_output=True, text=True, check=True,
+    )  # fmt: skip
+    assert "EOF" in done.stdout and "typed" not in done.stdout
+
+
+def test_a_scene_alone_is_seen_with_its_own_camera_and_in_a_document_with_the_documents(
+    tmp_path: Path,
+) -> None:
+    own = matrices("--set", "scene=posts")
+    start = load("posts").start
+    assert own["view_from_world"] == stage_of(start, "view_from_world").matrix.tolist()
+    np.testing.assert_allclose(own["view_from_world"], start.view_from_world, rtol=1e-15, atol=0)
+    write(BY_HAND, tmp_path / "seen.json")
+    kept = matrices(tmp_path / "seen.json", "--set", "scene=posts")
+    assert kept["view_from_world"] == BY_HAND.projection.view_from_world.tolist()  # whole numbers
+
+
+def test_a_scene_that_is_not_there_names_the_nearest() -> None:
+    assert "did you mean “posts”" in refused("matrices", "--set", "scene=post")
+
+
+# --------------------------------------------------------------------------- a free matrix
+
+FREE = ("--set", "lens.kind=matrix", "--set",
+        "lens.clip_from_view=0,0,0,0, 0,2,0,0, 0,0,-1,-2, 0,0,-1,0")  # fmt: skip
+
+
+def test_a_free_matrix_is_printed_with_what_it_does() -> None:
+    found = matrices(*FREE)
+    assert list(found) == [
+        "world_from_object", "view_from_world", "clip_from_view", "clip_from_world",
+        "image_from_ndc",
+    ]  # fmt: skip
+    assert found["clip_from_view"] == [[0, 0, 0, 0], [0, 2, 0, 0], [0, 0, -1, -2], [0, 0, -1, 0]]
+    text = run_here("matrices", *FREE).stdout
+    assert "\nclip_from_view\n  (singular (rank 3): the frustum cannot be drawn)\n" in text
+    assert "  (not affine: w depends on z)\n" in text
+    latex = run_here("matrices", *FREE, "--format=latex").stdout
+    assert "% singular (rank 3): the frustum cannot be drawn\n" in latex
+    assert "rank" not in run_here("matrices").stdout
+
+
+def test_points_go_through_a_free_matrix() -> None:
+    view = "lens.view_from_world=1,0,0,0, 0,1,0,0, 0,0,1,-4, 0,0,0,2"
+    cells = "lens.clip_from_view=1,0.5,0,0, 0,2,0,0, 0,0,-1,-2, 0,0,-1,0"
+    settings = ("--set", "lens.kind=matrix", "--set", cells, "--set", view)
+    done = run_here("project", "-", "--format=json", *settings, text="1,2,1\n1,2,4\n0,0,9\n")
+    assert (done.returncode, done.stderr) == (0, "")
+    point, in_plane, behind = json.loads(done.stdout)["points"]
+    # V (1, 2, 1, 1) = (1, 2, -3, 2), a point (0.5, 1, -1.5); P of it: (2, 4, 3 - 4, 3).
+    assert point["view"] == [0.5, 1, -1.5]
+    assert point["clip"] == [2, 4, -1, 3]
+    assert point["ndc"] == [2 / 3, 4 / 3, -1 / 3]
+    assert point["image"] == [pytest.approx((2 / 3 + 1) * 640), pytest.approx((1 - 4 / 3) * 360)]
+    assert point["depth"] == pytest.approx(1 / 3)
+    assert point["outside_of"] == ["top"] and not point["inside"]
+    for hidden in (in_plane, behind):
+        assert hidden["ndc"] is hidden["image"] is hidden["depth"] is None
+    for rung in ("float32", "float64", "exact"):
+        done = run_here("project", "-", "--rung", rung, *settings, text="1,2,1\n")
+        assert done.returncode == 0
+
+
+def test_a_free_matrix_is_exported(tmp_path: Path) -> None:
+    for name, settings in (("flat", FREE), ("sheared", (*FREE[:3], "lens.clip_from_view="
+                            "1.4,0.5,0,0, 0,2.4,0,0, 0,0,-1,-2, 0,0,-1,0"))):  # fmt: skip
+        out = tmp_path / f"{name}.png"
+        done = run("export", out, *settings, "--size=300x100")
+        assert (done.returncode, done.stderr) == (0, "")
+        assert run_here("matrices", out).stdout == run_here("matrices", *settings).stdout
+
+
+@pytest.mark.parametrize(
+    ("setting", "sentence"),
+    [
+        ("lens.clip_from_view=1,2", "must be four rows of four finite numbers"),
+        ("lens.clip_from_view=" + ",".join(["1e400"] * 16), "must be four rows of four finite"),
+        ("lens.clip_from_view=" + ",".join(["1e101"] * 16), "lens.clip_from_view[0, 0] = 1e+101"),
+        ("lens.near=3", "belongs to another lens"),
+    ],
+)
+def test_bad_free_matrices_are_refused(setting: str, sentence: str) -> None:
+    assert sentence in refused("matrices", "--set", "lens.kind=matrix", "--set", setting)
+
+
+# --------------------------------------------------------------------------- phenomena
+
+
+def test_a_phenomenon_is_named_and_set_on_the_command_line(tmp_path: Path) -> None:
+    own = matrices("--set", "scene=similar-triangles", "--set", "settings.distance=2")
+    start = PHENOMENA["similar-triangles"].start
+    assert own["clip_from_world"] == stage_of(start, "clip_from_world").matrix.tolist()
+    write(BY_HAND, tmp_path / "seen.json")
+    kept = matrices(tmp_path / "seen.json", "--set", "scene=similar-triangles")
+    assert kept["view_from_world"] == BY_HAND.projection.view_from_world.tolist()
+
+
+@pytest.mark.parametrize(
+    ("settings", "sentence"),
+    [
+        (["scene=similar-triangle"], "did you mean “similar-triangles”"),
+        (
+            ["scene=similar-triangles", "settings.distnce=2"],
+            "settings.distnce is not known; the nearest name is settings.distance.",
+        ),
+        (
+            ["scene=similar-triangles", "settings.distance=0"],
+            "settings.distance = 0: must not be 0: the plane would go through the eye",
+        ),
+        (["settings.distance=2"], "set scene as well (similar-triangles, field-of-view)"),
+        (["mesh=bunny.obj"], "cannot be shown in the scene letter-f"),
+        (["scene=similar-triangles", "mesh=bunny"], "must be the path of a mesh file"),
+    ],
+)
+def test_bad_settings_of_a_phenomenon_are_refused(settings: list[str], sentence: str) -> None:
+    options = [option for setting in settings for option in ("--set", setting)]
+    assert sentence in refused("matrices", *options)
+
+
+def test_an_unknown_scene_is_refused_in_a_document_too(by_hand: Path) -> None:
+    assert "did you mean “posts”" in refused("matrices", by_hand, "--set", "scene=post")
+
+
+def test_an_exported_phenomenon_carries_its_settings_and_its_mesh(tmp_path: Path) -> None:
+    mesh = tmp_path / "tetra.obj"
+    mesh.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 1 3 4\nf 2 3 4\n")
+    out, plain = tmp_path / "figure.png", tmp_path / "plain.png"
+    scene = ("--set", "scene=similar-triangles", "--set", "settings.distance=-3")
+    options = ("--panes", "world,image", "--size", "300x150")
+    done = run("export", out, *scene, "--set", f"mesh={mesh}", *options)
+    assert done.returncode == 0, done.stderr
+    document = read(out)
+    assert document.settings["distance"] == -3.0 and document.mesh == str(mesh)
+    assert run("export", plain, *scene, *options).returncode == 0
+    with Image.open(out) as with_mesh, Image.open(plain) as without:
+        assert np.mean(np.asarray(with_mesh) != np.asarray(without)) > 0.01
+    missing = refused("export", out, *scene, "--set", f"mesh={tmp_path / 'gone.obj'}")
+    assert "gone.obj" in missing
+
+
+@pytest.mark.parametrize(
+    ("settings", "sentence"),
+    [
+        (
+            ["scene=depth-buffer", "settings.range=logarithmic", "lens.far=inf"],
+            "depth-buffer: a logarithmic depth buffer needs a perspective lens and a far plane",
+        ),
+        (["scene=eye-plane", "lens.kind=orthographic"], "eye-plane: a parallel lens has no eye"),
+        (["scene=depth-buffer"], ""),
+    ],
+)
+def test_what_the_window_warns_of_an_export_says_too(
+    settings: list[str], sentence: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    options = [option for setting in settings for option in ("--set", setting)]
+    out = tmp_path / "figure.png"
+    assert cli.main(["export", str(out), "--panes=image", "--size=160x90", *options]) == 0
+    said = capsys.readouterr()
+    assert said.out == "" and out.exists()
+    assert said.err.startswith(sentence) and said.err.count("\n") == bool(sentence)
+
+
+def test_the_help_says_that_there_are_settings() -> None:
+    said = " ".join(run("export", "--help").stdout.split())
+    assert "mesh" in said and "settings.NAME of the scene's own" in said

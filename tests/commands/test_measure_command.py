@@ -1,0 +1,227 @@
+"""The command `measure`: what it prints and writes, what it refuses, how it is stopped."""
+
+from __future__ import annotations
+
+import itertools
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from app.commands.arguments import check_out
+from app.commands.options import CliError
+from app.measure import NEED_OPENGL, TRADES
+from app.measure.arithmetic import SWEEPS
+from app.measure.meaning import SENTENCES, cheapest, meaning
+from app.measure.results import Choice, Trade, from_json, to_csv
+from tests import PATIENCE_S
+from tests.commands.test_cli import ROOT, refused, run
+
+
+def test_a_trade_and_a_sweep_are_printed_and_written(tmp_path: Path) -> None:
+    out, table = tmp_path / "out.json", tmp_path / "out.csv"
+    done = run(
+        "measure", "--trade", "depth", "--sweep", "near=0.01:5", "--quick",
+        "--set", "lens.far=100", "--json", out, "--csv", table, DISPLAY=None,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    results = from_json(out.read_text())
+    assert [trade.name for trade in results.trades] == ["depth"]
+    assert results.document["lens"]["far"] == 100
+    (sweep,) = results.sweeps
+    assert sweep.values[0] == pytest.approx(0.01) and sweep.values[-1] == pytest.approx(5.0)
+    assert results.machine["opengl"] not in ("", "none")
+    assert "fixed24, reversed" in done.stdout and "largest error in px" in done.stdout
+    assert meaning(results.trades[0]).sentence() in done.stdout
+    lines = table.read_text().splitlines()
+    assert lines[0].startswith("choice,cost_B") and "" in lines
+    for choice in results.trades[0].choices:  # what is printed is what is written
+        assert choice.name in done.stdout
+
+
+def test_json_can_go_to_standard_output() -> None:
+    done = run("measure", "--trade", "interpolation", "--quick", "--json", "-")
+    assert [trade.name for trade in from_json(done.stdout).trades] == ["interpolation"]
+
+
+def test_tables_can_go_to_standard_output_as_csv(tmp_path: Path) -> None:
+    out = tmp_path / "out.json"
+    done = run("measure", "--trade=depth", "--sweep=near=1:2", "--quick", "--csv=-", "--json", out)
+    results = from_json(out.read_text())
+    assert done.stdout == "\n".join(map(to_csv, (*results.trades, *results.sweeps)))
+    assert not (ROOT / "-").exists()
+
+
+def test_a_reader_who_leaves_early_does_not_cost_the_files(tmp_path: Path) -> None:
+    out = tmp_path / "out.json"
+    command = [sys.executable, "-m", "app", "measure", "--trade=depth", "--json", str(out)]
+    with subprocess.Popen(command, cwd=ROOT, stdout=subprocess.PIPE) as process:
+        assert process.stdout is not None
+        process.stdout.close()
+        assert process.wait(PATIENCE_S) == 0
+    assert from_json(out.read_text()).complete
+
+
+@pytest.mark.parametrize("option", ["--json", "--csv", "--chart"])
+def test_a_folder_is_refused_before_anything_is_measured(tmp_path: Path, option: str) -> None:
+    folder = tmp_path / "out.png"
+    folder.mkdir()
+    assert f"{option} = '{folder}': is a folder." in refused("measure", option, folder)
+
+
+def test_what_may_not_be_written_is_refused_before_anything_is_measured(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The answer stands in for another user's folder: root may write to them all."""
+    monkeypatch.setattr(os, "access", lambda place, _mode: place != str(tmp_path))
+    for name in ("new.json", "link.json"):
+        (tmp_path / "link.json").unlink(missing_ok=True)
+        (tmp_path / "link.json").symlink_to("target.json")
+        with pytest.raises(CliError, match=f"--json = '.*{name}': may not be written"):
+            check_out("--json", str(tmp_path / name))
+    check_out("--json", "/dev/stdout")
+
+
+def test_without_opengl_the_first_three_trades_still_run() -> None:
+    done = run(
+        "measure", "--quick", "--trade=arithmetic", "--trade=interpolation", "--trade=depth",
+        "--trade=detail", "--json=-", MESA_GL_VERSION_OVERRIDE="2.1",
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    assert "Not measured: detail." in done.stderr and done.stderr.count("\n") == 1
+    results = from_json(done.stdout)
+    assert [trade.name for trade in results.trades] == ["arithmetic", "interpolation", "depth"]
+    assert results.machine["opengl"] == "none"
+    only = run("measure", "--trade=smoothing", MESA_GL_VERSION_OVERRIDE="2.1")
+    assert only.returncode == 3 and "OpenGL" in only.stderr
+    assert set(NEED_OPENGL) == {"smoothing", "detail"} < set(TRADES)
+
+
+@pytest.mark.parametrize(
+    "arguments, words",
+    [
+        (["--trade=speed"], "--trade = 'speed': must be one of arithmetic, interpolation, depth"),
+        (["--sweep=size"], "--sweep = 'size': must be one of near, far, fov"),
+        (["--sweep=near=5"], "must be LOW:HIGH"),
+        (["--sweep=near=5:1"], "must rise, and lie between 1e-200 and 1e+99"),
+        (["--sweep=near=nan:1"], "must rise"),
+        (["--sweep=fov=1:200"], "must rise, and lie between 1e-80 and 180"),
+        (["--sweep=near=a:b"], "must be LOW:HIGH"),
+        (["--scene=cubee"], "cube"),
+        (["--json=/nowhere/a.json"], "there is no folder /nowhere"),
+        (["--csv=/nowhere/a.csv"], "there is no folder /nowhere"),
+        (["--json=-", "--csv=-"], "--json and --csv must go to different files."),
+        (["--json=a.pdf", "--chart=a.pdf"], "--json and --chart must go to different files."),
+        (["--set=lens.near=0"], "lens.near"),
+        (["--set=lens.kind=matrix"], "lens.kind = matrix: a free matrix has no near, no far"),
+        (["--tradee=depth"], "the nearest is --trade"),
+    ],
+)
+def test_bad_input_is_refused(arguments: list[str], words: str) -> None:
+    assert words in refused("measure", *arguments)
+
+
+def attended(*arguments: str) -> subprocess.Popen[str]:
+    return subprocess.Popen(
+        [sys.executable, "-m", "app", "measure", "--attended", "--json=-", *arguments],
+        cwd=ROOT,
+        env=dict(os.environ),
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+
+
+def fraction_told(process: subprocess.Popen[str]) -> float:
+    """The next fraction, past what a library says of itself, such as that its fonts are slow."""
+    assert process.stderr is not None
+    (line,) = itertools.islice(filter(re.compile(r"[\d.]+\n").fullmatch, process.stderr), 1)
+    return float(line)
+
+
+def test_whoever_attends_is_told_and_obeyed() -> None:
+    """Paused, it says nothing more; cancelled, what it did is there, marked."""
+    process = attended("--trade=arithmetic")
+    assert process.stdin is not None
+    first = fraction_told(process)
+    assert 0.0 <= first < 0.2
+    process.stdin.write("pause\nresume\n")
+    process.stdin.flush()
+    assert fraction_told(process) > first
+    out, _ = process.communicate("cancel\n", timeout=PATIENCE_S)
+    assert process.returncode == 130
+    results = from_json(out)
+    assert not results.complete
+    assert results.trades[0].choices[0].error is not None
+
+
+def test_it_ends_with_whoever_attends() -> None:
+    process = attended("--trade=arithmetic")
+    out, _ = process.communicate("", timeout=PATIENCE_S)
+    assert process.returncode == 130 and not json.loads(out)["complete"]
+
+
+def test_control_c_keeps_what_was_measured(tmp_path: Path) -> None:
+    process = subprocess.Popen(
+        [sys.executable, "-m", "app", "measure", "--attended", "--json", str(tmp_path / "a.json")],
+        cwd=ROOT,
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    assert process.stderr is not None
+    process.stderr.readline()
+    process.send_signal(signal.SIGINT)
+    # Standard input stays open: it is the signal that ends it.
+    assert process.wait(PATIENCE_S) == 130
+    assert not from_json((tmp_path / "a.json").read_text()).complete
+    process.communicate()
+
+
+# --------------------------------------------------------------------------- what it means
+
+
+def choice(name: str, cost: float | None, error: float | None, note: str = "") -> Choice:
+    return Choice(name, cost, cost, error, note=note)
+
+
+@pytest.mark.parametrize(
+    "choices, words",
+    [
+        ([choice("a", 1.0, 1e-3)], "a is the fastest (1 ns) and the most exact"),
+        (
+            [choice("a", 1.0, 1.0), choice("b", 2.0, 1e-3), choice("c", 3.0, 1e-9)],
+            "the cheapest that is off by less than 0.01 px is b",
+        ),
+        ([choice("a", 1.0, 1.0), choice("b", 2.0, 0.5)], "none is off by less than 0.01 px"),
+        ([choice("a", None, None, "it broke")], "Nothing could be measured: it broke."),
+        ([], "Nothing could be measured: -."),
+    ],
+)
+def test_a_trade_has_one_sentence(choices: list[Choice], words: str) -> None:
+    said = meaning(Trade("arithmetic", "ns", "px", tuple(choices), 5))
+    assert words in said.sentence()
+    assert said.template in SENTENCES
+    assert said.sentence(lambda template: template.upper()) != said.sentence()
+
+
+def test_the_cheapest_that_is_good_enough() -> None:
+    trade = Trade(
+        "detail", "ms", "px", (choice("a", 1.0, 3.0), choice("b", 2.0, 1.0)), 5
+    )  # fmt: skip
+    assert cheapest(trade, 0.5) is None
+    assert cheapest(trade, 1.0) == trade.choices[1]
+    assert cheapest(trade, 5.0) == trade.choices[0]
+
+
+def test_help_names_every_trade_and_sweep() -> None:
+    text = run("measure", "--help").stdout
+    for name in (*TRADES, *SWEEPS):
+        assert name in text

@@ -1,0 +1,226 @@
+"""The store: one signal per change, silence for none, a drag is one undo step."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import pytest
+
+from app.document.document import Document
+from app.document.store import UNDO_LIMIT, Store
+from app.model.projection import Perspective, Projection, ProjectionError
+from app.scenes.phenomena import PHENOMENA
+
+
+def seen(fov_y_deg: float) -> Projection:
+    return Projection(lens=Perspective(fov_y_deg, 1.0, 30.0))
+
+
+@pytest.fixture
+def store() -> Store:
+    return Store(Document("letter-f", seen(45.0)))
+
+
+def fovs(store: Store) -> list[float]:
+    """Every fov that `changed` announces from now on."""
+    heard: list[float] = []
+    store.changed.connect(lambda document: heard.append(document.projection.lens.fov_y_deg))
+    return heard
+
+
+def test_an_edit_is_announced_once_and_an_equal_one_never(store: Store) -> None:
+    heard = fovs(store)
+    store.set_projection(seen(50.0))
+    store.set_projection(seen(50.0))
+    assert heard == [50.0]
+
+
+def test_undo_and_redo_walk_the_history(store: Store) -> None:
+    for fov in (50.0, 60.0, 70.0):
+        store.set_projection(seen(fov))
+    heard = fovs(store)
+    store.undo()
+    store.undo()
+    store.redo()
+    assert heard == [60.0, 50.0, 60.0]
+    assert store.can_undo and store.can_redo
+
+
+def test_a_new_edit_forgets_what_was_undone(store: Store) -> None:
+    store.set_projection(seen(50.0))
+    store.undo()
+    store.set_projection(seen(60.0))
+    assert not store.can_redo
+    store.undo()
+    assert store.document.projection == seen(45.0)
+    assert not store.can_undo
+
+
+def test_a_drag_is_one_step(store: Store) -> None:
+    store.begin_gesture()
+    for fov in range(46, 90):
+        store.set_projection(seen(float(fov)))
+    store.end_gesture()
+    store.undo()
+    assert store.document.projection == seen(45.0)
+    assert not store.can_undo
+    store.redo()
+    assert store.document.projection == seen(89.0)
+
+
+def test_a_drag_back_to_its_start_is_no_step(store: Store) -> None:
+    store.begin_gesture()
+    store.set_projection(seen(50.0))
+    store.set_projection(seen(45.0))
+    store.end_gesture()
+    assert not store.can_undo
+
+
+def undone(store: Store) -> list[Any]:
+    """The fields of view, or scenes, that undo goes back through."""
+    found: list[Any] = []
+    while store.can_undo:
+        scene = store.document.scene
+        store.undo()
+        lens = store.document.projection.lens
+        assert isinstance(lens, Perspective)
+        found.append(store.document.scene if store.document.scene != scene else lens.fov_y_deg)
+    return found
+
+
+def test_a_drag_while_the_animation_plays_is_a_step_of_its_own(store: Store) -> None:
+    store.begin_gesture()
+    store.set_projection(seen(50.0))
+    store.begin_gesture()
+    store.set_projection(seen(55.0))
+    store.set_projection(seen(60.0))
+    store.end_gesture()
+    assert store.in_gesture
+    store.set_projection(seen(70.0))  # it plays on: of this no step is made
+    store.end_gesture()
+    assert not store.in_gesture
+    assert undone(store) == [50.0, 45.0]
+
+
+def test_another_scene_while_the_animation_plays_is_a_step_of_its_own(store: Store) -> None:
+    store.begin_gesture()
+    store.set_projection(seen(50.0))
+    store.set_document(replace(store.document, scene="cube"))
+    store.set_projection(seen(60.0))
+    store.end_gesture()
+    store.set_projection(seen(70.0))
+    assert undone(store) == [60.0, "letter-f", 45.0]
+
+
+def test_a_click_while_the_animation_plays_loses_no_step(store: Store) -> None:
+    store.begin_gesture()
+    store.set_projection(seen(50.0))
+    store.begin_gesture()
+    store.end_gesture()
+    store.set_projection(seen(60.0))
+    store.end_gesture()
+    assert undone(store) == [45.0]
+
+
+def test_undo_in_the_middle_of_a_gesture_goes_to_its_start(store: Store) -> None:
+    store.begin_gesture()
+    store.set_projection(seen(50.0))
+    assert store.can_undo
+    store.undo()
+    assert store.document.projection == seen(45.0)
+    store.set_projection(seen(60.0))
+    store.end_gesture()
+    store.undo()
+    assert store.document.projection == seen(45.0)
+
+
+def test_an_end_without_a_beginning_is_harmless(store: Store) -> None:
+    store.end_gesture()
+    store.set_projection(seen(50.0))
+    store.undo()
+    assert store.document.projection == seen(45.0)
+
+
+def test_the_unsaved_mark_follows_the_value_not_the_number_of_edits(store: Store) -> None:
+    assert not store.modified
+    store.set_projection(seen(50.0))
+    assert store.modified
+    store.undo()
+    assert not store.modified
+    store.redo()
+    store.mark_saved()
+    assert not store.modified
+    store.undo()
+    assert store.modified
+
+
+def test_opening_starts_a_new_history(store: Store) -> None:
+    store.set_projection(seen(50.0))
+    heard = fovs(store)
+    store.open(Document("cube", seen(60.0)))
+    assert heard == [60.0]
+    assert not store.can_undo and not store.modified
+
+
+def test_what_the_command_line_changed_can_be_undone() -> None:
+    saved, shown = Document("cube", seen(45.0)), Document("cube", seen(60.0))
+    store = Store(shown, saved=saved)
+    assert store.modified and store.can_undo
+    store.undo()
+    assert store.document == saved and not store.modified
+    store.redo()
+    assert store.document == shown
+    assert not Store(saved, saved=saved).can_undo
+    other = Store(shown, saved=Document("posts", seen(45.0)))  # which may not be there
+    assert other.modified and not other.can_undo
+
+
+def test_a_recovered_document_is_unsaved(store: Store) -> None:
+    store.open(Document("cube", seen(60.0)), saved=False)
+    assert store.modified
+
+
+def test_a_change_of_scene_can_be_undone(store: Store) -> None:
+    store.set_document(replace(store.document, scene="cube"))
+    store.undo()
+    assert store.document.scene == "letter-f"
+
+
+def test_the_history_is_bounded(store: Store) -> None:
+    for i in range(UNDO_LIMIT + 10):
+        store.set_projection(seen(50.0 + i / 1000.0))
+    steps = 0
+    while store.can_undo:
+        store.undo()
+        steps += 1
+    assert steps == UNDO_LIMIT
+
+
+def test_settings_are_edits_like_all_others() -> None:
+    store = Store(Document("similar-triangles", PHENOMENA["similar-triangles"].start))
+    heard: list[object] = []
+    store.changed.connect(lambda document: heard.append(document.settings["distance"]))
+    store.set_settings({"distance": 5.0})
+    store.set_settings({"distance": 5.0})
+    with pytest.raises(ProjectionError):
+        store.set_settings({"distance": 0.0})
+    assert heard == [5.0] and store.modified
+    store.undo()
+    assert heard == [5.0, 4.0] and not store.modified
+    store.redo()
+    assert store.document.settings["distance"] == 5.0
+
+
+def test_among_several_gestures_none_is_abandoned(store: Store) -> None:
+    """An animation that plays is one, and does not go back with a slider."""
+    store.begin_gesture()
+    store.begin_gesture()
+    store.set_projection(seen(50.0))
+    store.abandon_gesture()
+    assert store.document.projection == seen(50.0)
+    store.end_gesture()
+    store.abandon_gesture()
+    assert store.document.projection == seen(50.0)
+    store.end_gesture()
+    assert undone(store) == [45.0]

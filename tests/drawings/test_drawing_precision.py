@@ -1,0 +1,534 @@
+"""Pictures at the extremes, where float32 cannot draw them: pixel by pixel against 80 digits."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+import pyvista as pv
+from numpy.typing import NDArray
+
+from app.drawings import WORDS
+from app.drawings import precision as rungs
+from app.drawings.image import ImageDrawing
+from app.drawings.ndc import NdcDrawing
+from app.drawings.style import LIGHT
+from app.model.projection import (
+    DEPTH_RANGES,
+    Camera,
+    Frustum,
+    Oblique,
+    Orthographic,
+    Perspective,
+    Projection,
+)
+from app.precision.levels import DRAWING_TOLERANCE_PX
+from app.scenes.scene import Scene, load
+from tests.drawings.test_drawings import OffScreen, drawn, off_screen, scene_of, to_bytes
+from tests.oracles.exact import dot as exact_dot
+from tests.oracles.exact import frame, minus, mp, vector
+
+__all__ = ["off_screen"]
+
+Mask = NDArray[np.bool_]
+SIZE = (640, 360)
+RED = (200, 30, 30)
+
+
+def triangle_at(
+    projection: Projection, corners: Sequence[tuple[float, float, float]], origin: Any
+) -> NDArray[np.float32]:
+    """Scene-local vertices that are seen at (x_ndc, y_ndc) from a distance, nearly: rounded."""
+    left, right, bottom, top = projection.window
+    camera, lens = projection.camera, projection.lens
+    points = []
+    for x_ndc, y_ndc, distance in corners:
+        scale = 1.0 if lens.parallel else distance / lens.near
+        x = scale * (left + (right - left) * (x_ndc + 1.0) / 2.0)
+        y = scale * (bottom + (top - bottom) * (y_ndc + 1.0) / 2.0)
+        x -= projection.shear[0] * (lens.near - distance)
+        y -= projection.shear[1] * (lens.near - distance)
+        offset = np.array([x, y, -distance]) @ camera.frame
+        points.append((np.array(camera.eye) - origin) + offset)
+    return np.array(points).astype(np.float32)
+
+
+def expected(
+    projection: Projection, points: Any, size: tuple[int, int], band_px: float
+) -> tuple[Mask, Mask]:
+    """Pixels that a convex polygon must light and must not light, at 80 digits.
+
+    Those whose centres are nearer to its outline than the band are in neither.
+    """
+    camera, lens = projection.camera, projection.lens
+    rows = frame(camera.eye, camera.target, camera.up)
+    corners = []
+    for point in points:
+        offset = minus(vector(point), vector(camera.eye))
+        x, y, z = (exact_dot(row, offset) for row in rows)
+        corners.append([x, y, -z])
+    limits = [(1, mp.mpf(lens.near))]
+    if lens.far != math.inf:
+        limits.append((-1, -mp.mpf(lens.far)))
+    for sign, limit in limits:
+        inside = [sign * corner[2] - limit for corner in corners]
+        left = []
+        for i, (corner, value) in enumerate(zip(corners, inside, strict=True)):
+            before, value_before = corners[i - 1], inside[i - 1]
+            if (value >= 0) != (value_before >= 0):
+                t = value_before / (value_before - value)
+                left.append([b + t * (c - b) for b, c in zip(before, corner, strict=True)])
+            if value >= 0:
+                left.append(corner)
+        corners = left
+    width, height = size
+    columns, lines = np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5)
+    if len(corners) < 3:
+        nowhere = np.zeros(columns.shape, dtype=bool)
+        return nowhere, ~nowhere
+    window_left, right, bottom, top = map(mp.mpf, projection.window)
+    image = []
+    for x, y, distance in corners:
+        if lens.parallel:
+            x += mp.mpf(projection.shear[0]) * (mp.mpf(lens.near) - distance)
+            y += mp.mpf(projection.shear[1]) * (mp.mpf(lens.near) - distance)
+        else:
+            x, y = (part * mp.mpf(lens.near) / distance for part in (x, y))
+        image.append(
+            (
+                width * (x - window_left) / (right - window_left),
+                height * (top - y) / (top - bottom),
+            )
+        )
+    middle = [sum(part) / len(image) for part in zip(*image, strict=True)]
+    nearest = np.full(columns.shape, np.inf)
+    for i, (x, y) in enumerate(image):
+        x_before, y_before = image[i - 1]
+        a, b = y - y_before, x_before - x
+        length = mp.sqrt(a * a + b * b)
+        if length == 0:
+            continue
+        c = -(a * x + b * y)
+        sign = 1 if a * middle[0] + b * middle[1] + c > 0 else -1
+        a, b, c = (float(sign * part / length) for part in (a, b, c))
+        nearest = np.minimum(nearest, a * columns + b * lines + c)
+    return nearest > band_px, nearest < -band_px
+
+
+def scene_at(points: Any, origin: Any, colours: Any = (RED,)) -> Scene:
+    """One triangle for every three points."""
+    faces = np.arange(len(points)).reshape(-1, 3).tolist()
+    scene = scene_of(points, faces, colours, tuple(origin))
+    assert scene.surface is not None
+    assert (scene.surface.points.astype(np.float32) == scene.surface.points).all()
+    return scene
+
+
+FAR_AWAY = (1e7, -2e7, 3e7)
+INSIDE = ((-0.7, -0.6), (0.8, -0.3), (0.1, 0.8))
+ACROSS = ((-40.0, -31.0), (60.0, 40.3), (-0.8, 0.7))  # two corners 15 pictures away and more
+
+
+def camera_from(eye: Any, direction: Any) -> Camera:
+    eye = np.array(eye, dtype=float)
+    return Camera(tuple(eye), tuple(eye + direction))
+
+
+EXTREMES: dict[str, tuple[Projection, Any, tuple[float, float, float]]] = {
+    "eye near a vertex": (
+        Projection(camera_from((6, 5, 9), (-6, -3, -9)), Perspective(60, 1e-6, 100), SIZE),
+        (0, 0, 0),
+        (1e-5, 10.0, 4e-6),
+    ),
+    "eye near a vertex, far from the origin": (
+        Projection(
+            camera_from(np.add(FAR_AWAY, (6, 5, 9)), (-6, -3, -9)), Perspective(60, 1e-6, 100), SIZE
+        ),
+        FAR_AWAY,
+        (1e-5, 10.0, 4e-6),
+    ),
+    "narrow": (
+        Projection(Camera((6, 5, 9), (0, 2.2, 0)), Perspective(1e-4, 1, 30), SIZE),
+        (3, -1, 2),
+        (11.0, 12.0, 11.5),
+    ),
+    "wide": (
+        Projection(Camera((0.3, 0.4, 9), (0, 0.2, 0)), Perspective(179.9, 1e-6, 30), SIZE),
+        (0, 0, 0),
+        (1e-5, 2e-5, 2e-5),
+    ),
+    "off axis": (
+        Projection(
+            Camera((6, 5, 9), (0, 2.2, 0)), Frustum(0.5, 0.500002, -0.3, -0.299999, 1, 30), SIZE
+        ),
+        (3, -1, 2),
+        (11.0, 12.0, 11.5),
+    ),
+    "parallel, eye far away": (
+        Projection(
+            Camera((1e7, 2e7, 3e7), (0, 2.2, 0)),
+            Orthographic(-4e-5, 4e-5, -3e-5, 3e-5, 1, 1e8),
+            SIZE,
+        ),
+        (3, -1, 2),
+        (37416573.0, 37416574.0, 37416573.0),
+    ),
+    "oblique, small window": (
+        Projection(
+            Camera((6, 5, 9), (0, 2.2, 0)),
+            Oblique(-4e-6, 4e-6, -4e-6, 4e-6, 1, 30, alpha_deg=50, beta_deg=70),
+            SIZE,
+        ),
+        (3, -1, 2),
+        (11.0, 12.0, 11.5),
+    ),
+}
+
+
+@pytest.mark.parametrize("corners", [INSIDE, ACROSS], ids=["inside", "across"])
+@pytest.mark.parametrize("name", EXTREMES)
+def test_the_picture_is_right_where_float32_is_not(
+    name: str, corners: Any, off_screen: Callable[[int, int], OffScreen]
+) -> None:
+    projection, origin, distances = EXTREMES[name]
+    places = [(*corner, d) for corner, d in zip(corners, distances, strict=True)]
+    points = triangle_at(projection, places, origin)
+    scene = scene_at(points, origin)
+    wrong = {}
+    for tolerance_px in (math.inf, DRAWING_TOLERANCE_PX):
+        screen = off_screen(*SIZE)
+        drawing = ImageDrawing(screen.plotter, scene, WORDS, LIGHT, tolerance_px, framed=False)
+        drawing.show_projection(projection)
+        lit = drawn(screen.pixels(), RED)
+        band_px = 1.0 if tolerance_px == math.inf else 0.02
+        must, must_not = expected(
+            projection, points.astype(float) + np.array(origin, dtype=float), SIZE, band_px
+        )
+        assert must.sum() > 2000 and must_not.sum() > 2000
+        wrong[drawing.rung] = int((must & ~lit).sum() + (must_not & lit).sum())
+    assert wrong["float64"] == 0
+    assert wrong["float32"] > 20, "not an extreme"
+
+
+def test_the_cube_is_right_where_float32_is_not(
+    off_screen: Callable[[int, int], OffScreen],
+) -> None:
+    """Looked at from the front, the NDC pane shows the picture, stretched to a square."""
+    size = (400, 400)
+    for name in ("eye near a vertex", "narrow", "wide", "off axis", "oblique, small window"):
+        for depth in DEPTH_RANGES:
+            projection, origin, distances = EXTREMES[name]
+            projection = replace(projection, depth=depth)  # type: ignore[arg-type]
+            places = [(*corner, d) for corner, d in zip(INSIDE, distances, strict=True)]
+            points = triangle_at(projection, places, origin)
+            world = points.astype(float) + np.array(origin, dtype=float)
+            wrong = {}
+            for tolerance_px in (math.inf, DRAWING_TOLERANCE_PX):
+                screen = off_screen(*size)
+                scene = scene_at(points, origin)
+                drawing = NdcDrawing(screen.plotter, scene, WORDS, LIGHT, tolerance_px)
+                drawing.show_projection(projection)
+                camera = screen.plotter.renderer.GetActiveCamera()
+                camera.SetFocalPoint(0.0, 0.0, 0.0)
+                camera.SetPosition(0.0, 0.0, 10.0)
+                camera.SetParallelScale(1.0)
+                drawing.reset_clipping_range()
+                lit = drawn(screen.pixels(), RED)
+                must, must_not = expected(projection, world, size, 0.5)
+                # The axes of the cube lie before it here and there.
+                wrong[drawing.rung] = (must & ~lit).sum() / must.sum() + (must_not & lit).sum()
+            assert wrong["float64"] < 0.025, (name, depth)
+            assert wrong["float32"] > 5, (name, depth)
+
+
+# --------------------------------------------------------------------------- cutting
+
+
+def random_triangle(random: np.random.Generator, number: int) -> tuple[Projection, Any]:
+    """A camera inside the box of a triangle's corners: it goes behind the eye as often as not."""
+    near = 10.0 ** random.uniform(-6, 0)
+    if number % 6 == 5:  # hardly any depth
+        near, far = 2.0, 2.0 * (1.0 + 10.0 ** random.uniform(-7, -3))
+    else:
+        far = math.inf if number % 2 else near * 10.0 ** random.uniform(0.3, 8)
+    x, y = random.uniform(0.2, 3.0, 2)
+    camera = Camera(*(tuple(random.normal(size=3)) for _ in range(3)))
+    lens: Any
+    kind = number % 4
+    if kind == 0:
+        lens = Perspective(random.uniform(1.0, 179.0), near, far)
+    elif kind == 1:
+        lens = Frustum(-0.3 * near * x, near * x, -near * y, 0.4 * near * y, near, far)
+    else:
+        box = (-x, 1.3 * x, -y, 0.7 * y, random.uniform(-5.0, 0.0), random.uniform(0.1, 5.0))
+        lens = Orthographic(*box) if kind == 2 else Oblique(*box, "stretch", 70.0, 50.0)
+    points = random.normal(size=(3, 3)) * 10.0 ** random.uniform(-1, 2, size=(3, 1))
+    return Projection(camera, lens, (160, 120)), points.astype(np.float32).astype(float)
+
+
+def test_triangles_are_cut_where_the_model_says(
+    off_screen: Callable[[int, int], OffScreen],
+) -> None:
+    """Across the eye plane, near, far and the sides, in any combination, every lens."""
+    random = np.random.default_rng(7)
+    seen, behind = 0, 0
+    screen = off_screen(160, 120)
+    for number in range(320):
+        projection, points = random_triangle(random, number)
+        drawing = ImageDrawing(
+            screen.plotter, scene_at(points, (0, 0, 0)), WORDS, LIGHT, 0.0, framed=False
+        )
+        drawing.show_projection(projection)
+        lit = drawn(screen.pixels(), RED)
+        must, must_not = expected(projection, points, (160, 120), 0.02)
+        assert drawing.rung == "float64" or not must.any()  # what is not seen costs nothing
+        assert not (must & ~lit).any() and not (must_not & lit).any(), (number, projection, points)
+        seen += bool(must.any())
+        behind += bool(must.any() and (projection.trace(points).clip[:, 3] < 0.0).any())
+        drawing.remove()
+    assert seen > 120 and behind > 25, (seen, behind)
+
+
+@pytest.mark.parametrize("thickness", [1e-5, 3e-6])
+def test_a_thin_slab_is_cut_where_the_model_says(
+    thickness: float, off_screen: Callable[[int, int], OffScreen]
+) -> None:
+    """Near and far hardly differ: their planes cross the picture, a third of it apart."""
+    near = 12.0
+    projection = Projection(
+        Camera((6, 5, 9), (0, 2.2, 0)), Perspective(45, near, near + thickness), SIZE
+    )
+    places = [(x, y, near + (0.5 + x) * thickness) for x, y in INSIDE]
+    origin = np.array(projection.camera.eye) - near * projection.camera.frame[2]
+    origin = origin.astype(np.float32).astype(float)
+    points = triangle_at(projection, places, origin)
+    wrong = {}
+    for tolerance_px in (math.inf, 0.0):
+        screen = off_screen(*SIZE)
+        scene = scene_at(points, origin)
+        drawing = ImageDrawing(screen.plotter, scene, WORDS, LIGHT, tolerance_px, framed=False)
+        drawing.show_projection(projection)
+        lit = drawn(screen.pixels(), RED)
+        must, must_not = expected(projection, points.astype(float) + origin, SIZE, 0.02)
+        assert must.sum() > 2000 and must_not.sum() > 2000
+        wrong[drawing.rung] = int((must & ~lit).sum() + (must_not & lit).sum())
+    assert wrong["float64"] == 0
+    assert wrong["float32"] > 20
+
+
+def test_lines_are_cut_where_the_model_says(
+    off_screen: Callable[[int, int], OffScreen],
+) -> None:
+    """One that passes the eye at a hand's breadth, and one 1e6 pictures long across it."""
+    random = np.random.default_rng(3)
+    screen = off_screen(200, 150)
+    cases = [
+        (Perspective(60, 1e-4, 100.0), (0.001, -0.0005), 20.0),
+        (Perspective(1e-4, 1, 30), (1e-7, 2e-7), 0.0),
+        (Orthographic(-1e-6, 1e-6, -1e-6, 1e-6, -30, 30), (2e-7, 1e-7), 5.0),
+    ]
+    for lens, (x, y), behind in cases:
+        camera = Camera((0.3, 0.2, 0.1), tuple(random.normal(size=3)))
+        projection = Projection(camera, lens, (200, 150))
+        ends_view = np.array([(x + 0.5, y - 0.4, behind), (x - 0.5, y + 0.4, -20.0)])
+        if behind == 20.0:  # beside the eye, and straight away from it
+            ends_view[:, :2] = x, y
+        ends = (ends_view @ camera.frame + camera.eye).astype(np.float32).astype(float)
+        lines = pv.PolyData(ends, lines=[2, 0, 1])
+        lines.cell_data["rgb"] = np.array([RED], dtype=np.uint8)
+        scene = replace(load("cube"), surface=None, lines=lines)
+        drawing = ImageDrawing(screen.plotter, scene, WORDS, LIGHT, framed=False)
+        drawing.show_projection(projection)
+        assert drawing.rung == "float64"
+        lit = drawn(screen.pixels(), RED)
+        drawing.remove()
+        # A ribbon of 4 pixels about the line, made in view space from where it is seen.
+        part = np.sort(np.concatenate([np.linspace(0, 1, 20001), 0.5 + np.logspace(-9, -1, 4000)]))
+        along = ends[0] + part[:, None] * (ends[1] - ends[0])
+        trace = projection.trace(along)
+        shown = trace.image[~trace.outside.any(axis=1)]
+        assert len(shown) > 5
+        rows, columns = np.nonzero(lit)
+        assert len(rows) > 20
+        for px in shown:
+            assert np.hypot(columns + 0.5 - px[0], rows + 0.5 - px[1]).min() < 1.2, (lens, px)
+        start, end = shown[0], shown[-1]
+        way = (end - start) / np.hypot(*(end - start))
+        aside = (columns + 0.5 - start[0]) * way[1] - (rows + 0.5 - start[1]) * way[0]
+        assert np.abs(aside).max() < 1.5, lens
+
+
+def test_what_is_before_far_is_drawn_however_near_the_near_plane(
+    off_screen: Callable[[int, int], OffScreen],
+) -> None:
+    """All of it has a depth that float32 rounds to far's own; 6 of these 150 would vanish."""
+    random = np.random.default_rng(5)
+    screen = off_screen(120, 90)
+    for number in range(150):
+        near = 10.0 ** random.uniform(-9, -2)
+        far = math.inf if number % 4 == 0 else random.uniform(1.0, 50.0)
+        reach = min(far, 50.0)
+        distances = reach * (1.0 - 10.0 ** random.uniform(-6, -0.3, 3))
+        camera = Camera((0, 0, 0), (0.1, 0.2, -1))
+        projection = Projection(camera, Perspective(60, near, far), (120, 90))
+        places = [(*corner, d) for corner, d in zip(INSIDE, distances, strict=True)]
+        points = triangle_at(projection, places, (0, 0, 0))
+        scene = scene_at(points, (0, 0, 0))
+        drawing = ImageDrawing(screen.plotter, scene, WORDS, LIGHT, 0.0, framed=False)
+        drawing.show_projection(projection)
+        lit = drawn(screen.pixels(), RED)
+        drawing.remove()
+        must, _ = expected(projection, points.astype(float), (120, 90), 0.02)
+        assert must.any() and not (must & ~lit).any(), projection
+
+
+@pytest.mark.parametrize("extent_over_near", [1e7, 1e10, 1e14])
+def test_what_is_near_is_drawn_however_large_the_scene(
+    extent_over_near: float, off_screen: Callable[[int, int], OffScreen]
+) -> None:
+    """From 1e7 on VTK's own shift and scale would drop it."""
+    near = 20.0 / extent_over_near
+    projection = Projection(
+        Camera((0, 0, 0), (0.3, -0.2, -1)), Perspective(70, near, math.inf), SIZE
+    )
+    places = [
+        (*corner, d) for corner, d in zip(INSIDE, (3.0 * near, 20.0, 1.5 * near), strict=True)
+    ]
+    points = triangle_at(projection, places, (0, 0, 0))
+    screen = off_screen(*SIZE)
+    drawing = ImageDrawing(
+        screen.plotter, scene_at(points, (0, 0, 0)), WORDS, LIGHT, 0.0, framed=False
+    )
+    drawing.show_projection(projection)
+    lit = drawn(screen.pixels(), RED)
+    must, must_not = expected(projection, points.astype(float), SIZE, 0.02)
+    assert must.sum() > 2000
+    assert not (must & ~lit).any() and not (must_not & lit).any()
+
+
+# --------------------------------------------------------------------------- both rungs
+
+
+def everyday() -> list[tuple[str, Projection]]:
+    """Cameras as lectures use them, which float32 draws."""
+    letter = load("letter-f").start
+    return [
+        ("letter-f", replace(letter, lens=Perspective(60, 2, 30))),
+        ("letter-f", replace(letter, lens=Frustum(-0.8, 0.7, -0.5, 0.5, 1, 30))),
+        ("letter-f", replace(letter, lens=Orthographic(-5, 5, -3, 3, 1, 30))),
+        ("letter-f", replace(letter, lens=Oblique(-6, 4, -3, 3, 1, 30))),
+        ("cube", load("cube").start),
+        ("cube", replace(load("cube").start, depth="reversed")),
+    ]
+
+
+@pytest.mark.parametrize("kind", [ImageDrawing, NdcDrawing])
+def test_an_everyday_step_does_nothing_per_vertex(
+    kind: Any, off_screen: Callable[[int, int], OffScreen], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    calls: list[str] = []
+    trace, cut = Projection.trace, rungs._cut
+
+    def traced(*args: Any) -> Any:
+        calls.append("trace")
+        return trace(*args)
+
+    def was_cut(*args: Any) -> Any:
+        calls.append("cut")
+        return cut(*args)
+
+    monkeypatch.setattr(Projection, "trace", traced)
+    monkeypatch.setattr(rungs, "_cut", was_cut)
+    for name, projection in everyday():
+        screen = off_screen(200, 150)
+        scene = load(name)
+        drawing = kind(screen.plotter, scene, WORDS, LIGHT)
+        for step in range(5):
+            eye = tuple(part + 0.01 * step for part in projection.camera.eye)
+            camera = replace(projection.camera, eye=eye)
+            drawing.show_projection(replace(projection, camera=camera))
+            assert drawing.rung == "float32"
+    assert calls == []
+    drawing.show_projection(replace(projection, lens=Perspective(1e-3, 1, 30)))
+    assert drawing.rung == "float64"
+    assert calls == ["trace", "cut"] * 2  # faces and lines
+
+
+@pytest.mark.parametrize("kind", [ImageDrawing, NdcDrawing])
+def test_both_rungs_draw_the_same_everyday_picture(
+    kind: Any, off_screen: Callable[[int, int], OffScreen]
+) -> None:
+    """Also from within the scene, where faces, grid and colours are cut."""
+    letter = load("letter-f").start
+    inside = Camera((1.2, 1.5, 2.5), (0.0, 2.0, 0.0))
+    within = [
+        ("letter-f", replace(letter, camera=inside, lens=Perspective(100, 0.05, 40))),
+        ("letter-f", replace(letter, camera=inside, lens=Perspective(30, 2.2, 3.0))),
+        ("posts", replace(load("posts").start, lens=Perspective(20, 1, math.inf))),
+    ]
+    for name, projection in [*everyday(), *within]:
+        scene, pictures, used = load(name), [], []
+        for tolerance_px in (math.inf, 1e-4):
+            screen = off_screen(500, 400)
+            drawing = kind(screen.plotter, scene, WORDS, LIGHT, tolerance_px)
+            drawing.show_projection(projection)
+            pictures.append(screen.pixels())
+            used.append(drawing.rung)
+        assert used == ["float32", "float64"]
+        empty = np.array(to_bytes(LIGHT.background))
+        assert (pictures[0] != empty).any(axis=-1).sum() > 5000
+        assert (pictures[0] != pictures[1]).any(axis=-1).sum() <= 100, (name, projection)
+
+
+@pytest.mark.parametrize("kind", [ImageDrawing, NdcDrawing])
+def test_there_and_back_is_the_picture_of_a_fresh_drawing(
+    kind: Any, off_screen: Callable[[int, int], OffScreen]
+) -> None:
+    """And another drawing of the same scene, which shares its mesh, has not noticed."""
+    scene = load("letter-f")
+    near = replace(scene.start, lens=Perspective(60, 2, 30))
+    narrow = replace(scene.start, lens=Perspective(0.01, 1, 30))
+    across = replace(scene.start, camera=Camera((1, 0.5, 2), (0, 2, 0)), lens=Perspective(90, 1e-5))
+    screens = [off_screen(300, 200) for _ in range(3)]
+    drawing, beside = (kind(s.plotter, scene, WORDS, LIGHT) for s in screens[:2])
+    beside.show_projection(near)
+    other = screens[1].pixels()
+    actors = [
+        actor for renderer in screens[0].window.GetRenderers() for actor in renderer.GetActors()
+    ]
+    meshes = [actor.GetMapper().GetInput() for actor in actors]
+    times = [mesh.GetMTime() for mesh in meshes]
+    pictures, used = {}, []
+    for name, projection in (
+        ("near", near), ("narrow", narrow), ("across", across), ("near", near), ("across", across),
+        ("narrow", narrow), ("near", near),
+    ):  # fmt: skip
+        drawing.show_projection(projection)
+        used.append(drawing.rung)
+        picture = screens[0].pixels()
+        assert (pictures.setdefault(name, picture) == picture).all()
+    assert used == ["float32", "float64", "float64", "float32", "float64", "float64", "float32"]
+    assert [actor.GetMapper().GetInput() for actor in actors] == meshes
+    assert [mesh.GetMTime() for mesh in meshes] == times
+    fresh = kind(screens[2].plotter, scene, WORDS, LIGHT)
+    for name, projection in (("near", near), ("across", across)):
+        fresh.show_projection(projection)
+        assert (screens[2].pixels() == pictures[name]).all()
+    assert (screens[1].pixels() == other).all()
+    assert [
+        actor for renderer in screens[0].window.GetRenderers() for actor in renderer.GetActors()
+    ] == actors
+
+
+def test_the_windows_tolerance_chooses_the_rung(make_window: Callable[..., Any]) -> None:
+    window = make_window()
+    used = {name: window.panes[name].drawing.rung for name in ("ndc", "image")}
+    assert used == {"ndc": "float32", "image": "float32"}
+    for tolerance_px, rung in ((1e-4, "float64"), (1.0, "float32")):
+        window.status.tolerance_edited.emit(tolerance_px)
+        used = {name: window.panes[name].drawing.rung for name in ("ndc", "image")}
+        assert used == {"ndc": rung, "image": rung}

@@ -1,0 +1,808 @@
+"""The drawings, by the pixels that reach the screen."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+import pyvista as pv
+from numpy.typing import NDArray
+from PySide6.QtWidgets import QWidget
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow, vtkUnsignedCharArray
+
+from app.drawings import WORDS
+from app.drawings.image import ImageDrawing
+from app.drawings.ndc import NdcDrawing
+from app.drawings.style import DARK, LIGHT, Style, contrast, rgb
+from app.lecture.typed_matrix import shown, with_cell
+from app.model.projection import (
+    DEPTH_RANGES,
+    LENSES,
+    Camera,
+    Frustum,
+    Lens,
+    Oblique,
+    Orthographic,
+    Perspective,
+    Projection,
+    ProjectionError,
+)
+from app.scenes.scene import BUILT_IN, Scene, load
+
+Pixels = NDArray[np.uint8]
+
+
+class OffScreen:
+    """A plotter without a window, its drawing, and the picture it makes."""
+
+    def __init__(self, width: int, height: int) -> None:
+        self.plotter: Any = pv.Plotter(off_screen=True, window_size=[width, height], border=False)
+        self.window = self.plotter.render_window
+        self.window.SetMultiSamples(0)
+
+    def pixels(self) -> Pixels:
+        """Render once; (height, width, 3), the first row on top."""
+        self.window.Render()
+        width, height = self.window.GetSize()
+        buffer = vtkUnsignedCharArray()
+        self.window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, buffer)
+        return np.array(vtk_to_numpy(buffer).reshape(height, width, 4)[::-1, :, :3])
+
+
+@pytest.fixture
+def off_screen() -> Iterator[Callable[[int, int], OffScreen]]:
+    """Make off-screen plotters, closed after the test; VTK must have had nothing to say."""
+    said, before = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
+    vtkOutputWindow.SetInstance(said)
+    made: list[OffScreen] = []
+
+    def make(width: int, height: int) -> OffScreen:
+        made.append(OffScreen(width, height))
+        return made[-1]
+
+    yield make
+    for one in made:
+        one.plotter.close()
+    vtkOutputWindow.SetInstance(before)
+    assert said.GetOutput() == ""
+
+
+def scene_of(
+    points: Any, faces: Any, colours: Any, origin: tuple[float, float, float] = (0.0, 0.0, 0.0)
+) -> Scene:
+    """A scene of polygons in these colours; points are relative to the origin."""
+    mesh = pv.PolyData(
+        np.array(points, dtype=float), faces=np.hstack([[len(f), *f] for f in faces])
+    )
+    mesh.cell_data["rgb"] = np.array(colours, dtype=np.uint8)
+    return replace(
+        load("cube"),
+        origin=origin,
+        surface=mesh,
+        lines=None,
+        lower=(-3.0, -3.0, -3.0),
+        upper=(3.0, 3.0, 3.0),
+    )
+
+
+def without_lines(scene: Scene) -> Scene:
+    return replace(scene, lines=None)
+
+
+def drawn(image: Pixels, colour: Any) -> NDArray[np.bool_]:
+    return (image == np.array(colour, dtype=np.uint8)).all(axis=-1)
+
+
+def to_bytes(colour: str) -> list[int]:
+    return [round(255 * part) for part in rgb(colour)]
+
+
+# --------------------------------------------------------------------------- the picture
+
+
+def random_projection(
+    random: np.random.Generator, number: int, size: tuple[int, int]
+) -> Projection:
+    """A camera about the letter F; every lens and depth range has its turn."""
+    depth = list(DEPTH_RANGES)[number % 3]
+    while True:
+        eye = random.normal(size=3)
+        eye *= random.uniform(0.5, 30.0) / np.linalg.norm(eye)
+        target = random.uniform((-2.0, 0.0, -2.0), (2.0, 4.0, 2.0))
+        up = random.normal(size=3)
+        near = 10.0 ** random.uniform(-3, 0)
+        far = near + 10.0 ** random.uniform(1, 3)
+        kind = list(LENSES)[number % 4]
+        keep = random.choice(["stretch", "x", "y"])
+        low, high = random.uniform(-8.0, -0.5, 2), random.uniform(0.5, 8.0, 2)
+        lens: Lens
+        if kind == "perspective":
+            far = math.inf if number % 5 == 0 else far
+            lens = Perspective(random.uniform(10.0, 150.0), near, far)
+        elif kind == "frustum":
+            far = math.inf if number % 5 == 0 else far
+            off_axis = 0.5 * low[0] * (number % 8 // 4)
+            sides = np.array([low[0], high[0], low[1], high[1]]) + off_axis
+            lens = Frustum(*(0.2 * near * sides), near, far, keep)
+        else:
+            box = (low[0], high[0], low[1], high[1], near, near + 60.0)
+            if kind == "orthographic":
+                lens = Orthographic(*box, keep)
+            else:
+                lens = Oblique(*box, keep, *random.uniform(20.0, 160.0, 2))
+        try:
+            return Projection(Camera(tuple(eye), tuple(target), tuple(up)), lens, size, depth)
+        except ProjectionError:  # up happened to be parallel: draw another one
+            continue
+
+
+def test_a_vertex_lights_the_pixel_that_the_model_says(
+    off_screen: Callable[[int, int], OffScreen],
+) -> None:
+    """Every vertex of the letter F, as a 3-px point of its own colour, from 200 random cameras.
+
+    The pane is twice as large as the image, so that snapping points to whole pixels costs a
+    quarter of an image pixel only.
+    """
+    size = (640, 360)
+    letter = load("letter-f")
+    assert letter.surface is not None
+    points = np.unique(letter.surface.points, axis=0).astype(float)
+    vertices = pv.PolyData(points)  # vertex i is (i, 0, 200), which nothing else is
+    vertices.cell_data["rgb"] = np.array([(i, 0, 200) for i in range(len(points))], np.uint8)
+    screen = off_screen(1280, 720)
+    # As the scene's lines, they go the way that everything goes: user matrix, identity camera.
+    vertex_scene = replace(letter, surface=None, lines=vertices)
+    drawing = ImageDrawing(screen.plotter, vertex_scene, WORDS, LIGHT, framed=False)
+    for actor in drawing.picture_renderer.GetActors():
+        actor.GetProperty().SetPointSize(3.0)
+
+    random = np.random.default_rng(20)
+    checked, worst = dict.fromkeys(LENSES, 0), 0.0
+    for number in range(200):
+        projection = random_projection(random, number, size)
+        drawing.show_projection(projection)
+        image = screen.pixels()
+        trace = projection.trace(points)
+        rows, columns = np.nonzero(drawn(image[..., 1:], (0, 200)))
+        lit_by = image[rows, columns, 0]
+        near_far = trace.outside[:, :2].any(axis=1)
+        assert not np.isin(lit_by, np.flatnonzero(near_far)).any()
+        whole = (trace.image > 2.0) & (trace.image < np.array(size) - 2.0)  # NaN: not in front
+        for i in np.flatnonzero(whole.all(axis=1) & ~near_far):
+            x, y = trace.image[i]
+            assert image[int(2 * y), int(2 * x)].tolist() != to_bytes(LIGHT.background)
+            lit = lit_by == i
+            if lit.sum() == 9:  # not covered in part by a vertex before it
+                off_x = (columns[lit].mean() + 0.5) / 2.0 - x
+                off_y = (rows[lit].mean() + 0.5) / 2.0 - y
+                worst = max(worst, abs(off_x), abs(off_y))
+                checked[projection.lens.kind] += 1
+    assert min(checked.values()) > 200, checked
+    assert worst <= 0.26
+
+
+@pytest.mark.parametrize("name", BUILT_IN)
+def test_a_face_has_the_same_colour_in_all_panes(
+    name: str, off_screen: Callable[[int, int], OffScreen]
+) -> None:
+    scene = without_lines(load(name))
+    assert scene.surface is not None
+    colours = {tuple(c) for c in scene.surface.cell_data["rgb"].tolist()}
+    pictures = []
+    for kind in (ImageDrawing, NdcDrawing):
+        screen = off_screen(500, 400)
+        drawing = kind(screen.plotter, scene, WORDS, LIGHT)
+        drawing.show_projection(scene.start)
+        pictures.append(screen.pixels())
+    large = [colour for colour in colours if drawn(pictures[0], colour).sum() > 100]
+    assert len(large) >= min(2, len(colours))
+    assert all(drawn(pictures[1], colour).any() for colour in large)
+    # Nothing in between: neither light nor interpolation mixes colours inside the picture.
+    screen = off_screen(*scene.start.image_size)
+    drawing = ImageDrawing(screen.plotter, scene, WORDS, LIGHT, framed=False)
+    drawing.show_projection(scene.start)
+    codes = np.unique(screen.pixels().astype(int) @ (65536, 256, 1))
+    found = {(code >> 16, code >> 8 & 255, code & 255) for code in codes.tolist()}
+    assert found <= colours | {tuple(to_bytes(LIGHT.background))}
+
+
+def test_a_polygon_is_one_colour_whatever_triangles_it_is_made_of(
+    off_screen: Callable[[int, int], OffScreen],
+) -> None:
+    """A fan of hexagons round shared vertices; concave ones too."""
+    angles = np.linspace(0.0, 2.0 * np.pi, 7)[:-1]
+    ring = np.column_stack([np.cos(angles), np.sin(angles), np.zeros(6)])
+    points = np.vstack([ring, [(0.0, 0.0, 0.0)], 2.0 * ring])
+    faces = [(0, 1, 2, 3, 4, 6), (4, 5, 0, 6), (0, 7, 8, 1), (1, 8, 9, 2)]
+    colours = [(200, 30, 30), (30, 200, 30), (30, 30, 200), (200, 200, 30)]
+    scene = scene_of(points, faces, colours)
+    projection = Projection(
+        Camera((0, 0, 5), (0, 0, 0)), Orthographic(-2, 2, -2, 2, 1, 9), (200, 200)
+    )
+    screen = off_screen(200, 200)
+    drawing = ImageDrawing(screen.plotter, scene, WORDS, LIGHT, framed=False)
+    drawing.show_projection(projection)
+    image = screen.pixels()
+    inside = {0: (-0.4, 0.2, 0), 1: (0.3, -0.4, 0), 2: (1.2, 0.7, 0), 3: (0.1, 1.3, 0)}
+    for face, point in inside.items():
+        x, y = projection.trace(point).image
+        assert image[int(y), int(x)].tolist() == list(colours[face])
+    allowed = [*colours, to_bytes(LIGHT.background)]
+    assert sum(drawn(image, colour).sum() for colour in allowed) == 200 * 200
+
+
+def test_what_is_in_front_stays_in_front_in_every_depth_range(
+    off_screen: Callable[[int, int], OffScreen],
+) -> None:
+    square = np.array([(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)], dtype=float)
+    along = np.array([0.0, 0.0, 1.0])
+    near, far = (10, 200, 30), (200, 10, 30)
+    scene = scene_of(
+        np.vstack([square - along, square + along]),
+        [(0, 1, 2, 3), (4, 5, 6, 7)],
+        [far, near],
+    )
+    for kind in (ImageDrawing, NdcDrawing):
+        for depth in DEPTH_RANGES:
+            screen = off_screen(300, 300)
+            drawing = kind(screen.plotter, scene, WORDS, LIGHT)
+            for lens in (
+                Perspective(60, 1, 30),
+                Frustum(-0.8, 0.4, -0.5, 0.6, 1, 30),
+                Orthographic(-3, 3, -3, 3, 1, 30),
+                Oblique(-4, 2, -3, 3, 1, 30, alpha_deg=80, beta_deg=95),
+            ):
+                drawing.show_projection(
+                    Projection(Camera((0, 0, 5), (0, 0, 0)), lens, (300, 300), depth)
+                )
+                image = screen.pixels()
+                assert drawn(image, near).sum() > 1000
+                hidden_share = drawn(image, far).sum() / drawn(image, near).sum()
+                # The NDC pane looks from the side and sees some of it, the picture none, but for
+                # what an oblique lens shifts: 2 cot(80) of 2 across, 2 cot(95) of 2 up.
+                if kind is NdcDrawing:
+                    assert hidden_share < 0.95
+                elif lens.kind == "oblique":
+                    assert hidden_share == pytest.approx(1.0 - 0.8237 * 0.9125, abs=0.02)
+                else:
+                    assert hidden_share == 0.0
+
+
+def test_only_what_is_before_the_eye_is_drawn(off_screen: Callable[[int, int], OffScreen]) -> None:
+    """A long wall through the eye's plane: the half behind would be upside down elsewhere."""
+    wall = [(-1.0, -1.0, 20.0), (-1.0, -1.0, -20.0), (-1.0, 1.0, -20.0), (-1.0, 1.0, 20.0)]
+    scene = scene_of(wall, [(0, 1, 2, 3)], [(200, 30, 30)])
+    size = (200, 200)
+    projection = Projection(Camera((0, 0, 0), (0, 0, -1)), Perspective(90, 0.1, 100), size)
+    screen = off_screen(*size)
+    drawing = ImageDrawing(screen.plotter, scene, WORDS, LIGHT, framed=False)
+    drawing.show_projection(projection)
+    wall_px = drawn(screen.pixels(), (200, 30, 30))
+    # By hand: x = -1, w = -z; on the picture x_ndc = -1/w, |y_ndc| <= 1/w, so all of the left
+    # triangle |y_ndc| <= -x_ndc out to w = 20, x_ndc = -0.05.
+    x, y = np.meshgrid((np.arange(200) + 0.5) / 100 - 1, 1 - (np.arange(200) + 0.5) / 100)
+    expected = (np.abs(y) < -x) & (x < -0.05)
+    assert (wall_px != expected).sum() <= 200  # the edge's pixels
+    assert not wall_px[:, 100:].any()
+
+
+def test_what_reaches_behind_the_eye_is_not_culled_by_its_bounds(
+    off_screen: Callable[[int, int], OffScreen],
+) -> None:
+    """A strip whose ends, divided by w, are both right of the picture, and its middle in it.
+
+    In view coordinates (x, w) it runs from (2, 1) to (-3, -1); x/w is 2 and 3 at its ends, and
+    at 0.35 of its length it is at (0.25, 0.3).
+    """
+    length = math.sqrt(29.0)
+    right, forward = np.array([[-5.0, 0.0, -2.0], [-2.0, 0.0, 5.0]]) / length
+    eye = -2.0 * right - forward
+    strip = [(0.0, -0.1, 0.0), (length, -0.1, 0.0), (length, 0.1, 0.0), (0.0, 0.1, 0.0)]
+    scene = scene_of(strip, [(0, 1, 2, 3)], [(200, 30, 30)])
+    projection = Projection(
+        Camera(tuple(eye), tuple(eye + forward)), Perspective(90, 0.01, 100), (200, 200)
+    )
+    screen = off_screen(200, 200)
+    drawing = ImageDrawing(screen.plotter, scene, WORDS, LIGHT, framed=False)
+    drawing.show_projection(projection)
+    image = screen.pixels()
+    x, y = projection.trace((0.35 * length, 0.0, 0.0)).image
+    assert image[int(y), int(x)].tolist() == [200, 30, 30]
+
+
+# --------------------------------------------------------------------------- the NDC pane
+
+
+def test_ndc_clips_the_scene_at_the_cube(off_screen: Callable[[int, int], OffScreen]) -> None:
+    """A scene that surrounds everything: nothing of it outside the cube's silhouette."""
+    red = (201, 33, 32)
+    big = 40.0 * np.array([(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)], dtype=float)
+    tilted = big[:, [0, 2, 1]] + [0.0, -0.5, 0.0]
+    scene = scene_of(np.vstack([big, tilted]), [(0, 1, 2, 3), (4, 5, 6, 7)], [red, red])
+    for depth in DEPTH_RANGES:
+        for lens in (
+            Perspective(50, 1, 10),
+            Frustum(-0.1, 0.8, -0.5, 0.3, 1, 10),
+            Orthographic(-2, 2, -2, 2, 1, 10),
+            Oblique(-2, 2, -2, 2, 1, 10),
+        ):
+            screen = off_screen(400, 400)
+            drawing = NdcDrawing(screen.plotter, scene, WORDS, LIGHT)
+            drawing.show_projection(Projection(Camera((0, 2, 5), (0, 0, 0)), lens, depth=depth))
+            image = screen.pixels()
+            z_half = (max(DEPTH_RANGES[depth]) - min(DEPTH_RANGES[depth])) / 2.0
+            corners = [
+                display_px(screen, (x, y, z))
+                for x in (-1, 1)
+                for y in (-1, 1)
+                for z in (-z_half, z_half)
+            ]
+            scene_px = np.argwhere(drawn(image, red))[:, ::-1] + 0.5
+            assert len(scene_px) > 3000
+            assert distance_outside(np.array(corners), scene_px) <= 1.0
+
+
+def display_px(screen: OffScreen, point: tuple[float, float, float]) -> tuple[float, float]:
+    """Where VTK's own camera puts a point of the pane's world, pixels from the top left."""
+    renderer = screen.plotter.renderer
+    renderer.SetWorldPoint(*point, 1.0)
+    renderer.WorldToDisplay()
+    x, y, _ = renderer.GetDisplayPoint()
+    return x, screen.window.GetSize()[1] - y
+
+
+def distance_outside(corners: NDArray[np.float64], points: NDArray[np.float64]) -> float:
+    """How far the points reach out of the corners' convex hull, by its widths in 360 directions."""
+    angles = np.linspace(0.0, 2.0 * np.pi, 360, endpoint=False)
+    directions = np.column_stack([np.cos(angles), np.sin(angles)])
+    return float(((points @ directions.T).max(axis=0) - (corners @ directions.T).max(axis=0)).max())
+
+
+@pytest.mark.parametrize("depth", DEPTH_RANGES)
+def test_ndc_shows_the_near_face_to_the_reader_and_x_to_the_right(
+    depth: Any, off_screen: Callable[[int, int], OffScreen]
+) -> None:
+    """From the front the cube looks like the picture: neither mirrored nor turned."""
+    scene = without_lines(load("letter-f"))
+    projection = replace(scene.start, depth=depth, image_size=(400, 400))
+    front = off_screen(400, 400)
+    drawing = NdcDrawing(front.plotter, scene, WORDS, LIGHT)
+    drawing.show_projection(projection)
+    camera = front.plotter.renderer.GetActiveCamera()
+    camera.SetFocalPoint(0.0, 0.0, 0.0)
+    camera.SetPosition(0.0, 0.0, 10.0)
+    camera.SetParallelScale(1.0)
+    drawing.reset_clipping_range()
+    ndc = front.pixels()
+    screen = off_screen(400, 400)
+    picture = ImageDrawing(screen.plotter, scene, WORDS, LIGHT, framed=False)
+    picture.show_projection(projection)
+    image = screen.pixels()
+    assert scene.surface is not None
+    compared = 0
+    for colour in np.unique(scene.surface.cell_data["rgb"], axis=0):
+        mine, other = drawn(ndc, colour), drawn(image, colour)
+        if other.sum() > 500:
+            # The cube's own axes and words cover a little of it, and have a little of its colour.
+            assert (mine != other).sum() <= 0.03 * other.sum() + 100
+            compared += 1
+    assert compared >= 2
+
+
+@pytest.mark.parametrize("depth", DEPTH_RANGES)
+def test_ndc_writes_the_ends_of_its_depth_range(
+    depth: Any, off_screen: Callable[[int, int], OffScreen]
+) -> None:
+    scene = load("cube")
+    drawing = NdcDrawing(off_screen(300, 300).plotter, scene, WORDS, LIGHT)
+    drawing.show_projection(replace(scene.start, depth=depth))
+    texts = [
+        prop.GetInput().strip()
+        for prop in drawing._canvas.renderer.GetViewProps()
+        if prop.IsA("vtkTextActor")
+    ]
+    near, far = (f"{z:.0f}".replace("-", "−") for z in DEPTH_RANGES[depth])
+    assert sorted(texts) == sorted(["near", "far", "x", "y", "z", "−1", "1", "−1", "1", near, far])
+
+
+@pytest.mark.parametrize("size", [(300, 400), (500, 560), (1280, 720), (900, 300), (200, 900)])
+@pytest.mark.parametrize("style", [LIGHT, DARK.enlarged(1.5)], ids=["light", "projector"])
+def test_ndc_is_wholly_in_view_at_any_pane_size(
+    size: tuple[int, int], style: Style, off_screen: Callable[[int, int], OffScreen]
+) -> None:
+    """Nothing touches the pane's border, also after the pane got this size only later."""
+    scene = without_lines(load("cube"))
+    screen = off_screen(640, 480)
+    drawing = NdcDrawing(screen.plotter, scene, WORDS, style)
+    drawing.show_projection(scene.start)
+    screen.pixels()
+    screen.window.SetSize(*size)
+    empty = drawn(screen.pixels(), to_bytes(style.background))
+    assert empty[0].all() and empty[-1].all() and empty[:, 0].all() and empty[:, -1].all()
+    rows, columns = (np.flatnonzero(~empty.all(axis=axis)) for axis in (1, 0))
+    filled = max((columns[-1] - columns[0]) / size[0], (rows[-1] - rows[0]) / size[1])
+    assert filled > 0.6
+
+
+# --------------------------------------------------------------------------- the image pane
+
+
+@pytest.mark.parametrize(
+    "image_size", [(1280, 720), (720, 1280), (500, 500), (16384, 64), (64, 16384), (3, 2)]
+)
+@pytest.mark.parametrize("pane", [(500, 560), (301, 400), (1280, 720)])
+def test_the_picture_lies_exactly_in_its_rectangle(
+    image_size: tuple[int, int],
+    pane: tuple[int, int],
+    off_screen: Callable[[int, int], OffScreen],
+) -> None:
+    red = (201, 33, 32)
+    wall = [(-9e3, -9e3, -5), (9e3, -9e3, -5), (9e3, 9e3, -5), (-9e3, 9e3, -5)]
+    scene = scene_of(wall, [(0, 1, 2, 3)], [red])
+    screen = off_screen(640, 480)
+    drawing = ImageDrawing(screen.plotter, scene, WORDS, LIGHT)
+    screen.pixels()
+    screen.window.SetSize(*pane)
+    projection = Projection(Camera((0, 0, 0), (0, 0, -1)), Perspective(60, 1, 30), (123, 45))
+    drawing.show_projection(projection)
+    screen.pixels()  # another size of pane and of image, so that the next rendering finds news
+    drawing.show_projection(replace(projection, image_size=image_size))
+    image = screen.pixels()
+    left, top, width, height = drawing.picture_rectangle_px
+    picture = drawn(image, red)
+    expected = np.zeros(picture.shape, dtype=bool)
+    expected[top : top + height, left : left + width] = True
+    assert (picture == expected).all()
+    aspect = image_size[0] / image_size[1]
+    assert width == pytest.approx(height * aspect, abs=0.5 * max(1.0, aspect) + 1e-9) or (
+        1 in (width, height)
+    )
+    # As large as the margins allow: one more em on both sides would not fit.
+    em = LIGHT.font_size
+    assert width > pane[0] - 9 * em or height > pane[1] - 9 * em
+    assert (image[0, 0] == to_bytes(LIGHT.margin)).all()
+
+
+def test_the_frame_touches_the_picture_and_the_axes_have_their_colours(
+    off_screen: Callable[[int, int], OffScreen],
+) -> None:
+    scene = without_lines(load("cube"))
+    screen = off_screen(500, 400)
+    drawing = ImageDrawing(screen.plotter, scene, WORDS, LIGHT)
+    drawing.show_projection(scene.start)
+    image = screen.pixels()
+    left, top, width, height = drawing.picture_rectangle_px
+    middle_x, middle_y = left + width // 2, top + height // 2
+    assert image[top - 1, middle_x].tolist() == to_bytes(LIGHT.u)
+    assert image[middle_y, left - 1].tolist() == to_bytes(LIGHT.v)
+    assert image[top + height, middle_x].tolist() == to_bytes(LIGHT.ink)
+    assert image[middle_y, left + width].tolist() == to_bytes(LIGHT.ink)
+    assert image[top - 1, left - 1].tolist() == to_bytes(LIGHT.ink)
+    for row, column in ((top, left), (top + height - 1, left + width - 1)):
+        assert image[row, column].tolist() == to_bytes(LIGHT.background)
+    texts = [
+        prop.GetInput().strip()
+        for prop in screen.plotter.renderer.GetViewProps()
+        if prop.IsA("vtkTextActor")
+    ]
+    assert sorted(texts) == ["0, 0", "1280", "720", "x", "y"]
+
+
+def test_edges_are_not_eaten_by_faces_nor_seen_through_them(
+    off_screen: Callable[[int, int], OffScreen],
+) -> None:
+    """Front edges of the cube are ink all along, the back ones hidden, also at extreme near."""
+    corners = np.array([(x, y, z) for z in (-1, 1) for y in (-1, 1) for x in (-1, 1)], dtype=float)
+    faces = [(0, 1, 3, 2), (4, 5, 7, 6), (0, 1, 5, 4), (2, 3, 7, 6), (0, 2, 6, 4), (1, 3, 7, 5)]
+    front, back = (0, 0, 0), (250, 0, 250)
+    lines = pv.PolyData(corners, lines=[2, 5, 7, 2, 6, 7, 2, 3, 7, 2, 0, 1, 2, 0, 2, 2, 0, 4])
+    lines.cell_data["rgb"] = np.array([front] * 3 + [back] * 3, dtype=np.uint8)
+    scene = replace(scene_of(corners, faces, [(120, 160, 200)] * 6), lines=lines)
+    camera = Camera((4, 3, 5), (0, 0, 0))
+    size = (400, 300)
+    lenses = (
+        Perspective(45, 1, 30),
+        Perspective(45, 1e-3, math.inf),
+        Frustum(-0.7, 0.3, -0.4, 0.5, 1, 30),
+        Frustum(-7e-4, 3e-4, -4e-4, 5e-4, 1e-3, math.inf),
+        Orthographic(-3, 3, -3, 3, 1, 30),
+        Oblique(-4, 3, -3, 4, 4, 12, alpha_deg=95, beta_deg=80),
+    )
+    screen = off_screen(*size)
+    drawing = ImageDrawing(screen.plotter, scene, WORDS, LIGHT, framed=False)
+    for lens in lenses:
+        projection = Projection(camera, lens, size)
+        drawing.show_projection(projection)
+        image = screen.pixels()
+        for end in (5, 6, 3):
+            along = corners[7] + np.linspace(0.02, 0.98, 200)[:, None] * (corners[end] - corners[7])
+            x, y = projection.trace(along).image.T.astype(int)
+            for column, row in zip(x, y, strict=True):
+                beside = image[row - 1 : row + 2, column - 1 : column + 2]
+                assert drawn(beside, front).any(), (lens, column, row)
+        # At the silhouette a back edge's end may show.
+        seen = np.argwhere(drawn(image, back))[:, ::-1] + 0.5
+        ends = projection.trace(corners[[1, 2, 4]]).image
+        away = np.linalg.norm(seen[:, None] - ends, axis=2).min(axis=1)
+        assert away.max(initial=0.0) < 4.0, lens
+
+
+# --------------------------------------------------------------------------- what a step may do
+
+
+@pytest.mark.parametrize("kind", [NdcDrawing, ImageDrawing])
+def test_a_step_sets_matrices_and_nothing_else(
+    kind: Any, off_screen: Callable[[int, int], OffScreen]
+) -> None:
+    scene = load("letter-f")
+    screen = off_screen(300, 300)
+    drawing = kind(screen.plotter, scene, WORDS, LIGHT)
+    drawing.show_projection(scene.start)
+    screen.pixels()
+    renders: list[str] = []
+    screen.window.AddObserver("RenderEvent", lambda _o, event: renders.append(event))
+    screen.window.AddObserver("StartEvent", lambda _o, event: renders.append(event))
+
+    def state() -> list[Any]:
+        props = [
+            prop for renderer in screen.window.GetRenderers() for prop in renderer.GetViewProps()
+        ]
+        actors = [prop for prop in props if prop.IsA("vtkActor")]
+        return [
+            [id(prop) for prop in props],
+            [actor.GetMapper().GetMTime() for actor in actors],
+            [actor.GetMapper().GetInput().GetMTime() for actor in actors],
+            [actor.GetProperty().GetMTime() for actor in actors],
+        ]
+
+    before = state()
+    matrices = [
+        actor.GetUserMatrix()
+        for renderer in screen.window.GetRenderers()
+        for actor in renderer.GetActors()
+    ]
+    times = [matrix.GetMTime() for matrix in matrices]
+    for step in range(20):
+        camera = replace(scene.start.camera, eye=(6.0 + 0.1 * step, 5.0, 9.0))
+        drawing.show_projection(replace(scene.start, camera=camera))
+    assert renders == []
+    assert state() == before
+    assert [m.GetMTime() for m in matrices] != times
+
+
+@pytest.mark.parametrize("kind", [NdcDrawing, ImageDrawing])
+def test_a_step_changes_what_is_seen(
+    kind: Any, off_screen: Callable[[int, int], OffScreen]
+) -> None:
+    scene = load("letter-f")
+    screen = off_screen(300, 300)
+    drawing = kind(screen.plotter, scene, WORDS, LIGHT)
+    drawing.show_projection(scene.start)
+    first = screen.pixels()
+    drawing.show_projection(replace(scene.start, lens=Perspective(60.0, 2.0, 20.0)))
+    assert (screen.pixels() != first).any()
+    drawing.show_projection(scene.start)
+    assert (screen.pixels() == first).all()
+
+
+@pytest.mark.parametrize("kind", [NdcDrawing, ImageDrawing])
+def test_a_removed_drawing_leaves_room_for_another(
+    kind: Any, off_screen: Callable[[int, int], OffScreen]
+) -> None:
+    scene = load("letter-f")
+    screen = off_screen(300, 300)
+    found = screen.window.GetRenderers().GetNumberOfItems()
+    pictures = []
+    for _ in range(2):
+        drawing = kind(screen.plotter, scene, WORDS, LIGHT)
+        drawing.show_projection(scene.start)
+        pictures.append(screen.pixels())
+        drawing.remove()
+        assert screen.window.GetRenderers().GetNumberOfItems() == found
+        assert screen.plotter.renderer.GetViewProps().GetNumberOfItems() == 0
+        assert not screen.window.HasObserver("StartEvent")
+    assert (pictures[0] == pictures[1]).all()
+
+
+@pytest.mark.parametrize("kind", [NdcDrawing, ImageDrawing])
+@pytest.mark.parametrize("dpi", [72, 144])
+def test_words_have_their_size_whatever_dots_per_inch_the_window_claims(
+    kind: Any, dpi: int, off_screen: Callable[[int, int], OffScreen]
+) -> None:
+    scene = load("cube")
+    pictures = []
+    for claimed in (72, dpi):
+        screen = off_screen(300, 300)
+        drawing = kind(screen.plotter, scene, WORDS, LIGHT.enlarged(2.0))
+        drawing.show_projection(scene.start)
+        screen.window.SetDPI(claimed)
+        pictures.append(screen.pixels())
+    assert (pictures[0] == pictures[1]).all()
+
+
+def test_far_from_the_origin_the_picture_is_the_same(
+    off_screen: Callable[[int, int], OffScreen],
+) -> None:
+    """The scene's origin meets the eye in float64; float32 would leave steps of 8 here."""
+    near_scene = without_lines(load("letter-f"))
+    shift = (1e8, -1e8, 1e8)
+    start = near_scene.start.camera
+
+    def moved(point: tuple[float, ...]) -> Any:
+        return tuple(p + s for p, s in zip(point, shift, strict=True))
+
+    far_scene = replace(
+        near_scene, origin=shift, lower=moved(near_scene.lower), upper=moved(near_scene.upper)
+    )
+    far_camera = Camera(moved(start.eye), moved(start.target), start.up)
+    for kind in (NdcDrawing, ImageDrawing):
+        pictures = []
+        for scene, camera in ((near_scene, start), (far_scene, far_camera)):
+            screen = off_screen(400, 300)
+            drawing = kind(screen.plotter, scene, WORDS, LIGHT)
+            drawing.show_projection(replace(near_scene.start, camera=camera))
+            pictures.append(screen.pixels().astype(int))
+        assert (pictures[0] != pictures[1]).any(axis=-1).sum() <= 20
+
+
+def test_extreme_projections_draw_without_a_word(
+    off_screen: Callable[[int, int], OffScreen],
+) -> None:
+    """Neither NumPy nor VTK has anything to say; `off_screen` and pytest hold both to it."""
+    scene = load("letter-f")
+    cameras = (
+        scene.start.camera,
+        Camera((0, 2.2, 0), (0, 0, 5)),
+        Camera((-1.0, 0.5, 0.0), (-1.0, 0.5, -1.0)),
+        Camera((1e9, 1e9, 1e9), (0, 0, 0)),
+    )
+    lenses = (
+        Perspective(45, 1e-6, math.inf),
+        Perspective(179.99, 1e-6, 1e9),
+        Perspective(1e-6, 1, 30),
+        Perspective(45, 1e-205, 1e100),
+        Perspective(45, 1, 1 + 1e-12),
+        Frustum(1e-7, 1e9, -1e9, -1e-7, 1e-7, math.inf),
+        Frustum(-0.7, 0.7, -0.4, 0.4, 1e-89, 30.0),
+        Frustum(-1e-90, 1e-90, 1.0, 2.0, 1.0, 2.0),
+        Orthographic(-1e-9, 1e-9, -1e9, 1e9, -1e9, 1e9),
+        Oblique(-1e-9, 1e-9, -1e9, 1e9, -1e9, 1e9, alpha_deg=1e-4, beta_deg=179.9999),
+    )
+    for kind in (NdcDrawing, ImageDrawing):
+        screen = off_screen(120, 90)
+        drawing = kind(screen.plotter, scene, WORDS, LIGHT)
+        for camera in cameras:
+            for lens in lenses:
+                for depth in DEPTH_RANGES:
+                    projection = Projection(camera, lens, (16384, 1), depth)  # type: ignore[arg-type]
+                    drawing.show_projection(projection)
+                    drawing.reset_clipping_range()
+                    screen.pixels()
+
+
+def test_a_scene_with_nothing_in_it_is_an_empty_pane(
+    off_screen: Callable[[int, int], OffScreen],
+) -> None:
+    scene = replace(load("cube"), surface=None, lines=None)
+    screen = off_screen(200, 100)
+    drawing = ImageDrawing(screen.plotter, scene, WORDS, LIGHT, framed=False)
+    drawing.show_projection(scene.start)
+    assert (screen.pixels() == to_bytes(LIGHT.background)).all()
+    NdcDrawing(off_screen(200, 100).plotter, scene, WORDS, LIGHT).show_projection(scene.start)
+
+
+# --------------------------------------------------------------------------- in a window
+
+
+def test_a_wide_line_that_ends_beside_the_eye_is_drawn_in_a_pane(display: Any, qtbot: Any) -> None:
+    """Qt's core profile has no wide lines; VTK's own divide by the w of a line's ends."""
+    from pyvistaqt import QtInteractor
+
+    points = np.array([(0.4, -0.4, 0.0), (0.4, -0.4, -10.0)])
+    lines = pv.PolyData(points, lines=[2, 0, 1])
+    lines.cell_data["rgb"] = np.array([(200, 0, 0)], dtype=np.uint8)
+    scene = replace(load("cube"), surface=None, lines=lines)
+    canvas = QtInteractor(auto_update=False, multi_samples=0)
+    qtbot.addWidget(canvas, before_close_func=lambda widget: widget.close())
+    canvas.resize(200, 200)
+    drawing = ImageDrawing(canvas, scene, WORDS, LIGHT.enlarged(3.0), framed=False)
+    red = []
+    for z in (0.0, 1e-3):  # the line's end exactly in the eye's plane, and beside it
+        camera = Camera((0, 0, z), (0, 0, -1))
+        drawing.show_projection(Projection(camera, Perspective(90, 0.1, 20), (200, 200)))
+        with qtbot.waitExposed(canvas):
+            canvas.show()
+        QWidget.update(canvas)
+        picture = canvas.grab().toImage()
+        red.append(
+            sum(
+                picture.pixelColor(x, y).getRgb()[:3] == (200, 0, 0)
+                for x in range(200)
+                for y in range(200)
+            )
+        )
+    drawing.remove()
+    assert red[1] > 300  # sqrt(2) * 96 px long, 4.5 px wide
+    assert abs(red[0] - red[1]) <= 20
+
+
+# --------------------------------------------------------------------------- colours
+
+
+@pytest.mark.parametrize("style", [LIGHT, DARK], ids=["light", "dark"])
+def test_words_can_be_read_and_lines_be_seen(style: Style) -> None:
+    for background in (style.background, style.margin):
+        for text in (style.ink, style.muted):
+            assert contrast(text, background) >= 4.5
+    concepts = {
+        name: getattr(style, name)
+        for name in ("near", "far", "u", "v", "n", "eye", "target", "frustum", "accent")
+    }
+    assert len(set(concepts.values())) == len(concepts)  # one colour per concept
+    for colour in concepts.values():
+        assert contrast(style.text_on(colour), colour) >= 4.5
+        assert contrast(colour, style.background) >= 3.0
+
+
+def test_contrast_is_that_of_the_standard() -> None:
+    assert contrast("#000000", "#ffffff") == pytest.approx(21.0)
+    assert contrast("#777777", "#ffffff") == pytest.approx(4.48, abs=0.005)  # WCAG's known example
+    assert contrast("#0072b2", "#0072b2") == 1.0
+
+
+def test_a_projector_makes_words_and_lines_larger_and_keeps_the_colours() -> None:
+    large = LIGHT.enlarged(1.5)
+    assert (large.font_size, large.line_width) == (1.5 * LIGHT.font_size, 1.5 * LIGHT.line_width)
+    assert replace(large, font_size=LIGHT.font_size, line_width=LIGHT.line_width) == LIGHT
+
+
+@pytest.mark.parametrize("tolerance_px", [100.0, 1e-4])  # float32 draws, and float64
+def test_a_vertex_under_a_free_matrix_lights_its_pixel(
+    off_screen: Callable[[int, int], OffScreen], tolerance_px: float
+) -> None:
+    size = (640, 360)
+    letter = load("letter-f")
+    assert letter.surface is not None
+    points = np.unique(letter.surface.points, axis=0).astype(float)
+    vertices = pv.PolyData(points)
+    vertices.cell_data["rgb"] = np.array([(i, 0, 200) for i in range(len(points))], np.uint8)
+    screen = off_screen(1280, 720)
+    scene = replace(letter, surface=None, lines=vertices)
+    drawing = ImageDrawing(screen.plotter, scene, WORDS, LIGHT, tolerance_px, framed=False)
+    for actor in drawing.picture_renderer.GetActors():
+        actor.GetProperty().SetPointSize(3.0)
+    random = np.random.default_rng(21)
+    checked, worst, rungs = 0, 0.0, set()
+    for number in range(60):
+        start = replace(letter.start, image_size=size).with_depth(list(DEPTH_RANGES)[number % 3])
+        name = ("clip_from_view", "view_from_world")[number % 4 == 3]
+        row, column = random.integers(4, size=2)
+        value = shown(start, name)[row][column] + random.uniform(-0.2, 0.2)
+        projection = with_cell(start, name, int(row), int(column), value)
+        drawing.show_projection(projection)
+        rungs.add(drawing.rung)
+        image = screen.pixels()
+        trace = projection.trace(points)
+        rows, columns = np.nonzero(drawn(image[..., 1:], (0, 200)))
+        lit_by = image[rows, columns, 0]
+        beyond = trace.outside[:, :2].any(axis=1) | ~trace.in_front
+        deep = np.abs(trace.depth - 0.5) > 0.499  # the lift of lines takes them over the edge
+        assert not np.isin(lit_by, np.flatnonzero(beyond & ~deep)).any()
+        whole = (trace.image > 2.0) & (trace.image < np.array(size) - 2.0)
+        for i in np.flatnonzero(whole.all(axis=1) & ~beyond & ~deep):
+            x, y = trace.image[i]
+            assert image[int(2 * y), int(2 * x)].tolist() != to_bytes(LIGHT.background)
+            lit = lit_by == i
+            if lit.sum() == 9:
+                off_x = (columns[lit].mean() + 0.5) / 2.0 - x
+                off_y = (rows[lit].mean() + 0.5) / 2.0 - y
+                worst = max(worst, abs(off_x), abs(off_y))
+                checked += 1
+    assert checked > 200 and worst <= 0.26
+    assert rungs == {"float32"} if tolerance_px > 1.0 else "float64" in rungs

@@ -1,0 +1,290 @@
+"""Figures: the same pixels everywhere, and files that carry their document."""
+
+from __future__ import annotations
+
+import gc
+import hashlib
+import json
+import os
+import subprocess
+import sys
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import pyvista as pv
+from PIL import Image
+from PySide6.QtGui import QOpenGLContext
+from PySide6.QtWidgets import QWidget
+from vtkmodules.vtkRenderingCore import vtkRenderWindow
+
+from app.bootstrap import ROOT
+from app.document.document import Document, parse, read, to_json
+from app.drawings import WORDS
+from app.drawings.figures import PANES, FigureError, png_bytes, render, write_png
+from app.drawings.ndc import NdcDrawing
+from app.drawings.style import DARK, LIGHT, rgb
+from app.model.projection import Camera, Perspective, ProjectionError
+from app.scenes.scene import load
+from tests import PATIENCE_S
+
+_SCRIPT = """
+import hashlib, sys
+from app.drawings.figures import render
+from app.scenes.scene import load
+scene = load("letter-f")
+for panes, transparent in ((("world", "ndc", "image"), False), (("image",), True)):
+    pixels = render(scene, scene.start, panes, (330, 120), transparent=transparent)
+    print(pixels.shape, hashlib.sha256(pixels.tobytes()).hexdigest())
+"""
+
+
+def run_script(**changes: str | None) -> subprocess.CompletedProcess[str]:
+    environment = {**os.environ, **{k: v for k, v in changes.items() if v is not None}}
+    for name, value in changes.items():
+        if value is None:
+            environment.pop(name, None)
+    return subprocess.run(
+        [sys.executable, "-c", _SCRIPT],
+        cwd=ROOT,
+        env=environment,
+        capture_output=True,
+        text=True,
+        timeout=PATIENCE_S,
+        check=False,
+    )
+
+
+def test_the_pixels_are_the_same_with_and_without_a_display_and_at_any_scale(
+    display: Any,
+) -> None:
+    here = run_script()
+    assert here.returncode == 0, here.stderr
+    bare = run_script(DISPLAY=None, WAYLAND_DISPLAY=None)
+    assert bare.returncode == 0, bare.stderr
+    assert bare.stderr == ""  # nor does VTK complain of the missing display
+    assert bare.stdout == here.stdout
+    scaled = run_script(QT_SCALE_FACTOR="2", GDK_SCALE="2")
+    assert scaled.stdout == here.stdout
+
+
+def test_a_figure_beside_a_live_pane_is_the_same_and_leaves_the_pane_alone(
+    display: Any, qtbot: Any
+) -> None:
+    from pyvistaqt import QtInteractor
+
+    scene = load("cube")
+    alone = hashlib.sha256(render(scene, scene.start, ("ndc",), (200, 150)).tobytes())
+    canvas = QtInteractor(auto_update=False, multi_samples=0)
+    qtbot.addWidget(canvas, before_close_func=lambda widget: widget.close())
+    canvas.resize(200, 150)
+    drawing = NdcDrawing(canvas, scene, WORDS, LIGHT)
+    drawing.show_projection(scene.start)
+    with qtbot.waitExposed(canvas):
+        canvas.show()
+    before = canvas.grab().toImage()
+    context = QOpenGLContext.currentContext()
+    if context is not None:
+        context.doneCurrent()
+    beside = hashlib.sha256(render(scene, scene.start, ("ndc",), (200, 150)).tobytes())
+    QWidget.update(canvas)
+    assert canvas.grab().toImage() == before
+    drawing.remove()
+    assert beside.hexdigest() == alone.hexdigest()
+
+
+def test_the_image_alone_is_exactly_the_picture() -> None:
+    scene = load("letter-f")
+    projection = replace(scene.start, image_size=(321, 123))
+    pixels = render(scene, projection, ("image",))
+    assert pixels.shape == (123, 321, 3)
+    assert pixels.dtype == np.uint8
+    # The letter's top front left vertex: by the model left of it is nothing, right of it a face.
+    assert scene.surface is not None
+    x, y = projection.trace((-1.5, 4.5, 0.5)).image
+    row = int(y)
+    assert (pixels[row, int(x) - 5] == 255).all()
+    assert (pixels[row, int(x) + 5] != 255).any()
+
+
+def test_panes_stand_side_by_side_as_they_would_alone() -> None:
+    scene = load("letter-f")
+    three = render(scene, scene.start, PANES, (601, 200))
+    assert three.shape == (200, 601, 3)
+    two = render(scene, scene.start, ("image", "world"), (400, 200))
+    assert (two[:, 200:] == render(scene, scene.start, ("world",), (200, 200))).all()
+    assert (three[:, :200] == two[:, 200:]).all()
+    # Framed beside others: its margin is white here, its frame is not.
+    assert (two[:3] == 255).all()
+    assert (two[:, :200] != 255).any()
+
+
+def test_a_phenomenon_is_drawn_with_its_settings() -> None:
+    scene = load("similar-triangles")
+    size = (480, 160)
+    opened = render(scene, scene.start, PANES, size)
+    plain = render(replace(scene, phenomenon=None), scene.start, PANES, size)
+    for left in (0, 160, 320):  # the point P in every pane
+        assert (opened[:, left : left + 160] != plain[:, left : left + 160]).any()
+    assert scene.phenomenon is not None
+    defaults = dict(scene.phenomenon.defaults)
+    assert (render(scene, scene.start, PANES, size, settings=defaults) == opened).all()
+    behind = render(scene, scene.start, PANES, size, settings={"distance": -3.0})
+    assert (behind[:, :160] != opened[:, :160]).any()
+    with pytest.raises(ProjectionError) as caught:
+        render(scene, scene.start, PANES, size, settings={"distance": 0.0})
+    assert str(caught.value).startswith("settings.distance = 0")
+
+
+def test_scale_is_the_same_figure_with_more_pixels() -> None:
+    scene = load("letter-f")
+    once = render(scene, scene.start, ("ndc",), (240, 200))
+    twice = render(scene, scene.start, ("ndc",), (240, 200), scale=2.0)
+    assert twice.shape == (400, 480, 3)
+    shrunk = twice.reshape(200, 2, 240, 2, 3).mean(axis=(1, 3))
+    # Lines and letters grew with it; hinting moves letters by fractions of a pixel.
+    assert np.abs(shrunk - once).mean() < 3.0
+    thin = render(scene, scene.start, ("ndc",), (480, 400)).reshape(200, 2, 240, 2, 3)
+    assert np.abs(shrunk - once).mean() < 0.5 * np.abs(thin.mean(axis=(1, 3)) - once).mean()
+
+
+@pytest.mark.parametrize("panes", [("world",), ("ndc",), ("image",), ("image", "ndc")])
+@pytest.mark.parametrize("style", [LIGHT, DARK], ids=["light", "dark"])
+def test_transparent_laid_on_the_background_is_the_opaque_figure(panes: Any, style: Any) -> None:
+    """No dark seams: colours at the edges are not mixed with a background that is not there."""
+    scene = load("letter-f")
+    size = (160 * len(panes), 160)
+    opaque = render(scene, scene.start, panes, size, style=style).astype(float)
+    clear = render(scene, scene.start, panes, size, transparent=True, style=style).astype(float)
+    alpha = clear[..., 3:] / 255.0
+    assert clear[..., 3].min() == 0.0 and clear[..., 3].max() == 255.0
+    assert ((alpha > 0.05) & (alpha < 0.95)).any()
+    background = 255.0 * np.array(rgb(style.background))
+    laid = alpha * clear[..., :3] + (1.0 - alpha) * background
+    # The NDC cube's numbers lose plates of the background's colour, under which lines come out.
+    other = np.abs(laid - opaque).max(axis=-1) > 3.0
+    assert other.mean() <= (0.02 if "ndc" in panes else 0.0)
+
+
+@pytest.mark.parametrize("style", [LIGHT, DARK], ids=["light", "dark"])
+def test_no_plate_of_a_transparent_figure_has_the_colour_of_the_background(style: Any) -> None:
+    scene = load("letter-f")
+    pixels = render(scene, scene.start, ("ndc",), (300, 300), transparent=True, style=style)
+    background = np.round(255.0 * np.array(rgb(style.background)))
+    plate = (pixels[..., 3] > 250) & (np.abs(pixels[..., :3] - background).max(axis=-1) <= 2.0)
+    assert plate.sum() < 20  # with plates some hundreds; a letter in white has a few
+
+
+def test_edges_are_smooth() -> None:
+    scene = replace(load("cube"), lines=None)
+    pixels = render(scene, scene.start, ("image",), (200, 112))
+    assert scene.surface is not None
+    faces = {tuple(colour) for colour in scene.surface.cell_data["rgb"].tolist()}
+    found = {tuple(colour) for colour in pixels.reshape(-1, 3).tolist()}
+    assert len(found - faces - {(255, 255, 255)}) > 20
+
+
+@pytest.mark.parametrize(
+    ("changes", "names"),
+    [
+        ({"size": (0, 600)}, "width = 0"),
+        ({"size": (600, -1)}, "height = -1"),
+        ({"size": (95, 600)}, "width = 95"),
+        ({"size": (16385, 600)}, "width = 16385"),
+        ({"size": (600, 100_000)}, "height = 100000"),
+        ({"size": (9000, 600), "scale": 2.0}, "width = 9000 times scale 2"),
+        ({"size": (float("nan"), 600)}, "width = nan"),
+        ({"scale": 0.0}, "scale = 0"),
+        ({"scale": -1.0}, "scale = -1"),
+        ({"scale": float("nan")}, "scale = nan"),
+        ({"scale": float("inf")}, "scale = inf"),
+        ({"panes": ()}, "panes = ()"),
+        ({"panes": ("ndc", "matrix")}, "pane = 'matrix'"),
+        ({"panes": "image"}, "panes = 'image'"),
+    ],
+)
+def test_a_figure_that_cannot_be_is_refused_in_one_sentence(
+    changes: dict[str, Any], names: str
+) -> None:
+    scene = load("cube")
+    with pytest.raises(FigureError) as caught:
+        render(scene, scene.start, **changes)
+    assert str(caught.value).startswith(names)
+    assert "must" in str(caught.value) and str(caught.value).endswith(".")
+
+
+def test_a_long_figure_is_drawn_to_its_last_pixel() -> None:
+    """Larger than what is averaged, and than many a screen: nothing is cut off."""
+    scene = replace(load("cube"), lines=None)
+    projection = replace(
+        scene.start,
+        camera=Camera((0.0, 0.5, 0.6), (0.0, 0.5, 0.0)),  # the front face fills the picture
+        lens=Perspective(45.0, 0.01, 10.0),
+        image_size=(16384, 40),
+    )
+    pixels = render(scene, replace(projection, image_size=(64, 64)), ("image",), (16384, 40))
+    assert pixels.shape == (40, 16384, 3)
+    lit = (pixels != 255).any(axis=-1)
+    # Unframed it keeps the picture's aspect, in the middle.
+    assert lit[:, 8172:8212].all() and lit.sum() == 40 * 40
+
+
+def test_figures_leave_nothing_behind() -> None:
+    scene = load("cube")
+
+    def count() -> int:
+        gc.collect()
+        return sum(isinstance(thing, vtkRenderWindow | pv.Plotter) for thing in gc.get_objects())
+
+    render(scene, scene.start, PANES, (300, 100))
+    before = count()
+    open_before = len(pv.plotting.plotter._ALL_PLOTTERS)
+    for _ in range(20):
+        render(scene, scene.start, PANES, (300, 100))
+    assert count() == before
+    assert len(pv.plotting.plotter._ALL_PLOTTERS) == open_before
+
+
+def test_the_environment_is_left_as_it_was(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("DISPLAY", raising=False)
+    before = dict(os.environ)
+    scene = load("cube")
+    render(scene, scene.start, ("image",), (32, 32))
+    assert dict(os.environ) == before
+
+
+def test_a_png_brings_its_pixels_and_its_document_back(tmp_path: Path) -> None:
+    scene = load("letter-f")
+    document = Document("letter-f", replace(scene.start, depth="reversed"))
+    pixels = render(scene, document.projection, ("ndc",), (90, 70), transparent=True)
+    path = tmp_path / "figure.png"
+    write_png(path, pixels, to_json(document))
+    with Image.open(path) as image:
+        assert (np.array(image) == pixels).all()
+    assert read(path) == document
+    assert json.loads(to_json(read(path)))["depth"] == "reversed"
+    assert png_bytes(pixels, to_json(document)) == path.read_bytes()
+    assert parse(to_json(document)) == document
+    plain = tmp_path / "plain.png"
+    write_png(plain, pixels)
+    assert b"frustum-lab" not in plain.read_bytes()
+
+
+def test_a_mesh_far_from_the_origin_is_drawn_as_cleanly_as_near_it(tmp_path: Path) -> None:
+    """In float32, whose step at 1e7 is 1, nothing would be left of this ball of radius 1/2."""
+    ball = pv.Sphere(theta_resolution=24, phi_resolution=24)
+    points = np.round(np.asarray(ball.points, dtype=np.float64) * 1024.0) / 1024.0
+    pictures = []
+    for offset in (64.0, 1e7):  # neither has the world's axes in its grid
+        lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in (points + offset).tolist()]
+        lines += ["f " + " ".join(map(str, face + 1)) for face in ball.regular_faces]
+        path = tmp_path / f"ball-{offset:g}.obj"
+        path.write_text("\n".join(lines) + "\n")
+        scene = load(str(path))
+        pictures.append(render(scene, scene.start, size=(600, 200)))
+    near, far = pictures
+    assert len(np.unique(near.reshape(-1, 3), axis=0)) > 50
+    # The eye itself is rounded to 2e-9 there: a pixel on an edge may round the other way.
+    assert (near != far).any(axis=2).mean() < 1e-3

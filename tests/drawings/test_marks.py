@@ -1,0 +1,666 @@
+"""What phenomena draw over the panes, by the pixels that reach the screen."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from PySide6.QtWidgets import QWidget
+
+from app.drawings import WORDS
+from app.drawings.image import ImageDrawing
+from app.drawings.marks import DOT, MarksDrawing
+from app.drawings.ndc import NdcDrawing
+from app.drawings.style import DARK, LIGHT, rgb
+from app.drawings.world import WorldDrawing
+from app.lecture.stages import IMAGE, NDC, VIEW
+from app.model.projection import DEPTH_RANGES, Camera, Orthographic, Perspective, Projection
+from app.scenes.phenomena.illustration import Copy, Dot, Exhibit, Face, Line, Marks, Text
+from app.scenes.scene import Scene, load
+from tests.drawings.test_drawings import Pixels, drawn, off_screen, scene_of, to_bytes
+from widgets.panes.pane import Pane
+
+__all__ = ["off_screen"]
+
+RED, GREEN, BLUE = "#ff0000", "#00ff00", "#0000ff"
+SIZE = (600, 500)
+START = Projection(
+    Camera((2.5, 4.5, 8.0), (0.6, 2.4, 0.0)), Perspective(52.0, 1.0, 30.0), (640, 480)
+)
+LETTER = replace(load("letter-f"), start=START)
+# For the world pane: a camera whose frustum is nowhere near, and the pane's own close by.
+AWAY = Projection(Camera((0.0, 2.0, -60.0), (0.0, 2.0, -70.0)), Perspective(45.0, 1.0, 3.0))
+CLOSE = START.camera
+PANES: Mapping[str, Any] = {"world": WorldDrawing, "ndc": NdcDrawing, "image": ImageDrawing}
+PLACES = ((1.5, 5.0, 0.5), (-1.5, 0.0, 0.5), (0.3, 2.2, -0.5), (-2.0, 0.0, 1.5))
+
+
+class Shown:
+    """One drawing of a scene in a pane off the screen."""
+
+    def __init__(
+        self,
+        screen: Any,
+        pane: str,
+        scene: Scene = LETTER,
+        style: Any = LIGHT,
+        words: Mapping[str, str] = WORDS,
+    ) -> None:
+        self.screen, self.pane = screen, pane
+        self.projection = AWAY if pane == "world" else scene.start
+        self.drawing = PANES[pane](screen.plotter, scene, words, style)
+        self.drawing.show_projection(self.projection)
+        if pane == "world":
+            self.drawing.show_view(CLOSE)
+
+    def show(self, exhibit: Exhibit | None) -> Pixels:
+        self.drawing.show_projection(self.projection, exhibit)
+        pixels: Pixels = self.screen.pixels()
+        return pixels
+
+    def marks(self, points: Any, make: Callable[[NDArray[np.float64]], Marks]) -> Exhibit:
+        """An exhibit that marks world points in this pane, in its own coordinates."""
+        points = np.asarray(points, dtype=np.float64)
+        trace = self.projection.trace(points)
+        where = {"world": points, "ndc": trace.ndc, "image": trace.image}[self.pane]
+        return Exhibit((), **{self.pane: make(where)})
+
+    def seen(self, points: Any) -> NDArray[np.float64]:
+        """Where the pane shows world points, pixels from its top left."""
+        found: NDArray[np.float64] = self.drawing.sight.seen(np.asarray(points, dtype=np.float64))
+        return found
+
+
+@pytest.fixture
+def shown(off_screen: Any) -> Callable[..., Shown]:
+    def make(pane: str, *args: Any, **options: Any) -> Shown:
+        return Shown(off_screen(*SIZE), pane, *args, **options)
+
+    return make
+
+
+def dots(points: NDArray[np.float64]) -> Marks:
+    return Marks(dots=tuple(Dot(point, RED) for point in points))
+
+
+def middle(lit: NDArray[np.bool_]) -> NDArray[np.float64]:
+    rows, columns = np.nonzero(lit)
+    return np.array([columns.mean() + 0.5, rows.mean() + 0.5])
+
+
+def actors_of(shown: Shown) -> int:
+    return sum(
+        renderer.GetViewProps().GetNumberOfItems()
+        for renderer in shown.screen.window.GetRenderers()
+    )
+
+
+# --------------------------------------------------------------------------- marks
+
+
+@pytest.mark.parametrize("pane", PANES)
+def test_a_dot_lights_the_pixel_of_its_place(pane: str, shown: Callable[..., Shown]) -> None:
+    one = shown(pane)
+    for place in PLACES:
+        image = one.show(one.marks([place], dots))
+        lit = drawn(image, (255, 0, 0))
+        # Round, of constant size, and in front of everything.
+        radius = DOT * LIGHT.line_width / 2.0
+        assert lit.sum() == pytest.approx(math.pi * radius**2, rel=0.35)
+        assert np.abs(middle(lit) - one.seen([place])[0]).max() < 0.75
+
+
+@pytest.mark.parametrize("pane", PANES)
+def test_a_dot_stays_on_its_place_when_the_pane_is_looked_at_from_elsewhere(
+    pane: str, shown: Callable[..., Shown]
+) -> None:
+    one = shown(pane)
+    one.show(one.marks([PLACES[0]], dots))
+    if pane != "image":  # whose view is the model's
+        camera = one.screen.plotter.renderer.GetActiveCamera()
+        camera.Azimuth(30.0)
+        camera.Elevation(-10.0)
+        one.drawing.reset_clipping_range()
+    one.screen.window.SetSize(420, 470)
+    one.screen.pixels()
+    lit = drawn(one.screen.pixels(), (255, 0, 0))
+    assert np.abs(middle(lit) - one.seen([PLACES[0]])[0]).max() < 0.75
+
+
+@pytest.mark.parametrize("depth", DEPTH_RANGES)
+def test_marks_of_the_cube_are_at_its_own_depths(depth: str, shown: Callable[..., Shown]) -> None:
+    one = shown("ndc")
+    one.projection = replace(START, depth=depth)
+    one.drawing.show_projection(one.projection)
+    for place in PLACES[:3]:
+        image = one.show(one.marks([place], dots))
+        assert np.abs(middle(drawn(image, (255, 0, 0))) - one.seen([place])[0]).max() < 0.75
+
+
+@pytest.mark.parametrize("pane", PANES)
+def test_a_line_runs_from_end_to_end(pane: str, shown: Callable[..., Shown]) -> None:
+    """Above the letter, where nothing hides it; a polyline with a corner in it."""
+    one = shown(pane)
+    ends = [(-1.4, 5.3, 0.5), (1.2, 5.2, 0.5), (1.4, 5.8, 0.4)]
+    image = one.show(one.marks(ends, lambda p: Marks(lines=(Line(p, RED, 2.0),))))
+    lit = drawn(image, (255, 0, 0))
+    a, b, c = one.seen(ends)
+    along = np.linspace(0.0, 1.0, 60)[1:-1, None]
+    for start, end in ((a, b), (b, c)):
+        x, y = (start + along * (end - start)).astype(int).T
+        assert lit[y, x].all()
+    # And nowhere else: as much ink as the two lengths times the width.
+    ink = (math.dist(a, b) + math.dist(b, c)) * 2.0 * LIGHT.line_width
+    assert lit.sum() == pytest.approx(ink, rel=0.25)
+    rows, columns = np.nonzero(lit)
+    low, high = np.min([a, b, c], axis=0) - 3.0, np.max([a, b, c], axis=0) + 3.0
+    assert columns.min() > low[0] and columns.max() < high[0]
+    assert rows.min() > low[1] and rows.max() < high[1]
+
+
+def test_lines_stand_among_the_scene_and_come_before_the_faces_they_lie_on(
+    shown: Callable[..., Shown],
+) -> None:
+    one = shown("world")
+    front = [(-1.3, 0.5, 0.5), (-0.6, 4.5, 0.5)]
+    behind = [(-1.3, 0.5, -0.4), (-0.6, 4.5, -0.4)]
+
+    def share(ends: Any) -> float:
+        image = one.show(one.marks(ends, lambda p: Marks(lines=(Line(p, RED, 2.0),))))
+        x, y = np.linspace(*one.seen(ends), 40)[2:-2].astype(int).T
+        return float(drawn(image, (255, 0, 0))[y, x].mean())
+
+    assert share(front) == 1.0
+    assert share(behind) == 0.0
+
+
+def test_a_line_of_each_width_and_colour(shown: Callable[..., Shown]) -> None:
+    one = shown("image")
+    left, right = START.image_size[0] * 0.1, START.image_size[0] * 0.3
+    lines = tuple(
+        Line(np.array([(left, y), (right, y)]), colour, width)
+        for y, colour, width in ((100.0, RED, 1.0), (150.0, GREEN, 3.0), (200.0, BLUE, 6.0))
+    )
+    image = one.show(Exhibit((), image=Marks(lines)))
+    inks = [drawn(image, to_bytes(colour)).sum() for colour in (RED, GREEN, BLUE)]
+    assert inks[1] / inks[0] == pytest.approx(3.0, rel=0.35)
+    assert inks[2] / inks[1] == pytest.approx(2.0, rel=0.2)
+    # A style's name is its colour, in either style.
+    for style in (LIGHT, DARK):
+        one = shown("image", style=style)
+        line = replace(lines[2], colour="accent")
+        assert drawn(one.show(Exhibit((), image=Marks((line,)))), to_bytes(style.accent)).any()
+
+
+@pytest.mark.parametrize("pane", PANES)
+def test_a_face_tints_what_is_behind_it(pane: str, shown: Callable[..., Shown]) -> None:
+    one = shown(pane)
+    corners = [(2.2, 1.0, 0.4), (3.4, 1.0, 0.4), (3.4, 2.6, 0.4), (2.2, 2.6, 0.4)]
+    centre = one.seen([np.mean(corners, axis=0)])[0].astype(int)
+    before = one.show(None)[centre[1], centre[0]].astype(float)
+
+    def colour(opacity: float) -> NDArray[np.float64]:
+        exhibit = one.marks(corners, lambda p: Marks(faces=(Face(p, BLUE, opacity),)))
+        return one.show(exhibit)[centre[1], centre[0]].astype(float)
+
+    assert colour(1.0).tolist() == [0.0, 0.0, 255.0]
+    expected = 0.6 * before + 0.4 * np.array([0.0, 0.0, 255.0])
+    assert np.abs(colour(0.4) - expected).max() <= 2.0
+
+
+@pytest.mark.parametrize("pane", PANES)
+def test_a_text_stands_beside_its_point_on_its_plate(
+    pane: str, shown: Callable[..., Shown]
+) -> None:
+    one = shown(pane)
+    for place in PLACES[:2]:
+        image = one.show(one.marks([place], lambda p: Marks(texts=(Text("here", p[0], RED),))))
+        lit = drawn(image, (255, 0, 0))
+        assert lit.sum() > 100
+        away = np.abs(middle(lit) - one.seen([place])[0])
+        assert away.max() < 4.0 * LIGHT.font_size
+        # Nothing else of the pane's has been hidden by letters of another colour than readable.
+        inside = image[lit.any(axis=1)][:, lit.any(axis=0)]
+        assert drawn(inside, (0, 0, 0)).any() or drawn(inside, (255, 255, 255)).any()
+
+
+@pytest.mark.parametrize("pane", PANES)
+def test_a_text_is_written_in_the_window_s_language(pane: str, shown: Callable[..., Shown]) -> None:
+    place = (1.5, 5.0, 0.5)
+    pictures = []
+    for text, words in (
+        ("half-way", {**WORDS, "half-way": "na pola puta"}),
+        ("na pola puta", WORDS),
+        ("half-way", WORDS),
+    ):
+        one = shown(pane, words=words)
+        marks = one.marks([place], lambda p, text=text: Marks(texts=(Text(text, p[0], RED),)))
+        pictures.append(one.show(marks))
+    assert (pictures[0] == pictures[1]).all()
+    assert (pictures[0] != pictures[2]).any()
+
+
+@pytest.mark.parametrize("pane", ["world", "image"])
+def test_a_text_gets_out_of_the_way_of_what_the_scene_shows(
+    pane: str, shown: Callable[..., Shown]
+) -> None:
+    """Beside the stem's left edge: the first place, to the right, is over the letter."""
+    one = shown(pane)
+    place = (-1.5, 2.2, 0.5)
+    lit = drawn(one.show(one.marks([place], lambda p: Marks(texts=(Text("stem", p[0], RED),)))),
+                (255, 0, 0))  # fmt: skip
+    assert lit.sum() > 100
+    assert middle(lit)[0] < one.seen([place])[0][0] - 10.0
+
+
+def test_texts_of_one_place_do_not_hide_one_another(shown: Callable[..., Shown]) -> None:
+    one = shown("image")
+    middle_px = np.array(START.image_size) * (0.25, 0.4)
+    texts = tuple(Text("P", middle_px, colour) for colour in (RED, GREEN, BLUE))
+    image = one.show(Exhibit((), image=Marks(texts=texts)))
+    inks = [drawn(image, to_bytes(colour)).sum() for colour in (RED, GREEN, BLUE)]
+    assert min(inks) > 0.9 * max(inks) > 0
+
+
+def test_marks_of_the_picture_lie_over_the_scene(shown: Callable[..., Shown]) -> None:
+    one = shown("image")
+    x, y = START.trace((-1.0, 2.5, 0.5)).image
+    corners = np.array([(x - 20, y - 20), (x + 20, y - 20), (x + 20, y + 20), (x - 20, y + 20)])
+    image = one.show(Exhibit((), image=Marks(faces=(Face(corners, RED, 1.0),))))
+    left, top, width, _ = one.drawing.picture_rectangle_px
+    scale = width / START.image_size[0]
+    lit = drawn(image, (255, 0, 0))
+    assert lit.sum() == pytest.approx((40 * scale) ** 2, rel=0.1)
+    assert np.abs(middle(lit) - (left + x * scale, top + y * scale)).max() < 0.75
+
+
+# --------------------------------------------------------------------------- copies
+
+
+def square(z: float, colour: tuple[int, int, int], **options: Any) -> Scene:
+    points = [(-1, 0, z), (1, 0, z), (1, 2, z), (-1, 2, z)]
+    return replace(scene_of(points, [(0, 1, 2, 3)], [colour], **options), start=START)
+
+
+def shadow(light: Any, plane: Any) -> NDArray[np.float64]:
+    """The matrix (n . l) I - l n^T of a homogeneous light and plane: from any text on shadows."""
+    light, plane = np.asarray(light, dtype=np.float64), np.asarray(plane, dtype=np.float64)
+    matrix: NDArray[np.float64] = (plane @ light) * np.eye(4) - np.outer(light, plane)
+    return matrix
+
+
+TRANSLATED = np.eye(4)
+TRANSLATED[:3, 3] = 2.5, 0.4, -1.0
+PROJECTIVE = np.eye(4)
+PROJECTIVE[3] = 0.05, 0.0, 0.12, 1.0
+PROJECTIVE[0, 3] = 2.6
+SUN = shadow((-0.5, 1.0, -1.2, 0.0), (0.0, 1.0, 0.0, 0.0))
+COPIES = {"translation": TRANSLATED, "projective": PROJECTIVE, "shadow": SUN}
+
+
+def moved(matrix: NDArray[np.float64], points: Any) -> NDArray[np.float64]:
+    points = np.asarray(points, dtype=np.float64)
+    homogeneous = np.column_stack([points, np.ones(len(points))]) @ matrix.T
+    result: NDArray[np.float64] = homogeneous[:, :3] / homogeneous[:, 3:]
+    return result
+
+
+@pytest.mark.parametrize("pane", PANES)
+@pytest.mark.parametrize("kind", COPIES)
+@pytest.mark.parametrize("opacity", [1.0, 0.5])
+def test_a_copy_is_drawn_where_its_matrix_says(
+    kind: str, pane: str, opacity: float, shown: Callable[..., Shown]
+) -> None:
+    """A square of which only the copy is red, compared with the polygon that numpy computes."""
+    scene = square(0.0, (10, 120, 10))
+    one = shown(pane, scene)
+    before = one.show(None)
+    copy = Copy(COPIES[kind], (pane,), RED, opacity)
+    image = one.show(Exhibit((), copies=(copy,)))
+    assert scene.surface is not None
+    corners = one.seen(moved(COPIES[kind], scene.surface.points))
+    rows, columns = np.mgrid[: SIZE[1], : SIZE[0]] + 0.5
+    inside = np.ones(rows.shape, dtype=bool)
+    area = 0.0
+    for (ax, ay), (bx, by) in zip(corners, np.roll(corners, -1, axis=0), strict=True):
+        area += (ax * by - bx * ay) / 2.0
+    for (ax, ay), (bx, by) in zip(corners, np.roll(corners, -1, axis=0), strict=True):
+        side = (bx - ax) * (rows - ay) - (by - ay) * (columns - ax)
+        inside &= np.sign(area) * side > math.dist((ax, ay), (bx, by))  # 1 px from the border
+    assert inside.sum() > 300
+    changed = (image != before).any(axis=-1)
+    assert changed[inside].mean() > 0.93  # the scene's own square and the cube's lines hide some
+    border = np.linalg.norm(corners - np.roll(corners, -1, axis=0), axis=1).sum()
+    assert (changed & ~inside).sum() < 2.5 * border
+    if pane != "ndc":  # where the cube's tints lie over everything
+        expected = opacity * np.array([255.0, 0.0, 0.0]) + (1.0 - opacity) * 255.0
+        bare = inside & drawn(before, to_bytes(LIGHT.background))
+        assert bare.sum() > 300
+        assert np.abs(image[bare] - expected).max() <= 2.0
+
+
+def test_a_copy_keeps_the_faces_own_colours_unless_it_is_given_one(
+    shown: Callable[..., Shown],
+) -> None:
+    scene = square(0.0, (10, 120, 10))
+    one = shown("world", scene)
+    alone = drawn(one.show(None), (10, 120, 10)).sum()
+    own = one.show(Exhibit((), copies=(Copy(TRANSLATED),)))
+    assert drawn(own, (10, 120, 10)).sum() > 1.5 * alone
+    red = one.show(Exhibit((), copies=(Copy(TRANSLATED, colour=RED),)))
+    assert drawn(red, (255, 0, 0)).sum() > 0.5 * alone
+    assert drawn(red, (10, 120, 10)).sum() <= alone
+    again = one.show(Exhibit((), copies=(Copy(TRANSLATED),)))
+    assert (again == own).all()
+
+
+def test_a_copy_stands_only_in_its_panes(shown: Callable[..., Shown]) -> None:
+    scene = square(0.0, (10, 120, 10))
+    for pane in PANES:
+        one = shown(pane, scene)
+        before = one.show(None)
+        others = tuple(name for name in PANES if name != pane)
+        assert (one.show(Exhibit((), copies=(Copy(TRANSLATED, others, RED),))) == before).all()
+        assert (one.show(Exhibit((), copies=(Copy(TRANSLATED, (pane,), RED),))) != before).any()
+
+
+def test_a_shadow_does_not_fight_with_the_ground_it_lies_on(shown: Callable[..., Shown]) -> None:
+    """A wall on a large ground, both solid; the shadow must hide the ground everywhere."""
+    wall = [(-1, 0, 0), (1, 0, 0), (1, 2, 0), (-1, 2, 0)]
+    ground = [(-6, 0, 6), (6, 0, 6), (6, 0, -6), (-6, 0, -6)]
+    scene = replace(
+        scene_of(wall + ground, [(0, 1, 2, 3), (4, 5, 6, 7)], [(10, 120, 10), (200, 200, 90)]),
+        start=START,
+    )
+    for pane in ("world", "image"):
+        one = shown(pane, scene)
+        # Of a copy, the ground is flattened onto itself: all ground is in shadow.
+        # By a matrix whose products float32 cannot hold, so that depths come out differently.
+        matrix = shadow((-0.37, 1.1, -1.3, 0.0), (0.0, 0.7, 0.0, 0.0))
+        image = one.show(Exhibit((), copies=(Copy(matrix, (pane,), BLUE),)))
+        assert drawn(image, (0, 0, 255)).sum() > 20_000
+        assert drawn(image, (200, 200, 90)).sum() == 0
+
+
+@pytest.mark.parametrize("pane", ["ndc", "image"])
+def test_a_copy_is_cut_by_the_view_volume_as_the_scene_is(
+    pane: str, shown: Callable[..., Shown]
+) -> None:
+    scene = square(0.0, (10, 120, 10))
+    one = shown(pane, scene)
+    camera, lens = START.camera, START.lens
+    behind_far, before_near, aside = np.eye(4), np.eye(4), np.eye(4)
+    away = -camera.frame[2]
+    behind_far[:3, 3] = (lens.far + 1.0) * away
+    before_near[:3, 3] = -(camera.distance - 0.5 * lens.near) * away
+    aside[:3, 3] = 14.0 * camera.frame[0]
+    before = one.show(None)
+    for matrix in (behind_far, before_near, aside):
+        assert (one.show(Exhibit((), copies=(Copy(matrix, (pane,), RED),))) == before).all()
+
+
+def test_a_translucent_copy_shows_its_front_and_what_is_behind_it_once(
+    shown: Callable[..., Shown],
+) -> None:
+    """A cube has two faces behind each pixel: blended twice they would be darker."""
+    scene = replace(load("cube"), lines=None)
+    one = shown("image", scene)
+    matrix = np.eye(4)
+    matrix[0, 3] = -1.6
+    image = one.show(Exhibit((), copies=(Copy(matrix, ("image",), BLUE, 0.5),)))
+    lit = (np.abs(image.astype(int) - (127, 127, 255)) <= 2).all(axis=-1)
+    assert lit.sum() > 500
+    darker = (image[..., 2] > 200) & (image[..., 0] < 110) & (image[..., 1] < 110)
+    assert not darker.any()
+
+
+@pytest.mark.parametrize("pane", PANES)
+def test_a_copy_of_a_scene_far_from_the_origin_is_as_exact_as_near_it(
+    pane: str, shown: Callable[..., Shown]
+) -> None:
+    pictures = []
+    for origin in ((0.0, 0.0, 0.0), (1e7, -3e6, 2e7)):
+        scene = square(0.0, (10, 120, 10), origin=origin)
+        far = np.array(origin)
+        camera = Camera(tuple(far + START.camera.eye), tuple(far + START.camera.target))
+        scene = replace(
+            scene,
+            start=replace(START, camera=camera),
+            lower=tuple(far + scene.lower),
+            upper=tuple(far + scene.upper),
+        )
+        one = shown(pane, scene)
+        if pane == "world":
+            camera = Camera(tuple(far + AWAY.camera.eye), tuple(far + AWAY.camera.target))
+            one.projection = replace(AWAY, camera=camera)
+            one.drawing.show_projection(one.projection)
+            one.drawing.show_view(scene.start.camera)
+        dot = one.marks([far + np.array([0.5, 1.0, 1.0])], dots)
+        copies = (Copy(TRANSLATED, (pane,), BLUE),)
+        pictures.append(one.show(replace(dot, copies=copies)))
+    assert drawn(pictures[0], (0, 0, 255)).sum() > 300
+    assert drawn(pictures[0], (255, 0, 0)).any()
+    assert (pictures[0] != pictures[1]).any(axis=-1).sum() < 40
+
+
+def test_lines_are_copied_only_where_that_is_asked(shown: Callable[..., Shown]) -> None:
+    one = shown("world")
+    lifted = np.eye(4)
+    lifted[1, 3] = 6.0
+    plain = one.show(Exhibit((), copies=(Copy(lifted, colour=RED),)))
+    lines = one.show(Exhibit((), copies=(Copy(lifted, colour=RED, lines=True),)))
+    assert drawn(lines, (255, 0, 0)).sum() > drawn(plain, (255, 0, 0)).sum() + 300
+    assert (one.show(Exhibit((), copies=(Copy(lifted, colour=RED),))) == plain).all()
+
+
+# --------------------------------------------------------------------------- what must not be
+
+
+@pytest.mark.parametrize("pane", PANES)
+def test_nothing_smears_that_is_far_away_or_nowhere(pane: str, shown: Callable[..., Shown]) -> None:
+    one = shown(pane)
+    before = one.show(Exhibit(()))
+    k = 2 if pane == "image" else 3
+    for value in (1e30, -1e300, math.inf, -math.inf, math.nan, 1.7e308):
+        point = np.full(k, value)
+        mixed = np.array([1.0, *np.full(k - 1, value)])
+        marks = Marks(
+            (Line(np.stack([point, 0.5 * point])), Line(np.zeros((2, k))), Line(np.zeros((1, k)))),
+            (Face(np.stack([point, 0.7 * point, mixed]), RED, 1.0),),
+            (Dot(point, RED), Dot(mixed, RED)),
+            (Text("far", point, RED),),
+        )
+        image = one.show(Exhibit((), **{pane: marks}))
+        assert not drawn(image, (255, 0, 0)).any()
+        assert (image == before).all()
+    for matrix in (np.full((4, 4), math.nan), np.zeros((4, 4)), np.full((4, 4), math.inf)):
+        assert (one.show(Exhibit((), copies=(Copy(matrix, (pane,), RED),))) == before).all()
+
+
+@pytest.mark.parametrize("pane", PANES)
+def test_a_line_toward_infinity_keeps_its_direction(pane: str, shown: Callable[..., Shown]) -> None:
+    one = shown(pane)
+    start, along = np.array([(1.5, 5.0, 0.5), (2.0, 5.6, 0.5)])
+    k = 2 if pane == "image" else 3
+    ends = {
+        "world": np.array([start, along]),
+        "ndc": START.trace([start, along]).ndc,
+        "image": START.trace([start, along]).image,
+    }[pane]
+    direction = ends[1] - ends[0]
+    for length in (1e9, 1e30, 1e200):
+        line = np.stack([ends[0], ends[0] + length * direction])
+        assert line.shape == (2, k)
+        image = one.show(Exhibit((), **{pane: Marks((Line(line, RED, 2.0),))}))
+        x, y = one.seen([start, along]).astype(int).T
+        assert drawn(image, (255, 0, 0))[y[1], x[1]]
+
+
+@pytest.mark.parametrize("pane", PANES)
+def test_nothing_remains_after_another_exhibit_and_the_way_back_is_the_same(
+    pane: str, shown: Callable[..., Shown]
+) -> None:
+    one = shown(pane)
+
+    def exhibit(count: int, colour: str) -> Exhibit:
+        def make(points: NDArray[np.float64]) -> Marks:
+            return Marks(
+                tuple(Line(points[[i, i + 1]], colour, 1.0 + i) for i in range(count)),
+                tuple(Face(points[i : i + 3], colour, 0.2) for i in range(count)),
+                tuple(Dot(points[i], colour, 1.0 + i) for i in range(count)),
+                tuple(Text(f"{i} {colour}", points[i], colour) for i in range(count)),
+            )
+
+        places = np.random.default_rng(5).uniform((-2, 0, -2), (2, 5, 2), (count + 2, 3))
+        return replace(
+            one.marks(places, make),
+            copies=tuple(
+                Copy(TRANSLATED + 0.1 * i * np.eye(4), (pane,), colour, 0.5) for i in range(count)
+            ),
+        )
+
+    few = one.show(exhibit(1, RED))
+    many = one.show(exhibit(3, BLUE))
+    assert not drawn(many, (255, 0, 0)).any()
+    count = actors_of(one)
+    assert (one.show(exhibit(1, RED)) == few).all()
+    assert not drawn(few, (0, 0, 255)).any()
+    assert (one.show(exhibit(3, BLUE)) == many).all()
+    assert actors_of(one) == count  # shown and hidden, never added or taken out
+    nothing = one.show(Exhibit(()))
+    assert not drawn(nothing, (255, 0, 0)).any() and not drawn(nothing, (0, 0, 255)).any()
+    assert (one.show(None) == nothing).all()
+    assert actors_of(one) == count
+    one.drawing.remove()
+    assert not drawn(one.screen.pixels(), (0, 0, 255)).any()
+
+
+def test_marks_of_ndc_are_hidden_at_every_other_stop(shown: Callable[..., Shown]) -> None:
+    one = shown("ndc")
+    exhibit = replace(one.marks([PLACES[0]], dots), copies=(Copy(TRANSLATED, ("ndc",), BLUE),))
+    at_ndc = one.show(exhibit)
+    assert drawn(at_ndc, (255, 0, 0)).any() and drawn(at_ndc, (0, 0, 255)).any()
+    for position in (VIEW, 3.5, IMAGE):
+        one.drawing.show_stage(position)
+        for pixels in (one.screen.pixels(), one.show(exhibit)):
+            assert not drawn(pixels, (255, 0, 0)).any() and not drawn(pixels, (0, 0, 255)).any()
+    one.drawing.show_stage(NDC)
+    assert (one.screen.pixels() == at_ndc).all()
+
+
+def test_the_world_pane_is_framed_with_its_marks_but_not_with_what_is_far(
+    shown: Callable[..., Shown],
+) -> None:
+    one = shown("world")
+    one.projection = START
+    one.drawing.show_projection(START)
+    one.drawing.reset_view()
+    plain = one.drawing.sight.eye
+    size = LETTER.size
+
+    def framed(distance: float) -> bool:
+        place = LETTER.centre[0], LETTER.centre[1] + distance, LETTER.centre[2]
+        one.show(one.marks([place], dots))
+        one.drawing.reset_view()
+        ((x, y),) = one.seen([place])
+        return bool(0.0 <= x <= SIZE[0] and 0.0 <= y <= SIZE[1])
+
+    assert framed(2.0 * size) and framed(4.0 * size)
+    assert (one.drawing.sight.eye != plain).any()
+    assert not framed(40.0 * size)
+    assert (one.drawing.sight.eye == plain).all()
+
+
+@pytest.mark.parametrize(
+    "lens", [Perspective(45.0, 1.0, math.inf), Orthographic(-4, 4, -3, 3, 1, 30)]
+)
+def test_copies_and_marks_hold_for_other_lenses(lens: Any, shown: Callable[..., Shown]) -> None:
+    one = shown("image", square(0.0, (10, 120, 10)))
+    one.projection = Projection(START.camera, lens, START.image_size)
+    one.drawing.show_projection(one.projection)
+    image = one.show(
+        replace(one.marks([PLACES[0]], dots), copies=(Copy(TRANSLATED, ("image",), BLUE),))
+    )
+    assert np.abs(middle(drawn(image, (255, 0, 0))) - one.seen([PLACES[0]])[0]).max() < 0.75
+    corners = one.seen(moved(TRANSLATED, [(-1, 0, 0), (1, 0, 0), (1, 2, 0), (-1, 2, 0)]))
+    x, y = corners.mean(axis=0).astype(int)
+    assert drawn(image, (0, 0, 255))[y, x]
+
+
+# --------------------------------------------------------------------------- in a pane
+
+
+def test_a_scene_without_a_phenomenon_builds_nothing(
+    shown: Callable[..., Shown], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse(*_: Any, **__: Any) -> None:
+        raise AssertionError("marks were built")
+
+    monkeypatch.setattr(MarksDrawing, "__init__", refuse)
+    for pane in PANES:
+        one = shown(pane)
+        count = actors_of(one)
+        one.show(None)
+        assert actors_of(one) == count
+
+
+def test_a_hidden_pane_computes_nothing_and_a_visible_one_paints_once(
+    display: Any, qtbot: Any
+) -> None:
+    calls: list[Exhibit | None] = []
+
+    class Counting(WorldDrawing):
+        def show_projection(self, projection: Projection, exhibit: Exhibit | None = None) -> None:
+            calls.append(exhibit)
+            super().show_projection(projection, exhibit)
+
+    window = QWidget()
+    qtbot.addWidget(window)
+    pane = Pane("World", Counting, orbits=True, parent=window)
+    pane.resize(400, 300)
+    window.resize(400, 300)
+    pane.build(START, None, None, LETTER, WORDS, LIGHT)
+
+    def exhibit(x: float) -> Exhibit:
+        return Exhibit((), world=dots(np.array([(x, 5.0, 0.5)])))
+
+    first, second = exhibit(0.0), exhibit(1.0)
+    pane.show_projection(START, first)
+    assert calls == []
+    with qtbot.waitExposed(window):
+        window.show()
+    render_window: Any = pane.canvas.render_window
+    qtbot.waitUntil(lambda: not render_window.GetNeverRendered())
+    assert calls[-1] is first
+    calls.clear()
+    painted: list[int] = []
+    observer = render_window.AddObserver("EndEvent", lambda *_: painted.append(1))
+    display.processEvents()
+    painted.clear()
+    pane.show_projection(START, second)
+    qtbot.waitUntil(lambda: bool(painted))
+    display.processEvents()
+    assert (calls, len(painted)) == ([second], 1)
+    pane.hide()
+    pane.show_projection(START, first)
+    pane.show_projection(START, None)
+    assert calls == [second]
+    pane.show()
+    assert calls == [second, None]
+    # Another style: the drawing is made anew.
+    pane.build(START, second, None, LETTER, WORDS, DARK)
+    assert calls[2:] == [None, second]  # its own start, then what the pane shows
+    image = pane.canvas.grab().toImage()
+    ratio = pane.canvas.devicePixelRatioF()
+    assert pane.drawing is not None
+    (spot,) = pane.drawing.sight.seen([(1.0, 5.0, 0.5)])
+    colour = image.pixelColor(int(spot[0]), int(spot[1])) if ratio == 1.0 else None
+    assert colour is None or colour.getRgb()[:3] == tuple(round(255 * c) for c in rgb(RED))
+    render_window.RemoveObserver(observer)
+    pane.close_canvas()
+    window.close()

@@ -1,0 +1,633 @@
+"""The rasteriser's own phenomena, by the pixels that it makes."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+import pyvista as pv
+from numpy.typing import NDArray
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow, vtkUnsignedCharArray
+
+from app.drawings import WORDS, rasterising
+from app.drawings.image import ImageDrawing
+from app.drawings.ndc import NdcDrawing
+from app.drawings.rasterising import REFUSED, TOO_FINE, counted_wrong_share, subdivided
+from app.drawings.style import LIGHT, rgb
+from app.drawings.world import WorldDrawing
+from app.model.depth import FORMATS, DepthBuffer
+from app.model.projection import (
+    DEPTH_RANGES,
+    Array,
+    Camera,
+    Lens,
+    Oblique,
+    Orthographic,
+    Perspective,
+    Projection,
+)
+from app.scenes.phenomena import depth_buffer, interpolation, popping
+from app.scenes.phenomena.illustration import Exhibit, Phenomenon
+from app.scenes.scene import Scene, load
+
+Pixels = NDArray[np.uint8]
+SIZE = (480, 270)
+PHENOMENA = {p.name: p for p in (m.PHENOMENON for m in (depth_buffer, interpolation, popping))}
+
+
+def pixels_of(window: Any) -> Pixels:
+    """Render once; (height, width, 3), the first row on top."""
+    window.Render()
+    width, height = SIZE
+    buffer = vtkUnsignedCharArray()
+    window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, buffer)
+    return np.array(vtk_to_numpy(buffer).reshape(height, width, 4)[::-1, :, :3])
+
+
+class Picture:
+    """An unframed image drawing off screen."""
+
+    def __init__(self, name: str, scene: Scene | None = None) -> None:
+        self.phenomenon = PHENOMENA[name]
+        self.scene = scene or load(name)
+        self.plotter: Any = pv.Plotter(off_screen=True, window_size=SIZE, border=False)
+        self.window = self.plotter.render_window
+        self.window.SetMultiSamples(0)
+        self.drawing = ImageDrawing(self.plotter, self.scene, WORDS, LIGHT, framed=False)
+        self.exhibit = Exhibit(())
+
+    def show(self, projection: Projection | None = None, **settings: Any) -> Picture:
+        """Take these over; draws nothing."""
+        projection = replace(projection or self.phenomenon.start, image_size=SIZE)
+        checked = self.phenomenon.checked(settings)
+        self.exhibit = self.phenomenon.show(projection, checked, self.scene.subject)
+        # Texts and dots would cover what is looked at here.
+        bare = replace(self.exhibit, image=replace(self.exhibit.image, lines=(), dots=(), texts=()))
+        self.drawing.show_projection(projection, bare)
+        return self
+
+    def pixels(self) -> Pixels:
+        """Render once; (height, width, 3), the first row on top."""
+        return pixels_of(self.window)
+
+    @property
+    def actors(self) -> list[Any]:
+        """All actors of the picture."""
+        found = self.drawing.picture_renderer.GetActors()
+        return [found.GetItemAsObject(i) for i in range(found.GetNumberOfItems())]
+
+
+@pytest.fixture
+def said() -> Iterator[vtkStringOutputWindow]:
+    """What VTK has to say: nothing, unless the test takes it away."""
+    window, before = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
+    vtkOutputWindow.SetInstance(window)
+    yield window
+    vtkOutputWindow.SetInstance(before)
+    assert window.GetOutput() == ""
+
+
+@pytest.fixture
+def make(said: vtkStringOutputWindow) -> Iterator[Any]:
+    made: list[Picture] = []
+
+    def one(name: str, scene: Scene | None = None) -> Picture:
+        made.append(Picture(name, scene))
+        return made[-1]
+
+    yield one
+    for picture in made:
+        picture.drawing.remove()
+        picture.plotter.close()
+
+
+@pytest.fixture
+def plotter(said: vtkStringOutputWindow) -> Iterator[Any]:
+    made: Any = pv.Plotter(off_screen=True, window_size=SIZE, border=False)
+    made.render_window.SetMultiSamples(0)
+    yield made
+    made.close()
+
+
+def looking(random: np.random.Generator, near: float, far: float) -> Projection:
+    """A camera in front of the ramp or the board and above it."""
+    eye = (random.uniform(-5, 5), random.uniform(3, 8), random.uniform(9, 15))
+    target = (random.uniform(-2, 2), random.uniform(0, 2), random.uniform(-9, -1))
+    lens = Perspective(random.uniform(35, 65), near, far)
+    return Projection(Camera(eye, target, (0.0, 1.0, 0.0)), lens, SIZE)
+
+
+# --------------------------------------------------------------------------- depth
+
+
+def depth_settings(random: np.random.Generator) -> tuple[Projection, Mapping[str, Any]]:
+    """Gaps of a tenth to twice what the buffer can tell apart at the target."""
+    kind = str(random.choice(list(FORMATS)))
+    near = 10.0 ** random.uniform(-3, 0) * (1e-4 if kind == "fixed32" else 1.0)
+    projection = looking(random, near, 10.0 ** random.uniform(2, 4))
+    if random.uniform() < 0.15:
+        projection = projection.with_lens("orthographic")
+    kinds = ("standard", "reversed") if projection.lens.parallel else depth_buffer.RANGES
+    settings = {
+        "format": kind,
+        "range": str(random.choice(kinds)),
+        "gap": 1.0,
+    }
+    buffer = depth_buffer.buffer_of(projection, settings)
+    assert isinstance(buffer, DepthBuffer)
+    step = min(float(buffer.gap(projection.camera.distance)), 2.0)
+    settings["gap"] = min(max(step * 10.0 ** random.uniform(-1.0, 0.3), 1e-9), 2.5)
+    return replace(projection, depth=str(random.choice(list(DEPTH_RANGES)))), settings  # type: ignore[arg-type]
+
+
+def test_the_predicted_share_of_wrong_pixels_is_the_counted_one(plotter: Any) -> None:
+    """50 settings that float32 can draw, every format and range among them; within 5 points."""
+    random = np.random.default_rng(50)
+    scene, show = load("depth-buffer"), depth_buffer.PHENOMENON.show
+    worst, seen, between = 0.0, set(), 0
+    while len(seen) < 50:
+        projection, settings = depth_settings(random)
+        exhibit = show(projection, settings, scene.subject)
+        reading, buffer = exhibit.readings[0], depth_buffer.buffer_of(projection, settings)
+        if reading.note is not None:  # too fine, or not in the picture
+            continue
+        assert isinstance(reading.value, float) and isinstance(buffer, DepthBuffer)
+        behind = depth_buffer.moved_behind(projection, float(settings["gap"]))
+        counted = counted_wrong_share(plotter, scene, projection, buffer, behind)
+        assert counted is not None
+        seen.add((len(seen), settings["format"], settings["range"]))
+        between += 5.0 < reading.value < 95.0
+        worst = max(worst, abs(100.0 * counted - reading.value))
+        assert abs(100.0 * counted - reading.value) <= 5.0, (projection, settings, counted)
+    assert {name for _, name, _ in seen} == set(FORMATS)
+    assert {name for _, _, name in seen} == set(depth_buffer.RANGES)
+    assert between >= 20, "shares of 0 and 1 prove little"
+
+
+@pytest.mark.parametrize("kind", ["fixed8", "fixed16", "float16"])
+@pytest.mark.parametrize("gap", [1e-9, 1e-6, 5e-6, 1e-4])
+def test_a_gap_that_no_buffer_tells_is_counted_too(plotter: Any, kind: str, gap: float) -> None:
+    """What is in front is known, though the picture that tells it has but 24 bits."""
+    scene = load("depth-buffer")
+    settings = {"format": kind, "range": "standard", "gap": gap}
+    reading = depth_buffer.PHENOMENON.show(scene.start, settings, scene.subject).readings[0]
+    buffer = depth_buffer.buffer_of(scene.start, settings)
+    assert isinstance(buffer, DepthBuffer) and isinstance(reading.value, float)
+    behind = depth_buffer.moved_behind(scene.start, gap)
+    counted = counted_wrong_share(plotter, scene, scene.start, buffer, behind)
+    assert counted is not None
+    assert reading.note is None and reading.value > 99.0
+    assert abs(100.0 * counted - reading.value) <= 1.0
+
+
+def test_what_a_parallel_lens_shows_is_counted_however_far_its_planes_are_apart(
+    plotter: Any,
+) -> None:
+    """Depths of all from near to far in a float32 would not tell the ramp's two surfaces apart."""
+    scene = load("depth-buffer")
+    for kind, near, far, stored, gap in (
+        ("orthographic", 1.0, 5e3, "fixed8", 1e-4),
+        ("orthographic", -5e3, 5e3, "fixed16", 1e-4),
+        ("orthographic", -1e5, 1e3, "float16", 1e-4),
+        ("orthographic", -1e7, 1e7, "fixed16", 0.1),
+        ("oblique", 1.0, 1e6, "fixed16", 0.1),
+        ("orthographic", -1e5, 1e4, "fixed8", 100.0),
+        ("oblique", 1.0, 1e4, "fixed24", 1e-4),
+        ("orthographic", 1.0, 2e4, "fixed24", 1e-4),
+    ):
+        projection = scene.start.with_lens(kind)
+        projection = replace(projection, lens=replace(projection.lens, near=near, far=far))
+        settings = {"format": stored, "range": "reversed", "gap": gap}
+        reading = depth_buffer.PHENOMENON.show(projection, settings, scene.subject).readings[0]
+        buffer = depth_buffer.buffer_of(projection, settings)
+        assert isinstance(buffer, DepthBuffer) and isinstance(reading.value, float)
+        behind = depth_buffer.moved_behind(projection, gap)
+        counted = counted_wrong_share(plotter, scene, projection, buffer, behind)
+        assert counted is not None, kind
+        if stored == "fixed24":  # the codes are as fine as the float32 that they are made of
+            assert reading.note is not None and counted > 0.5
+        else:
+            assert reading.note is None
+            assert abs(100.0 * counted - reading.value) <= 5.0, (kind, near, far, stored)
+
+
+def test_the_image_pane_shows_the_stripes_that_are_counted(plotter: Any, make: Any) -> None:
+    picture = make("depth-buffer").show()
+    start = replace(picture.phenomenon.start, image_size=SIZE)
+    pixels = picture.pixels().astype(int)
+    front, back = ((pixels == rgb_).all(axis=-1) for rgb_ in ((230, 159, 0), (0, 114, 178)))
+    share = back.sum() / (front | back).sum()
+    assert 100.0 * share == pytest.approx(picture.exhibit.readings[0].value, abs=5.0)
+    fine = picture.show(format="fixed24").pixels().astype(int)
+    assert not (fine == (0, 114, 178)).all(axis=-1)[SIZE[1] // 2 :].any()
+    again = picture.show().pixels()
+    assert (again == pixels).all(), "another format leaves nothing behind"
+    assert picture.drawing.problem is None
+    assert start.image_size == SIZE
+
+
+def test_a_picture_is_the_same_whatever_was_shown_before(make: Any) -> None:
+    """Copies of faces have the phenomenon's depth buffer, also those made after a first picture."""
+    fresh, used = make("depth-buffer"), make("depth-buffer")
+    used.drawing.show_projection(replace(used.phenomenon.start, image_size=SIZE))
+    assert (used.show().pixels() == fresh.show().pixels()).all()
+
+
+def test_without_a_depth_buffer_that_lens_can_have_nothing_is_rounded(make: Any) -> None:
+    picture = make("depth-buffer")
+    start = picture.phenomenon.start
+    endless = replace(start, lens=Perspective(45.0, 1.0, math.inf))
+    plain = picture.show(endless, range="standard", format="fixed24").pixels()
+    refused = picture.show(endless, range="logarithmic", format="fixed8").pixels()
+    assert picture.exhibit.warning is not None and picture.exhibit.rendering is None
+    assert (plain == refused).all()
+
+
+# --------------------------------------------------------------------------- texture
+
+
+def board_coordinates(
+    picture: Picture, projection: Projection, parts: int, affine: bool
+) -> tuple[Array, NDArray[np.bool_]]:
+    """s and t of every pixel's centre, by barycentric weights on the screen; NaN beside it.
+
+    The triangles are those of the mesh itself, each side cut in `parts`. Second: pixels whose
+    triangle's border is too near to say which of two triangles has them.
+    """
+    mesh = subdivided(pv.wrap(picture.drawing._rasteriser._plain), parts)
+    corners = np.asarray(mesh.points, dtype=float)[mesh.regular_faces]
+    trace = projection.trace(corners)
+    width, height = SIZE
+    all_x, all_y = np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5)
+    found = np.full((height, width, 2), np.nan)
+    unsure = np.zeros((height, width), bool)
+    for place, image, w in zip(corners, trace.image, -trace.view[..., 2], strict=True):
+        edges = np.stack([image[(i + 1) % 3] - image[i] for i in range(3)])
+        area = edges[0, 0] * edges[1, 1] - edges[0, 1] * edges[1, 0]
+        if abs(area) < 1e-9:
+            continue
+        low, high = np.clip(image.min(axis=0) - 2, 0, SIZE), np.clip(image.max(axis=0) + 2, 0, SIZE)
+        box = slice(int(low[1]), int(high[1])), slice(int(low[0]), int(high[0]))
+        x, y = all_x[box], all_y[box]
+        away = [
+            (edges[i, 0] * (y - image[i, 1]) - edges[i, 1] * (x - image[i, 0])) for i in range(3)
+        ]
+        b = np.stack([away[1], away[2], away[0]], axis=-1) / area
+        distance = np.stack([d / np.hypot(*e) for d, e in zip(away, edges, strict=True)], axis=-1)
+        unsure[box] |= (np.abs(distance).min(axis=-1) < 0.75) & (b > -0.2).all(axis=-1)
+        inside = (b >= 0.0).all(axis=-1)
+        weights = b if affine else b / w
+        weights /= weights.sum(axis=-1, keepdims=True)
+        st = (place[:, [0, 2]] + 5.0) / 10.0
+        found[box][inside] = (weights @ st)[inside]
+    return found, unsure
+
+
+def test_coordinates_on_the_screen_are_those_of_the_formula(make: Any) -> None:
+    """50 settings: each pixel's red and green against barycentric weights, to a step and a half."""
+    random = np.random.default_rng(18)
+    picture = make("interpolation")
+    compared = 0
+    for number in range(50):
+        projection = looking(random, 0.5, 100.0)
+        parts, affine = int(random.choice([1, 2, 3, 8])), number % 3 != 0
+        picture.show(
+            projection,
+            pattern="coordinates",
+            subdivision=parts,
+            interpolation="affine" if affine else "correct",
+        )
+        pixels = picture.pixels()
+        expected, unsure = board_coordinates(picture, projection, parts, affine)
+        sure = np.isfinite(expected).all(axis=-1) & ~unsure
+        off = np.abs(pixels[sure][:, :2] - 255.0 * expected[sure])
+        assert off.max() <= 1.5, (number, projection, parts, affine)
+        compared += int(sure.sum())
+    assert compared > 200_000
+
+
+def test_the_largest_error_is_the_one_in_the_picture(make: Any) -> None:
+    """Affine minus correct, pixel by pixel: up to the formula and not beyond; 50 settings."""
+    random = np.random.default_rng(81)
+    picture = make("interpolation")
+    reached = []
+    while len(reached) < 50:
+        # Wholly in the picture, so that the place of the largest error is.
+        projection = looking(random, 0.5, 100.0)
+        projection = replace(projection, lens=Perspective(75.0, 0.5, 100.0))
+        parts = int(random.choice([1, 1, 2, 4]))
+        inside = projection.trace(interpolation._CORNERS).outside
+        if inside.any():
+            continue
+        settings = {"pattern": "coordinates", "subdivision": parts}
+        affine = picture.show(projection, **settings).pixels().astype(float)
+        texels = picture.exhibit.readings[0].value
+        correct = picture.show(projection, interpolation="correct", **settings).pixels()
+        board = (affine[..., 2] == 0) & (correct[..., 2] == 0)
+        off = (affine - correct)[board][:, :2] / 255.0 * interpolation.TEXELS
+        largest = float(np.hypot(off[:, 0], off[:, 1]).max())
+        assert largest <= texels + 1.5, (projection, parts)
+        reached.append(largest / texels if texels > 20.0 else 1.0)
+    assert np.mean(reached) > 0.95 and min(reached) > 0.85
+
+
+def test_affine_and_correct_are_the_same_where_w_is_constant(make: Any) -> None:
+    picture = make("interpolation")
+    above = Projection(
+        Camera((0.0, 12.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, -1.0)), Perspective(60.0, 1.0, 30.0)
+    )
+    affine = picture.show(above, interpolation="affine").pixels()
+    correct = picture.show(above, interpolation="correct").pixels()
+    assert (affine != correct).any(axis=-1).mean() < 1e-3
+    assert picture.exhibit.readings[0].value == pytest.approx(0.0, abs=1e-9)
+    parallel = picture.phenomenon.start.with_lens("orthographic")
+    picture.show(parallel)
+    assert picture.exhibit.readings[0].value == 0.0
+
+
+@pytest.mark.parametrize("kind", [WorldDrawing, NdcDrawing])
+def test_the_other_panes_show_the_texture_as_it_is(said: Any, kind: Any) -> None:
+    plotter: Any = pv.Plotter(off_screen=True, window_size=SIZE, border=False)
+    plotter.render_window.SetMultiSamples(0)
+    scene = load("interpolation")
+    drawing = kind(plotter, scene, WORDS, LIGHT)
+    drawing.show_projection(scene.start)
+    shown = []
+    for choice in (None, "affine", "correct"):
+        if choice is not None:
+            settings = interpolation.PHENOMENON.checked({"interpolation": choice})
+            exhibit = interpolation.PHENOMENON.show(scene.start, settings, scene.subject)
+            drawing.show_projection(scene.start, Exhibit((), rendering=exhibit.rendering))
+        shown.append(pixels_of(plotter.render_window).astype(int))
+    plain, affine, correct = shown
+    darker = (plain - affine).max(axis=-1) > 60
+    assert darker.mean() > 0.003, "there are checks"
+    assert (affine == correct).all()
+    drawing.remove()
+    plotter.close()
+
+
+def test_subdivided_triangles_are_the_same_surface() -> None:
+    points = np.array([(0.1, 0, 0), (3.3, 0.2, 1), (0, 2.7, 0.1), (4.1, 3.9, -0.7)])
+    mesh = pv.PolyData.from_regular_faces(points, np.array([[0, 1, 2], [2, 1, 3]]))
+    mesh.point_data["rgb"] = np.array([[0, 0, 0]] * 2 + [[200, 0, 0], [0, 200, 0]], np.uint8)
+    for parts in (1, 2, 7, 64):
+        cut = subdivided(mesh, parts)
+        assert cut.n_cells == 2 * parts**2
+        assert cut.area == pytest.approx(mesh.area, rel=1e-5)
+        colours, counts = np.unique(
+            cut.point_data["rgb"][cut.regular_faces[:, 2]], axis=0, return_counts=True
+        )
+        assert colours.tolist() == [[0, 200, 0], [200, 0, 0]] and counts.tolist() == [parts**2] * 2
+        distinct = np.unique(np.asarray(cut.points), axis=0)
+        assert len(distinct) == (parts + 1) ** 2, "neighbours share what is on their common side"
+
+
+def test_too_many_triangles_are_named(make: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(rasterising, "MOST_TRIANGLES", 50)
+    picture = make("interpolation").show(subdivision=6)
+    assert picture.drawing.problem.template == TOO_FINE
+    assert picture.drawing.problem.values == ("2", "6", "5")
+    drawn = picture.pixels()
+    assert (drawn == picture.show(subdivision=5).pixels()).all()
+    assert picture.drawing.problem is None
+
+
+# --------------------------------------------------------------------------- fog and levels
+
+
+@pytest.mark.parametrize("kind", ["perspective", "orthographic"])
+@pytest.mark.parametrize("fog", ["linear", "exponential"])
+def test_fog_leaves_the_contrast_of_its_formula(make: Any, fog: str, kind: str) -> None:
+    """A wall that faces the camera, at 20 distances."""
+    scene = load("far-plane-popping")
+    wall = pv.PolyData(
+        np.array([(-90.0, -90, 0), (90, -90, 0), (90, 90, 0), (-90, 90, 0)]), faces=[4, 0, 1, 2, 3]
+    )
+    wall.cell_data["rgb"] = np.array([[90, 90, 90]], dtype=np.uint8)
+    picture = make("far-plane-popping", replace(scene, surface=wall, lines=None))
+    background = 255.0 * np.array(rgb(LIGHT.background))
+    for w in np.linspace(2.0, 95.0, 20):
+        at = Projection(Camera((0.0, 0.0, w), (0.0, 0.0, 0.0), (0.0, 1.0, 0.0)))
+        at = replace(at, lens=Perspective(40.0, 1.0, 100.0)).with_lens(kind)
+        picture.show(at, fog=fog, fog_start=10.0, fog_end=80.0, fog_density=0.03)
+        picture.drawing._rasteriser._choose_faces(in_levels=False)  # the wall, not the trees
+        pixel = picture.pixels()[SIZE[1] // 2, SIZE[0] // 2]
+        part = math.exp(-0.03 * w) if fog == "exponential" else min(1.0, max(0.0, (80 - w) / 70))
+        assert pixel == pytest.approx(background * (1.0 - part) + 90.0 * part, abs=1.0), w
+    if kind == "orthographic":  # whose near plane may lie behind the eye, where fog has not begun
+        behind = replace(at, camera=Camera((0.0, 0.0, -50.0), (0.0, 0.0, -90.0)))
+        behind = replace(behind, lens=replace(behind.lens, near=-100.0))
+        picture.show(behind, fog=fog, fog_start=10.0, fog_end=80.0, fog_density=0.03)
+        picture.drawing._rasteriser._choose_faces(in_levels=False)
+        assert picture.pixels()[SIZE[1] // 2, SIZE[0] // 2] == pytest.approx(90.0, abs=1.0)
+
+
+def tree_scene(level: int) -> Scene:
+    """All trees at one level of detail, as an ordinary scene without requirements."""
+    quads, rgb_ = popping._levels()[level][0]
+    points = quads.reshape(-1, 3)
+    first = 4 * np.arange(len(quads))[:, None]
+    mesh = pv.PolyData.from_regular_faces(points, first + np.arange(4))
+    mesh.cell_data["rgb"] = rgb_
+    return replace(load("far-plane-popping"), surface=mesh, phenomenon=None)
+
+
+@pytest.mark.parametrize(
+    ("settings", "level"),
+    [
+        ({"detail": False}, 0),
+        ({"detail": True, "detail_1": 900.0, "detail_2": 901.0}, 0),
+        ({"detail": True, "detail_1": 0.0, "detail_2": 900.0}, 1),
+        ({"detail": True, "detail_1": 0.0, "detail_2": 0.001}, 2),
+    ],
+)
+def test_each_level_is_drawn_where_it_is_due(
+    make: Any, plotter: Any, settings: Mapping[str, Any], level: int
+) -> None:
+    picture = make("far-plane-popping").show(**settings)
+    plain = ImageDrawing(plotter, tree_scene(level), WORDS, LIGHT, framed=False)
+    plain.show_projection(replace(picture.phenomenon.start, image_size=SIZE))
+    expected = pixels_of(plotter.render_window)
+    drawn = picture.pixels()
+    trees = (drawn[..., 1] > 1.3 * drawn[..., 0]).sum()
+    assert trees > 5000
+    assert (drawn != expected).any(axis=-1).mean() < 2e-3
+    plain.remove()
+
+
+def test_a_tree_changes_its_level_at_the_distance_set(make: Any) -> None:
+    """The nearest trees are 10 away: a thousandth of that to either side of the limit."""
+    picture = make("far-plane-popping")
+    n = picture.phenomenon.start.camera.frame[2]
+    w = float(n @ (np.array(picture.phenomenon.start.camera.eye) - popping.places()[0]))
+    simple = picture.show(detail=True, detail_1=w * 0.999, detail_2=900.0).pixels()
+    full = picture.show(detail=True, detail_1=w * 1.001, detail_2=900.0).pixels()
+    same = picture.show(detail=True, detail_1=w * 1.002, detail_2=900.0).pixels()
+    left = slice(0, SIZE[0] // 4)  # where the nearest tree of the left row is
+    assert (simple != full)[:, left].any(axis=-1).mean() > 0.01
+    assert (same == full).all()
+
+
+# --------------------------------------------------------------------------- what a step costs
+
+
+@pytest.mark.parametrize(
+    ("name", "one", "other"),
+    [
+        ("depth-buffer", {}, {"format": "float16", "range": "logarithmic", "gap": 0.01}),
+        ("interpolation", {}, {"interpolation": "correct", "subdivision": 8, "pattern": "checks"}),
+        ("far-plane-popping", {}, {"fog": "linear", "detail": True, "detail_1": 12.0}),
+    ],
+)
+def test_a_step_builds_no_shader_and_adds_no_actor(
+    make: Any, name: str, one: Mapping[str, Any], other: Mapping[str, Any]
+) -> None:
+    picture = make(name).show(**one)
+    first = picture.pixels()
+    actors = picture.actors
+
+    def built() -> list[tuple[int, ...]]:
+        shaders = [actor.GetShaderProperty() for actor in actors]
+        return [
+            (
+                shader.GetShaderMTime(),
+                shader.GetFragmentCustomUniforms().GetUniformListMTime(),
+                shader.GetVertexCustomUniforms().GetUniformListMTime(),
+            )
+            for shader in shaders
+        ]
+
+    before = built()
+    second = picture.show(**other).pixels()
+    assert (first != second).any()
+    assert picture.actors == actors and built() == before
+    assert (picture.show(**one).pixels() == first).all()
+
+
+# --------------------------------------------------------------------------- refused
+
+
+def heard_during(action: Callable[[], object]) -> str:
+    """What VTK says meanwhile, which is kept from everybody else."""
+    window, before = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
+    vtkOutputWindow.SetInstance(window)
+    action()
+    vtkOutputWindow.SetInstance(before)
+    return window.GetOutput()
+
+
+@pytest.mark.parametrize(
+    ("name", "part"),
+    [
+        ("depth-buffer", "_DEPTH"),
+        ("interpolation", "_CHECKS"),
+        ("far-plane-popping", "_FOG"),
+        ("far-plane-popping", "_LEVEL"),
+    ],
+)
+def test_an_opengl_that_refuses_the_shader_is_named(
+    make: Any,
+    monkeypatch: pytest.MonkeyPatch,
+    name: str,
+    part: str,
+) -> None:
+    """After the first rendering, which finds out; the next draws the ordinary picture."""
+    monkeypatch.setattr(rasterising, part, "this is no GLSL;")
+    picture = make(name).show()
+    assert picture.drawing.problem is None
+    assert "this is no GLSL" in heard_during(picture.pixels)
+    assert picture.drawing.problem.template == REFUSED
+    refused = picture.show().pixels()
+    ordinary = make(name, replace(picture.scene, phenomenon=None))
+    ordinary.drawing.show_projection(replace(picture.phenomenon.start, image_size=SIZE))
+    plain = ordinary.pixels()
+    scene_rgb = np.unique(picture.scene.surface.cell_data["rgb"], axis=0)
+    shown = [(picture_ == scene_rgb[0]).all(axis=-1) for picture_ in (plain, refused)]
+    assert shown[0].sum() > 100 and (shown[0] == shown[1]).mean() > 0.99
+
+
+def test_a_refusal_leaves_the_count_out(plotter: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(rasterising, "_DEPTH", "this is no GLSL;")
+    scene = load("depth-buffer")
+    behind = depth_buffer.moved_behind(scene.start, 0.1)
+    counted: list[float | None] = []
+
+    def count() -> None:
+        counted.append(counted_wrong_share(plotter, scene, scene.start, DepthBuffer(), behind))
+
+    assert "this is no GLSL" in heard_during(count)
+    assert counted == [None]
+
+
+# --------------------------------------------------------------------------- any camera
+
+
+LENSES: list[Lens] = [
+    Perspective(45.0, 1e-205, 1e100),
+    Perspective(1e-6, 1.0, math.inf),
+    Perspective(179.99, 1e-3, math.inf),
+    Perspective(60.0, 50.0, 50.000001),
+    Orthographic(-1e50, 1e50, -1e50, 1e50, -1e100, 1e100),
+    Orthographic(-1e-3, 1e-3, -1e-3, 1e-3, -1.0, 1.0),
+    Oblique(-8.0, 8.0, -5.0, 5.0, 0.0, 60.0, "stretch", 45.0, 60.0),
+]
+CAMERAS = [
+    Camera((3.0, 6.0, 13.0), (0.0, 2.0, -10.0), (0.0, 1.0, 0.0)),
+    Camera((0.0, 0.0, 0.0), (0.0, 0.0, -1.0), (0.0, 1.0, 0.0)),
+    Camera((0.0, -3.0, 4.0), (0.0, 5.0, 4.0), (0.0, 0.0, 1.0)),
+    Camera((1e100, 0.0, 1.0), (0.0, 0.0, 0.0), (0.0, 1.0, 0.0)),
+    Camera((5.0, 0.0, 5.0), (5.0, 1e-9, 5.0), (1.0, 0.0, 0.0)),
+    Camera((0.0, 3.0, -60.0), (0.0, 0.0, -120.0), (0.0, 1.0, 0.0)),
+]
+
+
+BOUND = ("fog_start", "fog_end", "detail_1", "detail_2", "subdivision")
+"""Settings that do not go together at their ends, or take long there."""
+
+
+def finite_marks(exhibit: Exhibit) -> bool:
+    marks = [getattr(exhibit, pane) for pane in ("world", "ndc", "image")]
+    points = [np.ravel(line.points) for mark in marks for line in mark.lines]
+    points += [np.ravel(at.point) for mark in marks for at in (*mark.dots, *mark.texts)]
+    return all(np.isfinite(part).all() for part in points)
+
+
+@pytest.mark.parametrize("phenomenon", PHENOMENA.values(), ids=PHENOMENA)
+def test_no_camera_makes_a_number_that_is_none(phenomenon: Phenomenon, make: Any) -> None:
+    picture = make(phenomenon.name)
+    random = np.random.default_rng(3)
+    for camera in CAMERAS:
+        for lens in LENSES:
+            for depth in DEPTH_RANGES:
+                projection = Projection(camera, lens, SIZE, depth)  # type: ignore[arg-type]
+                settings = {
+                    setting.name: (
+                        setting.choices[random.integers(len(setting.choices))][0]
+                        if setting.choices
+                        else bool(random.integers(2))
+                        if isinstance(setting.default, bool)
+                        else random.choice([setting.default, setting.low, setting.high])
+                    )
+                    for setting in phenomenon.settings
+                    if setting.name not in BOUND
+                }
+                picture.show(projection, **settings)
+                exhibit = picture.exhibit
+                for reading in exhibit.readings:
+                    if reading.value is None:
+                        assert reading.note is not None or reading.counted, reading.label
+                    else:
+                        assert math.isfinite(reading.value), (reading.label, projection)  # type: ignore[arg-type]
+                assert exhibit.readings or exhibit.warning is not None
+                assert finite_marks(exhibit)
+                assert len(exhibit.copies) == phenomenon.copies
+                for diagram in exhibit.diagrams:
+                    assert diagram.left < diagram.right
+                    assert all(np.isfinite(curve.points).all() for curve in diagram.curves)
+                picture.window.Render()

@@ -1,0 +1,1262 @@
+"""The world pane: the matrices of what it draws, and the pixels that reach the screen."""
+
+from __future__ import annotations
+
+import gc
+import itertools
+import math
+import weakref
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+import pyvista as pv
+from numpy.typing import NDArray
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow, vtkUnsignedCharArray
+from vtkmodules.vtkCommonMath import vtkMatrix4x4
+from vtkmodules.vtkRenderingCore import vtkCamera, vtkTextActor
+
+from app.drawings import WORDS
+from app.drawings.labels import _SAMPLES
+from app.drawings.style import DARK, LIGHT, Style, rgb
+from app.drawings.world import SLAB, WorldDrawing, _flattened_free, _part, _view, flatten
+from app.lecture.typed_matrix import with_cell
+from app.model.projection import (
+    DEPTH_RANGES,
+    LENSES,
+    OBLIQUE_PRESETS,
+    PLANES,
+    Array,
+    Camera,
+    FreeMatrix,
+    Frustum,
+    Lens,
+    Oblique,
+    Orthographic,
+    Perspective,
+    Projection,
+)
+from app.scenes.phenomena import PHENOMENA
+from app.scenes.scene import Scene, load
+
+Pixels = NDArray[np.uint8]
+CUBE = np.array([(x, y, z) for z in (1, 0) for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))])
+START = load("letter-f").start
+
+
+class View:
+    """A world drawing in an off-screen window that it finds empty and leaves empty."""
+
+    def __init__(
+        self, plotter: Any, scene: Scene, width: int = 500, height: int = 560, style: Style = LIGHT
+    ) -> None:
+        self.plotter = plotter
+        self.window = plotter.render_window
+        self.window.SetSize(width, height)
+        self.camera = vtkCamera()
+        plotter.renderer.SetActiveCamera(self.camera)
+        self.drawing = WorldDrawing(plotter, scene, WORDS, style)
+        self.scene = scene
+
+    def pixels(self) -> Pixels:
+        """Render once; (height, width, 3), the first row on top."""
+        self.window.Render()
+        width, height = self.window.GetSize()
+        buffer = vtkUnsignedCharArray()
+        self.window.GetPixelData(0, 0, width - 1, height - 1, 0, buffer, 0)
+        return np.array(vtk_to_numpy(buffer).reshape(height, width, 3)[::-1])
+
+    def pixel_of(self, points_world: Any) -> Array:
+        """Column and row, (..., 2), by VTK's own camera; to be called after a rendering."""
+        width, height = self.window.GetSize()
+        matrix = to_array(self.camera.GetCompositeProjectionTransformMatrix(width / height, -1, 1))
+        ndc = applied(matrix, np.asarray(points_world) - self.scene.origin)
+        return (ndc[..., :2] * (0.5, -0.5) + 0.5) * (width, height)
+
+    def stand(self, eye: Any, target: Any, angle_deg: float = 50.0) -> None:
+        """Move the pane's own camera, as a user might."""
+        self.camera.SetPosition(*eye)
+        self.camera.SetFocalPoint(*target)
+        self.camera.SetViewAngle(angle_deg)
+        self.drawing.reset_clipping_range()
+
+    def labels(self) -> dict[str, vtkTextActor]:
+        """What is written and visible, by its text."""
+        props = self.plotter.renderer.GetViewProps()
+        texts = [prop for prop in props if isinstance(prop, vtkTextActor)]
+        return {text.GetInput().strip(): text for text in texts if text.GetVisibility()}
+
+    def label_boxes(self) -> dict[str, tuple[float, float, float, float]]:
+        """Left, bottom, right, top of what is written, in pixels from the bottom left."""
+        boxes, renderer = {}, self.plotter.renderer
+        for text, actor in self.labels().items():
+            box = [0.0] * 4
+            actor.GetBoundingBox(renderer, box)
+            x, y = actor.GetPositionCoordinate().GetComputedDoubleViewportValue(renderer)
+            boxes[text] = (x + box[0], y + box[2], x + box[1], y + box[3])
+        return boxes
+
+    def hide_labels(self) -> None:
+        for label in self.labels().values():
+            label.GetTextProperty().SetOpacity(0.0)
+            label.GetTextProperty().SetBackgroundOpacity(0.0)
+
+
+MakeView = Callable[..., View]
+
+
+@pytest.fixture(scope="module")
+def plotter() -> Iterator[Any]:
+    plotter = pv.Plotter(off_screen=True, window_size=[500, 560], border=False)
+    plotter.render_window.SetMultiSamples(0)
+    plotter.render_window.Render()
+    yield plotter
+    plotter.close()
+
+
+@pytest.fixture
+def make_view(plotter: Any) -> Iterator[MakeView]:
+    """Make world panes, one after the other; VTK must have had nothing to say."""
+    said, before = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
+    vtkOutputWindow.SetInstance(said)
+    made: list[View] = []
+
+    def make(scene: Scene | str = "letter-f", *args: Any, **options: Any) -> View:
+        if made:
+            made.pop().drawing.remove()
+        made.append(
+            View(plotter, load(scene) if isinstance(scene, str) else scene, *args, **options)
+        )
+        return made[-1]
+
+    yield make
+    for view in made:
+        view.drawing.remove()
+    vtkOutputWindow.SetInstance(before)
+    assert said.GetOutput() == ""
+
+
+def to_array(matrix: vtkMatrix4x4) -> Array:
+    return np.array([[matrix.GetElement(i, j) for j in range(4)] for i in range(4)])
+
+
+def applied(matrix: Array, points: Any) -> Array:
+    clip = np.asarray(points) @ matrix[:, :3].T + matrix[:, 3]
+    return np.asarray(clip[..., :3] / clip[..., 3:])
+
+
+def to_bytes(colour: str) -> list[int]:
+    return [round(255 * part) for part in rgb(colour)]
+
+
+def with_lens(**values: Any) -> Projection:
+    return replace(START, lens=replace(START.lens, **values))
+
+
+def orthographic(**values: Any) -> Projection:
+    projection = START.with_lens("orthographic")
+    return replace(projection, lens=replace(projection.lens, **values))
+
+
+def frustum(**values: Any) -> Projection:
+    return replace(START, lens=Frustum(**values))
+
+
+def oblique(preset: str = "cabinet-63.4", **values: Any) -> Projection:
+    alpha_deg, beta_deg = OBLIQUE_PRESETS[preset]
+    lens = Oblique(alpha_deg=alpha_deg, beta_deg=beta_deg, **values)
+    return replace(START, lens=lens)
+
+
+def random_projections(count: int, seed: int = 0) -> Iterator[Projection]:
+    """Cameras round the letter F; every lens and depth range has its turn."""
+    random = np.random.default_rng(seed)
+    for number in range(count):
+        direction = random.normal(size=3)
+        eye = random.uniform(2.0, 40.0) * direction / np.linalg.norm(direction)
+        target, up = random.uniform((-1, 1, -1), (1, 3, 1)), random.normal(size=3)
+        near = 10.0 ** random.uniform(-4.0, 0.0)
+        far = near + 10.0 ** random.uniform(-2.0, 6.0)
+        kind = list(LENSES)[number % 4]
+        low, high = random.uniform(-8.0, -0.5, 2), random.uniform(0.5, 8.0, 2)
+        keep = random.choice(["stretch", "x", "y"])
+        lens: Lens
+        if kind == "perspective":
+            lens = Perspective(
+                10.0 ** random.uniform(0.0, 2.2), near, math.inf if number % 5 == 0 else far
+            )
+        elif kind == "frustum":
+            sides = 0.2 * near * np.array([low[0], high[0], low[1], high[1]])
+            sides += 0.1 * near * (number % 3) * low[0]  # the axis may be outside the picture
+            lens = Frustum(*sides, near, math.inf if number % 5 == 0 else far, keep)
+        elif kind == "orthographic":
+            lens = Orthographic(low[0], high[0], low[1], high[1], near - 1.0, far, keep)
+        else:
+            angles = random.uniform(25.0, 155.0, 2)
+            lens = Oblique(low[0], high[0], low[1], high[1], near - 1.0, far, keep, *angles)
+        camera = Camera(tuple(eye), tuple(target), tuple(up))
+        depth = list(DEPTH_RANGES)[number % 3]
+        yield Projection(camera, lens, (640, 480), depth)  # type: ignore[arg-type]
+
+
+# --------------------------------------------------------------------------- matrices
+
+
+def test_the_frustum_is_the_unprojected_cube(make_view: MakeView) -> None:
+    """Wherever its planes are drawn where they are: the model's own corners, to 1e-12."""
+    drawing = make_view().drawing
+    whole = cut = 0
+    for projection in random_projections(120):
+        drawing.show_projection(projection)
+        matrix = to_array(drawing._frustum_space.matrix)
+        reach = drawing._reach
+        if reach.near_break is not None:
+            continue
+        if reach.far_break is not None:  # what is drawn is the frustum of a nearer far plane
+            assert projection.lens.far > reach.high == reach.far
+            projection = projection.between(projection.lens.near, reach.far)
+            cut += 1
+        else:
+            whole += 1
+        expected = projection.frustum_corners_world[:, :3]
+        size = np.abs(expected - projection.camera.eye).max() + np.abs(expected).max()
+        assert np.abs(applied(matrix, CUBE) - expected).max() < 1e-12 * size, projection
+        assert np.abs(matrix).max() <= 1.0  # or float32 overflows
+    assert whole > 20 and cut > 20
+
+
+def test_the_eye_lines_run_from_the_eye_to_the_near_corners(make_view: MakeView) -> None:
+    view = make_view()
+    for projection in random_projections(20):
+        view.drawing.show_projection(projection)
+        assert view.drawing._apex.GetVisibility() == (not projection.lens.parallel)
+        if projection.lens.parallel:
+            continue
+        matrix = to_array(view.drawing._apex_space.matrix)
+        ends = applied(matrix, np.array([(0.0, 0.0, 0.0), *CUBE[:4]]))
+        expected = [projection.camera.eye, *projection.frustum_corners_world[:4, :3]]
+        assert np.allclose(ends, expected, rtol=0, atol=1e-9)
+
+
+def test_a_part_of_the_view_volume_is_what_the_model_says() -> None:
+    random = np.random.default_rng(6)
+    for projection in random_projections(60, seed=7):
+        near = max(projection.lens.near, 0.01) * random.uniform(0.5, 3.0)
+        far = near + 10.0 ** random.uniform(-1.0, 3.0)
+        part = replace(projection.between(near, far), depth="reversed")
+        clip_from_view, view_from_clip = _part(projection, near, far)
+        for found, expected in (
+            (applied(view_from_clip, CUBE), applied(part.view_from_clip, CUBE)),
+            (clip_from_view, part.clip_from_view),
+            (applied(clip_from_view, applied(view_from_clip, CUBE)), CUBE),
+        ):
+            assert np.abs(found - expected).max() < 1e-9 * np.abs(expected).max(), projection
+
+
+@pytest.mark.parametrize("toward_eye", [True, False])
+def test_flattened_points_keep_their_ray_and_their_order(toward_eye: bool) -> None:
+    """On the near plane within the slab, on the ray to the eye, the nearest on top."""
+    random = np.random.default_rng(1)
+    checked = 0
+    for projection in random_projections(200, seed=2):
+        lens, camera = projection.lens, projection.camera
+        points = random.uniform((-2.0, 0.0, -2.0), (2.0, 5.0, 2.0), (60, 3))
+        depths = (np.array(camera.eye) - points) @ camera.frame[2]
+        trace = projection.trace(points)
+        inside = ~trace.outside.any(axis=-1)
+        if inside.sum() < 2:
+            continue
+        checked += 1
+        view = _view(camera, np.zeros(3))
+        film = flatten(projection, view, (depths.min(), depths.max()), 10.0, toward_eye=toward_eye)
+        flat = applied(film.surface, points[inside])
+        again = projection.trace(flat)
+        assert np.allclose(again.image, trace.image[inside], rtol=0, atol=1e-5)
+        flat_depths = (np.array(camera.eye) - flat) @ camera.frame[2]
+        thick = SLAB * (10.0 if lens.parallel else lens.near)
+        above = (lens.near - flat_depths) * (1.0 if toward_eye else -1.0)
+        rounding = 1e-9 * (thick + abs(lens.near))
+        assert above.min() >= -rounding and above.max() <= 1.02 * thick + rounding
+        # From the slab's free side, what the camera sees in front lies on top.
+        order = np.argsort(depths[inside])
+        assert (np.diff(above[order]) <= rounding).all()
+        spread = (np.ptp(above) / thick) / (np.ptp(depths[inside]) / np.ptp(depths))
+        assert spread > 0.005  # the slab is spent on the scene, not on near to far
+    assert checked > 40
+
+
+def test_the_windows_planes_cut_what_the_model_says_is_outside() -> None:
+    """Also for points behind the eye, whose flattened w is negative: VTK multiplies first."""
+    random = np.random.default_rng(3)
+    behind = 0
+    for projection in random_projections(60, seed=4):
+        points = random.uniform(-40.0, 40.0, (200, 3))
+        depths = (np.array(projection.camera.eye) - points) @ projection.camera.frame[2]
+        near, far = projection.lens.near, projection.lens.far
+        if not (depths.max() > near and depths.min() < far):
+            continue
+        bounds = depths.min(), depths.max()
+        view = _view(projection.camera, np.zeros(3))
+        film = flatten(projection, view, bounds, 10.0, toward_eye=True)
+        flat = points @ film.surface[:, :3].T + film.surface[:, 3]
+        cut = ((flat @ film.planes.T) < 0.0).any(axis=1)
+        outside = projection.trace(points).outside
+        thin = np.abs(np.stack([depths - near, depths - far])).min(axis=0) < 0.05
+        assert (cut == outside.any(axis=1))[~thin].all(), projection
+        behind += int((flat[:, 3] < 0.0).sum())
+        for plane, name in zip((0, 1, 2, 3), PLANES[2:], strict=True):
+            in_front = ~thin & (depths > 0.0)
+            alone = (flat @ film.planes[plane] < 0.0) == outside[:, PLANES.index(name)]
+            assert alone[in_front].all(), name
+    assert behind > 1000
+
+
+# --------------------------------------------------------------------------- the break
+
+
+def test_what_lies_within_reach_is_drawn_where_it_is(make_view: MakeView) -> None:
+    view = make_view()
+    view.drawing.show_projection(with_lens(near=2.0, far=15.0))
+    assert broken_planes(view) == set()
+    assert {"near 2", "far 15"} <= set(view.labels())
+
+
+@pytest.mark.parametrize(
+    ("projection", "broken", "labels"),
+    [
+        (with_lens(far=1e6), {"far"}, {"near 1", "far 1e+06"}),
+        (with_lens(far=math.inf), {"far"}, {"near 1", "far ∞"}),
+        (with_lens(near=1e-6, far=math.inf), {"far"}, {"near 1e−06", "far ∞"}),
+        (with_lens(near=2000.0, far=30000.0), {"near", "far"}, {"near 2000", "far 30000"}),
+        (orthographic(near=-2.0, far=16.0), set(), {"near −2", "far 16"}),
+        (orthographic(near=-1e9, far=1e9), {"near", "far"}, {"near −1e+09", "far 1e+09"}),
+        (orthographic(near=-300.0, far=-200.0), {"near", "far"}, {"near −300", "far −200"}),
+        (orthographic(near=500.0, far=600.0), {"near", "far"}, {"near 500", "far 600"}),
+    ],
+)
+def test_what_lies_beyond_is_broken_and_says_its_distance(
+    make_view: MakeView, projection: Projection, broken: set[str], labels: set[str]
+) -> None:
+    view = make_view()
+    view.drawing.show_projection(projection)
+    view.drawing.reset_view()
+    assert broken_planes(view) == broken
+    assert labels <= set(view.labels())
+    corners = applied(to_array(view.drawing._frustum_space.matrix), CUBE)
+    away = np.linalg.norm(corners - view.scene.centre, axis=1)
+    assert away.max() < 10.0 * view.scene.size
+
+
+@pytest.mark.parametrize("azimuth", [-100.0, -60.0, 0.0, 35.0, 80.0, 125.0])
+@pytest.mark.parametrize("style", [LIGHT, DARK])
+def test_the_break_reads_from_everywhere(make_view: MakeView, style: Style, azimuth: float) -> None:
+    """At each edge two strokes with a gap between them, in the frustum's colour: no blob."""
+    view = make_view("letter-f", 700, 700, style)
+    view.drawing.show_projection(with_lens(far=1e6))
+    view.drawing.reset_view()
+    view.camera.Azimuth(azimuth)
+    view.drawing.reset_clipping_range()
+    view.hide_labels()
+    for actor in view.plotter.renderer.GetActors():
+        if all(actor is not edge for _, edge in view.drawing._breaks["far"]):
+            actor.VisibilityOff()
+    image = view.pixels()
+    painted = (image == np.array(to_bytes(style.frustum))).all(axis=-1)
+    seen = 0
+    for space, edge in view.drawing._breaks["far"]:
+        lines = np.array(edge.GetMapper().GetInput().GetPoints().GetData()).reshape(-1, 2, 3)
+        spots = view.pixel_of(applied(to_array(space.matrix), lines))
+        middle = spots[1:3].mean(axis=(0, 1))
+        if not ((middle > 20) & (middle < 680)).all():
+            continue
+        seen += 1
+        first, second = spots[1], spots[2]
+        assert 6.0 < np.linalg.norm(first[1] - first[0]) < 15.0
+        gap = np.linalg.norm(second - first, axis=1)
+        assert ((gap > 2.9) & (gap < 8.0)).all()
+        for stroke in (first, second):
+            for part in (0.1, 0.9):
+                column, row = np.floor(stroke[0] + part * (stroke[1] - stroke[0])).astype(int)
+                assert painted[row - 1 : row + 2, column - 1 : column + 2].any()
+        column, row = np.floor(middle).astype(int)
+        along = np.linalg.norm(spots[0, 1] - spots[0, 0])
+        assert along < 8.0 or not painted[row, column]
+    assert seen >= 2
+
+
+def broken_planes(view: View) -> set[str]:
+    return {
+        name
+        for name, edges in view.drawing._breaks.items()
+        if all(edge.GetVisibility() for _, edge in edges)
+    }
+
+
+def test_the_reach_is_continuous_and_the_pane_stands_still(make_view: MakeView) -> None:
+    """While a control is dragged nothing jumps: neither the cut nor the pane's camera."""
+    view = make_view()
+    before = (*view.camera.GetPosition(), *view.camera.GetFocalPoint(), view.camera.GetViewAngle())
+    last: Array | None = None
+    for step in range(400):
+        angle = 2.0 * math.pi * step / 400.0
+        eye = (14.0 * math.sin(angle), 5.0, 9.0 * math.cos(angle))
+        near = 10.0 ** (step / 40.0 - 4.0)
+        lens = Perspective(45.0, near, 2e7)
+        view.drawing.show_projection(Projection(Camera(eye, (0.0, 2.0, 0.0)), lens))
+        reach = view.drawing._reach
+        now = np.array([reach.high, min(reach.near, 100.0), reach.far])
+        if last is not None:
+            assert (np.abs(now - last) < 0.07 * np.abs(last) + 0.05).all(), step
+        last = now
+    after = (*view.camera.GetPosition(), *view.camera.GetFocalPoint(), view.camera.GetViewAngle())
+    assert after == before
+
+
+# --------------------------------------------------------------------------- pixels
+
+
+def colour_at(image: Pixels, pixel: Array) -> list[int]:
+    column, row = np.floor(pixel).astype(int)
+    return [int(part) for part in image[row, column]]
+
+
+@pytest.mark.parametrize("style", [LIGHT, DARK])
+def test_markers_light_their_pixels(make_view: MakeView, style: Any) -> None:
+    """Eye and target are seen from wherever the pane looks, also through the letter F."""
+    view = make_view(style=style)
+    for azimuth in (0.0, 35.0, 180.0, 250.0):
+        view.drawing.reset_view()
+        view.camera.Azimuth(azimuth)
+        view.drawing.reset_clipping_range()
+        for eye in ((6.0, 5.0, 9.0), (1.0, 3.0, 8.0)):
+            view.drawing.show_projection(replace(START, camera=Camera(eye, (0.0, 2.5, 0.0))))
+            image = view.pixels()
+            for point, colour in ((eye, style.eye), ((0.0, 2.5, 0.0), style.target)):
+                assert colour_at(image, view.pixel_of(point)) == to_bytes(colour), azimuth
+
+
+def test_axes_are_seen_before_the_body(make_view: MakeView) -> None:
+    """Each from the eye towards its letter, in its colour, although the camera is solid."""
+    view = make_view("letter-f", 1280, 720)
+    view.hide_labels()
+    frame, eye = START.camera.frame, np.array(START.camera.eye)
+    for azimuth in (0.0, 40.0, 130.0, 220.0):
+        view.drawing.reset_view()
+        view.camera.Azimuth(azimuth)
+        view.drawing.reset_clipping_range()
+        image = view.pixels()
+        for name, axis, length in zip("uvn", frame, (1.7, 1.7, 2.5), strict=True):
+            for part in (0.4, 0.7, 0.9):
+                tip = eye + part * length * view.drawing._body_size * axis
+                column, row = np.floor(view.pixel_of(tip)).astype(int)
+                around = image[row - 1 : row + 2, column - 1 : column + 2]
+                painted = (around == to_bytes(getattr(LIGHT, name))).all(axis=-1)
+                near_eye = np.abs(view.pixel_of(tip) - view.pixel_of(eye)).max() < 6.0
+                assert painted.any() or near_eye, (azimuth, name, part)
+
+
+def test_planes_light_their_pixels_and_near_is_nearer(make_view: MakeView) -> None:
+    view = make_view()
+    projection = with_lens(near=5.0, far=15.0)
+    view.drawing.show_projection(projection)
+    view.hide_labels()
+    image = view.pixels()
+    corners = projection.frustum_corners_world[:, :3]
+    for face, colour in ((corners[:4], LIGHT.near), (corners[4:], LIGHT.far)):
+        middles = (face + np.roll(face, -1, axis=0)) / 2.0
+        for pixel in view.pixel_of(middles):
+            column, row = np.floor(pixel).astype(int)
+            around = image[row - 2 : row + 3, column - 2 : column + 3].astype(int)
+            assert (np.abs(around - to_bytes(colour)).max(axis=-1) < 12).any()
+    drawn = applied(to_array(view.drawing._frustum_space.matrix), CUBE)
+    depths = (np.array(projection.camera.eye) - drawn) @ projection.camera.frame[2]
+    assert np.allclose(depths, [5.0] * 4 + [15.0] * 4)
+
+
+def ray_cast(scene: Scene, projection: Projection, pixels: Array) -> tuple[Array, list[Any]]:
+    """What the model's camera sees in its image, by intersecting rays with the faces.
+
+    Returns
+    -------
+    points : (n, 3) array
+        The rays' points on the near plane.
+    colours : list of n
+        Of the nearest face, or None.
+    """
+    assert scene.surface is not None
+    left, right, bottom, top = projection.window
+    width, height = projection.image_size
+    camera, lens = projection.camera, projection.lens
+    u, v, n = camera.frame
+    x = left + (right - left) * pixels[:, 0] / width
+    y = top - (top - bottom) * pixels[:, 1] / height
+    points = np.array(camera.eye) + np.outer(x, u) + np.outer(y, v) - lens.near * n
+    colours: list[Any] = []
+    surface = scene.surface.triangulate()
+    triangles = surface.points[surface.regular_faces].astype(float) + scene.origin
+    rgb_of = surface.cell_data["rgb"]
+    for point in points:
+        along = point - camera.eye
+        if lens.parallel:
+            along = projection.shear[0] * u + projection.shear[1] * v - n
+        along = along / np.linalg.norm(along)
+        a, b, c = triangles[:, 0], triangles[:, 1], triangles[:, 2]
+        normal = np.cross(b - a, c - a)
+        slope = normal @ along
+        with np.errstate(divide="ignore", invalid="ignore"):
+            t = ((a - point) * normal).sum(axis=1) / slope
+            hit = point + t[:, None] * along
+            within = np.isfinite(t) & (t > 0.0)
+            for p, q in ((a, b), (b, c), (c, a)):
+                within &= (np.cross(q - p, hit - p) * normal).sum(axis=1) >= 0.0
+        nearest = np.where(within, t, np.inf)
+        first = int(nearest.argmin())
+        colours.append(rgb_of[first].tolist() if np.isfinite(nearest[first]) else None)
+    return points, colours
+
+
+@pytest.mark.parametrize("side", ["eye's side", "other side"])
+@pytest.mark.parametrize(
+    "projection",
+    [
+        with_lens(near=3.0, fov_y_deg=38.0),
+        replace(with_lens(near=3.0, far=math.inf), depth="direct3d"),
+        replace(orthographic(near=3.0, left=-4.0, right=4.0, bottom=-4, top=4), depth="reversed"),
+        replace(START, lens=Frustum(-1.9, 0.7, -1.2, 0.8, 3.0, math.inf, "x"), depth="direct3d"),
+        oblique(near=7.0, left=-4.0, right=5.0, bottom=-1.0, top=6.0),
+        replace(
+            oblique("cavalier-30", near=7.0, left=-1.5, right=10.5, bottom=0.0, top=5.0, keep="x"),
+            depth="reversed",
+        ),
+    ],
+)
+def test_the_picture_on_the_near_plane_is_the_image(
+    make_view: MakeView, projection: Projection, side: str
+) -> None:
+    """The same colours as rays through the pixels find, seen obliquely and from both sides."""
+    scene = replace(load("letter-f"), lines=None)
+    view = make_view(scene, 700, 600)
+    view.drawing.show_projection(projection)
+    width, height = projection.image_size
+    random = np.random.default_rng(5)
+    pixels = random.uniform((0.25 * width, 0.1 * height), (0.75 * width, 0.9 * height), (250, 2))
+    points, colours = ray_cast(scene, projection, pixels)
+    # Slanted rays cross the slab slantwise: up to its thickness, 13 px here, beside the plane.
+    far = 20 if projection.lens.kind == "oblique" else 9
+    seen = np.stack([np.array(ray_cast(scene, projection, pixels + step)[1], dtype=object)
+                     for step in ((far, 0), (-far, 0), (0, far), (0, -far))])  # fmt: skip
+    camera, near = projection.camera, projection.lens.near
+    centre = points.mean(axis=0)
+    u, v, n = camera.frame
+    toward = 1.0 if side == "eye's side" else -1.0
+    size = projection.window[3] * 2.0
+    view.stand(
+        centre + (toward * n + 0.35 * u + 0.25 * v) * min(0.8 * size, 0.8 * near), centre, 90
+    )
+    view.hide_labels()
+    if projection.lens.kind == "oblique":  # the box, the scene and the target are in the way
+        for actor in view.plotter.renderer.GetActors():
+            actor.SetVisibility(actor in view.drawing._picture)
+    image = view.pixels()
+    spots = view.pixel_of(points)
+    hits = 0
+    for i, (spot, colour) in enumerate(zip(spots, colours, strict=True)):
+        settled = all(np.array_equal(other, colours[i]) for other in seen[:, i])
+        if colour is None or not settled or not ((spot > 2) & (spot < (698, 598))).all():
+            continue
+        hits += 1
+        assert colour_at(image, spot) == colour, (i, spot)
+    assert hits > 25
+
+
+@pytest.mark.parametrize("eye", [(0.3, 2.0, 7.0), (0.6, 4.0, 3.2)])
+def test_nothing_of_the_picture_is_outside_its_window(
+    make_view: MakeView, eye: tuple[float, float, float]
+) -> None:
+    """Seen from between near plane and scene, the only F there is is the one on the plane."""
+    scene = load("letter-f")
+    view = make_view(scene, 500, 500)
+    lens = Perspective(18.0, 2.0, 30.0)
+    projection = Projection(Camera(eye, (0.0, 2.2, 0.0)), lens, (400, 400))
+    view.drawing.show_projection(projection)
+    u, _, n = projection.camera.frame
+    middle = np.array(eye) - lens.near * n
+    view.stand(middle - 0.5 * n + 0.1 * u, middle, 100.0)
+    view.hide_labels()
+    for actor in view.plotter.renderer.GetActors():  # the scene stands beside and behind
+        if actor not in view.drawing._picture:
+            actor.VisibilityOff()
+    painted = (view.pixels() != np.array(to_bytes(LIGHT.background))).any(axis=-1)
+    corners = view.pixel_of(projection.frustum_corners_world[:4, :3])
+    rows, columns = np.nonzero(painted)
+    spots = np.stack([columns + 0.5, rows + 0.5], axis=1)
+    edges = np.roll(corners, -1, axis=0) - corners
+    across = np.stack(
+        [edge[0] * (spots[:, 1] - at[1]) - edge[1] * (spots[:, 0] - at[0])
+         for edge, at in zip(edges, corners, strict=True)]
+    ) / np.linalg.norm(edges, axis=1)[:, None]  # fmt: skip
+    turned = np.sign(np.median(across))
+    assert (turned * across > -5.0).all()  # the slab's thickness from so near, and a line's
+    assert len(rows) > 2000
+
+
+def test_labels_hide_no_other_label(make_view: MakeView) -> None:
+    view = make_view()
+    cases = [START, with_lens(near=1e-6, far=math.inf), with_lens(near=4.0), orthographic(near=-5)]
+    cases += [replace(START, camera=Camera((0.0, 14.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, -1.0)))]
+    for projection in cases:
+        view.drawing.show_projection(projection)
+        view.drawing.reset_view()
+        view.pixels()
+        boxes = view.label_boxes()
+        assert {"u", "v", "n", "eye", "target"} < set(boxes) and len(boxes) == 7
+        for one, a in boxes.items():
+            assert a[0] >= 0 and a[1] >= 0 and a[2] <= 500 and a[3] <= 560, one
+            for other, b in boxes.items():
+                apart = a[2] <= b[0] or b[2] <= a[0] or a[3] <= b[1] or b[3] <= a[1]
+                assert one == other or apart, (one, other, projection.lens)
+
+
+CROWDED = [
+    START,
+    with_lens(fov_y_deg=5.0),
+    with_lens(fov_y_deg=63.0),
+    with_lens(near=4.0),
+    with_lens(near=1e-6, far=math.inf),
+    with_lens(near=2000.0, far=30000.0),
+    with_lens(near=1.0, far=1.0 + 1e-12),
+    orthographic(near=-5),
+    replace(START, camera=Camera((6e11, 5e11, 9e11), (0.0, 2.2, 0.0))),
+    replace(START, camera=Camera((0.0, 14.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, -1.0))),
+]
+
+
+def from_box(point: Array, box: tuple[float, float, float, float]) -> float:
+    return float(np.linalg.norm(np.clip(point, box[:2], box[2:]) - point))
+
+
+@pytest.mark.parametrize("size", [(412, 670), (1280, 720)])
+@pytest.mark.parametrize("projection", CROWDED)
+def test_a_planes_label_is_at_its_plane_or_joined_to_it(
+    make_view: MakeView, projection: Projection, size: tuple[int, int]
+) -> None:
+    """And never at a corner of the other plane, which a reader would take for its own."""
+    em = LIGHT.font_size
+    view = make_view("letter-f", *size)
+    view.drawing.show_projection(projection)
+    view.drawing.reset_view()
+    view.pixels()
+    boxes = {text.split()[0]: box for text, box in view.label_boxes().items()}
+    corners = applied(to_array(view.drawing._frustum_space.matrix), CUBE)
+    spots = view.pixel_of(corners) * (1, -1) + (0, size[1])
+    planes = {"near": spots[:4], "far": spots[4:]}
+    for name, other in (("near", "far"), ("far", "near")):
+        face, box = planes[name], boxes[name]
+        assert min(from_box(spot, box) for spot in planes[other]) > 2.0 * em, name
+        anchors = [*face, *((face + np.roll(face, -1, axis=0)) / 2.0)]
+        leader = view.drawing._labels._leaders[name].actor
+        if min(from_box(spot, box) for spot in anchors) > 1.8 * em:  # diagonally, and roughly
+            assert leader.GetVisibility(), name
+        if leader.GetVisibility():
+            line = leader.GetMapper().GetInput()
+            start, end = (np.array(line.GetPoint(i)[:2]) for i in (0, 1))
+            assert min(math.dist(start, spot) for spot in anchors) < 0.5
+            assert from_box(end, box) == 0.0
+
+
+def test_a_leader_lights_its_pixels_and_goes_when_it_is_not_needed(make_view: MakeView) -> None:
+    view = make_view("letter-f", 412, 670)
+    line = view.drawing._labels._leaders["near"].actor
+    for projection in (CROWDED[8], with_lens(near=1.0, far=1.0 + 1e-12)):
+        view.drawing.show_projection(projection)
+        view.drawing.reset_view()
+        image = view.pixels()
+    assert line.GetVisibility()
+    start, end = (np.array(line.GetMapper().GetInput().GetPoint(i)[:2]) for i in (0, 1))
+    lit = 0
+    box = next(b for text, b in view.label_boxes().items() if text.startswith("near"))
+    for part in np.linspace(0.2, 0.9, 15):
+        x, y = start + part * (end - start)
+        if from_box(np.array((x, y)), box) < 2.0:
+            continue
+        column, row = int(x), int(670 - y)
+        around = image[row - 2 : row + 3, column - 2 : column + 3]
+        assert (around == to_bytes(LIGHT.near)).all(axis=-1).any(), part
+        lit += 1
+    assert lit > 3
+    view.drawing.show_projection(with_lens(near=4.0))
+    view.drawing.reset_view()
+    assert not line.GetVisibility()
+
+
+def history() -> Iterator[Projection]:
+    """What a hand might drag through: the near plane and the camera, to and fro."""
+    for step in (*range(60), *range(60, 20, -1)):
+        orbit = START.camera.orbit._replace(azimuth_deg=4.0 * step)
+        camera = Camera.from_orbit(START.camera.target, orbit)
+        yield replace(with_lens(near=0.5 * 1.05**step), camera=camera)
+
+
+def test_labels_stay_on_their_sides_while_something_moves(make_view: MakeView) -> None:
+    """They change sides more seldom than when each step is laid out afresh."""
+    view = make_view("letter-f", 430, 620)
+    labels = view.drawing._labels
+    changes = {True: 0, False: 0}
+    for afresh in changes:
+        view.drawing.reset_view()
+        before = dict(labels._kept)
+        for projection in history():
+            view.drawing.show_projection(projection)
+            if afresh:
+                view.drawing._place_labels(afresh=True)
+            changes[afresh] += sum(labels._kept.get(name) != side for name, side in before.items())
+            before = dict(labels._kept)
+            boxes = list(view.label_boxes().values())
+            for one, other in itertools.combinations(boxes, 2):
+                assert (
+                    one[2] <= other[0]
+                    or other[2] <= one[0]
+                    or (one[3] <= other[1] or other[3] <= one[1])
+                ), projection
+    assert 0 < changes[False] <= 0.7 * changes[True]
+
+
+@pytest.mark.parametrize("size_px", [(300, 400), (370, 420), (600, 700)])
+@pytest.mark.parametrize("name", ["letter-f", "posts", *PHENOMENA])
+def test_no_label_lies_on_another_in_any_scene_of_a_lecture(
+    make_view: MakeView, name: str, size_px: tuple[int, int]
+) -> None:
+    """As the scene opens, in projector mode; in the least pane but what a scene marks itself."""
+    view = make_view(name, *size_px, replace(LIGHT, font_size=22.0))
+    scene = load(name)
+    shown = scene.phenomenon
+    exhibit = None
+    if shown is not None:
+        exhibit = shown.exhibit(scene.start, shown.defaults, scene.subject)
+    view.drawing.show_projection(scene.start, exhibit)
+    view.drawing.reset_view()
+    boxes = view.label_boxes()
+    own = {"eye", "target", "u", "v", "n", *(b for b in boxes if b.startswith(("near", "far")))}
+    for one, other in itertools.combinations(boxes, 2):
+        a, b = boxes[one], boxes[other]
+        apart = a[2] <= b[0] or b[2] <= a[0] or a[3] <= b[1] or b[3] <= a[1]
+        assert apart or (size_px == (300, 400) and not own & {one, other}), (one, other)
+
+
+def test_in_a_crowd_an_axis_is_named_from_afar_or_not_at_all(make_view: MakeView) -> None:
+    """A letter lies on no other label; without room by its arrow, a line joins it to the arrow."""
+    view = make_view("letter-f", 300, 340, replace(LIGHT, font_size=22.0))
+    labels, letters = view.drawing._labels, {"u", "v", "n"}
+    hidden = joined = 0
+    for projection in list(history())[::3]:
+        view.drawing.show_projection(projection)
+        view.drawing.reset_view()
+        boxes = view.label_boxes()
+        for one, other in itertools.combinations(boxes, 2):
+            if letters & {one, other}:
+                a, b = boxes[one], boxes[other]
+                apart = a[2] <= b[0] or b[2] <= a[0] or a[3] <= b[1] or b[3] <= a[1]
+                assert apart, (one, other, projection)
+        for letter in letters:
+            hidden += letter not in boxes
+            is_joined = bool(labels._leaders[letter].actor.GetVisibility())
+            assert letter in boxes or not is_joined
+            joined += is_joined
+    assert hidden > 0 and joined > 0
+
+
+def test_at_rest_the_picture_does_not_depend_on_what_was_before(make_view: MakeView) -> None:
+    """When a gesture ends, `refit` gives the very pixels of a new drawing; it says so, too."""
+    eye, target = np.array((14.0, 9.0, 20.0)), np.array((2.0, 2.0, 4.0))
+    projections = list(history())[8::8]
+    expected = []
+    for projection in projections:
+        view = make_view("letter-f", 430, 620)
+        view.drawing.show_projection(projection)
+        view.stand(eye, target)
+        expected.append(view.pixels())
+        assert not view.drawing.refit()
+    view = make_view("letter-f", 430, 620)
+    view.stand(eye, target)
+    stuck = 0
+    for projection in history():
+        view.drawing.show_projection(projection)
+        if projection not in projections:
+            continue
+        wanted = expected[projections.index(projection)]
+        differed = bool((view.pixels() != wanted).any())
+        assert view.drawing.refit() or not differed
+        assert (view.pixels() == wanted).all()
+        stuck += differed
+    assert stuck > 0  # or there was nothing to put right
+
+
+@pytest.mark.parametrize("end", ["reset_view", "show_view", "resized"])
+def test_a_figure_does_not_depend_on_what_was_before(make_view: MakeView, end: str) -> None:
+    """Nor does what is seen after the pane's own camera was moved."""
+    images, last = [], list(history())[-1]
+    away = Camera((14.0, 9.0, 20.0), (2.0, 2.0, 4.0))
+    for steps in (history(), [last]):
+        view = make_view("letter-f", 430, 620)
+        view.drawing.show_view(away)
+        for projection in steps:
+            view.drawing.show_projection(projection)
+        if end == "reset_view":
+            view.drawing.reset_view()
+        elif end == "show_view":
+            view.drawing.show_view(away)
+        else:
+            view.window.SetSize(600, 500)
+        images.append(view.pixels())
+    assert (images[0] == images[1]).all()
+
+
+@pytest.mark.parametrize("style", [LIGHT, DARK])
+def test_a_plane_that_covers_the_pane_does_not_flood_it(make_view: MakeView, style: Style) -> None:
+    """Its tint is nearly gone, its label is not; a plane that is seen whole keeps its tint."""
+    view = make_view("letter-f", 412, 670, style)
+    view.drawing.show_projection(with_lens(fov_y_deg=179.0))
+    view.drawing.reset_view()
+    image = view.pixels().astype(int)
+    colour = np.array([np.median(image[..., channel]) for channel in range(3)])
+    off = np.abs(colour - to_bytes(style.background)).max()
+    assert 2 < off < 30
+    assert {"near 1", "far 30"} <= set(view.labels())
+    boxes = view.label_boxes()
+    for name in ("near 1", "far 30"):
+        left, bottom, right, top = boxes[name]
+        assert left >= 0 and bottom >= 0 and right <= 412 and top <= 670
+    view.drawing.show_projection(with_lens(near=8.0, far=15.0))
+    view.drawing.reset_view()
+    assert [tint.GetProperty().GetOpacity() for tint, _ in view.drawing._tints] == [0.3, 0.16]
+
+
+def test_what_a_plane_covers_of_the_pane_is_what_is_painted(make_view: MakeView) -> None:
+    view = make_view("letter-f", 400, 300)
+    checked = 0
+    for projection in random_projections(40, seed=9):
+        view.drawing.show_projection(projection)
+        view.drawing.reset_view()
+        view.hide_labels()
+        pane = view.drawing._pane
+        turned_away = pane._replace(axes=pane.axes * [[-1.0], [1.0], [-1.0]])
+        for corners in np.split(view.drawing._corners, 2):
+            assert turned_away.covered(corners) == []
+        for tint, corners in zip(
+            view.drawing._tints, np.split(view.drawing._corners, 2), strict=True
+        ):
+            for actor in view.plotter.renderer.GetActors():
+                actor.SetVisibility(actor is tint[0])
+            tint[0].GetProperty().SetOpacity(1.0)
+            painted = (view.pixels() != to_bytes(LIGHT.background)).any(axis=-1)
+            covered = {(round(x), round(y)) for x, y, _ in pane.covered(corners)}
+            for x, y in (_SAMPLES + 1.0) / 2.0 * (400, 300):
+                column, row = int(x), int(300 - y)
+                around = painted[max(0, row - 2) : row + 3, max(0, column - 2) : column + 3]
+                if around.all() or not around.any():
+                    assert around.all() == ((round(x), round(y)) in covered), projection
+                    checked += int(around.all())
+    assert checked > 200
+
+
+def test_what_is_covered_does_not_depend_on_the_unit(make_view: MakeView) -> None:
+    view = make_view("letter-f", 400, 300)
+    view.drawing.show_projection(with_lens(fov_y_deg=170.0))
+    pane, corners = view.drawing._pane, view.drawing._corners[4:]
+    near = np.array(pane.covered(corners))
+    far = np.array(pane._replace(eye=pane.eye * 1e99).covered(corners * 1e99))
+    assert len(near) > 3
+    assert far == pytest.approx(near * (1.0, 1.0, 1e99), rel=1e-9)
+
+
+# --------------------------------------------------------------------------- behaviour
+
+
+def test_a_step_sets_matrices_and_nothing_else(make_view: MakeView) -> None:
+    view = make_view()
+    view.pixels()
+    renders: list[str] = []
+    view.window.AddObserver("StartEvent", lambda _window, event: renders.append(event))
+    renderer, camera = view.plotter.renderer, view.camera
+    props = list(renderer.GetViewProps())
+    matrices = [actor.GetUserMatrix() for actor in renderer.GetActors()]
+    meshes = [actor.GetMapper().GetInput().GetMTime() for actor in renderer.GetActors()]
+    mappers = [actor.GetMapper().GetMTime() for actor in renderer.GetActors()]
+    place = (*camera.GetPosition(), *camera.GetFocalPoint(), *camera.GetViewUp())
+    for projection in random_projections(50, seed=6):
+        view.drawing.show_projection(projection)
+    assert list(renderer.GetViewProps()) == props
+    actors = list(renderer.GetActors())
+    assert [actor.GetUserMatrix() for actor in actors] == matrices
+    assert [actor.GetMapper().GetInput().GetMTime() for actor in actors] == meshes
+    assert [actor.GetMapper().GetMTime() for actor in actors] == mappers
+    assert (*camera.GetPosition(), *camera.GetFocalPoint(), *camera.GetViewUp()) == place
+    assert renders == []
+
+
+def test_the_scene_and_its_picture_share_their_points(make_view: MakeView) -> None:
+    """Or a large mesh would be on the GPU twice."""
+    view = make_view()
+    inputs = [a.GetMapper().GetInput() for a in view.drawing._picture]
+    others = [
+        a.GetMapper().GetInput()
+        for a in view.plotter.renderer.GetActors()
+        if a not in view.drawing._picture
+    ]
+    assert len(inputs) == 2
+    for mesh in inputs:
+        assert any(mesh is other for other in others)
+
+
+@pytest.mark.parametrize("size", [(500, 560), (1280, 720), (300, 400)])
+@pytest.mark.parametrize("scene", ["letter-f", "cube", "posts"])
+def test_the_view_has_everything_in_it_from_beside(
+    make_view: MakeView, scene: str, size: tuple[int, int]
+) -> None:
+    view = make_view(scene, *size)
+    view.pixels()
+    start = view.scene.start
+    corners = applied(to_array(view.drawing._frustum_space.matrix), CUBE)
+    points = np.array([start.camera.eye, start.camera.target, view.scene.centre, *corners])
+    spots = view.pixel_of(points)
+    assert ((spots > 0) & (spots < size)).all()
+    assert np.ptp(spots, axis=0).max() > 0.5 * min(size)  # and as large as it can be
+    # Seen side by side, not one behind the other.
+    assert np.linalg.norm(spots[0] - spots[2]) > 0.2 * min(size)
+
+
+def test_a_resized_pane_fits_again_unless_its_view_was_moved(make_view: MakeView) -> None:
+    view = make_view("letter-f", 500, 560)
+    view.pixels()
+    first = view.camera.GetPosition()
+    view.window.SetSize(900, 300)
+    view.pixels()
+    assert view.camera.GetPosition() != first
+    spots = view.pixel_of(applied(to_array(view.drawing._frustum_space.matrix), CUBE))
+    assert ((spots > 0) & (spots < (900, 300))).all()
+    view.camera.Azimuth(20.0)
+    view.drawing.reset_clipping_range()
+    moved = view.camera.GetPosition()
+    view.window.SetSize(500, 500)
+    view.pixels()
+    assert view.camera.GetPosition() == moved
+
+
+def test_reset_view_undoes_the_mouse(make_view: MakeView) -> None:
+    view = make_view()
+    place = view.camera.GetPosition()
+    view.camera.Azimuth(50.0)
+    view.camera.Dolly(2.0)
+    view.drawing.reset_clipping_range()
+    view.drawing.reset_view()
+    assert view.camera.GetPosition() == place
+
+
+FAR_AWAY = replace(START, camera=Camera((6e11, 5e11, 9e11), (0.0, 2.2, 0.0)))
+
+
+def toward(camera: vtkCamera) -> Array:
+    return np.array(camera.GetDirectionOfProjection())
+
+
+@pytest.mark.parametrize(
+    "projection",
+    [
+        with_lens(fov_y_deg=63.0),
+        with_lens(fov_y_deg=100.0),
+        orthographic(near=-5.0, bottom=-12.0, top=12.0),
+        replace(START, camera=Camera((0.0, 14.0, 30.0), (0.0, 0.0, 0.0))),
+        FAR_AWAY,
+    ],
+)
+def test_refit_brings_back_what_has_left_the_picture(
+    make_view: MakeView, projection: Projection
+) -> None:
+    """The frustum whole, at its largest, looked at from where it was looked at before."""
+    view = make_view("letter-f", 412, 670)
+    view.pixels()
+    before, direction = view.camera.GetPosition(), toward(view.camera)
+    view.drawing.show_projection(projection)
+    assert view.camera.GetPosition() == before
+    assert view.drawing.refit() and view.drawing.view is None
+    assert np.allclose(toward(view.camera), direction, atol=1e-9)
+    view.pixels()
+    corners = applied(to_array(view.drawing._frustum_space.matrix), CUBE)
+    points = [projection.camera.eye, projection.camera.target, view.scene.centre, *corners]
+    spots = view.pixel_of(np.array(points))
+    assert ((spots > 0) & (spots < (412, 670))).all()
+    assert (np.ptp(spots, axis=0) / (412, 670)).max() > 0.5
+    placed = view.camera.GetPosition()
+    assert not view.drawing.refit() and view.camera.GetPosition() == placed
+    view.window.SetSize(670, 412)  # what was fitted is fitted into another size, too
+    view.pixels()
+    spots = view.pixel_of(np.array(points))
+    assert ((spots > 0) & (spots < (670, 412))).all()
+
+
+def test_refit_brings_nearer_what_has_nearly_vanished(make_view: MakeView) -> None:
+    view = make_view()
+    view.pixels()
+    before = np.array(view.camera.GetPosition())
+    view.drawing.show_projection(FAR_AWAY)
+    view.drawing.refit()
+    view.drawing.show_projection(START)
+    assert view.drawing.refit()
+    assert np.allclose(view.camera.GetPosition(), before, atol=1e-6)
+
+
+def test_refit_goes_back_to_the_first_framing_when_that_shows_all_again(
+    make_view: MakeView,
+) -> None:
+    view = make_view("letter-f", 412, 670)
+    view.pixels()
+    before = view.camera.GetPosition()
+    free = START
+    for row, column, value in ((3, 2, -0.5), (3, 3, 1.0), (0, 0, 0.01)):
+        free = with_cell(free, "clip_from_view", row, column, value)
+    view.drawing.show_projection(free)
+    assert view.drawing.refit()
+    assert math.dist(view.camera.GetPosition(), before) > 1.0
+    view.drawing.show_projection(START)
+    assert view.drawing.refit() and view.camera.GetPosition() == before
+    assert np.array_equal(view.pixels(), make_view("letter-f", 412, 670).pixels())
+
+
+def test_refit_leaves_alone_what_is_in_the_picture_or_was_moved(make_view: MakeView) -> None:
+    view = make_view()
+    view.pixels()
+    place = view.camera.GetPosition()
+    for projection in (START, with_lens(fov_y_deg=30.0), with_lens(near=5.0)):
+        view.drawing.show_projection(projection)
+        view.drawing.refit()  # may put a label elsewhere, once
+        assert not view.drawing.refit() and view.camera.GetPosition() == place
+    view.camera.Azimuth(20.0)
+    view.drawing.reset_clipping_range()
+    place = view.camera.GetPosition()
+    view.drawing.show_projection(with_lens(fov_y_deg=100.0))
+    view.drawing.refit()
+    assert not view.drawing.refit() and view.camera.GetPosition() == place
+
+
+@pytest.mark.parametrize("fov_y_deg", [45.0, 63.0, 100.0])
+def test_a_frustum_up_to_100_degrees_is_framed_whole(make_view: MakeView, fov_y_deg: float) -> None:
+    view = make_view("letter-f", 412, 670)
+    view.drawing.show_projection(with_lens(fov_y_deg=fov_y_deg))
+    view.drawing.reset_view()
+    view.pixels()
+    spots = view.pixel_of(applied(to_array(view.drawing._frustum_space.matrix), CUBE))
+    assert ((spots > 0) & (spots < (412, 670))).all()
+
+
+def test_a_frustum_too_wide_to_be_framed_does_not_make_the_scene_tiny(
+    make_view: MakeView,
+) -> None:
+    view = make_view("letter-f", 412, 670)
+    tall = []
+    for projection in (START, with_lens(fov_y_deg=179.0), replace(START, image_size=(4000, 100))):
+        view.drawing.show_projection(projection)
+        view.drawing.reset_view()
+        view.pixels()
+        spots = view.pixel_of(np.array([(0.0, 0.0, 0.0), (0.0, 5.0, 0.0)]))
+        tall.append(np.ptp(spots[:, 1]))
+    assert min(tall) > 0.5 * tall[0] > 20.0
+
+
+def moved(scene: Scene, scale: float, origin: tuple[float, float, float]) -> Scene:
+    """The same scene and camera, scaled and then carried to `origin`."""
+
+    def carry(point: tuple[float, float, float]) -> tuple[float, float, float]:
+        x, y, z = (o + scale * p for o, p in zip(origin, point, strict=True))
+        return x, y, z
+
+    meshes = []
+    for mesh in (scene.surface, scene.lines):
+        assert mesh is not None
+        copy = mesh.copy()
+        copy.points = copy.points * scale
+        meshes.append(copy)
+    camera, lens = scene.start.camera, scene.start.lens
+    start = replace(
+        scene.start,
+        camera=Camera(carry(camera.eye), carry(camera.target), camera.up),
+        lens=replace(lens, near=lens.near * scale, far=lens.far * scale),
+    )
+    return replace(
+        scene,
+        origin=origin,
+        surface=meshes[0],
+        lines=meshes[1],
+        lower=carry(scene.lower),
+        upper=carry(scene.upper),
+        start=start,
+    )
+
+
+@pytest.mark.parametrize(
+    ("scale", "origin"),
+    [(1.0, (1e7, -2e7, 3e7)), (1e-6, (0.0, 0.0, 0.0)), (1e9, (0.0, 0.0, 0.0))],
+)
+def test_scenes_far_away_tiny_or_huge_look_the_same(
+    make_view: MakeView, scale: float, origin: tuple[float, float, float]
+) -> None:
+    images = []
+    for scene in (load("letter-f"), moved(load("letter-f"), scale, origin)):
+        view = make_view(scene)
+        view.hide_labels()  # their distances differ
+        images.append(view.pixels())
+    differing = (images[0] != images[1]).any(axis=-1)
+    assert differing.mean() < 0.002
+
+
+@pytest.mark.parametrize(
+    "projection",
+    [
+        with_lens(fov_y_deg=1e-4),
+        with_lens(fov_y_deg=179.99),
+        with_lens(near=1e-9, far=math.inf),
+        with_lens(near=1e-205, far=math.inf),
+        with_lens(near=1.0, far=1.0 + 1e-12),
+        with_lens(near=1e9, far=1e12),
+        orthographic(near=-1e12, far=1e12),
+        orthographic(left=-1e-6, right=1e-6),
+        orthographic(left=-1e9, right=1e9, bottom=-1e9, top=1e9),
+        orthographic(left=0.0, right=1e90, bottom=-1e80, top=0.0),
+        frustum(near=1e-89),
+        frustum(left=-1e-90, right=1e-90),
+        frustum(left=1e5, right=1e5 + 1.0, far=math.inf),
+        frustum(left=-1e9, right=1e9, bottom=-1e-9, top=1e9),
+        frustum(left=-1e80, bottom=1e20, top=1e30),
+        oblique(near=-1e12, far=1e12),
+        oblique(left=-1e-190, right=1e-190),
+        replace(START, lens=Oblique(alpha_deg=1e-4, beta_deg=179.9999)),
+        replace(START, camera=Camera((0.0, 30.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, -1.0))),
+        replace(START, camera=Camera((0.0, 2.2, 0.3), (0.0, 2.2, 0.0), (1.0, 1.0, 0.0))),
+        replace(START, camera=Camera((6.0, 5.0, 9.0), (12.0, 8.0, 18.0))),
+        replace(START, camera=Camera((1e7, 5.0, 9.0), (0.0, 2.2, 0.0))),
+        replace(START, camera=Camera((6.0, 5.0, 9.0), (0.0, -1e12, 0.0))),
+    ],
+)
+def test_extremes_draw_the_scene_and_the_camera(
+    make_view: MakeView, projection: Projection
+) -> None:
+    view = make_view("letter-f", 300, 340)
+    view.drawing.show_projection(projection)
+    first = view.pixels()
+    view.drawing.reset_view()
+    second = view.pixels()
+    for space in (view.drawing._frustum_space, view.drawing._picture_space):
+        matrix = to_array(space.matrix)
+        assert np.isfinite(matrix.astype(np.float32)).all()
+    on_the_gpu = to_array(view.drawing._frustum_space.matrix).astype(np.float32)
+    with np.errstate(divide="raise", invalid="raise"):
+        drawn = applied(on_the_gpu, CUBE.astype(np.float32))
+    assert np.isfinite(drawn).all()
+    for image in (first, second):
+        assert len(np.unique(image.reshape(-1, 3), axis=0)) > 5
+    eye = view.pixel_of(projection.camera.eye)
+    assert ((eye > 0) & (eye < (300, 340))).all()
+    assert colour_at(second, eye) == to_bytes(LIGHT.eye)
+
+
+def test_a_flat_scene_in_the_eye_plane(make_view: MakeView) -> None:
+    """No depth at all to spread over the slab."""
+    mesh = pv.PolyData(
+        np.array([(-1.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)]), faces=[3, 0, 1, 2]
+    )
+    mesh.cell_data["rgb"] = np.array([(200, 0, 0)], dtype=np.uint8)
+    start = Projection(Camera((0.0, 0.0, 0.0), (0.0, 0.0, -1.0)), Orthographic(near=-1.0, far=1.0))
+    scene = replace(
+        load("letter-f"),
+        surface=mesh,
+        lines=None,
+        lower=(-1.0, 0.0, 0.0),
+        upper=(1.0, 1.0, 0.0),
+        start=start,
+    )
+    view = make_view(scene)
+    assert (view.pixels() == (200, 0, 0)).all(axis=-1).sum() > 100
+
+
+def test_removing_leaves_nothing_behind(make_view: MakeView) -> None:
+    view = make_view()
+    view.pixels()
+    alive = weakref.ref(view.drawing)
+    view.drawing.remove()
+    assert view.plotter.renderer.GetViewProps().GetNumberOfItems() == 0
+    view.pixels()
+    view.drawing = make_view().drawing
+    gc.collect()
+    assert alive() is None
+
+
+# --------------------------------------------------------------------------- free matrices
+
+
+@pytest.mark.parametrize("depth", ["opengl", "direct3d", "reversed"])
+@pytest.mark.parametrize(
+    ("name", "row", "column", "value"),
+    [
+        ("clip_from_view", 0, 1, 0.5), ("clip_from_view", 3, 3, 4.0),
+        ("clip_from_view", 0, 0, -1.0), ("view_from_world", 0, 0, -1.0),
+    ],
+)  # fmt: skip
+def test_the_volume_of_a_free_matrix_is_the_cube_unprojected(
+    make_view: MakeView, name: str, row: int, column: int, value: float, depth: Any
+) -> None:
+    view = make_view()
+    free = with_cell(START.with_depth(depth), name, row, column, value)
+    assert isinstance(free.lens, FreeMatrix)
+    view.drawing.show_projection(free)
+    assert {"near", "far"} <= set(view.labels())
+    drawing = view.drawing
+    corners = drawing._corners + view.scene.origin
+    assert np.allclose(corners, free.frustum_corners_world[:, :3], rtol=1e-9, atol=1e-9)
+    clip = applied(free.clip_from_world, corners)
+    z_near, z_far = free.depth_range
+    assert np.allclose(np.abs(clip[:, :2]), 1.0, atol=1e-6)
+    assert np.allclose(clip[:4, 2], z_near, atol=1e-6)
+    assert np.allclose(clip[4:, 2], z_far, atol=1e-6)
+    drawing.reset_view()
+    with_volume = view.pixels()
+    assert (np.abs(with_volume.astype(int) - to_bytes(LIGHT.far)).sum(axis=2) < 30).any()
+    # And back to a lens: as if it had never been.
+    drawing.show_projection(START)
+    drawing.reset_view()
+    again = view.pixels()
+    fresh = make_view()
+    assert np.array_equal(again, fresh.pixels())
+
+
+@pytest.mark.parametrize(
+    ("row", "column", "value"), [(0, 0, 0.0), (2, 2, 0.0), (3, 2, 0.0), (3, 2, -2.0)]
+)
+def test_without_an_inverse_there_is_no_frustum(
+    make_view: MakeView, row: int, column: int, value: float
+) -> None:
+    view = make_view()
+    free = with_cell(START, "clip_from_view", row, column, value)
+    assert free.frustum_sign == 0
+    view.drawing.show_projection(free)
+    view.drawing.reset_view()
+    assert not {"near", "far", "near 1", "far 30"} & set(view.labels())
+    picture = view.pixels()
+    for colour in (LIGHT.near, LIGHT.far):
+        assert not (np.abs(picture.astype(int) - to_bytes(colour)).sum(axis=2) < 12).any()
+
+
+def test_the_picture_of_a_free_matrix_lies_on_its_near_face() -> None:
+    free = with_cell(START, "clip_from_view", 0, 1, 0.5)
+    origin = np.zeros(3)
+    points = np.array([[0.5, 2.0, 0.5], [-1.0, 1.0, -0.5], [1.0, 3.0, 0.0]])
+    clip = free.with_depth("reversed").clip_from_world
+    for eye in (np.array(free.camera.eye), np.array([-4.0, 2.0, -9.0])):
+        film = _flattened_free(free, origin, eye)
+        flat = applied(film.surface, points)
+        pressed, before = applied(clip, flat), applied(clip, points)
+        assert np.allclose(pressed[:, :2], before[:, :2], atol=1e-9)
+        assert (np.abs(pressed[:, 2] - 1.0) <= 1.01 * SLAB).all()
+        toward_eye = pressed[:, 2] > 1.0
+        assert toward_eye.all() if eye[2] > 0.0 else not toward_eye.any()

@@ -1,0 +1,324 @@
+"""Every formula against its number, every number against the command's, and what is copied."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+from dataclasses import replace
+from itertools import product
+from typing import Any
+
+import numpy as np
+import pytest
+
+from app.commands import cli
+from app.lecture import notation
+from app.lecture.notation import LETTERS, Letters, Matrix, matrices
+from app.model.projection import (
+    DEPTH_RANGES,
+    Camera,
+    FreeMatrix,
+    Frustum,
+    Lens,
+    Oblique,
+    Orthographic,
+    Perspective,
+    Projection,
+)
+
+BOX = (-3.0, 4.5, -2.0, 3.25)
+LENSES: dict[str, Lens] = {
+    "perspective": Perspective(50.0, 1.5, 40.0),
+    "wide": Perspective(120.0, 0.5, 20.0),
+    "perspective-inf": Perspective(50.0, 1.5, math.inf),
+    "frustum": Frustum(-0.7, 0.9, -0.4, 0.65, 1.5, 40.0),
+    "frustum-keep": Frustum(-0.7, 0.9, -0.4, 0.65, 1.5, 40.0, "x"),
+    "frustum-inf": Frustum(-0.7, 0.9, -0.4, 0.65, 1.5, math.inf),
+    "orthographic": Orthographic(*BOX, 1.5, 40.0),
+    "behind": Orthographic(*BOX, -3.0, 40.0, "y"),
+    "oblique": Oblique(*BOX, 1.5, 40.0, keep="stretch", alpha_deg=60.0, beta_deg=115.0),
+}
+DEPTHS: tuple[Any, ...] = ("opengl", "direct3d", "reversed")
+CAMERA = Camera((6.0, 5.0, 9.0), (0.5, 2.0, -0.25), (0.1, 1.0, 0.2))
+
+
+def projection_of(lens: str, depth: Any = "opengl") -> Projection:
+    return Projection(CAMERA, LENSES[lens], (1280, 720), depth)
+
+
+def evaluated(matrix: Matrix, values: dict[str, Any]) -> list[list[float]]:
+    return [[eval(cell, {"__builtins__": {}}, values) for cell in row] for row in matrix.formulas]
+
+
+@pytest.mark.parametrize("letters", LETTERS)
+@pytest.mark.parametrize("lens", LENSES)
+def test_a_letter_stands_for_one_thing(lens: str, letters: Letters) -> None:
+    """And w for none of them: it is what is divided by, and the axis in lecture 001's letters."""
+    shown = matrices(projection_of(lens), letters, running=True)
+    parts = [part for matrix in shown for part in (matrix, *matrix.factors)]
+    names = {
+        name for part in parts for row in part.formulas for cell in row
+        for name in notation._names(cell)
+    }  # fmt: skip
+    written = {name: notation.written(name, letters) for name in names}
+    assert len(set(written.values())) == len(names) > 10
+    assert "w" not in written.values() and {written["W"], written["H"]} == {"W", "H"}
+
+
+@pytest.mark.parametrize("lens", LENSES)
+@pytest.mark.parametrize("depth", DEPTHS)
+@pytest.mark.parametrize("letters", LETTERS)
+@pytest.mark.parametrize("rows", [False, True])
+def test_every_formula_is_its_number(lens: str, depth: str, letters: Letters, rows: bool) -> None:
+    projection = projection_of(lens, depth)
+    shown = matrices(projection, letters, rows=rows, running=True)
+    values = notation.letter_values(projection, letters)
+    (lens_matrix,) = (m for m in shown if m.name == "clip_from_view")
+    for i, row in enumerate(lens_matrix.values, 1):
+        values |= {f"p_{i}{j}": value for j, value in enumerate(row, 1)}
+    assert len(shown) >= 13 - 2 * projection.lens.parallel
+    for matrix in shown:
+        for part in (matrix, *matrix.factors):
+            size = max(1.0, np.abs(part.values).max())
+            assert np.allclose(evaluated(part, values), part.values, rtol=1e-12, atol=1e-14 * size)
+
+
+@pytest.mark.parametrize("lens", LENSES)
+@pytest.mark.parametrize("letters", LETTERS)
+@pytest.mark.parametrize("rows", [False, True])
+@pytest.mark.parametrize("depth", DEPTHS)
+def test_products_are_products(lens: str, letters: Letters, rows: bool, depth: str) -> None:
+    shown = matrices(projection_of(lens, depth), letters, rows=rows, running=True)
+    by_name = {matrix.name: np.array(matrix.values) for matrix in shown}
+    checked = 0
+    for matrix in shown:
+        parts = [by_name[name] for name in matrix.product] or [
+            np.array(factor.values) for factor in matrix.factors
+        ]
+        if parts:
+            multiplied = np.linalg.multi_dot(parts)
+            assert np.allclose(multiplied, matrix.values, rtol=1e-12, atol=1e-12)
+            checked += 1
+    assert checked >= 6
+    inverse = by_name["world_from_view"] @ by_name["view_from_world"]
+    assert np.allclose(inverse, np.eye(4), rtol=0.0, atol=1e-14)
+
+
+@pytest.mark.parametrize("lens", LENSES)
+@pytest.mark.parametrize("depth", DEPTHS)
+def test_numbers_are_the_commands(
+    lens: str, depth: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    projection = projection_of(lens, depth)
+    told = json.loads(cli._matrices_json(projection))
+    text = cli._matrices_text(projection)
+    shown = matrices(projection)
+    assert list(told) == [matrix.name for matrix in shown]
+    for matrix in shown:
+        assert list(map(list, matrix.values)) == told[matrix.name]
+        for factor in matrix.factors:
+            for row in factor.values:
+                assert all(notation.cell_text(value) in text for value in row)
+        words = text.split()
+        assert all(notation.cell_text(value) in words for row in matrix.values for value in row)
+
+
+@pytest.mark.parametrize("running", [False, True])
+def test_running_products_end_in_the_commands_matrix(running: bool) -> None:
+    shown = matrices(projection_of("frustum"), running=running)
+    names = [matrix.name for matrix in shown]
+    extra = {"canonical_perspective_from_world", "canonical_parallel_from_world"}
+    assert (extra <= set(names)) is running
+
+
+def test_the_letters_of_each_lecture() -> None:
+    def lens_cell(letters: Letters, lens: str, row: int, column: int) -> str:
+        shown = matrices(projection_of(lens), letters)
+        (matrix,) = (m for m in shown if m.name == "clip_from_view")
+        return notation.written(matrix.formulas[row][column], letters)
+
+    thin = "\u2009"
+    assert lens_cell("uvn", "perspective", 0, 0) == "cot(fov/2)/aspect"
+    assert lens_cell("uvn", "frustum", 0, 0) == "2n/(r − l)"
+    assert lens_cell("uvn", "frustum", 2, 2) == "−(f + n)/(f − n)"
+    assert lens_cell("000", "frustum", 0, 2) == "(x_max + x_min)/(x_max − x_min)"
+    assert lens_cell("003", "perspective", 1, 1) == "e/a"
+    # Lecture 002, P_persp and P_ort.
+    assert lens_cell("002", "frustum", 0, 0) == "2z_n/(x_r − x_l)"
+    assert lens_cell("002", "frustum", 2, 2) == "−(z_f + z_n)/(z_f − z_n)"
+    assert lens_cell("002", "frustum", 2, 3) == f"2z_n{thin}z_f/(z_f − z_n)"
+    assert lens_cell("002", "frustum", 3, 2) == "1"
+    assert lens_cell("002", "orthographic", 2, 2) == "2/(z_n − z_f)"
+    assert lens_cell("002", "orthographic", 2, 3) == "−(z_n + z_f)/(z_n − z_f)"
+    view = matrices(projection_of("frustum"), "001")[1]
+    assert [notation.written(cell, "001") for cell in view.formulas[2]] == [
+        "w_x", "w_y", "w_z", f"−w{notation.ARROW}·P{notation.ARROW}",
+    ]  # fmt: skip
+    # Lecture 001's M_persp, first factor.
+    scale = matrices(projection_of("perspective"), "001")[2].formulas
+    assert notation.written(scale[0][0], "001") == f"1/(f{thin}tan(θ_h/2))"
+
+
+def test_lecture_002_maps_near_to_one_and_has_z_for_w() -> None:
+    """z' = 1 at z = z_n and -1 at z = z_f, and w' = z."""
+    shown = matrices(projection_of("perspective"), "002")
+    matrix = np.array(next(m.values for m in shown if m.name == "clip_from_view"))
+    for z, expected in ((-1.5, 1.0), (-40.0, -1.0)):
+        _, _, z_clip, w = matrix @ (0.0, 0.0, z, 1.0)
+        assert w == z
+        assert math.isclose(z_clip / w, expected, rel_tol=1e-14)
+
+
+def test_row_vectors_turn_matrices_and_products() -> None:
+    projection = projection_of("frustum", "reversed")
+    columns, rows = matrices(projection), matrices(projection, rows=True)
+    for column, row in zip(columns, rows, strict=True):
+        assert np.array_equal(np.transpose(column.values), row.values)
+        assert column.product == row.product[::-1]
+        assert [f.name for f in column.factors] == [f.name for f in row.factors][::-1]
+    point = np.array([1.0, 2.0, -3.0, 1.0])
+    by_name = {matrix.name: np.array(matrix.values) for matrix in rows}
+    there = point @ by_name["view_from_world"] @ by_name["clip_from_view"]
+    assert np.allclose(there, projection.clip_from_world @ point, rtol=1e-13, atol=1e-13)
+
+
+def test_a_cell_names_the_fields_it_depends_on() -> None:
+    def fields(lens: str, name: str, row: int, column: int) -> set[str]:
+        shown = matrices(projection_of(lens))
+        (matrix,) = (m for m in shown if m.name == name)
+        return set(matrix.fields[row][column])
+
+    assert fields("perspective", "clip_from_view", 0, 0) == {"fov_y_deg", "image"}
+    assert fields("frustum", "clip_from_view", 0, 0) == {"near", "left", "right", "keep"}
+    assert fields("frustum", "clip_from_view", 2, 2) == {"near", "far", "depth"}
+    assert fields("frustum", "clip_from_view", 3, 2) == set()
+    assert fields("frustum", "view_from_world", 2, 0) == {"eye", "target"}
+    assert fields("frustum", "view_from_world", 0, 3) == {"eye", "target", "up"}
+    assert fields("oblique", "clip_from_view", 1, 2) == {"beta_deg", "bottom", "top", "keep"}
+    assert fields("frustum", "image_from_ndc", 0, 0) == {"image"}
+    assert fields("frustum", "depth_range_from_canonical_parallel", 2, 3) == {"depth"}
+    assert "near" in fields("frustum", "clip_from_world", 0, 0)
+
+
+def moves(projection: Projection) -> dict[str, list[Projection]]:
+    """A projection with each of its controls moved, to wherever that is another way to depend."""
+    camera, lens = projection.camera, projection.lens
+    found: dict[str, list[Projection]] = {
+        "depth": [projection.with_depth(d) for d in DEPTH_RANGES if d != projection.depth],
+        "image": [replace(projection, image_size=size) for size in ((1300, 720), (1280, 700))],
+    }
+    for vector in ("eye", "target", "up"):
+        parts = (
+            part + step
+            for part, step in zip(getattr(camera, vector), (0.3, 0.25, -0.4), strict=True)
+        )
+        moved = replace(camera, **{vector: tuple(parts)})
+        found[vector] = [replace(projection, camera=moved)]
+    if isinstance(lens, FreeMatrix):
+        return found
+    lenses: dict[str, list[Any]] = {"far": [math.inf] if not lens.parallel else []}
+    for name in ("fov_y_deg", "near", "far", "left", "right", "bottom", "top", "alpha_deg",
+                 "beta_deg"):  # fmt: skip
+        if hasattr(lens, name):
+            value = getattr(lens, name)
+            lenses.setdefault(name, []).append(25.0 if value == math.inf else value + 0.03)
+    if hasattr(lens, "keep"):
+        lenses["keep"] = [keep for keep in KEEPS if keep != lens.keep]
+    for name, values in lenses.items():
+        found[name] = [replace(projection, lens=replace(lens, **{name: v})) for v in values]
+    return found
+
+
+EVEN = (-0.75, 0.75, -0.5, 0.5)
+CAMERAS = {
+    "askew": CAMERA,
+    "upright": Camera((6.0, 5.0, 9.0), (0.0, 2.0, 0.0), (0.0, 1.0, 0.0)),
+    "at-the-origin": Camera((0.0, 0.0, 0.0), (0.0, 0.0, -5.0), (0.0, 1.0, 0.0)),
+    "along-up": Camera((1.0, 0.0, 0.0), (2.0, 5.5, 0.25), (1.0, 0.0, 0.0)),
+    "level": Camera((0.0, 2.0, 9.0), (0.0, 0.0, 0.0), (0.0, 0.0, -2.0)),
+}
+KEEPS: tuple[Any, ...] = ("stretch", "x", "y")
+MOVED: dict[str, tuple[Lens, ...]] = {
+    "perspective": (Perspective(50.0, 1.5, 40.0), Perspective(50.0, 1.5, math.inf)),
+    "frustum": tuple(Frustum(-0.7, 0.9, -0.4, 0.65, 1.5, far, keep)
+                     for far in (40.0, math.inf) for keep in KEEPS),
+    "frustum-even": (Frustum(*EVEN, 1.5, 40.0, "y"),),
+    "frustum-fits": (Frustum(-1.125, 0.875, -0.5, 0.625, 1.5, 40.0, "x"),),
+    "orthographic": tuple(Orthographic(*BOX, 1.5, 40.0, keep) for keep in KEEPS),
+    "orthographic-even": (Orthographic(*EVEN, 0.0, 40.0, "y"), Orthographic(*EVEN, -9.0, 0.0)),
+    "oblique": tuple(Oblique(*BOX, 1.5, 40.0, keep, 60.0, 115.0) for keep in KEEPS),
+    "oblique-even": (Oblique(*EVEN, 0.0, 40.0, "x", 90.0, 115.0),
+                     Oblique(*EVEN, 1.5, 40.0, "stretch", 60.0, 90.0)),
+    "free": (
+        FreeMatrix(((2, 0, 0, 0), (0, 1.5, 0, 0.5), (0, 0.25, -1, -3), (0, 0, -1, 0))),
+        FreeMatrix(((2, 0, 0, 0), (0, 1, 0, 0), (0, 0, -1, 0), (0, 0, 0, 1)),
+                   ((1, 2, 0, 0), (0, 1, 0, 0), (0, 0, 1, -9), (0, 0.5, 0, 1))),
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("lens", "camera"),
+    [*((lens, "askew") for lens in MOVED),
+     *(("frustum-even", camera) for camera in CAMERAS if camera != "askew"),
+     ("free", "upright")],
+)  # fmt: skip
+def test_a_cell_names_just_what_changes_it(lens: str, camera: str) -> None:
+    """Of those controls that a projection has, in hand where it is: zeros hide others there."""
+    checked = 0
+    for chosen, depth in product(MOVED[lens], DEPTHS):
+        # Proportions and cameras are fitted and placed alike in every depth range.
+        as_ever = camera == "askew" and getattr(chosen, "keep", "stretch") == "stretch"
+        if not as_ever and depth != "reversed":
+            continue
+        projection = Projection(CAMERAS[camera], chosen, (1280, 720), depth)
+        letters: Letters = "002" if depth == "opengl" else "003"
+        running = depth == "reversed"
+        moved = {
+            name: [
+                {part.name: part for part in matrices(other, letters, running=running)}
+                for other in others
+            ]
+            for name, others in moves(projection).items()
+        }
+        for matrix in matrices(projection, letters, running=running):
+            for number, part in enumerate((matrix, *matrix.factors)):
+                names = {
+                    name: np.any([
+                        np.not_equal((o[matrix.name], *o[matrix.name].factors)[number].values,
+                                     part.values) for o in others
+                    ], axis=0) for name, others in moved.items()
+                }  # fmt: skip
+                for i, j in product(range(4), repeat=2):
+                    changing = {name for name, changed in names.items() if changed[i, j]}
+                    assert changing == set(part.fields[i][j]), (
+                        chosen, depth, matrix.name, part.name, i, j, part.formulas[i][j]
+                    )  # fmt: skip
+                    checked += 1
+    assert checked >= 100
+
+
+def test_copies() -> None:
+    projection = projection_of("frustum")
+    matrix = next(m for m in matrices(projection) if m.name == "clip_from_view")
+    numbers: dict[str, Any] = {"np": np}
+    exec(notation.as_numpy(matrix), numbers)
+    assert np.array_equal(numbers["clip_from_view"], matrix.values)
+    lines = notation.as_text(matrix).splitlines()
+    assert lines[0].startswith("clip_from_view = clip_from_depth_range depth_range_from")
+    assert [[float(word) for word in line.split()] for line in lines[1:]] == [
+        list(row) for row in matrix.values
+    ]
+    shown = notation.as_text(matrix, "uvn", formulas=True).splitlines()
+    assert shown[0] == lines[0]
+    assert re.split("  +", shown[1]) == ["", "2n/(r − l)", "0", "(r + l)/(r − l)", "0"]
+    latex = notation.as_latex(matrix, "uvn", formulas=True)
+    assert r"\frac{2n}{r - l} & 0 & \frac{r + l}{r - l} & 0 \\" in latex
+    assert latex.startswith(
+        "\\[\n" r"M_{\text{clip}\leftarrow\text{view}} = \begin{pmatrix}"
+    ) and latex.endswith("\\end{pmatrix}\n\\]\n")
+    assert r"z_{\mathrm{min}}" in notation.as_latex(matrix, "000", formulas=True)
+    assert notation.latex_number(-1.5e-9) == r"-1.5 \cdot 10^{-9}"
+    numbers_only = notation.as_latex(matrix, "uvn")
+    assert notation.cell_text(matrix.values[2][2]) in numbers_only and "frac" not in numbers_only

@@ -1,0 +1,398 @@
+"""Charts of measurements: what is drawn where, as data and as pictures, and names that do not
+hide each other."""
+
+from __future__ import annotations
+
+import io
+import math
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+import pyvista as pv
+from hypothesis import given
+from hypothesis import strategies as st
+from PIL import Image
+
+from app.drawings.label_placement import beside
+from app.measure import TRADES, chart
+from app.measure.arithmetic import SWEEPS
+from app.measure.meaning import meaning
+from app.measure.results import (
+    COLUMNS,
+    JUDGED,
+    WORDS,
+    Choice,
+    Curve,
+    Results,
+    Sweep,
+    Trade,
+    named,
+    table,
+    to_csv,
+)
+from app.model.projection import Projection
+from app.scenes.phenomena.illustration import Diagram, Spot
+from tests.commands.test_cli import refused, run
+
+
+def choice(name: str, cost: float | None, error: float | None, note: str = "") -> Choice:
+    return Choice(name, cost, cost, error, note=note, use={"rung": name})
+
+
+TRADE = Trade(
+    "arithmetic", "ns", "px",
+    (
+        choice("fast", 1.0, 1.0), choice("bad", 5.0, 2.0), choice("good", 10.0, 1e-6),
+        choice("right", 100.0, 0.0), choice("endless", 2.0, math.inf),
+        choice("absent", None, None, "not installed"),
+    ),
+    5,
+)  # fmt: skip
+
+
+def sweep(parameter: str, values: tuple[float, ...], curves: dict[str, Curve]) -> Sweep:
+    return Sweep(parameter, "", values, curves)
+
+
+def curve(errors: tuple[float | None, ...], notes: tuple[str, ...]) -> Curve:
+    return Curve(errors, errors, errors, errors, notes)
+
+
+SWEEP = sweep(
+    "near", (0.01, 0.1, 1.0, 10.0),
+    {
+        "float32": curve((None, None, 1e-3, 1e-4), ("answers NaN", "answers NaN", "", "")),
+        "VTK": curve((1e-9, 1e-9, 1e-9, 1e-2), ("", "", "", "clamps")),
+    },
+)  # fmt: skip
+RESULTS = Results(
+    "2026-11-21T08:46:06+00:00", {"system": "Box 7", "cores": "2", "opengl": "softpipe"},
+    {"frustum-lab": "1"},
+    {
+        "scene": "letter-f", "camera": {"eye": [6, 5, 9], "target": [0, 2.25, 0]},
+        "lens": {"kind": "perspective", "fov_y_deg": 45},
+    },
+    (TRADE,), (SWEEP,),
+)  # fmt: skip
+
+
+def spots(diagram: Diagram) -> dict[str, Spot]:
+    return {spot.key or spot.name: spot for spot in diagram.spots}
+
+
+# -- trades
+
+
+def test_every_trade_and_sweep_has_its_texts() -> None:
+    assert set(chart.TITLES) == {*TRADES, *SWEEPS}
+    for name in TRADES:
+        (diagram,) = chart.diagrams(replace(TRADE, name=name))
+        assert diagram.title == chart.TITLES[name] and diagram.x_label and diagram.y_label
+        assert diagram.x_log == (name != "depth") and diagram.y_log
+    for name in SWEEPS:
+        (diagram, *_) = chart.diagrams(replace(SWEEP, parameter=name))
+        assert diagram.title == chart.TITLES[name] and diagram.x_log and diagram.y_log
+
+
+def test_a_choice_is_at_its_cost_and_error() -> None:
+    (diagram,) = chart.diagrams(TRADE)
+    found = spots(diagram)
+    assert set(found) == {"fast", "bad", "good", "right", "endless"}
+    assert (found["bad"].x, found["bad"].y) == (5.0, 2.0)
+    assert all(diagram.left < spot.x < diagram.right for spot in found.values())
+    assert all(diagram.bottom < spot.y < diagram.top for spot in found.values())
+
+
+def test_what_no_other_one_beats_is_joined_and_the_rest_faded() -> None:
+    (diagram,) = chart.diagrams(TRADE)
+    assert {name for name, spot in spots(diagram).items() if spot.faded} == {"bad", "endless"}
+    (line,) = diagram.curves
+    assert line.points[:, 0].tolist() == [1.0, 10.0, 100.0]
+
+
+def test_zero_and_infinity_are_at_the_edges_and_say_so() -> None:
+    (diagram,) = chart.diagrams(TRADE)
+    found = spots(diagram)
+    assert found["right"].name == "right (0)" and found["endless"].name == "endless (∞)"
+    assert found["right"].y < 1e-6 and found["endless"].y > 2.0
+
+
+def test_the_present_choice_is_marked() -> None:
+    (diagram,) = chart.diagrams(TRADE, {"rung": "good", "detail": "1"})
+    assert [spot.key for spot in diagram.spots if spot.marked] == ["good"]
+    assert spots(diagram)["good"].name == "good (now)"
+    (diagram,) = chart.diagrams(TRADE, {"detail": "1"})
+    assert not any(spot.marked for spot in diagram.spots)
+    useless = replace(TRADE, choices=tuple(replace(c, use={}) for c in TRADE.choices))
+    (diagram,) = chart.diagrams(useless, {"rung": "good"})
+    assert not any(spot.marked for spot in diagram.spots)
+
+
+def test_choices_at_one_place_share_a_name_and_keep_their_keys() -> None:
+    alike = Trade(
+        "depth", "B", "world units",
+        (
+            choice("fixed8, opengl", 1.0, 0.5), choice("fixed8, reversed", 1.0, 0.5),
+            choice("fixed8, logarithmic", 1.0, 0.25),
+        ),
+        1,
+    )  # fmt: skip
+    (diagram,) = chart.diagrams(alike)
+    names = [spot.name for spot in diagram.spots]
+    assert sorted(names) == ["", "fixed8, logarithmic", "fixed8, opengl / reversed"]
+    assert [s.key for s in diagram.spots] != [] and len(spots(diagram)) == 3
+
+
+def test_another_machine_s_is_thinner_and_named_and_within_the_chart() -> None:
+    slower = replace(
+        TRADE, choices=tuple(replace(c, cost=c.cost and 1000.0 * c.cost) for c in TRADE.choices)
+    )
+    (diagram,) = chart.diagrams(TRADE, {}, slower, "Box 8, yesterday")
+    *over, line = diagram.curves
+    assert [c.label for c in over] == ["", "Box 8, yesterday"]
+    assert all(c.width < line.width for c in over)
+    assert over[0].points[:, 0].tolist() == [1e3, 1e4, 1e5] and diagram.right > 1e5
+    assert len(over[1].points) == 5, "nothing of it is dropped"
+
+
+def test_where_there_is_no_number_there_is_no_chart() -> None:
+    absent = replace(TRADE, choices=(choice("", None, None, "no vertex"),))
+    assert chart.diagrams(absent) == ()
+    assert chart.diagrams(replace(SWEEP, values=(), curves={})) == ()
+    assert "(cancelled)" in chart.title(replace(TRADE, complete=False))
+
+
+# -- sweeps
+
+
+def test_a_sweep_breaks_where_there_is_no_answer_and_says_why() -> None:
+    (diagram,) = chart.diagrams(SWEEP)
+    by_label = {c.label: c for c in diagram.curves if c.label}
+    assert set(by_label) == {"float32", "VTK"}
+    assert np.isnan(by_label["float32"].points[:2, 1]).all()
+    assert by_label["float32"].points[2:].tolist() == [[1.0, 1e-3], [10.0, 1e-4]]
+    (bar,) = (c for c in diagram.curves if not c.label)
+    assert bar.points[:, 0].tolist() == [0.01, 0.1] and bar.colour == by_label["float32"].colour
+    found = spots(diagram)
+    nan, clamped = found["float32: answers NaN"], found["VTK: clamps"]
+    assert nan.broken and nan.x == 0.1, "beside what still works"
+    assert clamped.broken and (clamped.x, clamped.y) == (10.0, 1e-2)
+
+
+def test_angles_on_both_sides_of_90_degrees_have_a_chart_each() -> None:
+    values = (1e-6, 1.0, 90.0, 179.0, 180.0 - 1e-9)
+    errors = (1e-3,) * 5
+    low, high = chart.diagrams(sweep("fov", values, {"float32": curve(errors, ("",) * 5)}))
+    assert (low.left, low.right) == (1e-6, 90.0) and low.curves[0].points[1, 0] == 1.0
+    assert high.left == 90.0 and high.right == pytest.approx(1e-9, rel=1e-4)
+    assert high.curves[0].points[:, 0] == pytest.approx([90.0, 1.0, 1e-9], rel=1e-4)
+
+
+def test_a_huge_error_leaves_the_chart_and_not_the_others() -> None:
+    wild = sweep("near", (1.0, 2.0), {"a": curve((1e200, 1e-9), ("", ""))})
+    (diagram,) = chart.diagrams(wild)
+    assert diagram.top < 1e60 and diagram.bottom < 1e-9
+
+
+# -- tables
+
+
+def test_a_table_has_a_word_for_what_has_no_number() -> None:
+    heads, *rows = table(replace(TRADE, complete=False))
+    assert heads == ["", "ns", "p95", "px", "predicted", JUDGED]
+    assert rows[1] == ["bad", "5", "5", "2", "-", ""]
+    assert rows[-1] == ["absent", "-", "-", "-", "-", "not installed"]
+    waiting = Trade("arithmetic", "ns", "px", (choice("late", None, 1.0),), 0, complete=False)
+    assert table(waiting)[1][-1] == "cancelled"
+    assert table(replace(waiting, complete=True))[1][-1] == ""
+    assert table(SWEEP)[1] == ["0.01", "-", "1e-09", "float32 answers NaN"]
+
+
+def test_a_sweep_s_values_and_head_say_what_they_are() -> None:
+    values = (179.0, 179.999999999995, 180.0 - 1e-12)
+    swept = Sweep("fov", "°", values, {"a": curve((1e-9,) * 3, ("",) * 3)})
+    head, *rows = table(swept)
+    assert head == ["fov, °", "a", JUDGED]
+    assert [row[0] for row in rows] == ["179", "179.999999999995", "179.999999999999"]
+    assert named(head[0], {"fov": "kut"}.__getitem__) == "kut, °"
+
+
+@pytest.mark.parametrize("parameter", ["near", "far"])
+def test_what_a_sweep_moves_besides_is_told(parameter: str) -> None:
+    said = table(sweep(parameter, (1.0,), {"a": curve((1e-9,), ("",))}))[0][-1]
+    judged, told = said.split(", ")
+    assert judged == JUDGED and told in WORDS
+    low, high = SWEEPS[parameter].low, SWEEPS[parameter].high
+    lenses = [SWEEPS[parameter].set(Projection(), value)[0].lens for value in (low, 1.0, high)]
+    assert {lens.near * 4.0 for lens in lenses} & {lens.far for lens in lenses}, told
+    assert told == {"near": "far is 4 near at least", "far": "near is far / 4 at most"}[parameter]
+
+
+def test_a_table_s_heads_are_words_with_units() -> None:
+    """A file's and a spreadsheet's columns keep their plain names."""
+    values = dict.fromkeys(COLUMNS, 0.5) | {"triangles": 2.0}
+    trade = replace(TRADE, choices=(replace(TRADE.choices[0], values=values),))
+    assert table(trade)[0][5:-1] == [*COLUMNS.values(), "triangles"]
+    assert not any("_" in head for head in table(trade)[0])
+    assert set(COLUMNS.values()) <= set(WORDS)
+    assert to_csv(trade).splitlines()[0].endswith(f"{','.join(values)},note")
+
+
+@pytest.mark.parametrize(
+    ("number", "in_table", "in_sentence"),
+    [
+        (872.4, "872", "872"),
+        (99.6, "99.6", "100"),
+        (999.6, "1000", "1000"),
+        (1234567.0, "1234567", "1234567"),
+        (8.72, "8.72", "8.7"),
+        (1e-9, "1e-09", "1e-09"),
+        (1e20, "1e+20", "1e+20"),
+        (math.inf, "inf", "inf"),
+    ],
+)
+def test_what_one_reads_has_no_exponent_for_thousands(
+    number: float, in_table: str, in_sentence: str
+) -> None:
+    trade = replace(TRADE, choices=(choice("only", number, 1.0), choice("error", 1.0, number)))
+    assert [row[1] for row in table(trade)[1:]] == [in_table, "1"]
+    alone = replace(trade, choices=trade.choices[:1])
+    assert f"only is the fastest ({in_sentence} ns)" in meaning(alone).sentence()
+    (diagram,) = chart.diagrams(replace(trade, choices=trade.choices[1:]))
+    assert spots(diagram)["error"].tip == f"error: 1 ns, {in_table} px"
+    swept = sweep("near", (1.0,), {"a": curve((number,), ("",))})
+    assert table(swept)[1][1] == in_sentence
+
+
+# -- names
+
+NONE = np.empty((0, 4))
+
+
+@given(
+    st.lists(
+        st.tuples(st.floats(10, 390), st.floats(10, 290), st.floats(0, 90)), min_size=1, max_size=14
+    )
+)
+def test_names_never_hide_each_other_nor_dots_and_stay_inside(
+    given_points: list[tuple[float, float, float]],
+) -> None:
+    points = np.array([point[:2] for point in given_points])
+    sizes = np.array([(point[2], 12.0) for point in given_points])
+    frame = np.array([0.0, 0.0, 400.0, 300.0])
+    places = beside(points, sizes, frame, np.empty((0, 2)), np.full(len(points), 5.0), NONE)
+    boxes = [box for box in places if box is not None]
+    for i, box in enumerate(boxes):
+        assert (box[:2] >= 0.0).all() and box[2] <= 400.0 and box[3] <= 300.0
+        for other in boxes[:i]:
+            apart = (box[2:] <= other[:2] + 1e-9) | (other[2:] <= box[:2] + 1e-9)
+            assert apart.any()
+        inside = ((points > box[:2]) & (points < box[2:])).all(axis=1)
+        assert not inside.any()
+
+
+@given(
+    st.lists(
+        st.tuples(st.floats(10, 390), st.floats(10, 290), st.floats(5, 90)), min_size=2, max_size=14
+    ),
+    st.floats(0, 300),
+    st.floats(0, 300),
+)
+def test_names_and_their_lines_cross_no_curve_no_dot_and_no_earlier_name(
+    given_points: list[tuple[float, float, float]], left: float, right: float
+) -> None:
+    points = np.array([point[:2] for point in given_points])
+    sizes = np.array([(point[2], 12.0) for point in given_points])
+    frame = np.array([0.0, 0.0, 400.0, 300.0])
+    along = np.column_stack([np.linspace(0.0, 400.0, 400), np.linspace(left, right, 400)])
+    places = beside(points, sizes, frame, along, np.full(len(points), 5.0), NONE)
+    for i, box in enumerate(places):
+        if box is None:
+            continue
+        assert not ((along > box[:2]) & (along < box[2:])).all(axis=1).any()
+        end = np.clip(points[i], box[:2], box[2:])
+        line = points[i] + np.linspace(0.1, 0.9, 8)[:, None] * (end - points[i])
+        for other in places[:i]:
+            if other is not None:
+                assert not ((line > other[:2]) & (line < other[2:])).all(axis=1).any()
+        others = points[np.abs(points - points[i]).max(axis=1) > 10.0]
+        assert not (np.abs(line[:, None] - others) < 4.0).all(axis=-1).any()
+
+
+def test_a_name_stands_right_beside_a_lonely_point() -> None:
+    frame = np.array([0.0, 0.0, 400.0, 300.0])
+    one, size = np.array([[200.0, 150.0]]), np.array([[60.0, 12.0]])
+    (box,) = beside(one, size, frame, np.empty((0, 2)), np.array([5.0]), NONE)
+    assert box is not None and box.tolist() == [205.0, 144.0, 265.0, 156.0]
+    line = np.column_stack([np.linspace(200.0, 400.0, 100), np.full(100, 150.0)])
+    (box,) = beside(one, size, frame, line, np.array([5.0]), NONE)
+    assert box is not None and not (box[1] < 150.0 < box[3] and box[0] >= 200.0)
+    name = np.array([[210.0, 140.0, 300.0, 160.0]])
+    (box,) = beside(one, size, frame, np.empty((0, 2)), np.array([5.0]), name)
+    assert box is not None and (box[2] <= 210.0 or box[3] <= 140.0 or box[1] >= 160.0)
+    full = np.array([0.0, 0.0, 30.0, 300.0])
+    assert beside(np.array([[15.0, 150.0]]), size, full, line, np.array([5.0]), NONE) == [None]
+
+
+# -- pictures
+
+
+def test_a_picture_shows_dots_where_they_belong_and_in_its_own_colours() -> None:
+    png = chart.picture(replace(RESULTS, sweeps=()), "a.PNG", {"rung": "good"})
+    with Image.open(io.BytesIO(png)) as image:
+        assert image.format == "PNG" and image.size == (800, 490)
+        pixels = np.asarray(image.convert("RGB")).astype(int)
+
+    def near(red: int, green: int, blue: int) -> int:
+        return int((np.abs(pixels - (red, green, blue)).sum(axis=2) < 40).sum())
+
+    assert near(0, 0x72, 0xB2) > 300, "the frontier"
+    assert near(0xD5, 0x5E, 0) > 20, "the mark of the present choice"
+    assert len(png) < 100_000
+
+
+def test_a_pdf_holds_vectors_and_is_the_same_every_time() -> None:
+    one, other = (chart.picture(RESULTS, "a.pdf", other=RESULTS) for _ in range(2))
+    assert one.startswith(b"%PDF") and one == other
+    assert b"/Subtype /Image" not in one
+
+
+def test_what_could_not_be_measured_is_words_in_the_picture() -> None:
+    nothing = replace(TRADE, choices=(choice("", None, None, "no vertex"),))
+    empty = chart.picture(replace(RESULTS, trades=(nothing,), sweeps=()), "a.png")
+    assert empty.startswith(b"\x89PNG")
+
+
+def test_a_chart_names_machine_versions_scene_camera_and_date() -> None:
+    assert chart.where(RESULTS) == (
+        "2026-11-21T08:46:06+00:00 · Box 7, 2 cores, softpipe · frustum-lab 1"
+    )
+    assert chart.seen(RESULTS) == (
+        "letter-f; eye (6, 5, 9), target (0, 2.25, 0), perspective, fov_y_deg 45"
+    )
+    assert chart.machine(RESULTS) == "Box 7, softpipe, 2026-11-21T08:46:06+00:00"
+    mesh = replace(RESULTS, document={"scene": "meshes/cow.obj", "camera": 5})
+    assert chart.seen(mesh) == "cow.obj; eye (), target (), "
+
+
+# -- the command
+
+
+def test_the_command_draws_a_chart(tmp_path: Path) -> None:
+    out = tmp_path / "depth.pdf"
+    done = run("measure", "--trade=depth", "--sweep=near", "--quick", "--chart", out, DISPLAY=None)
+    assert done.returncode == 0 and done.stderr == ""
+    assert out.read_bytes().startswith(b"%PDF")
+    assert refused("measure", "--chart=a.svg") == "--chart = 'a.svg': must end in .png or .pdf.\n"
+    assert "no folder /nowhere" in refused("measure", "--chart=/nowhere/a.png")
+
+
+def test_the_command_measures_the_mesh_in_a_scene(tmp_path: Path) -> None:
+    mesh = tmp_path / "ball.ply"
+    pv.Sphere(theta_resolution=30, phi_resolution=30).save(mesh)
+    arguments = ("measure", "--trade=detail", "--quick", "--scene=similar-triangles")
+    assert "too few triangles" in run(*arguments).stdout
+    done = run(*arguments, "--set", f"mesh={mesh}")
+    assert done.returncode == 0 and "too few triangles" not in done.stdout and "50 %" in done.stdout

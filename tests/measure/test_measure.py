@@ -1,0 +1,650 @@
+"""The measurements: their numbers against 80 digits, their predictions, their file."""
+
+from __future__ import annotations
+
+import itertools
+import json
+import math
+import sys
+import types
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+import pyvista as pv
+from hypothesis import given
+from hypothesis import strategies as st
+
+import app.measure.smoothing
+from app.document.document import Document
+from app.measure import TRADES, measure_all
+from app.measure.arithmetic import (
+    NOT_INSTALLED,
+    SWEEPS,
+    in_view,
+    looked_at,
+    measure,
+    peers,
+    summed,
+    sweep,
+    values_of,
+    ways,
+)
+from app.measure.depth import BEYOND, smallest_gap
+from app.measure.depth import measure as measure_depth
+from app.measure.detail import measure as measure_detail
+from app.measure.detail import outline
+from app.measure.interpolation import Edge, affine, bound, correct, steepest_edge
+from app.measure.interpolation import measure as measure_interpolation
+from app.measure.interpolation import truth as true_place
+from app.measure.reference import SAMPLE, sample, truth
+from app.measure.results import (
+    JUDGED,
+    Choice,
+    Results,
+    ResultsError,
+    Sweep,
+    Trade,
+    from_json,
+    table,
+    to_csv,
+    to_json,
+)
+from app.measure.run import Cancelled, in_turns, part_of, percentile95
+from app.measure.smoothing import SMOOTHINGS, pictures, samples_given, shown
+from app.measure.smoothing import measure as measure_smoothing
+from app.model.depth import FORMATS, MAPPINGS, DepthBuffer
+from app.model.projection import DEPTH_RANGES, Camera, Orthographic, Perspective, Projection
+from app.precision.levels import trace
+from app.scenes.fewer_triangles import QUADRIC_TRIANGLES, SHARES, reduced
+from app.scenes.scene import Scene, load
+from tests.oracles.exact import Exact, mp
+
+LETTER_F = load("letter-f")
+POINTS = LETTER_F.sample
+START = LETTER_F.start
+
+
+# --------------------------------------------------------------------------- arithmetic
+
+
+def oracle_errors(projection: Projection, world: np.ndarray, answers: np.ndarray) -> list[float]:
+    """Largest error in px and in depth of answers (n, 3), at 80 digits."""
+    exact, largest = Exact(projection), [mp.mpf(0), mp.mpf(0)]
+    for point, (x, y, depth) in zip(world.tolist(), answers.tolist(), strict=True):
+        truth = exact(point)
+        for axis, value in enumerate((x, y)):
+            largest[0] = max(largest[0], abs(mp.mpf(value) - truth.image[axis]))
+        largest[1] = max(largest[1], abs(mp.mpf(depth) - truth.depth))
+    return [float(error) for error in largest]
+
+
+@pytest.mark.parametrize("depth", DEPTH_RANGES)
+@pytest.mark.parametrize("parameter", list(SWEEPS))
+def test_the_reference_is_the_oracle(parameter: str, depth: str) -> None:
+    """Two descriptions, over the extremes that are swept: all 32 digits of a pair of float64."""
+    for value in values_of(parameter, 7):
+        projection, moved = SWEEPS[parameter].set(replace(START, depth=depth), value)
+        world = in_view(projection, POINTS + moved)[:5]
+        assert_true(projection, world)
+
+
+@pytest.mark.parametrize("depth", DEPTH_RANGES)
+@pytest.mark.parametrize("keep", ["stretch", "x", "y"])
+@pytest.mark.parametrize("kind", ["frustum", "orthographic", "oblique"])
+def test_the_reference_is_the_oracle_for_every_lens(kind: str, keep: str, depth: str) -> None:
+    projection = replace(START, depth=depth).with_lens(kind)
+    lens = replace(projection.standard_lens, left=-3.0, bottom=-0.5, keep=keep)
+    assert_true(replace(projection, lens=lens), looked_at(projection, POINTS)[:5])
+
+
+def assert_true(projection: Projection, world: np.ndarray) -> None:
+    known = truth(projection, world)
+    with mp.workdps(300):  # a field of view of 1e-80 degrees enlarges what is cut off
+        oracle = Exact(projection)
+        for point, numbers, rests in zip(world.tolist(), *known, strict=True):
+            answer = oracle(point)
+            expected = (*answer.image, answer.depth)
+            for number, rest, exact in zip(numbers.tolist(), rests.tolist(), expected, strict=True):
+                slack = mp.mpf(2) ** -104 * abs(exact) + mp.mpf(10) ** -100
+                assert abs(mp.mpf(number) + mp.mpf(rest) - exact) <= slack
+
+
+def test_a_sample_has_each_point_once_and_all_parts_of_the_list() -> None:
+    points = np.repeat(np.random.default_rng(1).normal(size=(500, 3)), 3, axis=0)
+    some, where = sample(points)
+    np.testing.assert_array_equal(some, points[where])
+    assert len(np.unique(some, axis=0)) == len(some) == SAMPLE
+    assert where[0] == 0 and where[-1] >= 1497 and np.diff(where).max() < 40
+    few, where = sample(points[:9])
+    np.testing.assert_array_equal(few, points[[0, 3, 6]])
+
+
+@pytest.mark.parametrize("far", [30.0, math.inf])
+@pytest.mark.parametrize("depth", ["opengl", "reversed"])
+def test_measured_errors_are_those_of_the_oracle(depth: str, far: float) -> None:
+    projection = replace(START, lens=Perspective(45.0, 1.0, far), depth=depth)
+    trade = measure(projection, POINTS, seconds=0.0)
+    world = looked_at(projection, POINTS)
+    some, where = sample(world)
+    every = ways(projection, world, (0.0, 0.0, 0.0)) | peers(projection, world)[0]
+    compared = 0
+    for choice in trade.choices:
+        if choice.note == NOT_INSTALLED:
+            continue
+        way = every[choice.name]
+        answers = np.asarray(way.rows(way.run())).T[where]
+        px, of_depth = oracle_errors(projection, some, answers)
+        assert choice.error == pytest.approx(px, rel=1e-9), choice.name
+        assert choice.values["error_depth"] == pytest.approx(of_depth, rel=1e-9), choice.name
+        compared += 1
+    assert compared >= 8
+
+
+def test_precisions_are_compared_by_the_same_code() -> None:
+    """Each pair is one function in two formats, and float64's answers are the better ones."""
+    found = {choice.name: choice for choice in measure(START, POINTS, seconds=0.0).choices}
+    for name in ("{}", "{}, eye first"):
+        single, double = (found[name.format(kind)] for kind in ("float32", "float64"))
+        assert single.error is not None and double.error is not None
+        assert 1e-6 < single.error < 1e-3 and double.error < 1e-11
+
+
+def test_the_output_says_what_its_errors_are() -> None:
+    trade = measure(START, POINTS, seconds=0.0)
+    assert str(SAMPLE) in JUDGED
+    assert table(trade)[0][-1] == JUDGED
+    assert table(sweep("far", START, POINTS, (9.0,)))[0][-1].startswith(f"{JUDGED}, ")
+    assert table(measure_depth(START))[0][-1] == ""
+
+
+def test_every_way_costs_time_and_the_rungs_can_be_used() -> None:
+    trade = measure(START, POINTS, seconds=0.0)
+    assert trade.complete and trade.rounds >= 5
+    rungs = {choice.use["rung"] for choice in trade.choices if choice.use}
+    assert rungs == {"float32", "float64"}  # the exact one reads, and draws nothing
+    for choice in trade.choices:
+        if choice.note != NOT_INSTALLED:
+            assert choice.cost is not None and choice.cost_p95 is not None
+            assert 0.0 < choice.cost <= choice.cost_p95
+
+
+def test_float32_is_the_models_rung_to_the_bit() -> None:
+    origin = (1.0, 2.0, 3.0)
+    for depth in ("opengl", "direct3d", "reversed"):
+        projection = replace(START, depth=depth)
+        world = looked_at(projection, POINTS)
+        traced = trace(projection, world, "float32", origin)
+        rows = summed(projection, world, origin, "float32")()
+        np.testing.assert_array_equal(rows[:2].T, traced.image)
+        np.testing.assert_array_equal(rows[2], traced.depth)
+
+
+@pytest.mark.parametrize("parameter", list(SWEEPS))
+@pytest.mark.parametrize("depth", ["opengl", "direct3d", "reversed"])
+def test_predictions_hold_over_every_sweep(parameter: str, depth: str) -> None:
+    projection = replace(START, depth=depth)
+    swept = sweep(parameter, projection, POINTS, values_of(parameter, 25))
+    assert len(swept.values) == 25 and swept.complete
+    ratios = []
+    for name, curve in swept.curves.items():
+        if name == "VTK's camera":
+            assert set(curve.predicted) == {None}
+            continue
+        for errors, predicted in (
+            (curve.errors, curve.predicted),
+            (curve.errors_depth, curve.predicted_depth),
+        ):
+            for error, expected, note in zip(errors, predicted, curve.notes, strict=True):
+                assert expected is not None
+                if error is None:
+                    assert note and expected == math.inf
+                    continue
+                assert error <= expected, (name, error)
+                ratios.append(expected / max(error, 1e-30))
+    assert len(ratios) > 60 and np.median(ratios) <= 30.0
+
+
+@pytest.mark.parametrize("parameter", list(SWEEPS))
+def test_our_float64_stays_sharp_and_vtks_camera_breaks_somewhere(parameter: str) -> None:
+    swept = sweep(parameter, START, POINTS, values_of(parameter, 25))
+    ours, vtk = swept.curves["float64, every stage"], swept.curves["VTK's camera"]
+    if parameter != "fov":  # below 1e-12 degrees no float64 point can be placed in the picture
+        assert max(error for error in ours.errors if error is not None) < 1e-12
+    if parameter in ("fov", "distance", "up", "aspect"):
+        assert max(error for error in vtk.errors if error is not None) > 0.1
+    if parameter == "fov":
+        assert "clamps" in vtk.notes[0] and "clamps" in vtk.notes[-1]
+
+
+def test_a_swept_point_is_what_the_oracle_says() -> None:
+    for parameter in SWEEPS:
+        value = values_of(parameter, 7)[2]
+        projection, moved = SWEEPS[parameter].set(START, value)
+        world = in_view(projection, POINTS + moved)
+        (error,) = sweep(parameter, START, POINTS, (value,)).curves["float64, every stage"].errors
+        answers = projection.trace(world)
+        px, _ = oracle_errors(projection, world, np.column_stack([answers.image, answers.depth]))
+        assert error == pytest.approx(px, rel=0.01), parameter
+
+
+def test_a_sweep_sets_what_it_is_named_after() -> None:
+    def swept(parameter: str, value: float) -> Projection:
+        return SWEEPS[parameter].set(START, value)[0]
+
+    assert swept("near", 0.25).lens.near == 0.25 and swept("near", 99.0).lens.near == 99.0
+    assert swept("far", 0.5).lens.far == 0.5
+    assert swept("fov", 120.0).lens.fov_y_deg == 120.0
+    assert swept("aspect", 7.0).window[1] / swept("aspect", 7.0).window[3] == pytest.approx(7.0)
+    moved = np.array(swept("distance", 1e6).camera.eye) - START.camera.eye
+    assert np.linalg.norm(moved) == pytest.approx(1e6)
+    np.testing.assert_allclose(SWEEPS["distance"].set(START, 1e6)[1], moved)
+    camera = swept("up", 3.0).camera
+    cosine = np.array(camera.up) @ -camera.frame[2] / np.linalg.norm(camera.up)
+    assert math.degrees(math.acos(cosine)) == pytest.approx(3.0)
+
+
+@pytest.mark.parametrize("parameter", list(SWEEPS))
+def test_a_sweep_covers_its_range_and_can_be_narrowed(parameter: str) -> None:
+    values = values_of(parameter, 9)
+    assert values[0] == pytest.approx(SWEEPS[parameter].low)
+    assert values[-1] == pytest.approx(SWEEPS[parameter].high)
+    assert list(values) == sorted(values)
+    assert values_of(parameter, 2, 1.0, 2.0) == pytest.approx((1.0, 2.0))
+
+
+def test_a_box_is_swept_too() -> None:
+    projection = replace(START, lens=Orthographic(-4.0, 4.0, -2.25, 2.25, 1.0, 30.0))
+    for parameter in SWEEPS:
+        swept = sweep(parameter, projection, POINTS, values_of(parameter, 3))
+        assert swept.complete
+
+
+def test_no_vertex_in_front_is_said() -> None:
+    away = replace(START, camera=Camera(START.camera.target, START.camera.eye, START.camera.up))
+    trade = measure(away, POINTS[:1] * 0.0 + np.array([[0.0, 0.0, -50.0]]), seconds=0.0)
+    (choice,) = trade.choices
+    assert choice.error is None and "no vertex" in choice.note
+
+
+def test_a_peer_that_fails_to_import_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    class Broken(types.ModuleType):
+        def __getattr__(self, name: str) -> object:
+            raise RuntimeError("broken on purpose")
+
+    monkeypatch.setitem(sys.modules, "pylinalg", None)  # as if it were not installed
+    broken = Broken("pyglm.glm")
+    monkeypatch.setitem(sys.modules, "pyglm", types.ModuleType("pyglm"))
+    monkeypatch.setitem(sys.modules, "pyglm.glm", broken)
+    found, missing = peers(START, POINTS)
+    assert missing["pylinalg"] == NOT_INSTALLED
+    assert "broken on purpose" in missing["PyGLM"]
+    assert "matplotlib's proj3d" in found
+    assert {c.name: c.note for c in measure(START, POINTS, seconds=0.0).choices}[
+        "PyGLM"
+    ] == missing["PyGLM"]
+
+
+# --------------------------------------------------------------------------- depth
+
+
+@pytest.mark.parametrize("mapping", MAPPINGS)
+@pytest.mark.parametrize("format_", list(FORMATS))
+@pytest.mark.parametrize("far", [30.0, math.inf])
+def test_the_smallest_gap_is_never_below_the_formulas(
+    far: float, format_: str, mapping: str
+) -> None:
+    """What is found holds for surfaces about the target, what is predicted for one at it."""
+    if far == math.inf and mapping == "logarithmic":
+        return
+    buffer = DepthBuffer(format_, mapping, 1.0, far)
+    for distance in (1.7, 11.0, 25.0, *np.random.default_rng(1).uniform(1.0, 30.0, 8).tolist()):
+        found, predicted = smallest_gap(buffer, distance), float(buffer.gap(distance))
+        if predicted == math.inf:
+            continue
+        assert found >= predicted * (1.0 - 1e-6)  # as float64 knows where codes begin
+        if found == math.inf:
+            behind = distance + predicted
+            assert buffer.encode(min(behind, far)) == buffer.encode(min(far, 1e300))
+            continue
+        # It is real: a pair somewhat closer about there has one code, and none farther apart.
+        surfaces = np.linspace(distance, distance + 3.0 * found, 3001)
+        surfaces = surfaces[surfaces + 1.001 * found <= min(far, 1e300)]
+        closer = buffer.encode(surfaces) == buffer.encode(surfaces + 0.99 * found)
+        assert closer.any() or len(surfaces) < 3001
+        near = surfaces[surfaces <= distance + predicted / 1000.0]
+        assert (buffer.encode(near) != buffer.encode(near + 1.001 * found)).all()
+
+
+def test_the_depth_trade_has_every_format_and_range() -> None:
+    trade = measure_depth(START)
+    assert len(trade.choices) == len(FORMATS) * len(MAPPINGS)
+    for choice in trade.choices:
+        assert choice.cost is not None and choice.values["collapsed"] == pytest.approx(
+            choice.values["collapsed_predicted"], abs=0.01
+        )
+    infinite = measure_depth(replace(START, lens=Perspective(45.0, 1.0, math.inf)))
+    notes = [choice.note for choice in infinite.choices if choice.name.endswith("logarithmic")]
+    assert all("far" in note for note in notes)
+    near = measure_depth(replace(START, lens=Perspective(45.0, 20.0, 30.0)))
+    assert {choice.note for choice in near.choices} == {BEYOND}
+
+
+# --------------------------------------------------------------------------- interpolation
+
+
+@given(st.floats(0.01, 100.0), st.floats(0.01, 100.0), st.integers(1, 64))
+def test_affine_errors_reach_their_bound_and_no_more(one: float, other: float, splits: int) -> None:
+    """At 80 digits t = s/w1 / ((1 - s)/w0 + s/w1); between two split points, a straight line."""
+    start, end = np.array([-one, 0.0, 0.0, one]), np.array([other, 0.0, 0.0, other])
+    edge = Edge(start, end, 100.0)
+    s = np.linspace(0.0, 1.0, 4097)
+    wrong = np.abs(affine(edge, s, splits) - correct(edge, s))
+    predicted = bound(edge, splits)
+    assert wrong.max() <= predicted + 1e-12
+    assert wrong.max() >= 0.9 * predicted - 1e-12
+    near, far = mp.mpf(one), mp.mpf(other)
+    for place in (0.0, 0.25, 0.5, 1.0):
+        right = (place / far) / ((1 - mp.mpf(place)) / near + place / far)
+        got = correct(edge, np.array([place]))[0]
+        assert float(abs(right - got)) < 1e-15
+        assert true_place(edge, np.array([place]))[0] == pytest.approx(float(right), abs=1e-12)
+
+
+def test_the_edge_is_cut_to_the_picture_and_the_steepest() -> None:
+    scene = load("posts")
+    edge = steepest_edge(scene.start, scene.corners)
+    assert edge is not None and edge.ratio > 3.0 and edge.length_px > 100.0
+    for end in (edge.start, edge.end):
+        assert (np.abs(end[:3]) <= end[3] * (1.0 + 1e-12)).all()
+
+
+def test_correct_interpolation_is_exact_and_more_pieces_are_better() -> None:
+    trade = measure_interpolation(START, LETTER_F.corners, seconds=0.0)
+    exact, *pieces = trade.choices
+    assert exact.error is not None and exact.error < 1e-9
+    errors = [choice.error for choice in pieces]
+    assert errors == sorted(errors, reverse=True) and errors[0] > 10.0
+    for choice in pieces:
+        assert choice.predicted is not None and choice.error is not None
+        assert 0.9 * choice.predicted <= choice.error <= choice.predicted * (1.0 + 1e-9)
+    box = replace(START, lens=Orthographic(-4.0, 4.0, -2.25, 2.25, 1.0, 30.0))
+    flat = measure_interpolation(box, LETTER_F.corners, seconds=0.0)
+    assert max(choice.error or 0.0 for choice in flat.choices) < 1e-9
+    away = replace(START, camera=Camera((0.0, 50.0, 0.0), (0.0, 90.0, 0.0), (0.0, 0.0, 1.0)))
+    (nothing,) = measure_interpolation(away, LETTER_F.corners, seconds=0.0).choices
+    assert nothing.error is None and "no edge" in nothing.note
+
+
+# --------------------------------------------------------------------------- running
+
+
+def stop_after(calls: int) -> tuple[object, list[float]]:
+    seen: list[float] = []
+
+    def watch(fraction: float) -> None:
+        seen.append(fraction)
+        if len(seen) > calls:
+            raise Cancelled
+
+    return watch, seen
+
+
+def test_turns_are_interleaved_and_progress_grows() -> None:
+    order: list[str] = []
+    seen: list[float] = []
+    times = in_turns(
+        {"a": lambda: order.append("a"), "b": lambda: order.append("b")}, 0.0, seen.append
+    )
+    assert {name: each.rounds for name, each in times.items()} == {"a": 5, "b": 5}
+    blocks = [name for name, _ in itertools.groupby(order)]
+    assert blocks[-6:] == ["a", "b"] * 3
+    assert seen == sorted(seen) and seen[0] >= 0.0 and seen[-1] <= 1.0
+
+
+def test_a_part_watches_its_part() -> None:
+    seen: list[float] = []
+    part_of(seen.append, 0.5, 1.0)(0.5)
+    assert seen == [0.75]
+
+
+@pytest.mark.parametrize("times, expected", [([1.0], 1.0), ([1.0, 2.0, 3.0], 2.9)])
+def test_the_95th_percentile(times: list[float], expected: float) -> None:
+    assert percentile95(times) == pytest.approx(expected)
+
+
+def test_a_cancelled_run_keeps_what_was_done() -> None:
+    document = Document("letter-f", START)
+    watch, _ = stop_after(4)
+    results = measure_all(document, LETTER_F, ["depth"], {"near": (None, None)}, watch=watch)  # type: ignore[arg-type]
+    assert not results.complete
+    (trade,) = results.trades
+    assert not trade.complete and len(trade.choices) == 4 and not results.sweeps
+    watch, _ = stop_after(len(FORMATS) * len(MAPPINGS) + 3)
+    results = measure_all(
+        document,
+        LETTER_F,
+        ["depth"],
+        {"near": (None, None)},
+        quick=True,
+        watch=watch,  # type: ignore[arg-type]
+    )
+    assert results.trades[0].complete and not results.complete
+    (swept,) = results.sweeps
+    assert len(swept.values) == 3 and not swept.complete
+    watch, _ = stop_after(16)
+    results = measure_all(document, LETTER_F, ["arithmetic"], {}, watch=watch)  # type: ignore[arg-type]
+    assert results.trades[0].choices[0].error is not None
+    assert from_json(to_json(results)) == results
+
+
+# --------------------------------------------------------------------------- the file
+
+TRADE = Trade(
+    "arithmetic",
+    "ns",
+    "px",
+    (
+        Choice("cheap", 1.0, 1.1, 1e-3, 2e-3, {"error_depth": 1e-6}, "", {"rung": "float32"}),
+        Choice("dominated", 3.0, 3.5, 1e-2),
+        Choice("good", 2.0, 2.1, 1e-9, values={"other": math.inf}),
+        Choice('odd, "quoted"', None, None, None, note="answers NaN"),
+    ),
+    7,
+)
+
+
+def results_of(trade: Trade = TRADE) -> Results:
+    return Results("2026-11-21T08:00:00+00:00", {"cores": "2"}, {"numpy": "2"}, {"a": 1}, (trade,))
+
+
+def test_the_file_brings_everything_back() -> None:
+    swept = sweep("near", START, POINTS, values_of("near", 3))
+    results = replace(results_of(), sweeps=(swept,), complete=False)
+    assert from_json(to_json(results)) == results
+
+
+def test_the_frontier_leaves_out_what_is_beaten() -> None:
+    assert [choice.name for choice in TRADE.frontier] == ["cheap", "good"]
+
+
+def test_a_table_can_be_read_by_a_spreadsheet() -> None:
+    lines = to_csv(TRADE).splitlines()
+    assert lines[0] == "choice,cost_ns,cost_p95_ns,error_px,predicted,error_depth,other,note"
+    assert lines[1] == "cheap,1.0,1.1,0.001,0.002,1e-06,,"
+    assert lines[4] == '"odd, ""quoted""",,,,,,,answers NaN'
+    swept = sweep("near", START, POINTS, (1.0, 2.0))
+    assert to_csv(swept).splitlines()[0].startswith("near,float32,")
+
+
+@pytest.mark.parametrize(
+    "change, sentence",
+    [
+        (lambda tree: tree.update(format="other"), "is not a file of measurements"),
+        (lambda tree: tree.update(version=2), "its version is 2, this one reads 1"),
+        (lambda tree: tree.pop("date"), "date is missing"),
+        (lambda tree: tree.update(trades={}), "trades must be a list"),
+        (
+            lambda tree: tree["trades"][0]["choices"][0].update(cost="fast"),
+            "trades[0].choices[0].cost must be a number",
+        ),
+        (lambda tree: tree["trades"][0].update(complete=1), "complete must be true or false"),
+        (lambda tree: tree.update(machine=[]), "machine must be an object"),
+    ],
+)
+def test_another_file_is_refused_in_a_sentence(change: object, sentence: str) -> None:
+    tree = json.loads(to_json(results_of()))
+    change(tree)  # type: ignore[operator]
+    with pytest.raises(ResultsError) as caught:
+        from_json(json.dumps(tree), "results.json")
+    assert sentence in str(caught.value) and str(caught.value).startswith("results.json: ")
+
+
+@pytest.mark.parametrize("text", ["", "[1]", "{", "nonsense", "[" * 100_000])
+def test_what_is_no_json_is_refused(text: str) -> None:
+    with pytest.raises(ResultsError, match="is not a file of measurements"):
+        from_json(text)
+
+
+def test_a_sweep_with_too_few_errors_is_refused() -> None:
+    swept = sweep("near", START, POINTS, (1.0, 2.0))
+    tree = json.loads(to_json(replace(results_of(), sweeps=(swept,))))
+    tree["sweeps"][0]["choices"]["exact"]["error"].pop()
+    with pytest.raises(ResultsError, match="as long as the sweep's values"):
+        from_json(json.dumps(tree))
+
+
+def test_every_trade_names_itself() -> None:
+    results = measure_all(Document("letter-f", START), LETTER_F, ["depth"], {}, quick=True)
+    assert [trade.name for trade in results.trades] == ["depth"]
+    assert set(TRADES) >= {"arithmetic", "depth"}
+    assert results.document["scene"] == "letter-f" and results.versions["numpy"] == np.__version__
+    assert isinstance(results.sweeps, tuple) and not results.sweeps
+    assert Sweep("near", "", (), {}).complete
+
+
+# --------------------------------------------------------------------------- pictures
+
+
+def test_smoothing_is_cheaper_without_and_better_with_more_samples() -> None:
+    trade = measure_smoothing(LETTER_F, START, seconds=0.0)
+    errors = {choice.name: choice.error for choice in trade.choices}
+    assert list(errors) == [smoothing.name for smoothing, _ in pictures()]
+    assert (
+        errors["supersampling 3 x 3"]
+        < errors["supersampling 2 x 2"]
+        < errors["none"]
+        < errors["half resolution"]
+    )
+    multisampled = [error for name, error in errors.items() if name.startswith("MSAA")]
+    assert max(multisampled) < errors["FXAA"] < errors["none"]
+    for choice in trade.choices:
+        assert choice.cost is not None and choice.cost > 0.0
+
+
+@pytest.mark.parametrize(
+    ("given", "expected"),
+    [
+        ({2: 4, 4: 4, 8: 4}, {"MSAA 4": "MSAA 2, MSAA 8, the same picture"}),  # as Mesa does
+        ({2: 2, 4: 4, 8: 8}, {"MSAA 2": "", "MSAA 4": "", "MSAA 8": ""}),
+        (
+            {2: 2, 4: 6, 8: 6},
+            {"MSAA 2": "", "MSAA 4": "this OpenGL gives 6 samples, MSAA 8, the same picture"},
+        ),
+        ({2: 1, 4: 1, 8: 1}, {"none": "MSAA 2, MSAA 4, MSAA 8, the same picture"}),
+    ],
+)
+def test_choices_that_are_the_same_picture_are_one(
+    given: dict[int, int], expected: dict[str, str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(app.measure.smoothing, "samples_given", given.__getitem__)
+    kept = {smoothing.name: note for smoothing, note in pictures()}
+    others = [each.name for each in SMOOTHINGS if not each.samples]
+    assert [name for name in kept if not name.startswith("MSAA")] == others
+    assert {name: note for name, note in kept.items() if note or name in expected} == expected
+
+
+def test_no_two_choices_are_the_same_picture_here() -> None:
+    trade = measure_smoothing(LETTER_F, START, seconds=0.0)
+    errors = [choice.error for choice in trade.choices]
+    assert len(set(errors)) == len(errors)
+    notes = {smoothing.name: note for smoothing, note in pictures()}
+    assert {choice.name: choice.note for choice in trade.choices} == notes
+
+
+def test_samples_are_counted() -> None:
+    assert samples_given(0) == 1
+    assert samples_given(4) >= 4  # as OpenGL 3.2 demands
+
+
+def test_shown_averages_or_repeats() -> None:
+    pixels = np.zeros((2, 2, 4), dtype=np.uint8)
+    pixels[0, 0, :3] = 100
+    assert shown(pixels, 2.0, (1, 1)).tolist() == [[[25.0] * 3]]
+    assert shown(pixels, 0.5, (4, 4))[1, 1].tolist() == [100.0] * 3
+    assert shown(pixels, 0.5, (4, 4)).shape == (4, 4, 3)
+
+
+@pytest.fixture(scope="module")
+def sphere(tmp_path_factory: pytest.TempPathFactory) -> Scene:
+    path = tmp_path_factory.mktemp("sphere") / "sphere.ply"
+    pv.Sphere(theta_resolution=60, phi_resolution=60).save(path)
+    return load(str(path))
+
+
+def test_fewer_triangles_move_the_outline_as_far_as_they_are_long(sphere: Scene) -> None:
+    trade = measure_detail(sphere, sphere.start, seconds=0.0)
+    assert [choice.name for choice in trade.choices] == [
+        "100 %",
+        *(f"{100 * s:g} %" for s in SHARES),
+    ]
+    assert trade.choices[0].error == 0.0
+    errors = [choice.error for choice in trade.choices]
+    assert errors[-1] > 1.0 and errors[1] <= 0.5
+    triangles = [choice.values["triangles"] for choice in trade.choices]
+    for share, count in zip(SHARES, triangles[1:], strict=True):
+        assert count == pytest.approx(share * triangles[0], rel=0.2)
+    assert trade.choices[-1].values["memory_mb"] < 0.1 * trade.choices[0].values["memory_mb"]
+
+
+def test_the_outline_is_where_the_model_projects_it(sphere: Scene) -> None:
+    size = (320, 180)
+    places = outline(sphere, sphere.start, size)
+    image = sphere.start.trace(sphere.sample[: sphere.surface.n_points]).image / 4.0
+    centre = image.mean(axis=0)
+    radius = np.hypot(*(image - centre).T).max()
+    seen = np.hypot(*(places + 0.5 / 3.0 - centre).T)
+    assert seen.max() == pytest.approx(radius, abs=1.0)
+
+
+def test_a_scene_of_few_faces_has_no_less_detail() -> None:
+    (choice,) = measure_detail(LETTER_F, START, seconds=0.0).choices
+    assert choice.error is None and "too few triangles" in choice.note
+    assert reduced(LETTER_F, 0.1) is LETTER_F
+
+
+def test_colours_stay_where_they_were(tmp_path: Path) -> None:
+    """A sphere painted by halves stays painted by halves."""
+    mesh = pv.Sphere(theta_resolution=60, phi_resolution=60)
+    colours = np.where(mesh.points[:, :1] > 0.0, (255, 0, 0), (0, 0, 255)).astype(np.uint8)
+    mesh.point_data["RGB"] = colours
+    mesh.save(tmp_path / "two.ply", texture="RGB")
+    scene = load(str(tmp_path / "two.ply"))
+    fewer = reduced(scene, 0.2)
+    assert fewer.surface is not None
+    middles = fewer.surface.cell_centers().points + np.array(scene.origin)
+    rgb = fewer.surface.cell_data["rgb"].astype(int)
+    for colour, side in ((0, middles[:, 0] > 0.1), (2, middles[:, 0] < -0.1)):
+        assert side.any() and (rgb[side, colour] > rgb[side, 2 - colour]).all()
+
+
+def test_a_large_mesh_is_sorted_into_boxes(tmp_path: Path) -> None:
+    pv.Sphere(theta_resolution=400, phi_resolution=400).save(tmp_path / "large.ply")
+    scene = load(str(tmp_path / "large.ply"))
+    assert scene.surface is not None and scene.surface.n_cells > QUADRIC_TRIANGLES
+    for share in SHARES:
+        fewer = reduced(scene, share)
+        assert fewer.surface is not None and reduced(scene, share) is fewer
+        assert fewer.surface.n_cells == pytest.approx(share * scene.surface.n_cells, rel=0.25)
+        assert fewer.origin == scene.origin and fewer.lines is scene.lines

@@ -1,0 +1,1798 @@
+"""The projection core: its meaning, its laws, independent oracles, and what it refuses."""
+
+from __future__ import annotations
+
+import inspect
+import math
+import re
+import subprocess
+import sys
+from collections.abc import Callable
+from dataclasses import FrozenInstanceError, replace
+from fractions import Fraction
+from functools import cached_property, reduce
+from itertools import product
+
+import numpy as np
+import pytest
+from hypothesis import assume, example, given, settings
+from hypothesis import strategies as st
+from vtkmodules.vtkCommonMath import vtkMatrix4x4
+from vtkmodules.vtkRenderingCore import vtkCamera
+
+import app.model.projection
+from app.model.projection import (
+    ABOVE,
+    AT_LEAST,
+    AT_MOST,
+    BETWEEN,
+    BOTTOM_BEFORE_TOP,
+    BOUNDS,
+    DEPTH_RANGES,
+    DISTINCT,
+    FINITE_NUMBER,
+    FOUR_BY_FOUR,
+    INVERTIBLE,
+    LARGEST,
+    LARGEST_IMAGE_PX,
+    LEFT_BEFORE_RIGHT,
+    NEAR_BEFORE_FAR,
+    NO_POINT,
+    NOT_PARALLEL,
+    NOT_THE_EYE,
+    NOT_ZERO,
+    NOTES,
+    OBLIQUE_PRESETS,
+    ONE_OF,
+    OTHER_SIDE,
+    PLANES,
+    SMALLEST,
+    THREE_NUMBERS,
+    WHOLE_PIXELS,
+    WIDER,
+    Array,
+    Camera,
+    FreeMatrix,
+    Frustum,
+    Intrinsics,
+    Lens,
+    Oblique,
+    Orbit,
+    Orthographic,
+    Perspective,
+    Projection,
+    ProjectionError,
+    focal_length_35mm,
+    fov_x_from_fov_y,
+    fov_y_from_focal_length_35mm,
+    fov_y_from_focal_length_e,
+    fov_y_from_window,
+    oblique_angles,
+    receding_of,
+    shown_limits,
+    six_digits,
+)
+from app.model.values import SMALL_INVERSE, ZERO_OR_AT_LEAST
+from tests.oracles import exact
+from widgets.parts import messages
+
+EPS = float(np.finfo(np.float64).eps)
+QUICK = settings(max_examples=60)
+
+SLANTED = Camera((6.0, 5.0, 9.0), (0.0, 2.2, 0.0), (0.3, 1.0, -0.2))
+WINDOWED: dict[str, Lens] = {
+    "frustum": Frustum(-0.3, 0.9, -0.7, 0.2, 1.0, 30.0),
+    "infinite frustum": Frustum(0.1, 0.9, -0.7, -0.2, 0.5, math.inf),
+    "orthographic": Orthographic(-4.0, 4.0, -3.0, 3.0, 1.0, 30.0),
+    "off-centre": Orthographic(-1.0, 7.0, -9.0, 3.0, -2.0, 5.0),
+    "oblique": Oblique(-4.0, 4.0, -3.0, 3.0, 1.0, 30.0, alpha_deg=110.0, beta_deg=75.0),
+    "oblique off-centre": Oblique(-1.0, 7.0, -9.0, 3.0, -2.0, 5.0, alpha_deg=45.0, beta_deg=150.0),
+}
+LENSES: dict[str, Lens] = {
+    "perspective": Perspective(45.0, 1.0, 30.0),
+    "wide": Perspective(150.0, 0.5, 2.0),
+    "infinite": Perspective(45.0, 1.0, math.inf),
+} | {
+    f"{name}, keep {keep}": replace(lens, keep=keep)
+    for name, lens in WINDOWED.items()
+    for keep in ("stretch", "x", "y")
+}
+
+
+def in_world(projection: Projection, *points_view: tuple[float, float, float]) -> Array:
+    """Points given along u, v, n from the eye, in world coordinates."""
+    camera = projection.camera
+    return np.array(points_view) @ camera.frame + camera.eye
+
+
+def homogeneous(points: Array) -> Array:
+    return np.column_stack([points, np.ones(len(points))])
+
+
+def cot_deg(angle_deg: float) -> float:
+    return float(exact.cotangent_deg(angle_deg))
+
+
+def at_distance(
+    projection: Projection, distance: float, across: float = 0.5, along: float = 0.5
+) -> tuple[float, float, float]:
+    """The view-space point seen at these parts of the picture's width and height."""
+    lens, (left, right, bottom, top) = projection.lens, projection.window
+    x, y = left + across * (right - left), bottom + along * (top - bottom)
+    if not lens.parallel:
+        return x * (distance / lens.near), y * (distance / lens.near), -distance
+    if isinstance(lens, Oblique):  # its projectors lean: (-cot a, -cot b, -1) into the picture
+        x += (distance - lens.near) * cot_deg(lens.alpha_deg)
+        y += (distance - lens.near) * cot_deg(lens.beta_deg)
+    return x, y, -distance
+
+
+def all_projections() -> list[Projection]:
+    return [
+        Projection(SLANTED, lens, (1280, 720), depth)
+        for lens in LENSES.values()
+        for depth in DEPTH_RANGES
+    ]
+
+
+# --------------------------------------------------------------------------- meaning
+
+
+@pytest.mark.parametrize("depth", DEPTH_RANGES)
+@pytest.mark.parametrize("lens", LENSES.values(), ids=LENSES)
+def test_meaning(lens: Lens, depth: str) -> None:
+    """Right goes to +x, up to +y, near and far to the ends of the depth range."""
+    projection = Projection(SLANTED, lens, (1280, 720), depth)
+    near, z_near, z_far = lens.near, *DEPTH_RANGES[depth]
+    far = 1e14 if lens.far == math.inf else lens.far  # as good as infinitely far
+    depth_near, depth_far = (1.0, 0.0) if depth == "reversed" else (0.0, 1.0)
+    meaning = [
+        # a point of view space                    NDC                   image         depth
+        (at_distance(projection, near), (0.0, 0.0, z_near), (640.0, 360.0), depth_near),
+        (at_distance(projection, near, 1.0), (1.0, 0.0, z_near), (1280.0, 360.0), depth_near),
+        (at_distance(projection, near, 0.0), (-1.0, 0.0, z_near), (0.0, 360.0), depth_near),
+        (at_distance(projection, near, 0.5, 1.0), (0.0, 1.0, z_near), (640.0, 0.0), depth_near),
+        (at_distance(projection, near, 0.5, 0.0), (0.0, -1.0, z_near), (640.0, 720.0), depth_near),
+        (at_distance(projection, near, 0.0, 1.0), (-1.0, 1.0, z_near), (0.0, 0.0), depth_near),
+        (at_distance(projection, near, 1.0, 0.0), (1.0, -1.0, z_near), (1280.0, 720.0), depth_near),
+        (at_distance(projection, far), (0.0, 0.0, z_far), (640.0, 360.0), depth_far),
+        (at_distance(projection, far, 0.0, 1.0), (-1.0, 1.0, z_far), (0.0, 0.0), depth_far),
+        (at_distance(projection, far, 0.75, 0.25), (0.5, -0.5, z_far), (960.0, 540.0), depth_far),
+    ]
+    points_view, points_ndc, points_image, depths = map(np.array, zip(*meaning, strict=True))
+    points_world = in_world(projection, *points_view)
+    trace = projection.trace(points_world)
+    scale = np.abs(points_view).max(axis=-1, keepdims=True)
+    np.testing.assert_allclose(trace.view / scale, points_view / scale, atol=1e-13)
+    np.testing.assert_allclose(trace.ndc, points_ndc, atol=1e-12)
+    np.testing.assert_allclose(trace.image, points_image, atol=1e-9)
+    np.testing.assert_allclose(trace.depth, depths, atol=1e-12)
+    # The matrices that a GPU is given say the same.
+    clip = homogeneous(points_world) @ projection.clip_from_world.T
+    np.testing.assert_allclose(clip / scale, trace.clip / scale, atol=1e-12)
+    ndc = clip[:, :3] / clip[:, 3:]
+    np.testing.assert_allclose(ndc, points_ndc, atol=1e-12)
+    image = homogeneous(ndc) @ projection.image_from_ndc.T
+    np.testing.assert_allclose(image[:, :2], points_image, atol=1e-9)
+    np.testing.assert_allclose(image[:, 2], depths, atol=1e-12)
+    assert (clip[:, 3] > 0.0).all()
+    back = projection.world_from_image(np.column_stack([points_image, depths])[:7])
+    np.testing.assert_allclose(back, points_world[:7], atol=1e-12)
+
+
+@pytest.mark.parametrize("projection", all_projections())
+def test_the_eye_is_the_origin_of_view_space(projection: Projection) -> None:
+    eye = projection.camera.eye
+    np.testing.assert_array_equal(projection.trace(eye).view, [0.0, 0.0, 0.0])
+    np.testing.assert_allclose(
+        projection.view_from_world @ [*eye, 1.0], [0.0, 0.0, 0.0, 1.0], atol=1e-14
+    )
+
+
+@pytest.mark.parametrize("projection", all_projections())
+def test_outside_names_the_planes_that_a_point_lies_beyond(projection: Projection) -> None:
+    near, far = projection.lens.near, projection.lens.far
+    middle = near + 1.0  # a distance between the planes, for every lens of the table
+    points = {
+        (): at_distance(projection, middle),
+        ("near",): at_distance(projection, near - 0.01),
+        ("left",): at_distance(projection, middle, -0.5),
+        ("right",): at_distance(projection, middle, 1.5),
+        ("bottom",): at_distance(projection, middle, 0.5, -0.5),
+        ("top",): at_distance(projection, middle, 0.5, 1.5),
+        ("right", "top"): at_distance(projection, middle, 1.5, 1.5),
+    }
+    if far != math.inf:
+        points["far",] = at_distance(projection, far + 0.01)
+    outside = projection.trace(in_world(projection, *points.values())).outside
+    found = [tuple(np.array(PLANES)[row].tolist()) for row in outside]
+    assert found == list(points)
+
+
+def test_shape_of_a_trace_is_the_shape_of_its_points() -> None:
+    for shape in ((), (7,), (0,), (2, 3)):
+        trace = Projection().trace(np.ones((*shape, 3)))
+        assert [array.shape for array in trace] == [
+            (*shape, 3), (*shape, 3), (*shape, 4), (*shape, 3), (*shape, 2),
+            shape, shape, (*shape, 6),
+        ]  # fmt: skip
+
+
+# --------------------------------------------------------------------------- hand-computed points
+
+
+def test_points_computed_by_hand_in_perspective() -> None:
+    # The eye on the z axis, 5 from the origin, looking at it: u = x, v = y, n = z. With
+    # fov = 90 the half-height of the picture at distance w is w tan 45 = w, the half-width 2 w.
+    projection = Projection(
+        Camera((0, 0, 5), (0, 0, 0), (0, 1, 0)), Perspective(90, 1, 9), (800, 400)
+    )
+    trace = projection.trace([(2, 1, 1), (-6, 3, 2), (0, 0, 4), (0, 0, -4)])
+    # (2, 1, 1) is at (2, 1, -4): w = 4, x = 2/(2*4) = 1/4, y = 1/4
+    #   pixel x = 800/2 (1/4 + 1) = 500, y = 400/2 (1 - 1/4) = 150
+    #   A = (1 + 9)/(1 - 9) = -5/4, B = 2*9/(1 - 9) = -9/4 (lecture 000, before (12)):
+    #   z_clip = -5/4 * -4 - 9/4 = 11/4, z = 11/16
+    # (-6, 3, 2) is at (-6, 3, -3): w = 3, x = -6/(2*3) = -1, y = 1: the top-left corner
+    #   z_clip = 15/4 - 9/4 = 3/2, z = 1/2
+    # the last two lie on the planes: distances 1 and 9
+    np.testing.assert_allclose(
+        trace.clip,
+        [(1, 1, 11 / 4, 4), (-3, 3, 3 / 2, 3), (0, 0, -1, 1), (0, 0, 9, 9)],
+        atol=1e-14,
+    )
+    np.testing.assert_allclose(trace.ndc[:2], [(1 / 4, 1 / 4, 11 / 16), (-1, 1, 1 / 2)], atol=1e-15)
+    np.testing.assert_allclose(trace.image[:2], [(500, 150), (0, 0)], atol=1e-12)
+    np.testing.assert_allclose(trace.depth, [27 / 32, 3 / 4, 0, 1], atol=1e-15)
+
+
+def test_points_computed_by_hand_in_orthographic() -> None:
+    # The eye on the x axis looks down it: n = x, u = y x x = -z, v = y. A window of 8 by 4.
+    projection = Projection(
+        Camera((10, 0, 0), (0, 0, 0), (0, 1, 0)), Orthographic(-2, 6, -1, 3, 2, 18), (800, 400)
+    )
+    trace = projection.trace([(5, 2, -4)])
+    # (5, 2, -4) - eye = (-5, 2, -4): x_view = 4, y_view = 2, z_view = -5
+    #   x = 2 (4 + 2)/8 - 1 = 1/2, y = 2 (2 + 1)/4 - 1 = 1/2, depth (5 - 2)/16 = 3/16
+    #   pixel x = 400 * 3/2 = 600, y = 200 * 1/2 = 100
+    np.testing.assert_array_equal(trace.view, [(4, 2, -5)])
+    np.testing.assert_allclose(trace.clip, [(1 / 2, 1 / 2, -5 / 8, 1)], atol=1e-15)
+    np.testing.assert_allclose(trace.image, [(600, 100)], atol=1e-12)
+    np.testing.assert_allclose(trace.depth, [3 / 16], atol=1e-15)
+
+
+def test_frame_computed_by_hand() -> None:
+    # Eye (3, 4, 0), target at the origin, up = y: n = (3/5, 4/5, 0),
+    # up x n = (1*0 - 0*4/5, 0*3/5 - 0*0, 0*4/5 - 1*3/5) = (0, 0, -3/5), so u = (0, 0, -1)
+    # v = n x u = (4/5*-1 - 0*0, 0*0 - 3/5*-1, 0) = (-4/5, 3/5, 0)
+    camera = Camera((3, 4, 0), (0, 0, 0), (0, 1, 0))
+    expected = [(0, 0, -1), (-0.8, 0.6, 0), (0.6, 0.8, 0)]
+    np.testing.assert_allclose(camera.frame, expected, atol=1e-16)
+    assert camera.distance == 5.0
+
+
+def test_fields_of_view_and_focal_lengths_computed_by_hand() -> None:
+    assert fov_x_from_fov_y(90.0, 1.0) == pytest.approx(90.0, abs=1e-13)
+    # tan 30 = 1/sqrt 3, three times that is sqrt 3 = tan 60
+    assert fov_x_from_fov_y(60.0, 3.0) == pytest.approx(120.0, abs=1e-12)
+    # A 36 x 24 picture taken with 12 mm: half the height over the focal length is tan 45.
+    assert focal_length_35mm(90.0, 1.5) == pytest.approx(12.0, rel=1e-15)
+    assert fov_y_from_focal_length_35mm(12.0, 1.5) == pytest.approx(90.0, rel=1e-15)
+    # A square picture with the same diagonal, sqrt(36^2 + 24^2) = 43.27 mm, has sides of
+    # 43.27/sqrt 2 = 30.59 mm; at 90 degrees its focal length is half of that.
+    assert focal_length_35mm(90.0, 1.0) == pytest.approx(math.sqrt(936.0) / 2, rel=1e-15)
+
+
+# --------------------------------------------------------------------------- laws
+
+
+def logarithmic(low: float, high: float) -> st.SearchStrategy[float]:
+    return st.floats(math.log10(low), math.log10(high)).map(lambda power: 10.0**power)
+
+
+@st.composite
+def directions(draw: st.DrawFn) -> tuple[float, float, float]:
+    turn, height = draw(st.floats(0.0, 2.0 * math.pi)), draw(st.floats(-1.0, 1.0))
+    level = math.sqrt(1.0 - height * height)
+    return level * math.cos(turn), height, level * math.sin(turn)
+
+
+@st.composite
+def cameras(draw: st.DrawFn) -> Camera:
+    target = draw(st.tuples(*[st.floats(-100.0, 100.0)] * 3))
+    backward = draw(directions())
+    # Up at 4 degrees from the view direction, or more.
+    u = np.cross(backward, np.eye(3)[np.argmin(np.abs(backward))])
+    u /= np.linalg.norm(u)
+    turn, tilt = draw(st.floats(-math.pi, math.pi)), draw(st.floats(-1.5, 1.5))
+    level = math.cos(turn) * u + math.sin(turn) * np.cross(backward, u)
+    up = math.cos(tilt) * level + math.sin(tilt) * np.array(backward)
+    distance = draw(logarithmic(0.1, 1e4))
+    return Camera(np.add(target, np.multiply(distance, backward)), target, up)
+
+
+def mostly(usual: st.SearchStrategy[float], *extremes: float) -> st.SearchStrategy[float]:
+    """Usual values, and every third time one from the ends of what is allowed."""
+    return st.one_of(usual, usual, st.sampled_from(extremes))
+
+
+AXIS = Camera((0.0, 0.0, 0.0), (0.0, 0.0, -1.0), (0.0, 1.0, 0.0))
+"""View space is the world: no digit of a point is lost, so that every lens can be held to."""
+UP_TO_180 = math.nextafter(180.0, 0.0)
+
+
+@st.composite
+def planes(draw: st.DrawFn, *, wild: bool, finite: bool = False) -> tuple[float, float]:
+    ends = (1e-180, 1e-30, 1e30, 1e60) if wild else (1e-3, 1e3)
+    near = draw(mostly(logarithmic(1e-3, 1e3), *ends))
+    usual = logarithmic(1.01, 1e6)
+    far = near * draw(mostly(usual, 1.0 + 1e-12, 1e9)) if wild else near * draw(usual)
+    return near, far if finite else draw(st.sampled_from([far, far, math.inf]))
+
+
+@st.composite
+def perspectives(draw: st.DrawFn, *, wild: bool = False) -> Perspective:
+    ends = (1e-90, 1e-4, 179.99, UP_TO_180) if wild else (1.0, 170.0)
+    fov_y_deg = draw(mostly(st.floats(1.0, 170.0), *ends))
+    return Perspective(fov_y_deg, *draw(planes(wild=wild)))
+
+
+@st.composite
+def windows(draw: st.DrawFn, unit: float, *, wild: bool) -> tuple[float, float, float, float]:
+    """Windows up to a few hundred of their widths off the axis."""
+    ends = (1e-6, 1e6, 1e-80) if wild else (0.1, 10.0)
+    width = unit * draw(mostly(logarithmic(0.1, 10.0), *ends))
+    height = width * draw(mostly(logarithmic(0.1, 10.0), *((1e-6, 1e6) if wild else (0.1,))))
+    left, bottom = draw(st.tuples(*[mostly(st.floats(-1.5, 0.5), -0.5, 100.0)] * 2))
+    return left * width, (left + 1.0) * width, bottom * height, (bottom + 1.0) * height
+
+
+KEEPS = st.sampled_from(["stretch", "x", "y"])
+
+
+@st.composite
+def frusta(draw: st.DrawFn, *, wild: bool = False) -> Frustum:
+    near, far = draw(planes(wild=wild))
+    return Frustum(*draw(windows(near, wild=wild)), near, far, draw(KEEPS))
+
+
+@st.composite
+def boxes(draw: st.DrawFn, *, wild: bool) -> tuple[float, ...]:
+    ends = (1e-30, 1e30) if wild else (1e-2, 1e2)
+    unit = draw(mostly(logarithmic(0.1, 1e3), *ends))
+    near = unit * draw(mostly(st.floats(-10.0, 10.0), 0.0, -1e3))
+    far = near + unit * draw(logarithmic(0.1, 10.0))
+    return *draw(windows(unit, wild=wild)), near, far, draw(KEEPS)
+
+
+@st.composite
+def orthographics(draw: st.DrawFn, *, wild: bool = False) -> Orthographic:
+    return Orthographic(*draw(boxes(wild=wild)))
+
+
+@st.composite
+def obliques(draw: st.DrawFn, *, wild: bool = False) -> Oblique:
+    ends = (1e-4, 90.0, 179.9999) if wild else (30.0, 45.0, 90.0)
+    angles = draw(st.tuples(*[mostly(st.floats(20.0, 160.0), *ends)] * 2))
+    return Oblique(*draw(boxes(wild=wild)), *angles)
+
+
+@st.composite
+def projections(
+    draw: st.DrawFn, *lenses: Callable[..., st.SearchStrategy[Lens]], wild: bool = True
+) -> Projection:
+    """Everyday lenses on any camera, and lenses up to the ends of what is allowed on an axis."""
+    lens = draw(st.sampled_from(lenses or (perspectives, frusta, orthographics, obliques)))
+    size = draw(st.tuples(*[mostly(st.integers(100, 4000), 1, LARGEST_IMAGE_PX)] * 2))
+    depth = draw(st.sampled_from(sorted(DEPTH_RANGES)))
+    if wild and draw(st.booleans()):
+        return Projection(AXIS, draw(lens(wild=True)), size, depth)
+    return Projection(draw(cameras()), draw(lens()), size, depth)
+
+
+def points_in_view(projection: Projection, parts: Array) -> Array:
+    """World points of the view volume; parts (n, 3) in (0, 1) across, along and deep."""
+    lens, points = projection.lens, []
+    far = lens.far if lens.far != math.inf else 1e3 * lens.near
+    for across, along, deep in np.asarray(parts):
+        if lens.parallel:
+            distance = lens.near + (far - lens.near) * deep
+        else:
+            distance = lens.near * (far / lens.near) ** deep
+        points.append(at_distance(projection, distance, across, along))
+    return in_world(projection, *points)
+
+
+def rounding_ndc(projection: Projection) -> float:
+    """How far a point moves in NDC by the rounding of numbers of float64.
+
+    World coordinates are rounded in units of their distance from the origin, beside a picture that
+    may be tiny; the place in a window in units of its distance from the axis, and of the shear.
+    """
+    lens, (left, right, bottom, top) = projection.lens, projection.window
+    width, height = right - left, top - bottom
+    depth, shear = lens.far - lens.near, projection.shear
+    off = max(abs(left) + abs(right), abs(shear[0]) * depth if shear[0] else 0.0) / width
+    off = max(off, (abs(bottom) + abs(top)) / height)
+    off = max(off, abs(shear[1]) * depth / height if shear[1] else 0.0)
+    if lens.parallel:  # the planes' distances are rounded too
+        off = max(off, max(abs(lens.near), abs(lens.far)) / depth)
+        off *= 1.0 + max(map(abs, shear)) * max(abs(lens.near), abs(lens.far)) / min(width, height)
+    else:
+        off = max(off, lens.near / depth)
+    if projection.camera == AXIS:
+        return EPS * off
+    if not lens.parallel:
+        depth = min(depth, lens.near)
+    size = np.abs([projection.camera.eye, projection.camera.target]).max()
+    size += max(map(abs, (left, right, bottom, top)))
+    if lens.parallel:
+        size += max(abs(lens.near), abs(lens.far)) * (1.0 + max(map(abs, shear)))
+    leaning = 1.0 + max(map(abs, shear))
+    off += projection.stretch
+    return EPS * off + EPS * float(size * leaning * (1.0 / width + 1.0 / height + 1.0 / depth))
+
+
+PARTS = st.tuples(*[st.floats(0.02, 0.98)] * 3)
+
+
+@given(projections())
+@QUICK
+def test_world_from_clip_undoes_clip_from_world(projection: Projection) -> None:
+    origin = np.array((3.0, 1.0, 2.0))
+    lens, lens_back = np.abs(projection.clip_from_view), np.abs(projection.view_from_clip)
+    for there, back, offset in (
+        (projection.clip_from_view, projection.view_from_clip, None),
+        (projection.clip_from_world, projection.world_from_clip, np.zeros(3)),
+        (projection.clip_from_world_at(origin), projection.world_from_clip_at(origin), origin),
+    ):
+        # What rounding can do at most: the product of the factors' absolute values.
+        size, size_back = lens, lens_back
+        if offset is not None:
+            shift, turn = np.eye(4), np.abs(projection.view_rotation)
+            shift[:3, 3] = np.abs(offset - projection.camera.eye)
+            size, size_back = lens @ turn @ shift, shift @ turn.T @ lens_back
+        np.testing.assert_array_less(
+            np.abs(there @ back - np.eye(4)), 20.0 * EPS * (size @ size_back) + 1e-300
+        )
+        np.testing.assert_array_less(
+            np.abs(back @ there - np.eye(4)), 20.0 * EPS * (size_back @ size) + 1e-300
+        )
+
+
+@given(projections(), st.lists(PARTS, min_size=1, max_size=5))
+@QUICK
+def test_points_come_back_from_their_picture(projection: Projection, parts: list) -> None:
+    # Not from [-1, 1] at a large far/near, where a whole world fits into the last digit of z.
+    projection = replace(projection, depth="reversed")
+    world = points_in_view(projection, np.array(parts))
+    trace = projection.trace(world)
+    assert trace.in_front.all()
+    if rounding_ndc(projection) < 1e-3:  # or no point can be told from its neighbours outside
+        assert not trace.outside.any()
+    eye = projection.camera.eye
+    back = homogeneous(trace.ndc) @ projection.world_from_clip_at(eye).T
+    back = back[:, :3] / back[:, 3:]
+    size = max(np.abs(world - eye).max(), np.abs(projection.window).max())
+    np.testing.assert_allclose(back, world - eye, rtol=0.0, atol=1e-11 * size)
+
+
+@given(projections(), PARTS, PARTS, st.floats(0.0, 1.0))
+@QUICK
+def test_straight_lines_stay_straight(
+    projection: Projection, start: tuple, end: tuple, part: float
+) -> None:
+    a, b = points_in_view(projection, np.array([start, end]))
+    ndc = projection.trace([a, b, a + part * (b - a)]).ndc
+    along, aside = ndc[1] - ndc[0], ndc[2] - ndc[0]
+    tolerance = 1e-10 + 100.0 * rounding_ndc(projection)
+    assert np.abs(np.cross(along, aside)).max() <= tolerance
+    assert np.dot(along, aside) >= -tolerance  # and between the two
+    assert np.dot(along, along) - np.dot(along, aside) >= -tolerance
+
+
+@given(projections(perspectives, frusta), PARTS, logarithmic(1e-3, 1e6))
+@QUICK
+def test_along_a_ray_through_the_eye_the_picture_is_the_same(
+    projection: Projection, part: tuple, factor: float
+) -> None:
+    eye = np.array(projection.camera.eye)
+    (point,) = points_in_view(projection, np.array([part]))
+    moved = eye + factor * (point - eye)
+    # What rounding the moved point to float64 turns the ray by.
+    turn = 0.0  # on an axis each coordinate keeps its own digits
+    if projection.camera != AXIS:
+        turn = EPS * (1.0 + np.abs(eye).max() / math.hypot(*(moved - eye))) * projection.stretch
+    tolerance = 1e-11 + 10.0 * turn + 100.0 * rounding_ndc(projection)
+    here, there = projection.trace([point, moved]).ndc[:, :2]
+    np.testing.assert_allclose(there, here, rtol=0.0, atol=tolerance)
+
+
+@given(projections(orthographics, obliques), PARTS, st.floats(-10.0, 10.0))
+@QUICK
+def test_along_the_projectors_a_parallel_picture_is_the_same(
+    projection: Projection, part: tuple, step: float
+) -> None:
+    """Lecture 002's projectors: a step (-cot(alpha), -cot(beta), 1), and (0, 0, 1) if upright."""
+    lens, projector = projection.lens, np.array([0.0, 0.0, 1.0])
+    if isinstance(lens, Oblique):
+        projector[:2] = -cot_deg(lens.alpha_deg), -cot_deg(lens.beta_deg)
+    (point,) = points_in_view(projection, np.array([part]))
+    moved = point + step * (lens.far - lens.near) * projector @ projection.camera.frame
+    here, there = projection.trace([point, moved]).ndc[:, :2]
+    tolerance = 1e-11 + 1e3 * rounding_ndc(projection)
+    np.testing.assert_allclose(there, here, rtol=0.0, atol=tolerance)
+
+
+@given(projections())
+@example(Projection(lens=Perspective(45.0, 1e-3, math.inf)))
+@QUICK
+def test_frustum_corners_are_the_corners_of_the_cube(projection: Projection) -> None:
+    corners = projection.frustum_corners_world
+    face = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
+    z_near, z_far = projection.depth_range
+    cube = np.array([(*xy, z) for z in (z_near, z_far) for xy in face])
+    assert corners.shape == (8, 4)
+    infinite = projection.lens.far == math.inf
+    assert corners[:, 3].tolist() == [1.0] * 4 + [0.0 if infinite else 1.0] * 4
+    # From the eye, and through the matrices, which hold for directions too.
+    relative = corners - corners[:, 3:] * [*projection.camera.eye, 0.0]
+    clip = relative @ projection.clip_from_world_at(projection.camera.eye).T
+    assert (clip[:, 3] > 0.0).all()
+    tolerance = 1e-10 + 100.0 * rounding_ndc(projection)
+    np.testing.assert_allclose(clip[:, :3] / clip[:, 3:], cube, rtol=0.0, atol=tolerance)
+
+
+def test_far_corners_hold_at_a_billion_times_near() -> None:
+    # Un-projected from [-1, 1] they are 1e-7 off: there 1/far is a difference of 1/near's size.
+    projection = Projection(
+        Camera((0, 0, 0), (0, 0, -1), (0, 1, 0)), Perspective(90, 1e-3, 1e6), (100, 100)
+    )
+    far = projection.frustum_corners_world[4:]
+    np.testing.assert_allclose(far[:, 2], -1e6, rtol=1e-15)
+    np.testing.assert_allclose(far[2, :2], [1e6, 1e6], rtol=1e-15)
+
+
+@given(
+    st.tuples(*[st.floats(-100.0, 100.0)] * 3),
+    st.floats(-180.0, 180.0),
+    st.floats(-89.9, 89.9),
+    logarithmic(0.5, 1e4),
+    st.floats(-179.9, 179.9),
+)
+@example((1.0, 2.0, 3.0), 0.0, 90.0, 5.0, 0.0)
+@example((1.0, 2.0, 3.0), 40.0, 90.0, 5.0, 0.0)
+@example((1.0, 2.0, 3.0), 40.0, -90.0, 5.0, 0.0)
+@QUICK
+def test_orbit_round_trip(
+    target: tuple, azimuth: float, elevation: float, distance: float, roll: float
+) -> None:
+    camera = Camera.from_orbit(target, Orbit(azimuth, elevation, distance, roll))
+    orbit = camera.orbit
+    found = [math.remainder(orbit[0] - azimuth, 360.0), orbit[1] - elevation]
+    found += [(orbit[2] - distance) / distance, math.remainder(orbit[3] - roll, 360.0)]
+    # An azimuth near the pole is known less well; a roll below 1e-9 degrees is read as none.
+    level = 1.0 if abs(elevation) == 90.0 else math.cos(math.radians(elevation))
+    np.testing.assert_allclose(found, 0.0, atol=2e-9 + 1e-10 / level)
+    again = Camera.from_orbit(target, orbit)
+    np.testing.assert_allclose(again.eye, camera.eye, rtol=0.0, atol=1e-11 * (100.0 + distance))
+    np.testing.assert_allclose(again.frame, camera.frame, rtol=0.0, atol=2e-11 + 1e-11 / level)
+
+
+@given(cameras())
+@QUICK
+def test_every_camera_is_an_orbit(camera: Camera) -> None:
+    again = Camera.from_orbit(camera.target, camera.orbit)
+    level = max(math.hypot(camera.frame[2, 0], camera.frame[2, 2]), 1e-9)
+    # A roll below 1e-9 degrees, 2e-11 rad, is read as none.
+    np.testing.assert_allclose(again.frame, camera.frame, rtol=0.0, atol=2e-11 + 1e-12 / level)
+
+
+def test_orbit_angles_mean_what_they_say() -> None:
+    def placed(*orbit: float) -> Camera:
+        return Camera.from_orbit((0.0, 0.0, 0.0), Orbit(*orbit))
+
+    assert placed(0, 0, 5).eye == (0.0, 0.0, 5.0)
+    assert placed(90, 0, 5).eye == (5.0, 0.0, 0.0)
+    assert placed(-180, 0, 5).eye == (0.0, 0.0, -5.0)
+    assert placed(0, 90, 5).eye == (0.0, 5.0, 0.0)
+    assert placed(720 + 90, 0, 5).eye == (5.0, 0.0, 0.0)
+    np.testing.assert_allclose(placed(0, 0, 5).frame[0], [1, 0, 0], atol=1e-15)
+    # Rolled clockwise by 90 degrees, the camera's right side points down.
+    np.testing.assert_allclose(placed(0, 0, 5, 90).frame[0], [0, -1, 0], atol=1e-15)
+    # Looking straight down, the picture's top is what the azimuth turned away from.
+    np.testing.assert_allclose(placed(0, 90, 5).frame[1], [0, 0, -1], atol=1e-15)
+    assert placed(30, 20, 5).up == (0.0, 1.0, 0.0)
+    assert placed(30, 20, 5).orbit.roll_deg == 0.0
+
+
+@pytest.mark.parametrize("azimuth", [1e15, 1e30, -1e100])
+def test_an_angle_of_many_turns_is_its_rest(azimuth: float) -> None:
+    rest = float(Fraction(azimuth) % 360)
+    many = Camera.from_orbit((0.0, 0.0, 0.0), Orbit(azimuth, 10.0, 5.0))
+    once = Camera.from_orbit((0.0, 0.0, 0.0), Orbit(rest, 10.0, 5.0))
+    np.testing.assert_allclose(many.eye, once.eye, atol=1e-14)
+
+
+@given(st.floats(0.5, 179.5), logarithmic(0.1, 10.0))
+@QUICK
+def test_fields_of_view_come_back(fov_y_deg: float, aspect: float) -> None:
+    fov_x_deg = fov_x_from_fov_y(fov_y_deg, aspect)
+    assert fov_x_from_fov_y(fov_x_deg, 1.0 / aspect) == pytest.approx(fov_y_deg, rel=1e-11)
+    focal_length_mm = focal_length_35mm(fov_y_deg, aspect)
+    assert fov_y_from_focal_length_35mm(focal_length_mm, aspect) == pytest.approx(
+        fov_y_deg, rel=1e-13
+    )
+    # The angle is the one that the picture's side is seen under.
+    width = 2.0 * math.tan(math.radians(fov_x_deg / 2.0))
+    height = 2.0 * math.tan(math.radians(fov_y_deg / 2.0))
+    assert width / height == pytest.approx(aspect, rel=1e-9)
+
+
+# --------------------------------------------------------------------------- the same picture
+
+
+@given(st.floats(10.0, 150.0), logarithmic(0.5, 100.0), st.sampled_from(sorted(DEPTH_RANGES)))
+@QUICK
+def test_with_lens_keeps_the_size_of_what_is_at_the_target(
+    fov_y_deg: float, distance: float, depth: str
+) -> None:
+    camera = Camera.from_orbit((1.0, 2.0, 3.0), Orbit(30.0, 20.0, distance))
+    projection = Projection(camera, Perspective(fov_y_deg, 0.01, 1e4), (1280, 720), depth)
+    u, v, _ = camera.frame * (0.1 * distance)
+    cross = camera.target + np.array([0.0 * u, u, -u, v, -v])
+    flat = projection.with_lens("orthographic")
+    assert (flat.camera, flat.image_size, flat.depth) == (camera, (1280, 720), depth)
+    assert isinstance(flat.lens, Orthographic)
+    assert (flat.lens.near, flat.lens.far) == (0.01, 1e4)
+    before = projection.trace(cross).image
+    np.testing.assert_allclose(flat.trace(cross).image, before, rtol=0.0, atol=1e-8)
+    back = flat.with_lens("perspective")
+    assert isinstance(back.lens, Perspective)
+    assert back.lens.fov_y_deg == pytest.approx(fov_y_deg, rel=1e-12)
+    np.testing.assert_allclose(back.trace(cross).image, before, rtol=0.0, atol=1e-8)
+    # The window follows the image's shape as the field of view does.
+    square = replace(projection, image_size=(720, 720)).trace(cross).image
+    flat_square = replace(flat, image_size=(720, 720)).trace(cross).image
+    np.testing.assert_allclose(flat_square, square, rtol=0.0, atol=1e-8)
+
+
+def test_with_lens_always_gives_a_lens_that_works() -> None:
+    infinite = Projection(lens=Perspective(45.0, 1.0, math.inf))
+    for kind in ("orthographic", "oblique"):
+        flat = infinite.with_lens(kind)
+        assert math.isfinite(flat.lens.far)
+        assert flat.lens.far > infinite.camera.distance  # the target is still in it
+    assert infinite.with_lens("frustum").lens.far == math.inf
+    for near, far in (
+        (-5.0, 20.0), (-5.0, -3.0), (0.0, 20.0), (-1e-3, 0.0), (-5.0, 0.0), (1e-290, 20.0),
+    ):  # fmt: skip
+        for flat in (Orthographic(near=near, far=far), Oblique(near=near, far=far)):
+            for kind in ("perspective", "frustum"):
+                changed = Projection(lens=flat).with_lens(kind)
+                assert 0.0 < changed.lens.near < changed.lens.far
+                seen = changed.trace(changed.camera.target)
+                assert far < changed.camera.distance or not seen.outside[:2].any()
+    same = Projection()
+    assert same.with_lens("perspective") is same
+
+
+@given(
+    projections(wild=False),
+    st.sampled_from(sorted(app.model.projection.LENSES)),
+    st.lists(PARTS, max_size=4),
+)
+@QUICK
+def test_with_lens_keeps_the_picture_of_the_plane_through_the_target(
+    projection: Projection, kind: str, parts: list
+) -> None:
+    """For every pair of lenses, and all of the picture between two perspective ones."""
+    lens, distance = projection.lens, projection.camera.distance
+    changed = projection.with_lens(kind)
+    assert changed.lens.kind == kind
+    assert (changed.camera, changed.image_size) == (projection.camera, projection.image_size)
+    if kind == "perspective" and lens.kind != "perspective":
+        # It has no window off the axis, and none of another shape: only the height is kept.
+        (_, _, bottom, top), (_, _, low, high) = projection.window, changed.window
+        scale = 1.0 if not lens.parallel else distance / changed.lens.near
+        assert (high - low) * scale == pytest.approx(top - bottom, rel=1e-9)
+        return
+    there = [at_distance(projection, distance, x, y) for x, y, _ in parts]
+    if not (lens.parallel or changed.lens.parallel):
+        there += [at_distance(projection, 1.5 * lens.near * z, x, y) for x, y, z in parts]
+    before = projection.trace(in_world(projection, (0.0, 0.0, -distance), *there))
+    after = changed.trace(before.world)
+    tolerance = 1e-9 + 1e3 * (rounding_ndc(projection) + rounding_ndc(changed))
+    # Outside the picture, where the axis may be for a window far off it, relative.
+    np.testing.assert_allclose(after.ndc[:, :2], before.ndc[:, :2], rtol=tolerance, atol=tolerance)
+    if (lens.near, lens.far) == (changed.lens.near, changed.lens.far) and len(there) > len(parts):
+        np.testing.assert_allclose(after.depth, before.depth, rtol=1e-12, atol=1e-12)
+
+
+@given(st.floats(1.0, 179.0), st.sampled_from(sorted(DEPTH_RANGES)), st.lists(PARTS, min_size=1))
+@QUICK
+def test_perspective_and_symmetric_frustum_are_the_same_picture(
+    fov_y_deg: float, depth: str, parts: list
+) -> None:
+    projection = Projection(SLANTED, Perspective(fov_y_deg, 0.5, 40.0), (1920, 1080), depth)
+    frustum = projection.with_lens("frustum")
+    points = points_in_view(projection, np.array(parts))
+    for a, b in zip(projection.trace(points), frustum.trace(points), strict=True):
+        np.testing.assert_allclose(b, a, rtol=1e-11, atol=1e-11)
+    back = frustum.with_lens("perspective").lens
+    assert isinstance(back, Perspective)
+    assert back.fov_y_deg == pytest.approx(fov_y_deg, rel=1e-13)
+
+
+@given(projections(), st.sampled_from(sorted(app.model.projection.LENSES)))
+@QUICK
+def test_with_lens_gives_a_lens_or_a_reason(projection: Projection, kind: str) -> None:
+    """Only at the ends of what is allowed is there none; then the field is named."""
+    try:
+        changed = projection.with_lens(kind)
+    except ProjectionError as error:
+        assert projection.camera == AXIS, error  # never in an everyday world
+    else:
+        assert changed.lens.kind == kind
+
+
+@given(projections(), st.floats(0.1, 3.0), logarithmic(1.1, 100.0), PARTS)
+@QUICK
+def test_between_other_planes_the_picture_is_the_same(
+    projection: Projection, factor: float, ratio: float, part: tuple
+) -> None:
+    lens = projection.lens
+    if lens.parallel:
+        near = lens.near + (factor - 1.0) * (lens.far - lens.near)
+        far = near + ratio * (lens.far - lens.near)
+    else:
+        near, far = factor * lens.near, ratio * factor * lens.near
+    try:
+        other = projection.between(near, far)
+    except ProjectionError:  # sheared so far off that its window is lost in the digits there
+        assert rounding_ndc(projection) > 1e-3
+        return
+    assert (other.lens.near, other.lens.far, other.lens.kind) == (near, far, lens.kind)
+    points = points_in_view(projection, np.array([part]))
+    tolerance = 1e-11 + 1e3 * (rounding_ndc(projection) + rounding_ndc(other))
+    before, after = projection.trace(points).ndc[:, :2], other.trace(points).ndc[:, :2]
+    np.testing.assert_allclose(after, before, rtol=0.0, atol=tolerance)
+
+
+# --------------------------------------------------------------------------- intrinsics, presets
+
+
+@given(projections(perspectives, frusta), st.lists(PARTS, min_size=1, max_size=4))
+@QUICK
+def test_intrinsics_are_k_of_opencv(projection: Projection, parts: list) -> None:
+    """K [X Y Z]/Z with x right, y down, z forward; its first pixel's centre is 0, ours is 0.5."""
+    fx, fy, cx, cy = intrinsics = projection.intrinsics
+    trace = projection.trace(points_in_view(projection, np.array(parts)))
+    x, y, z = (trace.view * (1.0, -1.0, -1.0)).T
+    plain = np.column_stack([fx * x / z + cx, fy * y / z + cy]) + 0.5
+    size = np.array(projection.image_size) * (1.0 + 1e4 * rounding_ndc(projection))
+    size = size + np.abs([cx, cy])
+    assert (np.abs(plain - trace.image) <= 1e-11 * size).all()
+    # Typed in again, it is the same lens.
+    try:
+        again = projection.with_intrinsics(intrinsics)
+    except ProjectionError:
+        assert projection.camera == AXIS
+        return
+    assert again.lens.near == projection.lens.near
+    rtol = 1e-9 + 1e2 * rounding_ndc(projection)  # a window's sides are float64, as they are typed
+    np.testing.assert_allclose(again.intrinsics, intrinsics, rtol=rtol, atol=rtol * size.max())
+    if isinstance(projection.lens, Perspective):
+        assert isinstance(again.lens, Perspective)
+        assert again.lens.fov_y_deg == pytest.approx(projection.lens.fov_y_deg, rel=1e-13)
+
+
+def test_intrinsics_of_a_calibrated_camera() -> None:
+    # 640 x 480, 500 pixels of focal length: a point 1 right, 0.5 down, 2 away is seen at
+    # u = 500 * 1/2 + 310.25 = 560.25, v = 510 * 0.5/2 + 250.5 = 378, from the first pixel's
+    # centre; half a pixel more from its corner.
+    given_k = Intrinsics(500.0, 510.0, 310.25, 250.5)
+    projection = Projection(AXIS, image_size=(640, 480)).with_intrinsics(given_k)
+    assert isinstance(projection.lens, Frustum)
+    image = projection.trace((1.0, -0.5, -2.0)).image
+    np.testing.assert_allclose(image, [560.75, 378.5], atol=1e-11)
+    np.testing.assert_allclose(projection.intrinsics, given_k, rtol=1e-14)
+    # Square pixels and the axis in the middle, (640 - 1)/2: the symmetric lens.
+    centred = projection.with_intrinsics(Intrinsics(480.0, 480.0, 319.5, 239.5))
+    assert isinstance(centred.lens, Perspective)
+    assert centred.lens.fov_y_deg == pytest.approx(math.degrees(2 * math.atan(0.5)), rel=1e-15)
+    assert centred.intrinsics == pytest.approx((480.0, 480.0, 319.5, 239.5), rel=1e-15)
+    # A parallel lens gets a near plane before the eye.
+    flat = Projection(AXIS, Orthographic(near=-3.0, far=9.0)).with_intrinsics(given_k)
+    assert 0.0 < flat.lens.near < flat.lens.far == 9.0
+
+
+@pytest.mark.parametrize("name", OBLIQUE_PRESETS)
+def test_presets_draw_receding_edges_as_they_say(name: str) -> None:
+    """A cavalier drawing keeps their length, a cabinet drawing halves it."""
+    kind, _, label = name.partition("-")
+    alpha_deg, beta_deg = OBLIQUE_PRESETS[name]
+    lens = Oblique(alpha_deg=alpha_deg, beta_deg=beta_deg)
+    projection = Projection(AXIS, lens, (800, 800))  # of a window of 8 by 8: 100 px a unit
+    near, far = projection.trace([(0.0, 0.0, -2.0), (0.0, 0.0, -3.0)]).image
+    across, up = far[0] - near[0], near[1] - far[1]
+    length = {"cavalier": 100.0, "cabinet": 50.0}[kind]
+    assert math.hypot(across, up) == pytest.approx(length, rel=1e-12)
+    assert math.degrees(math.atan2(up, across)) == pytest.approx(float(label), abs=0.05)
+    receding, receding_deg = receding_of(lens)
+    assert receding == pytest.approx(length / 100.0, rel=1e-14)
+    assert receding_deg == pytest.approx(float(label), abs=0.05)
+
+
+@given(logarithmic(1e-3, 1e3), st.floats(-180.0, 180.0))
+@QUICK
+def test_oblique_angles_come_back(receding: float, receding_deg: float) -> None:
+    alpha_deg, beta_deg = oblique_angles(receding, receding_deg)
+    found = receding_of(Oblique(alpha_deg=alpha_deg, beta_deg=beta_deg))
+    assert found[0] == pytest.approx(receding, rel=1e-10)
+    assert math.remainder(found[1] - receding_deg, 360.0) == pytest.approx(0.0, abs=1e-9)
+
+
+def test_an_upright_oblique_lens_is_the_orthographic_one() -> None:
+    assert oblique_angles(0.0, 30.0) == (90.0, 90.0)
+    upright = Oblique(*BOX_SIDES, alpha_deg=90.0, beta_deg=90.0)
+    ortho = Projection(SLANTED, Orthographic(*BOX_SIDES))
+    same = Projection(SLANTED, upright)
+    np.testing.assert_array_equal(same.clip_from_world, ortho.clip_from_world)
+    assert receding_of(upright) == (0.0, 0.0)
+
+
+BOX_SIDES = (-4.0, 4.0, -3.0, 3.0, 1.0, 30.0)
+
+
+@pytest.mark.parametrize("lens", ["perspective", "orthographic"])
+@pytest.mark.parametrize("power", [-664, -300, 300])  # 2**-664 is 1e-200
+def test_a_world_of_another_size_has_the_same_picture(lens: str, power: int) -> None:
+    projection = Projection(SLANTED).with_lens(lens)
+    points = np.random.default_rng(1).normal(size=(50, 3))
+    by = 2.0**power  # exact, so that every bit has to be the same
+    kept = projection.lens
+    if isinstance(kept, Perspective):
+        scaled: Lens = replace(kept, near=kept.near * by, far=kept.far * by)
+    else:
+        names = ("left", "right", "bottom", "top", "near", "far")
+        scaled = replace(kept, **{name: getattr(kept, name) * by for name in names})
+    camera = Camera(np.multiply(SLANTED.eye, by), np.multiply(SLANTED.target, by), SLANTED.up)
+    there = Projection(camera, scaled).trace(points * by)
+    here = projection.trace(points)
+    assert here.in_front.all()
+    np.testing.assert_array_equal(there.image, here.image)
+    np.testing.assert_array_equal(there.ndc, here.ndc)
+    np.testing.assert_array_equal(there.outside, here.outside)
+
+
+# --------------------------------------------------------------------------- 80 digits
+
+
+def camera_at(rng: np.random.Generator, offset: float) -> Camera:
+    """A camera anywhere round a place far from the origin, looking anywhere."""
+
+    def direction() -> Array:
+        vector = rng.normal(size=3)
+        return vector / np.linalg.norm(vector)
+
+    eye = offset * direction() + 5.0 * rng.normal(size=3)
+    return Camera(eye, eye + 8.0 * direction(), direction())
+
+
+def worst_px(projection: Projection, points: Array) -> float:
+    """The largest error in pixels, of the points that are in the view volume."""
+    image, oracle, (width, height) = (
+        projection.trace(points).image, exact.Exact(projection), projection.image_size,
+    )  # fmt: skip
+    errors = [0.0]
+    for point, found in zip(points, image, strict=True):
+        expected = oracle(point)
+        x, y = expected.image
+        deep = projection.lens.near <= -expected.view[2] <= projection.lens.far
+        if deep and 0 <= x <= width and 0 <= y <= height:
+            errors += [abs(float(e - float(f))) for e, f in zip((x, y), found, strict=True)]
+    assert len(errors) > 1
+    return max(errors)
+
+
+OFFSETS = [0.0, 1e3, 1e6, 1e9]
+FARS = [10.0, 1e3, 1e9, math.inf]
+
+
+@pytest.mark.parametrize("offset", OFFSETS)
+@pytest.mark.parametrize(
+    "fov_y_deg",
+    [1e-4, 0.01, 1, 2, 10, 20, 45, 90, 90.001, 120, 150, 170, 179, 179.9, 179.99],
+)
+def test_pixels_against_80_digits(offset: float, fov_y_deg: float) -> None:
+    """5e-12 px, also where a radian is 3e8 pixels: there the digits are doubled."""
+    rng = np.random.default_rng([int(offset), int(fov_y_deg * 1e4)])
+    for far in FARS:
+        projection = Projection(
+            camera_at(rng, offset),
+            Perspective(fov_y_deg, 1.0, far),
+            (1920, 1080),
+            str(rng.choice(sorted(DEPTH_RANGES))),
+        )
+        points = points_in_view(projection, rng.uniform(0.0, 1.0, (8, 3)))
+        assert worst_px(projection, points) < 5e-12
+
+
+@pytest.mark.parametrize("offset", OFFSETS)
+@pytest.mark.parametrize("aspect", [1e-6, 1e-3, 1.0, 1e3, 1e6])
+def test_pixels_of_a_frustum_against_80_digits(offset: float, aspect: float) -> None:
+    """5e-12 px about the axis at any aspect: stretched windows, and images of 1 x 16384 pixels."""
+    rng = np.random.default_rng([int(offset), int(math.log10(aspect)) + 9])
+    for size in (0.4, 10.0):
+        right, top = size * min(aspect, 1.0), size * min(1.0 / aspect, 1.0)
+        lens = Frustum(-right, right, -top, top, 1.0, float(rng.choice(FARS)))
+        points = rng.uniform(0.0, 1.0, (8, 3))
+        projection = Projection(camera_at(rng, offset), lens, (1920, 1080))
+        assert worst_px(projection, points_in_view(projection, points)) < 5e-12
+        if offset > 1e3:  # where points cannot be told apart across such pictures
+            continue
+        for image_size, keep in (((LARGEST_IMAGE_PX, 1), "x"), ((1, LARGEST_IMAGE_PX), "y")):
+            projection = replace(projection, lens=replace(lens, keep=keep), image_size=image_size)
+            error = worst_px(projection, points_in_view(projection, points))
+            assert error < 5e-12 * LARGEST_IMAGE_PX / 1920
+
+
+@pytest.mark.parametrize("kind", ["frustum", "orthographic", "oblique"])
+@pytest.mark.parametrize("offset", OFFSETS)
+@pytest.mark.parametrize("off_axis", [0.5, 10.0, 1e3, 1e6])
+def test_pixels_off_the_axis_against_80_digits(kind: str, offset: float, off_axis: float) -> None:
+    """1e-12 px times how far the window is from the axis, in units of its own width.
+
+    A point's place is compared with the window's sides, as far from the axis as they are, so that
+    it is rounded in units of their distance: a window a million widths off has lost 6 of 16 digits
+    (3.5e-7 px). `keep` moves both sides alike, and loses none.
+    """
+    rng = np.random.default_rng([int(offset), int(off_axis), len(kind)])
+    width, height = rng.uniform(0.5, 2.0, 2)
+    sides = width * (off_axis - 0.5), width * (off_axis + 0.5), -0.3 * height, 0.7 * height
+    for keep in ("stretch", "x", "y"):
+        for far in (10.0, 1e3):
+            lens: Lens = {
+                "frustum": Frustum(*sides, 1.0, far, keep),
+                "orthographic": Orthographic(*sides, -3.0, far, keep),
+                "oblique": Oblique(*sides, -3.0, far, keep, 89.9, 90.1),
+            }[kind]
+            projection = Projection(camera_at(rng, offset), lens, (1920, 1080))
+            left, right, bottom, top = projection.window
+            loss = max(off_axis * width / (right - left), 1.0 / (top - bottom), 1.0)
+            points = points_in_view(projection, rng.uniform(0, 1, (6, 3)))
+            assert worst_px(projection, points) < 1e-12 * (loss + 0.01 * far)
+
+
+@pytest.mark.parametrize("offset", OFFSETS)
+@pytest.mark.parametrize("size", [1e-6, 1e-3, 1.0, 1e3, 1e9])
+def test_pixels_of_a_parallel_lens_against_80_digits(offset: float, size: float) -> None:
+    """5e-12 px about the axis, whatever the window's size and however deep the box."""
+    rng = np.random.default_rng([int(offset), int(size * 1e6)])
+    for near, far in ((1.0, 30.0), (-1e3, 1e9)):
+        lens = Orthographic(-size, size, -size, size, near, far)
+        projection = Projection(camera_at(rng, offset), lens, (1920, 1080))
+        points = points_in_view(projection, rng.uniform(0, 1, (8, 3)))
+        assert worst_px(projection, points) < 5e-12
+
+
+@pytest.mark.parametrize("offset", OFFSETS)
+@pytest.mark.parametrize("alpha_deg", [1e-4, 0.01, 1.0, 20.0, 45.0, 109.47, 170.0, 179.999])
+def test_pixels_of_an_oblique_lens_against_80_digits(offset: float, alpha_deg: float) -> None:
+    """1e-12 px times the shear of the whole depth, in units of the window.
+
+    A point and its shear are each as far from the window as the shear is long, and are rounded in
+    units of that before they meet: 2e-12 px for a cavalier box 4 windows deep, 1e-2 px where the
+    projectors lean by 2e12 windows.
+    """
+    rng = np.random.default_rng([int(offset), int(alpha_deg * 1e4)])
+    for far in (9.0, 30.0, 1e6):
+        lens = Oblique(-4.0, 4.0, -3.0, 3.0, 1.0, far, "stretch", alpha_deg, 60.0)
+        projection = Projection(camera_at(rng, offset), lens, (1920, 1080))
+        cot_alpha, cot_beta = map(abs, lens.shear)
+        shear = 1.0 + max(cot_alpha / 8.0, cot_beta / 6.0) * far
+        points = points_in_view(projection, rng.uniform(0.1, 0.9, (8, 3)))
+        if shear < 1e11:  # or rounding the points to float64 moves them out of the picture
+            assert worst_px(projection, points) < 1e-12 * shear
+
+
+@given(projections(), st.lists(PARTS, min_size=1, max_size=3))
+@QUICK
+def test_pixels_of_any_projection_against_80_digits(projection: Projection, parts: list) -> None:
+    """Over the whole range of every parameter, by the two rules above."""
+    (left, right, bottom, top), lens = projection.window, projection.lens
+    points = points_in_view(projection, np.array(parts))
+    image, oracle = projection.trace(points).image, exact.Exact(projection)
+    depth = max(abs(lens.far - lens.near), abs(lens.near)) if lens.parallel else 0.0
+    loss = [
+        2.0 + min(projection.stretch, 8.0)
+        + (abs(low) + abs(high) + abs(cot) * depth) / (high - low)
+        for low, high, cot in (
+            (left, right, projection.shear[0]), (bottom, top, projection.shear[1]),
+        )
+    ]  # fmt: skip
+    for point, found in zip(points, image, strict=True):
+        expected = oracle(point).image
+        for part, value, lost, side in zip(
+            found, expected, loss, projection.image_size, strict=True
+        ):
+            # Outside the picture, where rounding has put a point beside a tiny one, relative.
+            size = max(1.0, abs(float(value)) / side)
+            assert abs(float(value - float(part))) <= 6.0 * EPS * side * lost * size
+
+
+def test_the_matrix_for_a_far_scene_keeps_its_digits() -> None:
+    # A scene at 1e9 from the origin; its points are known from there. What a GPU is given.
+    rng = np.random.default_rng(3)
+    lens = Perspective(45.0, 1.0, 1e3)
+    projection = Projection(camera_at(rng, 1e9), lens, (1920, 1080))
+    origin = np.round(projection.camera.eye)
+    local = points_in_view(projection, rng.uniform(0.0, 1.0, (20, 3))) - origin
+    clip = homogeneous(local) @ projection.clip_from_world_at(origin).T
+    image = projection.image_from_ndc @ homogeneous(clip[:, :3] / clip[:, 3:]).T
+    oracle = exact.Exact(projection)
+    expected = np.array([[float(x) for x in oracle(p + origin).image] for p in local])
+    assert np.abs(image[:2].T - expected).max() < 1e-10
+    # The plain product has lost them (5e-5 px and more): that the origin counts is tested here.
+    clip = homogeneous(local + origin) @ projection.clip_from_world.T
+    image = projection.image_from_ndc @ homogeneous(clip[:, :3] / clip[:, 3:]).T
+    assert np.abs(image[:2].T - expected).max() > 1e-6
+
+
+@pytest.mark.parametrize("depth", DEPTH_RANGES)
+@pytest.mark.parametrize("ratio", [1.0 + 1e-9, 1.1, 10.0, 1e3, 1e6, 1e12, math.inf])
+def test_depth_against_80_digits(depth: str, ratio: float) -> None:
+    # Along the z axis w is exact, so that what is seen is the formula and not the look-at.
+    lens = Perspective(45.0, 0.75, 0.75 * ratio)
+    projection = Projection(Camera((0, 0, 0), (0, 0, -1), (0, 1, 0)), lens, depth=depth)
+    rng = np.random.default_rng(4)
+    reach = min(ratio, 1e12) ** rng.uniform(0.0, 1.0, 100)
+    points = np.column_stack([rng.normal(size=(100, 2)), -0.75 * reach])
+    found, oracle = projection.trace(points), exact.Exact(projection)
+    for point, depth_found, ndc in zip(points, found.depth, found.ndc, strict=True):
+        expected = oracle(point)
+        assert abs(float(expected.depth - float(depth_found))) <= 4e-16
+        assert abs(float(expected.ndc[2] - float(ndc[2]))) <= 8e-16
+        if depth == "reversed" and ratio == math.inf:  # relative, down to nothing
+            assert abs(float(float(depth_found) / expected.depth - 1)) <= 4e-16
+
+
+def implied_distance(lens: Lens, depth: float) -> exact.Any:
+    """The distance from the eye plane that a reversed depth stands for: 1/w is affine in it."""
+    far_inverse = 0 if lens.far == math.inf else 1 / exact.mp.mpf(lens.far)
+    d = exact.mp.mpf(depth)
+    return 1 / (d / exact.mp.mpf(lens.near) + (1 - d) * far_inverse)
+
+
+@pytest.mark.parametrize("kind", ["perspective", "frustum"])
+@pytest.mark.parametrize("ratio", [1e1, 1e2, 1e3, 1e6, 1e9, 1e12, 1e15, math.inf])
+def test_distance_implied_by_reversed_depth(kind: str, ratio: float) -> None:
+    """4e-16 of the distance for any camera, anywhere, with any field of view."""
+    rng = np.random.default_rng([5, int(min(ratio, 1e16))])
+    compared = 0
+    for offset, fov_y_deg in product(OFFSETS, (1.0, 45.0, 125.0, 179.0)):
+        near = float(10.0 ** rng.uniform(-2.0, 2.0))
+        lens: Lens = Perspective(fov_y_deg, near, near * ratio)
+        if kind == "frustum":
+            sides = np.array([-0.3, 0.9, -0.7, 0.2]) * near * math.tan(fov_y_deg / 115.0)
+            lens = Frustum(*sides, near, near * ratio)
+        for camera in (AXIS, camera_at(rng, offset)):
+            projection = Projection(camera, lens, (1920, 1080), "reversed")
+            points = points_in_view(projection, rng.uniform(0.0, 1.0, (40, 3)))
+            oracle = exact.Exact(projection)
+            for point, depth in zip(points, projection.trace(points).depth, strict=True):
+                w = oracle(point).w
+                if lens.near <= w <= lens.far:
+                    compared += 1
+                    assert abs(float(implied_distance(lens, depth) / w - 1)) <= 4e-16
+    assert compared > 1000
+
+
+@pytest.mark.parametrize("depth", DEPTH_RANGES)
+@pytest.mark.parametrize("extent", [1e-12, 1e-9, 1e-6, 1e-3])
+def test_depth_between_planes_that_almost_meet(depth: str, extent: float) -> None:
+    for near in (0.75, 1.0, 3.3):
+        lens = Perspective(45.0, near, near * (1.0 + extent))
+        projection = Projection(AXIS, lens, (1920, 1080), depth)
+        distance = near + (lens.far - near) * np.random.default_rng(6).uniform(0.0, 1.0, 60)
+        points = np.column_stack([0.0 * distance, 0.0 * distance, -distance])
+        oracle = exact.Exact(projection)
+        for point, found in zip(points, projection.trace(points).depth, strict=True):
+            assert abs(float(oracle(point).depth - float(found))) <= 2.3e-16
+
+
+@pytest.mark.parametrize("depth", DEPTH_RANGES)
+@pytest.mark.parametrize("extent", [1e-12, 1e-9, 1e-6, 1e-3])
+@pytest.mark.parametrize("lens", [Perspective(), Orthographic()], ids=["perspective", "ortho"])
+def test_depth_between_such_planes_of_any_camera(lens: Lens, extent: float, depth: str) -> None:
+    """What w was rounded by is as long as the gap itself, and known to some 25 bits."""
+    rng = np.random.default_rng(7)
+    for near in (0.75, 1.0, 3.3):
+        lens = replace(lens, near=near, far=near * (1.0 + extent))
+        projection = Projection(camera_at(rng, 0.0), lens, (1920, 1080), depth)
+        points = points_in_view(projection, rng.uniform(0.0, 1.0, (60, 3)))
+        oracle = exact.Exact(projection)
+        inside = 0
+        for point, found in zip(points, projection.trace(points).depth, strict=True):
+            expected = oracle(point).depth
+            if -1 <= expected <= 2:  # rounding the points to float64 moves them beyond the planes
+                inside += 1
+                assert abs(float(expected - float(found))) <= 4e-16 + 4e-23 / extent
+        assert inside or extent == 1e-12
+
+
+@pytest.mark.parametrize("ratio", [1e1, 1e3, 1e6, 1e9])
+@pytest.mark.parametrize("lens", ["perspective", "frustum", "orthographic", "oblique"])
+def test_projected_and_un_projected(lens: str, ratio: float) -> None:
+    """1e-15 of w there and back with a reversed depth; of the box's size for a parallel lens."""
+    rng = np.random.default_rng([7, int(ratio)])
+    for _ in range(10):
+        near = float(10.0 ** rng.uniform(-2.0, 2.0))
+        kept = Projection(
+            camera_at(rng, 0.0), Perspective(45.0, near, near * ratio), (1920, 1080), "reversed"
+        ).with_lens(lens)
+        points = points_in_view(kept, rng.uniform(0.01, 0.99, (40, 3)))
+        trace = kept.trace(points)
+        back = kept.world_from_image(np.column_stack([trace.image, trace.depth]))
+        size = -trace.view[:, 2]
+        if kept.lens.parallel:
+            size = max(kept.lens.far, *map(abs, kept.window))
+        assert (np.linalg.norm(back - points, axis=1) <= 1e-15 * size).all()
+
+
+@pytest.mark.parametrize("angle", [1.0, 1e-3, 1e-6, 1e-9, 1e-12])
+def test_frame_with_up_close_to_the_view_direction(angle: float) -> None:
+    rng = np.random.default_rng(5)
+    for _ in range(20):
+        eye, target = 10.0 * rng.normal(size=(2, 3))
+        n = (eye - target) / np.linalg.norm(eye - target)
+        aside = np.cross(n, rng.normal(size=3))
+        up = n + angle * aside / np.linalg.norm(aside)
+        camera = Camera(eye, target, up)
+        expected = exact.frame(camera.eye, camera.target, camera.up)
+        for row, exact_row in zip(camera.frame, expected, strict=True):
+            errors = [abs(float(e - float(f))) for e, f in zip(exact_row, row, strict=True)]
+            assert max(errors) < 5e-16
+
+
+@pytest.mark.parametrize("angle", [1e-3, 1e-6, 1e-9, 1e-12])
+def test_pixels_with_up_close_to_the_view_direction(angle: float) -> None:
+    rng = np.random.default_rng(8)
+    for offset in OFFSETS:
+        base = camera_at(rng, offset)
+        n = base.frame[2]
+        camera = Camera(base.eye, base.target, n + angle * base.frame[1])
+        projection = Projection(camera, Perspective(45, 1, 100), (1920, 1080))
+        points = points_in_view(projection, rng.uniform(0, 1, (10, 3)))
+        assert worst_px(projection, points) < 5e-12
+    # up x n = (0, -1e-12.., 0): v is x
+    camera = Camera((0, 0, 0), (0, 0, -8), (angle, 0, 1))
+    np.testing.assert_allclose(camera.frame, [(0, -1, 0), (1, 0, 0), (0, 0, 1)], atol=1e-15)
+
+
+@given(st.floats(1e-3, 179.999))
+@example(90.0)
+@example(math.nextafter(90.0, 91.0))
+@example(math.nextafter(180.0, 0.0))
+@QUICK
+def test_cotangent_of_half_the_field_of_view(fov_y_deg: float) -> None:
+    expected = exact.mp.cot(exact.mp.mpf(fov_y_deg) * exact.mp.pi / 360)
+    found = Perspective(fov_y_deg).cot_half_fov_y
+    assert abs(float(found / expected - 1)) <= 3.0 * EPS
+
+
+# --------------------------------------------------------------------------- vtkCamera
+
+
+def from_vtk(matrix: vtkMatrix4x4) -> Array:
+    return np.array([[matrix.GetElement(i, j) for j in range(4)] for i in range(4)])
+
+
+@given(projections(wild=False))
+@QUICK
+def test_matrices_are_those_of_vtk_camera(projection: Projection) -> None:
+    assume(projection.lens.far != math.inf)  # VTK has no such lens
+    lens, camera = projection.lens, projection.camera
+    other = vtkCamera()
+    other.SetPosition(camera.eye)
+    other.SetFocalPoint(camera.target)
+    other.SetViewUp(camera.up)
+    other.SetClippingRange(lens.near, lens.far)
+    found = from_vtk(other.GetModelViewTransformMatrix())
+    scale = 1.0 + np.abs(camera.eye).max()
+    np.testing.assert_allclose(projection.view_from_world, found, rtol=0.0, atol=1e-11 * scale)
+
+    left, right, bottom, top = projection.window
+    width, height = right - left, top - bottom
+    other.SetWindowCenter((left + right) / width, (bottom + top) / height)
+    if lens.parallel:
+        other.ParallelProjectionOn()
+        other.SetParallelScale(height / 2.0)
+    else:
+        fov_y_deg = math.degrees(2.0 * math.atan2(height / 2.0, lens.near))
+        assume(fov_y_deg < 179.0)  # it takes no more
+        other.SetViewAngle(fov_y_deg)
+    if isinstance(lens, Oblique):  # per distance, not z; from near on, in units of the target's
+        cot_alpha, cot_beta = projection.shear
+        other.SetViewShear(-cot_alpha, -cot_beta, lens.near / camera.distance)
+    z_near, z_far = projection.depth_range
+    found = from_vtk(other.GetProjectionTransformMatrix(width / height, z_near, z_far))
+    assume(other.GetClippingRange() == (lens.near, lens.far))  # it moves a near of 0 or less
+    ours = projection.clip_from_view
+    # It is handed the window's extents as differences of rounded edges.
+    edges = max(map(abs, projection.window))
+    lost = 1e-9 + 4.0 * EPS * edges / min(width, height)
+    np.testing.assert_allclose(ours, found, rtol=lost, atol=lost * np.abs(found).max())
+
+
+# --------------------------------------------------------------------------- points behind
+
+
+@pytest.mark.parametrize("depth", DEPTH_RANGES)
+@pytest.mark.parametrize("far", [30.0, math.inf])
+def test_a_point_behind_the_eye_has_no_picture(depth: str, far: float) -> None:
+    projection = Projection(
+        Camera((0, 0, 0), (0, 0, -1), (0, 1, 0)), Perspective(45, 1, far), depth=depth
+    )
+    points = [(0.1, 0.2, 3.0), (0.1, 0.2, 0.0), (0.0, 0.0, 0.0), (0.1, 0.2, -3.0)]
+    trace = projection.trace(points)
+    assert trace.in_front.tolist() == [False, False, False, True]
+    for array in (trace.ndc, trace.image, trace.depth):
+        assert np.isnan(array[:3]).all()
+        assert np.isfinite(array[3]).all()
+    assert np.isfinite(trace.clip).all()
+    assert trace.clip[:, 3].tolist() == [-3.0, 0.0, 0.0, 3.0]
+    assert trace.outside[:3, PLANES.index("near")].all()
+
+
+def test_between_eye_and_near_plane_there_is_a_picture_but_it_is_cut() -> None:
+    projection = Projection(Camera((0, 0, 0), (0, 0, -1), (0, 1, 0)), Perspective(90, 1, 30))
+    trace = projection.trace((0.0, 0.25, -0.5))
+    assert trace.image[1] == pytest.approx(180.0)  # half-way up the upper half
+    assert trace.depth < 0.0
+    assert trace.outside.tolist() == [True, False, False, False, False, False]
+
+
+def test_a_parallel_lens_sees_behind_the_eye_plane() -> None:
+    projection = Projection(
+        Camera((0, 0, 0), (0, 0, -1), (0, 1, 0)), Orthographic(-1, 1, -1, 1, -5, 5), (100, 100)
+    )
+    trace = projection.trace((0.5, 0.5, 3.0))
+    assert trace.in_front
+    assert not trace.outside.any()
+    np.testing.assert_allclose(trace.image, [75.0, 25.0])
+
+
+def test_many_points_are_each_point() -> None:
+    rng = np.random.default_rng(7)
+    points = 20.0 * rng.normal(size=(100_000, 3))
+    picked = [0, 1, 16383, 16384, 16385, 32767, 32768, 99_999, *rng.integers(0, 100_000, 200)]
+    for lens in (*LENSES.values(),)[::4]:
+        projection = Projection(SLANTED, lens)
+        many = projection.trace(points)
+        behind = ~many.in_front
+        assert behind.any() == (not lens.parallel)
+        for index in picked:
+            for whole, single in zip(many, projection.trace(points[index]), strict=True):
+                np.testing.assert_allclose(whole[index], single, rtol=1e-11, atol=1e-11)
+
+
+@pytest.mark.parametrize("projection", all_projections()[::4])
+def test_a_trace_is_its_own_formulas_to_the_bit(projection: Projection) -> None:
+    """However its blocks and columns are worked through: the same bits as one plain formula."""
+    points = 20.0 * np.random.default_rng(7).normal(size=(17_000, 3))
+    trace = projection.trace(points)
+    x, y, _, w = trace.clip.T
+    distance = -trace.view[:, 2]
+    np.testing.assert_array_equal(w, 1.0 if projection.lens.parallel else distance)
+    lens = projection.lens
+    outside = [distance < lens.near, distance > lens.far, x < -w, x > w, y < -w, y > w]
+    np.testing.assert_array_equal(trace.outside.T, outside)
+    np.testing.assert_array_equal(trace.in_front, w > 0.0)  # nothing here is beyond float64
+    x, y, z = trace.ndc.T
+    width, height = projection.image_size
+    np.testing.assert_array_equal(trace.image[:, 0], (x + 1.0) * (width / 2.0))
+    np.testing.assert_array_equal(trace.image[:, 1], (1.0 - y) * (height / 2.0))
+    opengl = projection.depth == "opengl"
+    np.testing.assert_array_equal(z, 2.0 * trace.depth - 1.0 if opengl else trace.depth)
+    for array in (trace.ndc, trace.image, trace.depth):
+        lost = np.isnan(array.reshape(len(points), -1))
+        np.testing.assert_array_equal(lost, np.repeat(~trace.in_front[:, None], lost.shape[1], 1))
+    for part in (slice(16_384), slice(16_384, None)):
+        for whole, alone in zip(trace, projection.trace(points[part]), strict=True):
+            np.testing.assert_array_equal(whole[part], alone)
+
+
+# --------------------------------------------------------------------------- values
+
+
+@pytest.mark.parametrize("projection", all_projections()[::7])
+def test_arrays_cannot_be_written_into(projection: Projection) -> None:
+    arrays = {"frame": projection.camera.frame}
+    for name in dir(type(projection)):
+        if name.startswith("_") or (name == "intrinsics" and projection.lens.parallel):
+            continue
+        value = getattr(projection, name)
+        if isinstance(value, np.ndarray):
+            arrays[name] = value
+    arrays |= {stage.name: stage.matrix for stage in projection.stages}
+    arrays |= {name: factor for stage in projection.stages for name, factor in stage.factors}
+    arrays["at"] = projection.clip_from_world_at((1, 2, 3))
+    arrays["back"] = projection.world_from_clip_at((1, 2, 3))
+    assert len(arrays) >= 12
+    for array in arrays.values():
+        assert array.dtype == np.float64
+        with pytest.raises(ValueError, match="read-only"):
+            array[0, 0] = 7.0
+
+
+def test_values_are_equal_and_hashable() -> None:
+    a = Projection(Camera([1, 2, 3], np.array([0, 0, 0]), (0, 1, 0)), Perspective(45, 1, 30))
+    b = Projection(Camera((1.0, 2.0, 3.0), (0.0, 0.0, 0.0), (0.0, 1.0, 0.0)), Perspective())
+    _ = a.clip_from_world, a.camera.frame, a.frustum_corners_world  # what is cached is no value
+    assert a == b
+    assert {a: "found"}[b] == "found"
+    assert replace(b, lens=Perspective(46)) != b
+    assert all(type(part) is float for part in a.camera.eye)
+    assert type(a.lens.near) is float
+    assert Projection(image_size=np.array([80, 60])).image_size == (80, 60)
+    with pytest.raises(FrozenInstanceError):
+        a.depth = "reversed"  # type: ignore[misc]
+
+
+def test_stages_multiply_to_the_whole() -> None:
+    for projection in all_projections():
+        stages = {stage.name: stage for stage in projection.stages}
+        product = np.eye(4)
+        for stage in projection.stages[1:-1]:
+            product = stage.matrix @ product
+        np.testing.assert_allclose(product, projection.clip_from_world, rtol=1e-14, atol=1e-14)
+        for stage in stages.values():
+            if stage.factors:
+                product = reduce(np.matmul, [factor for _, factor in stage.factors])
+                np.testing.assert_allclose(product, stage.matrix, rtol=1e-14)
+        np.testing.assert_array_equal(stages["image_from_ndc"].matrix, projection.image_from_ndc)
+
+
+EXTREME = [1e-205, 1e-200, 1e-9, 1.0, 1e9, 1e90]
+
+
+@pytest.mark.parametrize("depth", DEPTH_RANGES)
+def test_what_can_be_made_works(depth: str) -> None:
+    """No warning, no infinity, also at the ends of what is allowed."""
+    for near in EXTREME:
+        for far in (math.nextafter(near, math.inf), 2.0 * near, 1e100, math.inf):
+            for fov_y_deg in (1e-90, 1.0, 90.0, math.nextafter(180.0, 0.0)):
+                for size in ((1, LARGEST_IMAGE_PX), (LARGEST_IMAGE_PX, 1)):
+                    lens = Perspective(fov_y_deg, near, far)
+                    projection = Projection(SLANTED, lens, size, depth)
+                    for matrix in (projection.clip_from_world, projection.world_from_clip):
+                        assert np.isfinite(matrix).all()
+                    assert np.isfinite(projection.frustum_corners_world).all()
+                    assert np.isfinite(projection.trace(SLANTED.target).image).all()
+
+
+# --------------------------------------------------------------------------- what is refused
+
+NAN, INF = math.nan, math.inf
+HUGE = 10**400
+
+
+def camera_with(**changes: object) -> Callable[[], object]:
+    return lambda: Camera(**{"eye": (6, 5, 9), "target": (0, 2, 0), "up": (0, 1, 0)} | changes)
+
+
+def perspective_with(**changes: object) -> Callable[[], object]:
+    return lambda: Perspective(**{"fov_y_deg": 45, "near": 1, "far": 30} | changes)
+
+
+def orthographic_with(**changes: object) -> Callable[[], object]:
+    return lambda: Orthographic(**changes)
+
+
+def frustum_with(**changes: object) -> Callable[[], object]:
+    return lambda: Frustum(**changes)
+
+
+def oblique_with(**changes: object) -> Callable[[], object]:
+    return lambda: Oblique(**changes)
+
+
+def unprojecting(points: object, far: float = 30.0) -> Callable[[], object]:
+    return lambda: Projection(lens=Perspective(far=far)).world_from_image(points)
+
+
+def projection_with(**changes: object) -> Callable[[], object]:
+    return lambda: Projection(**changes)
+
+
+def tracing(points: object) -> Callable[[], object]:
+    return lambda: Projection().trace(points)
+
+
+def orbit_with(**changes: float) -> Callable[[], object]:
+    orbit = {"azimuth_deg": 0.0, "elevation_deg": 0.0, "distance": 5.0} | changes
+    return lambda: Camera.from_orbit((0.0, 0.0, 0.0), Orbit(**orbit))
+
+
+DISTANT = Camera((0, 0, 1e100), (0, 0, 0))
+REFUSED: list[tuple[Callable[[], object], str, str, str]] = [
+    # lenses
+    (perspective_with(near=0), "near", ABOVE, "near = 0: must be greater than 0."),
+    (perspective_with(near=-1.5), "near", ABOVE, "near = -1.5: must be greater than 0."),
+    (perspective_with(near=1e-206), "near", AT_LEAST, "near = 1e-206: must be at least 1e-205."),
+    (perspective_with(near=30), "near", NEAR_BEFORE_FAR,
+     "near = 30: must be less than far, which is 30."),
+    (perspective_with(near=31), "near", NEAR_BEFORE_FAR,
+     "near = 31: must be less than far, which is 30."),
+    (perspective_with(near=INF), "near", NEAR_BEFORE_FAR,
+     "near = inf: must be less than far, which is 30."),
+    (orthographic_with(near=INF), "near", NEAR_BEFORE_FAR,
+     "near = inf: must be less than far, which is 30."),
+    (perspective_with(near=INF, far=INF), "near", FINITE_NUMBER,
+     "near = inf: must be a finite number."),
+    (perspective_with(near=NAN), "near", FINITE_NUMBER, "near = nan: must be a finite number."),
+    (perspective_with(near=True), "near", FINITE_NUMBER, "near = True: must be a finite number."),
+    (perspective_with(near="1"), "near", FINITE_NUMBER, "near = '1': must be a finite number."),
+    (perspective_with(near=None), "near", FINITE_NUMBER, "near = None: must be a finite number."),
+    (perspective_with(near=1j), "near", FINITE_NUMBER, "near = 1j: must be a finite number."),
+    (perspective_with(far=NAN), "far", FINITE_NUMBER, "far = nan: must be a finite number."),
+    (perspective_with(far=-INF), "far", FINITE_NUMBER, "far = -inf: must be a finite number."),
+    (perspective_with(far=1e101), "far", AT_MOST, "far = 1e+101: must be at most 1e+100."),
+    (perspective_with(far=HUGE), "far", AT_MOST, "far = 1e400: must be at most 1e+100."),
+    (perspective_with(far=-HUGE), "far", AT_LEAST, "far = -1e400: must be at least -1e+100."),
+    (perspective_with(far="inf"), "far", FINITE_NUMBER, "far = 'inf': must be a finite number."),
+    (perspective_with(fov_y_deg=0), "fov_y_deg", BETWEEN,
+     "fov_y_deg = 0: must lie between 0 and 180, both excluded."),
+    (perspective_with(fov_y_deg=180), "fov_y_deg", BETWEEN,
+     "fov_y_deg = 180: must lie between 0 and 180, both excluded."),
+    (perspective_with(fov_y_deg=-1), "fov_y_deg", BETWEEN,
+     "fov_y_deg = -1: must lie between 0 and 180, both excluded."),
+    (perspective_with(fov_y_deg=200), "fov_y_deg", BETWEEN,
+     "fov_y_deg = 200: must lie between 0 and 180, both excluded."),
+    (perspective_with(fov_y_deg=1e-91), "fov_y_deg", AT_LEAST,
+     "fov_y_deg = 1e-91: must be at least 1e-90."),
+    (perspective_with(fov_y_deg=1e101), "fov_y_deg", BETWEEN,
+     "fov_y_deg = 1e+101: must lie between 0 and 180, both excluded."),
+    (perspective_with(fov_y_deg=-HUGE), "fov_y_deg", BETWEEN,
+     "fov_y_deg = -1e400: must lie between 0 and 180, both excluded."),
+    (perspective_with(fov_y_deg=NAN), "fov_y_deg", FINITE_NUMBER,
+     "fov_y_deg = nan: must be a finite number."),
+    (perspective_with(fov_y_deg=INF), "fov_y_deg", FINITE_NUMBER,
+     "fov_y_deg = inf: must be a finite number."),
+    (perspective_with(fov_y_deg=False), "fov_y_deg", FINITE_NUMBER,
+     "fov_y_deg = False: must be a finite number."),
+    (orthographic_with(near=30), "near", NEAR_BEFORE_FAR,
+     "near = 30: must be less than far, which is 30."),
+    (orthographic_with(far=INF), "far", FINITE_NUMBER, "far = inf: must be a finite number."),
+    (orthographic_with(left=4), "left", LEFT_BEFORE_RIGHT,
+     "left = 4: must be less than right, which is 4."),
+    (orthographic_with(bottom=5), "bottom", BOTTOM_BEFORE_TOP,
+     "bottom = 5: must be less than top, which is 4."),
+    (orthographic_with(top=NAN), "top", FINITE_NUMBER, "top = nan: must be a finite number."),
+    (orthographic_with(left=0, right=1e-310), "left", DISTINCT,
+     "left = 0: is too close to 1e-310 for float64 to tell apart."),
+    (orthographic_with(keep="z"), "keep", ONE_OF, "keep = 'z': must be one of stretch, x, y."),
+    (orthographic_with(keep=[]), "keep", ONE_OF, "keep = (): must be one of stretch, x, y."),
+    (projection_with(lens=Orthographic(0, 1e-3, 1e16, 1e16 + 100, keep="x")), "bottom", DISTINCT,
+     "bottom = 10000000000000050.0: is too close to 10000000000000050.0 for float64 to tell "
+     "apart.".replace("10000000000000050.0", "1.000000000000005e+16")),
+    # frusta
+    (frustum_with(near=0), "near", ABOVE, "near = 0: must be greater than 0."),
+    (frustum_with(right=-0.7), "left", LEFT_BEFORE_RIGHT,
+     "left = -0.7: must be less than right, which is -0.7."),
+    (frustum_with(bottom=0, top=1e-111), "bottom", WIDER,
+     "bottom = 0: is too close to 1e-111 for a plane as far from the eye as near is."),
+    (frustum_with(right=2e89, near=1e-2), "right", AT_MOST,
+     "right = 2e+89: must be at most 1e+88."),
+    (frustum_with(left=-2e89, near=1e-2), "left", AT_LEAST,
+     "left = -2e+89: must be at least -1e+88."),
+    (frustum_with(keep="both"), "keep", ONE_OF, "keep = 'both': must be one of stretch, x, y."),
+    (lambda: Projection(lens=Frustum(1.0, 1.0 + 1e-15, 1.0, 2.0, keep="x"), image_size=(9, 1)),
+     "bottom", DISTINCT, "bottom = 1.5: is too close to 1.5 for float64 to tell apart."),
+    # oblique lenses
+    (oblique_with(alpha_deg=0), "alpha_deg", BETWEEN,
+     "alpha_deg = 0: must lie between 0 and 180, both excluded."),
+    (oblique_with(alpha_deg=-1e308), "alpha_deg", BETWEEN,
+     "alpha_deg = -1e+308: must lie between 0 and 180, both excluded."),
+    (oblique_with(beta_deg=180), "beta_deg", BETWEEN,
+     "beta_deg = 180: must lie between 0 and 180, both excluded."),
+    (oblique_with(beta_deg=NAN), "beta_deg", FINITE_NUMBER,
+     "beta_deg = nan: must be a finite number."),
+    (oblique_with(alpha_deg=1e-5), "alpha_deg", AT_LEAST,
+     "alpha_deg = 1e-05: must be at least 5.72958e-05."),
+    (oblique_with(alpha_deg=179.99999), "alpha_deg", AT_MOST,
+     "alpha_deg = 179.99999: must be at most 179.99994270422047."),
+    (oblique_with(far=INF), "far", FINITE_NUMBER, "far = inf: must be a finite number."),
+    (oblique_with(left=0, right=1e-195), "left", DISTINCT,
+     "left = 0: is too close to 1e-195 for float64 to tell apart."),
+    (lambda: oblique_angles(-1.0, 45.0), "receding", AT_LEAST,
+     "receding = -1: must be at least 0."),
+    (lambda: oblique_angles(2e6, 0.0), "receding", AT_MOST,
+     "receding = 2000000: must be at most 1000000."),
+    (lambda: oblique_angles(1.0, INF), "receding_deg", FINITE_NUMBER,
+     "receding_deg = inf: must be a finite number."),
+    # cameras
+    (camera_with(eye=(0, 2, 0)), "target", NOT_THE_EYE,
+     "target = (0, 2, 0): must differ from the eye, or the camera looks nowhere."),
+    (camera_with(up=(0, 0, 0)), "up", NOT_ZERO, "up = (0, 0, 0): must not be the zero vector."),
+    (camera_with(eye=(0, 9, 0)), "up", NOT_PARALLEL,
+     "up = (0, 1, 0): must not be parallel to the view direction."),
+    (camera_with(eye=(0, -9, 0), up=(0, 3, 0)), "up", NOT_PARALLEL,
+     "up = (0, 3, 0): must not be parallel to the view direction."),
+    (camera_with(eye=(0, 9, 0), up=(1e-16, 1, 0)), "up", NOT_PARALLEL,
+     "up = (1e-16, 1, 0): must not be parallel to the view direction."),
+    (camera_with(eye=(NAN, 0, 0)), "eye", THREE_NUMBERS,
+     "eye = (nan, 0, 0): must be three finite numbers x, y, z."),
+    (camera_with(target=(0, INF, 0)), "target", THREE_NUMBERS,
+     "target = (0, inf, 0): must be three finite numbers x, y, z."),
+    (camera_with(eye=(1, 2)), "eye", THREE_NUMBERS,
+     "eye = (1, 2): must be three finite numbers x, y, z."),
+    (camera_with(eye=5), "eye", THREE_NUMBERS, "eye = 5: must be three finite numbers x, y, z."),
+    (camera_with(eye=None), "eye", THREE_NUMBERS,
+     "eye = None: must be three finite numbers x, y, z."),
+    (camera_with(eye="123"), "eye", THREE_NUMBERS,
+     "eye = '123': must be three finite numbers x, y, z."),
+    (camera_with(eye=("1", 2, 3)), "eye", THREE_NUMBERS,
+     "eye = ('1', 2, 3): must be three finite numbers x, y, z."),
+    (camera_with(up=(0, True, 0)), "up", THREE_NUMBERS,
+     "up = (0, True, 0): must be three finite numbers x, y, z."),
+    (camera_with(eye=(1e101, 0, 0)), "eye", AT_MOST, "eye = 1e+101: must be at most 1e+100."),
+    (camera_with(eye=(HUGE, 0, 0)), "eye", AT_MOST, "eye = 1e400: must be at most 1e+100."),
+    (camera_with(eye=np.zeros((3, 3))), "eye", THREE_NUMBERS,
+     "eye = array([[0., 0., 0.], [0., 0., 0.], [0., 0., 0.]]): "
+     "must be three finite numbers x, y, z."),
+    (orbit_with(distance=0.0), "distance", ABOVE, "distance = 0: must be greater than 0."),
+    (orbit_with(distance=-1.0), "distance", ABOVE, "distance = -1: must be greater than 0."),
+    (orbit_with(distance=NAN), "distance", FINITE_NUMBER,
+     "distance = nan: must be a finite number."),
+    (orbit_with(elevation_deg=90.5), "elevation_deg", AT_MOST,
+     "elevation_deg = 90.5: must be at most 90."),
+    (orbit_with(elevation_deg=-91.0), "elevation_deg", AT_LEAST,
+     "elevation_deg = -91: must be at least -90."),
+    (orbit_with(azimuth_deg=INF), "azimuth_deg", FINITE_NUMBER,
+     "azimuth_deg = inf: must be a finite number."),
+    (lambda: Camera.from_orbit((1e9, 1, 1e9), Orbit(0, 0, 1e-9)), "distance", DISTINCT,
+     "distance = 1e-09: is too close to 0 for float64 to tell apart."),
+    # x and z could hold it, y could not: it would be another elevation.
+    (lambda: Camera.from_orbit((0, 2.2, 0), Orbit(30, 15, 1e-14)), "distance", DISTINCT,
+     "distance = 1e-14: is too close to 0 for float64 to tell apart."),
+    # the image and the depth range
+    (projection_with(image_size=(0, 0)), "width", WHOLE_PIXELS,
+     "width = 0: must be a whole number of pixels from 1 to 16384."),
+    (projection_with(image_size=(800, 0)), "height", WHOLE_PIXELS,
+     "height = 0: must be a whole number of pixels from 1 to 16384."),
+    (projection_with(image_size=(100_000, 100_000)), "width", WHOLE_PIXELS,
+     "width = 100000: must be a whole number of pixels from 1 to 16384."),
+    (projection_with(image_size=(800.5, 600)), "width", WHOLE_PIXELS,
+     "width = 800.5: must be a whole number of pixels from 1 to 16384."),
+    (projection_with(image_size=(800, True)), "height", WHOLE_PIXELS,
+     "height = True: must be a whole number of pixels from 1 to 16384."),
+    (projection_with(image_size=(800, "600")), "height", WHOLE_PIXELS,
+     "height = '600': must be a whole number of pixels from 1 to 16384."),
+    (projection_with(image_size=(HUGE, 600)), "width", WHOLE_PIXELS,
+     "width = 1e400: must be a whole number of pixels from 1 to 16384."),
+    (projection_with(image_size=(NAN, 600)), "width", WHOLE_PIXELS,
+     "width = nan: must be a whole number of pixels from 1 to 16384."),
+    (projection_with(image_size=800), "image", WHOLE_PIXELS,
+     "image = 800: must be a whole number of pixels from 1 to 16384."),
+    (projection_with(image_size=(8, 6, 4)), "image", WHOLE_PIXELS,
+     "image = (8, 6, 4): must be a whole number of pixels from 1 to 16384."),
+    (projection_with(depth="vulkan"), "depth", ONE_OF,
+     "depth = 'vulkan': must be one of opengl, direct3d, reversed."),
+    (projection_with(depth=[]), "depth", ONE_OF,
+     "depth = (): must be one of opengl, direct3d, reversed."),
+    (lambda: Projection().with_lens("fisheye"), "kind", ONE_OF,
+     "kind = 'fisheye': must be one of perspective, frustum, orthographic, oblique, matrix."),
+    (lambda: Projection(DISTANT, Perspective(45, 1, INF)).with_lens("orthographic"), "far",
+     AT_MOST, "far = 4e+100: must be at most 1e+100."),
+    # points
+    (tracing((NAN, 0, 0)), "points", THREE_NUMBERS,
+     "points = (nan, 0, 0): must be three finite numbers x, y, z."),
+    (tracing([(0, 0, 0), (0, -INF, 0)]), "points", THREE_NUMBERS,
+     "points = (0, -inf, 0): must be three finite numbers x, y, z."),
+    (tracing([1, 2]), "points", THREE_NUMBERS,
+     "points = (1, 2): must be three finite numbers x, y, z."),
+    (tracing([(1, 2, 3), (4, 5)]), "points", THREE_NUMBERS,
+     "points = ((1, 2, 3), (4, 5)): must be three finite numbers x, y, z."),
+    (tracing("abc"), "points", THREE_NUMBERS,
+     "points = 'abc': must be three finite numbers x, y, z."),
+    (tracing(["1", "2", "3"]), "points", THREE_NUMBERS,
+     "points = ('1', '2', '3'): must be three finite numbers x, y, z."),
+    (tracing([HUGE, 0, 0]), "points", THREE_NUMBERS,
+     "points = (1e400, 0, 0): must be three finite numbers x, y, z."),
+    (tracing([1e101, 0, 0]), "points", THREE_NUMBERS,
+     "points = (1e+101, 0, 0): must be three finite numbers x, y, z."),
+    # pixels
+    (unprojecting((1, 2)), "points", THREE_NUMBERS,
+     "points = (1, 2): must be three finite numbers x, y, z."),
+    (unprojecting((1, 2, 1.5)), "depth", AT_MOST, "depth = 1.5: must be at most 1."),
+    (unprojecting((1, 2, -0.5)), "depth", AT_LEAST, "depth = -0.5: must be at least 0."),
+    (unprojecting([(1, 2, 0.5), (1, 2, 1)], far=INF), "depth", NO_POINT,
+     "depth = 1: is at infinity, where there is no point but a direction."),
+    # free matrices
+    (lambda: FreeMatrix([[1, 2]]), "clip_from_view", FOUR_BY_FOUR,  # type: ignore[arg-type]
+     "clip_from_view = ((1, 2)): must be four rows of four finite numbers."),
+    (lambda: Projection(lens=FreeMatrix(((0.0,) * 4,) * 4)).view_from_clip, "clip_from_view",
+     INVERTIBLE, "clip_from_view = ((0, 0, 0, 0), (0, 0, 0, 0), (0, 0, 0, 0), (0, 0, 0, 0)): must"
+     " have an inverse, but its rank is 0."),
+    (lambda: FreeMatrix(((1e-76, 0, 0, 0), *((0.0,) * 4,) * 3)), "clip_from_view[0, 0]",
+     ZERO_OR_AT_LEAST, "clip_from_view[0, 0] = 1e-76: must be 0 or at least 1e-75 in size."),
+    (lambda: Projection(lens=FreeMatrix(
+        ((1e-60, 1, 0, 0), (0, 1e-60, 1, 0), (0, 0, 1e-60, 1), (0, 0, 0, 1e-60)))).world_from_clip,
+     "clip_from_view", SMALL_INVERSE, "clip_from_view = ((1e-60, 1, 0, 0), (0, 1e-60, 1, 0),"
+     " (0, 0, 1e-60, 1), (0, 0, 0, 1e-60)): must have an inverse that float64 can hold, and"
+     " multiply."),
+    # planes, focal lengths and intrinsics
+    (lambda: Projection(lens=Frustum()).between(0, 5), "near", ABOVE,
+     "near = 0: must be greater than 0."),
+    (lambda: Projection(lens=Frustum()).between(5, 5), "near", NEAR_BEFORE_FAR,
+     "near = 5: must be less than far, which is 5."),
+    (lambda: Projection(lens=Frustum()).between("5", 5), "near", FINITE_NUMBER,
+     "near = '5': must be a finite number."),
+    (lambda: Projection(lens=Oblique()).intrinsics, "kind", ONE_OF,
+     "kind = 'oblique': must be one of perspective, frustum."),
+    (lambda: Projection().with_intrinsics((0, 1, 2, 3)), "fx", ABOVE,
+     "fx = 0: must be greater than 0."),
+    (lambda: Projection().with_intrinsics((1, -1, 2, 3)), "fy", ABOVE,
+     "fy = -1: must be greater than 0."),
+    (lambda: Projection().with_intrinsics((1, 1, NAN, 3)), "cx", FINITE_NUMBER,
+     "cx = nan: must be a finite number."),
+    (lambda: fov_y_from_window(0, 1), "top", ABOVE, "top = 0: must be greater than 0."),
+    (lambda: fov_y_from_window(1, INF), "near", FINITE_NUMBER,
+     "near = inf: must be a finite number."),
+    (lambda: fov_y_from_focal_length_e(-2, 1), "e", ABOVE, "e = -2: must be greater than 0."),
+    (lambda: fov_y_from_focal_length_35mm(0, 1.5), "focal_length_mm", ABOVE,
+     "focal_length_mm = 0: must be greater than 0."),
+    (lambda: fov_y_from_focal_length_35mm(NAN, 1.5), "focal_length_mm", FINITE_NUMBER,
+     "focal_length_mm = nan: must be a finite number."),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("make", "field", "bound", "sentence"), REFUSED, ids=[sentence for *_, sentence in REFUSED]
+)
+def test_refused(make: Callable[[], object], field: str, bound: str, sentence: str) -> None:
+    with pytest.raises(ProjectionError) as caught:
+        make()
+    assert str(caught.value) == sentence
+    assert (caught.value.field, caught.value.bound) == (field, bound)
+    shown = shown_limits(caught.value.limits, caught.value.value)
+    assert sentence.endswith(f": {bound.format(*shown)}.")
+
+
+@pytest.mark.parametrize(
+    ("value", "limit", "shown"),
+    [
+        (50.0, 2.0426315555555554, "2.04263"),
+        (2.0426315555555554, 0.12, "0.12"),
+        (2.04263157, 2.0426315555555554, "2.04263"),
+        (2.04264, "2.0426381", "2.0426381"),  # 2.04264 is no bound that it breaks
+        (2.042639, "2.0426381", "2.0426381"),
+        (2.04263, 2.0426315555555554, "2.0426315555555554"),
+        ((1.0, 2.042639, 3.0), 2.0426381, "2.0426381"),
+        (True, 1 / 3, "0.333333"),
+        ("a word", 1 / 3, "0.333333"),
+        ("a word", "20260101", "20260101"),  # which may be another word, such as a scene's name
+        (..., "20260101", "20260101"),
+        (0.0, "perspective", "perspective"),
+        (0, 1234567, "1234567"),
+        (0.0, 16384, "16384"),
+        (INF, 1e100, "1e+100"),
+    ],
+)
+def test_a_bound_has_six_digits_unless_that_would_tell_another_story(
+    value: object, limit: object, shown: str
+) -> None:
+    (found,) = shown_limits((limit,), value)
+    assert str(found) == shown
+    error = ProjectionError("near", value, "must be less than far, which is {0}", limit)
+    assert str(error).endswith(f" {shown}.")
+
+
+@pytest.mark.parametrize(
+    ("value", "limit", "sentence"),
+    [
+        (2.0426315555555554, "1", "near = 2.04263: must be at least 1."),
+        ((0.1 + 0.2, 1.0, -1 / 3), 0, "near = (0.3, 1, -0.333333): must be at least 0."),
+        (0.99999999, "1", "near = 0.99999999: must be at least 1."),
+        (1.0000001, "1.0000002", "near = 1: must be at least 1.0000002."),
+        ("1/3", "1", "near = '1/3': must be at least 1."),
+    ],
+)
+def test_what_a_hand_has_dragged_has_six_digits(
+    value: object, limit: object, sentence: str
+) -> None:
+    assert str(six_digits(ProjectionError("near", value, AT_LEAST, limit))) == sentence
+
+
+def test_every_bound_is_known_to_translators_and_to_the_table_above() -> None:
+    # What an upper bound says of a lower one is said by `document.set_values` and the controls.
+    other_side = {bound for _, bound in OTHER_SIDE.values()}
+    assert {bound for _, _, bound, _ in REFUSED} | other_side == set(BOUNDS)
+    assert set(messages.PROJECTION_BOUNDS) == set(BOUNDS)
+    assert set(messages.STAGE_NOTES) == set(NOTES)
+
+
+def test_the_refused_value_is_kept_and_its_sentence_stays_short() -> None:
+    with pytest.raises(ProjectionError) as caught:
+        Perspective(near=-1)
+    assert caught.value.value == -1.0
+    for make in (
+        perspective_with(near="9" * 100_000),
+        camera_with(eye=list(range(100_000))),
+        tracing(np.full((100_000, 2), 1.5)),
+        projection_with(depth="two\nlines\n" * 100),
+    ):
+        with pytest.raises(ProjectionError) as caught:
+            make()
+        assert len(str(caught.value)) < 300
+        assert "\n" not in str(caught.value)
+
+
+def test_the_limits_themselves_are_allowed() -> None:
+    assert Perspective(near=SMALLEST).near == SMALLEST
+    assert Perspective(far=LARGEST).far == LARGEST
+    assert Perspective(far=INF).far == INF
+    assert Perspective(1e-90).fov_y_deg == 1e-90
+    side = LARGEST_IMAGE_PX
+    assert Projection(image_size=(1, side)).image_size == (1, side)
+    assert Orthographic(near=-7, far=-3).near == -7.0
+    assert Camera((LARGEST, 0, 0)).eye[0] == LARGEST
+    assert Camera((0, 9, 0), (0, 0, 0), (1e-12, 1, 0)).up == (1e-12, 1.0, 0.0)
+    assert Camera((0, 9, 0), (0, 0, 0), (0, 0, 1e-300)).up[2] == 1e-300
+
+
+# --------------------------------------------------------------------------- the module's own rules
+
+
+MODEL = ("app.model.projection", "app.model.camera", "app.model.lenses", "app.model.values")
+
+
+def public_members() -> dict[str, object]:
+    members: dict[str, object] = {}
+    for name, value in vars(app.model.projection).items():
+        if name.startswith("_") or getattr(value, "__module__", "") not in MODEL:
+            continue
+        if inspect.isclass(value) or inspect.isfunction(value):
+            members[name] = value
+        if inspect.isclass(value):
+            for key, inner in vars(value).items():
+                wrapped = isinstance(inner, (property, cached_property, classmethod))
+                if not key.startswith("_") and (wrapped or inspect.isfunction(inner)):
+                    members[f"{name}.{key}"] = inner
+    return members
+
+
+def test_everything_public_says_what_it_is() -> None:
+    members = public_members()
+    assert {"Projection.trace", "Projection.clip_from_world", "Camera.frame"} <= set(members)
+    for name, member in members.items():
+        assert inspect.getdoc(getattr(member, "__func__", member)), name
+
+
+def test_matrices_are_called_target_from_source() -> None:
+    projection = Projection()
+    space = "(world|eye|view|clip|ndc|image)"
+    factors = {"view_rotation", "view_translation"}  # of view_from_world, named by the lecture
+    names = {
+        name
+        for name in dir(Projection)
+        if not name.startswith("_")
+        and isinstance(value := getattr(projection, name), np.ndarray)
+        and value.shape == (4, 4)
+    }
+    assert len(names) == 9
+    for name in names - factors | {"clip_from_world_at", "world_from_clip_at"}:
+        assert re.fullmatch(f"{space}_from_{space}(_at)?", name), name
+        assert hasattr(projection, name)
+
+
+def test_the_core_needs_neither_qt_nor_vtk() -> None:
+    code = (
+        "import sys, app.model.projection, app.document.document;"
+        "print([m for m in sys.modules if m.split('.')[0] in"
+        " ('PySide6', 'vtk', 'vtkmodules', 'pyvista', 'pyvistaqt', 'matplotlib')])"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "[]"

@@ -1,0 +1,319 @@
+"""What a drag of a handle makes of the model: the handle goes where the hand is."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from app.model.projection import (
+    LARGEST,
+    Array,
+    Camera,
+    Frustum,
+    Lens,
+    Oblique,
+    Orthographic,
+    Perspective,
+    Projection,
+    ProjectionError,
+)
+from app.picking.handles import (
+    EYE,
+    TARGET,
+    Handle,
+    changed,
+    dollied,
+    dragged,
+    nearest,
+    panned,
+    place,
+    present,
+    shown,
+)
+from app.picking.picking import Sight
+
+LENSES: dict[str, Lens] = {
+    "perspective": Perspective(45.0, 1.0, 30.0),
+    "infinite": Perspective(60.0, 0.5, math.inf),
+    "frustum": Frustum(-0.6, 0.9, -0.4, 0.5, 1.0, 40.0),
+    "frustum, kept": Frustum(-0.6, 0.9, -0.4, 0.5, 1.0, 40.0, "x"),
+    "orthographic": Orthographic(-4.0, 4.0, -3.0, 3.0, -5.0, 40.0),
+    "orthographic, kept": Orthographic(-4.0, 5.0, -3.0, 3.0, 1.0, 40.0, "y"),
+    "oblique": Oblique(-5.0, 5.0, -3.0, 3.0, 8.0, 40.0, alpha_deg=60.0, beta_deg=50.0),
+}
+SIZE = (800, 700)
+# Which fields a handle moves; the rest of the projection stays.
+FIELDS = {"eye": {"eye"}, "target": {"target"}, "near": {"near"}, "far": {"far"}}
+CORNERS = [Handle("corner", "near", (x, y)) for x in (-1.0, 1.0) for y in (-1.0, 1.0)]
+FAR_CORNERS = [handle._replace(face="far") for handle in CORNERS]
+PLANES = [Handle(name, name, at) for name in ("near", "far") for at in ((0.0, 1.0), (-1.0, 0.0))]  # type: ignore[arg-type]
+
+
+def looks(camera: Camera) -> Sight:
+    """From beside the model's camera and above, as the world pane does."""
+    pane = Camera((-22.0, 14.0, 25.0), camera.target)
+    return Sight.of(Projection(pane, Perspective(50.0, 0.1, 1e5), SIZE))
+
+
+def at(projection: Projection, handle: Handle, drawn: tuple[float, float], sight: Sight) -> Array:
+    spot: Array = sight.seen([place(projection, handle, drawn)])[0]
+    return spot
+
+
+def planes(projection: Projection) -> tuple[float, float]:
+    """Where the planes are drawn if they are near enough."""
+    return projection.lens.near, min(projection.lens.far, 60.0)
+
+
+@pytest.mark.parametrize("lens", LENSES.values(), ids=LENSES)
+@pytest.mark.parametrize("shift", [False, True], ids=["plain", "shift"])
+def test_the_dragged_handle_ends_under_the_hand(lens: Lens, shift: bool) -> None:
+    """200 random drags of each lens: the pixels are those of the same handle of other models."""
+    random = np.random.default_rng(7)
+    free, tried = [EYE, TARGET, *CORNERS, *FAR_CORNERS], 0
+    for _ in range(200):
+        eye, target = random.uniform((-5, 1, 5), (8, 8, 12)), random.uniform(-2.0, 2.0, 3)
+        projection = Projection(Camera(tuple(eye), tuple(target)), lens, (1280, 720))
+        drawn, sight = planes(projection), looks(projection.camera)
+        handle = [*free, *PLANES][random.integers(len(free) + len(PLANES))]
+        if handle.name == "far" and lens.far == math.inf:
+            continue
+        start = at(projection, handle, drawn, sight)
+        if not ((start >= 0.0) & (start < SIZE)).all():  # nobody sees it
+            continue
+        tried += 1
+        pixel = start + random.uniform(-25.0, 25.0, 2)
+        rail = None
+        if handle.name in ("near", "far"):
+            value = getattr(lens, handle.name)
+            other = changed(projection, {handle.name: value * random.uniform(0.8, 1.2)})
+            rail = at(other, handle, planes(other), sight)
+        elif handle.name == "corner" and isinstance(lens, Perspective):
+            other = changed(projection, {"fov_y_deg": lens.fov_y_deg * random.uniform(0.7, 1.3)})
+            rail = at(other, handle, drawn, sight)
+        elif handle.name == "corner" and lens.keep != "stretch":  # type: ignore[union-attr]
+            # On the diagonal: through the opposite corner, which stays, or which is mirrored.
+            window = np.array(projection.window).reshape(2, 2)
+            fixed = (
+                window.mean(axis=1) if shift else window[[0, 1], [int(x < 0) for x in handle.at]]
+            )
+            window = fixed[:, None] + (window - fixed[:, None]) * random.uniform(0.8, 1.2)
+            sides = dict(zip(("left", "right", "bottom", "top"), window.ravel(), strict=True))
+            other = replace(projection, lens=replace(lens, keep="stretch", **sides))  # type: ignore[call-arg]
+            rail = at(other, handle, drawn, sight)
+        elif handle.name == "corner":  # no farther than it may go
+            names = "right" if handle.at[0] > 0 else "left", "top" if handle.at[1] > 0 else "bottom"
+            left, right, bottom, top = projection.window
+            by = random.uniform(-0.3, 0.3, 2) * (right - left, top - bottom)
+            sides = {n: getattr(lens, n) + b for n, b in zip(names, by.tolist(), strict=True)}
+            rail = at(changed(projection, sides), handle, drawn, sight)
+        elif handle.name in ("eye", "target") and shift:
+            x, y, z = getattr(projection.camera, handle.name)
+            rail = sight.seen([(x, y + random.uniform(-2.0, 2.0), z)])[0]
+        x, y = (pixel if rail is None else rail).tolist()
+        change = dragged(projection, handle, drawn, sight, (x, y), shift=shift)
+        moved = changed(projection, change)
+        where = at(moved, handle, planes(moved) if handle.name in FIELDS else drawn, sight)
+        assert math.dist(where, (x, y)) <= 0.5, (handle, change)
+        if handle.name in FIELDS:
+            assert set(change) == FIELDS[handle.name]
+        else:
+            assert set(change) <= {"fov_y_deg", "left", "right", "bottom", "top"}
+        assert moved.camera.up == projection.camera.up and moved.lens.kind == lens.kind
+    assert tried > 90
+
+
+@pytest.mark.parametrize("lens", LENSES.values(), ids=LENSES)
+def test_a_handle_that_is_not_moved_moves_nothing(lens: Lens) -> None:
+    """Back where the drag began, every digit is as it was."""
+    projection = Projection(Camera((1 / 3, 5.0, 9.0), (0.1, 2.2, -1 / 7)), lens, (1280, 720))
+    drawn, sight = planes(projection), looks(projection.camera)
+    for handle in (EYE, TARGET, *PLANES, *CORNERS, *FAR_CORNERS):
+        if handle.name == "far" and lens.far == math.inf:
+            continue
+        x, y = at(projection, handle, drawn, sight).tolist()
+        change = dragged(projection, handle, drawn, sight, (x, y))
+        moved = changed(projection, change)
+        if lens.kind in ("perspective",) or lens.keep == "stretch" or handle.name != "corner":  # type: ignore[union-attr]
+            assert moved == projection, handle
+        else:  # the fields become the window that is seen
+            assert moved.window == pytest.approx(projection.window, rel=1e-14)
+
+
+def test_eye_and_target_keep_their_depth_in_the_pane_and_shift_keeps_the_vertical() -> None:
+    projection = Projection(Camera((6.0, 5.0, 9.0), (0.0, 2.2, 0.0)), LENSES["perspective"])
+    sight = looks(projection.camera)
+    for handle in (EYE, TARGET):
+        x, y = at(projection, handle, (1.0, 30.0), sight).tolist()
+        before = np.array(getattr(projection.camera, handle.name))
+        pixel = x + 40.0, y - 30.0
+        after = dragged(projection, handle, (1.0, 30.0), sight, pixel)[handle.name]
+        assert sight.rows[3, :3] @ (after - before) == pytest.approx(0.0, abs=0.02)
+        up = dragged(projection, handle, (1.0, 30.0), sight, pixel, shift=True)[handle.name]
+        assert up[0] == before[0] and up[2] == before[2] and up[1] > before[1] + 0.3  # type: ignore[index]
+
+
+def test_the_opposite_corner_stays_or_is_mirrored() -> None:
+    lens = Frustum(-0.6, 0.9, -0.4, 0.5, 1.0, 40.0)
+    projection = Projection(Camera(), lens, (1280, 720))
+    sight = looks(projection.camera)
+    handle = Handle("corner", "near", (1.0, 1.0))
+    x, y = at(projection, handle, (1.0, 40.0), sight).tolist()
+    change = dragged(projection, handle, (1.0, 40.0), sight, (x + 5.0, y - 9.0))
+    assert set(change) == {"right", "top"}
+    change = dragged(projection, handle, (1.0, 40.0), sight, (x + 5.0, y - 9.0), shift=True)
+    assert change["left"] + change["right"] == pytest.approx(0.3)  # type: ignore[operator]
+    assert change["bottom"] + change["top"] == pytest.approx(0.1)  # type: ignore[operator]
+    for keep in ("x", "y"):
+        kept = replace(projection, lens=replace(lens, keep=keep))  # type: ignore[type-var]
+        x, y = at(kept, handle, (1.0, 40.0), sight).tolist()
+        moved = changed(kept, dragged(kept, handle, (1.0, 40.0), sight, (x + 9.0, y - 9.0)))
+        left, right, bottom, top = moved.window
+        assert (left, bottom) == pytest.approx((kept.window[0], kept.window[2]), abs=1e-12)
+        assert (right - left) / (top - bottom) == pytest.approx(1280 / 720)
+        assert right > kept.window[1]
+
+
+def test_what_no_model_can_have_is_refused_and_never_nan() -> None:
+    projection = Projection(Camera((6.0, 5.0, 9.0), (0.0, 2.2, 0.0)), Perspective(45.0, 1.0, 30.0))
+    sight, drawn = looks(projection.camera), (1.0, 30.0)
+    near, far = Handle("near", "near", (0.0, 1.0)), Handle("far", "far", (0.0, 1.0))
+    corner = Handle("corner", "near", (1.0, 1.0))
+
+    def refused(handle: Handle, pixel: tuple[float, float]) -> str:
+        with pytest.raises(ProjectionError) as caught:
+            changed(projection, dragged(projection, handle, drawn, sight, pixel))
+        return str(caught.value)
+
+    def seen(handle: Handle, **fields: float) -> tuple[float, float]:
+        other = replace(projection, lens=replace(projection.lens, **fields))  # type: ignore[arg-type]
+        x, y = at(other, handle, planes(other), sight).tolist()
+        return x, y
+
+    x, y = seen(near, near=29.999)
+    right, down = np.array(seen(near, near=29.9)) - seen(near)
+    past = x + right, y + down
+    assert "must be less than far, which is 30" in refused(near, past)
+    assert "must be greater than 0" in refused(near, (seen(near)[0] - right, seen(near)[1] - down))
+    back = 2.0 * np.array(seen(near)) - seen(far)
+    assert "must be less than far, which is 1" in refused(far, (back[0], back[1]))
+    middle = at(projection, Handle("near", "near"), drawn, sight)
+    beyond = 3.0 * middle - 2.0 * at(projection, corner, drawn, sight)
+    assert "fov_y_deg = 0: must lie between 0 and 180" in refused(corner, tuple(beyond.tolist()))
+    with pytest.raises(ProjectionError, match="must differ from the eye"):
+        changed(projection, {"eye": projection.camera.target})
+
+
+def test_far_goes_to_infinity_at_its_vanishing_point_and_a_box_cannot() -> None:
+    sight = looks(Camera())
+    handle = Handle("far", "far", (0.0, 1.0))
+    for lens in (LENSES["perspective"], LENSES["frustum"]):
+        projection = Projection(Camera(), lens)
+        start, other = (
+            at(replace(projection, lens=replace(lens, far=far)), handle, (1.0, far), sight)
+            for far in (30.0, 1e9)
+        )
+        x, y = (start + 1.01 * (other - start)).tolist()
+        change = dragged(projection, handle, (1.0, 30.0), sight, (x, y))
+        assert changed(projection, change).lens.far == math.inf
+    projection = Projection(Camera(), LENSES["orthographic"])
+    start, other = (at(projection, handle, (1.0, far), sight) for far in (40.0, 1e9))
+    x, y = (start + 1.01 * (other - start)).tolist()
+    with pytest.raises(ProjectionError, match="far = inf: must be a finite number"):
+        changed(projection, dragged(projection, handle, (1.0, 40.0), sight, (x, y)))
+
+
+def test_a_plane_at_a_break_is_brought_in_where_it_is_drawn_or_carried_out_in_proportion() -> None:
+    projection = Projection(Camera(), Perspective(45.0, 1.0, 1e6))
+    sight, drawn = looks(Camera()), (1.0, 20.0)
+    handle = Handle("far", "far", (0.0, 1.0))
+
+    def at_distance(distance: float) -> tuple[float, float]:
+        x, y = at(projection, handle, (1.0, distance), sight).tolist()
+        return x, y
+
+    inwards = dragged(projection, handle, drawn, sight, at_distance(15.0))
+    assert inwards["far"] == pytest.approx(15.0, abs=0.05)
+    outwards = dragged(projection, handle, drawn, sight, at_distance(30.0))
+    assert outwards["far"] == pytest.approx(1.5e6, rel=0.01)
+    endless = replace(projection, lens=Perspective(45.0, 1.0, math.inf))
+    assert dragged(endless, handle, drawn, sight, at_distance(30.0))["far"] == math.inf
+    assert dragged(endless, handle, drawn, sight, at_distance(15.0))["far"] == inwards["far"]
+
+
+@pytest.mark.parametrize("lens", LENSES.values(), ids=LENSES)
+def test_the_picture_goes_with_the_hand(lens: Lens) -> None:
+    random = np.random.default_rng(3)
+    for _ in range(200):
+        eye, target = random.uniform((-5, 1, 5), (8, 8, 12)), random.uniform(-2.0, 2.0, 3)
+        camera = Camera(tuple(eye), tuple(target), tuple(random.uniform((-1, 1, -1), (1, 2, 1))))
+        projection = Projection(camera, lens, (1280, 720))
+        shift = random.uniform(-400.0, 400.0, 2)
+        moved = changed(projection, panned(projection, (float(shift[0]), float(shift[1]))))
+        before, after = (p.trace(camera.target).image for p in (projection, moved))
+        assert after - before == pytest.approx(shift, abs=0.1)
+        assert moved.camera.frame == pytest.approx(camera.frame, abs=1e-13)
+        assert moved.camera.distance == pytest.approx(camera.distance, rel=1e-13)
+    assert changed(projection, panned(projection, (0.0, 0.0))) == projection
+
+
+def test_the_wheel_never_reaches_the_target() -> None:
+    projection = Projection(Camera((6.0, 5.0, 9.0), (0.5, 2.2, -0.5)))
+    nearer = changed(projection, dollied(projection, 0.5))
+    assert nearer.camera.distance == pytest.approx(projection.camera.distance / 2.0)
+    assert nearer.camera.frame == pytest.approx(projection.camera.frame, abs=1e-15)
+    assert nearer.camera.target == projection.camera.target
+    with pytest.raises(ProjectionError, match="must differ from the eye"):
+        for _ in range(100):
+            nearer = changed(nearer, dollied(nearer, 0.5))
+    assert nearer.camera.distance > 0.0
+    with pytest.raises(ProjectionError, match=r"eye = .*e\+100: must be at most 1e\+100"):
+        changed(projection, dollied(projection, LARGEST))
+
+
+def test_handles_stand_in_the_pane_and_not_on_one_another() -> None:
+    """From far away the near face is a dot, and the corners of the far one are what is held."""
+    projection = Projection(Camera((6.0, 5.0, 9.0), (0.0, 2.2, 0.0)), Perspective(45.0, 1.0, 30.0))
+    random, faces = np.random.default_rng(5), set()
+    for _ in range(200):
+        away = float(10.0 ** random.uniform(0.3, 3.0))
+        pane = Camera(tuple(away * random.uniform(-1, 1, 3)), projection.camera.eye)
+        sight = Sight.of(Projection(pane, Perspective(50.0, 0.1, 1e5), SIZE))
+        found = shown(projection, (1.0, 30.0), sight, SIZE, 12.0)
+        spots = [spot for _, spot in found]
+        assert all(0.0 <= x < SIZE[0] and 0.0 <= y < SIZE[1] for x, y in spots)
+        apart = [math.dist(a, b) for i, a in enumerate(spots) for b in spots[:i]]
+        assert min(apart, default=12.0) >= 12.0
+        assert found[0][0] == EYE
+        faces |= {handle.face for handle, _ in found if handle.name == "corner"}
+        for handle, spot in found:
+            assert nearest(found, spot, 9.0) == handle
+            assert nearest(found, (spot[0] + 8.0, spot[1]), 9.0) is not None
+            where = at(projection, handle, (1.0, 30.0), sight)
+            assert math.dist(where, spot) <= 1e-9
+    assert faces == {"near", "far"}
+
+
+def test_what_is_held_stays_whatever_it_stands_on() -> None:
+    projection = Projection(Camera((6.0, 5.0, 9.0), (0.0, 2.2, 0.0)), Perspective(45.0, 1.0, 30.0))
+    sight = looks(projection.camera)
+    crowded = replace(projection, lens=Perspective(45.0, 1e-6, 30.0))  # near is in the eye
+    held = Handle("near", "near", (-1.0, 0.0))
+    assert "near" not in {h.name for h, _ in shown(crowded, (1e-6, 30.0), sight, SIZE, 12.0)}
+    found = dict(shown(crowded, (1e-6, 30.0), sight, SIZE, 12.0, held))
+    assert held in found and EYE not in found
+    assert [handle.name for handle in found].count("near") == 1
+
+
+def test_nothing_is_near_a_place_behind_the_pane() -> None:
+    assert nearest([(EYE, (math.nan, math.nan))], (3.0, 3.0), 9.0) is None
+    assert nearest([(EYE, (3.0, 13.0))], (3.0, 3.0), 9.0) is None
+
+
+def test_fields_are_read_and_written_back() -> None:
+    projection = Projection(Camera(), Frustum())
+    names = ("eye", "target", "near", "far", "left", "top")
+    assert changed(Projection(Camera(), Frustum()), present(projection, names)) == projection

@@ -1,0 +1,149 @@
+"""The health line: silent in everyday cameras, and naming each risk with its figure."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from itertools import product
+
+import numpy as np
+import pytest
+
+from app.model.projection import Camera, FreeMatrix, Lens, Orthographic, Perspective, Projection
+from app.precision.levels import drawing_bound_px, predict, rung_for_drawing
+from app.precision.risks import (
+    FEW_DIGITS,
+    LARGE_INVERSE,
+    NO_FLOAT32,
+    NO_GAP,
+    NO_INVERSE,
+    NO_PICTURE,
+    REACHES_INFINITY,
+    ROUGH_DRAWING,
+    SENTENCES,
+    VTK_CLAMPS,
+    VTK_DROPS,
+    WIDE_GAP,
+    Risk,
+    risks,
+)
+from app.scenes.scene import BUILT_IN, load
+
+EVERYDAY = Projection(Camera(), Perspective(45.0, 1.0, 30.0))
+
+
+def found(projection: Projection, size: float = 5.0) -> dict[str, tuple[str, ...]]:
+    """The risks' figures by template, with letter F's vertices."""
+    scene = load("letter-f")
+    predictions = predict(projection, scene.sample, scene.origin)
+    drawn = rung_for_drawing(projection, scene.corners, scene.origin)
+    half = size / math.sqrt(12.0)  # of a cube of this diagonal round the target
+    lower, upper = ((sign * half, 2.2 + sign * half, sign * half) for sign in (-1.0, 1.0))
+    drawing_px = drawing_bound_px(projection, scene.corners, scene.origin)
+    told = risks(projection, lower, upper, drawn, drawing_px, predictions)
+    assert {risk.template for risk in told} <= set(SENTENCES)
+    return {risk.template: risk.figures for risk in told}
+
+
+@pytest.mark.parametrize("name", BUILT_IN)
+def test_a_scene_as_it_opens_is_healthy(name: str) -> None:
+    scene = load(name)
+    predictions = predict(scene.start, scene.sample, scene.origin)
+    drawn = rung_for_drawing(scene.start, scene.corners, scene.origin)
+    drawing_px = drawing_bound_px(scene.start, scene.corners, scene.origin)
+    assert risks(scene.start, scene.lower, scene.upper, drawn, drawing_px, predictions) == []
+
+
+def test_the_gap_at_the_target_is_that_of_a_24_bit_buffer() -> None:
+    # distance^2 / (near 2^24), Akeley and Su: 124.84 / (1e-5 x 16777216) = 0.744
+    told = found(replace(EVERYDAY, lens=Perspective(45.0, 1e-5, math.inf)))
+    distance = EVERYDAY.camera.distance
+    gap = distance**2 / (1e-5 * 2**24)
+    assert float(told[WIDE_GAP][0]) == pytest.approx(gap, rel=0.15)  # it adds a code's width
+    assert NO_GAP in found(replace(EVERYDAY, lens=Perspective(45.0, 1e-9, math.inf)))
+
+
+@pytest.mark.parametrize("lens", [Perspective(45.0, 12.5, 30.0), Perspective(45.0, 1e-6, 10.5)])
+def test_of_a_target_outside_the_planes_no_gap_is_told(lens: Lens) -> None:
+    told = found(replace(EVERYDAY, lens=lens))
+    assert not {WIDE_GAP, NO_GAP, NO_PICTURE} & set(told)
+
+
+@pytest.mark.parametrize(
+    ("plane", "projection"),
+    [
+        ("near", replace(EVERYDAY, lens=Perspective(45.0, 20.0, 30.0))),
+        ("far", replace(EVERYDAY, lens=Perspective(45.0, 1.0, 5.0))),
+        ("near", replace(EVERYDAY, camera=Camera((6, 5, 9), (12, 7.8, 18)))),
+        ("right", replace(EVERYDAY, lens=Orthographic(-40, -30, -4, 4))),
+        ("bottom", replace(EVERYDAY, lens=Orthographic(-4, 4, 40, 44))),
+    ],
+)
+def test_an_empty_picture_says_why(plane: str, projection: Projection) -> None:
+    assert found(projection) == {NO_PICTURE: (plane,)}
+
+
+def test_what_float32_cannot_hold_is_said_without_a_figure() -> None:
+    told = found(replace(EVERYDAY, lens=Perspective(1e-80, 1.0, 30.0)))
+    assert NO_FLOAT32 in told and ROUGH_DRAWING not in told
+
+
+def test_a_parallel_lens_has_one_gap_everywhere() -> None:
+    # 4e6 / 2^24 = 0.238 between codes; as wide again to be sure.
+    told = found(replace(EVERYDAY, lens=Orthographic(-4, 4, -4, 4, 1.0, 4e6)))
+    assert 0.23 < float(told[WIDE_GAP][0]) < 0.49
+
+
+def test_what_vtk_would_do_is_told() -> None:
+    assert found(replace(EVERYDAY, lens=Perspective(179.5)))[VTK_CLAMPS] == ("179",)
+    assert found(replace(EVERYDAY, lens=Perspective(1e-9)))[VTK_CLAMPS] == ("1e-08",)
+    assert VTK_CLAMPS not in found(replace(EVERYDAY, lens=Perspective(179.0)))
+    near = replace(EVERYDAY, lens=Perspective(45.0, 1e-6, math.inf))
+    assert found(near, size=6.0)[VTK_DROPS] == ("6e+06",)
+    assert VTK_DROPS not in found(near, size=0.9)
+
+
+def test_lost_digits_are_counted() -> None:
+    # Near and far 1e-9 apart: off the axis the depth keeps 5 decimals or so in float64.
+    narrow = Projection(Camera((0.1, 0.3, 11.0)), Perspective(45.0, 9.0, 9.0 * (1 + 1e-9)))
+    told = found(narrow)
+    scene = load("letter-f")
+    errors = predict(narrow, scene.sample, scene.origin)["float64"]
+    for decimals, error in zip(told[FEW_DIGITS], errors, strict=True):
+        assert 0.05 * 10 ** -int(decimals) < error <= 0.5 * 10 ** -int(decimals)
+    assert 4 <= int(told[FEW_DIGITS][1]) <= 6
+
+
+def test_what_float32_would_lose_is_told_of_the_whole_picture() -> None:
+    far_away = Camera((12345678.9 + 6.0, 5.0, 9.0), (12345678.9, 2.2, 0.0))
+    projection = replace(EVERYDAY, camera=far_away)
+    lower, upper = (12345678.9 - 2.0, 0.0, -1.0), (12345678.9 + 2.0, 5.0, 1.0)
+    corners = np.array(list(product(*zip(lower, upper, strict=True))))
+    drawing_px = drawing_bound_px(projection, corners)
+    rough = risks(projection, lower, upper, "float64", drawing_px, None)
+    assert rough == [Risk(ROUGH_DRAWING, (f"{drawing_px:.2g}",))] and 1.0 < drawing_px < 1e4
+    assert risks(projection, lower, upper, "float32", drawing_px, None) == []
+
+
+@pytest.mark.parametrize(
+    ("rows", "why"),
+    [
+        (((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, -1, 0)), NO_INVERSE),
+        (((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1e60, 1e-70), (0, 0, -1e-70, 0)), LARGE_INVERSE),
+        (((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, -1, -2), (0.5, 0, -1, 0)), REACHES_INFINITY),
+    ],
+)
+def test_why_a_free_matrix_has_no_frustum_is_told(
+    rows: tuple[tuple[float, float, float, float], ...], why: str
+) -> None:
+    told = found(replace(EVERYDAY, lens=FreeMatrix(rows)))  # type: ignore[arg-type]
+    reasons = {NO_INVERSE, LARGE_INVERSE, REACHES_INFINITY} & set(told)
+    assert reasons == {why}
+
+
+def test_a_risk_is_a_sentence() -> None:
+    assert str(Risk(VTK_CLAMPS, ("179",))) == (
+        "VTK's own camera would clamp the field of view to 179°."
+    )
+    for template in SENTENCES:
+        assert str(Risk(template, ("1", "2"))).count("{") == 0

@@ -1,0 +1,286 @@
+"""Bent by an affine z: the closed form against a search along the bow, in 30 digits."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import mpmath as mp
+import numpy as np
+import pytest
+
+from app.model.projection import (
+    Array,
+    Camera,
+    Frustum,
+    Lens,
+    Oblique,
+    Orthographic,
+    Perspective,
+    Projection,
+)
+from app.scenes.phenomena.affine_depth import PHENOMENON, bow, inside
+from app.scenes.phenomena.illustration import Exhibit, OwnMesh, Subject
+from app.scenes.shapes import edges_of, letter_f
+
+mp.mp.dps = 30
+
+EYE = Camera((0.0, 0.0, 0.0), (0.0, 0.0, -1.0), (0.0, 1.0, 0.0))
+"""World coordinates are the lectures' camera coordinates."""
+FACES = letter_f()[0].reshape(-1, 3)
+SUBJECT = Subject((-1.5, 0.0, -0.5), (1.5, 5.0, 0.5), np.unique(FACES, axis=0))
+RANGES = {"opengl": (-1, 1), "direct3d": (0, 1), "reversed": (1, 0)}
+LABELS = (
+    "largest deviation, of the length",
+    "where: w = √(w_P·w_Q)",
+    "worst edge of the letter F, inside",
+)
+
+
+def show(projection: Projection, start: Any, end: Any) -> Exhibit:
+    return PHENOMENON.show(projection, PHENOMENON.checked({"start": start, "end": end}), SUBJECT)
+
+
+def values(exhibit: Exhibit) -> list[Any]:
+    labels = [reading.label.replace("P'", "P").replace("Q'", "Q") for reading in exhibit.readings]
+    assert labels == list(LABELS)
+    for reading in exhibit.readings:
+        assert (reading.value is not None) or (reading.note is not None)
+    return [reading.value for reading in exhibit.readings]
+
+
+def bent(projection: Projection, view: Any) -> Any:
+    """Lecture 000: (6) and (8) for x' and y', and (9) for z', A and B from their two equations."""
+    lens = projection.lens
+    left, right, bottom, top = map(mp.mpf, projection.window)
+    near, far = mp.mpf(lens.near), mp.mpf(lens.far)
+    z_near, z_far = RANGES[projection.depth]
+    a = (z_far - z_near) / (near - far)  # A (-n) + B = z_near, A (-f) + B = z_far
+    b = z_near + a * near
+    x, y, z = view
+    return mp.matrix([
+        (2 * near / (right - left) * x + (right + left) / (right - left) * z) / -z,
+        (2 * near / (top - bottom) * y + (top + bottom) / (top - bottom) * z) / -z,
+        a * z + b,
+    ])  # fmt: skip
+
+
+def searched(projection: Projection, start: Any, end: Any) -> tuple[Any, Any]:
+    """Largest distance from the chord in % of it, and w there: sampled densely, then narrowed."""
+    start, end = (mp.matrix(list(map(mp.mpf, place))) for place in (start, end))
+    first, last = bent(projection, start), bent(projection, end)
+    chord = last - first
+    length = mp.norm(chord)
+
+    def distance(t: Any) -> Any:
+        aside = bent(projection, start + t * (end - start)) - first
+        along = mp.fdot(aside, chord) / length
+        return mp.sqrt(max(mp.fdot(aside, aside) - along**2, mp.mpf(0)))
+
+    best = max(range(1, 50), key=lambda i: distance(mp.mpf(i) / 50))
+    low, high = mp.mpf(best - 1) / 50, mp.mpf(best + 1) / 50
+    while high - low > 1e-10:
+        one, other = low + (high - low) / 3, high - (high - low) / 3
+        low, high = (one, high) if distance(one) < distance(other) else (low, other)
+    t = (low + high) / 2
+    return 100 * distance(t) / length, -(start + t * (end - start))[2]
+
+
+def draw(rng: np.random.Generator) -> tuple[Projection, Array]:
+    """A lens, and two points of its view volume."""
+    near = float(10 ** rng.uniform(-2, 1))
+    far = near * float(10 ** rng.uniform(0.1, 3))
+    lens: Lens = Perspective(float(rng.uniform(10, 150)), near, far)
+    if rng.random() < 0.5:
+        left, bottom = rng.uniform(-near, near, 2)
+        width, height = rng.uniform(0.1 * near, 2 * near, 2)
+        lens = Frustum(left, left + width, bottom, bottom + height, near, far)
+    projection = Projection(EYE, lens, (1280, 720), list(RANGES)[rng.integers(3)])  # type: ignore[arg-type]
+    left, right, bottom, top = projection.window
+    w = np.exp(rng.uniform(math.log(near * 1.001), math.log(far * 0.999), 2))
+    x, y = rng.uniform([left, bottom], [right, top], (2, 2)).T
+    return projection, np.stack([x * w / near, y * w / near, -w], axis=1) * [0.999, 0.999, 1.0]
+
+
+def test_the_deviation_is_the_searched_one() -> None:
+    rng = np.random.default_rng(3)
+    found = []
+    for _ in range(50):
+        projection, ends = draw(rng)
+        percent, w = searched(projection, *ends.tolist())
+        got = values(show(projection, *map(tuple, ends.tolist())))
+        assert got[0] == pytest.approx(float(percent), rel=1e-9, abs=1e-9)
+        if percent > 1e-3:  # on a straight line there is no farthest place
+            assert got[1] == pytest.approx(float(w), rel=1e-5)
+        assert got[1] == pytest.approx(math.sqrt(ends[0, 2] * ends[1, 2]), rel=1e-12)
+        found.append(got[0])
+    assert max(found) > 20.0
+    assert min(found) < 2.0
+
+
+def test_what_is_cut_is_said_to_be_cut_and_read_between_its_own_ends() -> None:
+    """P and Q may have any w, below 0 too; P' and Q' are found among points of PQ."""
+    rng = np.random.default_rng(5)
+    counted = {True: 0, False: 0}
+    for _ in range(300):
+        projection, ends = draw(rng)
+        ends = ends.mean(axis=0) + rng.choice([0.9, 1.5, 4.0]) * (ends - ends.mean(axis=0))
+        exhibit = show(projection, *map(tuple, ends.tolist()))
+        shares = np.linspace(0.0, 1.0, 4001)[:, None]
+        trace = projection.trace((1.0 - shares) * ends[0] + shares * ends[1])
+        inner = np.flatnonzero(~trace.outside.any(axis=1))
+        if len(inner) < 100:
+            continue
+        cut = len(inner) < len(shares)
+        deviation, where, _ = exhibit.readings
+        said = deviation.note is not None and "cuts PQ" in deviation.note.template
+        assert said == cut == ("P'" in where.label) == ("Q'" in where.label)
+        counted[cut] += 1
+        w = trace.clip[inner[[0, -1]], 3]
+        step = abs(trace.clip[1, 3] - trace.clip[0, 3])  # the ends may be as far beyond the last
+        tolerance = 1e-12 if not cut else 1e-12 + float(step / w.min())
+        assert where.value == pytest.approx(math.sqrt(w[0] * w[1]), rel=tolerance)
+    assert min(counted.values()) > 50
+
+
+def test_of_the_letter_is_said_what_holds_of_the_letter() -> None:
+    away = Projection(Camera((0.0, 0.0, 50.0), (0.0, 0.0, 90.0)), Perspective(60.0, 1.0, 30.0))
+    for start, end in (((0, 0, 60), (1, 0, 70)), ((0, 0, 60), (1, 0, 99)), ((0, 0, 0), (1, 1, 0))):
+        note = show(away, start, end).readings[2].note
+        assert note is not None and "letter" in note.template
+
+
+def test_by_hand() -> None:
+    """90 degrees, square, n = 1, f = 9: from (1, 0, -1) to (0, 0, -9) w goes 1 to 9, a = 1/4.
+
+    The chord in the cube is (-1, 0, 2), its length sqrt 5; at w = 3 the bow is 1/4 (3 - 1)^2 = 1
+    below it, across the chord 1/sqrt 5: a fifth of the length.
+    """
+    projection = Projection(EYE, Perspective(90.0, 1.0, 9.0), (200, 200))
+    got = values(show(projection, (1, 0, -1), (0, 0, -9)))
+    assert got[0] == pytest.approx(20.0, rel=1e-13)
+    assert got[1] == pytest.approx(3.0, rel=1e-13)
+    # The other way round too, and of a longer segment what is in the volume.
+    assert values(show(projection, (0, 0, -9), (1, 0, -1)))[0] == pytest.approx(20.0, rel=1e-13)
+    assert values(show(projection, (1.125, 0, 0), (-1, 0, -17)))[0] == pytest.approx(20, rel=1e-12)
+
+
+def test_the_letter_has_its_worst_edge() -> None:
+    """Of the edges wholly inside; this camera sees all of the letter."""
+    camera = Camera((3.0, 3.0, 9.0), (0.0, 2.5, 0.0))
+    projection = Projection(camera, Perspective(60.0, 2.0, 30.0))
+    edges = edges_of(letter_f()[0])[0]
+    trace = projection.trace(edges)
+    assert not trace.outside.any()
+    worst = max(searched(projection, *ends.tolist())[0] for ends in trace.view)
+    got = values(show(projection, (0.0, 0.0, 0.0), (0.0, 1.0, 0.0)))
+    assert got[2] == pytest.approx(float(worst), rel=1e-9)
+    assert got[2] > 0.01
+
+
+def test_the_marks_are_the_bow_and_the_straight_image() -> None:
+    rng = np.random.default_rng(4)
+    for _ in range(20):
+        projection, ends = draw(rng)
+        exhibit = show(projection, *map(tuple, ends.tolist()))
+        (curve,) = [line.points for line in exhibit.ndc.lines if len(line.points) == 65]
+        straight = next(line for line in exhibit.ndc.lines if line.colour == "accent").points
+        np.testing.assert_allclose(straight, projection.trace(ends).ndc, atol=1e-9)
+        (over,) = exhibit.image.lines
+        np.testing.assert_allclose(over.points, projection.trace(ends).image, atol=1e-6)
+        # Points of the bow are images of points of the segment, at their own w.
+        t = np.array([0.0, 0.3, 0.5, 0.8, 1.0])
+        for place in ends[0] + t[:, None] * (ends[1] - ends[0]):
+            image = np.array([float(part) for part in bent(projection, place.tolist())])
+            steps = (image[:2] - curve[0, :2]) @ (curve[-1, :2] - curve[0, :2])
+            steps /= np.sum((curve[-1, :2] - curve[0, :2]) ** 2)
+            got = bow(projection, inside(projection, ends[None]), np.array([steps]))[0, 0]
+            np.testing.assert_allclose(got, image, atol=1e-8)
+        dot = exhibit.ndc.dots[0].point
+        percent, _ = searched(projection, *ends.tolist())
+        chord = curve[-1] - curve[0]
+        aside = np.linalg.norm(np.cross(dot - curve[0], chord)) / np.linalg.norm(chord)
+        assert 100 * aside / np.linalg.norm(chord) == pytest.approx(float(percent), abs=1e-8)
+
+
+@pytest.mark.parametrize("lens", [Orthographic(), Oblique()])
+def test_a_parallel_lens_bends_nothing(lens: Lens) -> None:
+    exhibit = show(Projection(Camera(), lens), (3.0, 2.0, 2.0), (-2.0, 3.0, -1.0))
+    assert values(exhibit) == [0.0, None, 0.0]
+    assert exhibit.warning is not None
+    assert all(len(line.points) == 2 for line in exhibit.ndc.lines)
+    assert len(exhibit.ndc.lines) > 1
+
+
+def test_an_infinite_far_plane_has_no_affine_z() -> None:
+    exhibit = show(Projection(Camera(), Perspective(45.0, 1.0, math.inf)), (0, 0, 0), (1, 1, 1))
+    assert values(exhibit) == [None, None, None]
+    assert exhibit.warning is not None
+
+
+def test_a_segment_outside_has_none() -> None:
+    projection = Projection(EYE, Perspective(60.0, 1.0, 10.0))
+    for ends in (((0, 0, 1), (1, 1, 5)), ((0, 0, -11), (0, 0, -20)), ((50, 0, -2), (50, 1, -2))):
+        exhibit = show(projection, *ends)
+        assert values(exhibit)[:2] == [None, None]
+        assert exhibit.warning is not None
+    point = show(projection, (0, 0, -2), (0, 0, -2))
+    assert values(point)[:2] == [None, None]
+    along = show(projection, (0, 0, -2), (0, 0, -8))  # in the cube along z: nowhere to bend to
+    assert values(along)[0] == 0.0
+
+
+@pytest.mark.parametrize("depth", ["opengl", "direct3d", "reversed"])
+@pytest.mark.parametrize(
+    "lens",
+    [
+        Perspective(60.0, 0.5, 30.0),
+        Perspective(60.0, 1.0, 1.0 + 1e-15),
+        Perspective(1e-90, 1e-205, math.inf),
+        Perspective(1e-90, 1e-205, 2e-205),
+        Perspective(179.999999, 1e-205, 1e100),
+        Frustum(-1e-98, 1e-98, -1.0, 1.0, 1.0, 2.0),
+        Frustum(1e89, 9e89, -1e88, 1e88, 1.0, 3.0),
+        Orthographic(),
+        Oblique(-1e100, 1e100, -1.0, 1.0, -1e100, 1e100, "stretch", 1e-4, 179.0),
+    ],
+)
+def test_extremes_leave_no_nan(lens: Lens, depth: Any) -> None:
+    ends = [(0.0, 0.0, 0.0), (1e100, -1e100, 1e100), (-1e100, 1e100, -1e100), (1e-300, 0, 1e-300),
+            (0.0, 0.0, 1e100), (0.0, 0.0, -1e100), (3.0, 1.0, -4.0)]  # fmt: skip
+    for camera in (PHENOMENON.start.camera, Camera((1e100, 0, 0), (0, 0, 0)), EYE):
+        projection = Projection(camera, lens, (1280, 720), depth)
+        for start in ends:
+            for end in ends:
+                exhibit = show(projection, start, end)
+                for marks in (exhibit.world, exhibit.ndc):
+                    for shape in (*marks.lines,):
+                        assert np.isfinite(shape.points).all()
+                    for mark in (*marks.dots, *marks.texts):
+                        assert np.isfinite(mark.point).all()
+                for value in values(exhibit):
+                    assert value is None or (math.isfinite(value) and value >= 0.0)
+
+
+def test_a_mesh_takes_the_letter_s_place() -> None:
+    """Its edges become bows, and the worst of them is the searched one."""
+    camera = Camera((3.0, 3.0, 9.0), (0.0, 2.5, 0.0))
+    projection = Projection(camera, Perspective(60.0, 2.0, 30.0))
+    edges = np.random.default_rng(6).uniform((-1.5, 0.0, -3.0), (1.5, 5.0, 3.0), (9, 2, 3))
+    trace = projection.trace(edges)
+    assert not trace.outside.any()
+    worst = max(searched(projection, *ends.tolist())[0] for ends in trace.view)
+    for count in (9, 999):
+        subject = replace(SUBJECT, mesh=OwnMesh(edges, count, np.empty((0, 3, 3))))
+        exhibit = PHENOMENON.show(projection, PHENOMENON.defaults, subject)
+        reading = exhibit.readings[-1]
+        assert reading.label == "worst edge of the mesh, inside"
+        assert reading.value == pytest.approx(float(worst), rel=1e-9)
+        assert (reading.note and reading.note.values) == (("200", "999") if count > 200 else None)
+        bows = [line.points for line in exhibit.ndc.lines if len(line.points) == 9]
+        ends = trace.ndc[..., :2]
+        np.testing.assert_allclose([points[[0, -1], :2] for points in bows], ends, atol=1e-9)
+    away = Projection(Camera((3.0, 3.0, 9.0), (3.0, 3.0, 90.0)), projection.lens)
+    nothing = PHENOMENON.show(away, PHENOMENON.defaults, subject).readings[-1]
+    assert nothing.value is None and nothing.note is not None

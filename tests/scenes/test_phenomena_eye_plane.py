@@ -1,0 +1,469 @@
+"""Crossing the eye plane: each readout against lecture 004's formula in 40 digits, on its own."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from itertools import pairwise
+from typing import Any
+
+import mpmath as mp
+import numpy as np
+import pytest
+
+from app.model.clipping import EYE_Z
+from app.model.projection import (
+    Array,
+    Camera,
+    Frustum,
+    Lens,
+    Oblique,
+    Orthographic,
+    Perspective,
+    Projection,
+    ProjectionError,
+)
+from app.scenes.phenomena.eye_plane import (
+    CASES,
+    PHENOMENON,
+    circle_angles,
+    pictures,
+    principal_point,
+)
+from app.scenes.phenomena.illustration import Exhibit, OwnMesh, Subject
+from app.scenes.shapes import edges_of, letter_f
+
+mp.mp.dps = 40
+
+SIZE = (1280, 720)
+LENSES: tuple[Lens, ...] = (
+    Perspective(60.0, 0.5, 30.0),
+    Perspective(120.0, 0.5, math.inf),
+    Frustum(-0.3, 0.9, -0.7, 0.2, 0.8, 30.0),
+)
+FACES = letter_f()[0].reshape(-1, 3)
+SUBJECT = Subject((-1.5, 0.0, -0.5), (1.5, 5.0, 0.5), np.unique(FACES, axis=0))
+
+
+def show(projection: Projection, start: Any, end: Any) -> Exhibit:
+    return PHENOMENON.show(projection, PHENOMENON.checked({"start": start, "end": end}), SUBJECT)
+
+
+def value(exhibit: Exhibit, label: str) -> Any:
+    (reading,) = (r for r in exhibit.readings if r.label == label)
+    assert reading.value is not None or reading.note is not None
+    return reading.value
+
+
+def view_of(camera: Camera, place: Any) -> Any:
+    """View coordinates: lecture 004's N, U and V, in mpmath."""
+    eye, target, up, p = (mp.matrix(list(map(mp.mpf, v))) for v in (
+        camera.eye, camera.target, camera.up, place
+    ))  # fmt: skip
+
+    def cross(a: Any, b: Any) -> Any:
+        return mp.matrix([
+            a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
+        ])  # fmt: skip
+
+    n = (eye - target) / mp.norm(eye - target)
+    u = cross(up, n) / mp.norm(cross(up, n))
+    return [mp.fdot(axis, p - eye) for axis in (u, cross(n, u), n)]
+
+
+def pixel(projection: Projection, x: Any, y: Any, z: Any) -> tuple[Any, Any]:
+    """``x_p = -(d/z) x`` on the near plane, then u = s_x x_p + p_x (lecture 004, Persp)."""
+    lens, (width, height) = projection.lens, projection.image_size
+    if isinstance(lens, Perspective):
+        top = lens.near * mp.tan(mp.radians(mp.mpf(lens.fov_y_deg)) / 2)
+        right = top * width / height
+        left, bottom = -right, -top
+    else:
+        left, right, bottom, top = map(mp.mpf, lens.window(projection.aspect))
+    x_p, y_p = -mp.mpf(lens.near) / z * x, -mp.mpf(lens.near) / z * y
+    return width * (x_p - left) / (right - left), height * (top - y_p) / (top - bottom)
+
+
+def length_in_frame(projection: Projection, place: Any, breaks: list[Any]) -> Any:
+    """Length of the drawn curve ``place(t)``, t between breaks, inside the frame."""
+    total = mp.mpf(0)
+    width, height = projection.image_size
+    breaks = sorted(t for t in breaks if 0 <= t <= 1)
+    for low, high in pairwise(breaks):
+        if high - low < mp.mpf(10) ** -30:
+            continue
+        middle = place((low + high) / 2)
+        if middle is None or not (0 < middle[0] < width and 0 < middle[1] < height):
+            continue
+        inner = (high - low) * mp.mpf(10) ** -25  # an end itself may lie in the eye plane
+        one, other = place(low + inner), place(high - inner)
+        total += mp.hypot(other[0] - one[0], other[1] - one[1])
+    return total
+
+
+def lengths(projection: Projection, start: Any, end: Any) -> tuple[Any, Any, Any]:
+    """What the naive, the cut and the right picture hold of a segment, in px; by bisection.
+
+    The places where a picture may change are found where the signed distances from the frame's
+    four sides change their signs.
+    """
+    a, b = view_of(projection.camera, start), view_of(projection.camera, end)
+    width, height = projection.image_size
+
+    def at(t: Any) -> list[Any]:
+        return [(1 - t) * p + t * q for p, q in zip(a, b, strict=True)]
+
+    # Homogeneous distances from the sides are linear in t: two values give the root.
+    def sides(t: Any) -> list[Any]:
+        x, y, z = at(t)
+        px, py = pixel(projection, x, y, z)
+        return [px * -z, (width - px) * -z, py * -z, (height - py) * -z, -z, EYE_Z - z]
+
+    low, high = sides(mp.mpf(0)), sides(mp.mpf(1))
+    roots = [mp.mpf(0), mp.mpf(1)]
+    roots += [p / (p - q) for p, q in zip(low, high, strict=True) if p != q]
+    right = length_in_frame(
+        projection, lambda t: pixel(projection, *at(t)) if at(t)[2] < 0 else None, roots
+    )
+    cut = length_in_frame(
+        projection, lambda t: pixel(projection, *at(t)) if at(t)[2] <= EYE_Z else None, roots
+    )
+    one, other = pixel(projection, *a), pixel(projection, *b)
+
+    def naive(s: Any) -> tuple[Any, Any]:
+        return tuple((1 - s) * p + s * q for p, q in zip(one, other, strict=True))  # type: ignore[return-value]
+
+    crossings = [mp.mpf(0), mp.mpf(1)]
+    for axis, bounds in ((0, (0, width)), (1, (0, height))):
+        step = other[axis] - one[axis]
+        crossings += [(bound - one[axis]) / step for bound in bounds if step != 0]
+    return length_in_frame(projection, naive, crossings), cut, right
+
+
+def draw(rng: np.random.Generator) -> tuple[Projection, tuple[float, ...], tuple[float, ...]]:
+    """A camera, and a segment about it; one time in three so close that the cut is seen."""
+    eye, target, start, end = rng.uniform(-4, 4, (4, 3))
+    if rng.random() < 1 / 3:
+        start, end = eye + (start - eye) / 300, eye + (end - eye) / 300
+    eye, target, start, end = (tuple(map(float, place)) for place in (eye, target, start, end))
+    return Projection(Camera(eye, target), LENSES[rng.integers(3)], SIZE), start, end
+
+
+def test_every_case_and_length_is_the_formula_s() -> None:
+    rng = np.random.default_rng(7)
+    seen = set()
+    drawn_wrongly = cut_off = 0
+    for _ in range(50):
+        projection, start, end = draw(rng)
+        exhibit = show(projection, start, end)
+        naive, cut, right = lengths(projection, start, end)
+        za, zb = (view_of(projection.camera, p)[2] for p in (start, end))
+        case = {(True, True): 1, (False, False): 2, (False, True): 3, (True, False): 4}[
+            (za <= EYE_Z, zb <= EYE_Z)
+        ]
+        seen.add(case)
+        assert value(exhibit, "case, by the cut at z = −0.01") == CASES[case - 1]
+        both = za < 0 and zb < 0
+        close = {"abs": 1e-8, "rel": 1e-10}
+        wrong = value(exhibit, "AB drawn wrongly")
+        assert wrong == pytest.approx(0.0 if both else float(naive), **close)
+        assert value(exhibit, "AB missed") == pytest.approx(0.0 if both else float(right), **close)
+        left_out = value(exhibit, "AB left out by the cut at z = −0.01")
+        assert left_out == pytest.approx(float(right - cut), **close)
+        drawn_wrongly += wrong > 10.0
+        cut_off += left_out > 10.0
+    assert seen == {1, 2, 3, 4}
+    assert drawn_wrongly > 10
+    assert cut_off >= 3
+
+
+def test_the_letter_is_the_sum_of_its_edges() -> None:
+    projection = PHENOMENON.start
+    wrong = missed = mp.mpf(0)
+    edges = edges_of(letter_f()[0])[0]
+    for start, end in edges:
+        if any(view_of(projection.camera, p)[2] >= 0 for p in (start, end)):
+            naive, _, right = lengths(projection, start, end)
+            wrong, missed = wrong + naive, missed + right
+    exhibit = PHENOMENON.show(projection, PHENOMENON.defaults, SUBJECT)
+    assert float(wrong) > 500.0
+    assert value(exhibit, "F drawn wrongly") == pytest.approx(float(wrong), rel=1e-9)
+    assert value(exhibit, "F missed") == pytest.approx(float(missed), abs=1e-9)
+
+
+def test_the_mirrored_end_is_the_formula_s_and_the_frame_minus_the_right_one() -> None:
+    """Equal where the window is symmetric; otherwise their sum is twice the principal point."""
+    rng = np.random.default_rng(8)
+    counted = {True: 0, False: 0}
+    while min(counted.values()) < 15 or sum(counted.values()) < 50:
+        projection, start, end = draw(rng)
+        behind = [p for p in (end, start) if view_of(projection.camera, p)[2] > 0]
+        exhibit = show(projection, start, end)
+        got = value(exhibit, "mirrored end"), value(exhibit, "frame size minus right end")
+        if not behind:
+            assert got == (None, None)
+            continue
+        x, y, z = view_of(projection.camera, behind[0])
+        mirrored = [float(part) for part in pixel(projection, x, y, z)]
+        right = [float(part) for part in pixel(projection, x, y, -z)]
+        scale = max(1.0, *map(abs, mirrored))
+        assert got[0] == pytest.approx(mirrored, abs=1e-11 * scale)
+        minus = [SIZE[0] - right[0], SIZE[1] - right[1]]
+        assert got[1] == pytest.approx(minus, abs=1e-11 * scale)
+        symmetric = isinstance(projection.lens, Perspective)
+        counted[symmetric] += 1
+        if symmetric:
+            assert got[0] == pytest.approx(got[1], abs=1e-11 * scale)
+        else:
+            principal = [float(part) for part in pixel(projection, 0, 0, -1)]
+            assert principal_point(projection) == pytest.approx(principal, rel=1e-13)
+            together = [m + r for m, r in zip(mirrored, right, strict=True)]
+            assert together == pytest.approx([2 * part for part in principal], abs=1e-11 * scale)
+            assert got[0] != pytest.approx(got[1], abs=1.0)
+            note = exhibit.readings[-1].note
+            assert note is not None and note.values == tuple(
+                f"{p:.6g}".replace("-", "\N{MINUS SIGN}") for p in principal
+            )
+
+
+def test_by_hand() -> None:
+    """Eye in 0, 90 degrees, 200 x 200 px: (1, 2, 4) is at w = -4, its picture at x = -1/4.
+
+    Naive: 100 (1 - 1/4) = 75 and 100 (1 + 2/4) = 150; the right end (1, 2, -4) is at 125 and 50,
+    and 200 - 125 = 75, 200 - 50 = 150.
+    """
+    lens = Perspective(90.0, 1.0, 10.0)
+    projection = Projection(Camera((0, 0, 0), (0, 0, -1)), lens, (200, 200))
+    exhibit = show(projection, (0, 0, -2), (1, 2, 4))
+    assert value(exhibit, "mirrored end") == pytest.approx((75.0, 150.0), abs=1e-12)
+    assert value(exhibit, "frame size minus right end") == pytest.approx((75.0, 150.0), abs=1e-12)
+    assert value(exhibit, "case, by the cut at z = −0.01") == CASES[3]
+    # From (100, 100) to (75, 150); the right arc leaves the other way, along (1, -2), to y = 0.
+    assert value(exhibit, "AB drawn wrongly") == pytest.approx(math.hypot(25, 50), rel=1e-12)
+    assert value(exhibit, "AB missed") == pytest.approx(math.hypot(50, 100), rel=1e-12)
+
+
+def test_the_circle_has_the_two_arcs() -> None:
+    """The segment's own arc holds the top just when an end is on either side of the eye plane."""
+    rng = np.random.default_rng(9)
+    across = 0
+    for _ in range(150):
+        projection, start, end = draw(rng)
+        trace = projection.trace(np.array([start, end]))
+        angles = circle_angles(projection, trace.clip)
+        assert angles is not None
+        tops = [math.pi * k for k in range(-5, 6, 2)]
+        crosses = any(min(angles) < top < max(angles) for top in tops)
+        za, zb = trace.view[:, 2]
+        assert crosses == ((za < 0.0) != (zb < 0.0))
+        across += crosses
+        # Distances along the line, from the angles, are those between the pixels.
+        half = math.hypot(*SIZE) / 2
+        a, b = (half * math.tan(angle / 2) for angle in angles)
+        pixels = [pixel(projection, *view_of(projection.camera, p)) for p in (start, end)]
+        apart = mp.hypot(*(p - q for p, q in zip(*pixels, strict=True)))
+        scale = max(abs(a), abs(b), half)
+        assert abs(b - a) == pytest.approx(float(apart), abs=1e-9 * scale)
+        circle = show(projection, start, end).diagrams[3].curves
+        assert ("image of AB" in {curve.label for curve in circle}) == (min(za, zb) < 0.0)
+        if min(za, zb) >= 0.0:
+            continue
+        naive, right = circle[1].points, circle[2].points
+        np.testing.assert_allclose(np.hypot(*right.T), 1.0, rtol=1e-12)
+        assert naive[:, 1].max() < 0.94
+        same = bool(np.allclose(naive / np.hypot(*naive.T)[:, None], right, atol=1e-9))
+        assert same == (not crosses)
+    assert 25 <= across <= 110
+
+
+def test_pictures_stay_in_the_frame_and_the_cut_is_part_of_the_right_one() -> None:
+    rng = np.random.default_rng(10)
+    for _ in range(20):
+        projection, _, _ = draw(rng)
+        trace = projection.trace(rng.uniform(-4, 4, (40, 2, 3)))
+        drawn = pictures(projection, trace.view, trace.clip)
+        for part in (drawn.naive, drawn.cut, drawn.right):
+            inside = part[np.isfinite(part).all(axis=(1, 2))]
+            assert len(inside) > 0
+            assert (inside >= -1e-9).all() and (inside <= np.array(SIZE) + 1e-9).all()
+        cut = np.isfinite(drawn.cut).all(axis=(1, 2))
+        assert np.isfinite(drawn.right[cut]).all()
+
+
+@pytest.mark.parametrize(
+    "end",
+    [(0, 0, 4), (0, 0, 0), (0, 0, -9)],
+)
+def test_a_segment_that_points_at_the_eye_has_one_point(end: tuple[float, ...]) -> None:
+    projection = Projection(Camera((0, 0, 0), (0, 0, -1)), LENSES[0], SIZE)
+    exhibit = show(projection, (0, 0, -2), end)
+    assert exhibit.warning is not None
+    assert value(exhibit, "AB missed") == 0.0
+    segment = exhibit.diagrams[2].curves[2].points[:2]
+    np.testing.assert_allclose(segment, [(640, 360), (640, 360)], atol=1e-9)
+
+
+def test_an_end_in_the_eye_plane_has_its_image_at_infinity() -> None:
+    projection = Projection(Camera((0, 0, 0), (0, 0, -1)), Perspective(90.0), (200, 200))
+    exhibit = show(projection, (0, 0, -2), (1, 0, 0))
+    assert value(exhibit, "mirrored end") is None
+    assert value(exhibit, "AB drawn wrongly") == 0.0
+    assert value(exhibit, "AB missed") == pytest.approx(100.0)  # from the middle to the right side
+    near_zero = show(projection, (0, 0, -2), (1, 0, 5e-324))
+    assert value(near_zero, "mirrored end") is None
+    assert near_zero.readings[-1].note is not None
+
+
+def finite(exhibit: Exhibit) -> None:
+    for marks in (exhibit.world, exhibit.ndc, exhibit.image):
+        shapes: list[Array] = [line.points for line in marks.lines]
+        shapes += [face.points for face in marks.faces]
+        shapes += [dot.point for dot in marks.dots] + [text.point for text in marks.texts]
+        for shape in shapes:
+            assert np.isfinite(shape).all()
+    for reading in exhibit.readings:
+        if reading.value is None:
+            assert reading.note is not None
+        elif not isinstance(reading.value, str):
+            assert np.isfinite(reading.value).all()
+
+
+@pytest.mark.parametrize("depth", ["opengl", "direct3d", "reversed"])
+@pytest.mark.parametrize(
+    "lens",
+    [
+        *LENSES,
+        Perspective(1e-90, 1e-205, math.inf),
+        Perspective(179.999999, 1e-205, 1e100),
+        Frustum(-1e-98, 1e-98, -1.0, 1.0, 1.0, 2.0),
+        Frustum(1e89, 9e89, -1e88, 1e88, 1.0, math.inf),
+        Orthographic(),
+        Oblique(),
+    ],
+)
+def test_extremes_leave_no_nan(lens: Lens, depth: Any) -> None:
+    ends = [(0.0, 0.0, 0.0), (1e100, -1e100, 1e100), (-1e100, 1e100, -1e100), (1e-300, 0, 1e-300),
+            (0.8, 2.4, 1.2), (3.0, 1.0, -4.0)]  # fmt: skip
+    for camera in (PHENOMENON.start.camera, Camera((1e100, 0, 0), (0, 0, 0)), Camera((0, 0, 0),
+                   (0, 0, -1))):  # fmt: skip
+        projection = Projection(camera, lens, SIZE, depth)
+        for start in ends:
+            for end in ends:
+                exhibit = show(projection, start, end)
+                finite(exhibit)
+                assert (exhibit.warning is not None) >= lens.parallel
+
+
+def test_the_image_pane_shows_both_images() -> None:
+    exhibit = PHENOMENON.show(PHENOMENON.start, PHENOMENON.defaults, SUBJECT)
+    wrong, right = exhibit.image.lines
+    assert (wrong.colour, right.colour) == ("u", "accent")
+    # Both leave the image of A, to opposite sides along the same line.
+    a, b = (line.points - wrong.points[0] for line in (wrong, right))
+    far = b[np.hypot(*b.T).argmax()]
+    assert np.hypot(*b.T).min() < 1e-9
+    assert a[1] @ far == pytest.approx(-np.hypot(*a[1]) * np.hypot(*far), rel=1e-9)
+    flipped = replace(PHENOMENON.start, camera=Camera((0.8, 2.4, 1.2), (2.8, 2.4, 2.2)))
+    assert PHENOMENON.show(flipped, PHENOMENON.defaults, SUBJECT).readings[0].value == CASES[2]
+
+
+def test_settings_are_checked() -> None:
+    with pytest.raises(ProjectionError, match=r"settings\.end"):
+        PHENOMENON.checked({"end": (math.nan, 0.0, 0.0)})
+    with pytest.raises(ProjectionError, match=r"settings\.start"):
+        PHENOMENON.checked({"start": (0.0, 1e101, 0.0)})
+
+
+def test_a_mesh_takes_the_letter_s_place() -> None:
+    """Its edges are drawn in all three ways, and what of them is wrong is the sum of all."""
+    edges = np.random.default_rng(4).uniform((-1.5, 0.0, -3.0), (1.5, 5.0, 3.0), (12, 2, 3))
+    wrong = missed = mp.mpf(0)
+    for start, end in edges:
+        if any(view_of(PHENOMENON.start.camera, p)[2] >= 0 for p in (start, end)):
+            naive, _, right = lengths(PHENOMENON.start, start, end)
+            wrong, missed = wrong + naive, missed + right
+    for count in (12, 999):
+        subject = replace(SUBJECT, mesh=OwnMesh(edges, count, np.empty((0, 3, 3))))
+        exhibit = PHENOMENON.show(PHENOMENON.start, PHENOMENON.defaults, subject)
+        assert float(wrong) > 100.0
+        assert value(exhibit, "mesh drawn wrongly") == pytest.approx(float(wrong), rel=1e-9)
+        assert value(exhibit, "mesh missed") == pytest.approx(float(missed), rel=1e-9)
+        assert not any(reading.label.startswith("F ") for reading in exhibit.readings)
+        notes = {r.note.values for r in exhibit.readings if r.note and r.label.startswith("mesh")}
+        assert notes == ({("12", "999")} if count > 12 else set())
+        told = [r.value for r in exhibit.readings if r.label.startswith("edges of the mesh")]
+        assert told == ([(12.0, 999.0)] if count > 12 else [])
+        trace = PHENOMENON.start.trace(edges)
+        drawn = pictures(PHENOMENON.start, trace.view, trace.clip)
+        for diagram, part in zip(exhibit.diagrams, drawn[:3], strict=False):
+            shown = diagram.curves[1].points.reshape(-1, 3, 2)[:, :2]
+            np.testing.assert_allclose(shown, part)
+
+
+def test_of_a_large_mesh_the_edges_that_cross_the_eye_plane_are_counted_first() -> None:
+    """Long ones in front would hide that anything is wrong; and how many there are is said."""
+    random = np.random.default_rng(8)
+    camera = PHENOMENON.start.camera
+    eye, (u, v, n) = np.array(camera.eye), camera.frame
+    places = eye + random.uniform(-1.0, 1.0, (1500, 2, 1)) * u + 0.3 * random.normal() * v
+    long_in_front = places + np.array([-1.0, -4.0])[None, :, None] * n
+    short_across = places[:300, :1] + random.uniform(-0.1, 0.1, (300, 2, 1)) * u
+    short_across = short_across + np.array([-0.05, 0.05])[None, :, None] * n
+    edges = np.concatenate([long_in_front, short_across])
+    lengths_world = np.linalg.norm(edges[:, 1] - edges[:, 0], axis=1)
+    assert lengths_world[:1500].min() > lengths_world[1500:].max()
+    subject = replace(SUBJECT, mesh=OwnMesh(edges, len(edges), np.empty((0, 3, 3))))
+    exhibit = PHENOMENON.show(PHENOMENON.start, PHENOMENON.defaults, subject)
+    trace = PHENOMENON.start.trace(edges)
+    every = pictures(PHENOMENON.start, trace.view, trace.clip)
+    assert every.wrong_px.sum() > 1000.0
+    assert value(exhibit, "mesh drawn wrongly") == pytest.approx(every.wrong_px.sum(), rel=1e-9)
+    (told,) = [r.value for r in exhibit.readings if r.label.startswith("edges of the mesh")]
+    assert told == (300.0, 1800.0)
+
+
+def test_nothing_is_named_that_is_not_drawn() -> None:
+    """Both ends behind: only the naive divide draws AB; and the text is true of it."""
+    behind = PHENOMENON.checked({"start": (2.5, 1.8, 2.5), "end": (3.0, 2.0, 4.0)})
+    exhibit = PHENOMENON.show(PHENOMENON.start, behind, SUBJECT)
+    assert exhibit.readings[0].value == CASES[1]
+    for diagram in exhibit.diagrams:
+        for curve in diagram.curves:
+            assert not curve.label or np.isfinite(curve.points).any(), (diagram.title, curve.label)
+    named = [{curve.label for curve in diagram.curves} for diagram in exhibit.diagrams]
+    assert "AB" in named[0] and "AB" not in named[1] | named[2]
+    assert "image of AB" not in named[3]
+    start = PHENOMENON.show(PHENOMENON.start, PHENOMENON.defaults, SUBJECT)
+    assert "image of AB" in {curve.label for curve in start.diagrams[3].curves}
+    assert "With one end behind" in PHENOMENON.explanation
+
+
+@pytest.mark.parametrize(
+    ("start", "end", "case"),
+    [
+        ((-2.5, 1.5, 0.0), (0.8, 2.4, 1.195), 4),  # B at z = -0.0022: before the eye
+        ((0.8, 2.4, 1.195), (0.8, 2.45, 1.195), 2),
+        ((0.8, 2.4, 1.2), (-2.5, 1.5, 0.0), 3),  # A in the eye
+    ],
+)
+def test_between_the_cut_and_the_eye_nothing_is_said_to_be_behind_the_eye(
+    start: Any, end: Any, case: int
+) -> None:
+    """Lecture 004's cases ask on which side of z = -0.01 an end is, not of the eye."""
+    exhibit = show(PHENOMENON.start, start, end)
+    assert value(exhibit, "case, by the cut at z = −0.01") == CASES[case - 1]
+    assert "eye" not in CASES[case - 1]
+    assert value(exhibit, "mirrored end") is None
+    assert value(exhibit, "AB drawn wrongly") == 0.0
+    assert "wrong" not in [text.text for text in exhibit.image.texts]
+
+
+def test_wrong_is_written_just_where_something_is_drawn_wrongly() -> None:
+    rng = np.random.default_rng(11)
+    counted = {True: 0, False: 0}
+    for _ in range(300):
+        exhibit = show(*draw(rng))
+        wrong = "wrong" in [text.text for text in exhibit.image.texts]
+        assert wrong == (value(exhibit, "AB drawn wrongly") > 0.0)
+        counted[wrong] += 1
+    assert min(counted.values()) > 30

@@ -1,0 +1,260 @@
+"""Lens and focus: the standard formulas against rays through a thin lens, in 40 digits."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import mpmath as mp
+import numpy as np
+import pytest
+
+from app.model.projection import (
+    Camera,
+    Frustum,
+    Lens,
+    Oblique,
+    Orthographic,
+    Perspective,
+    Projection,
+    ProjectionError,
+    focal_length_35mm,
+)
+from app.scenes.phenomena.focus import PHENOMENON, blur_mm
+from app.scenes.phenomena.illustration import Exhibit, Subject
+
+mp.mp.dps = 40
+
+POINTS = PHENOMENON.geometry()[0][0].reshape(-1, 3)
+SUBJECT = Subject(tuple(POINTS.min(axis=0)), tuple(POINTS.max(axis=0)), POINTS)
+EYE = Camera((0.0, 0.0, 0.0), (0.0, 0.0, -5.0))
+
+
+def show(projection: Projection = PHENOMENON.start, **settings: Any) -> Exhibit:
+    return PHENOMENON.show(projection, PHENOMENON.checked(settings), SUBJECT)
+
+
+def values(exhibit: Exhibit) -> dict[str, Any]:
+    for reading in exhibit.readings:
+        explained = reading.value is None or isinstance(reading.value, tuple)
+        assert explained == (reading.note is not None)
+    return {reading.label: reading.value for reading in exhibit.readings}
+
+
+class ThinLens:
+    """Rays in a plane through the axis: at the lens the slope changes by -y/f. All in mm."""
+
+    def __init__(self, f_mm: Any, f_number: Any, focus_m: Any) -> None:
+        self.f, self.half = mp.mpf(f_mm), mp.mpf(f_mm) / mp.mpf(f_number) / 2
+        # The film is where the rays from the axis at the focal distance meet.
+        focus = 1000 * mp.mpf(focus_m)
+        self.film = -self.half / (self.half / focus - self.half / self.f)
+
+    def disc(self, distance_m: Any, height_mm: Any = 0) -> Any:
+        """Diameter on the film of what comes from one point."""
+        distance = 1000 * mp.mpf(distance_m)
+        ends = []
+        for y in (self.half, -self.half):
+            slope = (y - height_mm) / distance - y / self.f
+            ends.append(y + slope * self.film)
+        return abs(ends[0] - ends[1])
+
+
+def draw(rng: np.random.Generator) -> tuple[Projection, dict[str, float]]:
+    fov = float(rng.uniform(3.0, 110.0))
+    projection = Projection(EYE, Perspective(fov, 0.1, 100.0))
+    return projection, {
+        "focus": float(10 ** rng.uniform(-0.3, 2)),
+        "aperture": float(2 ** rng.uniform(0, 6)),
+        "confusion": float(10 ** rng.uniform(-2.5, -1)),
+    }
+
+
+def test_the_limits_are_where_traced_discs_are_as_large_as_the_circle_of_confusion() -> None:
+    rng = np.random.default_rng(11)
+    infinite = 0
+    for _ in range(50):
+        projection, settings = draw(rng)
+        focus, c = settings["focus"], settings["confusion"]
+        got = values(show(projection, **settings))
+        fov = mp.radians(mp.mpf(projection.lens.fov_y_deg))  # type: ignore[union-attr]
+        diagonal = mp.tan(fov / 2) * mp.hypot(mp.mpf(1280) / 720, 1)  # of half the field of view
+        f = mp.hypot(36, 24) / 2 / diagonal
+        assert got["focal length f"] == pytest.approx(float(f), rel=1e-14)
+        assert got["opening f / N"] == pytest.approx(float(f / settings["aperture"]), rel=1e-14)
+        lens = ThinLens(f, settings["aperture"], focus)
+        near, far = got["sharp from"], got["sharp to"]
+        assert near < focus
+        # Also of a point off the axis: the disc is the same.
+        assert float(lens.disc(near)) == pytest.approx(c, rel=1e-10)
+        assert float(lens.disc(near, 700)) == pytest.approx(c, rel=1e-10)
+        assert lens.disc(0.99 * near) > c > lens.disc(near + 0.01 * (focus - near))
+        if far is None:
+            infinite += 1
+            assert lens.disc(mp.mpf(10) ** 30) <= c
+            assert got["depth of field"] is None
+        else:
+            assert float(lens.disc(far)) == pytest.approx(c, rel=1e-9)
+            assert lens.disc(1.01 * far) > c > lens.disc(far - 0.01 * (far - focus))
+            assert got["depth of field"] == pytest.approx(far - near, rel=1e-14)
+        # Focused at the hyperfocal distance, what is infinitely far away is just sharp.
+        hyperfocal = got["hyperfocal distance H"]
+        at_h = ThinLens(f, settings["aperture"], hyperfocal)
+        assert float(at_h.disc(mp.mpf(10) ** 30)) == pytest.approx(c, rel=1e-10)
+        assert (far is None) == (focus >= hyperfocal)
+        pixels = math.hypot(1280, 720) / math.hypot(36, 24)
+        blur = float(lens.disc(5)) * pixels
+        assert got["blur of the target"] == pytest.approx(blur, rel=1e-10, abs=1e-12)
+        distances = np.array([0.3 * focus, 0.9 * focus, 2 * focus, 50 * focus])
+        discs = [float(lens.disc(float(d))) for d in distances]
+        own = blur_mm(got["focal length f"], settings["aperture"], focus, distances)
+        np.testing.assert_allclose(own, discs, rtol=1e-12)
+    assert 5 < infinite < 45
+
+
+def test_by_hand() -> None:
+    """A 50-mm lens at f/2, focused at 10 m, c = 0.025 mm: H = 2500/0.05 + 50 mm = 50.05 m.
+
+    Near: 10 x 50/(50 + 9.95) = 8.3403 m; far: 10 x 50/(50 - 9.95) = 12.4844 m.
+    """
+    window = math.hypot(36, 24) / 50 / math.hypot(1280, 720)
+    right, top = 1280 * window / 2, 720 * window / 2
+    projection = Projection(EYE, Frustum(-right, right, -top, top, 1.0, 100.0))
+    got = values(show(projection, focus=10.0, aperture=2.0, confusion=0.025))
+    assert got["focal length f"] == pytest.approx(50.0, rel=1e-14)
+    assert got["opening f / N"] == pytest.approx(25.0, rel=1e-14)
+    assert got["hyperfocal distance H"] == pytest.approx(50.05, rel=1e-14)
+    assert got["sharp from"] == pytest.approx(500 / 59.95, rel=1e-14)
+    assert got["sharp to"] == pytest.approx(500 / 40.05, rel=1e-13)
+    # Focused at H, sharp from H/2 on.
+    at_h = values(show(projection, focus=50.06, aperture=2.0, confusion=0.025))
+    assert at_h["sharp to"] is None
+    assert at_h["sharp from"] == pytest.approx(25.03, rel=1e-3)
+
+
+def test_in_a_stretched_picture_the_disc_has_a_width_and_a_height() -> None:
+    """The film is sqrt(36^2 + 24^2) mm across its corners and shaped like the window, 16 : 9."""
+    window = (-0.4, 0.4, -0.225, 0.225)
+    stretched = Frustum(*window, 1.0, 30.0, "stretch")
+    exhibit = show(Projection(EYE, stretched, (600, 1800)), focus=3.0)
+    f_mm = math.hypot(36, 24) / math.hypot(0.8, 0.45)
+    disc_mm = float(ThinLens(f_mm, PHENOMENON.defaults["aperture"], 3.0).disc(5.0))
+    reading = exhibit.readings[-1]
+    film_mm = 0.8 * f_mm, 0.45 * f_mm
+    assert reading.value == pytest.approx((disc_mm * 600 / film_mm[0], disc_mm * 1800 / film_mm[1]))
+    assert reading.note is not None and "stretched" in reading.note.sentence()
+    assert not isinstance(
+        values(show(Projection(EYE, stretched, (1600, 900))))[reading.label], tuple
+    )
+    far = show(Projection(Camera((0.0, 0.0, 5e-324), (0.0, 0.0, 0.0)), stretched, (600, 1800)))
+    assert far.readings[-1].value is None
+
+
+def test_the_focal_length_is_the_controls_own() -> None:
+    for fov in (1e-9, 20.0, 90.0, 179.99):
+        projection = Projection(EYE, Perspective(fov), (640, 480))
+        expected = focal_length_35mm(fov, 4 / 3)
+        got = values(show(projection, focus=1e6))
+        assert got["focal length f"] == pytest.approx(expected, rel=1e-14)
+    # A window off the axis has the focal length of one on it.
+    off = Projection(EYE, Frustum(1.0, 1.8, -0.45, 0.0, 1.0, 30.0))
+    middle = Projection(EYE, Frustum(-0.4, 0.4, -0.225, 0.225, 1.0, 30.0))
+    assert values(show(off))["focal length f"] == pytest.approx(
+        values(show(middle))["focal length f"], rel=1e-14
+    )
+
+
+def test_the_planes_stand_where_the_limits_are() -> None:
+    rng = np.random.default_rng(12)
+    counted = 0
+    for _ in range(50):
+        camera = Camera(tuple(rng.uniform(-5, 5, 3)), tuple(rng.uniform(-5, 5, 3)))
+        projection = Projection(camera, Perspective(40.0, 2.0, 20.0), (1280, 720))
+        focus = float(rng.uniform(1, 25))
+        exhibit = show(projection, focus=focus)
+        got = values(exhibit)
+        expected = [
+            d for d in (got["sharp from"], focus, got["sharp to"]) if d and 2.0 <= d <= 20.0
+        ]
+        assert len(exhibit.world.faces) == len(exhibit.world.texts) == len(expected)
+        for face, distance in zip(exhibit.world.faces, expected, strict=True):
+            trace = projection.trace(face.points)
+            np.testing.assert_allclose(-trace.view[:, 2], distance, rtol=1e-12)
+            corners = [(0, 720), (1280, 720), (1280, 0), (0, 0)]
+            np.testing.assert_allclose(trace.image, corners, atol=1e-9)
+            counted += 1
+        # Thick edges run from the near limit to the far one, inside the frustum.
+        edges = [line for line in exhibit.world.lines if len(line.points) == 2]
+        for edge in edges:
+            w = -projection.trace(edge.points).view[:, 2]
+            bounds = max(2.0, got["sharp from"]), min(20.0, got["sharp to"] or 20.0)
+            np.testing.assert_allclose(w, bounds, rtol=1e-12)
+        (diagram,) = exhibit.diagrams
+        assert diagram.left < got["sharp from"] < focus < diagram.right
+        curve = diagram.curves[1].points
+        assert curve[:, 1].min() == 0.0
+        assert curve[np.argmin(curve[:, 1]), 0] == focus
+    assert counted > 50
+
+
+@pytest.mark.parametrize(
+    ("settings", "said"),
+    [
+        ({"aperture": 0}, r"settings\.aperture = 0: must be at least 0\.5"),
+        ({"aperture": -2.0}, r"settings\.aperture = -2: must be at least 0\.5"),
+        ({"aperture": math.inf}, r"settings\.aperture = inf: must be a finite number"),
+        ({"focus": 0}, r"settings\.focus = 0: must be at least 1e-06"),
+        ({"confusion": 0.0}, r"settings\.confusion = 0: must be at least 1e-06"),
+    ],
+)
+def test_bad_input_is_refused_in_one_sentence(settings: dict[str, Any], said: str) -> None:
+    with pytest.raises(ProjectionError, match=said):
+        PHENOMENON.checked(settings)
+
+
+def test_what_cannot_be_focused_says_why() -> None:
+    tele = Projection(EYE, Perspective(1.0, 0.5, 30.0))  # 1215 mm
+    exhibit = show(tele, focus=1.0)
+    assert exhibit.warning is not None
+    assert exhibit.warning.values[0] == "1"
+    assert float(exhibit.warning.values[1]) == pytest.approx(
+        focal_length_35mm(1.0, 16 / 9) / 1000, rel=1e-5
+    )
+    assert values(exhibit)["sharp from"] is None
+    assert values(exhibit)["focal length f"] is not None
+    for lens in (Orthographic(), Oblique()):
+        parallel = show(Projection(EYE, lens))
+        assert parallel.warning is not None
+        assert set(values(parallel).values()) == {None}
+        assert parallel.diagrams == () and parallel.world.faces == ()
+
+
+@pytest.mark.parametrize("depth", ["opengl", "direct3d", "reversed"])
+@pytest.mark.parametrize(
+    "lens",
+    [
+        Perspective(1e-90, 1e-205, math.inf),
+        Perspective(179.9999999999999, 1e-205, math.inf),
+        Perspective(45.0, 1e-205, 1e100),
+        Frustum(-1e-98, 1e-98, -1e-98, 1e-98, 1.0, 2.0),
+        Frustum(1e89, 9e89, -1e88, 1e88, 1.0, math.inf),
+        Perspective(0.01, 1.0, 1e9),
+    ],
+)
+def test_extremes_leave_no_nan(lens: Lens, depth: Any) -> None:
+    cameras = (EYE, Camera((1e100, 0, 0), (0, 0, 0)), Camera((0, 0, 5e-324), (0, 0, 0)))
+    for camera in cameras:
+        projection = Projection(camera, lens, (1280, 720), depth)
+        for focus in (1e-6, 1.0, 1e6):
+            for aperture in (0.5, 1e6):
+                for confusion in (1e-6, 10.0):
+                    exhibit = show(projection, focus=focus, aperture=aperture, confusion=confusion)
+                    for value in values(exhibit).values():
+                        assert value is None or np.isfinite(value).all()
+                    for line in exhibit.world.lines:
+                        assert np.isfinite(line.points).all()
+                    for diagram in exhibit.diagrams:
+                        assert diagram.left < diagram.right < math.inf
+                        assert 0.0 < diagram.top < math.inf
+                        for curve in diagram.curves:
+                            assert not np.isinf(curve.points).any()

@@ -1,0 +1,240 @@
+"""Interpolation's readings, against maxima that are searched for."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import pairwise
+
+import mpmath
+import numpy as np
+import pytest
+
+from app.model.projection import Array, Camera, Perspective, Projection, ProjectionError
+from app.scenes.phenomena.illustration import Exhibit, OwnMesh, Subject
+from app.scenes.phenomena.interpolation import (
+    PHENOMENON,
+    TEXELS,
+    edge_error,
+    largest_errors,
+    planar_texture,
+)
+
+BOARD = np.array([(-5.0, 0, 5), (5, 0, 5), (5, 0, -5), (-5, 0, -5)])
+SUBJECT = Subject((-5.0, 0.0, -5.0), (5.0, 0.0, 5.0), BOARD[[3, 0, 2, 1]])
+TRIANGLES = np.array([BOARD[[0, 1, 3]], BOARD[[1, 2, 3]]])
+BOARD_TEXTURE = planar_texture(SUBJECT)
+
+
+def shown(projection: Projection, subject: Subject = SUBJECT, **settings: object) -> Exhibit:
+    return PHENOMENON.show(projection, PHENOMENON.checked(settings), subject)
+
+
+def random_projection(random: np.random.Generator) -> Projection:
+    eye = (random.uniform(-5, 5), random.uniform(1, 8), random.uniform(8, 15))
+    target = (random.uniform(-2, 2), random.uniform(-1, 1), random.uniform(-4, 2))
+    lens = Perspective(random.uniform(30, 80), 0.2, 100.0)
+    return Projection(Camera(eye, target, (0.0, 1.0, 0.0)), lens, (1280, 720))
+
+
+def test_the_error_of_an_edge_is_the_largest_difference() -> None:
+    """The formula against a search for the maximum, at 40 digits."""
+    with mpmath.workdps(40):
+        for k in (0.02, 0.5, 1.0001, 2.0, 3.7, 40.0, 1e6):
+            ratio = mpmath.mpf(k)
+
+            def off(sigma: mpmath.mpf, ratio: mpmath.mpf = ratio) -> mpmath.mpf:
+                return sigma - sigma / ((1 - sigma) * ratio + sigma)
+
+            root = mpmath.sqrt(ratio)
+            at = root / (root + 1)
+            largest = abs(off(at))
+            for step in np.linspace(0.0, 1.0, 2001).tolist():
+                assert abs(off(mpmath.mpf(step))) <= largest * (1 + mpmath.mpf(10) ** -30)
+            assert float(edge_error(np.array(k))) == pytest.approx(float(largest), rel=1e-10)
+
+
+def searched(projection: Projection, parts: int, random: np.random.Generator) -> tuple[float, ...]:
+    """The largest errors, in texels and px, over points of all triangles and along all edges."""
+    texels = px = 0.0
+    inner = random.dirichlet((0.6, 0.6, 0.6), 400)
+    line = np.linspace(0.0, 1.0, 401)
+    edges = [np.zeros((401, 3)) for _ in range(3)]
+    for i, edge in enumerate(edges):
+        edge[:, i], edge[:, (i + 1) % 3] = line, 1.0 - line
+    weights = np.concatenate([inner, *edges])
+    side = 10.0 / parts
+    for row in range(parts):
+        for column in range(parts):
+            # Its diagonal goes from far left to near right.
+            x, z = -5.0 + column * side, 5.0 - row * side
+            near_left, near_right = (x, 0.0, z), (x + side, 0.0, z)
+            far_left, far_right = (x, 0.0, z - side), (x + side, 0.0, z - side)
+            for corners in (
+                np.array([near_left, near_right, far_left]),
+                np.array([near_right, far_right, far_left]),
+            ):
+                trace = projection.trace(corners)
+                w = -trace.view[:, 2]
+                correct = weights / w / (weights / w).sum(axis=1, keepdims=True)
+                st: Array = (weights - correct) @ corners[:, [0, 2]] / 10.0
+                texels = max(texels, float(np.hypot(*st.T).max()) * TEXELS)
+                placed = weights * w / (weights * w).sum(axis=1, keepdims=True)
+                off = (weights - placed) @ trace.image
+                px = max(px, float(np.hypot(*off.T).max()))
+    return texels, px
+
+
+def test_the_largest_errors_are_those_that_a_search_finds() -> None:
+    """50 cameras; neither larger anywhere in a triangle nor missed on its edges."""
+    random = np.random.default_rng(23)
+    for number in range(50):
+        projection, parts = random_projection(random), (1, 2, 3, 5)[number % 4]
+        found = largest_errors(projection, TRIANGLES, BOARD_TEXTURE, parts)
+        assert found is not None
+        for formula, most in zip(found, searched(projection, parts, random), strict=True):
+            assert most <= formula * (1.0 + 1e-9)
+            assert most >= formula * (1.0 - 1e-3)
+        readings = shown(projection, subdivision=parts).readings
+        assert (readings[0].value, readings[1].value) == found
+
+
+def test_half_way_on_the_screen_is_less_in_the_world() -> None:
+    """1/(k + 1) of the edge, k = w_b/w_a: the place that is drawn half-way between the ends."""
+    random = np.random.default_rng(9)
+    marked = 0
+    for _ in range(50):
+        projection = random_projection(random)
+        exhibit = shown(projection)
+        ends = projection.trace(BOARD[[0, 3]])
+        part = float(exhibit.readings[2].value) / 100.0  # type: ignore[arg-type]
+        place = BOARD[0] + part * (BOARD[3] - BOARD[0])
+        assert projection.trace(place).image == pytest.approx(ends.image.mean(axis=0), abs=1e-8)
+        world = exhibit.world.dots
+        assert world[1].point == pytest.approx(place)
+        assert world[0].point == pytest.approx((BOARD[0] + BOARD[3]) / 2.0)
+        halves = projection.trace(np.array([world[0].point, place]))
+        expected = halves.image[~halves.outside.any(axis=1)]
+        drawn = [dot.point for dot in exhibit.image.dots]
+        assert np.ravel(drawn) == pytest.approx(np.ravel(expected))
+        marked += len(drawn)
+    assert 50 < marked < 100
+
+
+def test_what_is_outside_the_view_volume_is_not_marked_in_the_picture() -> None:
+    start = PHENOMENON.start
+    near_by = shown(replace(start, lens=replace(start.lens, far=5.0))).image
+    assert near_by.lines == near_by.dots == near_by.texts == ()
+    half = shown(replace(start, lens=replace(start.lens, far=10.0))).image
+    assert len(half.lines) == 1 and len(half.dots) == len(half.texts) == 1
+    ends = shown(start).image.lines[0].points
+    assert 0.1 < np.ptp(half.lines[0].points[:, 1]) / np.ptp(ends[:, 1]) < 0.9
+
+
+def test_twice_as_many_parts_leave_a_quarter_in_the_limit_and_more_before() -> None:
+    """As the explanation says, of both readings."""
+    assert "more than a quarter" in PHENOMENON.explanation and "in the limit" in (
+        PHENOMENON.explanation
+    )
+    errors = [
+        largest_errors(PHENOMENON.start, TRIANGLES, BOARD_TEXTURE, parts)
+        for parts in (1, 2, 4, 8, 16, 32, 64)
+    ]
+    left = np.array([np.divide(after, before) for before, after in pairwise(errors)])  # type: ignore[arg-type]
+    assert (left > 0.25).all() and (np.diff(left, axis=0) < 0.0).all()
+    assert left[0].min() > 0.3 and left[-1].max() < 0.262
+
+
+def test_a_board_that_near_cuts_has_no_error() -> None:
+    above = Camera((0.0, 1.0, 3.0), (0.0, 0.5, -4.0), (0.0, 1.0, 0.0))
+    exhibit = shown(replace(PHENOMENON.start, camera=above))
+    assert exhibit.warning is not None and not exhibit.image.dots
+    assert all(reading.value is None and reading.note for reading in exhibit.readings)
+    assert exhibit.rendering is not None and exhibit.rendering.texture is not None
+
+
+def test_a_mesh_has_its_texture_over_its_two_largest_extents() -> None:
+    tall = Subject((1.0, 2.0, 3.0), (2.0, 12.0, 8.0), np.zeros((3, 3)))
+    matrix = planar_texture(tall)
+    low, high = np.array([*tall.lower, 1.0]), np.array([*tall.upper, 1.0])
+    assert (matrix @ low).tolist() == pytest.approx([0.0, 0.0])
+    assert (matrix @ high).tolist() == pytest.approx([1.0, 1.0])
+    assert not matrix[:, 0].any(), "x is the smallest extent"
+    needle = planar_texture(Subject((0.0, 0.0, 0.0), (0.0, 4.0, 0.0), np.zeros((2, 3))))
+    assert np.isfinite(needle).all()
+
+
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [("subdivision", 0.0), ("subdivision", 65.0), ("subdivision", 2.5), ("pattern", "stripes")],
+)
+def test_a_setting_out_of_bounds_is_named(name: str, value: object) -> None:
+    with pytest.raises(ProjectionError) as error:
+        PHENOMENON.checked({name: value})
+    assert error.value.field == f"settings.{name}"
+
+
+def own(triangles: Array, more: bool = False) -> Subject:
+    """A mesh of the user's; its first edge is its longest, as a scene hands it out."""
+    points = triangles.reshape(-1, 3)
+    low, high = points.min(axis=0).tolist(), points.max(axis=0).tolist()
+    edges = triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2, 3)
+    edges = edges[np.argsort(-np.linalg.norm(edges[:, 1] - edges[:, 0], axis=1))]
+    return Subject(tuple(low), tuple(high), points, OwnMesh(edges, len(edges), triangles, more))
+
+
+def test_the_readings_of_a_mesh_are_those_that_a_search_finds() -> None:
+    """50 meshes: along every edge of every small triangle, s, t and the place on the screen."""
+    random = np.random.default_rng(31)
+    line = np.linspace(0.0, 1.0, 801)[:, None]
+    for number in range(50):
+        projection, parts = random_projection(random), (1, 2, 3, 4)[number % 4]
+        triangles = random.uniform((-4.0, -1.0, -5.0), (4.0, 2.0, 5.0), (3, 3, 3))
+        subject = own(triangles)
+        if projection.trace(triangles).outside[..., 0].any():
+            continue
+        texture = planar_texture(subject)
+        texels = px = 0.0
+        for a, b, c in triangles:
+            ab, ac = (b - a) / parts, (c - a) / parts
+            for i in range(parts):
+                for j in range(parts - i):
+                    corner = a + i * ab + j * ac
+                    for start, end in (
+                        (corner, corner + ab), (corner + ab, corner + ac), (corner + ac, corner)
+                    ):  # fmt: skip
+                        trace = projection.trace(np.array([start, end]))
+                        q, (one, other) = 1.0 / trace.clip[:, 3], trace.image
+                        part = line * q[1] / ((1.0 - line) * q[0] + line * q[1])
+                        off = (line - part) * (texture[:, :3] @ (end - start))
+                        texels = max(texels, float(np.hypot(*off.T).max()) * TEXELS)
+                        off = (line - part) * (other - one)
+                        px = max(px, float(np.hypot(*off.T).max()))
+        exhibit = shown(projection, subject, subdivision=parts)
+        readings = exhibit.readings
+        assert readings[0].value == pytest.approx(texels, rel=1e-4)
+        assert readings[1].value == pytest.approx(px, rel=1e-4)
+        (longest, *_) = subject.mesh.edges  # type: ignore[union-attr]
+        longest = longest[np.argsort(projection.trace(longest).clip[:, 3])]  # from the nearer end
+        half = longest[0] + float(readings[2].value) / 100.0 * (longest[1] - longest[0])  # type: ignore[arg-type]
+        ends = projection.trace(longest).image
+        assert projection.trace(half).image == pytest.approx(ends.mean(axis=0), abs=1e-8)
+        assert exhibit.world.dots[1].point == pytest.approx(half, abs=1e-9)
+        said = readings[0].note
+        assert said is not None and "two largest extents" in said.template and not said.values
+
+
+def test_of_a_large_mesh_so_many_triangles_are_looked_at_as_is_said() -> None:
+    random = np.random.default_rng(5)
+    triangles = random.uniform((-4.0, -1.0, -5.0), (4.0, 2.0, 5.0), (1000, 3, 3))
+    for parts, count in ((1, 1000), (4, 250), (64, 15)):
+        readings = shown(PHENOMENON.start, own(triangles, True), subdivision=parts).readings
+        first = shown(PHENOMENON.start, own(triangles[:count]), subdivision=parts).readings
+        assert readings[0].note is not None and readings[0].note.values == (str(count),)
+        assert readings[1].value == first[1].value
+
+
+def test_a_mesh_that_near_cuts_has_no_error() -> None:
+    above = Camera((0.0, 1.0, 3.0), (0.0, 0.5, -4.0), (0.0, 1.0, 0.0))
+    exhibit = shown(replace(PHENOMENON.start, camera=above), own(TRIANGLES))
+    assert exhibit.warning is not None and exhibit.warning.template.startswith("the mesh")
+    assert all(reading.value is None and reading.note for reading in exhibit.readings)

@@ -1,0 +1,207 @@
+"""Oblique drawing: scale and angle as drawn, against the projectors' slant (lecture 002)."""
+
+from __future__ import annotations
+
+import math
+import random
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from app.model.projection import Camera, Oblique, Orbit, Projection, ProjectionError
+from app.scenes.phenomena.illustration import Exhibit
+from app.scenes.phenomena.oblique_drawing import PHENOMENON, oblique
+from tests.oracles.exact import cotangent_deg, mp
+from tests.oracles.exhibits import random_projection, reading, subject_of
+
+SUBJECT = subject_of(PHENOMENON)
+
+
+def shown(projection: Projection) -> Exhibit:
+    return PHENOMENON.show(projection, PHENOMENON.defaults, SUBJECT)
+
+
+def followed(projection: Projection, **settings: object) -> Projection:
+    return PHENOMENON.follow(projection, PHENOMENON.defaults, PHENOMENON.checked(settings))
+
+
+def value(exhibit: Exhibit, label: str) -> float:
+    found = reading(exhibit, label).value
+    assert isinstance(found, float), label
+    return found
+
+
+def angle_between(one_deg: float, other_deg: float) -> float:
+    return abs(math.remainder(one_deg - other_deg, 360.0))
+
+
+def test_what_is_drawn_is_what_was_set_for_fifty_random_drawings() -> None:
+    """With any camera and any image."""
+    dice = random.Random(10)
+    for _ in range(50):
+        seen = random_projection(dice, PHENOMENON.start)
+        if dice.random() < 0.5:
+            seen = seen.with_lens("orthographic")
+            left, right, bottom, top = seen.window
+            wider = {"left": left, "right": 2 * right - left, "bottom": bottom, "top": top}
+            seen = replace(seen, lens=replace(seen.lens, keep="y", **wider))
+        scale, angle_deg, morph = dice.uniform(0, 2), dice.uniform(-180, 180), dice.uniform(0.1, 1)
+        seen = followed(seen, drawing="free", receding=scale, angle_deg=angle_deg, morph=morph)
+        exhibit = shown(seen)
+        assert value(exhibit, "receding scale") == pytest.approx(scale * morph, abs=1e-9)
+        drawn_deg = value(exhibit, "receding angle")
+        assert angle_between(drawn_deg, angle_deg) * scale * morph < 1e-7
+        # And that is what the angles of the projectors give, with 80 digits.
+        lens = seen.lens
+        assert isinstance(lens, Oblique)
+        x, y = -cotangent_deg(lens.alpha_deg), -cotangent_deg(lens.beta_deg)
+        assert value(exhibit, "√") == pytest.approx(float(mp.sqrt(x * x + y * y)), rel=1e-12)
+        assert value(exhibit, "√") == pytest.approx(scale * morph, rel=1e-12)
+        formula_deg = float(mp.atan2(y, x) * 180 / mp.pi)
+        assert angle_between(value(exhibit, "atan2"), formula_deg) < 1e-9
+        assert angle_between(drawn_deg, formula_deg) * scale * morph < 1e-7
+
+
+def test_a_stretched_picture_is_measured_in_its_pixels_and_said_to_be_stretched() -> None:
+    """A window of 4 by 4 units fills images that are not square: y has its own px a unit."""
+    dice = random.Random(11)
+    for stretch in (0.25, 8 / 9, 1.0, 3.0):
+        scale, angle_deg = dice.uniform(0.1, 2), dice.uniform(-180, 180)
+        lens = replace(PHENOMENON.start.lens, left=-2.0, right=2.0, bottom=-2.0, top=2.0)
+        lens = replace(lens, keep="stretch")
+        seen = replace(PHENOMENON.start, lens=lens, image_size=(720, round(720 * stretch)))
+        seen = followed(seen, drawing="free", receding=scale, angle_deg=angle_deg)
+        exhibit = shown(seen)
+        turned = math.radians(angle_deg)
+        x, y = scale * math.cos(turned), stretch * scale * math.sin(turned)
+        drawn = value(exhibit, "receding scale"), value(exhibit, "receding angle")
+        assert drawn[0] == pytest.approx(math.hypot(x, y), rel=1e-9)
+        assert angle_between(drawn[1], math.degrees(math.atan2(y, x))) < 1e-7
+        note = reading(exhibit, "receding scale").note
+        assert (None if note is None else note.values) == (
+            None if stretch == 1.0 else (f"{stretch:.3g}",)
+        )
+        plates = {text.text for text in exhibit.world.texts}
+        assert {
+            "u: 1 \N{MULTIPLICATION SIGN}",
+            f"v: {stretch:.3g} \N{MULTIPLICATION SIGN}",
+        } < plates
+        before = reading(exhibit, "√").note
+        assert (before is None) == (note is None)
+        # And on the pixels themselves.
+        front, back = seen.trace([(1, 0, 1), (1, 0, -1)]).image
+        across, down = back - front
+        assert angle_between(drawn[1], math.degrees(math.atan2(-down, across))) < 1e-7
+
+
+@pytest.mark.parametrize(("name", "scale"), [("cavalier", 1.0), ("cabinet", 0.5)])
+@pytest.mark.parametrize("angle_deg", [30.0, 45.0, 63.43494882292201, 135.0, -90.0, 0.0])
+def test_the_textbooks_drawings(name: str, scale: float, angle_deg: float) -> None:
+    """The cube's edges, by hand: 2 units along u are 2 k px, along n 2 k times the scale."""
+    seen = followed(PHENOMENON.start, drawing=name, angle_deg=angle_deg)
+    exhibit = shown(seen)
+    assert value(exhibit, "receding scale") == pytest.approx(scale, rel=1e-12)
+    assert angle_between(value(exhibit, "receding angle"), angle_deg) < 1e-10
+    front, right, back = seen.trace([(1, 0, 1), (-1, 0, 1), (1, 0, -1)]).image
+    k = 720 / 4.2  # the window is 4.2 high
+    assert front - right == pytest.approx([2 * k, 0.0], abs=1e-9)
+    turned = math.radians(angle_deg)
+    recede = 2 * k * scale * np.array([math.cos(turned), -math.sin(turned)])
+    assert back - front == pytest.approx(recede, abs=1e-9)
+
+
+def test_the_free_scale_counts_in_the_free_drawing_only() -> None:
+    assert followed(PHENOMENON.start, receding=1.7) == PHENOMENON.start
+    freed = followed(PHENOMENON.start, drawing="free", receding=1.7)
+    assert value(shown(freed), "receding scale") == pytest.approx(1.7, rel=1e-12)
+
+
+def test_the_morph_starts_at_the_orthographic_drawing() -> None:
+    straight = followed(PHENOMENON.start, morph=0.0)
+    assert straight.shear == (0.0, 0.0)
+    orthographic = PHENOMENON.start.with_lens("orthographic")
+    points = SUBJECT.points
+    assert np.allclose(straight.trace(points).image, orthographic.trace(points).image, atol=1e-9)
+    found = reading(shown(straight), "receding angle")
+    assert found.value is None and found.note is not None
+    assert value(shown(straight), "receding scale") == pytest.approx(0.0, abs=1e-12)
+    # On the way every point goes straight and evenly.
+    half = followed(PHENOMENON.start, morph=0.5).trace(points).image
+    whole = PHENOMENON.start.trace(points).image
+    assert np.allclose(half, (straight.trace(points).image + whole) / 2, atol=1e-9)
+
+
+def test_that_no_scale_can_be_read_has_its_own_reason() -> None:
+    start = PHENOMENON.start
+    tiny = replace(start, camera=replace(start.camera, eye=(1e15, 1e15, 1e15)))
+    for projection, why in (
+        (start.with_lens("perspective"), "choose the oblique lens"),
+        (replace(tiny, lens=Oblique(-1e60, 1e60, -1e60, 1e60)), "too many or too few"),
+    ):
+        found = reading(shown(projection), "receding scale")
+        assert found.value is None and found.note is not None and why in found.note.template
+
+
+def test_the_plane_through_the_target_stays() -> None:
+    plane = np.array([(x, y, 0.0) for x in (-1.0, 1.0) for y in (0.0, 2.0)])
+    image = PHENOMENON.start.trace(plane).image
+    seen = PHENOMENON.start
+    for scale, angle_deg in ((0.5, 30.0), (2.0, 200.0), (0.0, 0.0), (1.0, 45.0)):
+        seen = oblique(seen, scale, angle_deg)
+        assert np.allclose(seen.trace(plane).image, image, atol=1e-9)
+    assert seen.window == pytest.approx(PHENOMENON.start.window, rel=1e-12)
+
+
+def test_projectors_end_where_the_picture_has_their_points() -> None:
+    seen = followed(
+        replace(PHENOMENON.start, camera=Camera.from_orbit((0, 1, 0), Orbit(20.0, 15.0, 8.0))),
+        angle_deg=30.0,
+    )
+    exhibit = shown(seen)
+    projectors = [line.points for line in exhibit.world.lines if line.colour == "accent"]
+    assert len(projectors) == 8
+    for corner, foot in projectors:
+        trace = seen.trace([corner, foot])
+        assert trace.image[0] == pytest.approx(trace.image[1], abs=1e-9)
+        assert trace.view[1, 2] == pytest.approx(-seen.lens.near, abs=1e-12)
+
+
+def test_a_perspective_lens_has_no_receding_scale() -> None:
+    exhibit = shown(PHENOMENON.start.with_lens("perspective"))
+    assert exhibit.warning is not None
+    assert reading(exhibit, "receding scale").value is None
+
+
+@pytest.mark.parametrize(
+    ("name", "wrong"),
+    [("receding", -0.1), ("receding", math.inf), ("morph", 1.5), ("angle_deg", 1e9)],
+)
+def test_wrong_settings_are_refused_by_name(name: str, wrong: float) -> None:
+    with pytest.raises(ProjectionError, match=f"settings.{name}"):
+        PHENOMENON.checked({name: wrong})
+
+
+def test_the_angle_is_named_for_what_it_is_in_every_quadrant() -> None:
+    """At 135 degrees the arctan of the quotient is -45; and its name is atan2."""
+    for angle_deg in (135.0, -45.0, 90.0, -135.0):
+        seen = followed(PHENOMENON.start, angle_deg=angle_deg)
+        lens = seen.lens
+        assert isinstance(lens, Oblique)
+        found = reading(shown(seen), "atan2(\N{MINUS SIGN}cot")
+        cot_alpha, cot_beta = (
+            1.0 / math.tan(math.radians(angle)) for angle in (lens.alpha_deg, lens.beta_deg)
+        )
+        expected = math.degrees(math.atan2(-cot_beta, -cot_alpha))
+        assert isinstance(found.value, float)
+        assert angle_between(found.value, expected) < 1e-9
+        assert angle_between(found.value, angle_deg) < 1e-9
+
+
+def test_no_scale_is_written_where_there_is_none() -> None:
+    written = {text.text for text in shown(PHENOMENON.start).image.texts}
+    assert "u: 1 \N{MULTIPLICATION SIGN}" in written
+    exhibit = shown(PHENOMENON.start.with_lens("perspective"))
+    assert exhibit.warning is not None
+    assert {text.text for text in exhibit.world.texts} == {"u", "v", "n"}
+    assert not any("1 " in text.text for text in exhibit.image.texts)

@@ -1,0 +1,169 @@
+"""Off-axis window: the two halves join, and the window stays in the world."""
+
+from __future__ import annotations
+
+import math
+import random
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from app.model.projection import Frustum, Projection
+from app.scenes.phenomena.illustration import Exhibit
+from app.scenes.phenomena.off_axis_window import (
+    PHENOMENON,
+    halves,
+    join_error_px,
+    largest_difference_px,
+)
+from tests.oracles.exact import Exact, mp
+from tests.oracles.exhibits import random_projection, reading, subject_of
+
+SUBJECT = subject_of(PHENOMENON)
+
+
+def shown(projection: Projection, **settings: object) -> Exhibit:
+    return PHENOMENON.show(projection, PHENOMENON.checked(settings), SUBJECT)
+
+
+def moved(projection: Projection, before: float, after: float) -> Projection:
+    shifts = [PHENOMENON.checked({"shift": shift}) for shift in (before, after)]
+    return PHENOMENON.follow(projection, *shifts)
+
+
+def test_the_halves_join_exactly_for_fifty_random_windows() -> None:
+    dice = random.Random(6)
+    for _ in range(50):
+        seen = random_projection(dice, PHENOMENON.start)
+        seen = moved(seen, 0.0, dice.uniform(-5.0, 5.0)) if dice.random() < 0.7 else seen
+        pair = halves(seen)
+        assert join_error_px(pair) == 0.0
+        assert reading(shown(seen), "error of the join").value == 0.0
+        left, right = pair
+        assert left.window[1] == right.window[0]
+        assert left.window[2:] == right.window[2:] == seen.window[2:]
+        assert (left.window[0], right.window[1]) == (seen.window[0], seen.window[1])
+        assert left.image_size[0] + right.image_size[0] == seen.image_size[0]
+        assert reading(shown(seen), "l, r of the left screen").value == left.window[:2]
+        assert reading(shown(seen), "l, r of the right screen").value == right.window[:2]
+        assert reading(shown(seen), "b, t").value == seen.window[2:]
+
+
+def test_halves_that_do_not_join_are_found_out() -> None:
+    left, right = halves(PHENOMENON.start)
+    lens = right.lens
+    assert isinstance(lens, Frustum)
+    # 0.001 of a window 0.5 wide is shown on 640 pixels: a gap of 1.28 px at its edge.
+    apart = replace(right, lens=replace(lens, left=lens.left + 0.001))
+    assert join_error_px((left, apart)) == pytest.approx(0.001 / 0.499 * 640, rel=1e-9)
+
+
+def test_a_point_of_the_join_is_on_both_edges() -> None:
+    """With 80 digits, of points made from the definition of the plane in view space."""
+    dice = random.Random(7)
+    for _ in range(50):
+        seen = moved(random_projection(dice, PHENOMENON.start), 0.0, dice.uniform(-3.0, 3.0))
+        left, right = halves(seen)
+        exact_left, exact_right = Exact(left), Exact(right)
+        u, v, n = exact_left.frame
+        w, y = mp.mpf(dice.uniform(1.0, 30.0)), mp.mpf(dice.uniform(-2.0, 2.0))
+        x = mp.mpf(left.window[1]) * w / mp.mpf(seen.lens.near)
+        point = [
+            float(mp.mpf(e) + x * u[i] + y * v[i] - w * n[i]) for i, e in enumerate(seen.camera.eye)
+        ]
+        # The point's own rounding is all that is left: some 1e-15 of 30 units, on 2000 pixels.
+        assert float(exact_left(point).image[0]) == pytest.approx(left.image_size[0], abs=1e-9)
+        assert float(exact_right(point).image[0]) == pytest.approx(0.0, abs=1e-9)
+
+
+def test_the_wall_shows_what_one_picture_shows() -> None:
+    dice = random.Random(8)
+    measured = 0
+    for _ in range(50):
+        seen = random_projection(dice, PHENOMENON.start)
+        difference = largest_difference_px(seen, halves(seen), SUBJECT.points)
+        if difference is not None and difference < math.inf:
+            measured += 1
+            assert difference < 1e-8
+    assert measured > 30
+    left, right = halves(PHENOMENON.start)
+    lens = right.lens
+    assert isinstance(lens, Frustum)
+    apart = replace(right, lens=replace(lens, left=lens.left + 0.001))
+    difference = largest_difference_px(PHENOMENON.start, (left, apart), SUBJECT.points)
+    assert difference is not None and difference > 0.5
+
+
+def test_why_nothing_is_compared() -> None:
+    """Beside the picture, though in front of the eye."""
+    beside = moved(PHENOMENON.start, 0.0, 30.0)
+    beside = replace(beside, lens=PHENOMENON.start.lens)
+    assert beside.trace(SUBJECT.points).in_front.all()
+    found = reading(shown(beside), "wall against")
+    assert found.value is None and found.note is not None
+    assert "in the picture" in found.note.sentence()
+    assert "in front" not in found.note.sentence()
+
+
+def test_the_window_stays_while_the_eye_moves() -> None:
+    """Points of the target's plane keep their pixels, others do not; n stays."""
+    dice = random.Random(9)
+    for _ in range(50):
+        seen = random_projection(dice, PHENOMENON.start).with_lens("frustum")
+        camera = seen.camera
+        offsets = np.array([[dice.uniform(-1, 1), dice.uniform(-1, 1), 0.0] for _ in range(5)])
+        plane = np.array(camera.target) + offsets @ camera.frame
+        shift = dice.uniform(-2.0, 2.0)
+        after = moved(seen, 0.5, 0.5 + shift)
+        assert np.allclose(after.trace(plane).image, seen.trace(plane).image, atol=1e-7)
+        assert np.allclose(after.camera.frame, camera.frame, atol=1e-12)
+        assert np.allclose(
+            np.subtract(after.camera.eye, camera.eye), shift * camera.frame[0], atol=1e-12
+        )
+        behind = plane - camera.frame[2]
+        ratio = camera.distance / (camera.distance + 1.0)
+        drawn = after.trace(behind).image[:, 0] - seen.trace(behind).image[:, 0]
+        # A point 1 behind the window moves with the eye by 1 - d/(d + 1) of its way.
+        width = seen.window[1] - seen.window[0]
+        px = seen.image_size[0] / (width * camera.distance / seen.lens.near)
+        assert np.allclose(drawn, shift * (1.0 - ratio) * px, atol=1e-7)
+        assert np.allclose(moved(after, 0.5 + shift, 0.5).window, seen.window, atol=1e-12)
+
+
+def test_off_the_axis_by_hand() -> None:
+    """The start's window on the near plane is -5.5/8 to 2.5/8: (r + l)/(r - l) = -3/8."""
+    found = reading(shown(PHENOMENON.start), "off the axis").value
+    assert found == pytest.approx(-0.375, rel=1e-15)
+    opposite = moved(PHENOMENON.start, 1.5, 0.0)
+    found = reading(shown(opposite), "off the axis").value
+    assert found == pytest.approx(0.0, abs=1e-15)
+    assert opposite.camera.eye == (0.0, 2.4, 8.0)
+
+
+def test_one_screen_has_no_join() -> None:
+    exhibit = shown(PHENOMENON.start, screens="1")
+    found = reading(exhibit, "error of the join")
+    assert found.value is None and found.note is not None
+    assert reading(exhibit, "l, r of the window").value == PHENOMENON.start.window[:2]
+    assert not exhibit.ndc.lines
+
+
+def test_a_picture_one_pixel_wide_is_not_split() -> None:
+    exhibit = shown(replace(PHENOMENON.start, image_size=(1, 100)))
+    assert exhibit.warning is not None
+    assert reading(exhibit, "error of the join").value is None
+
+
+def test_the_join_is_marked_where_the_pixels_part() -> None:
+    seen = replace(PHENOMENON.start, image_size=(1281, 720))
+    exhibit = shown(seen)
+    left, _ = halves(seen)
+    assert left.image_size[0] == 640
+    (join,) = [line for line in exhibit.image.lines if line.colour == "accent"]
+    assert (join.points[:, 0] == 640.0).all()
+    (face,) = exhibit.ndc.faces
+    assert face.points[:, 0] == pytest.approx(2 * 640 / 1281 - 1)
+    # In the world it lies on the window's plane, and is seen where the image has it.
+    (join,) = [line for line in exhibit.world.lines if line.colour == "accent"]
+    assert seen.trace(join.points).image[:, 0] == pytest.approx(640.0, abs=1e-9)

@@ -1,0 +1,224 @@
+"""Similar triangles: x_p, y_p, scale and sign against the formula, and what cannot be cut."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import mpmath as mp
+import numpy as np
+import pytest
+
+from app.model.projection import (
+    DEPTH_RANGES,
+    Camera,
+    Frustum,
+    Oblique,
+    Orthographic,
+    Perspective,
+    Projection,
+    ProjectionError,
+)
+from app.scenes.phenomena.illustration import Exhibit, Marks, Subject
+from app.scenes.phenomena.similar_triangles import PHENOMENON, onto_plane
+
+START = PHENOMENON.start
+CORNERS = np.array([(x, y, z) for x in (-1.5, 1.5) for y in (0.0, 5.0) for z in (-0.5, 0.5)])
+SUBJECT = Subject((-1.5, 0.0, -0.5), (1.5, 5.0, 0.5), CORNERS)
+
+
+def show(projection: Projection = START, **settings: Any) -> Exhibit:
+    return PHENOMENON.show(projection, PHENOMENON.checked(settings), SUBJECT)
+
+
+def readings(exhibit: Exhibit) -> dict[str, Any]:
+    return {reading.label: reading.value for reading in exhibit.readings}
+
+
+def in_view(camera: Camera, place: Any) -> list[Any]:
+    """View coordinates at 60 digits, from the definition of u, v, n (lecture 002)."""
+    mp.mp.dps = 60
+    eye, target, up, point = (
+        mp.matrix(list(map(mp.mpf, v))) for v in (camera.eye, camera.target, camera.up, place)
+    )
+
+    def cross(a: Any, b: Any) -> Any:
+        return mp.matrix(
+            [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+        )
+
+    n = (eye - target) / mp.norm(eye - target)
+    u = cross(up, n)
+    u /= mp.norm(u)
+    v = cross(n, u)
+    return [(axis.T * (point - eye))[0] for axis in (u, v, n)]
+
+
+def random_projection(random: np.random.Generator) -> Projection:
+    eye = random.normal(size=3) * 10.0
+    target = random.normal(size=3)
+    lens: Any = Perspective(
+        float(random.uniform(5, 170)), float(10.0 ** random.uniform(-3, 2)), 1e4
+    )
+    if random.random() < 0.3:
+        lens = Frustum(-0.3, 0.8, -0.5, 0.1, 0.5, math.inf)
+    return Projection(Camera(tuple(eye), tuple(target)), lens, (640, 480))
+
+
+def finite(exhibit: Exhibit) -> bool:
+    parts: list[Any] = []
+    for marks in (exhibit.world, exhibit.ndc, exhibit.image):
+        assert isinstance(marks, Marks)
+        parts += [part.points for part in (*marks.lines, *marks.faces)]
+        parts += [part.point for part in (*marks.dots, *marks.texts)]
+    parts += [copy.world_from_world for copy in exhibit.copies]
+    parts += [reading.value for reading in exhibit.readings if isinstance(reading.value, float)]
+    return all(bool(np.isfinite(part).all()) for part in parts)
+
+
+def test_image_scale_and_sign_are_those_of_the_formula() -> None:
+    """x_p = d x / w, y_p = d y / w, and the same from the matrix with -1/d, in 60 digits."""
+    random = np.random.default_rng(21)
+    checked = 0
+    while checked < 50:
+        projection = random_projection(random)
+        place = random.normal(size=3) * 4.0
+        distance = float(random.choice([-1.0, 1.0]) * 10.0 ** random.uniform(-2, 3))
+        exhibit = show(projection, distance=distance, point=tuple(place))
+        said = readings(exhibit)
+        x, y, z = in_view(projection.camera, place)
+        if z >= 0:
+            assert said["x_p = d·x / w"] is None and said["scale d / w"] is None
+            assert exhibit.readings[0].note is not None
+            continue
+        checked += 1
+        w = -z
+        assert said["w"] == pytest.approx(float(w), rel=1e-12)
+        for label, expected in (
+            ("x_p = d·x / w", distance * x / w),
+            ("y_p = d·y / w", distance * y / w),
+            ("scale d / w", distance / w),
+        ):
+            assert said[label] == pytest.approx(float(expected), rel=1e-11, abs=1e-11)
+            assert math.copysign(1.0, said[label]) == mp.sign(expected)
+        upright = said["the image on the plane"] == "upright"
+        assert upright == (distance > 0.0)
+        # The copy puts the point there too: d along the axis, x_p and y_p across it.
+        moved = onto_plane(projection, distance) @ [*place, 1.0]
+        hit = in_view(projection.camera, moved[:3] / moved[3])
+        size = abs(distance) + abs(said["x_p = d·x / w"]) + abs(said["y_p = d·y / w"])
+        for found, expected in zip(
+            hit, (said["x_p = d·x / w"], said["y_p = d·y / w"], -distance), strict=True
+        ):
+            assert abs(float(found) - expected) < 1e-9 * (size + 30.0)
+
+
+def test_by_hand() -> None:
+    """Eye at the origin, looking along -z: (2, 3, -6) at d = 4 gives 4·2/6 and 4·3/6."""
+    projection = Projection(Camera((0, 0, 0), (0, 0, -1)), Perspective(60, 1, 30))
+    said = readings(show(projection, distance=4.0, point=(2.0, 3.0, -6.0)))
+    assert said["x_p = d·x / w"] == pytest.approx(4 / 3)
+    assert said["y_p = d·y / w"] == pytest.approx(2.0)
+    assert said["scale d / w"] == pytest.approx(2 / 3)
+    said = readings(show(projection, distance=-3.0, point=(2.0, 3.0, -6.0)))
+    assert (said["x_p = d·x / w"], said["y_p = d·y / w"]) == pytest.approx((-1.0, -1.5))
+    assert said["scale d / w"] == pytest.approx(-0.5)
+    assert said["the image on the plane"] == "upside down and left for right"
+
+
+@pytest.mark.parametrize("distance", [4.0, 9.5, 20.0, -3.0])
+def test_what_is_marked_lies_on_the_plane_and_on_its_projector(distance: float) -> None:
+    exhibit = show(distance=distance)
+    camera = START.camera
+    at = {text.text[0] + text.text[-1]: np.asarray(text.point) for text in exhibit.world.texts}
+    place, hit = at["PP"], at["P'"]
+    eye = np.array(camera.eye)
+    assert camera.frame[2] @ (eye - hit) == pytest.approx(distance)
+    assert np.linalg.norm(np.cross(hit - eye, place - eye)) < 1e-9 * np.linalg.norm(place - eye)
+    plane = exhibit.world.faces[0].points
+    assert np.allclose((eye - plane) @ camera.frame[2], distance)
+    # The plane's border is the window of the lens, d/near times as large.
+    left, right, _, _ = START.window
+    width = np.linalg.norm(plane[1] - plane[0])
+    assert width == pytest.approx((right - left) / START.lens.near * abs(distance))
+    # The two triangles share the eye and two directions: that is what makes them similar.
+    large, small = (face.points for face in exhibit.world.faces[1:])
+    sides = [np.linalg.norm(t - np.roll(t, -1, axis=0), axis=1) for t in (large, small)]
+    assert np.ptp(sides[1] / sides[0]) < 1e-12
+    scale = readings(exhibit)["scale d / w"]
+    assert (sides[1] / sides[0])[0] == pytest.approx(abs(scale))
+    # The chosen point is marked in the other panes where the model has it.
+    trace = START.trace(place)
+    assert exhibit.image.dots[0].point.tolist() == trace.image.tolist()
+    assert exhibit.ndc.dots[0].point.tolist() == trace.ndc.tolist()
+
+
+def test_a_point_outside_the_view_volume_is_marked_in_the_world_only() -> None:
+    """P is 9.6 before the eye plane: beyond a far plane at 8; and beside the picture."""
+    short = show(replace(START, lens=Perspective(40.0, 1.0, 8.0)))
+    aside = show(point=(20.0, 5.0, 0.5))
+    for exhibit in (short, aside):
+        assert exhibit.ndc.dots == exhibit.image.dots == exhibit.image.texts == ()
+        assert exhibit.world.dots and readings(exhibit)["scale d / w"] is not None
+
+
+def test_projectors_start_at_vertices_of_the_subject() -> None:
+    exhibit = show(distance=4.0)
+    thin = [line.points for line in exhibit.world.lines if line.colour == "muted"]
+    assert len(thin) == 8
+    assert {tuple(np.round(ends[1], 9)) for ends in thin} == set(map(tuple, CORNERS.tolist()))
+    assert all(np.allclose(ends[0], START.camera.eye) for ends in thin)
+
+
+def test_a_point_behind_the_eye_has_no_image_and_says_why() -> None:
+    behind = tuple(2.0 * np.array(START.camera.eye) - START.camera.target)
+    beside = tuple(np.array(START.camera.eye) + START.camera.frame[0])
+    for place in (behind, beside, START.camera.eye):
+        for distance in (4.0, -3.0):
+            exhibit = show(distance=distance, point=place)
+            said = exhibit.readings
+            if place != beside or said[0].value is None:  # beside it is a rounding's breadth
+                assert [reading.value for reading in said[:3]] == [None] * 3
+                assert all(r.note is not None and "behind" in r.note.sentence() for r in said[:3])
+                assert not exhibit.image.dots and not exhibit.world.dots
+            assert finite(exhibit)
+
+
+def test_a_plane_through_the_eye_is_refused() -> None:
+    for zero in (0.0, -0.0, 0):
+        with pytest.raises(ProjectionError) as caught:
+            PHENOMENON.checked({"distance": zero})
+        assert str(caught.value) == (
+            "settings.distance = 0: must not be 0: the plane would go through the eye, where"
+            " nothing is cut."
+        )
+    for wrong in (math.nan, math.inf, 2e6, True, "4"):
+        with pytest.raises(ProjectionError, match=r"settings\.distance"):
+            PHENOMENON.checked({"distance": wrong})
+
+
+@pytest.mark.parametrize("lens", [Orthographic(-4, 4, -3, 3, 1, 30), Oblique(-4, 4, -3, 3, 1, 30)])
+def test_a_parallel_lens_has_no_projectors_that_meet(lens: Any) -> None:
+    exhibit = show(replace(START, lens=lens))
+    assert exhibit.warning is not None and "parallel" in exhibit.warning.sentence()
+    assert exhibit.readings == () and exhibit.world.lines == ()
+    assert len(exhibit.copies) == PHENOMENON.copies and exhibit.copies[0].panes == ()
+
+
+@pytest.mark.parametrize("depth", DEPTH_RANGES)
+@pytest.mark.parametrize(
+    "lens",
+    [
+        Perspective(1e-6, 1e-3, math.inf), Perspective(179.99999, 1e-6, 1e9),
+        Perspective(45, 1e-9, 1e-8), Perspective(45, 1e8, 1e9), Frustum(-1, 3, 0.5, 2, 1, 30),
+    ],
+)  # fmt: skip
+@pytest.mark.parametrize("distance", [1e-300, -1e-300, 1e-9, -1e6, 1e6])
+def test_extremes_bring_no_nan(distance: float, lens: Any, depth: str) -> None:
+    for eye in (START.camera.eye, (1e9, 1e9, 1e9), (0.3, 2.4, 1e-9)):
+        camera = Camera(eye, (0.3, 2.4, 0.0))
+        for place in ((1.5, 5.0, 0.5), (1e100, -1e100, 1e100), (0.3, 2.4, 0.0)):
+            exhibit = show(Projection(camera, lens, depth=depth), distance=distance, point=place)
+            assert finite(exhibit)
+            assert len(exhibit.copies) == 1

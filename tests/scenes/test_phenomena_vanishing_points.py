@@ -1,0 +1,299 @@
+"""Vanishing points: against the limit of far points with 80 digits, and what is at infinity."""
+
+from __future__ import annotations
+
+import math
+import random
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from app.model.projection import Camera, Orbit, Perspective, Projection
+from app.scenes.phenomena.illustration import Exhibit
+from app.scenes.phenomena.picture import box_corners
+from app.scenes.phenomena.vanishing_points import (
+    PHENOMENON,
+    horizon,
+    line_in_rectangle,
+    vanishing,
+)
+from tests.oracles.exact import Exact, mp
+from tests.oracles.exhibits import random_projection, reading, subject_of
+
+SUBJECT = subject_of(PHENOMENON)
+AXES = ("x", "y", "z")
+
+
+def shown(projection: Projection, **settings: object) -> Exhibit:
+    return PHENOMENON.show(projection, PHENOMENON.checked(settings), SUBJECT)
+
+
+def turned(points: str, projection: Projection = PHENOMENON.start) -> Projection:
+    before = PHENOMENON.checked({"points": "free"})
+    return PHENOMENON.follow(projection, before, PHENOMENON.checked({"points": points}))
+
+
+def pixel(exhibit: Exhibit, label: str) -> tuple[float, float]:
+    found = reading(exhibit, label).value
+    assert isinstance(found, tuple) and len(found) == 2, label
+    return found[0], found[1]
+
+
+def exact_vanishing(projection: Projection, axis: int) -> list[float]:
+    """Where a point on an edge's line goes that is 1e40 away, with 80 digits."""
+    exact = Exact(projection)
+    direction = [row[axis] for row in exact.frame]
+    left, right, bottom, top = exact.window()
+    near = mp.mpf(projection.lens.near)
+    at = [part * mp.mpf(10) ** 40 + mp.mpf("0.37") for part in direction]
+    x, y = (near * part / -at[2] for part in at[:2])
+    return [
+        float(exact.width * (x - left) / (right - left)),
+        float(exact.height * (top - y) / (top - bottom)),
+    ]
+
+
+def test_vanishing_points_are_the_limits_of_fifty_random_pictures() -> None:
+    dice = random.Random(11)
+    perspectives = 0
+    for _ in range(50):
+        seen = random_projection(dice, PHENOMENON.start)
+        exhibit = shown(seen)
+        kind = reading(exhibit, "kind of projection").value
+        if seen.lens.parallel:
+            assert kind == "parallel projection"
+            assert all(reading(exhibit, f"edges along {axis}").value is None for axis in AXES)
+            continue
+        perspectives += 1
+        assert kind == "3-point perspective"
+        for index, axis in enumerate(AXES):
+            expected = exact_vanishing(seen, index)
+            size = max(1.0, *map(abs, expected))
+            found = pixel(exhibit, f"edges along {axis}")
+            # What n . D keeps of the frame's digits, which is little for the far ones.
+            assert found == pytest.approx(expected, abs=1e-12 * size * size)
+    assert perspectives > 10
+
+
+def test_vanishing_points_by_hand() -> None:
+    """Azimuth 40, level: tan 40 = 0.8391 right of the middle, and cot 40 = 1.19175 left of it.
+
+    With 70 degrees up and 720 px, the plane at distance 1 has 360/tan 35 = 514.13 px a unit.
+    """
+    exhibit = shown(PHENOMENON.start)
+    k = 360 / math.tan(math.radians(35))
+    right, left = math.tan(math.radians(40)), 1 / math.tan(math.radians(40))
+    assert pixel(exhibit, "along z") == pytest.approx((640 + k * right, 360.0), abs=1e-9)
+    assert pixel(exhibit, "along x") == pytest.approx((640 - k * left, 360.0), abs=1e-9)
+    found = reading(exhibit, "along y")
+    assert found.value is None and found.note is not None and found.note.values == ("y", "90")
+
+
+@pytest.mark.parametrize(
+    ("points", "word", "finite"),
+    [("1", "1-point", "z"), ("2", "2-point", "xz"), ("3", "3-point", "xyz")],
+)
+@pytest.mark.parametrize("target", [(0.0, 1.3, 0.0), (0.1, 1.1, -7.3), (12345.6, 0.7, 1e-3)])
+def test_the_presets_have_as_many_as_they_say(
+    points: str, word: str, finite: str, target: tuple[float, float, float]
+) -> None:
+    camera = Camera.from_orbit(target, Orbit(-77.0, 21.0, 6.3))
+    seen = turned(points, replace(PHENOMENON.start, camera=camera))
+    exhibit = shown(seen)
+    kind = reading(exhibit, "kind of projection").value
+    assert isinstance(kind, str) and kind.startswith(word)
+    for axis in AXES:
+        found = reading(exhibit, f"edges along {axis}")
+        assert (found.value is not None) == (axis in finite)
+        if found.value is None:
+            assert found.note is not None
+            assert found.note.values == (axis, {"x": "0", "y": "90"}[axis])
+            assert found.note.sentence().startswith(f"V_{axis} is at infinity")
+    assert seen.camera.target == target
+    assert seen.camera.distance == pytest.approx(6.3, rel=1e-12)
+
+
+def test_a_parallel_lens_becomes_perspective_and_free_turns_nothing() -> None:
+    assert turned("1", PHENOMENON.start.with_lens("oblique")).lens.kind == "perspective"
+    assert turned("free") == PHENOMENON.start
+
+
+def test_what_is_at_infinity_is_decided_by_the_roundings_of_eye_and_target() -> None:
+    """One ulp of the eye's height is rounding; a thousandth of a degree is not."""
+    eye_y = math.nextafter(2.2, 3.0)
+    level = replace(PHENOMENON.start, camera=Camera((3.0, eye_y, 8.0), (0.0, 2.2, 0.0)))
+    assert vanishing(level)[1].clip[3] == 0.0
+    # Far from the origin an ulp is more: 2.3e-10 of the 5 between eye and target.
+    eye_y = math.nextafter(1234567.1, 2e6)
+    far_off = Camera((7e5, eye_y, 1e5), (7e5 + 3.0, 1234567.1, 1e5 - 4.0))
+    assert vanishing(replace(PHENOMENON.start, camera=far_off))[1].clip[3] == 0.0
+    tilted = replace(PHENOMENON.start, camera=Camera((3.0, 2.2 + 1.5e-4, 8.0), (0.0, 2.2, 0.0)))
+    found = vanishing(tilted)[1]
+    assert found.pixel is not None
+    # Down by cot of 1.5e-4/8.544 rad: 514.13 px * 56 960 = 2.93e7 px.
+    slope = 1.5e-4 / math.hypot(3.0, 8.0)
+    k = 360 / math.tan(math.radians(35))
+    assert found.pixel[1] == pytest.approx(360 + k / slope, rel=1e-8)
+    # However short the way to the target, one direction is not across it.
+    ulp = math.ulp(1.0)
+    short = Camera((1.0 + ulp, 1.0 + ulp, 1.0 + ulp), (1.0, 1.0, 1.0))
+    points = vanishing(replace(PHENOMENON.start, camera=short))
+    assert sum(point.clip[3] > 0.0 for point in points) == 3
+    # The same ulp, on a target a million times nearer, is an angle that was meant.
+    near = replace(
+        PHENOMENON.start,
+        camera=Camera((1e-9, 1e-9, 1e-9), (0.0, 0.0, 0.0)),
+        lens=Perspective(70.0, 1e-12, 1.0),
+    )
+    assert vanishing(near)[1].pixel is not None
+
+
+def test_the_running_point_goes_to_the_vanishing_point() -> None:
+    dice = random.Random(12)
+    converged = 0
+    for _ in range(50):
+        seen = random_projection(dice, PHENOMENON.start)
+        if seen.lens.parallel:
+            continue
+        axis = dice.choice(AXES)
+        gaps = []
+        for t in (0.9, 0.99, 0.999, 0.9999, 1.0):
+            exhibit = shown(seen, edge=axis, t=t)
+            found = reading(exhibit, "image of P")
+            if found.value is None:
+                gaps.append(math.inf)
+                continue
+            rest = reading(exhibit, "from P to V").value
+            assert isinstance(rest, float)
+            expected = math.dist(pixel(exhibit, "image of P"), pixel(exhibit, f"along {axis}"))
+            assert rest == pytest.approx(expected, abs=1e-9)
+            gaps.append(rest)
+            assert reading(exhibit, "w of P").value == pytest.approx(1.0 - t, abs=1e-15)
+        x, y = pixel(exhibit, f"along {axis}")
+        assert gaps[-1] <= 1e-12 * math.hypot(x, y)  # at t = 1 it is there
+        if gaps[0] < math.inf and gaps[2] > 1e-6:
+            converged += 1
+            # In the end the gap goes with w = 1 - t.
+            assert gaps[2] / gaps[3] == pytest.approx(10.0, rel=0.2)
+    assert converged > 10
+
+
+def test_the_running_point_has_the_pixel_of_its_world_point() -> None:
+    """While it is in front; from infinity on it comes from behind, and goes on beyond V."""
+    seen = turned("2")
+    for t in (0.0, 0.3, 0.7, 0.95):
+        exhibit = shown(seen, t=t)
+        (dot,) = [d for d in exhibit.world.dots if d.colour == "accent"]
+        assert seen.trace(dot.point).image == pytest.approx(pixel(exhibit, "image of P"), abs=1e-9)
+    vanishing_x = pixel(shown(seen), "along z")[0]
+    before, after = (pixel(shown(seen, t=t), "image of P")[0] for t in (0.9, 1.05))
+    assert before < vanishing_x < after
+    # t = 1.5: P = C - 3 s D, six units towards the viewer from a corner that is 5 away.
+    exhibit = shown(seen, t=1.5)
+    (dot,) = [d for d in exhibit.world.dots if d.colour == "accent"]
+    trace = seen.trace(dot.point)
+    assert not trace.in_front
+    mirrored = trace.clip[:2] / trace.clip[3]
+    expected = ((mirrored[0] + 1) * 640, (1 - mirrored[1]) * 360)
+    assert pixel(exhibit, "image of P") == pytest.approx(expected, rel=1e-9)
+
+
+def test_a_direction_at_infinity_takes_its_point_there() -> None:
+    found = reading(shown(turned("1"), edge="x", t=1.0), "image of P")
+    assert found.value is None and found.note is not None
+    assert "infinity" in found.note.sentence()
+
+
+def test_all_horizontal_directions_vanish_on_the_horizon() -> None:
+    dice = random.Random(13)
+    checked = 0
+    for _ in range(50):
+        seen = random_projection(dice, PHENOMENON.start)
+        line = horizon(seen)
+        if seen.lens.parallel:
+            assert line is None
+            continue
+        assert line is not None
+        a, b, c = line
+        for index in (0, 2):
+            x, y = exact_vanishing(seen, index)
+            assert a * x + b * y == pytest.approx(c, abs=1e-9 * max(1.0, abs(x), abs(y)))
+        checked += 1
+        held = line_in_rectangle(line, (0.0, 0.0), seen.image_size)
+        assert held is None or np.allclose(held @ [a, b], c, atol=1e-6)
+    assert checked > 10
+    down = Camera((0.0, 20.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, -1.0))
+    assert horizon(replace(PHENOMENON.start, camera=down)) is None
+
+
+@pytest.mark.parametrize(
+    ("line", "ends"),
+    [
+        ((0.0, 1.0, 2.0), [(0, 2), (10, 2)]),
+        ((1.0, 0.0, 3.0), [(3, 0), (3, 5)]),
+        ((1.0, -1.0, 0.0), [(0, 0), (5, 5)]),
+        ((1.0, 1.0, 12.0), [(7, 5), (10, 2)]),
+        ((1.0, -1.0, 20.0), None),
+        ((0.0, 1.0, 7.0), None),
+        ((0.0, 1.0, -1.0), None),
+        ((3.0, 1.0, 6.0), [(1 / 3, 5), (2, 0)]),
+    ],
+)
+def test_a_line_in_a_rectangle(
+    line: tuple[float, float, float], ends: list[tuple[float, float]] | None
+) -> None:
+    held = line_in_rectangle(line, (0.0, 0.0), (10.0, 5.0))
+    if ends is None:
+        assert held is None
+    else:
+        assert held is not None
+        assert np.allclose(sorted(held.tolist()), sorted(ends), atol=1e-12)
+
+
+def test_guide_lines_go_through_their_vanishing_point() -> None:
+    opposite = Camera.from_orbit((0.0, 1.3, 0.0), Orbit(-140.0, -20.0, 6.0))
+    for seen in (
+        *(turned(points) for points in ("1", "2", "3")),
+        replace(PHENOMENON.start, camera=opposite),
+    ):
+        exhibit = shown(seen)
+        corners = seen.trace(box_corners(SUBJECT.lower, SUBJECT.upper))
+        for axis, colour in zip(AXES, ("u", "v", "n"), strict=True):
+            guides = [line.points for line in exhibit.image.lines if line.colour == colour]
+            if reading(exhibit, f"along {axis}").value is None:
+                assert not guides
+                continue
+            assert len(guides) >= 2
+            at = np.array(pixel(exhibit, f"along {axis}"))
+            for start, end in guides:
+                along, rest = end - start, at - start
+                across = along[0] * rest[1] - along[1] * rest[0]
+                assert abs(across) <= 1e-8 * np.hypot(*along) * max(1.0, np.hypot(*rest))
+                # They extend the edges: from the end that is farther from the viewer.
+                index = np.abs(corners.image - start).sum(axis=1).argmin()
+                assert corners.image[index] == pytest.approx(start, abs=1e-6)
+                other = index ^ (1 << AXES.index(axis))
+                assert corners.view[index, 2] < corners.view[other, 2]
+
+
+def test_rays_from_the_eye_meet_the_near_plane_at_the_vanishing_points() -> None:
+    seen = turned("3")
+    exhibit = shown(seen)
+    names = {text.text: text.point for text in exhibit.world.texts}
+    for axis in AXES:
+        trace = seen.trace(names[f"V_{axis}"])
+        assert trace.view[2] == pytest.approx(-seen.lens.near, abs=1e-12)
+        assert trace.image == pytest.approx(pixel(exhibit, f"along {axis}"), abs=1e-8)
+        index = AXES.index(axis)
+        ray = np.delete(names[f"V_{axis}"] - np.array(seen.camera.eye), index)
+        assert np.abs(ray).max() == 0.0  # parallel to the axis
+
+
+def test_the_diagram_shows_vanishing_points_beside_the_frame() -> None:
+    exhibit = shown(turned("3"))
+    (diagram,) = exhibit.diagrams
+    _, below = pixel(exhibit, "along y")
+    assert below > 720  # not in the picture
+    assert diagram.bottom > below and diagram.top < 0 and diagram.left < 0
+    assert {curve.label for curve in diagram.curves} >= {"V_x", "V_y", "V_z", "horizon"}

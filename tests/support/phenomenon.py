@@ -1,0 +1,86 @@
+"""A phenomenon with a setting of every kind, for tests of what shows any of them."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from app.model.projection import Camera, Projection, ProjectionError
+from app.scenes.phenomena.illustration import (
+    Curve,
+    Diagram,
+    Dot,
+    Exhibit,
+    Marks,
+    Phenomenon,
+    Phrase,
+    Reading,
+    Setting,
+    Settings,
+    Subject,
+    Text,
+    number,
+    point,
+)
+from app.scenes.phenomena.similar_triangles import PHENOMENON as SIMILAR_TRIANGLES
+
+BELOW_COUNT = "must be less than the count, which is {0}"
+
+
+def _show(projection: Projection, settings: Settings, _subject: Subject) -> Exhibit:
+    gap, light = number(settings, "gap"), np.array(point(settings, "light"))
+    why = Phrase("the light is behind the eye at {0}", ("z = 3",))
+    behind = projection.trace(light).view[2] >= 0.0
+    across = np.linspace(0.0, 1.0, 5)
+    return Exhibit(
+        (
+            Reading("gap", gap, "mm"),
+            Reading("kind", str(settings["kind"])),
+            Reading("x_s", None if behind else float(light[0]), "×", why if behind else None),
+            Reading("y_s", None if behind else float(light[1]), "×", why if behind else None),
+            Reading("S", tuple(gap * i for i in range(16))),
+        ),
+        world=Marks(dots=(Dot(light),), texts=(Text("light", light),)),
+        diagrams=(
+            Diagram("Line", (Curve(np.stack([across, across], 1), "near", "y"),), 0, 1, 0, 1),
+        ),
+        warning=Phrase("nothing of {0} is seen", ("it",)) if gap > 100.0 else None,
+    )
+
+
+def _follow(projection: Projection, _before: Settings, after: Settings) -> Projection:
+    """Put the eye as high as the light is."""
+    x, _, z = projection.camera.eye
+    camera = projection.camera
+    eye = (x, point(after, "light")[1], z)
+    return replace(projection, camera=Camera(eye, camera.target, camera.up))
+
+
+def _check(settings: Settings) -> None:
+    count = number(settings, "count")
+    if number(settings, "gap") / 10.0 >= count:
+        raise ProjectionError("settings.gap", settings["gap"], BELOW_COUNT, count)
+
+
+EVERYTHING = Phenomenon(
+    "everything",
+    "A setting of every kind",
+    "What this is about. It has two sentences.",
+    ("001", "002"),
+    SIMILAR_TRIANGLES.start,
+    SIMILAR_TRIANGLES.geometry,
+    _show,
+    settings=(
+        Setting("gap", "Gap", "Between the two", 2.0, 1e-3, 1e3, unit="mm", logarithmic=True),
+        Setting("turn", "Turn", "How far", 0.0, -180.0, 180.0, unit="°", per_second=90.0),
+        Setting("count", "Count", "How many", 40.0, 1.0, 64.0, whole=True, per_second=4.0),
+        Setting("kind", "Kind", "Which", "a", choices=(("a", "alpha"), ("b", "beta"))),
+        Setting("correct", "Correct", "Whether", True),
+        Setting("light", "Light", "Where it is", (1.0, 3.6, 3.0), -100.0, 100.0),
+    ),
+    controls=("lens.near", "camera.eye"),
+    follow=_follow,
+    check=_check,
+    own_mesh=True,
+)

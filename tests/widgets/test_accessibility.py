@@ -1,0 +1,155 @@
+"""What a screen reader hears of the whole window, and how the keyboard goes through it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Iterator
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QAccessible, QAccessibleAnnouncementEvent, QAction
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import (
+    QAbstractScrollArea,
+    QApplication,
+    QLabel,
+    QScrollArea,
+    QToolButton,
+    QWidget,
+)
+from pytestqt.qtbot import QtBot
+
+from app.document.document import Document
+from app.scenes.scene import load
+from widgets.parts.diagram import DiagramView
+
+SAID = QAccessible.Text
+LABEL = QAccessible.RelationFlag.Label
+
+
+def said(widget: QWidget, what: QAccessible.Text = SAID.Name) -> str:
+    """What a screen reader is told of a widget."""
+    return QAccessible.queryAccessibleInterface(widget).text(what)
+
+
+def panels(window: Any) -> Iterator[QWidget]:
+    """Every panel, opened one after the other."""
+    for panel in (
+        window.matrices,
+        window.frame_panel,
+        window.probe_panel,
+        window.scene_panel,
+        window.measure_panel,
+    ):
+        window.panels.open(panel)
+        yield panel
+
+
+def mnemonics(actions: Iterable[QAction]) -> Iterator[list[str]]:
+    """The letters that Alt is pressed with: those of a menu, then those of each menu below it."""
+    yield [letter for action in actions for letter in re.findall("&([^&])", action.text().lower())]
+    for action in actions:
+        if action.menu() is not None:
+            yield from mnemonics(action.menu().actions())
+
+
+def test_a_screen_reader_hears_what_is_shown(make_window: Callable[..., Any]) -> None:
+    window = make_window(Document("depth-buffer", load("depth-buffer").start))
+    window.panels.open(window.matrices)
+    window.matrices.explanation.setText("a sentence")
+    for _ in panels(window):
+        for label in window.findChildren(QLabel):
+            if label.isVisible() and label.text() and "<" not in label.text():
+                heard = said(label) + said(label, SAID.Description)
+                assert label.text().rstrip("…") in heard, label.text()
+    heard = said(window.frame_panel.numbers)
+    assert "=" in heard and "<" not in heard  # without its markup
+    said_of_panes = [said(b) for p in window.panes.values() for b in p.findChildren(QToolButton)]
+    assert len(said_of_panes) == len(set(said_of_panes))
+    assert "World: Enlarge this pane, and back" in said_of_panes
+    box = QAccessible.queryAccessibleInterface(window._scene_box)
+    assert "Scene" in [label.text(SAID.Name) for label, _ in box.relations(LABEL)]
+    letters = list(mnemonics(window.menuBar().actions()))
+    assert len(letters) > 5 and all(len(menu) == len(set(menu)) for menu in letters), letters
+    window.status.quality.setText("quality: 50 %")
+    for button in (window.status.rung, window.status.quality):
+        assert said(button) == button.text()
+
+
+def test_a_message_is_announced_and_esc_closes_it(
+    make_window: Callable[..., Any], qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    heard: list[str] = []
+    monkeypatch.setattr(
+        "widgets.parts.message_bar.QAccessible",
+        SimpleNamespace(updateAccessibility=lambda event: heard.append(event.message())),
+    )
+    window = make_window()
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    window.probe_panel.follow(point=(0.0, 0.0, 0.0))
+    field, escape = window.controls.rows["near"].field, Qt.Key.Key_Escape
+    field.setFocus()
+    messages = window.messages
+    for sentence in ("An offer.", "A refusal.", "A refusal."):
+        messages.say(sentence, *[("Take it", lambda: None)][: sentence == "An offer."])
+    assert heard == ["An offer.", "A refusal."]
+    QTest.keyClicks(field, "x")
+    QTest.keyClick(field, escape)
+    assert messages.text == "A refusal.", "the text being typed was meant"
+    QTest.keyClick(field, escape)
+    assert messages.text == "An offer." and len(window.probe_panel.probes) == 1
+    QTest.keyClick(field, escape)
+    assert messages.text == "An offer." and not window.probe_panel.probes
+    messages.choices[0].setFocus()
+    QTest.keyClick(messages.choices[0], escape)
+    assert messages.text == ""
+    QAccessible.updateAccessibility(QAccessibleAnnouncementEvent(messages, "as it is in earnest"))
+
+
+def stops(window: Any) -> list[QWidget]:
+    """Where Tab stops, once round the window."""
+    been: list[QWidget] = []
+    while (focus := QApplication.focusWidget()) not in been:
+        assert focus is not None and len(been) < 200
+        been.append(focus)
+        QTest.keyClick(focus, Qt.Key.Key_Tab)
+    return been
+
+
+def test_tab_goes_as_one_sees_and_is_seen(make_window: Callable[..., Any], qtbot: QtBot) -> None:
+    window = make_window(Document("depth-buffer", load("depth-buffer").start))
+    window.resize(1366, 768)
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    name = next(
+        widget for widget in window.panels.findChildren(QWidget) if said(widget) == "Measure"
+    )
+    for panel in panels(window):
+        QApplication.processEvents()
+        name.setFocus()
+        order = stops(window)
+        inside = [panel.isAncestorOf(widget) for widget in order]
+        assert inside[1] and not any(inside[inside.index(False, 1) :]), panel.accessibleName()
+        for widget in order:
+            assert said(widget), widget
+            if isinstance(widget, QScrollArea):
+                bars = widget.horizontalScrollBar(), widget.verticalScrollBar()
+                assert any(bar.maximum() for bar in bars), said(widget)
+            if isinstance(widget, (QAbstractScrollArea, DiagramView)):
+                widget.setFocus()
+                seen = widget.grab().toImage()
+                widget.clearFocus()
+                assert widget.grab().toImage() != seen, said(widget)
+        order[1].setFocus()
+        QTest.keyClick(order[1], Qt.Key.Key_Backtab)
+        assert QApplication.focusWidget() is name
+
+
+def test_no_layout_is_walked_by_its_items() -> None:
+    """An item is no QObject: PySide takes what comes to lie in its place for it, and crashes."""
+    for path in (Path(__file__).parents[1] / "widgets").glob("*.py"):
+        assert ".itemAt(" not in path.read_text(encoding="utf-8"), path.name

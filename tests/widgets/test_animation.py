@@ -1,0 +1,515 @@
+"""The walk round the scene: as a function of time, and as it is played."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+from itertools import pairwise
+from typing import Any
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+
+from app.model.projection import Camera, Projection, ProjectionError
+from app.scenes.scene import load
+from widgets.controls.animation import PERIOD_S, STEP_S, AnimationBar, Motion, camera_at
+from widgets.controls.controls import Controls
+from widgets.parts.fields import NumberRow
+
+# 5 to the +z side of the target and 3 above it.
+START = Camera((0.0, 5.0, 5.0), (0.0, 2.0, 0.0))
+AFAR = Camera((0.0, 2.0, 20.0), START.target)
+QUARTER_S = 4.5  # at 20 degrees per second
+SWING = Motion(height="swing", lowest=3.0, highest=7.0, clock_s=PERIOD_S / 4)
+STEPS = Motion(height="steps", lowest=3.0, highest=9.0)
+
+
+# -- the walk as a function of time
+
+
+def test_the_camera_walks_from_the_z_side_to_the_x_side() -> None:
+    camera = camera_at(START, QUARTER_S, Motion(speed_deg_s=20.0))
+    assert camera.eye == pytest.approx((5.0, 5.0, 0.0))
+    assert camera.target == START.target and camera.up == START.up
+    assert camera.orbit.azimuth_deg == pytest.approx(90.0)
+
+
+def test_the_other_way_round_below_0() -> None:
+    camera = camera_at(START, QUARTER_S, Motion(speed_deg_s=-20.0))
+    assert camera.eye == pytest.approx((-5.0, 5.0, 0.0))
+
+
+def test_the_walk_goes_round_the_target_not_the_origin() -> None:
+    start = Camera((101.0, 5.0, 55.0), (101.0, 2.0, 50.0))
+    camera = camera_at(start, QUARTER_S, Motion(speed_deg_s=20.0))
+    assert camera.eye == pytest.approx((106.0, 5.0, 50.0))
+
+
+def test_a_full_turn_comes_back_to_the_digit() -> None:
+    assert camera_at(START, 18.0, Motion(speed_deg_s=20.0)) == START
+    assert camera_at(START, 1.8e9, Motion(speed_deg_s=20.0)) == START
+
+
+@given(
+    st.floats(0.0, 1e4),
+    st.sampled_from(["fixed", "swing", "steps"]),
+    st.sampled_from(["target", "level"]),
+    st.floats(-90.0, 90.0),
+)
+def test_the_distance_from_the_vertical_never_changes(
+    seconds: float, height: Any, look: Any, speed: float
+) -> None:
+    motion = Motion(speed, height, look, 3.0, 7.0, PERIOD_S / 4)
+    camera = camera_at(START, seconds, motion)
+    x, _, z = camera.eye
+    assert math.hypot(x, z) == pytest.approx(5.0)
+    if height == "fixed":
+        assert camera.eye[1] == 5.0
+    else:
+        assert 3.0 - 1e-9 <= camera.eye[1] <= 7.0 + 1e-9
+    assert camera.target == (0.0, camera.eye[1] if look == "level" else 2.0, 0.0)
+
+
+def test_looking_level_is_horizontal() -> None:
+    for seconds in (0.0, 1.0, 7.3):
+        camera = camera_at(START, seconds, replace(SWING, look="level"))
+        assert camera.frame[2][1] == 0.0  # n of lecture 004
+
+
+def test_the_swing_is_smooth_and_reaches_both_limits() -> None:
+    heights = [camera_at(START, t, SWING).eye[1] for t in (0.0, 3.0, 6.0, 9.0, 12.0)]
+    assert heights == pytest.approx([5.0, 7.0, 5.0, 3.0, 5.0])
+    step_s = 1 / 60
+    path = [camera_at(START, i * step_s, SWING).eye[1] for i in range(720)]
+    fastest = 2.0 * math.pi / PERIOD_S * 2.0  # of a swing of reach 2
+    assert max(abs(b - a) for a, b in pairwise(path)) <= fastest * step_s * 1.01
+
+
+def test_a_swing_that_starts_beyond_its_limits_does_not_jump() -> None:
+    motion = replace(SWING, clock_s=SWING.clock_at(50.0))
+    start = Camera((0.0, 50.0, 5.0), (0.0, 2.0, 0.0))
+    assert camera_at(start, 0.0, motion).eye[1] == 50.0
+    assert camera_at(start, 1e-3, motion).eye[1] == pytest.approx(50.0, abs=0.05)
+    assert camera_at(start, 30.0, motion).eye[1] <= 7.0 + 1e-9
+
+
+def test_steps_are_held_for_two_seconds() -> None:
+    at = [camera_at(START, t, STEPS).eye[1] for t in (0.0, 1.99, 2.0, 3.99, 4.0, 6.0)]
+    assert at == pytest.approx([5.0, 5.0, 5.0, 5.0, 7.0, 9.0])  # 3, 5, 7, 9; start first
+    down = [camera_at(START, t, STEPS).eye[1] for t in (8.0, 10.0, 12.0, 14.0)]
+    assert down == pytest.approx([7.0, 5.0, 3.0, 5.0])
+    start = replace(START, eye=(0.0, 4.0, 5.0))
+    assert camera_at(start, 1.99, STEPS).eye[1] == 4.0
+    assert STEP_S == 2.0
+
+
+@pytest.mark.parametrize("height", [3.0, 3.5, 5.0, 6.9, 7.0])
+@pytest.mark.parametrize("rising", [True, False])
+def test_the_clock_finds_the_height_and_its_direction(height: float, rising: bool) -> None:
+    clock_s = SWING.clock_at(height, rising=rising)
+    assert SWING.swing(clock_s) == pytest.approx(height)
+    if 3.0 < height < 7.0:
+        later = SWING.swing(clock_s + 0.01)
+        assert (later > height) == rising
+        assert replace(SWING, clock_s=clock_s).rising == rising
+
+
+def test_up_walks_along() -> None:
+    start = Camera((0.0, 9.0, 0.0), (0.0, 2.0, 0.0), (0.0, 0.0, -1.0))  # straight above
+    camera = camera_at(start, QUARTER_S, Motion(speed_deg_s=20.0))
+    assert camera.eye == start.eye and camera.up == pytest.approx((-1.0, 0.0, 0.0), abs=1e-15)
+
+
+def test_from_straight_above_there_is_no_level_view() -> None:
+    start = Camera((0.0, 9.0, 0.0), (0.0, 2.0, 0.0), (0.0, 0.0, -1.0))
+    with pytest.raises(ProjectionError):
+        camera_at(start, 1.0, Motion(look="level"))
+
+
+# -- played
+
+
+class Record:
+    """What the bar says, in order."""
+
+    def __init__(self, bar: AnimationBar) -> None:
+        self.cameras: list[Camera] = []
+        self.events: list[Any] = []
+        bar.edited.connect(self.cameras.append)
+        bar.gesture_started.connect(lambda: self.events.append("start"))
+        bar.gesture_finished.connect(lambda: self.events.append("finish"))
+        bar.playing_changed.connect(self.events.append)
+
+
+@pytest.fixture
+def bar(display: Any, qtbot: Any) -> Iterator[AnimationBar]:
+    widget = AnimationBar()
+    qtbot.addWidget(widget)
+    widget.set_scene(4.0, AFAR)  # heights from 1 to 6
+    widget.show_camera(START)
+    widget.show()
+    yield widget
+    widget.pause()
+
+
+@pytest.fixture
+def record(bar: AnimationBar) -> Record:
+    return Record(bar)
+
+
+def test_play_and_pause_enclose_one_gesture(bar: AnimationBar, record: Record) -> None:
+    QTest.mouseClick(bar.button, Qt.MouseButton.LeftButton)
+    assert bar.playing and bar.button.accessibleName() == "Pause"
+    bar.advance(1.0)
+    bar.advance(1.0)
+    QTest.mouseClick(bar.button, Qt.MouseButton.LeftButton)
+    assert not bar.playing and bar.button.accessibleName() == "Play"
+    assert record.events == ["start", True, "finish", False]
+    assert record.cameras == [camera_at(START, t, bar.motion) for t in (1.0, 2.0)]
+
+
+def test_nothing_moves_before_play_and_after_pause(bar: AnimationBar, record: Record) -> None:
+    bar.advance(1.0)
+    bar.play()
+    bar.pause()
+    bar.advance(1.0)
+    assert record.cameras == []
+
+
+def test_the_timer_makes_one_frame_after_another(
+    bar: AnimationBar, record: Record, qtbot: Any
+) -> None:
+    bar.play()
+    qtbot.waitUntil(lambda: len(record.cameras) >= 3)
+    bar.pause()
+    count = len(record.cameras)
+    QApplication.processEvents()
+    assert len(record.cameras) == count
+    azimuths = [camera.orbit.azimuth_deg for camera in record.cameras]
+    assert azimuths == sorted(set(azimuths)) and azimuths[0] > 0.0
+
+
+def test_no_frame_is_asked_for_while_one_is_handled(bar: AnimationBar, qtbot: Any) -> None:
+    waiting = []
+    bar.edited.connect(lambda _camera: waiting.append(bar._timer.isActive()))
+    bar.play()
+    qtbot.waitUntil(lambda: len(waiting) >= 2)
+    assert waiting[:2] == [False, False]
+
+
+def test_a_stalled_window_does_not_jump(bar: AnimationBar, record: Record) -> None:
+    class Watch:
+        def nsecsElapsed(self) -> int:
+            return 3_600_000_000_000
+
+        def restart(self) -> int:
+            return 0
+
+    bar.play()
+    bar._watch = Watch()  # type: ignore[assignment]
+    bar._frame()
+    assert record.cameras == [camera_at(START, 0.25, bar.motion)]
+
+
+def test_playing_on_goes_on(bar: AnimationBar, record: Record) -> None:
+    bar.height_mode.choose("swing")
+    bar.play()
+    for _ in range(10):
+        bar.advance(0.7)
+    bar.pause()
+    stood = record.cameras[-1]
+    bar.play()
+    bar.advance(1e-9)
+    assert record.cameras[-1].eye == pytest.approx(stood.eye, abs=1e-6)
+    bar.advance(0.7)
+    straight = camera_at(START, 7.7, bar.motion)
+    assert record.cameras[-1].eye == pytest.approx(straight.eye, abs=1e-6)
+
+
+def test_another_speed_does_not_jump(bar: AnimationBar, record: Record) -> None:
+    bar.height_mode.choose("swing")
+    bar.play()
+    bar.advance(4.0)  # over the top and falling
+    before = record.cameras[-1]
+    bar.speed.slider.setFocus()
+    QTest.keyClick(bar.speed.slider, Qt.Key.Key_End)
+    assert bar.motion.speed_deg_s == 90.0
+    bar.advance(1e-9)
+    assert record.cameras[-1].eye == pytest.approx(before.eye, abs=1e-6)
+    bar.advance(1.0)
+    assert record.cameras[-1].orbit.azimuth_deg == pytest.approx(80.0 + 90.0)
+    assert record.cameras[-1].eye[1] < before.eye[1]  # falling still
+
+
+@pytest.mark.parametrize("mode", ["swing", "steps"])
+def test_another_height_mode_does_not_jump(bar: AnimationBar, record: Record, mode: str) -> None:
+    bar.play()
+    bar.advance(1.0)
+    bar.height_mode.choose(mode)
+    bar.advance(1e-9)
+    assert record.cameras[-1].eye[1] == pytest.approx(5.0, abs=1e-6)
+    assert bar.lowest.isVisible()
+    for _ in range(200):
+        bar.advance(0.1)
+    heights = [camera.eye[1] for camera in record.cameras]
+    assert min(heights) == pytest.approx(1.0, abs=0.01)
+    assert max(heights) == pytest.approx(6.0, abs=0.01)
+    bar.height_mode.choose("fixed")
+    bar.advance(1.0)
+    assert record.cameras[-1].eye[1] == heights[-1] and not bar.lowest.isVisible()
+
+
+def test_other_limits_do_not_jump(bar: AnimationBar, record: Record) -> None:
+    bar.height_mode.choose("swing")
+    bar.play()
+    bar.advance(1.0)
+    before = record.cameras[-1].eye[1]
+    bar.lowest.field.setFocus()
+    bar.lowest.field.selectAll()
+    QTest.keyClicks(bar.lowest.field, "-8\r")
+    assert bar.motion.lowest == -8.0
+    bar.advance(1e-9)
+    assert record.cameras[-1].eye[1] == pytest.approx(before, abs=1e-6)
+    bar.advance(0.5)
+    rising_s = bar.motion.clock_at(before)
+    assert record.cameras[-1].eye[1] == pytest.approx(bar.motion.swing(rising_s + 0.5), abs=1e-6)
+
+
+def test_a_moved_target_is_what_the_walk_goes_round(bar: AnimationBar, record: Record) -> None:
+    bar.play()
+    bar.advance(QUARTER_S)
+    moved = replace(record.cameras[-1], target=(1.0, 2.5, 0.0))  # the eye is at (5, 5, 0)
+    bar.show_camera(moved)
+    bar.advance(QUARTER_S)
+    assert record.cameras[-1].target == (1.0, 2.5, 0.0)
+    assert record.cameras[-1].eye == pytest.approx((1.0, 5.0, -4.0))
+
+
+def test_a_raised_camera_swings_on_from_there(bar: AnimationBar, record: Record) -> None:
+    bar.height_mode.choose("swing")
+    bar.play()
+    bar.advance(4.0)
+    assert record.cameras[-1].eye[1] < 6.0
+    eye = record.cameras[-1].eye
+    bar.show_camera(replace(record.cameras[-1], eye=(eye[0], 3.0, eye[2])))
+    bar.advance(1e-9)
+    assert record.cameras[-1].eye[1] == pytest.approx(3.0, abs=1e-6)
+    bar.advance(0.5)
+    falling_s = bar.motion.clock_at(3.0, rising=False)
+    assert record.cameras[-1].eye[1] == pytest.approx(bar.motion.swing(falling_s + 0.5), abs=1e-6)
+    assert record.cameras[-1].eye[1] < 3.0
+
+
+def test_its_own_camera_coming_back_is_no_edit(bar: AnimationBar, record: Record) -> None:
+    bar.edited.connect(bar.show_camera)
+    bar.edited.connect(lambda camera: bar.show_camera(replace(camera)))
+    bar.play()
+    elapsed_s = 0.0
+    for _ in range(180):
+        bar.advance(0.1)
+        elapsed_s += 0.1
+    assert record.cameras[-1] == camera_at(START, elapsed_s, bar.motion)  # no rounding adds up
+    assert len(record.cameras) == 180
+
+
+def test_looking_level_remembers_what_to_look_at(bar: AnimationBar, record: Record) -> None:
+    bar.look.choose("level")
+    bar.play()
+    bar.advance(1.0)
+    assert record.cameras[-1].target == (0.0, 5.0, 0.0)
+    level = record.cameras[-1]
+    bar.show_camera(replace(level, eye=(level.eye[0] + 1.0, *level.eye[1:])))  # a step aside
+    bar.pause()
+    bar.look.choose("target")
+    bar.play()
+    bar.advance(1.0)
+    assert record.cameras[-1].target == (0.0, 2.0, 0.0)
+
+
+def test_undo_of_a_level_walk_brings_the_aim_back(bar: AnimationBar, record: Record) -> None:
+    bar.look.choose("level")
+    bar.play()
+    bar.advance(1.0)
+    bar.pause()
+    bar.show_camera(START)
+    bar.look.choose("target")
+    bar.play()
+    bar.advance(1.0)
+    assert record.cameras[-1].target == START.target
+
+
+def test_a_walk_that_cannot_be_stops_and_says_why(bar: AnimationBar, record: Record) -> None:
+    bar.show_camera(Camera((0.0, 9.0, 0.0), (0.0, 2.0, 0.0), (0.0, 0.0, -1.0)))
+    bar.look.choose("level")
+    bar.play()
+    bar.advance(1.0)
+    assert not bar.playing and record.events[-2:] == ["finish", False] and not record.cameras
+    said = "The camera stands straight above the target and cannot look level."
+    assert bar._error.text() == f"⚠ Stopped. {said}"
+    assert bar._error.isVisible()
+    bar.show_camera(Camera((0.0, -9.0, 0.0), (0.0, 2.0, 0.0), (0.0, 0.0, -1.0)))
+    bar.play()
+    bar.advance(1.0)
+    assert "straight below" in bar._error.text()
+
+
+def stop(bar: AnimationBar) -> None:
+    bar.show_camera(Camera((0.0, 9.0, 0.0), (0.0, 2.0, 0.0), (0.0, 0.0, -1.0)))
+    bar.look.choose("level")
+    bar.play()
+    bar.advance(1.0)
+    assert bar._error.isVisible()
+
+
+def test_why_the_walk_stopped_is_forgotten_when_it_is_no_longer_so(bar: AnimationBar) -> None:
+    stop(bar)
+    bar.show_camera(START)  # a reset, an undo, a slider
+    assert not bar._error.isVisible()
+    stop(bar)
+    bar.set_scene(4.0, AFAR)
+    assert not bar._error.isVisible()
+    stop(bar)
+    bar.look.choose("target")
+    assert not bar._error.isVisible()
+    stop(bar)
+    bar.show_camera(replace(START))
+    bar.play()
+    bar.advance(1.0)
+    assert bar.playing and not bar._error.isVisible()
+
+
+def test_a_walk_through_the_target_or_along_up_says_so(bar: AnimationBar) -> None:
+    bar.height_mode.choose("steps")
+    bar.lowest.setValue(2.0)
+    bar.highest.setValue(2.0)
+    bar._settings_edited()
+    bar.show_camera(Camera((0.0, 9.0, 0.0), (0.0, 2.0, 0.0), (0.0, 0.0, -1.0)))
+    bar.play()
+    bar.advance(3.0)
+    said = "The camera has come to the target and cannot look at it."
+    assert not bar.playing and bar._error.text().endswith(said)
+    bar.speed.setValue(0.0)
+    bar._settings_edited()
+    bar.show_camera(Camera((0.0, 9.0, 5.0), (0.0, 2.0, 0.0), (0.0, 0.0, 1.0)))
+    bar.play()
+    bar.advance(3.0)
+    said = "The camera would look along its own up vector."
+    assert not bar.playing and bar._error.text().endswith(said)
+
+
+def test_another_scene_stops_the_walk_and_fits_the_limits(
+    bar: AnimationBar, record: Record
+) -> None:
+    bar.play()
+    bar.set_scene(40.0, Camera((0.0, 100.0, 100.0), (0.0, 100.0, 0.0)))
+    assert not bar.playing
+    assert (bar.lowest.value(), bar.highest.value()) == (90.0, 140.0)
+    assert bar.motion.lowest == 90.0 and record.cameras == []
+
+
+@pytest.mark.parametrize("name", ["letter-f", "cube", "posts", "far-plane-popping"])
+def test_a_swing_looks_at_no_scene_from_straight_above(bar: AnimationBar, name: str) -> None:
+    scene = load(name)
+    camera = scene.start.camera
+    bar.set_scene(scene.size, camera)
+    away = math.hypot(camera.eye[0] - camera.target[0], camera.eye[2] - camera.target[2])
+    for row, least, most in ((bar.lowest, -15.0, 0.0), (bar.highest, 15.0, 35.0)):
+        assert least < math.degrees(math.atan2(row.value() - camera.target[1], away)) < most
+
+
+def test_standing_still_is_silent(bar: AnimationBar, record: Record) -> None:
+    bar.speed.setValue(0.0)
+    bar._settings_edited()
+    bar.play()
+    bar.advance(1.0)
+    assert record.cameras == []
+
+
+# -- in the column
+
+
+def test_the_walk_comes_out_of_the_controls(display: Any, qtbot: Any) -> None:
+    controls = Controls()
+    qtbot.addWidget(controls)
+    controls.show_projection(Projection(START))
+    edits: list[Projection] = []
+    gestures: list[str] = []
+    controls.edited.connect(edits.append)
+    controls.gesture_started.connect(lambda: gestures.append("start"))
+    controls.animation.play()
+    controls.animation.advance(QUARTER_S)
+    assert [edit.camera.eye for edit in edits] == [pytest.approx((5.0, 5.0, 0.0))]
+    assert controls.rows["azimuth_deg"].value() == pytest.approx(90.0)
+    # An edit meanwhile is respected.
+    row = controls.rows["distance"]
+    row.setDefault(10.0)
+    row.reset()
+    controls.animation.advance(QUARTER_S)
+    assert edits[-1].camera.distance == pytest.approx(10.0)
+    assert edits[-1].camera.orbit.azimuth_deg == pytest.approx(180.0)
+    assert gestures == ["start"]  # the row's own; the walk's are the animation's
+    controls.animation.pause()
+
+
+def type_into(row: NumberRow, text: str) -> None:
+    row.field.setFocus()
+    row.field.selectAll()
+    QTest.keyClicks(row.field, text)
+    QTest.keyClick(row.field, Qt.Key.Key_Return)
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "said"),
+    [
+        ("speed", "inf", "Speed = ∞: must be at most 3600."),
+        ("speed", "-inf", "Speed = -∞: must be at least -3600."),
+        ("speed", "1e308", "Speed = 1e+308: must be at most 3600."),
+        ("speed", "-3600.5", "Speed = -3600.5: must be at least -3600."),
+        ("lowest", "-inf", "Lowest = -∞: must be at least -1e+100."),
+        ("highest", "inf", "Highest = ∞: must be at most 1e+100."),
+        ("highest", "1e101", "Highest = 1e+101: must be at most 1e+100."),
+        (
+            "speed", "fast",
+            "Speed = “fast”: must be a number, such as 0.5 or 2e-3; must be at least -3600;"
+            " must be at most 3600.",
+        ),
+    ],
+)  # fmt: skip
+def test_what_no_walk_can_have_is_refused_and_the_walk_goes_on(
+    bar: AnimationBar, record: Record, name: str, text: str, said: str
+) -> None:
+    bar.height_mode.choose("swing")
+    row = getattr(bar, name)
+    bar.play()
+    before, motion = row.value(), bar.motion
+    type_into(row, text)
+    assert row.error == f"⚠ Not possible. {said}"
+    assert row.value() == before and bar.motion == motion
+    bar.advance(1.0)
+    assert bar.playing and record.cameras
+    bar.look.choose("level")
+    bar.height_mode.widgets[0].setFocus()
+    bar.look.choose("target")
+    assert row.error == "", "it goes when anything else is accepted"
+
+
+@pytest.mark.parametrize("height", ["fixed", "swing", "steps"])
+def test_the_fastest_walk_between_the_farthest_limits_goes_on_or_says_why_not(
+    bar: AnimationBar, record: Record, height: str
+) -> None:
+    bar.height_mode.choose("swing")
+    for row, text in ((bar.speed, "3600"), (bar.lowest, "-1e100"), (bar.highest, "1e100")):
+        type_into(row, text)
+        assert row.error == "" and row.value() == float(text)
+    bar.height_mode.choose(height)
+    bar.play()
+    for _ in range(5):
+        bar.advance(0.01)
+    stopped = bar._error.text().endswith("The camera would look along its own up vector.")
+    assert bar.playing != stopped and bar.playing == (len(record.cameras) == 5)
+    assert bar.playing == (height != "swing")

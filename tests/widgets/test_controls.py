@@ -1,0 +1,1757 @@
+"""The control column with real widgets, both ways: the user's action out, the model's value in."""
+
+from __future__ import annotations
+
+import ast
+import inspect
+import math
+import re
+from collections.abc import Iterator
+from dataclasses import replace
+from types import ModuleType
+from typing import Any
+
+import pytest
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QAccessible, QFont, QInputMethodEvent, QPalette, QWheelEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import (
+    QApplication,
+    QComboBox,
+    QLineEdit,
+    QSlider,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.document import document
+from app.document.document import DocumentError
+from app.drawings import figures
+from app.drawings.figures import FigureError
+from app.lecture import typed_matrix as free_matrix
+from app.model import projection
+from app.model.projection import (
+    AT_LEAST,
+    AT_MOST,
+    DISTINCT,
+    LARGEST,
+    OBLIQUE_PRESETS,
+    Camera,
+    FreeMatrix,
+    Frustum,
+    Oblique,
+    Orbit,
+    Orthographic,
+    Perspective,
+    Projection,
+    ProjectionError,
+    fov_x_from_fov_y,
+)
+from app.precision import risks as health
+from app.scenes import mesh_files as meshes
+from app.scenes import reading, scene
+from app.scenes.phenomena import illustration as exhibit
+from app.scenes.scene import SceneError
+from widgets.controls.controls import Controls
+from widgets.parts import messages
+from widgets.parts.fields import ChoiceRow, Linear, Log, NumberRow, parse_number, short_text
+from widgets.parts.messages import sentence
+
+START = Projection(Camera((6.0, 5.0, 9.0), (0.0, 2.0, 0.0)), Perspective(45.0, 1.0, 30.0))
+BOX = replace(START, lens=Orthographic(-4.0, 4.0, -3.0, 3.0, 1.0, 30.0))
+SLANTED = replace(START, lens=Oblique(near=2.0))
+"""Cabinet, rising at 45 degrees."""
+OFF_AXIS = replace(START, lens=Frustum(-0.25, 0.75, -0.5, 1.5, 1.0, 30.0))
+KEY = Qt.Key
+
+
+class Record:
+    """What the column says, in order."""
+
+    def __init__(self, controls: Controls) -> None:
+        self.edits: list[Projection] = []
+        self.events: list[str] = []
+        controls.edited.connect(self._edited)
+        controls.gesture_started.connect(lambda: self.events.append("start"))
+        controls.gesture_finished.connect(lambda: self.events.append("finish"))
+
+    def _edited(self, edit: Projection) -> None:
+        self.edits.append(edit)
+        self.events.append("edit")
+
+
+@pytest.fixture
+def controls(display: Any, qtbot: Any) -> Iterator[Controls]:
+    column = Controls()
+    qtbot.addWidget(column)
+    column.resize(320, 900)
+    column.set_scene(6.0, START)
+    column.show_projection(START)
+    column.show()
+    qtbot.waitExposed(column)
+    column.activateWindow()
+    qtbot.waitUntil(column.isActiveWindow)
+    yield column
+
+
+@pytest.fixture
+def record(controls: Controls) -> Record:
+    return Record(controls)
+
+
+def number(controls: Controls, key: str) -> NumberRow:
+    row = controls.rows[key]
+    assert isinstance(row, NumberRow)
+    return row
+
+
+def choice(controls: Controls, key: str) -> ChoiceRow:
+    row = controls.rows[key]
+    assert isinstance(row, ChoiceRow)
+    return row
+
+
+def enter(row: NumberRow, text: str) -> None:
+    """Type over what the field holds, and press Return."""
+    row.field.setFocus()
+    row.field.selectAll()
+    QTest.keyClick(row.field, KEY.Key_Delete)
+    if text.isascii():
+        QTest.keyClicks(row.field, text)
+    else:  # as an input method hands it over
+        event = QInputMethodEvent()
+        event.setCommitString(text)
+        QApplication.sendEvent(row.field, event)
+    QTest.keyClick(row.field, KEY.Key_Return)
+
+
+def handle(slider: QSlider) -> QPoint:
+    """Where the slider's handle is."""
+    from PySide6.QtWidgets import QStyle, QStyleOptionSlider
+
+    option = QStyleOptionSlider()
+    slider.initStyleOption(option)
+    part = QStyle.SubControl.SC_SliderHandle
+    control = QStyle.ComplexControl.CC_Slider
+    return slider.style().subControlRect(control, option, part, slider).center()
+
+
+def press(slider: QSlider) -> QPoint:
+    place = handle(slider)
+    QTest.mousePress(slider, Qt.MouseButton.LeftButton, pos=place)
+    assert slider.isSliderDown()
+    return place
+
+
+def drag(slider: QSlider, position: int) -> None:
+    """Move the pressed slider to a position, as the mouse does."""
+    slider.setSliderPosition(position)
+
+
+def release(slider: QSlider) -> None:
+    QTest.mouseRelease(slider, Qt.MouseButton.LeftButton, pos=handle(slider))
+    assert not slider.isSliderDown()
+
+
+def in_mode(controls: Controls, key: str) -> None:
+    """Bring the row into view: the right lens, section and camera mode."""
+    if key in ("left", "right", "bottom", "top", "keep"):
+        controls.show_projection(BOX)
+    if key in ("preset", "receding", "receding_deg", "alpha_deg", "beta_deg"):
+        controls.show_projection(SLANTED)
+    if key in ("fx", "fy", "cx", "cy"):
+        controls.sections["calibrated"].set_open(True)
+    if key[-2:] in ("_x", "_y", "_z"):
+        choice(controls, "camera_mode").choose("vectors")
+
+
+# What the user types into each row, what the model becomes, and the text of another value that
+# the model is given from elsewhere.
+NUMBERS: dict[str, tuple[str, Any, Projection, str]] = {
+    "fov_y_deg": (
+        "60",
+        lambda p: p.lens == Perspective(60.0, 1.0, 30.0),
+        replace(START, lens=Perspective(30.5, 1.0, 30.0)),
+        "30.5",
+    ),
+    "fov_x_deg": (
+        "90",
+        # tan(fov_y/2) = tan(45)/aspect = 9/16
+        lambda p: math.isclose(p.lens.fov_y_deg, math.degrees(2 * math.atan(9 / 16))),
+        replace(START, lens=Perspective(math.degrees(2 * math.atan(9 / 16)), 1.0, 30.0)),
+        "90",
+    ),
+    "focal_length_mm": (
+        "50",
+        # half the film's diagonal over 50 mm, shared out 9 : hypot(16, 9)
+        lambda p: math.isclose(
+            math.tan(math.radians(p.lens.fov_y_deg / 2)),
+            math.hypot(36, 24) / 2 / 50 * 9 / math.hypot(16, 9),
+        ),
+        replace(START, lens=Perspective(30.0, 1.0, 30.0)),
+        "39.582",  # 21.6333 * cot(15) * 9 / hypot(16, 9)
+    ),
+    "near": (
+        "0.125",
+        lambda p: p.lens == Perspective(45.0, 0.125, 30.0),
+        replace(START, lens=Perspective(45.0, 2.5, 30.0)),
+        "2.5",
+    ),
+    "far": (
+        "1e3",
+        lambda p: p.lens == Perspective(45.0, 1.0, 1000.0),
+        replace(START, lens=Perspective(45.0, 1.0, math.inf)),
+        "∞",
+    ),
+    "left": ("-5", lambda p: p.lens.left == -5.0, replace(BOX, lens=Orthographic(-1.5)), "-1.5"),
+    "right": (
+        "5",
+        lambda p: p.lens.right == 5.0,
+        replace(BOX, lens=replace(BOX.lens, right=1.5)),
+        "1.5",
+    ),
+    "bottom": (
+        "-5",
+        lambda p: p.lens.bottom == -5.0,
+        replace(BOX, lens=replace(BOX.lens, bottom=-1.5)),
+        "-1.5",
+    ),
+    "top": (
+        "5",
+        lambda p: p.lens.top == 5.0,
+        replace(BOX, lens=replace(BOX.lens, top=1.5)),
+        "1.5",
+    ),
+    "e": (
+        "2",
+        # e = 1/tan(fov_x/2), tan(fov_y/2) = tan(fov_x/2)/aspect
+        lambda p: math.isclose(math.tan(math.radians(p.lens.fov_y_deg / 2)), 0.5 * 9 / 16),
+        replace(START, lens=Perspective(90.0, 1.0, 30.0)),
+        "0.5625",
+    ),
+    "window_right": (
+        "3.2",
+        lambda p: p.window == pytest.approx((-3.2, 3.2, -1.8, 1.8)) and p.lens.near == 1.0,
+        replace(START, lens=Perspective(90.0, 2.25, 30.0)),
+        "4",
+    ),
+    "window_top": (
+        "1",
+        lambda p: p.lens.fov_y_deg == pytest.approx(90.0),
+        replace(START, lens=Perspective(90.0, 2.25, 30.0)),
+        "2.25",
+    ),
+    "fx": (
+        "900",
+        lambda p: p.lens.kind == "frustum" and p.intrinsics.fx == pytest.approx(900.0),
+        replace(START, lens=Perspective(90.0, 1.0, 30.0)),
+        "360",  # half of the height
+    ),
+    "fy": (
+        "900",
+        lambda p: p.lens.kind == "frustum" and p.intrinsics.fy == pytest.approx(900.0),
+        OFF_AXIS,
+        "360",  # 720 px for 2 units at a distance of 1
+    ),
+    "cx": (
+        "100",
+        lambda p: p.lens.kind == "frustum" and p.intrinsics.cx == pytest.approx(100.0),
+        OFF_AXIS,
+        "319.5",  # a quarter of 1280 px from the left, less half a pixel
+    ),
+    "cy": (
+        "100",
+        lambda p: p.lens.kind == "frustum" and p.intrinsics.cy == pytest.approx(100.0),
+        OFF_AXIS,
+        "539.5",  # three quarters of 720 px from the top
+    ),
+    "receding": (
+        "1",
+        lambda p: (p.lens.alpha_deg, p.lens.beta_deg) == OBLIQUE_PRESETS["cavalier-45"],
+        replace(SLANTED, lens=Oblique(alpha_deg=90.0, beta_deg=135.0)),
+        "1",
+    ),
+    "receding_deg": (
+        "30",
+        lambda p: (p.lens.alpha_deg, p.lens.beta_deg) == OBLIQUE_PRESETS["cabinet-30"],
+        replace(SLANTED, lens=Oblique(alpha_deg=90.0, beta_deg=45.0)),
+        "-90",
+    ),
+    **{
+        f"{letter}_deg": (
+            "60",
+            lambda p, field=f"{letter}_deg": p.lens == replace(SLANTED.lens, **{field: 60.0}),
+            replace(SLANTED, lens=Oblique(alpha_deg=70.5, beta_deg=70.5)),
+            "70.5",
+        )
+        for letter in ("alpha", "beta")
+    },
+    "azimuth_deg": (
+        "90",  # the +x side, at the same height and distance
+        lambda p: (
+            p.camera.eye[:2] == pytest.approx((math.hypot(6, 9), 5.0))
+            and p.camera.eye[2] == pytest.approx(0.0, abs=1e-12)
+        ),
+        replace(START, camera=Camera((0.0, 2.0, 7.0), (0.0, 2.0, 0.0))),
+        "0",
+    ),
+    "elevation_deg": (
+        "0",
+        lambda p: p.camera.eye[1] == 2.0 and math.isclose(p.camera.distance, math.sqrt(126)),
+        replace(START, camera=Camera((0.0, 9.0, 7.0), (0.0, 2.0, 0.0))),
+        "45",
+    ),
+    "distance": (
+        "20",
+        lambda p: math.isclose(p.camera.distance, 20.0) and p.camera.target == (0.0, 2.0, 0.0),
+        replace(START, camera=Camera((0.0, 2.0, 7.0), (0.0, 2.0, 0.0))),
+        "7",
+    ),
+    "roll_deg": (
+        "90",  # the camera's v was the old u
+        lambda p: p.camera.frame[1] == pytest.approx(START.camera.frame[0]),
+        replace(START, camera=Camera((0.0, 2.0, 7.0), (0.0, 2.0, 0.0), (1.0, 0.0, 0.0))),
+        "90",
+    ),
+    "width": (
+        "640",
+        lambda p: p.image_size == (640, 720),
+        replace(START, image_size=(99, 9)),
+        "99",
+    ),
+    "height": (
+        "400",
+        lambda p: p.image_size == (1280, 400),
+        replace(START, image_size=(99, 9)),
+        "9",
+    ),
+    **{
+        f"{vector}_{letter}": (
+            "7.5",
+            lambda p, vector=vector, axis=axis: getattr(p.camera, vector)[axis] == 7.5,
+            replace(START, camera=Camera((1.5, 2.5, 3.5), (-1.5, -2.5, -3.5), (0.5, 0.6, 0.7))),
+            texts[axis],
+        )
+        for vector, texts in (
+            ("eye", ("1.5", "2.5", "3.5")),
+            ("target", ("-1.5", "-2.5", "-3.5")),
+            ("up", ("0.5", "0.6", "0.7")),
+        )
+        for axis, letter in enumerate("xyz")
+    },
+}
+
+CHOICES: dict[str, tuple[str, Any, Projection]] = {
+    "kind": ("orthographic", lambda p: p.lens.kind == "orthographic", BOX),
+    "keep": ("x", lambda p: p.lens.keep == "x", replace(BOX, lens=replace(BOX.lens, keep="x"))),
+    "preset": (
+        "cavalier-30",
+        lambda p: (p.lens.alpha_deg, p.lens.beta_deg) == OBLIQUE_PRESETS["cavalier-30"],
+        replace(SLANTED, lens=Oblique(-4, 4, -4, 4, 1, 30, "x", *OBLIQUE_PRESETS["cavalier-30"])),
+    ),
+    "aspect": ("4:3", lambda p: p.image_size == (960, 720), replace(START, image_size=(96, 72))),
+    "depth": ("reversed", lambda p: p.depth == "reversed", replace(START, depth="reversed")),
+}
+
+
+def test_the_tables_name_every_row(controls: Controls) -> None:
+    assert {*NUMBERS, *CHOICES, "camera_mode"} == set(controls.rows)
+
+
+# -- one user's action is one edit; a shown projection is none
+
+
+@pytest.mark.parametrize("key", NUMBERS)
+def test_a_typed_number_is_one_edit(controls: Controls, key: str) -> None:
+    in_mode(controls, key)
+    record = Record(controls)
+    text, holds, _, _ = NUMBERS[key]
+    enter(number(controls, key), text)
+    assert record.events == ["start", "edit", "finish"]
+    assert holds(record.edits[0]), record.edits[0]
+    assert number(controls, key).field.text() == messages.number_text(float(text))
+
+
+@pytest.mark.parametrize("key", NUMBERS)
+def test_a_shown_projection_writes_each_row_and_says_nothing(controls: Controls, key: str) -> None:
+    in_mode(controls, key)
+    record = Record(controls)
+    _, _, shown, text = NUMBERS[key]
+    row = number(controls, key)
+    controls.show_projection(shown)
+    assert row.field.text() == text
+    assert not row.isHidden()
+    if row.slider.minimum() < row.slider.value() < row.slider.maximum():
+        scale = row._scale
+        near_by = scale.value_at(row.slider.value())
+        assert abs(near_by - row.value()) <= abs(scale.value_at(row.slider.value() + 1) - near_by)
+    assert record.events == []
+
+
+@pytest.mark.parametrize("key", CHOICES)
+def test_a_chosen_thing_is_one_edit(controls: Controls, key: str) -> None:
+    in_mode(controls, key)
+    record = Record(controls)
+    wanted, holds, _ = CHOICES[key]
+    row = choice(controls, key)
+    widget = row.widgets[0]
+    if isinstance(widget, QComboBox):
+        widget.setFocus()
+        ahead = row._keys.index(wanted) > widget.currentIndex()
+        while row._keys[widget.currentIndex()] != wanted:
+            QTest.keyClick(widget, KEY.Key_Down if ahead else KEY.Key_Up)
+        assert record.edits and record.events[-3:] == ["start", "edit", "finish"]
+    else:
+        QTest.mouseClick(row.widgets[row._keys.index(wanted)], Qt.MouseButton.LeftButton)
+        assert record.events == ["start", "edit", "finish"]
+    assert holds(record.edits[-1])
+
+
+@pytest.mark.parametrize("key", CHOICES)
+def test_a_shown_choice_says_nothing(controls: Controls, key: str) -> None:
+    in_mode(controls, key)
+    record = Record(controls)
+    wanted, _, shown = CHOICES[key]
+    controls.show_projection(shown)
+    row = choice(controls, key)
+    widget = row.widgets[0]
+    if isinstance(widget, QComboBox):
+        assert widget.currentIndex() == row._keys.index(wanted)
+    else:
+        checked = [b.isChecked() for b in row.widgets if isinstance(b, QToolButton)]
+        assert checked == [key == wanted for key in row._keys]
+    assert record.events == []
+
+
+def test_choosing_what_is_chosen_says_nothing(controls: Controls, record: Record) -> None:
+    QTest.mouseClick(choice(controls, "aspect").widgets[2], Qt.MouseButton.LeftButton)
+    button = choice(controls, "aspect").widgets[2]
+    assert isinstance(button, QToolButton) and button.isChecked()
+    assert record.events == []
+
+
+def test_a_row_alone_keeps_the_users_value(display: Any, qtbot: Any) -> None:
+    row = NumberRow("Speed", "How fast.", Linear(0.0, 10.0, 1.0))
+    qtbot.addWidget(row)
+    values: list[float] = []
+    row.edited.connect(values.append)
+    row.setValue(3.5)
+    assert (row.value(), row.field.text(), values) == (3.5, "3.5", [])
+    press(row.slider)
+    for position in (5, 6, 5):
+        drag(row.slider, position)
+    assert row.value() == 5.0
+    row.edited.connect(lambda value: row.show_error("Too fast.") if value > 8.0 else None)
+    for position in (9, 5, 4):
+        drag(row.slider, position)
+    release(row.slider)
+    assert row.value() == 4.0
+    # 8 was taken while 9 was refused, then 5 again.
+    assert values[:4] == [5.0, 6.0, 5.0, 9.0] and values[-2:] == [5.0, 4.0]
+
+
+def test_an_aspect_that_is_no_preset_chooses_none(controls: Controls) -> None:
+    controls.show_projection(replace(START, image_size=(1000, 999)))
+    buttons = choice(controls, "aspect").widgets
+    assert not any(b.isChecked() for b in buttons if isinstance(b, QToolButton))
+    controls.show_projection(replace(START, image_size=(999, 999)))
+    assert [b.isChecked() for b in buttons if isinstance(b, QToolButton)] == [True, False, False]
+
+
+def test_the_controls_show_their_own_edit_before_they_tell_of_it(controls: Controls) -> None:
+    texts = []
+    controls.edited.connect(lambda _edit: texts.append(number(controls, "fov_x_deg").field.text()))
+    enter(number(controls, "fov_y_deg"), "90")
+    assert texts == [short_text(fov_x_from_fov_y(90.0, 16 / 9))]
+
+
+def test_no_echo_when_the_owner_shows_the_edit_again(controls: Controls, record: Record) -> None:
+    controls.edited.connect(controls.show_projection)
+    controls.edited.connect(lambda edit: controls.show_projection(replace(edit)))
+    enter(number(controls, "near"), "2")
+    assert len(record.edits) == 1
+
+
+def test_switching_the_camera_mode_is_no_edit(controls: Controls, record: Record) -> None:
+    buttons = choice(controls, "camera_mode").widgets
+    QTest.mouseClick(buttons[1], Qt.MouseButton.LeftButton)
+    assert number(controls, "azimuth_deg").isHidden()
+    assert number(controls, "eye_x").field.text() == "6"
+    QTest.mouseClick(buttons[0], Qt.MouseButton.LeftButton)
+    assert number(controls, "eye_x").isHidden() and not number(controls, "distance").isHidden()
+    assert record.events == []
+
+
+# -- sliders
+
+
+@pytest.mark.parametrize("key", NUMBERS)
+@pytest.mark.parametrize("end", [KEY.Key_Home, KEY.Key_End])
+def test_every_slider_goes_to_its_ends(controls: Controls, key: str, end: Qt.Key) -> None:
+    """The model stays valid, or the row says why not; never an exception, never silence."""
+    in_mode(controls, key)
+    record = Record(controls)
+    row = number(controls, key)
+    row.slider.setFocus()
+    QTest.keyClick(row.slider, end)
+    QTest.keyClick(row.slider, KEY.Key_Up if end == KEY.Key_Home else KEY.Key_Down)
+    row.finish_gesture()
+    assert record.edits or row.error
+    holds = controls.projection
+    assert row.value() == pytest.approx(controls._bindings[key].read(holds))
+    assert row.slider.value() == row._scale.position_of(row.value())
+
+
+def test_a_drag_is_one_gesture(controls: Controls, record: Record) -> None:
+    slider = number(controls, "fov_y_deg").slider
+    press(slider)
+    for position in (100, 110, 120):
+        drag(slider, position)
+    release(slider)
+    assert record.events == ["start", "edit", "edit", "edit", "finish"]
+    assert [edit.lens.fov_y_deg for edit in record.edits] == [51.0, 56.0, 61.0]
+
+
+@pytest.mark.parametrize(
+    ("key", "by", "end", "last"),
+    [
+        ("far", [0], 0, 1.05),
+        ("far", [-10, -30, 0], 0, 1.05),
+        ("far", [-1] * 200, 0, 1.05),
+        ("near", [10**6], 10**6, 28.8),
+        ("near", [5, 50, 10**6], 10**6, 28.8),
+    ],
+)
+def test_a_drag_goes_to_the_limit_however_fast_it_is(
+    controls: Controls, record: Record, key: str, by: list[int], end: int, last: float
+) -> None:
+    row = number(controls, key)
+    press(row.slider)
+    for step in by:
+        drag(row.slider, row.slider.sliderPosition() + step)
+    drag(row.slider, end)
+    assert row.value() == getattr(record.edits[-1].lens, key) == last
+    ends = messages.number_text(row._scale.value_at(row.slider.sliderPosition()))
+    assert row.error.startswith(f"⚠ Not possible. {row.name} = {ends}: must be")
+    count = len(record.edits)
+    drag(row.slider, end + (1 if end == 0 else -1))
+    assert len(record.edits) == count and row.value() == last and row.error
+    release(row.slider)
+    assert row.error == "" and row.field.text() == short_text(last)
+    assert row.slider.value() == row._scale.position_of(last)
+    assert record.events[0] == "start" and record.events[-1] == "finish"
+    assert record.events.count("start") == 1
+
+
+def test_the_mouse_itself_moves_the_slider(controls: Controls, record: Record) -> None:
+    slider = number(controls, "fov_y_deg").slider
+    place = press(slider)
+    QTest.mouseMove(slider, place + QPoint(20, 0))
+    QApplication.processEvents()
+    release(slider)
+    assert record.events[0] == "start" and record.events[-1] == "finish"
+    assert record.edits[-1].lens.fov_y_deg > 60.0
+
+
+def test_a_burst_of_keys_is_one_gesture(controls: Controls, record: Record, qtbot: Any) -> None:
+    row = number(controls, "azimuth_deg")
+    row.slider.setFocus()
+    with qtbot.waitSignal(controls.gesture_finished):
+        for _ in range(3):
+            QTest.keyClick(row.slider, KEY.Key_Right)
+    assert record.events == ["start", "edit", "edit", "edit", "finish"]
+
+
+def test_a_drag_that_follows_a_burst_is_one_gesture_with_it(
+    controls: Controls, record: Record
+) -> None:
+    row = number(controls, "azimuth_deg")
+    row.slider.setFocus()
+    QTest.keyClick(row.slider, KEY.Key_Right)
+    press(row.slider)
+    assert not row._quiet.isActive()  # it would end the gesture under the hand
+    release(row.slider)
+    assert record.events == ["start", "edit", "finish"]
+
+
+def test_a_burst_ends_when_another_row_is_taken(controls: Controls, record: Record) -> None:
+    number(controls, "azimuth_deg").slider.setFocus()
+    QTest.keyClick(number(controls, "azimuth_deg").slider, KEY.Key_Right)
+    enter(number(controls, "near"), "2")
+    assert record.events == ["start", "edit", "finish", "start", "edit", "finish"]
+
+
+def wheel(slider: QSlider) -> None:
+    centre = QPointF(slider.rect().center())
+    event = QWheelEvent(
+        centre,
+        slider.mapToGlobal(centre),
+        QPoint(),
+        QPoint(0, 120),
+        Qt.MouseButton.NoButton,
+        Qt.KeyboardModifier.NoModifier,
+        Qt.ScrollPhase.NoScrollPhase,
+        False,
+    )
+    QApplication.sendEvent(slider, event)
+
+
+def test_the_wheel_scrolls_the_column_unless_the_slider_has_the_focus(
+    controls: Controls, record: Record
+) -> None:
+    slider = number(controls, "roll_deg").slider
+    number(controls, "near").field.setFocus()
+    wheel(slider)
+    assert record.edits == []
+    slider.setFocus()
+    wheel(slider)
+    assert len(record.edits) == 1 and record.edits[0].camera.orbit.roll_deg > 0.0
+
+
+def test_arrow_keys_in_the_field_move_the_slider(controls: Controls, record: Record) -> None:
+    row = number(controls, "fov_y_deg")
+    row.field.setFocus()
+    QTest.keyClick(row.field, KEY.Key_Up)
+    QTest.keyClick(row.field, KEY.Key_PageDown)
+    assert [edit.lens.fov_y_deg for edit in record.edits] == [45.5, 40.5]
+    assert row.field.text() == "40.5"
+
+
+def test_far_reaches_infinity_at_the_end_of_its_slider(controls: Controls, record: Record) -> None:
+    row = number(controls, "far")
+    row.slider.setFocus()
+    QTest.keyClick(row.slider, KEY.Key_End)
+    assert record.edits[-1].lens.far == math.inf and row.field.text() == "∞"
+    QTest.keyClick(row.slider, KEY.Key_Down)
+    assert record.edits[-1].lens.far == pytest.approx(6e9, rel=0.03)  # 1e9 of the scene's size
+
+
+def test_near_and_far_are_logarithmic_over_the_range_of_the_scene(controls: Controls) -> None:
+    for name in ("near", "far"):
+        scale = number(controls, name)._scale
+        assert scale.value_at(0) == pytest.approx(6e-6, rel=0.03)
+        middle = scale.value_at(scale.last // 2)
+        assert middle == pytest.approx(math.sqrt(6e-6 * 6e9), rel=0.1)
+
+
+def test_a_box_has_even_sliders_and_no_infinity(controls: Controls) -> None:
+    controls.show_projection(BOX)
+    record = Record(controls)
+    enter(number(controls, "near"), "-12")
+    assert record.edits[-1].lens.near == -12.0
+    enter(number(controls, "far"), "inf")
+    assert number(controls, "far").error.endswith("Far = ∞: must be a finite number.")
+    row = number(controls, "far")
+    row.slider.setFocus()
+    QTest.keyClick(row.slider, KEY.Key_End)
+    assert record.edits[-1].lens.far == 60.0
+
+
+def test_an_impossible_place_of_the_slider_is_explained_and_left_on_release(
+    controls: Controls, record: Record
+) -> None:
+    row = number(controls, "near")
+    start = row.slider.value()
+    press(row.slider)
+    drag(row.slider, row._scale.position_of(20.0))
+    drag(row.slider, row._scale.position_of(100.0))
+    held = row.slider.value()
+    assert "Near = 100: must be less than far, which is 30." in row.error
+    assert held == row._scale.position_of(100.0) and row.field.text() == "100"
+    kept = record.edits[-1].lens.near
+    assert controls.projection.lens.near == row.value() == kept == 28.8
+    release(row.slider)
+    assert start < row.slider.value() == row._scale.position_of(kept) < held
+    assert row.field.text() == "28.8" and not row.error
+    assert record.events[0] == "start" and record.events[-1] == "finish"
+
+
+def test_dragging_back_to_a_possible_place_takes_the_sentence_away(controls: Controls) -> None:
+    row = number(controls, "near")
+    press(row.slider)
+    drag(row.slider, row.slider.maximum())
+    assert row.error
+    drag(row.slider, row._scale.position_of(2.0))
+    assert not row.error
+    release(row.slider)
+
+
+def test_a_refused_key_is_explained_until_the_next_change_of_any_kind(
+    controls: Controls, record: Record, qtbot: Any
+) -> None:
+    row = number(controls, "near")
+    row.slider.setFocus()
+    QTest.keyClick(row.slider, KEY.Key_End)
+    row.finish_gesture()  # 0.5 s later, too soon to have read it
+    assert "must be less than far" in row.error and row.value() == 28.8
+    enter(number(controls, "azimuth_deg"), "20")
+    assert not row.error and row.field.text() == "28.8"
+
+
+def test_the_key_after_a_refused_one_starts_from_the_value_that_holds(
+    controls: Controls, record: Record
+) -> None:
+    row = number(controls, "near")
+    row.slider.setFocus()
+    QTest.keyClick(row.slider, KEY.Key_End)
+    assert row.error and record.edits[-1].lens.near == 28.8
+    QTest.keyClick(row.slider, KEY.Key_Left)
+    assert not row.error
+    assert 27.0 < record.edits[-1].lens.near < 28.8 and row.field.text() != "100"
+
+
+def test_a_refused_place_in_the_hand_is_explained_while_something_else_moves(
+    controls: Controls,
+) -> None:
+    row = number(controls, "near")
+    press(row.slider)
+    drag(row.slider, row.slider.maximum())
+    controls.show_projection(replace(controls.projection, camera=Camera((1.0, 2.0, 3.0))))
+    assert row.error
+    release(row.slider)
+
+
+def test_the_model_does_not_move_a_slider_in_the_users_hand(
+    controls: Controls, record: Record
+) -> None:
+    row = number(controls, "fov_y_deg")
+    press(row.slider)
+    drag(row.slider, 100)
+    other = replace(controls.projection, lens=Perspective(51.0000000001, 1.0, 30.0))
+    controls.show_projection(other)
+    assert (row.slider.value(), row.field.text()) == (100, "51")
+    controls.show_projection(replace(other, lens=Perspective(20.0, 1.0, 30.0)))
+    assert row.slider.value() == 100
+    release(row.slider)
+    assert row.field.text() == "20" and row.slider.value() == row._scale.position_of(20.0)
+    assert len(record.edits) == 1
+
+
+@pytest.mark.parametrize(
+    "scale",
+    [
+        Log(6e-6, 6e9, infinite=True),
+        Log(6e-2, 6e3, per_decade=100),
+        Linear(1.0, 179.0, 0.5),
+        Linear.about(1e7, 12.0),
+        Linear.about(0.0, 1e-200),
+        Linear.about(2.2, 23.0),
+        Linear.about(-1e130, 1e140),
+    ],
+    ids=repr,
+)
+def test_slider_positions_and_values_answer_each_other(scale: Any) -> None:
+    values = [scale.value_at(position) for position in range(scale.last + 1)]
+    assert values == sorted(set(values))
+    assert [scale.position_of(value) for value in values] == list(range(scale.last + 1))
+    assert scale.position_of(-1e200) == 0 and scale.position_of(math.inf) == scale.last
+    if isinstance(scale, Log):
+        assert all(value == float(f"{value:.2e}") for value in values)  # three digits
+
+
+def test_linear_values_are_decimal_to_the_eye() -> None:
+    scale = Linear.about(0.0, 1.0)
+    values = [scale.value_at(position) for position in range(scale.last + 1)]
+    assert max(len(repr(value)) for value in values) <= len("-0.995")
+    assert 0.3 in values  # not 0.30000000000000004
+
+
+# -- orbit
+
+
+def test_there_and_back_again_without_drift(controls: Controls, record: Record) -> None:
+    row = number(controls, "azimuth_deg")
+    before = row.value(), controls.projection.camera.orbit
+    row.slider.setFocus()
+    for _ in range(40):
+        QTest.keyClick(row.slider, KEY.Key_Right)
+    for _ in range(40):
+        QTest.keyClick(row.slider, KEY.Key_Left)
+    enter(row, repr(before[0]))
+    assert row.value() == before[0]
+    after = controls.projection.camera
+    assert after.orbit == pytest.approx(before[1], abs=1e-9)
+    assert after.eye == pytest.approx(START.camera.eye, abs=1e-9)
+    assert number(controls, "elevation_deg").field.text() == "15.5014"
+
+
+@pytest.mark.parametrize("end", [90.0, -90.0])
+def test_through_the_zenith_without_flips(controls: Controls, record: Record, end: float) -> None:
+    rows = {name: number(controls, name) for name in Orbit._fields}
+    enter(rows["azimuth_deg"], "30")
+    enter(rows["roll_deg"], "20")
+    slider = rows["elevation_deg"].slider
+    press(slider)
+    for elevation in (0.0, end / 2, 0.98 * end, end, end, 0.98 * end):
+        drag(slider, rows["elevation_deg"]._scale.position_of(elevation))
+        assert (rows["azimuth_deg"].value(), rows["roll_deg"].value()) == (30.0, 20.0)
+    drag(slider, rows["elevation_deg"]._scale.position_of(end))
+    release(slider)
+    at_end = controls.projection.camera.frame
+    enter(rows["azimuth_deg"], "31")
+    assert rows["elevation_deg"].value() == end and rows["roll_deg"].value() == 20.0
+    # One degree of azimuth turns the picture by one degree, up there too.
+    turned = controls.projection.camera.frame
+    assert float(at_end[0] @ turned[0]) == pytest.approx(math.cos(math.radians(1.0)))
+    enter(rows["roll_deg"], "0")
+    enter(rows["elevation_deg"], "0")
+    assert controls.projection.camera.orbit[:2] == pytest.approx((31.0, 0.0))
+
+
+def test_an_angle_past_a_full_turn_is_taken_as_typed(controls: Controls, record: Record) -> None:
+    row = number(controls, "azimuth_deg")
+    enter(row, "270")
+    assert row.field.text() == "270" and row.slider.value() == row.slider.maximum()
+    assert record.edits[0].camera.eye[0] == pytest.approx(-math.hypot(6, 9))
+    controls.show_projection(START)
+    controls.show_projection(replace(record.edits[0], image_size=(100, 100)))
+    assert row.field.text() in ("270", "-90")
+
+
+def test_the_camera_of_someone_else_is_read_back(controls: Controls) -> None:
+    enter(number(controls, "azimuth_deg"), "30")
+    camera = Camera.from_orbit((0.0, 2.0, 0.0), Orbit(50.0, -20.0, 8.0, 10.0))
+    controls.show_projection(replace(START, camera=camera))
+    texts = [number(controls, name).field.text() for name in Orbit._fields]
+    assert texts == ["50", "-20", "8", "10"]
+
+
+# -- typed
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("1,5", 1.5),
+        (" 2.5 ", 2.5),
+        (".5", 0.5),
+        ("5.", 5.0),
+        ("1E-3", 1e-3),
+        ("0.1234567890123456", 0.1234567890123456),
+        ("2.5 units", 2.5),
+        ("1e-7", 1e-7),  # below the slider's end
+        ("1e-90", 1e-90),
+        ("1/3", 1 / 3),
+        ("-2/-7", 2 / 7),
+        (" 1,5 / 4 units", 0.375),
+    ],
+)
+def test_a_number_is_taken_as_it_is_typed(
+    controls: Controls, record: Record, text: str, value: float
+) -> None:
+    row = number(controls, "near")
+    enter(row, text)
+    assert record.edits[0].lens.near == row.value() == value
+    number(controls, "far").field.setFocus()
+    assert row.value() == value and len(row.field.text()) <= 10
+    row.field.setFocus()
+    assert float(row.field.text()) == value
+    number(controls, "far").field.setFocus()
+    assert len(record.edits) == 1
+
+
+def test_out_of_the_sliders_range_pins_the_slider(controls: Controls, record: Record) -> None:
+    row = number(controls, "far")
+    enter(row, "1e20")
+    assert record.edits[0].lens.far == 1e20
+    assert row.slider.value() == row.slider.maximum() - 1  # the top is infinity
+    row = number(controls, "fov_y_deg")
+    enter(row, "0.25")
+    assert record.edits[1].lens.fov_y_deg == 0.25 and row.slider.value() == 0
+    row = number(controls, "width")
+    enter(row, "9000")
+    assert record.edits[2].image_size == (9000, 720) and row.slider.value() == row.slider.maximum()
+
+
+@pytest.mark.parametrize("text", ["inf", "∞", "Infinity", "+inf"])
+def test_far_may_be_typed_as_infinity(controls: Controls, record: Record, text: str) -> None:
+    enter(number(controls, "far"), text)
+    assert record.edits[0].lens.far == math.inf
+    assert number(controls, "far").field.text() == "∞"
+
+
+NONSENSE = ["nan", "0x10", "1_000", "", " ", "abc", "1,2,3", "1.2.3", "--1", "1e", "٣", "1 2", "-∞",
+            "1/0", "1/", "/3", "1/2/3", "1//2", "1/-0", "inf/2"]  # fmt: skip
+
+
+@pytest.mark.parametrize("key", NUMBERS)
+def test_nonsense_is_refused_in_every_field(controls: Controls, key: str) -> None:
+    in_mode(controls, key)
+    record = Record(controls)
+    before = controls.projection
+    row = number(controls, key)
+    for text in NONSENSE:
+        enter(row, text)
+        assert row.error.startswith("⚠ Not possible. "), text
+        assert row.error.endswith(".") and row.name in row.error
+        assert text.strip() in row.error
+        assert row.field.text() == text  # where it can be put right
+        assert row.field.accessibleDescription() == row.error
+    row.slider.setFocus()
+    assert row.field.text() == NONSENSE[-1]
+    row.field.setFocus()
+    assert record.edits == [] and controls.projection is before
+    QTest.keyClick(row.field, KEY.Key_Escape)
+    assert row.error == ""
+    assert row.field.text() == short_text(row.value())
+
+
+@pytest.mark.parametrize(
+    ("key", "text", "expected"),
+    [
+        ("near", "30", "Near = 30: must be less than far, which is 30."),
+        ("near", "40", "Near = 40: must be less than far, which is 30."),
+        ("near", "0", "Near = 0: must be greater than 0."),
+        ("near", "-1", "Near = -1: must be greater than 0."),
+        ("near", "inf", "Near = ∞: must be less than far, which is 30."),
+        ("near", "-inf", "Near = -∞: must be greater than 0."),
+        (
+            "near",
+            "nan",
+            "Near = “nan”: must be a number, such as 0.5 or 2e-3; must be greater than 0;"
+            " must be less than far, which is 30.",
+        ),
+        ("elevation_deg", "inf", "Elevation = ∞: must be at most 90."),
+        ("azimuth_deg", "inf", "Azimuth = ∞: must be a finite number."),
+        ("eye_y", "nan", "Eye y = “nan”: must be a number, such as 0.5 or 2e-3."),
+        ("near", "1e400", f"Near = “1e400”: must be at most {LARGEST}."),
+        ("near", "1e-400", "Near = “1e-400”: is too close to 0 for float64 to tell apart."),
+        ("far", "0.5", "Far = 0.5: must be greater than near, which is 1."),
+        ("far", "1e400", f"Far = “1e400”: must be at most {LARGEST}."),
+        (
+            "far",
+            "nan",
+            "Far = “nan”: must be a number, or inf for ∞; must be greater than near, which is 1.",
+        ),
+        *(
+            (key, text, f"{name} = {text}: must lie between 0 and 180, both excluded.")
+            for key, name in (("fov_y_deg", "Vertical fov"), ("fov_x_deg", "Horizontal fov"))
+            for text in ("0", "180", "-1", "200")
+        ),
+        ("fov_x_deg", "inf", "Horizontal fov = ∞: must lie between 0 and 180, both excluded."),
+        ("focal_length_mm", "0", "Focal length = 0: must be greater than 0."),
+        ("focal_length_mm", "-50", "Focal length = -50: must be greater than 0."),
+        ("left", "4", "Left = 4: must be less than right, which is 4."),
+        ("right", "-4", "Right = -4: must be greater than left, which is -4."),
+        ("bottom", "9", "Bottom = 9: must be less than top, which is 3."),
+        ("top", "-9", "Top = -9: must be greater than bottom, which is -3."),
+        ("distance", "0", "Distance = 0: must be greater than 0."),
+        ("distance", "-3", "Distance = -3: must be greater than 0."),
+        ("elevation_deg", "91", "Elevation = 91: must be at most 90."),
+        ("elevation_deg", "-91", "Elevation = -91: must be at least -90."),
+        ("up_y", "0", "Up = (0, 0, 0): must not be the zero vector."),
+        ("width", "0", "Width = 0: must be a whole number of pixels from 1 to 16384."),
+        ("width", "100000", "Width = 100000: must be a whole number of pixels from 1 to 16384."),
+        ("height", "1.5", "Height = 1.5: must be a whole number of pixels from 1 to 16384."),
+        ("height", "inf", "Height = ∞: must be a whole number of pixels from 1 to 16384."),
+        (
+            "width",
+            "abc",
+            "Width = “abc”: must be a number, such as 1280;"
+            " must be a whole number of pixels from 1 to 16384.",
+        ),
+        ("fov_y_deg", "inf", "Vertical fov = ∞: must lie between 0 and 180, both excluded."),
+        *(
+            (key, text, f"{name} = {shown}: must lie between 0 and 180, both excluded.")
+            for key, name in (("fov_y_deg", "Vertical fov"), ("fov_x_deg", "Horizontal fov"))
+            for text, shown in (("1e308", "1e+308"), ("-1e308", "-1e+308"))
+        ),
+        ("near", "1e308", "Near = 1e+308: must be less than far, which is 30."),
+        ("elevation_deg", "-1e308", "Elevation = -1e+308: must be at least -90."),
+        ("azimuth_deg", "1e308", "Azimuth = 1e+308: must be at most 1e+100."),
+        ("far", "1e308", "Far = 1e+308: must be at most 1e+100."),
+    ],
+)
+def test_what_the_model_refuses_is_explained_at_the_row(
+    controls: Controls, key: str, text: str, expected: str
+) -> None:
+    in_mode(controls, key)
+    record = Record(controls)
+    row = number(controls, key)
+    before = controls.projection, row.slider.value()
+    enter(row, text)
+    assert row.error == f"⚠ Not possible. {expected}"
+    assert row.field.text() == text
+    assert record.edits == [] and (controls.projection, row.slider.value()) == before
+
+
+def test_limits_are_as_short_as_the_fields_show_them(controls: Controls) -> None:
+    lens = Orthographic(-8.227704165888369, 8.227696165888, -3.0, 3.0, 1.0, 30.0)
+    controls.show_projection(replace(BOX, lens=lens))
+    left, right = number(controls, "left"), number(controls, "right")
+    enter(left, "9")
+    assert left.error.endswith("Left = 9: must be less than right, which is 8.2277.")
+    enter(right, "-9")
+    assert right.error.endswith("Right = -9: must be greater than left, which is -8.2277.")
+    enter(left, "8.227699")  # which is less than 8.2277
+    assert left.error.endswith("must be less than right, which is 8.227696165888.")
+    camera = Camera((1 / 3, 2 / 3, 5.0), (1 / 3, 2 / 3, 0.0))
+    controls.show_projection(replace(START, camera=camera))
+    choice(controls, "camera_mode").choose("vectors")
+    enter(number(controls, "eye_z"), "0")
+    assert "Eye = (0.333333, 0.666667, 0): must differ" in number(controls, "eye_z").error
+
+
+def test_asking_for_limits_changes_nothing(controls: Controls, record: Record) -> None:
+    row = number(controls, "azimuth_deg")
+    enter(row, "270")
+    before = controls.projection
+    enter(row, "nan")
+    enter(number(controls, "distance"), "inf")
+    assert controls.projection is before and len(record.edits) == 1
+    assert controls._bindings["azimuth_deg"].read(before) == 270.0  # as typed, not -90
+
+
+def test_eye_on_target_and_up_along_the_view(controls: Controls) -> None:
+    choice(controls, "camera_mode").choose("vectors")
+    start = replace(START, camera=Camera((0.0, 2.0, 5.0), (0.0, 2.0, 0.0)))
+    controls.show_projection(start)
+    record = Record(controls)
+    enter(number(controls, "eye_z"), "0")
+    assert number(controls, "eye_z").error.endswith(
+        "Eye = (0, 2, 0): must differ from the target, or the camera looks nowhere."
+    )
+    enter(number(controls, "target_z"), "5")
+    assert number(controls, "target_z").error.endswith(
+        "Target = (0, 2, 5): must differ from the eye, or the camera looks nowhere."
+    )
+    assert record.edits == []
+    enter(number(controls, "up_z"), "1")
+    enter(number(controls, "up_y"), "0")
+    assert number(controls, "up_y").error.endswith(
+        "Up = (0, 0, 1): must not be parallel to the view direction."
+    )
+    enter(number(controls, "up_y"), "1e-12")  # as near as the issue asks
+    assert controls.projection.camera.up == (0.0, 1e-12, 1.0)
+    assert len(record.edits) == 2
+
+
+def test_a_row_that_a_change_elsewhere_puts_right_forgets_its_error(controls: Controls) -> None:
+    near = number(controls, "near")
+    enter(near, "40")
+    controls.show_projection(replace(START, camera=Camera((1.0, 2.0, 3.0))))
+    assert near.error and near.field.text() == "40"  # the camera has nothing to do with it
+    enter(number(controls, "far"), "50")
+    assert not near.error and near.field.text() == "1"
+
+
+def test_a_good_value_takes_the_error_away(controls: Controls, record: Record) -> None:
+    near = number(controls, "near")
+    enter(near, "40")
+    enter(near, "4")
+    assert not near.error and record.edits[0].lens.near == 4.0
+    enter(near, "nonsense")
+    enter(near, "4")  # the value it has
+    assert not near.error and len(record.edits) == 1
+
+
+def test_the_error_line_exists_only_while_there_is_an_error(controls: Controls) -> None:
+    near = number(controls, "near")
+    height = near.sizeHint().height()
+    enter(near, "40")
+    assert near.sizeHint().height() > height
+    QTest.keyClick(near.field, KEY.Key_Escape)
+    assert near.sizeHint().height() == height
+
+
+def test_leaving_the_field_takes_what_was_typed(controls: Controls, record: Record) -> None:
+    row = number(controls, "near")
+    row.field.setFocus()
+    row.field.selectAll()
+    QTest.keyClicks(row.field, "2")
+    assert record.edits == []
+    QTest.keyClick(row.field, KEY.Key_Tab)
+    assert record.edits[0].lens.near == 2.0
+
+
+def test_a_text_being_typed_survives_the_animation(controls: Controls) -> None:
+    row = number(controls, "azimuth_deg")
+    row.field.setFocus()
+    row.field.selectAll()
+    QTest.keyClicks(row.field, "12")
+    controls.show_projection(replace(START, camera=Camera((1.0, 2.0, 3.0))))
+    assert row.field.text() == "12"
+    QTest.keyClick(row.field, KEY.Key_Escape)
+    assert row.field.text() == short_text(row.value())
+
+
+LONG = 14.51302281719
+
+
+def test_a_taken_number_is_shown_short_from_its_start(controls: Controls, record: Record) -> None:
+    row = number(controls, "azimuth_deg")
+    enter(row, repr(LONG))
+    assert row.field.hasFocus() and row.field.text() == "14.513"
+    assert row.field.cursorPosition() == 0 and row.value() == LONG
+    row._write_field_tip()
+    assert repr(LONG) in row.field.toolTip()
+    row.slider.setFocus()  # not a second edit, and no digit is lost
+    assert (row.value(), len(record.edits)) == (LONG, 1)
+    enter(row, "1e12")
+    assert row.field.text() == "1e12" and row.value() == 1e12
+    row.field.setFocus()
+    row.setDefault(LONG)
+    QTest.keyClicks(row.field, "5")
+    row.actions()[0].trigger()
+    assert row.field.hasFocus() and row.field.text() == "14.513"
+    assert row.field.cursorPosition() == 0
+    row.slider.setFocus()
+    assert row.value() == LONG  # the 5 is forgotten
+
+
+def test_a_short_number_is_whole_as_soon_as_it_is_touched(controls: Controls) -> None:
+    row = number(controls, "azimuth_deg")
+    field = row.field
+    enter(row, repr(LONG))
+    for key in (KEY.Key_Shift, KEY.Key_Return):
+        QTest.keyClick(field, key)
+        assert field.text() == "14.513"
+    QTest.keyClicks(field, "1")
+    assert field.text() == f"1{LONG!r}"
+    QTest.keyClick(field, KEY.Key_Return)
+    assert row.value() == float(f"1{LONG!r}") and field.text() == "114.513"
+    QTest.mouseClick(field, Qt.MouseButton.LeftButton)
+    assert field.text() == f"1{LONG!r}"
+    QTest.keyClick(field, KEY.Key_Return)
+    QTest.keyClick(field, KEY.Key_A, Qt.KeyboardModifier.ControlModifier)
+    assert field.selectedText() == f"1{LONG!r}"
+    QTest.keyClick(field, KEY.Key_Return)
+    field.setCursorPosition(0)
+    event = QInputMethodEvent()
+    event.setCommitString("2")
+    QApplication.sendEvent(field, event)
+    assert field.text() == f"21{LONG!r}"
+
+
+def test_entering_a_field_by_the_keyboard_shows_the_start_of_the_number(controls: Controls) -> None:
+    row = number(controls, "azimuth_deg")
+    enter(row, repr(LONG))
+    row.slider.setFocus()
+    QTest.keyClick(row.slider, KEY.Key_Tab)
+    assert row.field.selectedText() == row.field.text() == repr(LONG)
+    assert row.field.cursorPosition() == 0
+    controls.show_projection(replace(START, camera=Camera((1.0, 2.0, 3.0), (0.0, 2.0, 0.0))))
+    assert row.field.selectedText() == row.field.text() == "18.4349"  # atan(1/3)
+    QTest.keyClicks(row.field, "7")
+    assert row.field.text() == "7"
+
+
+def test_undo_in_a_field_without_own_history_is_the_windows(controls: Controls) -> None:
+    from PySide6.QtGui import QShortcut
+
+    asked = []
+    shortcut = QShortcut("Ctrl+Z", controls)
+    shortcut.activated.connect(lambda: asked.append("undo"))
+    row = number(controls, "near")
+    row.field.setFocus()
+    QTest.keyClicks(row.field, "7")
+    QTest.keyClick(row.field, KEY.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    assert asked == []
+    enter(row, "3")
+    QTest.keyClick(row.field, KEY.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    assert asked == ["undo"]
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (0.1, "0.1"),
+        (30.0, "30"),
+        (-123.456, "-123.456"),
+        (1 / 3, "0.333333"),
+        (29.999999999999996, "30"),
+        (-1.23456789e-12, "-1.23e-12"),
+        (1e9, "1e9"),
+        (1234567.0, "1234567"),
+        (10000004.976, "10000005"),  # an eye far from the origin, and its target
+        (1e7, "10000000"),
+        (-99999999.4, "-99999999"),
+        (99999999.6, "1e8"),
+        (math.inf, "∞"),
+        (1e-300, "1e-300"),
+        (-1.7976931348623157e150, "-1.8e150"),
+    ],
+)
+def test_shown_numbers_are_short_and_never_cut(value: float, text: str) -> None:
+    assert short_text(value) == text
+    assert len(text) <= 9
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (180.0 - 2.0**-45, "180-3e-14"),  # the largest float64 below
+        (179.99999999999, "180-1e-11"),
+        (179.99996, "180-4e-05"),
+        (179.9996, "179.9996"),
+        (120.0, "120"),
+        (1e-12, "1e-12"),
+        (5e-324, "5e-324"),
+        (179.5, "179.5"),
+    ],
+)
+def test_an_angle_never_shows_as_the_bound_that_it_cannot_reach(value: float, text: str) -> None:
+    assert short_text(value, below=180.0) == text
+    assert len(text) <= 9
+
+
+@pytest.mark.parametrize("key", ["fov_y_deg", "fov_x_deg"])
+def test_a_fov_of_almost_180_is_shown_as_less(controls: Controls, key: str) -> None:
+    enter(number(controls, "focal_length_mm"), "1e-12")
+    row = number(controls, key)
+    assert row.field.text().startswith("180-")
+    assert row.value() < 180.0
+    row.field.setFocus()
+    assert row.field.text().startswith("179.9999999999")  # whole, and a number to be edited
+    enter(row, "180")
+    assert row.error and row.value() < 180.0
+
+
+@pytest.mark.parametrize("value", [-123.456789, 1e-300, 6e9, -1.23456789e-12])
+def test_the_field_is_wide_enough_for_what_it_shows(controls: Controls, value: float) -> None:
+    field = number(controls, "near").field
+    text = field.fontMetrics().horizontalAdvance(short_text(value))
+    assert text <= field.contentsRect().width() - 4
+    assert isinstance(field, QLineEdit)
+
+
+def test_a_fraction_is_read_as_precisely_as_a_number(controls: Controls) -> None:
+    assert parse_number("Near", "-2/7") == -2 / 7
+    assert parse_number("Near", "0/5") == 0.0
+    for text, bound in (
+        ("1e300/1e-300", AT_MOST),
+        ("1e300/-1e-300", AT_LEAST),
+        ("-1e400", AT_LEAST),
+        ("1/1e400", AT_MOST),
+        ("1e-300/1e300", DISTINCT),
+        ("1/1e-400", DISTINCT),
+    ):
+        with pytest.raises(ProjectionError) as caught:
+            parse_number("Near", text)
+        assert caught.value.bound == bound, text
+    row = number(controls, "azimuth_deg")
+    enter(row, "-1/3")
+    assert row.value() == -1 / 3 and row.field.text() == "-0.333333"
+
+
+def test_parsing_tells_nothing_of_the_locale() -> None:
+    assert parse_number("Near", "−1,5e−3") == -1.5e-3
+    for text in ("1.000,5", "1'000", "½", "\uff11"):
+        with pytest.raises(ProjectionError):
+            parse_number("Near", text)
+
+
+# -- reset, scene
+
+
+@pytest.mark.parametrize("key", NUMBERS)
+def test_a_double_click_on_the_name_resets(controls: Controls, key: str) -> None:
+    in_mode(controls, key)
+    changed = replace(
+        controls.projection,
+        camera=Camera((1.0, 2.5, 3.0), (-1.0, 0.5, -3.0), (0.5, 0.6, 0.7)),
+        lens={
+            "perspective": Perspective(70.0, 0.5, 70.0),
+            "orthographic": Orthographic(-1.0, 1.0, -1.0, 1.0, -1.0, 70.0),
+            "oblique": Oblique(-1.0, 1.0, -1.0, 1.0, -1.0, 70.0, "stretch", 50.0, 60.0),
+        }[controls.projection.lens.kind],
+        image_size=(99, 88),
+    )
+    controls.show_projection(changed)
+    record = Record(controls)
+    row = number(controls, key)
+    QTest.mouseDClick(row.name_label, Qt.MouseButton.LeftButton)
+    assert record.events == ["start", "edit", "finish"]
+    defaults = START.with_lens(changed.lens.kind)
+    assert row.value() == pytest.approx(controls._bindings[key].read(defaults))
+    assert controls._bindings[key].read(record.edits[0]) == pytest.approx(row.value())
+    QTest.mouseDClick(row.name_label, Qt.MouseButton.LeftButton)
+    assert record.events == ["start", "edit", "finish"]  # nothing left to reset
+
+
+def test_a_reset_takes_a_refused_text_away(controls: Controls, record: Record) -> None:
+    row = number(controls, "near")
+    enter(row, "abc")
+    QTest.mouseDClick(row.name_label, Qt.MouseButton.LeftButton)
+    assert (row.error, row.field.text()) == ("", "1") and record.edits == []
+
+
+def test_choices_are_reset_by_their_name(controls: Controls) -> None:
+    controls.show_projection(replace(BOX, depth="reversed", image_size=(5, 7)))
+    record = Record(controls)
+    for key in ("depth", "aspect", "kind"):
+        QTest.mouseDClick(controls.rows[key].name_label, Qt.MouseButton.LeftButton)
+    assert record.edits[-1].depth == "opengl" and record.edits[-1].image_size == (12, 7)
+    assert record.edits[-1].lens.kind == "perspective"
+
+
+def test_another_scene_moves_the_sliders_and_says_nothing(
+    controls: Controls, record: Record
+) -> None:
+    large = Projection(Camera((1e4, 2e4, 3e4)), Perspective(30.0, 1000.0, 1e6))
+    controls.set_scene(2e4, large)
+    assert record.events == []
+    assert number(controls, "near")._scale.value_at(0) == pytest.approx(2e-2)
+    QTest.mouseDClick(number(controls, "far").name_label, Qt.MouseButton.LeftButton)
+    assert record.edits[0].lens.far == 1e6
+    far_away = replace(large, camera=Camera((1e7 + 5.0, 5.0, 1e7), (1e7, 0.0, 1e7)))
+    controls.set_scene(2.0, far_away)
+    choice(controls, "camera_mode").choose("vectors")
+    controls.show_projection(far_away)
+    row = number(controls, "eye_x")
+    assert row.slider.minimum() < row.slider.value() < row.slider.maximum()
+
+
+@pytest.mark.parametrize("size", [1e-80, 1e-6, 1.0, 1e9, 1e80])
+def test_any_size_of_scene_has_sliders(controls: Controls, size: float) -> None:
+    lens = Perspective(45.0, 0.1 * size, 10.0 * size)
+    start = Projection(Camera((0.0, 0.0, 2.0 * size), (0.0, 0.0, 0.0)), lens)
+    controls.set_scene(size, start)
+    controls.show_projection(start)
+    record = Record(controls)
+    for key in ("near", "far", "distance", "azimuth_deg"):
+        row = number(controls, key)
+        QTest.keyClick(row.slider, KEY.Key_Up)
+        row.finish_gesture()
+        assert row.error == "", key
+    assert len(record.edits) == 4
+
+
+# -- folding
+
+
+def test_what_is_folded_is_shown_when_it_opens(controls: Controls, record: Record) -> None:
+    section = controls.sections["lens"]
+    QTest.mouseClick(section.heading, Qt.MouseButton.LeftButton)
+    assert not section.is_open and not number(controls, "near").isVisible()
+    controls.show_projection(replace(START, lens=Perspective(50.0, 3.0, 40.0)))
+    assert number(controls, "near").value() == 1.0  # not touched
+    section.heading.setFocus()
+    QTest.keyClick(section.heading, KEY.Key_Space)
+    assert number(controls, "near").field.text() == "3"
+    controls.sections["image"].set_open(False)
+    controls.show_projection(replace(START, image_size=(12, 34)))
+    assert number(controls, "height").value() == 720.0
+    controls.sections["image"].set_open(True)
+    assert number(controls, "height").value() == 34.0
+    assert record.events == []
+
+
+def test_sections_fold_by_the_keyboard_and_stay_so(controls: Controls, record: Record) -> None:
+    assert not controls.sections["calibrated"].is_open
+    for section in controls.sections.values():
+        section.set_open(True)
+        heading = section.heading
+        heading.setFocus(Qt.FocusReason.TabFocusReason)
+        assert heading.hasFocus() and heading.focusPolicy() & Qt.FocusPolicy.TabFocus
+        for key, is_open in (
+            (KEY.Key_Space, False),
+            (KEY.Key_Return, True),
+            (KEY.Key_Right, True),
+            (KEY.Key_Left, False),
+            (KEY.Key_Left, False),
+            (KEY.Key_Enter, True),
+            (KEY.Key_Space, False),
+        ):
+            QTest.keyClick(heading, key)
+            assert section.is_open == is_open, key
+            said = "unfolded" if is_open else "folded"
+            assert heading.accessibleDescription() == said and heading.hasFocus()
+    # Neither another scene, lens, camera mode nor hiding the column unfolds them.
+    controls.show_projection(BOX)
+    controls.set_scene(60.0, BOX)
+    choice(controls, "camera_mode").choose("vectors")
+    controls.hide()
+    controls.show()
+    assert not any(section.is_open for section in controls.sections.values())
+    assert record.edits == []
+    QTest.keyClick(controls.sections["lens"].heading, KEY.Key_Right)
+    assert number(controls, "left").isVisible()
+
+
+def test_a_section_that_opens_below_the_fold_comes_into_view(
+    controls: Controls, qtbot: Any
+) -> None:
+    controls.resize(320, 560)
+    heading = controls.sections["animation"].heading
+    heading.setFocus(Qt.FocusReason.TabFocusReason)
+    QTest.keyClick(heading, KEY.Key_Left)
+    controls.verticalScrollBar().setValue(0)
+    QTest.keyClick(heading, KEY.Key_Right)
+    look, viewport = controls.animation.look, controls.viewport()
+
+    def in_view() -> bool:
+        ends = [part.mapTo(viewport, QPoint()).y() for part in (heading, look)]
+        return ends[0] >= 0 and ends[1] + look.height() <= viewport.height()
+
+    qtbot.waitUntil(in_view)
+
+
+OWN_ROWS = {
+    "perspective": {"fov_y_deg", "fov_x_deg", "focal_length_mm", "e", "window_right", "window_top"},
+    "frustum": {"left", "right", "bottom", "top", "keep"},
+    "orthographic": {"left", "right", "bottom", "top", "keep"},
+    "oblique": {
+        *("left", "right", "bottom", "top", "keep"),
+        *("preset", "receding", "receding_deg", "alpha_deg", "beta_deg"),
+    },
+}
+
+
+def test_the_lens_shows_only_its_own_rows(controls: Controls) -> None:
+    others = set().union(*OWN_ROWS.values())
+    for kind in (*OWN_ROWS, *reversed(OWN_ROWS)):
+        choice(controls, "kind").choose(kind)
+        assert controls.projection.lens.kind == kind
+        assert {key for key in others if controls.rows[key].isVisible()} == OWN_ROWS[kind]
+        has_k = kind in ("perspective", "frustum")
+        assert controls.sections["calibrated"].isVisible() == has_k
+        for key in ("near", "far"):
+            assert number(controls, key).value() == getattr(controls.projection.lens, key)
+
+
+# -- for everyone
+
+
+def test_every_control_has_a_name_and_a_tip(controls: Controls) -> None:
+    widgets = [
+        widget
+        for kind in (QSlider, QLineEdit, QComboBox, QToolButton)
+        for widget in controls.widget().findChildren(kind)
+    ]
+    assert len(widgets) > 60
+    for widget in widgets:
+        assert widget.accessibleName() and widget.toolTip(), widget
+        said = QAccessible.queryAccessibleInterface(widget).text(QAccessible.Text.Description)
+        assert said and not re.search("<qt>|<b|&#", said), said
+    names = [widget.accessibleName() for widget in widgets if isinstance(widget, QLineEdit)]
+    assert len(set(names)) == len(names)
+    row = number(controls, "near")
+    tip = row.field.accessibleDescription()
+    assert tip.startswith("Distance from the eye to the near plane")  # the field has the value
+    enter(row, "x")
+    assert row.field.accessibleDescription() == row.error != ""
+    QTest.keyClick(row.field, KEY.Key_Escape)
+    assert row.field.accessibleDescription() == tip
+    # Of a slider a screen reader has but the position: the value comes when the hand rests.
+    for act, value in (
+        (row.slider.setFocus, "1 world units. "),
+        (lambda: QTest.keyClick(row.slider, KEY.Key_Right), "1 world units. "),
+        (row.finish_gesture, "1.05 world units. "),
+        (lambda: row.setValue(2.0), "2 world units. "),  # it was undone
+    ):
+        act()
+        assert row.slider.accessibleDescription() == value + tip
+
+
+def test_tab_goes_through_the_rows_in_their_order(controls: Controls) -> None:
+    row = number(controls, "fov_y_deg")
+    row.slider.setFocus()
+    visited = [QApplication.focusWidget()]
+    for _ in range(3):
+        QTest.keyClick(QApplication.focusWidget(), KEY.Key_Tab)
+        visited.append(QApplication.focusWidget())
+    following = number(controls, "fov_x_deg")
+    assert visited == [row.slider, row.field, following.slider, following.field]
+
+
+def test_the_column_fits_into_320_pixels(controls: Controls) -> None:
+    for mode in ("orbit", "vectors"):
+        choice(controls, "camera_mode").choose(mode)
+        QApplication.processEvents()
+        assert controls.minimumSizeHint().width() <= 320
+        assert controls.widget().width() <= controls.viewport().width()
+    assert number(controls, "near").slider.width() >= 88
+    enter(number(controls, "near"), "4" * 300)
+    QApplication.processEvents()
+    assert controls.widget().width() <= controls.viewport().width()
+    assert controls.minimumSizeHint().width() <= 320
+
+
+@pytest.fixture
+def enlarged(controls: Controls, qapp: QApplication) -> Iterator[Controls]:
+    """The column as a projector shows it."""
+    before = qapp.font()
+    larger = QFont(before)
+    larger.setPointSizeF(1.5 * before.pointSizeF())
+    qapp.setFont(larger)
+    controls.setFont(larger)
+    controls.resize(controls.minimumSizeHint().width(), 640)
+    QApplication.processEvents()
+    yield controls
+    qapp.setFont(before)
+
+
+def test_an_error_is_shown_whole_in_any_width(enlarged: Controls, qtbot: Any) -> None:
+    row = number(enlarged, "near")
+    lines = set()
+
+    def shown_whole() -> bool:  # a layout tells the one around it in the next turn of the loop
+        label = row._error
+        assert label is not None
+        assert label.font().pointSizeF() == enlarged.font().pointSizeF()
+        lines.add(label.height() // label.fontMetrics().lineSpacing())
+        needed = label.heightForWidth(label.width())
+        return label.height() >= needed and row.rect().contains(label.geometry())
+
+    for length in range(2, 40, 3):
+        enter(row, "nearer and nearer, but never quite there"[:length])
+        for width in (0, 200, 0):  # beyond the least
+            enlarged.resize(enlarged.minimumSizeHint().width() + width, 640)
+            qtbot.waitUntil(shown_whole)
+    assert {3, 4} <= lines
+
+
+def test_a_narrow_row_is_as_high_as_its_error(display: Any, qtbot: Any) -> None:
+    host = QWidget()
+    qtbot.addWidget(host)
+    layout = QVBoxLayout(host)
+    row = NumberRow("N", "Number.", Linear(0.0, 10.0, 1.0))
+    layout.addWidget(row)
+    layout.addStretch(1)
+    host.setFixedSize(host.minimumSizeHint().width(), 300)
+    host.show()
+    row.show_error("N = 11: must be at most 10, which is the greatest of all numbers in this test.")
+
+    def shown_whole() -> bool:
+        label = row._error
+        assert label is not None
+        return label.height() >= label.heightForWidth(label.width()) > 2 * row.field.height()
+
+    qtbot.waitUntil(shown_whole)
+
+
+def test_the_scroll_bar_shifts_nothing(controls: Controls) -> None:
+    bar, row = controls.verticalScrollBar(), number(controls, "near")
+    controls.resize(340, 1600)
+    QApplication.processEvents()
+    assert not bar.isVisible()
+    before = row.slider.geometry(), row.field.geometry(), controls.minimumSizeHint()
+    controls.resize(340, 500)
+    QApplication.processEvents()
+    assert bar.isVisible()
+    assert (row.slider.geometry(), row.field.geometry(), controls.minimumSizeHint()) == before
+    assert row.mapTo(controls, row.rect().topRight()).x() < bar.mapTo(controls, QPoint()).x()
+    controls.resize(340, 1600)
+    QApplication.processEvents()
+    assert not bar.isVisible() and row.slider.geometry() == before[0]
+
+
+def test_a_slider_stays_long_enough_to_use_and_the_column_narrow(enlarged: Controls) -> None:
+    for mode in ("orbit", "vectors"):
+        choice(enlarged, "camera_mode").choose(mode)
+        QApplication.processEvents()
+        sliders = [slider for slider in enlarged.findChildren(QSlider) if slider.isVisible()]
+        assert len(sliders) > 10
+        assert min(slider.width() for slider in sliders) >= 88
+        assert enlarged.widget().width() <= enlarged.viewport().width()
+    # Three panes of at least 240 beside it, in a window of 1366.
+    assert enlarged.minimumSizeHint().width() <= 1366 - 3 * 240 - 40
+
+
+# -- sentences
+
+
+@pytest.mark.parametrize(
+    ("listed", "core", "context"),
+    [
+        (messages.PROJECTION_BOUNDS, projection.BOUNDS, "ProjectionError"),
+        (messages.SETTING_BOUNDS, (exhibit.WHOLE, exhibit.YES_OR_NO), "ProjectionError"),
+        (messages.DOCUMENT_BOUNDS, document.BOUNDS, "DocumentError"),
+        (
+            messages.SCENE_SENTENCES,
+            meshes.SENTENCES + reading.SENTENCES + scene.SENTENCES,
+            "SceneError",
+        ),
+        (messages.FIGURE_SENTENCES, figures.SENTENCES, "FigureError"),
+        (messages.HEALTH_SENTENCES, health.SENTENCES, "Health"),
+        (messages.PROPERTY_SENTENCES, free_matrix.PROPERTIES, "Matrix"),
+        (messages.PLANE_NAMES, projection.PLANES, "Plane"),
+    ],
+    ids=["projection", "setting", "document", "scene", "figure", "health", "matrix", "plane"],
+)
+def test_translators_are_given_every_bound(
+    listed: tuple[str, ...], core: tuple[str, ...], context: str
+) -> None:
+    assert set(listed) == set(core)
+    marked = {
+        ast.literal_eval(call.args[1])
+        for call in ast.walk(ast.parse(inspect.getsource(messages)))
+        if isinstance(call, ast.Call)
+        and getattr(call.func, "id", "") == "QT_TRANSLATE_NOOP"
+        and ast.literal_eval(call.args[0]) == context
+    }
+    assert marked >= set(core)  # literal, or lupdate would not see them
+
+
+@pytest.mark.parametrize("room", [meshes, scene, figures])
+def test_a_room_says_only_what_translators_know(room: ModuleType) -> None:
+    errors = [
+        call
+        for call in ast.walk(ast.parse(inspect.getsource(room)))
+        if isinstance(call, ast.Call) and ast.unparse(call.func) in ("SceneError", "FigureError")
+    ]
+    assert len(errors) >= 4
+    for error in errors:  # constants, never text made on the spot
+        assert isinstance(error.args[0], ast.Name | ast.IfExp | ast.Call), ast.unparse(error)
+    constants = [value for name, value in vars(room).items() if name.isupper()]
+    templates = {text for text in constants if isinstance(text, str) and "{0}" in text}
+    assert templates == set(room.SENTENCES)
+    assert all(text.endswith((".", "?")) for text in templates)
+
+
+def test_sentences_are_translated_before_they_are_filled_in(qapp: QApplication) -> None:
+    from PySide6.QtCore import QTranslator
+
+    class Croatian(QTranslator):
+        words = {  # noqa: RUF012
+            "Near": "Bliža ravnina",
+            "must be less than far, which is {0}": "mora biti manja od dalje, koja je {0}",
+            "does not exist": "ne postoji",
+            "must be greater than {0}": "mora biti veće od {0}",
+            meshes.EMPTY: "{0}: datoteka je prazna.",
+            scene.NEARLY_A_SCENE: "Nema scene „{0}”, možda „{3}”? Ima {1} i {2}.",
+            figures.SCALED_WIDTH: "širina = {0} puta {3}: mora biti od {1} do {2} piksela.",
+        }
+
+        def translate(self, context: str, text: str, *_rest: object) -> str:
+            return self.words.get(text, "")
+
+        def isEmpty(self) -> bool:
+            return False
+
+    translator = Croatian()
+    qapp.installTranslator(translator)
+    try:
+        with pytest.raises(ProjectionError) as caught:
+            Perspective(45.0, 3.0, 2.5)
+        assert sentence(caught.value) == "Bliža ravnina = 3: mora biti manja od dalje, koja je 2.5."
+        missing = DocumentError(document.NO_FILE, file="a.json")
+        assert sentence(missing) == "a.json ne postoji."
+        wrong = DocumentError(projection.ABOVE, 0, field="lens.near", value=-1)
+        assert sentence(wrong) == "lens.near = -1: mora biti veće od 0."
+        with pytest.raises(SceneError) as unknown:
+            scene.load("kube")
+        *others, last = scene.BUILT_IN
+        said = f"Nema scene „kube”, možda „cube”? Ima {', '.join(others)} i {last}."
+        assert sentence(unknown.value) == said
+        assert sentence(SceneError(meshes.EMPTY, "{1}.obj")) == "{1}.obj: datoteka je prazna."
+        cube = scene.load("cube")
+        with pytest.raises(FigureError) as large:
+            figures.render(cube, cube.start, size=(9000, 600), scale=2.0)
+        said = "širina = 9000 puta 2: mora biti od 96 do 16384 piksela."
+        assert sentence(large.value) == said
+    finally:
+        qapp.removeTranslator(translator)
+    assert sentence(caught.value) == "Near = 3: must be less than far, which is 2.5."
+    said = f"There is no scene “kube”, only {', '.join(others)} or {last}; did you mean “cube”?"
+    assert sentence(unknown.value) == str(unknown.value) == said
+    said = "width = 9000 times scale 2: must be from 96 to 16384 pixels."
+    assert sentence(large.value) == str(large.value) == said
+    assert sentence(OSError("no space")) == "no space"
+
+
+# -- the controls that matter for a scene
+
+
+def framed(controls: Controls) -> set[str]:
+    return {name for name, row in controls.rows.items() if row.property("framed")}
+
+
+def test_the_controls_that_matter_are_opened_framed_and_scrolled_to(
+    controls: Controls, qapp: QApplication
+) -> None:
+    controls.resize(320, 240)
+    controls.sections["depth"].set_open(False)
+    qapp.processEvents()
+    width = controls.minimumSizeHint().width()
+    controls.bring_to_front(("depth", "camera.eye"))
+    orbit = {"azimuth_deg", "elevation_deg", "distance"}
+    assert framed(controls) == {"depth", "eye_x", "eye_y", "eye_z", *orbit}
+    assert controls.sections["depth"].is_open
+    qapp.processEvents()
+    row = controls.rows["azimuth_deg"]
+    assert not row.visibleRegion().isEmpty(), "the first of them is in view"
+    assert controls.minimumSizeHint().width() == width, "the panes lose no room"
+    frame = row.grab().toImage().pixelColor(row.width() // 2, 0)
+    assert frame == controls.palette().color(QPalette.ColorRole.Highlight)
+    controls.bring_to_front(("lens.near",))
+    assert framed(controls) == {"near"}
+    controls.bring_to_front(())
+    assert framed(controls) == set()
+    assert row.grab().toImage().pixelColor(row.width() // 2, 0) != frame
+
+
+def test_of_a_free_matrix_no_control_is_framed_until_there_is_a_lens_again(
+    controls: Controls,
+) -> None:
+    controls.bring_to_front(("camera.up", "lens.far"))
+    before, start = framed(controls), controls.projection
+    assert before == {"up_x", "up_y", "up_z", "roll_deg", "far"}
+    cells: Any = tuple(
+        map(
+            tuple,
+            [
+                [2.0, 0.0, 0.0, 0.0],
+                [0.0, 2.0, 0.0, 0.0],
+                [0.0, 0.0, 1.0, 0.0],
+                [0.0, 0.0, 0.0, 1.0],
+            ],
+        )
+    )
+    controls.show_projection(replace(start, lens=FreeMatrix(cells)))
+    assert framed(controls) == set()
+    controls.bring_to_front(("camera.eye",))
+    assert framed(controls) == set()
+    controls.bring_to_front(("camera.up", "lens.far"))
+    controls.show_projection(start)
+    assert framed(controls) == before
+
+
+def test_a_frame_stays_with_its_row_in_another_lens_and_camera_mode(
+    controls: Controls, qapp: QApplication
+) -> None:
+    controls.bring_to_front(("camera.up", "lens.far", "image.width"))
+    before = framed(controls)
+    assert before == {"up_x", "up_y", "up_z", "roll_deg", "far", "width"}
+    controls.show_projection(controls.projection.with_lens("orthographic"))
+    mode: Any = controls.rows["camera_mode"]
+    mode.choose("vectors")
+    qapp.processEvents()
+    assert framed(controls) == before and controls.rows["up_x"].isVisible()
+
+
+# -- a refusal, and what is done next
+
+
+@pytest.mark.parametrize(("other", "text"), [("width", "800"), ("fov_y_deg", "30"), ("eye_x", "1")])
+def test_a_refusal_goes_when_another_field_is_accepted(
+    controls: Controls, record: Record, other: str, text: str
+) -> None:
+    controls.rows["camera_mode"].choose("vectors")  # type: ignore[attr-defined]
+    near = number(controls, "near")
+    enter(near, "5000")
+    assert near.error and near.field.text() == "5000"
+    enter(number(controls, other), "nonsense")
+    assert near.error, "nothing has changed"
+    enter(number(controls, other), text)
+    assert not near.error and not number(controls, other).error
+    assert float(near.field.text()) == START.lens.near
+
+
+def test_a_refusal_stays_where_the_user_is_still_typing(
+    controls: Controls, record: Record, qapp: QApplication
+) -> None:
+    near = number(controls, "near")
+    enter(near, "5000")
+    moved = replace(START, camera=Camera((9.0, 9.0, 9.0)))
+    controls.show_projection(moved)  # as an animation does
+    assert near.error and near.field.text() == "5000"
+    QTest.keyClicks(near.field, "1")
+    controls.show_projection(START)
+    assert near.error and near.field.text() == "15000"
+    number(controls, "far").field.setFocus()
+    assert near.error
+    controls.show_projection(START)  # something else of the document has changed
+    assert not near.error and float(near.field.text()) == START.lens.near

@@ -1,0 +1,95 @@
+"""What is counted in the picture of a phenomenon once the hand rests, in the real window."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
+
+from app.document.document import Document
+from app.drawings import rasterising
+from app.scenes.scene import load
+
+MakeWindow = Callable[..., Any]
+
+
+@pytest.fixture
+def make_depth(make_window: MakeWindow) -> MakeWindow:
+    return lambda: make_window(Document("depth-buffer", load("depth-buffer").start))
+
+
+def shown(window: Any) -> list[str]:
+    lines = window.scene_panel.readout.lines
+    return [value.text() for label, value, _ in lines if not label.isHidden()]
+
+
+def test_the_counted_share_stands_beside_the_predicted_one(
+    make_depth: MakeWindow, qtbot: Any
+) -> None:
+    window = make_depth()
+    qtbot.waitUntil(lambda: shown(window)[1] != "–")
+    predicted, counted = map(float, shown(window)[:2])
+    assert 5.0 < predicted < 95.0 and counted == pytest.approx(predicted, abs=5.0)
+    assert counted != predicted
+    window.store.set_settings({"format": "fixed24"})
+    assert shown(window)[1] == "–", "what was counted before is of another picture"
+    qtbot.waitUntil(lambda: shown(window)[1] != "–")
+    assert shown(window)[:2] == ["0", "0"]
+    assert "few pixels" not in window.scene_panel.readout.note.text()
+    start = window.store.document.projection
+    window.store.set_projection(replace(start, lens=replace(start.lens, fov_y_deg=179.0)))
+    qtbot.waitUntil(lambda: "few pixels" in window.scene_panel.readout.note.text())
+    assert shown(window)[1] == "–"
+
+
+def test_nothing_is_counted_while_the_hand_moves(make_depth: MakeWindow, qtbot: Any) -> None:
+    window = make_depth()
+    qtbot.waitUntil(lambda: shown(window)[1] != "–")
+    window.store.begin_gesture()
+    window.store.set_settings({"gap": 0.3})
+    with qtbot.assertNotEmitted(window.counting.counted, wait=700):
+        pass
+    window.store.end_gesture()
+    qtbot.waitUntil(lambda: shown(window)[1] != "–")
+
+
+def test_a_large_mesh_is_not_counted(
+    make_depth: MakeWindow, qtbot: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("widgets.panes.counting.MOST_FACES", 0)
+    window = make_depth()
+    with qtbot.assertNotEmitted(window.counting.counted, wait=1000):
+        pass
+    assert shown(window)[1] == "–"
+
+
+@pytest.fixture
+def unheard() -> Iterator[Any]:
+    """What VTK says of a shader that is none is kept from everybody else."""
+    heard, before = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
+    vtkOutputWindow.SetInstance(heard)
+    yield heard
+    vtkOutputWindow.SetInstance(before)
+
+
+def test_a_refused_shader_is_told_and_the_picture_drawn_the_ordinary_way(
+    make_depth: MakeWindow, qtbot: Any, monkeypatch: pytest.MonkeyPatch, unheard: Any
+) -> None:
+    monkeypatch.setattr(rasterising, "_DEPTH", "this is no GLSL;")
+    window = make_depth()
+    panel, pane = window.scene_panel, window.panes["image"]
+    qtbot.waitUntil(lambda: "does not take the shader" in panel.warning.text())
+    assert not panel.warning.isHidden() and shown(window)[1] == "–"
+
+    def orange() -> int:
+        image = pane.canvas.screenshot(return_img=True)
+        return int((np.abs(image.astype(int) - (230, 159, 0)).sum(axis=-1) < 6).sum())
+
+    qtbot.waitUntil(lambda: orange() > 500)
+    assert "this is no GLSL" in unheard.GetOutput()
+    window._choose_scene("similar-triangles")
+    assert panel.warning.isHidden()

@@ -1,0 +1,149 @@
+"""The panels under the panes: folded, one open at a time."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QLabel, QToolButton
+from pytestqt.qtbot import QtBot
+
+from app.document.document import Document
+from app.scenes.scene import load
+from widgets.window.drawer import Panels
+
+
+def test_one_panel_is_open_at_a_time(qtbot: QtBot) -> None:
+    panels = Panels()
+    first, second = QLabel("first"), QLabel("second")
+    panels.add("One", first, "the first")
+    panels.add("Two", second, "the second")
+    qtbot.addWidget(panels)
+    panels.show()
+    qtbot.waitExposed(panels)
+    one, two = panels.findChildren(QToolButton)
+    assert [one.text(), two.text(), one.toolTip()] == ["One", "Two", "the first"]
+    assert panels.open_panel is None
+    assert not first.isVisible() and not second.isVisible()
+    folded = panels.sizeHint().height()
+    with qtbot.waitSignal(panels.opened):
+        qtbot.mouseClick(two, Qt.MouseButton.LeftButton)
+    assert panels.open_panel is second and second.isVisible() and not first.isVisible()
+    assert two.isChecked() and not one.isChecked()
+    assert panels.sizeHint().height() > folded
+    qtbot.mouseClick(one, Qt.MouseButton.LeftButton)
+    assert panels.open_panel is first and not second.isVisible() and not two.isChecked()
+    qtbot.mouseClick(one, Qt.MouseButton.LeftButton)
+    assert panels.open_panel is None and not first.isVisible() and not one.isChecked()
+    for key in (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Space):
+        qtbot.keyClick(one, key)
+        assert (panels.open_panel is first) == one.isChecked() == (key != Qt.Key.Key_Enter)
+
+
+def heights(window: Any) -> list[int]:
+    """Of the panels' part of the window, as their names are clicked from left to right and back."""
+    found = []
+    panels = (window.matrices, window.frame_panel, window.probe_panel, window.scene_panel,
+              window.measure_panel)  # fmt: skip
+    for panel in (*panels, *panels[::-1]):
+        window.panels.open(panel)
+        QApplication.processEvents()
+        found.append(window.panels.height())
+    return found
+
+
+@pytest.mark.parametrize("size", [(1366, 768), (1920, 1080)])
+def test_from_name_to_name_the_panels_only_grow(
+    make_window: Callable[..., Any], size: tuple[int, int]
+) -> None:
+    window = make_window()
+    window.resize(*size)
+    QApplication.processEvents()
+    found = heights(window)
+    assert found == sorted(found) and found[0] < found[-1]
+    assert all(pane.height() >= 400 for pane in window.panes.values())
+    window.panels.open(None)
+    assert set(heights(window)) == {found[-1]}
+    if size[1] > 768:  # in a lower window there is less to give
+        window.resize(1366, 768)
+        QApplication.processEvents()
+        assert max(heights(window)) < found[-1]
+        assert all(pane.height() >= 400 for pane in window.panes.values())
+
+
+def test_an_open_panel_has_its_part_of_a_window_that_grows(
+    make_window: Callable[..., Any],
+) -> None:
+    window = make_window(Document("depth-buffer", load("depth-buffer").start))
+    window.resize(1366, 768)
+    window.panels.open(window.scene_panel)
+    QApplication.processEvents()
+    low = window.panels.height()
+    window.resize(1920, 1080)
+    QApplication.processEvents()
+    assert window.panels.height() > 0.28 * 1080 > 1.1 * low
+    window._column.moveSplitter(window._column.sizes()[0] - 100, 1)
+    chosen = window.panels.height()
+    window.resize(1920, 1079)  # by a hair, as when it is moved from screen to screen
+    window.resize(1920, 1100)
+    QApplication.processEvents()
+    assert window.panels.height() == chosen
+
+
+def test_a_height_that_the_hand_has_chosen_stays(make_window: Callable[..., Any]) -> None:
+    window = make_window()
+    window.panels.open(window.matrices)
+    QApplication.processEvents()
+    handle = window._column.handle(1)
+    for away in (40, -60):
+        place = handle.rect().center()
+        before = window.panels.height()
+        QTest.mousePress(handle, Qt.MouseButton.LeftButton, pos=place)
+        place.setY(place.y() + away)
+        QTest.mouseMove(handle, place)
+        QTest.mouseRelease(handle, Qt.MouseButton.LeftButton, pos=place)
+        QApplication.processEvents()
+        chosen = window.panels.height()
+        assert chosen == before - away
+        assert set(heights(window)) == {chosen}
+        window.panels.open(None)
+        window.panels.open(window.matrices)
+        QApplication.processEvents()
+        assert window.panels.height() == chosen
+
+
+def test_a_chosen_height_is_not_that_of_a_lower_window(make_window: Callable[..., Any]) -> None:
+    window = make_window()
+    window.resize(1600, 1050)
+    window.panels.open(window.matrices)
+    QApplication.processEvents()
+    window._column.moveSplitter(350, 1)
+    assert window.panels.height() > 500
+    window.resize(1366, 768)
+    window.panels.open(window.probe_panel)
+    QApplication.processEvents()
+    assert all(pane.height() >= 400 for pane in window.panes.values())
+
+
+@pytest.mark.parametrize("panel", ["matrices", "frame_panel", "probe_panel", "measure_panel"])
+def test_tab_goes_all_round_the_window(
+    make_window: Callable[..., Any], qtbot: QtBot, panel: str
+) -> None:
+    window = make_window()
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    window.probe_panel.follow(point=(0.0, 0.0, 0.0))
+    window.panels.open(getattr(window, panel))
+    QApplication.processEvents()
+    start = window.controls.rows["near"].field
+    start.setFocus()
+    been = []
+    while start not in been:
+        assert len(been) < 200, been[-3:]
+        QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_Tab)
+        been.append(QApplication.focusWidget())
+    assert any(getattr(window, panel).isAncestorOf(widget) for widget in been)
+    assert window.controls.rows["far"].field in been

@@ -1,0 +1,517 @@
+"""u, v, n, step by step: the panel, the drawing, and what happens when up nears the view."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from itertools import pairwise
+from typing import Any
+
+import mpmath
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QImage, QTextDocumentFragment
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+
+from app.drawings.frame import arrow_tips
+from app.lecture.camera_frame import (
+    STEPS,
+    most_turned_deg,
+    nudged_up,
+    turned_up,
+    up_and_view,
+    view_matrix,
+)
+from app.lecture.typed_matrix import with_cell
+from app.model.projection import Camera, Perspective, Projection, ProjectionError, format_value
+from app.scenes.scene import load
+from tests import PATIENCE_MS
+from widgets.panels.frame_panel import FramePanel
+from widgets.window.main_window import MainWindow
+
+START = load("letter-f").start
+MakeWindow = Callable[..., MainWindow]
+
+
+def settle() -> None:
+    for _ in range(3):
+        QApplication.processEvents()
+
+
+def pixels(window: MainWindow, name: str = "world") -> np.ndarray:
+    image = window.panes[name].canvas.grabFramebuffer().convertToFormat(QImage.Format.Format_RGB888)
+    array = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), image.bytesPerLine())
+    return array[:, : 3 * image.width()].reshape(image.height(), image.width(), 3).copy()
+
+
+def opened(make_window: MakeWindow) -> MainWindow:
+    window = make_window()
+    window.activateWindow()
+    assert QTest.qWaitForWindowActive(window, PATIENCE_MS)
+    window.panels.open(window.frame_panel)
+    settle()
+    return window
+
+
+def click(button: Any) -> None:
+    QTest.mouseClick(button, Qt.MouseButton.LeftButton)
+    settle()
+
+
+def numbers(panel: FramePanel) -> str:
+    return QTextDocumentFragment.fromHtml(panel.numbers.text()).toPlainText()
+
+
+# -- the numbers
+
+directions = st.tuples(*[st.floats(-10.0, 10.0).map(lambda x: round(x, 3))] * 3)
+
+
+@given(eye=directions, up=directions)
+def test_up_and_view_are_what_80_digits_say(eye: Any, up: Any) -> None:
+    try:
+        camera = Camera(eye, (0.0, 0.0, 0.0), up)
+    except ProjectionError:
+        return
+    with mpmath.workdps(80):
+        e, w = mpmath.matrix(eye), mpmath.matrix(up)
+        n = e / mpmath.norm(e)
+        cross = [w[1] * n[2] - w[2] * n[1], w[2] * n[0] - w[0] * n[2], w[0] * n[1] - w[1] * n[0]]
+        length, up_length = mpmath.norm(cross), mpmath.norm(w)
+        cosine = -(w.T * n)[0]
+        angle = float(mpmath.degrees(mpmath.atan2(length, cosine)))
+        magnified = float(up_length / length)
+    found = up_and_view(camera)
+    assert found.angle_deg == pytest.approx(angle, rel=1e-14, abs=1e-300)
+    assert found.length == pytest.approx(float(length), rel=1e-15)
+    assert found.magnified == pytest.approx(magnified, rel=1e-14)
+    assert found.cross == pytest.approx([float(part) for part in cross], rel=1e-14, abs=1e-30)
+
+
+def test_the_view_matrix_is_the_stages() -> None:
+    random = np.random.default_rng(6)
+    for _ in range(60):
+        scale = 10.0 ** random.uniform(-6, 9)
+        eye, target, up = (tuple(part) for part in random.normal(size=(3, 3)) * scale)
+        projection = Projection(Camera(eye, target, up))
+        (stage,) = (stage for stage in projection.stages if stage.name == "view_from_world")
+        assert view_matrix(projection.camera) == tuple(map(tuple, stage.matrix.tolist()))
+
+
+@pytest.mark.parametrize("angle_deg", [178.0, 104.5, 90.0, 45.0, 1.0, 1e-3, 1e-6, 1e-9])
+def test_turned_up_has_the_angle_and_keeps_the_frame(angle_deg: float) -> None:
+    camera = turned_up(START.camera, angle_deg)
+    error = 4e-16 / math.sin(math.radians(angle_deg))
+    found = up_and_view(camera)
+    assert found.angle_deg == pytest.approx(angle_deg, rel=max(1e-14, 4 * error))
+    assert np.abs(camera.frame - START.camera.frame).max() <= max(1e-15, 2 * error)
+
+
+def test_up_on_the_view_direction_is_refused_by_the_model() -> None:
+    random = np.random.default_rng(5)
+    cameras = [Camera(tuple(random.normal(size=3) * 10.0 ** random.uniform(-3, 6)),
+                      tuple(random.normal(size=3))) for _ in range(100)]  # fmt: skip
+    for camera in (START.camera, *cameras):
+        for angle_deg in (0.0, 1e-14, 180.0):
+            with pytest.raises(ProjectionError, match="up"):
+                turned_up(camera, angle_deg)
+    assert up_and_view(turned_up(START.camera, 1e-12)).angle_deg == pytest.approx(1e-12, rel=1e-2)
+
+
+@pytest.mark.parametrize("angle_deg", [90.0, 10.0, 1.0])
+def test_an_error_in_up_is_magnified_as_it_is_said(angle_deg: float) -> None:
+    camera = turned_up(START.camera, angle_deg)
+    nudged = nudged_up(camera, 1e-4)
+    turn_deg = math.degrees(math.acos(float(camera.frame[1] @ nudged.frame[1])))
+    assert turn_deg == pytest.approx(1e-4 * up_and_view(camera).magnified, rel=1e-3)
+
+
+@pytest.mark.parametrize("off_deg", [10.0, 1.0, 0.12, 0.101, 0.05])
+def test_an_error_in_up_turns_no_more_than_is_said(off_deg: float) -> None:
+    camera = turned_up(START.camera, off_deg)
+    u, v = camera.frame[:2]
+    sine, cosine = math.sin(math.radians(0.1)), math.cos(math.radians(0.1))
+    up = np.array(camera.up) / math.hypot(*camera.up)
+    beside = np.cross(up, u)
+    turns = []
+    for way in np.linspace(0.0, math.pi, 2001):
+        error = math.cos(way) * beside + math.sin(way) * u
+        x, y = (cosine * up + sine * error) @ np.array([u, v]).T
+        turns.append(math.degrees(math.atan2(abs(x), y)))
+    assert max(turns) == pytest.approx(most_turned_deg(off_deg, 0.1), rel=1e-4)
+
+
+def test_the_arrows_are_the_vectors() -> None:
+    camera = START.camera
+    for step in range(len(STEPS)):
+        tips = arrow_tips(step, camera)
+        assert set(tips) == {"look", "up", "n", "u", "v"} & set(STEPS[: step + 1])
+        for name, vector in (
+            ("u", camera.frame[0]), ("v", camera.frame[1]), ("n", camera.frame[2]),
+            ("up", np.array(camera.up)), ("look", np.subtract(camera.target, camera.eye)),
+        ):  # fmt: skip
+            if name in tips:
+                tip = np.array(tips[name]) @ camera.frame
+                along = tip @ vector / np.linalg.norm(tip) / np.linalg.norm(vector)
+                assert along == pytest.approx(1.0, abs=1e-14)
+
+
+# -- the panel
+
+
+def test_steps_by_its_buttons(make_window: MakeWindow) -> None:
+    window = opened(make_window)
+    panel = window.frame_panel
+    assert panel.step == 0 and not panel.back.isEnabled()
+    titles = [panel.title.text()]
+    for _ in range(len(STEPS) - 1):
+        click(panel.next)
+        titles.append(panel.title.text())
+    assert len(set(titles)) == 7 and titles[0].startswith("1 ") and titles[-1].startswith("7 ")
+    assert not panel.next.isEnabled() and not panel.all.isEnabled()
+    click(panel.back)
+    assert panel.step == 5
+    panel.go_to(0)
+    click(panel.all)
+    assert panel.step == 6
+
+
+def test_playing_goes_through_all_steps_and_stops(make_window: MakeWindow, qtbot: Any) -> None:
+    window = opened(make_window)
+    panel = window.frame_panel
+    panel._timer.setInterval(1)
+    seen: list[int] = []
+    panel.step_changed.connect(seen.append)
+    click(panel.play)
+    qtbot.waitUntil(lambda: panel.step == 6 and not panel.playing)
+    assert seen == [1, 2, 3, 4, 5, 6]
+    panel._timer.setInterval(100_000)
+    click(panel.play)  # from the beginning
+    assert panel.playing and panel.step == 0
+    click(panel.next)
+    assert not panel.playing and panel.step == 1
+    click(panel.play)
+    window.panels.open(None)
+    assert not panel.playing
+
+
+@pytest.mark.parametrize(
+    "camera",
+    [START.camera, Camera((0.1, -3.0, 1e6), (1 / 3, 0.0, 0.0), (1.0, 2.0, 0.5))],
+)
+def test_the_numbers_are_the_models(make_window: MakeWindow, camera: Camera) -> None:
+    window = opened(make_window)
+    window.store.set_projection(replace(window.store.document.projection, camera=camera))
+    panel = window.frame_panel
+    projection = window.store.document.projection
+    expected = {
+        "eye": camera.eye, "up": camera.up, "n": camera.frame[2], "u": camera.frame[0],
+        "v": camera.frame[1], "look": -camera.frame[2],
+    }  # fmt: skip
+    for step, name in enumerate(STEPS[:-1]):
+        panel.go_to(step)
+        last = numbers(panel).splitlines()[-1]
+        written = "(" + ", ".join(format_value(x + 0.0) for x in expected[name]) + ")"
+        assert last.endswith(f"= {written}"), name
+    panel.go_to(3)
+    assert f"|e − target| = {format_value(camera.distance)}" in numbers(panel)
+    panel.go_to(6)
+    (stage,) = (stage for stage in projection.stages if stage.name == "view_from_world")
+    cells = [format_value(value + 0.0) for value in stage.matrix.reshape(-1).tolist()]
+    assert numbers(panel).split() == cells
+
+
+def test_folded_it_computes_nothing_and_opens_with_the_present_camera(
+    make_window: MakeWindow, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    window = make_window()
+    asked: list[Camera] = []
+    real = up_and_view
+
+    def ask(camera: Camera) -> Any:
+        asked.append(camera)
+        return real(camera)
+
+    monkeypatch.setattr("widgets.panels.frame_panel.up_and_view", ask)
+    camera = Camera((1.0, 2.0, 3.0))
+    window.store.set_projection(replace(window.store.document.projection, camera=camera))
+    settle()
+    assert asked == []
+    window.panels.open(window.frame_panel)
+    settle()
+    assert set(asked) == {camera} and numbers(window.frame_panel) == "e = (1, 2, 3)"
+    asked.clear()
+    lens = Perspective(50.0, 1.0, 30.0)
+    window.store.set_projection(replace(window.store.document.projection, lens=lens))
+    assert asked == []  # another lens is the same camera
+
+
+def test_a_row_turns_up_and_undo_brings_it_back(make_window: MakeWindow) -> None:
+    window = opened(make_window)
+    panel, before = window.frame_panel, window.store.document.projection
+    window.controls.rows["camera_mode"].choose("vectors")
+    panel.angle.field.setFocus()
+    panel.angle.field.selectAll()
+    QTest.keyClicks(panel.angle.field, "0.5")
+    QTest.keyClick(panel.angle.field, Qt.Key.Key_Return)
+    camera = window.store.document.projection.camera
+    assert up_and_view(camera).angle_deg == pytest.approx(0.5, rel=1e-12)
+    assert panel.angle.value() == 0.5
+    assert "0.5°" in panel.warning.text() and "114.593" in panel.figures.text()
+    assert window.controls.rows["up_y"].value() == pytest.approx(camera.up[1])
+    window.store.undo()
+    settle()
+    assert window.store.document.projection == before
+    assert panel.warning.text() == "" and panel.angle.value() == pytest.approx(104.513, rel=1e-5)
+
+
+def test_a_drag_of_the_row_is_one_step(make_window: MakeWindow) -> None:
+    window = opened(make_window)
+    panel, before = window.frame_panel, window.store.document.projection
+    panel.angle.slider.sliderPressed.emit()
+    for position in (200, 150, 100):
+        panel.angle.slider.setValue(position)
+    panel.angle.slider.sliderReleased.emit()
+    assert up_and_view(window.store.document.projection.camera).angle_deg < 1e-8
+    window.store.undo()
+    assert window.store.document.projection == before and not window.store.can_undo
+
+
+def test_the_refused_case_says_the_models_sentence(make_window: MakeWindow) -> None:
+    window = opened(make_window)
+    panel, before = window.frame_panel, window.store.document.projection
+    panel.angle.field.selectAll()
+    QTest.keyClicks(panel.angle.field, "0")
+    QTest.keyClick(panel.angle.field, Qt.Key.Key_Return)
+    assert "must not be parallel to the view direction" in panel.angle.error
+    assert window.store.document.projection == before
+    QTest.keyClick(panel.angle.field, Qt.Key.Key_Escape)
+    assert panel.angle.error == ""
+
+
+def test_the_warning_comes_at_one_degree(make_window: MakeWindow) -> None:
+    window = opened(make_window)
+    panel = window.frame_panel
+    for angle_deg, warned in ((1.01, False), (0.99, True), (179.5, True), (178.5, False)):
+        window.store.set_projection(replace(START, camera=turned_up(START.camera, angle_deg)))
+        assert bool(panel.warning.text()) is warned, angle_deg
+    for angle_deg, turned in ((0.12, "56.4"), (179.9, "90"), (0.1, "90"), (0.05, "180")):
+        window.store.set_projection(replace(START, camera=turned_up(START.camera, angle_deg)))
+        assert panel.warning.text().endswith(f"by up to {turned}°.")
+
+
+def test_under_a_typed_view_matrix_it_says_whose_frame_it_shows(make_window: MakeWindow) -> None:
+    window = opened(make_window)
+    panel, start = window.frame_panel, window.store.document.projection
+    window.store.set_projection(with_cell(start, "clip_from_view", 3, 0, 0.1))
+    assert panel.nudge.isEnabled() and not panel.warning.text()  # the camera is still there
+    window.store.set_projection(with_cell(start, "view_from_world", 0, 1, 0.5))
+    assert not panel.nudge.isEnabled() and not panel.angle.isEnabled()
+    assert "no camera has it" in panel.warning.text()
+    window.store.undo()
+    assert panel.nudge.isEnabled() and panel.angle.isEnabled() and not panel.warning.text()
+
+
+def test_a_nudge_turns_the_picture_as_it_is_said(make_window: MakeWindow) -> None:
+    window = opened(make_window)
+    window.store.set_projection(replace(START, camera=turned_up(START.camera, 1.0)))
+    before = window.store.document.projection.camera
+    click(window.frame_panel.nudge)
+    after = window.store.document.projection.camera
+    turn_deg = math.degrees(math.acos(float(before.frame[0] @ after.frame[0])))
+    assert turn_deg == pytest.approx(math.degrees(math.atan(0.1 / 1.0)), rel=0.02)
+    window.store.undo()
+    assert window.store.document.projection.camera == before
+
+
+# -- the world pane
+
+
+def test_each_step_is_seen_and_all_comes_back(make_window: MakeWindow) -> None:
+    window = make_window()
+    settle()
+    before = {name: pixels(window, name) for name in window.panes}
+    window.panels.open(window.frame_panel)
+    settle()
+    window.enlarge("world")
+    settle()
+    seen = [pixels(window)]
+    for _ in STEPS[1:]:
+        click(window.frame_panel.next)
+        seen.append(pixels(window))
+    for one, other in pairwise(seen):
+        assert not np.array_equal(one, other)
+    window.panels.open(None)
+    window.show_all_panes()
+    settle()
+    for name, picture in before.items():
+        assert np.array_equal(pixels(window, name), picture), name
+
+
+def test_steps_add_no_actor_after_the_first(make_window: MakeWindow) -> None:
+    window = opened(make_window)
+    renderer = window.panes["world"].canvas.renderer
+    props = list(renderer.GetViewProps())
+    click(window.frame_panel.all)
+    window.panels.open(None)
+    window.panels.open(window.frame_panel)
+    for camera in (Camera((1.0, 2.0, 3.0)), turned_up(START.camera, 1e-9)):
+        window.store.set_projection(replace(START, camera=camera))
+    settle()
+    assert list(renderer.GetViewProps()) == props
+
+
+def test_one_step_is_one_repaint_of_the_world_and_idle_is_none(make_window: MakeWindow) -> None:
+    window = opened(make_window)
+    counts = dict.fromkeys(window.panes, 0)
+    observers = []
+    for name, pane in window.panes.items():
+
+        def count(_window: object, _event: str, name: str = name) -> None:
+            counts[name] += 1
+
+        view = pane.canvas.render_window
+        observers.append((view, view.AddObserver("EndEvent", count)))
+    window.frame_panel.go_to(1)
+    settle()
+    settle()
+    assert counts == {"world": 1, "ndc": 0, "image": 0}
+    window.frame_panel.go_to(1)
+    settle()
+    assert counts == {"world": 1, "ndc": 0, "image": 0}
+    window.store.set_projection(replace(START, camera=Camera((1.0, 2.0, 3.0))))
+    settle()
+    assert counts == {"world": 2, "ndc": 1, "image": 1}
+    for view, tag in observers:
+        view.RemoveObserver(tag)
+
+
+def test_another_theme_keeps_the_step_and_a_hidden_pane_catches_up(make_window: MakeWindow) -> None:
+    window = opened(make_window)
+    window.frame_panel.go_to(6)
+    settle()
+    stepped = pixels(window)
+    window.set_theme("dark")
+    window.set_theme("light")
+    settle()
+    assert np.array_equal(pixels(window), stepped)
+    window.enlarge("image")
+    window.frame_panel.go_to(2)
+    settle()
+    window.enlarge("image")
+    settle()
+    third = pixels(window)
+    assert not np.array_equal(third, stepped)
+    window.frame_panel.go_to(6)
+    settle()
+    assert np.array_equal(pixels(window), stepped)
+
+
+def test_up_is_drawn_where_it_is(make_window: MakeWindow) -> None:
+    """The arrow's shaft has its colour half-way along up, seen from the eye."""
+    window = opened(make_window)
+    window.enlarge("world")
+    camera = Camera(START.camera.eye, START.camera.target, (0.3, 1.0, -0.4))
+    window.store.set_projection(replace(START, camera=camera))
+    window.frame_panel.go_to(2)
+    settle()
+    drawing: Any = window.panes["world"].drawing
+    up = np.array(camera.up) / np.linalg.norm(camera.up)
+    eye = np.array(camera.eye)
+    spot = drawing.sight.seen([eye + 1.2 * drawing._axes_size * up])[0]
+    picture = pixels(window).astype(int)
+    x, y = (math.floor(part) for part in spot)
+    accent = np.array([0xC4, 0x6F, 0x9D])
+    near_by = picture[y - 1 : y + 2, x - 1 : x + 2].reshape(-1, 3)
+    assert np.abs(near_by - accent).sum(axis=1).min() < 30
+
+
+def test_figures_do_not_show_the_steps(make_window: MakeWindow) -> None:
+    window = make_window()
+    settle()
+    window.pictures.copy()
+    settle()
+    before = QApplication.clipboard().image()
+    window.panels.open(window.frame_panel)
+    window.frame_panel.go_to(6)
+    settle()
+    window.pictures.copy()
+    assert QApplication.clipboard().image() == before and not before.isNull()
+
+
+def test_the_formula_is_linked(make_window: MakeWindow) -> None:
+    window = opened(make_window)
+    panel = window.frame_panel
+    panel.go_to(3)
+    settle()
+    place = panel.formula.mapTo(window, panel.formula.rect().center())
+    QTest.mouseMove(window.windowHandle(), place)
+    settle()
+    assert window.attention.now == {"n"} and panel.formula.is_marked
+    QTest.mouseMove(window.windowHandle(), QPoint(window.width() - 4, 2))
+    settle()
+    assert window.attention.now == frozenset() and not panel.formula.is_marked
+    window.attention.attend("test", frozenset(("n",)))
+    assert panel.formula.is_marked
+    panel.go_to(4)
+    assert not panel.formula.is_marked
+
+
+def test_the_row_and_the_arrow_of_up_are_linked(make_window: MakeWindow) -> None:
+    window = opened(make_window)
+    window.frame_panel.go_to(2)
+    settle()
+    row, before = window.frame_panel.angle, pixels(window)
+    QTest.mouseMove(window.windowHandle(), row.mapTo(window, row.rect().center()))
+    settle()
+    assert window.attention.now == {"up"} and row.is_marked
+    assert not np.array_equal(pixels(window), before)  # its arrow and its word
+    QTest.mouseMove(window.windowHandle(), QPoint(window.width() - 4, 2))
+    settle()
+    assert np.array_equal(pixels(window), before)
+    drawing: Any = window.panes["world"].drawing
+    camera = window.store.document.projection.camera
+    up = np.array(camera.up)  # of length 1
+    ((x_px, y_px),) = drawing.sight.seen([camera.eye + 1.5 * drawing._axes_size * up])
+    canvas = window.panes["world"].canvas
+    place = canvas.mapTo(window, QPoint(math.floor(x_px), math.floor(y_px)))
+    QTest.mouseMove(window.windowHandle(), place)
+    settle()
+    assert window.attention.now == {"up"} and row.is_marked
+
+
+def test_cameras_at_their_ends_are_drawn(make_window: MakeWindow) -> None:
+    window = opened(make_window)
+    window.frame_panel.go_to(6)
+    for camera in (
+        turned_up(START.camera, 1e-12),
+        Camera((6e11, 5e11, 9e11), (0.0, 2.2, 0.0)),
+        Camera((1e-9, 0.0, 0.0), (0.0, 0.0, 0.0)),
+        Camera((0.0, 14.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, -1e100)),
+        Camera((0.0, 14.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, -1e-100)),
+    ):
+        window.store.set_projection(Projection(camera))
+        settle()
+        assert len(numbers(window.frame_panel).split()) == 16
+        assert "nan" not in window.frame_panel.figures.text()
+
+
+def test_the_view_matrix_s_formula_is_the_lecture_s(make_window: MakeWindow) -> None:
+    """Lecture 004: R^T has u, v, n as columns; R is (u, v, n)^T, with them as rows."""
+    window = opened(make_window)
+    panel = window.frame_panel
+    for step in range(len(STEPS)):
+        panel.go_to(step)
+        plain = QTextDocumentFragment.fromHtml(panel.formula.text()).toPlainText()
+        assert plain.startswith(
+            ("e", "look = target", "up", "n = (e", "u = up", "v = n", "M = R T")
+        )
+        assert "<b>" in panel.formula.text()
+    assert "R = (<b>u</b>, <b>v</b>, <b>n</b>)<sup>T</sup>" in panel.formula.text()
+    rotation = START.view_rotation[:3, :3]
+    np.testing.assert_array_equal(rotation, np.column_stack(START.camera.frame).T)

@@ -1,0 +1,583 @@
+"""Linked attention: what is pointed at in one place stands out in all the others."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QImage
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QWidget
+
+from app.drawings.pointing import pointed_at, volume_edges
+from app.lecture.highlight import CORNERS, NOTHING, corner_at, made_of
+from app.lecture.notation import letters_in, matrices
+from app.lecture.stages import VIEW, WORLD
+from app.model.projection import DEPTH_RANGES, LENSES, Camera, Perspective, Projection
+from app.scenes.scene import load
+from tests import PATIENCE_MS
+from widgets.panels.matrix_view import MatrixView
+from widgets.parts.highlight import Attended
+from widgets.window.main_window import MainWindow
+
+START = load("letter-f").start
+PLANES = {"near", "far", "left", "right", "bottom", "top"}
+
+
+def settle() -> None:
+    for _ in range(3):
+        QApplication.processEvents()
+
+
+def hover(window: MainWindow, widget: QWidget, place: QPoint | None = None) -> None:
+    """Move the mouse there as the window system does: with enter and leave, no button down."""
+    if place is None:
+        place = widget.rect().center()
+    QTest.mouseMove(window.windowHandle(), widget.mapTo(window, place))
+    settle()
+
+
+def point_at(window: MainWindow, name: str, x_px: float, y_px: float) -> None:
+    """Hover a pixel of a pane's canvas."""
+    hover(window, window.panes[name].canvas, QPoint(math.floor(x_px), math.floor(y_px)))
+
+
+def leave(window: MainWindow) -> None:
+    hover(window, window.menuBar(), QPoint(window.menuBar().width() - 2, 2))
+
+
+def pixels(window: MainWindow, name: str) -> np.ndarray:
+    image = window.panes[name].canvas.grabFramebuffer().convertToFormat(QImage.Format.Format_RGB888)
+    array = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), image.bytesPerLine())
+    return array[:, : 3 * image.width()].copy()
+
+
+def pictures(window: MainWindow) -> dict[str, np.ndarray]:
+    return {name: pixels(window, name) for name in window.panes}
+
+
+def changed(before: dict[str, np.ndarray], after: dict[str, np.ndarray]) -> set[str]:
+    return {name for name in before if not np.array_equal(before[name], after[name])}
+
+
+@contextmanager
+def counted_repaints(window: MainWindow) -> Iterator[dict[str, int]]:
+    counts = dict.fromkeys(window.panes, 0)
+    observers = []
+    for name, pane in window.panes.items():
+
+        def count(_window: object, _event: str, name: str = name) -> None:
+            counts[name] += 1
+
+        view = pane.canvas.render_window
+        observers.append((view, view.AddObserver("EndEvent", count)))
+    yield counts
+    for view, tag in observers:
+        view.RemoveObserver(tag)
+
+
+def marked(window: MainWindow) -> set[str]:
+    """The rows in use that are marked."""
+    rows = window.controls.rows.items()
+    return {name for name, row in rows if row.is_marked and row.isVisibleTo(window)}
+
+
+MakeWindow = Callable[..., MainWindow]
+
+
+def opened(make_window: MakeWindow) -> MainWindow:
+    """A window with the mouse on nothing."""
+    window = make_window()
+    window.activateWindow()
+    assert QTest.qWaitForWindowActive(window, PATIENCE_MS)
+    leave(window)
+    return window
+
+
+# -- words
+
+
+def test_a_corner_has_its_planes_for_a_name() -> None:
+    assert len(CORNERS) == len(set(CORNERS)) == 8
+    for name in CORNERS:
+        assert len(made_of(frozenset((name,))) & PLANES) == 3
+    assert corner_at("left", "top") == {"near_left_top", "far_left_top"}
+    assert made_of(frozenset(("u",))) == {"u"}
+
+
+def test_the_latest_counts_and_the_one_before_comes_back(qtbot: Any) -> None:
+    attended, seen = Attended(), []
+    attended.changed.connect(seen.append)
+    near, far = frozenset(("near",)), frozenset(("far",))
+    attended.attend("keyboard", far)
+    attended.attend("mouse", near)
+    attended.attend("mouse", near)
+    attended.attend("other", NOTHING)
+    attended.attend("mouse", NOTHING)
+    attended.attend("keyboard", NOTHING)
+    assert seen == [far, near, far, NOTHING] and attended.now == NOTHING
+
+
+def test_a_cell_speaks_of_its_letters() -> None:
+    stages = {matrix.name: matrix for matrix in matrices(START)}
+    view, clip = stages["view_from_world"], stages["clip_from_view"]
+    assert letters_in(view, 0, 0) == {"u"} and letters_in(view, 2, 3) == {"n", "eye"}
+    assert letters_in(view, 3, 3) == NOTHING
+    assert {"near", "far"} <= letters_in(clip, 2, 2) and "fov" in letters_in(clip, 1, 1)
+    assert letters_in(clip, 3, 2) == NOTHING
+    assert {"u", "fov", "image"} <= letters_in(stages["clip_from_world"], 0, 0)
+
+
+@pytest.mark.parametrize("depth", sorted(DEPTH_RANGES))
+@pytest.mark.parametrize("kind", sorted(LENSES))
+@pytest.mark.parametrize("rows", [False, True])
+def test_every_control_has_its_letters(kind: str, depth: str, rows: bool) -> None:
+    """Whatever the lens, near and far are spoken of somewhere, and only known things are."""
+    projection = replace(START.with_lens(kind), depth=depth)
+    known = {*"uvn", *PLANES, "eye", "fov", "image", "depth", "keep", "alpha_deg", "beta_deg"}
+    spoken: set[str] = set()
+    for matrix in matrices(projection, rows=rows, running=True):
+        for i in range(4):
+            for j in range(4):
+                spoken |= letters_in(matrix, i, j)
+    assert {"u", "v", "n", "eye", "near", "far"} <= spoken <= known
+
+
+# -- what is under a pixel
+
+
+def box(width: float = 100.0, height: float = 60.0) -> list[tuple[float, float, float]]:
+    """A view volume seen straight on, its far face smaller and shifted; the near one in front."""
+    near = [(0, height, 0.0), (width, height, 0.0), (width, 0, 0.0), (0, 0, 0.0)]
+    return near + [(30 + 0.4 * x, 20 + 0.4 * y, 1.0) for x, y, _ in near]
+
+
+@pytest.mark.parametrize(
+    ("place", "named"),
+    [
+        ((101.0, 58.0), {"near_right_bottom"}),
+        ((50.0, 61.0), {"near"}),  # its lower edge
+        ((15.0, 30.0), {"near"}),  # the foremost face
+        ((85.0, 10.0), {"right", "top"}),
+        ((200.0, 200.0), set()),
+    ],
+)
+def test_the_nearest_point_then_line_then_face(place: tuple[float, float], named: set[str]) -> None:
+    corners = box()
+    points = [(frozenset((name,)), at) for name, at in zip(CORNERS, corners, strict=True)]
+    assert pointed_at(place, 13.0, points, volume_edges(corners), corners) == named
+
+
+def test_what_is_nowhere_is_not_pointed_at() -> None:
+    nowhere = [(math.nan, math.nan, math.nan)] * 8
+    points = [(frozenset((name,)), at) for name, at in zip(CORNERS, nowhere, strict=True)]
+    assert pointed_at((5.0, 5.0), 13.0, points, volume_edges(nowhere), nowhere) == NOTHING
+
+
+def test_the_frontmost_face_by_its_depth_there() -> None:
+    corners = box()
+    behind = [(x, y, 2.0 - order) for x, y, order in corners]  # now the far face is in front
+    assert pointed_at((50.0, 30.0), 13.0, (), (), behind) == {"far"}
+
+
+# -- from a control to the panes
+
+
+def test_a_hovered_row_is_seen_in_every_pane_that_has_it(make_window: MakeWindow) -> None:
+    window = opened(make_window)
+    before = pictures(window)
+    with counted_repaints(window) as counts:
+        hover(window, window.controls.rows["near"])
+        assert window.attention.now == {"near"}
+        assert counts == {"world": 1, "ndc": 1, "image": 0}
+        hover(window, window.controls.rows["near"], QPoint(4, 4))  # still on it
+        assert counts == {"world": 1, "ndc": 1, "image": 0}
+        assert marked(window) == {"near"}
+        assert window.status.labels["planes"].is_marked
+        leave(window)
+        assert counts == {"world": 2, "ndc": 2, "image": 0}
+    assert marked(window) == set() and not window.status.labels["planes"].is_marked
+    assert changed(before, pictures(window)) == set()
+    hover(window, window.controls.rows["near"])
+    assert changed(before, pictures(window)) == {"world", "ndc"}
+
+
+@pytest.mark.parametrize(
+    ("row", "panes", "rows"),
+    [
+        ("far", {"world", "ndc"}, {"far"}),
+        ("fov_y_deg", {"world", "image"}, {"fov_y_deg", "fov_x_deg", "focal_length_mm", "e"}),
+        ("window_right", {"world", "ndc", "image"}, {"fov_x_deg", "focal_length_mm", "e"}),
+        ("azimuth_deg", {"world"}, {"azimuth_deg", "elevation_deg", "distance"}),
+        ("roll_deg", {"world", "ndc", "image"}, {"roll_deg", "azimuth_deg", "elevation_deg"}),
+    ],
+)
+def test_rows_show_what_they_are_about(
+    make_window: MakeWindow, row: str, panes: set[str], rows: set[str]
+) -> None:
+    window = opened(make_window)
+    before = pictures(window)
+    window.controls.ensureWidgetVisible(window.controls.rows[row])
+    hover(window, window.controls.rows[row])
+    assert changed(before, pictures(window)) == panes
+    assert marked(window) == rows | {row}
+
+
+def test_the_keyboard_in_a_row_counts_too(make_window: MakeWindow) -> None:
+    window = opened(make_window)
+    near, far = window.controls.rows["near"], window.controls.rows["far"]
+    near.field.setFocus(Qt.FocusReason.TabFocusReason)
+    settle()
+    assert window.attention.now == {"near"}
+    QTest.keyClick(near.field, Qt.Key.Key_Tab)
+    settle()
+    assert far.slider.hasFocus() and window.attention.now == {"far"}
+    hover(window, window.controls.rows["fov_y_deg"])
+    assert window.attention.now == {"fov"}
+    leave(window)
+    assert window.attention.now == {"far"}
+    far.slider.clearFocus()
+    settle()
+    assert window.attention.now == NOTHING
+
+
+def test_a_click_leaves_no_attention_behind(make_window: MakeWindow) -> None:
+    window = opened(make_window)
+    near = window.controls.rows["near"]
+    hover(window, near)
+    QTest.mouseClick(near.field, Qt.MouseButton.LeftButton)
+    leave(window)
+    assert near.field.hasFocus() and window.attention.now == NOTHING
+
+
+# -- from the panes
+
+
+def test_the_world_knows_what_is_under_the_mouse(make_window: MakeWindow) -> None:
+    """By the pane's own sight, which is tested against VTK's camera."""
+    window = opened(make_window)
+    projection = window.store.document.projection
+    window.enlarge("world")
+    settle()
+    drawing = window.panes["world"].drawing
+    assert drawing is not None
+    corners = projection.frustum_corners_world[:, :3]
+    camera = projection.camera
+
+    def at(point: Any) -> frozenset[str]:
+        ((x_px, y_px),) = drawing.sight.seen([point])
+        point_at(window, "world", x_px, y_px)
+        return window.attention.now
+
+    assert at(camera.eye) == {"eye"}
+    assert at(camera.target) == {"target"}
+    assert at(corners[0]) == {"near_left_bottom"} or at(corners[3]) == {"near_left_top"}
+    assert at((corners[0] + corners[3]) / 2.0) == {"near"}
+    far = drawing._corners[4:] + load("letter-f").origin  # where the break lets it be drawn
+    assert at(far[1]) == {"far_right_bottom"}
+    assert at((far[2] + far[3]) / 2.0) == {"far"}
+    assert at(0.5 * corners[0] + 0.5 * far[0]) == {"left", "bottom"}
+    assert at(0.4 * np.array(camera.eye) + 0.6 * corners[3]) == {"fov"}
+    assert len(at(0.25 * far.sum(axis=0))) == 1  # some face
+    assert made_of(window.attention.now) <= PLANES
+
+
+@pytest.mark.parametrize("text", ["near", "far"])
+def test_a_label_can_be_pointed_at(make_window: MakeWindow, text: str) -> None:
+    window = opened(make_window)
+    drawing: Any = window.panes["world"].drawing
+    label = drawing._labels.named[text]
+    x_px, y_px, _ = label._place.GetValue()
+    point_at(window, "world", x_px, window.panes["world"].canvas.height() - y_px)
+    assert window.attention.now == {text} and text in marked(window)
+
+
+@pytest.mark.parametrize("depth", sorted(DEPTH_RANGES))
+def test_the_cube_knows_what_is_under_the_mouse(make_window: MakeWindow, depth: str) -> None:
+    window = opened(make_window)
+    window.store.set_projection(replace(window.store.document.projection, depth=depth))
+    settle()
+    drawing = window.panes["ndc"].drawing
+    assert drawing is not None
+    corners = window.store.document.projection.frustum_corners_world[:, :3]
+    before = pictures(window)
+
+    def at(ndc: Any) -> frozenset[str]:
+        """Where the model's point is seen, by its place between the corners' pictures."""
+        x, y, z = ((part + 1.0) / 2.0 for part in ndc)
+        seen = drawing.sight.seen(corners)
+        weights = [(1 - x, x)[cx] * (1 - y, y)[cy] * (1 - z, z)[i // 4]
+                   for i, (cx, cy) in enumerate([(0, 0), (1, 0), (1, 1), (0, 1)] * 2)]  # fmt: skip
+        x_px, y_px = np.array(weights) @ seen
+        point_at(window, "ndc", x_px, y_px)
+        return window.attention.now
+
+    assert at((1, -1, -1)) == {"near_right_bottom"}
+    assert at((-1, 1, 1)) == {"far_left_top"} or at((1, 1, 1)) == {"far_right_top"}
+    assert at((0.5, 1, -1)) == {"near"}
+    assert at((1, -1, 0.3)) == {"right", "bottom"}
+    assert at((0.3, -0.4, -1)) == {"near"}
+    assert at((1, 0.4, 0.1)) == {"right"}
+    assert changed(before, pictures(window)) == {"world", "ndc", "image"}
+    leave(window)
+    assert changed(before, pictures(window)) == set()
+
+
+def test_the_image_knows_its_sides_and_corners(make_window: MakeWindow) -> None:
+    window = opened(make_window)
+    drawing = window.panes["image"].drawing
+    left, top, width, height = drawing.picture_rectangle_px  # type: ignore[union-attr]
+    for x_px, y_px, named in (
+        (left, top + height / 2, {"left"}),
+        (left + width, top + height / 2, {"right"}),
+        (left + width / 2, top, {"top"}),
+        (left + width / 2, top + height, {"bottom"}),
+        (left + width, top, {"near_right_top", "far_right_top"}),
+        (left, top + height, {"near_left_bottom", "far_left_bottom"}),
+        (left + width / 2, top + height / 2, set()),
+    ):
+        point_at(window, "image", x_px, y_px)
+        assert window.attention.now == named
+    before = pictures(window)
+    with counted_repaints(window) as counts:
+        point_at(window, "image", left, top + height / 2)
+        point_at(window, "image", left, top + height / 3)
+        point_at(window, "image", left + 1, top + height / 3)
+    assert counts == {"world": 1, "ndc": 1, "image": 1}
+    assert changed(before, pictures(window)) == {"world", "ndc", "image"}
+
+
+def test_the_worlds_axes_at_the_strip_are_not_the_cameras(make_window: MakeWindow) -> None:
+    window = opened(make_window)
+    for stop, shown in ((WORLD, False), (VIEW, True)):
+        window.strip.go_to(float(stop))
+        settle()
+        before = pixels(window, "ndc")
+        window.attention.attend("test", frozenset(("u",)))
+        settle()
+        assert np.array_equal(before, pixels(window, "ndc")) is not shown
+        window.attention.attend("test", NOTHING)
+        settle()
+        assert np.array_equal(before, pixels(window, "ndc"))
+
+
+def test_turning_a_pane_picks_nothing(make_window: MakeWindow) -> None:
+    window = opened(make_window)
+    pane, handle = window.panes["world"], window.windowHandle()
+    hover(window, pane.canvas)
+    asked: list[QPointF] = []
+    pane.canvas.hovered.connect(asked.append)
+    centre = pane.canvas.mapTo(window, pane.canvas.rect().center())
+    QTest.mousePress(handle, Qt.MouseButton.LeftButton, pos=centre)
+    for step in range(1, 5):
+        QTest.mouseMove(handle, centre + QPoint(20 * step, 0))
+    settle()
+    while_down = list(asked)
+    QTest.mouseRelease(handle, Qt.MouseButton.LeftButton, pos=centre)
+    assert while_down == [] and pane.view is not None  # it has been turned
+    hover(window, pane.canvas, QPoint(20, 20))
+    assert len(asked) > len(while_down)
+
+
+# -- matrices, probes, status line
+
+
+def test_a_cell_marks_the_rows_that_it_depends_on(make_window: MakeWindow) -> None:
+    window = opened(make_window)
+    window.panels.open(window.matrices)
+    settle()
+    before = pictures(window)
+    view = window.matrices.views["view_from_world"]
+    assert isinstance(view, MatrixView)
+    hover(window, view, view._cell_rect(2, 0).center().toPoint())
+    assert window.attention.now == {"n"}
+    assert marked(window) == {"azimuth_deg", "elevation_deg"}
+    assert changed(before, pictures(window)) == {"world", "ndc"}
+    assert view.is_marked(2, 1) and not view.is_marked(0, 0) and not view.is_marked(3, 3)
+    clip = window.matrices.views["clip_from_world"]
+    assert clip.is_marked(3, 0)  # w is the distance along n
+    window.controls.rows["camera_mode"].choose("vectors")
+    assert {"eye_x", "eye_y", "target_z"} <= marked(window) and "up_y" not in marked(window)
+    leave(window)
+    assert marked(window) == set() and changed(before, pictures(window)) == set()
+
+
+def test_a_row_marks_the_cells_that_depend_on_it(make_window: MakeWindow) -> None:
+    window = opened(make_window)
+    window.panels.open(window.matrices)
+    settle()
+    hover(window, window.controls.rows["near"])
+    marks = {
+        name: {(i, j) for i in range(4) for j in range(4) if view.is_marked(i, j)}
+        for name, view in window.matrices.views.items()
+    }
+    assert (2, 3) in marks["clip_from_world"] and marks["view_from_world"] == set()
+    assert marks["image_from_ndc"] == set()
+    window.attention.attend("test", frozenset(("up",)))
+    view = window.matrices.views["view_from_world"]
+    assert view.is_marked(0, 0) and view.is_marked(1, 2) and not view.is_marked(2, 0)
+
+
+def test_a_cell_under_the_cursor_counts_and_marks_reach_the_screen(make_window: MakeWindow) -> None:
+    window = opened(make_window)
+    window.panels.open(window.matrices)
+    settle()
+    view = window.matrices.views["view_from_world"]
+    other = window.matrices.views["clip_from_world"]
+    before = other.grab().toImage()
+    view.setFocus(Qt.FocusReason.TabFocusReason)
+    settle()
+    assert window.attention.now == {"u"} and other.grab().toImage() != before
+    QTest.keyClick(view, Qt.Key.Key_Down)
+    assert window.attention.now == {"v"}
+    view.clearFocus()
+    settle()
+    assert window.attention.now == NOTHING and other.grab().toImage() == before
+
+
+def test_the_words_of_a_probe_that_is_outside(make_window: MakeWindow) -> None:
+    window = opened(make_window)
+    window.panels.open(window.probe_panel)
+    settle()
+    camera = window.store.document.projection.camera
+    eye, n = np.array(camera.eye), camera.frame[2]
+    window.probe_panel.follow(point=tuple(eye - 0.5 * n))  # nearer than near
+    settle()
+    table = window.probe_panel.table
+    model = table.model()
+    inside = model.index(model.rowCount() - 1, 1)
+    assert model.data(inside, Qt.ItemDataRole.BackgroundRole) is None
+    table.scrollTo(inside)
+    hover(window, table.viewport(), table.visualRect(inside).center())
+    assert window.attention.now == {"near"} and marked(window) == {"near"}
+    assert model.data(inside, Qt.ItemDataRole.BackgroundRole) is not None
+    hover(window, table.viewport(), table.visualRect(model.index(model.rowCount() - 2, 1)).center())
+    assert window.attention.now == NOTHING
+    window.attention.attend("test", frozenset(("near_left_top",)))
+    assert model.data(inside, Qt.ItemDataRole.BackgroundRole) is not None
+    window.attention.attend("test", frozenset(("far",)))
+    assert model.data(inside, Qt.ItemDataRole.BackgroundRole) is None
+
+
+@pytest.mark.parametrize("kind", ["perspective", "frustum", "orthographic"])
+def test_a_corner_marks_the_figure_that_its_drag_changes(
+    make_window: MakeWindow, kind: str
+) -> None:
+    window = opened(make_window)
+    window.store.set_projection(START.with_lens(kind))
+    settle()
+    drawing, canvas = window.panes["world"].drawing, window.panes["world"].canvas
+    marks = drawing._handles.shown  # type: ignore[union-attr]
+    x_px, y_px = next(spot for handle, spot in marks if handle.name == "corner")
+    labels = window.status.labels
+    before = {name: label.text() for name, label in labels.items()}
+    point_at(window, "world", x_px / canvas.pixel_ratio, y_px / canvas.pixel_ratio)
+    assert window.attention.now < set(CORNERS)
+    assert {name for name, label in labels.items() if label.is_marked} == {"fov"}
+    start = QPoint(math.floor(x_px), math.floor(y_px))
+    QTest.mousePress(canvas, Qt.MouseButton.LeftButton, pos=start)
+    QTest.mouseMove(canvas, start + QPoint(20, -30))
+    QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=start + QPoint(20, -30))
+    settle()
+    assert {name for name, label in labels.items() if label.text() != before[name]} == {"fov"}
+
+
+@pytest.mark.parametrize(
+    ("figure", "named"),
+    [("fov", {"fov"}), ("planes", {"near", "far"}), ("camera", {"eye", "target"})],
+)
+def test_a_figure_of_the_status_line(make_window: MakeWindow, figure: str, named: set[str]) -> None:
+    window = opened(make_window)
+    label = window.status.labels[figure]
+    before = label.grab().toImage()
+    hover(window, label)
+    assert window.attention.now == named and label.is_marked
+    assert label.grab().toImage() != before
+    leave(window)
+    assert window.attention.now == NOTHING and label.grab().toImage() == before
+
+
+# -- what it costs
+
+
+def test_a_step_with_attention_costs_what_it_costs_without(make_window: MakeWindow) -> None:
+    window = opened(make_window)
+    hover(window, window.controls.rows["near"])
+    settle()
+    props = {name: list(pane.canvas.renderer.GetViewProps()) for name, pane in window.panes.items()}
+    with counted_repaints(window) as counts:
+        for step in range(3):
+            lens = Perspective(46.0 + step, 1.0, 30.0)
+            window.store.set_projection(replace(window.store.document.projection, lens=lens))
+            settle()
+        assert counts == {"world": 3, "ndc": 3, "image": 3}
+        leave(window)
+    for name, pane in window.panes.items():
+        assert list(pane.canvas.renderer.GetViewProps()) == props[name]
+
+
+def test_a_hidden_pane_is_told_when_it_appears(
+    make_window: MakeWindow, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    window = opened(make_window)
+    before = pictures(window)
+    window.enlarge("image")
+    settle()
+    told: list[object] = []
+    drawing = window.panes["world"].drawing
+    real = drawing.show_attention  # type: ignore[union-attr]
+    monkeypatch.setattr(drawing, "show_attention", lambda a: (told.append(a), real(a))[1])
+    hover(window, window.controls.rows["near"])
+    assert told == []
+    window.enlarge("image")
+    settle()
+    assert told and changed(before, pictures(window)) >= {"world"}
+
+
+def test_another_theme_keeps_the_attention(make_window: MakeWindow) -> None:
+    window = opened(make_window)
+    window.set_theme("dark")
+    settle()
+    before = pictures(window)
+    hover(window, window.controls.rows["near"])
+    attentive = pictures(window)
+    assert changed(before, attentive) == {"world", "ndc"}
+    window.set_theme("light")
+    window.set_theme("dark")
+    settle()
+    assert changed(attentive, pictures(window)) == set()
+
+
+def test_a_copied_picture_is_never_highlighted(make_window: MakeWindow) -> None:
+    window = opened(make_window)
+    window.pictures.copy()
+    settle()  # its message takes room
+    before = QApplication.clipboard().image()
+    hover(window, window.controls.rows["near"])
+    assert window.attention.now == {"near"}
+    window.pictures.copy()
+    assert QApplication.clipboard().image() == before and not before.isNull()
+
+
+def test_a_camera_far_away_and_lenses_at_their_ends_can_be_hovered(make_window: MakeWindow) -> None:
+    window = opened(make_window)
+    for projection in (
+        Projection(Camera((6e11, 5e11, 9e11), (0.0, 2.2, 0.0))),
+        Projection(START.camera, Perspective(179.9, 1e-9, math.inf)),
+        START.with_lens("oblique"),
+    ):
+        window.store.set_projection(projection)
+        settle()
+        for name, pane in window.panes.items():
+            width, height = pane.canvas.width(), pane.canvas.height()
+            for x in range(5, width, 60):
+                for y in range(5, height, 60):
+                    attended = pane.drawing.attention_at(x, y)  # type: ignore[union-attr]
+                    assert made_of(attended) <= {*PLANES, *CORNERS, *"uvn", "eye", "target", "fov"}
+                    assert name

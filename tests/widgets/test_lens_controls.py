@@ -1,0 +1,512 @@
+"""The Lens section for all four lenses: every number that a lens can be given by, both ways."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QComboBox
+
+from app.model.projection import (
+    LENSES,
+    OBLIQUE_PRESETS,
+    Camera,
+    Frustum,
+    Intrinsics,
+    Oblique,
+    Orthographic,
+    Perspective,
+    Projection,
+)
+from tests.widgets.test_controls import (
+    NONSENSE,
+    Record,
+    choice,
+    drag,
+    enter,
+    number,
+    press,
+    release,
+)
+from widgets.controls.controls import Controls
+from widgets.parts.fields import Linear, Log, NumberRow
+
+START = Projection(Camera((6.0, 5.0, 9.0), (0.0, 2.0, 0.0)), Perspective(45.0, 1.0, 30.0))
+OFF_AXIS = replace(START, lens=Frustum(-0.25, 0.75, -0.5, 1.5, 1.0, 30.0))
+BOX = replace(START, lens=Orthographic(-4.0, 4.0, -3.0, 3.0, 1.0, 30.0))
+SLANTED = replace(START, lens=Oblique(near=2.0))
+SHOWN = {p.lens.kind: p for p in (START, OFF_AXIS, BOX, SLANTED)}
+KEY = Qt.Key
+
+
+@pytest.fixture
+def column(display: Any, qtbot: Any) -> Iterator[Controls]:
+    """The column with all sections open, showing a perspective lens."""
+    controls = Controls()
+    qtbot.addWidget(controls)
+    controls.resize(320, 900)
+    controls.set_scene(6.0, START)
+    controls.show_projection(START)
+    controls.sections["calibrated"].set_open(True)
+    controls.show()
+    qtbot.waitExposed(controls)
+    controls.activateWindow()
+    qtbot.waitUntil(controls.isActiveWindow)
+    yield controls
+
+
+def lens_rows(controls: Controls) -> dict[str, NumberRow]:
+    """The numbers that this kind of lens is shown by."""
+    return {
+        key: row
+        for key, row in controls.rows.items()
+        if isinstance(row, NumberRow)
+        and controls._bindings[key].part == "lens"
+        and not row.isHidden()
+        and row.isVisible()
+    }
+
+
+def combo(controls: Controls, key: str) -> QComboBox:
+    widget = choice(controls, key).widgets[0]
+    assert isinstance(widget, QComboBox)
+    return widget
+
+
+# -- all kinds
+
+
+@pytest.mark.parametrize("kind", LENSES)
+@pytest.mark.parametrize("end", [KEY.Key_Home, KEY.Key_End])
+def test_every_slider_of_every_lens_goes_to_its_ends(
+    column: Controls, kind: str, end: Qt.Key
+) -> None:
+    """The model stays valid and is what the row shows, or the row says why not."""
+    column.show_projection(SHOWN[kind])
+    rows = lens_rows(column)
+    assert len(rows) >= 6
+    for key, row in rows.items():
+        column.show_projection(SHOWN[kind])
+        record = Record(column)
+        row.slider.setFocus()
+        QTest.keyClick(row.slider, end)
+        QTest.keyClick(row.slider, KEY.Key_Up if end == KEY.Key_Home else KEY.Key_Down)
+        row.finish_gesture()
+        assert record.edits or row.error, key
+        assert record.events[0] == "start" and record.events[-1] == "finish"
+        if not row.isHidden():  # the last of K's four numbers can make the lens symmetric
+            assert row.value() == pytest.approx(column._bindings[key].read(column.projection)), key
+            assert row.slider.value() == row._scale.position_of(row.value()), key
+
+
+@pytest.mark.parametrize("kind", LENSES)
+def test_nonsense_changes_nothing_in_any_lens(column: Controls, kind: str) -> None:
+    column.show_projection(SHOWN[kind])
+    record = Record(column)
+    for key, row in lens_rows(column).items():
+        for text in ("nan", *NONSENSE[::4]):
+            enter(row, text)
+            assert row.error.startswith("⚠ Not possible. ") and row.name in row.error, (key, text)
+            assert row.field.text() == text
+        QTest.keyClick(row.field, KEY.Key_Escape)
+        assert row.error == ""
+    assert record.edits == [] and column.projection == SHOWN[kind]
+
+
+@pytest.mark.parametrize("kind", LENSES)
+def test_a_drag_of_any_number_of_a_lens_is_one_gesture(column: Controls, kind: str) -> None:
+    column.show_projection(SHOWN[kind])
+    for key, row in lens_rows(column).items():
+        column.show_projection(SHOWN[kind])
+        column.ensureWidgetVisible(row)
+        record = Record(column)
+        before = row.slider.value()
+        scale = row._scale
+        press(row.slider)
+        for step in (1, 2, 3):
+            drag(row.slider, before + step)
+        assert row._scale is scale, key  # not under the hand
+        release(row.slider)
+        assert record.events == ["start", "edit", "edit", "edit", "finish"], key
+
+
+@pytest.mark.parametrize("kind", LENSES)
+def test_the_numbers_of_other_lenses_are_left_alone(column: Controls, kind: str) -> None:
+    others = {k for k in LENSES if k != kind}
+    for other in others:
+        column.show_projection(SHOWN[other])
+    column.show_projection(SHOWN[kind])
+    hidden = {key: row.value() for key, row in column.rows.items() if row.isHidden()}
+    assert len(hidden) >= 6
+    column.sections["calibrated"].set_open(False)
+    k_before = [number(column, key).value() for key in Intrinsics._fields]
+    near = number(column, "near")
+    enter(near, "2.5")
+    assert column.projection.lens.near == 2.5
+    assert {key: column.rows[key].value() for key in hidden} == hidden
+    assert [number(column, key).value() for key in Intrinsics._fields] == k_before
+    column.sections["calibrated"].set_open(True)
+    if not column.projection.lens.parallel:
+        k_after = [number(column, key).value() for key in Intrinsics._fields]
+        assert k_after == pytest.approx(column.projection.intrinsics, rel=1e-12)
+
+
+def test_lenses_follow_each_other_in_any_order_and_come_back(column: Controls) -> None:
+    record = Record(column)
+    for kind in (*LENSES, *reversed(LENSES), "frustum", "oblique", "perspective"):
+        choice(column, "kind").choose(kind)
+        assert column.projection.lens.kind == kind and not column.rows["kind"].error
+    assert column.projection.lens.fov_y_deg == pytest.approx(45.0)  # type: ignore[union-attr]
+    assert record.events.count("edit") == record.events.count("start") > 8
+
+
+@pytest.mark.parametrize(
+    ("shown", "key", "text", "expected"),
+    [
+        (OFF_AXIS, "right", "-0.5", "Right = -0.5: must be greater than left, which is -0.25."),
+        (OFF_AXIS, "bottom", "1.5", "Bottom = 1.5: must be less than top, which is 1.5."),
+        (OFF_AXIS, "near", "-1", "Near = -1: must be greater than 0."),
+        (OFF_AXIS, "near", "30", "Near = 30: must be less than far, which is 30."),
+        (OFF_AXIS, "fx", "0", "fx = 0: must be greater than 0."),
+        (OFF_AXIS, "fy", "-5", "fy = -5: must be greater than 0."),
+        (OFF_AXIS, "cx", "inf", "cx = ∞: must be a finite number."),
+        (START, "window_top", "0", "Half-height = 0: must be greater than 0."),
+        (START, "window_right", "-3", "Half-width = -3: must be greater than 0."),
+        (START, "e", "0", "Focal length e = 0: must be greater than 0."),
+        (SLANTED, "alpha_deg", "180", "Alpha = 180: must lie between 0 and 180, both excluded."),
+        (SLANTED, "beta_deg", "0", "Beta = 0: must lie between 0 and 180, both excluded."),
+        (SLANTED, "receding", "1e7", "Receding = 10000000: must be at most 1000000."),
+        (SLANTED, "receding_deg", "inf", "Direction = ∞: must be a finite number."),
+        (SLANTED, "far", "inf", "Far = ∞: must be a finite number."),
+        (SLANTED, "left", "4", "Left = 4: must be less than right, which is 4."),
+    ],
+)
+def test_what_a_lens_refuses_is_explained_at_the_row(
+    column: Controls, shown: Projection, key: str, text: str, expected: str
+) -> None:
+    column.show_projection(shown)
+    record, row = Record(column), number(column, key)
+    enter(row, text)
+    assert row.error == f"⚠ Not possible. {expected}"
+    assert record.edits == [] and column.projection is shown
+
+
+def test_beyond_the_slider_is_taken(column: Controls) -> None:
+    for shown, key, text in (
+        (OFF_AXIS, "right", "500"),
+        (OFF_AXIS, "far", "inf"),
+        (SLANTED, "near", "-1000"),
+        (SLANTED, "receding", "7"),
+        (SLANTED, "alpha_deg", "0.25"),
+        (START, "window_top", "1e6"),
+        (START, "e", "0.001"),
+        (OFF_AXIS, "fx", "1e7"),
+        (OFF_AXIS, "cx", "-100000"),
+    ):
+        column.show_projection(shown)
+        row = number(column, key)
+        enter(row, text)
+        assert not row.error, (key, row.error)
+        assert column._bindings[key].read(column.projection) == pytest.approx(float(text))
+        assert row.value() == pytest.approx(float(text))
+
+
+# -- perspective: one value, many measures
+
+
+@pytest.mark.parametrize("key", ["fov_y_deg", "fov_x_deg", "focal_length_mm", "e", "window_right",
+                                 "window_top"])  # fmt: skip
+def test_all_measures_of_a_field_of_view_move_together(column: Controls, key: str) -> None:
+    enter(number(column, key), "1.5")
+    lens = column.projection.lens
+    assert isinstance(lens, Perspective) and (lens.near, lens.far) == (1.0, 30.0)
+    half_y = math.tan(math.radians(lens.fov_y_deg) / 2.0)
+    half_x = half_y * 16.0 / 9.0
+    expected = {
+        "fov_y_deg": lens.fov_y_deg,
+        "fov_x_deg": math.degrees(2.0 * math.atan(half_x)),
+        "focal_length_mm": math.hypot(36.0, 24.0) / 2.0 / math.hypot(half_x, half_y),
+        "e": 1.0 / half_x,
+        "window_right": half_x,
+        "window_top": half_y,
+    }
+    assert expected[key] == pytest.approx(1.5)
+    for name, value in expected.items():
+        assert number(column, name).value() == pytest.approx(value, rel=1e-12), name
+    assert number(column, key).field.text() == "1.5"
+
+
+def test_the_half_window_sliders_follow_near(column: Controls) -> None:
+    for near in (1e-3, 1.0, 250.0):
+        column.show_projection(replace(START, lens=Perspective(90.0, near, 1e6)))
+        for key in ("window_right", "window_top"):
+            row = number(column, key)
+            assert isinstance(row._scale, Log)
+            assert row.slider.minimum() < row.slider.value() < row.slider.maximum()
+
+
+# -- frustum: six numbers
+
+
+@pytest.mark.parametrize("near", [1e-6, 0.01, 1.0, 25.0])
+def test_the_windows_sliders_are_in_proportion_to_it(column: Controls, near: float) -> None:
+    column.show_projection(replace(START, lens=Perspective(45.0, near, 30.0)))
+    choice(column, "kind").choose("frustum")
+    _, right, _, top = column.projection.window
+    for key in ("left", "right", "bottom", "top"):
+        scale = number(column, key)._scale
+        assert isinstance(scale, Linear) and scale.low == -scale.high
+        assert scale.high == pytest.approx(2.0 * right, rel=0.01)
+        assert 0 < number(column, key).slider.value() < scale.last
+    row = number(column, "right")
+    scale = row._scale
+    enter(row, repr(0.5 * right))
+    assert row._scale is scale  # it still fills a fair part of the slider
+    enter(row, repr(5.0 * right))
+    assert row._scale.high == pytest.approx(10.0 * right, rel=0.01)
+    assert top < 5.0 * right
+
+
+def test_a_window_that_shrinks_in_the_hand_gets_finer_sliders_afterwards(column: Controls) -> None:
+    column.show_projection(replace(START, lens=Frustum(-0.01, 1.0, -0.01, 0.01, 1.0, 30.0)))
+    row = number(column, "right")
+    scale = row._scale
+    press(row.slider)
+    drag(row.slider, scale.position_of(0.02))
+    assert row._scale is scale
+    release(row.slider)
+    assert row._scale.high == pytest.approx(0.04, rel=0.05)
+    assert row.slider.value() == row._scale.position_of(row.value())
+
+
+def test_a_box_keeps_the_scenes_sliders(column: Controls) -> None:
+    for shown in (BOX, SLANTED, replace(BOX, lens=Orthographic(-0.1, 0.1, -0.1, 0.1))):
+        column.show_projection(shown)
+        assert number(column, "left")._scale.high == pytest.approx(12.0, rel=0.01)
+    column.show_projection(replace(BOX, lens=Orthographic(-40.0, 4.0)))
+    assert number(column, "left")._scale.high == pytest.approx(80.0, rel=0.01)
+    choice(column, "kind").choose("frustum")
+    row = number(column, "far")
+    row.slider.setFocus()
+    QTest.keyClick(row.slider, KEY.Key_End)
+    assert column.projection.lens.far == math.inf
+
+
+@pytest.mark.parametrize("kind", ["frustum", "orthographic", "oblique"])
+def test_keep_is_the_models(column: Controls, kind: str) -> None:
+    column.show_projection(SHOWN[kind])
+    for keep in ("x", "y", "stretch"):
+        choice(column, "keep").choose(keep)
+        assert column.projection.lens.keep == keep  # type: ignore[union-attr]
+    column.show_projection(replace(SHOWN[kind], lens=replace(SHOWN[kind].lens, keep="y")))
+    assert choice(column, "keep").value() == "y"
+
+
+# -- oblique: angles, and how things recede
+
+
+def test_receding_and_angles_are_two_views(column: Controls) -> None:
+    column.show_projection(SLANTED)
+    assert number(column, "receding").field.text() == "0.5"
+    assert number(column, "receding_deg").field.text() == "45"
+    enter(number(column, "alpha_deg"), "90")
+    enter(number(column, "beta_deg"), "45")
+    # Straight into the picture (0, 0, -1) is drawn at (-cot 90, -cot 45) = (0, -1).
+    assert number(column, "receding").value() == 1.0
+    assert number(column, "receding_deg").value() == -90.0
+    enter(number(column, "receding_deg"), "180")
+    assert number(column, "alpha_deg").value() == pytest.approx(45.0)
+    assert number(column, "beta_deg").value() == pytest.approx(90.0)
+
+
+def test_through_no_receding_at_all_the_direction_is_kept(column: Controls) -> None:
+    column.show_projection(SLANTED)
+    enter(number(column, "receding_deg"), "30")
+    row = number(column, "receding")
+    press(row.slider)
+    for value in (0.2, 0.0, 0.2, 0.0, 0.5):
+        drag(row.slider, row._scale.position_of(value))
+        assert number(column, "receding_deg").field.text() == "30"
+        lens = column.projection.lens
+        assert isinstance(lens, Oblique)
+        assert (lens.alpha_deg, lens.beta_deg) == (90.0, 90.0) or value > 0.0
+    release(row.slider)
+    assert choice(column, "preset").value() == "cabinet-30"
+    assert number(column, "receding").field.text() == "0.5"
+
+
+@pytest.mark.parametrize("preset", OBLIQUE_PRESETS)
+def test_a_preset_is_known_by_its_angles(column: Controls, preset: str) -> None:
+    column.show_projection(SLANTED)
+    choice(column, "preset").choose(preset)
+    assert combo(column, "preset").currentText().startswith(preset.split("-", 1)[0])
+    name, angle = preset.split("-")
+    assert number(column, "receding").value() == {"cavalier": 1.0, "cabinet": 0.5}[name]
+    assert number(column, "receding_deg").value() == pytest.approx(float(angle), abs=0.05)
+    record = Record(column)
+    enter(number(column, "alpha_deg"), "100")
+    assert choice(column, "preset").value() is None
+    assert combo(column, "preset").currentIndex() == -1
+    assert combo(column, "preset").placeholderText() == "free"
+    enter(number(column, "alpha_deg"), repr(OBLIQUE_PRESETS[preset][0]))
+    assert choice(column, "preset").value() == preset and len(record.edits) == 2
+
+
+def test_a_free_drawing_says_so_on_the_screen(column: Controls) -> None:
+    """The placeholder is painted: the picture of the box is not that of an empty one."""
+    column.show_projection(replace(SLANTED, lens=Oblique(alpha_deg=100.0)))
+    box = combo(column, "preset")
+    said = box.grab().toImage()
+    box.setPlaceholderText("")
+    assert box.grab().toImage() != said
+
+
+@pytest.mark.parametrize(
+    ("key", "text"), [("receding", "1.25"), ("receding_deg", "-140"), ("preset", "cavalier-63.4")]
+)
+def test_another_drawing_leaves_the_target_in_its_place(
+    column: Controls, key: str, text: str
+) -> None:
+    column.show_projection(SLANTED)
+    target = SLANTED.camera.target
+    before = SLANTED.trace(target).image
+    if key == "preset":
+        choice(column, key).choose(text)
+    else:
+        enter(number(column, key), text)
+    after = column.projection.trace(target).image
+    assert np.allclose(after, before, rtol=0, atol=1e-9)
+    assert column.projection.lens != SLANTED.lens
+
+
+def test_the_angles_of_h_leave_the_near_plane_in_its_place(column: Controls) -> None:
+    column.show_projection(SLANTED)
+    enter(number(column, "alpha_deg"), "60")
+    enter(number(column, "beta_deg"), "75")
+    assert column.projection.lens == replace(SLANTED.lens, alpha_deg=60.0, beta_deg=75.0)
+    on_near = SLANTED.frustum_corners_world[:4, :3]
+    assert np.allclose(column.projection.trace(on_near).image, SLANTED.trace(on_near).image)
+
+
+# -- the calibrated camera
+
+
+def test_a_calibrated_camera_is_typed_in_one_number_after_the_other(
+    column: Controls, qtbot: Any
+) -> None:
+    """A camera of 640 x 480 as OpenCV's calibration samples find it."""
+    column.show_projection(replace(START, image_size=(640, 480)))
+    record = Record(column)
+    typed = {
+        "fx": 536.0734536715783,
+        "fy": 536.0163645962017,
+        "cx": 342.3704616528871,
+        "cy": 235.5368772063594,
+    }
+    for count, (key, value) in enumerate(typed.items(), 1):
+        row = number(column, key)
+        enter(row, repr(value))
+        assert row.error == "" and len(record.edits) == count
+        assert row.field.hasFocus() and row.isVisible()
+        shown = {name: number(column, name).value() for name in Intrinsics._fields}
+        expected = {name: typed[name] for name in list(typed)[:count]}
+        assert {name: shown[name] for name in expected} == expected  # to the last digit
+    lens = column.projection.lens
+    assert isinstance(lens, Frustum) and (lens.near, lens.far) == (1.0, 30.0)
+    assert column.projection.intrinsics == pytest.approx(tuple(typed.values()), rel=1e-13)
+    # K of a point by hand: x right, y down, z forward, from the centre of the first pixel.
+    point = np.array([1.0, 3.0, -1.0])
+    u, v, n = column.projection.camera.frame
+    offset = point - column.projection.camera.eye
+    x, y, z = offset @ u, -offset @ v, -offset @ n
+    pixel = (typed["fx"] * x / z + typed["cx"], typed["fy"] * y / z + typed["cy"])
+    assert column.projection.trace(point).image - 0.5 == pytest.approx(pixel, abs=1e-9)
+
+
+def test_square_pixels_and_a_centred_axis_make_a_symmetric_lens(column: Controls) -> None:
+    for key, text, kind in (
+        ("fx", "1000", "frustum"),
+        ("cx", "600", "frustum"),
+        ("fy", "1000", "frustum"),
+        ("cx", "639.5", "perspective"),  # the middle of 1280 pixels
+        ("cy", "300", "frustum"),
+        ("cy", "359.5", "perspective"),
+    ):
+        enter(number(column, key), text)
+        assert column.projection.lens.kind == kind, (key, text)
+        assert number(column, key).field.hasFocus()
+        assert number(column, "fx").field.text() == "1000"
+    fov_y_deg = math.degrees(2.0 * math.atan(360.0 / 1000.0))
+    assert number(column, "fov_y_deg").value() == pytest.approx(fov_y_deg)
+
+
+def test_a_symmetric_lens_stays_so_when_k_is_written_back(column: Controls) -> None:
+    """fx and fy are one number: no last digit makes them two."""
+    for fov_y_deg in (30.0, 45.0, 61.3, 77.7):
+        column.show_projection(replace(START, lens=Perspective(fov_y_deg, 1.0, 30.0)))
+        enter(number(column, "cx"), "600")
+        assert column.projection.lens.kind == "frustum"
+        enter(number(column, "cx"), "639.5")
+        lens = column.projection.lens
+        assert isinstance(lens, Perspective)
+        assert lens.fov_y_deg == pytest.approx(fov_y_deg, rel=1e-12)
+
+
+def test_the_row_in_hand_keeps_its_place_when_the_lens_becomes_another(
+    column: Controls, qtbot: Any
+) -> None:
+    column.resize(320, 240)
+    row = number(column, "cy")
+    column.ensureWidgetVisible(row)
+    QApplication.processEvents()
+
+    def place() -> int:
+        return row.mapTo(column.viewport(), QPoint()).y()
+
+    before = place()
+    assert column.verticalScrollBar().value() > 60
+    for text, kind in (("300", "frustum"), ("359.5", "perspective")):
+        in_column = row.mapTo(column.widget(), QPoint()).y()
+        enter(row, text)
+        assert column.projection.lens.kind == kind
+        qtbot.waitUntil(
+            lambda was=in_column: (
+                row.mapTo(column.widget(), QPoint()).y() != was and place() == before
+            ),
+        )
+        assert row.field.hasFocus()
+
+
+@pytest.mark.parametrize("kind", ["frustum", "oblique"])
+def test_a_reset_goes_back_to_how_the_scene_opens_with_this_lens(
+    column: Controls, kind: str
+) -> None:
+    column.show_projection(SHOWN[kind])
+    alike = START.with_lens(kind)
+    for key, row in lens_rows(column).items():
+        column.show_projection(SHOWN[kind])
+        QTest.mouseDClick(row.name_label, Qt.MouseButton.LeftButton)
+        assert row.error == "", key
+        if not row.isHidden():
+            read = column._bindings[key].read
+            assert read(column.projection) == pytest.approx(read(alike)), key
+
+
+def test_a_drag_of_k_turns_the_lens_and_is_one_gesture(column: Controls) -> None:
+    row = number(column, "cx")
+    column.ensureWidgetVisible(row)
+    record = Record(column)
+    press(row.slider)
+    for position in (row.slider.value() + 10, row.slider.value() + 20):
+        drag(row.slider, position)
+        QApplication.processEvents()
+        assert row.slider.isSliderDown() and row.slider.value() == position
+    release(row.slider)
+    assert record.events == ["start", "edit", "edit", "finish"]
+    assert record.edits[-1].lens.kind == "frustum"

@@ -1,0 +1,801 @@
+"""The camera taken hold of with the mouse: by its handles in the world, by the picture itself."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+import pyvista as pv
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QImage, QMouseEvent, QWheelEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+
+from app.document.document import Document
+from app.drawings import WORDS
+from app.drawings.image import ImageDrawing
+from app.drawings.style import DARK, LIGHT, rgb
+from app.drawings.world import WorldDrawing
+from app.model.projection import (
+    Camera,
+    Frustum,
+    Lens,
+    Oblique,
+    Orthographic,
+    Perspective,
+    Projection,
+)
+from app.picking.handles import EYE, TARGET, Handle
+from app.scenes.scene import load
+from widgets.panes.pane import ZOOM_PER_WHEEL_STEP
+from widgets.window.main_window import MainWindow
+
+LEFT, NONE = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
+SHIFT = Qt.KeyboardModifier.ShiftModifier
+LENSES: dict[str, Lens] = {
+    "perspective": Perspective(45.0, 1.0, 16.0),
+    "frustum": Frustum(-0.6, 0.9, -0.4, 0.5, 1.0, 16.0),
+    "orthographic": Orthographic(-4.0, 4.0, -2.5, 2.5, 2.0, 16.0),
+    "oblique": Oblique(-4.0, 4.0, -2.5, 2.5, 5.0, 16.0, alpha_deg=80.0, beta_deg=80.0),
+}
+
+
+def model(window: MainWindow) -> Projection:
+    return window.store.document.projection
+
+
+def world(window: MainWindow) -> WorldDrawing:
+    drawing = window.panes["world"].drawing
+    assert isinstance(drawing, WorldDrawing)
+    return drawing
+
+
+def marks(window: MainWindow) -> dict[Handle, tuple[float, float]]:
+    """The handles in the world pane, and where they are."""
+    drawing: Any = world(window)
+    return dict(drawing._handles.shown)
+
+
+def mark(window: MainWindow, name: str) -> tuple[Handle, tuple[float, float]]:
+    return next((handle, spot) for handle, spot in marks(window).items() if handle.name == name)
+
+
+def settle() -> None:
+    for _ in range(3):
+        QApplication.processEvents()
+
+
+def point(place: tuple[float, float]) -> QPoint:
+    return QPoint(math.floor(place[0]), math.floor(place[1]))
+
+
+def move(window: MainWindow, name: str, to: QPoint, key: Any = NONE, button: Any = LEFT) -> None:
+    canvas = window.panes[name].canvas
+    event = QMouseEvent(
+        QEvent.Type.MouseMove, QPointF(to), canvas.mapToGlobal(QPointF(to)),
+        Qt.MouseButton.NoButton, button, key,
+    )  # fmt: skip
+    QApplication.sendEvent(canvas, event)
+    settle()
+
+
+def press(window: MainWindow, name: str, at: QPoint, key: Any = NONE) -> None:
+    QTest.mousePress(window.panes[name].canvas, LEFT, key, pos=at)
+
+
+def release(window: MainWindow, name: str, at: QPoint, key: Any = NONE) -> None:
+    QTest.mouseRelease(window.panes[name].canvas, LEFT, key, pos=at)
+    settle()
+
+
+def drag(
+    window: MainWindow, name: str, at: QPoint, *ways: tuple[int, int], key: Any = NONE
+) -> None:
+    """Press, go to each of these places from there, let go at the last."""
+    press(window, name, at, key)
+    for way in ways:
+        move(window, name, at + QPoint(*way), key)
+    release(window, name, at + QPoint(*ways[-1]), key)
+
+
+def view(window: MainWindow) -> tuple[float, ...]:
+    camera = window.panes["world"].canvas.own_camera
+    return (*camera.GetPosition(), *camera.GetFocalPoint())
+
+
+def pixels(window: MainWindow, name: str) -> np.ndarray:
+    image = window.panes[name].canvas.grabFramebuffer().convertToFormat(QImage.Format.Format_RGB888)
+    array = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), image.bytesPerLine())
+    return array[:, : 3 * image.width()].reshape(image.height(), image.width(), 3).copy()
+
+
+def wheel(window: MainWindow, steps: float, name: str = "image") -> None:
+    canvas = window.panes[name].canvas
+    place = QPointF(canvas.rect().center())
+    event = QWheelEvent(
+        place, canvas.mapToGlobal(place), QPoint(), QPoint(0, round(120 * steps)),
+        Qt.MouseButton.NoButton, NONE, Qt.ScrollPhase.NoScrollPhase, False,
+    )  # fmt: skip
+    QApplication.sendEvent(canvas, event)
+    settle()
+
+
+def along(window: MainWindow, handle: Handle, **fields: float) -> tuple[int, int]:
+    """From where a handle is to where it is when the lens has other fields, in whole pixels."""
+    drawing, now = world(window), model(window)
+    drawing.hold(handle)
+    before = marks(window)[handle]
+    drawing.show_projection(replace(now, lens=replace(now.lens, **fields)))  # type: ignore[arg-type]
+    after = marks(window)[handle]
+    drawing.show_projection(now)
+    drawing.hold(None)
+    return round(after[0] - before[0]), round(after[1] - before[1])
+
+
+def opened(make_window: Callable[..., MainWindow]) -> MainWindow:
+    """The world pane alone, where the near face is large enough for its corners."""
+    window = make_window()
+    window.store.set_projection(replace(model(window), lens=LENSES["perspective"]))
+    window.enlarge("world")
+    window.reset_views()
+    window.panes["image"].show()
+    settle()
+    return window
+
+
+# -- the world pane
+
+
+@pytest.mark.parametrize("lens", LENSES.values(), ids=LENSES)
+def test_a_handle_goes_with_the_hand_and_the_view_stays(
+    make_window: Callable[..., MainWindow], lens: Lens
+) -> None:
+    window = opened(make_window)
+    window.store.set_projection(replace(model(window), lens=lens))
+    window.panes["world"].reset_view()
+    settle()
+    for name in ("eye", "target", "near", "far", "corner"):
+        drag_a_handle(window, lens, name)
+
+
+def drag_a_handle(window: MainWindow, lens: Lens, name: str) -> None:
+    """Drag it a little, and undo that."""
+    start, place = model(window), view(window)
+    window.store.mark_saved()
+    handle, spot = mark(window, name)
+    way = (14, 10)
+    if name == "near":
+        way = along(window, handle, near=lens.near + 3.0)
+    elif name == "far":
+        way = along(window, handle, far=lens.far - 5.0)
+    elif name == "corner" and lens.kind == "perspective":
+        way = along(window, handle, fov_y_deg=60.0)
+    assert max(map(abs, way)) >= 10
+    press(window, "world", point(spot))
+    half = way[0] // 2, way[1] // 2
+    move(window, "world", point(spot) + QPoint(*half))
+    move(window, "world", point(spot) + QPoint(*way))
+    assert view(window) == place
+    x, y = marks(window)[handle]
+    assert math.dist((x, y), (spot[0] + way[0], spot[1] + way[1])) <= 1.0  # whole pixels off rail
+    end = model(window)
+    release(window, "world", point(spot) + QPoint(*way))
+    assert model(window) == end != start
+    assert (end.camera == start.camera) == (name not in ("eye", "target"))
+    assert (end.lens == start.lens) == (name in ("eye", "target"))
+    assert window.controls.projection == end
+    if name in ("near", "far"):
+        row: Any = window.controls.rows[name]
+        assert row.value() == getattr(end.lens, name)
+    window.store.undo()  # one step, however many moves
+    assert model(window) == start and not window.store.modified
+
+
+@pytest.mark.parametrize("name", ["world", "image"])
+def test_neither_wheel_nor_another_button_takes_what_is_held_out_of_the_hand(
+    make_window: Callable[..., MainWindow], name: str
+) -> None:
+    window = opened(make_window)
+    if name == "world":
+        _, spot = mark(window, "eye")
+        at = point(spot)
+    else:
+        left, top, *_ = picture(window).picture_rectangle_px
+        at = QPoint(left + 20, top + 20)
+    right, both = Qt.MouseButton.RightButton, LEFT | Qt.MouseButton.RightButton
+    canvas, place = window.panes[name].canvas, view(window)
+    start = model(window)
+    press(window, name, at)
+    move(window, name, at + QPoint(20, 10))
+    dragged = model(window)
+    wheel(window, 2.0, name)
+    QTest.mousePress(canvas, right, NONE, pos=at + QPoint(20, 10))
+    assert model(window) == dragged
+    move(window, name, at + QPoint(30, 30), button=both)
+    QTest.mouseRelease(canvas, right, NONE, pos=at + QPoint(30, 30))
+    move(window, name, at + QPoint(20, 10))
+    assert model(window) == dragged != start
+    release(window, name, at + QPoint(20, 10))
+    assert view(window) == place
+    window.store.undo()
+    assert model(window) == start
+    wheel(window, 2.0, name)  # the hand has let go
+    assert (model(window), view(window)) != (start, place)
+
+
+def test_the_eye_goes_up_and_down_with_shift(make_window: Callable[..., MainWindow]) -> None:
+    window = opened(make_window)
+    start, place = model(window).camera, view(window)
+    _, spot = mark(window, "eye")
+    drag(window, "world", point(spot), (9, -20), (18, -40), key=SHIFT)
+    eye = model(window).camera.eye
+    assert (eye[0], eye[2]) == (start.eye[0], start.eye[2]) and eye[1] > start.eye[1] + 0.1
+    assert model(window).camera.target == start.target
+    assert view(window)[:3] != place[:3] or window.panes["world"].view is None
+
+
+def test_a_drag_beside_the_handles_still_turns_the_view(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = opened(make_window)
+    start, place = model(window), view(window)
+    x, y = mark(window, "far")[1]
+    empty = point((x, y - 40.0))
+    assert world(window).handle_at((x, y - 40.0), 9.0) is None
+    drag(window, "world", empty, (20, 5), (40, 10))
+    assert view(window) != place and model(window) == start and not window.store.in_gesture
+
+
+def test_hovering_says_what_a_drag_does_and_costs_one_repaint(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = opened(make_window)
+    canvas, hand = window.panes["world"].canvas, window.manipulation
+    handle, spot = mark(window, "near")
+    before, tip = pixels(window, "world"), canvas.toolTip()
+    counts = []
+    observer = canvas.render_window.AddObserver("EndEvent", lambda *_: counts.append(1))
+    for way in ((0, 0), (1, 0), (1, 1), (0, 0)):
+        move(window, "world", point(spot) + QPoint(*way), button=Qt.MouseButton.NoButton)
+    assert len(counts) == 1 and world(window).held == handle
+    assert "near plane" in hand.said and "Near = 1" in hand.said
+    assert canvas.toolTip() == hand.said != tip
+    assert canvas.cursor().shape() == Qt.CursorShape.OpenHandCursor
+    pointed = pixels(window, "world")
+    changed = np.argwhere((pointed != before).any(axis=2))
+    # The mark; and, as everywhere, the plane that it belongs to.
+    assert (np.abs(changed - (spot[1], spot[0])).max(axis=1) < 16.0).sum() > 20
+    counts.clear()
+    away = point((3.0, 3.0))
+    for _ in range(2):
+        move(window, "world", away, button=Qt.MouseButton.NoButton)
+    assert len(counts) == 1 and world(window).held is None
+    assert (hand.said, canvas.toolTip()) == ("", tip)
+    assert canvas.cursor().shape() == Qt.CursorShape.ArrowCursor
+    assert (pixels(window, "world") == before).all()
+    move(window, "world", point(spot), button=Qt.MouseButton.NoButton)
+    QApplication.sendEvent(canvas, QEvent(QEvent.Type.Leave))
+    assert world(window).held is None
+    canvas.render_window.RemoveObserver(observer)
+
+
+def test_what_is_said_of_a_handle_is_seen_whole_and_does_not_jump(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    """Beside the title where there is room, otherwise in a line over the pane; never in both."""
+    window = opened(make_window)
+    hand, pane = window.manipulation, window.panes["world"]
+    _, spot = mark(window, "eye")
+    at = point(spot)
+
+    def place() -> str:
+        line, note = hand._line, pane.note
+        if line.isVisible():
+            assert note.text() == "" and hand.said == line.text()
+            assert line.geometry().top() == pane.canvas.y() and line.width() == pane.width()
+            assert line.height() >= line.heightForWidth(line.width())
+            return "line"
+        assert hand.said == note.text()
+        assert note.fontMetrics().horizontalAdvance(note.text()) <= note.width()
+        return "title"
+
+    pane.title.setMinimumWidth(pane.width() // 2)  # as on a small screen: little room beside it
+    settle()
+    move(window, "world", at, button=Qt.MouseButton.NoButton)
+    assert "Eye = (6, 5, 9)" in hand.said and place() == "line"
+    press(window, "world", at)
+    for way in ((12, 0), (60, 30), (200, 0)):
+        move(window, "world", at + QPoint(*way))
+        assert "Eye = (" in hand.said and place() == "line"
+    pane.title.setMinimumWidth(0)
+    settle()
+    move(window, "world", at + QPoint(12, 2))
+    assert place() == "line", "it stays where it is while it is held"
+    release(window, "world", at + QPoint(12, 2))
+    move(window, "world", point((3.0, 3.0)), button=Qt.MouseButton.NoButton)
+    assert hand.said == "" and place() == "title"
+    move(window, "world", point(mark(window, "near")[1]), button=Qt.MouseButton.NoButton)
+    assert "Near = 1" in hand.said
+    place()
+
+
+@pytest.mark.parametrize("change", ["scene", "style"])
+def test_what_is_said_of_a_handle_goes_with_the_drawing_that_it_was_in(
+    make_window: Callable[..., MainWindow], change: str
+) -> None:
+    window = opened(make_window)
+    hand, pane = window.manipulation, window.panes["world"]
+    tip = pane.canvas.toolTip()
+    pane.title.setMinimumWidth(pane.width() // 2)
+    settle()
+    move(window, "world", point(mark(window, "eye")[1]), button=Qt.MouseButton.NoButton)
+    assert hand.said and hand._line.isVisible()
+    if change == "scene":
+        window._choose_scene("cube")
+    else:
+        window.set_projector(True)
+    assert world(window).held is None
+    assert (hand.said, pane.canvas.toolTip(), hand._line.isVisible()) == ("", tip, False)
+    assert pane.canvas.cursor().shape() == Qt.CursorShape.ArrowCursor
+
+
+def test_a_refusal_takes_the_place_of_what_is_said_and_gives_it_back(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = opened(make_window)
+    hand = window.manipulation
+    window.panes["world"].title.setMinimumWidth(window.panes["world"].width() // 2)
+    settle()
+    handle, spot = mark(window, "near")
+    far = along(window, handle, near=15.9)
+    press(window, "world", point(spot))
+    move(window, "world", point(spot) + QPoint(round(1.3 * far[0]), round(1.3 * far[1])))
+    assert hand.message.isVisible() and not hand._line.isVisible()
+    release(window, "world", point(spot))
+    assert not hand.message.isVisible() and "Near = " in hand.said and hand._line.isVisible()
+
+
+def test_every_handle_is_named_for_every_lens(make_window: Callable[..., MainWindow]) -> None:
+    window = opened(make_window)
+    texts = set()
+    for lens in LENSES.values():
+        window.store.set_projection(replace(model(window), lens=lens))
+        window.panes["world"].reset_view()
+        settle()
+        for spot in marks(window).values():
+            move(window, "world", point(spot), button=Qt.MouseButton.NoButton)
+            texts.add(window.manipulation.said)
+        QApplication.sendEvent(window.panes["world"].canvas, QEvent(QEvent.Type.Leave))
+    said = " | ".join(texts)
+    for part in ("Eye = (6, 5, 9)", "Target = (0, 2.2, 0)", "Near = 5", "Far = 16",
+                 "Vertical fov = 45", "Left = -0.6", "Top = 2.5"):  # fmt: skip
+        assert part in said, part
+    assert "" not in texts
+
+
+def test_near_past_far_is_refused_in_a_sentence_that_goes_with_the_hand(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = opened(make_window)
+    bar = window.manipulation.message
+    handle, spot = mark(window, "near")
+    size = window.panes["world"].canvas.size()
+    far = along(window, handle, near=15.9)
+    press(window, "world", point(spot))
+    move(window, "world", point(spot) + QPoint(far[0] // 2, far[1] // 2))
+    good = model(window)
+    assert good.lens.near > 1.0 and bar.text == ""
+    past = QPoint(round(1.3 * far[0]), round(1.3 * far[1]))
+    move(window, "world", point(spot) + past)
+    assert model(window) == good
+    assert bar.text.startswith("Near = ") and bar.text.endswith(
+        "must be less than far, which is 16."
+    )
+    assert bar.isVisible() and window.panes["world"].canvas.size() == size  # nothing was pushed
+    move(window, "world", point(spot) + QPoint(far[0] // 3, far[1] // 3))
+    assert bar.text == "" and model(window) != good
+    move(window, "world", point(spot) + past)
+    assert bar.text
+    held = model(window)
+    release(window, "world", point(spot) + past)
+    assert bar.text == "" and model(window) == held
+
+
+def test_far_before_near_speaks_of_far_and_the_fov_of_its_bounds(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = opened(make_window)
+    bar = window.manipulation.message
+    handle, spot = mark(window, "far")
+    way = along(window, handle, far=1.5)
+    press(window, "world", point(spot))
+    move(window, "world", point(spot) + QPoint(round(1.2 * way[0]), round(1.2 * way[1])))
+    assert bar.text.startswith("Far = ")
+    assert bar.text.endswith("must be greater than near, which is 1.")
+    # Behind the eye there is no distance for it: what is named is the plane that stops it.
+    move(window, "world", point(spot) + QPoint(2 * way[0], 2 * way[1]))
+    assert bar.text == "Far = 1: must be greater than near, which is 1."
+    release(window, "world", point(spot))
+    window.store.set_projection(replace(model(window), lens=LENSES["perspective"]))
+    handle, spot = mark(window, "corner")
+    way = along(window, handle, fov_y_deg=1.0)
+    press(window, "world", point(spot))
+    move(window, "world", point(spot) + QPoint(round(1.5 * way[0]), round(1.5 * way[1])))
+    assert bar.text == "Vertical fov = 0: must lie between 0 and 180, both excluded."
+    release(window, "world", point(spot))
+
+
+def test_a_window_turned_inside_out_is_refused(make_window: Callable[..., MainWindow]) -> None:
+    window = opened(make_window)
+    lens = LENSES["orthographic"]
+    window.store.set_projection(replace(model(window), lens=lens))
+    window.panes["world"].reset_view()
+    settle()
+    corners = {handle.at: spot for handle, spot in marks(window).items() if handle.name == "corner"}
+    (x, y), (to_x, to_y) = corners[(1.0, 1.0)], corners[(-1.0, 1.0)]
+    way = round(1.5 * (to_x - x)), round(1.5 * (to_y - y))
+    press(window, "world", point((x, y)))
+    move(window, "world", point((x, y)) + QPoint(*way))
+    text = window.manipulation.message.text
+    assert text.startswith("Right = -") and text.endswith("must be greater than left, which is -4.")
+    assert model(window).lens == lens
+    release(window, "world", point((x, y)) + QPoint(*way))
+
+
+@pytest.mark.parametrize("focus", ["nothing", "field"])
+def test_escape_puts_back_what_is_dragged(
+    make_window: Callable[..., MainWindow], focus: str
+) -> None:
+    window = opened(make_window)
+    window.probe_panel.follow(point=(0.0, 0.5, 0.5))
+    field: Any = window.controls.rows["near"].field  # type: ignore[attr-defined]
+    window.activateWindow()
+    field.setFocus()
+    if focus == "nothing":
+        field.clearFocus()
+    settle()
+    start = model(window)
+    window.store.mark_saved()
+    steps = len(window.store._undo)
+    _, spot = mark(window, "target")
+    press(window, "world", point(spot))
+    move(window, "world", point(spot) + QPoint(30, 12))
+    assert model(window) != start
+    move(window, "world", point(spot), button=Qt.MouseButton.NoButton)  # late, from before
+    assert world(window).held == TARGET
+    receiver = QApplication.focusWidget() or window
+    assert (receiver is field) == (focus == "field")
+    QTest.keyClick(receiver, Qt.Key.Key_Escape)
+    assert model(window) == start
+    move(window, "world", point(spot) + QPoint(50, 30))  # the drag is over
+    assert model(window) == start
+    release(window, "world", point(spot) + QPoint(50, 30))
+    assert model(window) == start and not window.store.modified
+    assert len(window.store._undo) == steps
+    assert len(window.probe_panel.probes) == 1
+    QTest.keyClick(receiver, Qt.Key.Key_Escape)  # is the probe's again
+    assert window.probe_panel.probes == ()
+
+
+def test_another_lens_under_the_hand_ends_the_drag(make_window: Callable[..., MainWindow]) -> None:
+    window = opened(make_window)
+    _, spot = mark(window, "corner")
+    press(window, "world", point(spot))
+    move(window, "world", point(spot) + QPoint(8, 8))
+    window.store.set_projection(replace(model(window), lens=LENSES["orthographic"]))
+    move(window, "world", point(spot) + QPoint(20, 20))
+    assert model(window).lens == LENSES["orthographic"]
+    release(window, "world", point(spot) + QPoint(20, 20))
+    assert not window.store.in_gesture
+
+
+def test_a_drag_while_the_animation_plays_moves_its_own_field_only(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = opened(make_window)
+    handle, spot = mark(window, "near")
+    way = along(window, handle, near=4.0)
+    press(window, "world", point(spot))
+    move(window, "world", point(spot) + QPoint(way[0] // 2, way[1] // 2))
+    elsewhere = Camera((-6.0, 5.0, 9.0), (0.0, 2.2, 0.0))
+    window.store.set_projection(replace(model(window), camera=elsewhere))
+    move(window, "world", point(spot) + QPoint(*way))
+    assert model(window).camera == elsewhere and model(window).lens.near > 2.0
+    release(window, "world", point(spot) + QPoint(*way))
+
+
+# -- the marks
+
+
+def test_a_step_adds_and_removes_nothing_and_a_figure_has_no_marks() -> None:
+    scene, counts = load("letter-f"), []
+    for live in (False, True):
+        plotter = pv.Plotter(off_screen=True, window_size=[400, 400])
+        drawing = WorldDrawing(plotter, scene, WORDS, LIGHT, live=live)
+        props = plotter.renderer.GetViewProps()
+        first = props.GetNumberOfItems()
+        for near in (1e-6, 0.5, 2.0, 9.0):
+            drawing.show_projection(replace(scene.start, lens=Perspective(50.0, near, 1e6)))
+            drawing.hold(EYE)
+        assert props.GetNumberOfItems() == first
+        counts.append(first)
+        assert (drawing.held is not None) == live
+        spot = drawing.sight.seen([scene.start.camera.eye])[0].tolist()
+        assert drawing.handle_at(tuple(spot), 9.0) == (EYE if live else None)
+        drawing.remove()
+        plotter.close()
+    assert counts[1] == counts[0] + 1
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+@pytest.mark.parametrize("projector", [False, True], ids=["desk", "projector"])
+def test_marks_are_seen_in_every_style(
+    make_window: Callable[..., MainWindow], theme: str, projector: bool
+) -> None:
+    """A rim of ink round a fill: in dark and light, and larger for the back row."""
+    window = opened(make_window)
+    window.set_theme(theme)
+    window.set_projector(projector)
+    settle()
+    style = DARK if theme == "dark" else LIGHT
+    picture = pixels(window, "world").astype(float)
+    for name, fill in (("far", style.far), ("target", style.target)):
+        (x, y) = mark(window, name)[1]
+        around = picture[round(y) - 12 : round(y) + 13, round(x) - 12 : round(x) + 13]
+        size = 1 if not projector else 2
+        for colour, least in ((style.ink, 12 * size), (fill, 12 * size)):
+            off = np.abs(around - 255.0 * np.array(rgb(colour))).max(axis=2)
+            assert (off <= 6.0).sum() >= least, (name, colour)
+
+
+def test_the_marks_of_a_moved_view_are_where_the_view_shows_them(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = opened(make_window)
+    before = marks(window)
+    drag(window, "world", QPoint(30, 30), (20, 5), (60, 10))
+    after = marks(window)
+    assert EYE in before and EYE in after and before[EYE] != after[EYE]
+    renderer = window.panes["world"].canvas.renderer
+    eye = np.array(model(window).camera.eye) - load("letter-f").origin
+    renderer.SetWorldPoint(*eye, 1.0)
+    renderer.WorldToDisplay()
+    x, y, _ = renderer.GetDisplayPoint()
+    height = window.panes["world"].canvas.render_window.GetSize()[1]
+    assert after[EYE] == pytest.approx((x, height - y), abs=1e-3)
+
+
+# -- the image pane
+
+
+def picture(window: MainWindow) -> Any:
+    return window.panes["image"].drawing
+
+
+def target_px(window: MainWindow) -> np.ndarray:
+    """Where the image pane shows the first target, which the drags leave in the world."""
+    left, top, width, height = picture(window).picture_rectangle_px
+    x, y = model(window).trace(load("letter-f").start.camera.target).image
+    return np.array([left + x * width / 1280, top + y * height / 720])
+
+
+@pytest.mark.parametrize("lens", LENSES.values(), ids=LENSES)
+def test_the_picture_is_dragged_with_what_is_as_far_as_the_target(
+    make_window: Callable[..., MainWindow], lens: Lens
+) -> None:
+    window = opened(make_window)
+    window.store.set_projection(replace(model(window), lens=lens))
+    window.store.mark_saved()
+    settle()
+    start, before = model(window), target_px(window)
+    left, top, width, height = picture(window).picture_rectangle_px
+    middle = QPoint(left + width // 3, top + height // 4)
+    assert window.probe_panel.probes == ()
+    drag(window, "image", middle, (12, 9), (-31, 17))
+    assert target_px(window) - before == pytest.approx([-31.0, 17.0], abs=0.5)
+    assert model(window).camera.frame == pytest.approx(start.camera.frame, abs=1e-12)
+    assert model(window).lens == start.lens and window.probe_panel.probes == ()
+    window.store.undo()
+    assert model(window) == start and not window.store.modified
+
+
+def test_a_drag_beside_the_picture_and_one_on_a_probe_leave_the_camera(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window()
+    window.probe_panel.follow(point=(1.5, 5.0, 0.5))
+    settle()
+    start = model(window)
+    drag(window, "image", QPoint(3, 3), (15, 10), (40, 30))
+    assert model(window) == start
+    left, top, width, height = picture(window).picture_rectangle_px
+    x, y = model(window).trace((1.5, 5.0, 0.5)).image
+    drag(window, "image", point((left + x * width / 1280, top + y * height / 720)), (20, 12))
+    assert model(window) == start
+    assert window.probe_panel.probes[0].point != (1.5, 5.0, 0.5)
+
+
+def test_escape_puts_the_picture_back(make_window: Callable[..., MainWindow]) -> None:
+    window = opened(make_window)
+    start = model(window)
+    left, top, *_ = picture(window).picture_rectangle_px
+    place = QPoint(left + 20, top + 20)
+    press(window, "image", place)
+    move(window, "image", place + QPoint(40, 20))
+    assert model(window) != start
+    QTest.keyClick(QApplication.focusWidget() or window, Qt.Key.Key_Escape)
+    release(window, "image", place + QPoint(40, 20))
+    assert model(window) == start
+
+
+def test_the_wheel_dollies_and_a_burst_is_one_step(
+    make_window: Callable[..., MainWindow], qtbot: Any
+) -> None:
+    window = opened(make_window)
+    start = model(window)
+    with qtbot.waitSignal(window.manipulation.gesture_finished):
+        for steps in (1, 1, 0.5):
+            wheel(window, steps)
+        assert window.store.in_gesture
+    end = model(window).camera
+    distance = start.camera.distance
+    assert end.distance == pytest.approx(distance * ZOOM_PER_WHEEL_STEP**-2.5)
+    assert end.target == start.camera.target
+    assert end.frame == pytest.approx(start.camera.frame, abs=1e-12)
+    window.store.undo()
+    assert model(window) == start
+    wheel(window, -1.0)
+    assert model(window).camera.distance == pytest.approx(distance * ZOOM_PER_WHEEL_STEP)
+
+
+def test_the_wheel_stops_before_the_target_and_says_so(
+    make_window: Callable[..., MainWindow], qtbot: Any
+) -> None:
+    window = opened(make_window)
+    near = Camera((1.0 + 2.0**-52, 2.0, 3.0), (1.0, 2.0, 3.0))
+    window.store.set_projection(replace(model(window), camera=near))
+    bar = window.manipulation.message
+    with qtbot.waitSignal(window.manipulation.gesture_finished):
+        wheel(window, 20.0)
+        assert model(window).camera == near
+        assert bar.text == (
+            "Eye = (1, 2, 3): must differ from the target, or the camera looks nowhere."
+        )
+    assert bar.text == ""
+
+
+def test_a_held_handle_is_known_by_its_name() -> None:
+    """`Handle` is a value: what is held stays the same mark from step to step."""
+    assert Handle("eye") == EYE != TARGET and len({EYE, Handle("eye"), TARGET}) == 2
+
+
+# -- points of a scene's settings
+
+
+@pytest.fixture
+def make_scene(make_window: Callable[..., MainWindow]) -> Callable[[str], MainWindow]:
+    return lambda name: make_window(Document(name, load(name).start))
+
+
+def grip(window: MainWindow, setting: str) -> tuple[Handle, tuple[float, float]]:
+    return next((h, spot) for h, spot in marks(window).items() if h.setting == setting)
+
+
+POINTS = [
+    ("similar-triangles", "point"), ("eye-plane", "start"), ("eye-plane", "end"),
+    ("affine-depth", "start"), ("planar-shadow", "light"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("scene", "setting"), POINTS)
+def test_a_point_of_the_scene_goes_where_the_hand_goes_and_that_is_one_step(
+    make_scene: Callable[[str], MainWindow], scene: str, setting: str
+) -> None:
+    window = make_scene(scene)
+    settle()  # or the panel may still grow by a line of its text
+    before, seen_before = window.store.document, view(window)
+    _, spot = grip(window, setting)
+    drag(window, "world", point(spot), (6, 0), (14, -9))
+    assert window.store.document.settings[setting] != before.settings[setting]
+    now = grip(window, setting)[1]
+    assert np.subtract(now, spot) == pytest.approx((14, -9), abs=1.0)
+    assert model(window) == before.projection and view(window) == seen_before
+    window.store.undo()
+    assert window.store.document == before and not window.store.can_undo
+
+
+def test_the_panes_stand_still_under_the_hand_though_the_readout_grows(
+    make_scene: Callable[[str], MainWindow], qtbot: Any
+) -> None:
+    window = make_scene("eye-plane")
+    settle()
+    pane, column = window.panes["world"], window.scene_panel._readout_column
+    height = pane.height()
+    at = point(grip(window, "start")[1])
+    press(window, "world", at)
+    move(window, "world", at + QPoint(30, 0))
+    window.scene_panel.warning.setText("Such a long warning that there is no room for it. " * 5)
+    window.scene_panel.warning.show()
+    qtbot.waitUntil(lambda: column.verticalScrollBar().maximum() > 0)
+    assert pane.height() == height
+    release(window, "world", at)
+    qtbot.waitUntil(lambda: pane.height() < height)
+
+
+def test_the_sun_is_held_by_its_direction(make_scene: Callable[[str], MainWindow]) -> None:
+    window = make_scene("planar-shadow")
+    window.store.set_settings({"kind": "sun", "light": (-1.0, 2.0, 1.0)})
+    settle()
+    _, spot = grip(window, "light")
+    at = point(spot)
+    drag(window, "world", at, (-20, 0))
+    turned = np.array(window.store.document.settings["light"])
+    assert np.subtract(grip(window, "light")[1], spot)[0] < -5.0
+    window.store.undo()
+    settle()
+    press(window, "world", at)
+    move(window, "world", at + QPoint(9, 9))
+    assert tuple(window.store.document.settings["light"]) != (-1.0, 2.0, 1.0)
+    QTest.keyClick(window, Qt.Key.Key_Escape)
+    assert window.store.document.settings["light"] == (-1.0, 2.0, 1.0)
+    release(window, "world", at)
+    assert not np.allclose(turned / np.linalg.norm(turned), np.array([-1, 2, 1]) / math.sqrt(6.0))
+
+
+def test_a_light_that_is_dragged_under_the_plane_is_refused_over_the_pane(
+    make_scene: Callable[[str], MainWindow],
+) -> None:
+    window = make_scene("planar-shadow")
+    _, spot = grip(window, "light")
+    at = point(spot)
+    press(window, "world", at)
+    move(window, "world", at + QPoint(0, 20))
+    last = window.store.document.settings["light"]
+    assert last[1] < 9.0
+    move(window, "world", at + QPoint(0, 400))
+    bar = window.manipulation.message
+    assert bar.isVisible() and "must lie above the plane y = 0" in bar.text
+    assert bar.text.startswith("Light L = ")
+    assert window.store.document.settings["light"] == last
+    move(window, "world", at + QPoint(0, 10))
+    assert not bar.isVisible()
+    release(window, "world", at + QPoint(0, 10))
+
+
+def test_a_scene_without_points_has_no_grips(make_scene: Callable[[str], MainWindow]) -> None:
+    window = make_scene("planar-shadow")
+    assert any(handle.name == "grip" for handle in marks(window))
+    window._choose_scene("letter-f")
+    settle()
+    assert not any(handle.name == "grip" for handle in marks(window))
+
+
+@pytest.mark.parametrize("name", ["world", "image"])
+def test_another_scene_under_the_hand_ends_the_drag(
+    make_window: Callable[..., MainWindow], name: str
+) -> None:
+    """Its own camera stays, and undo goes back to where the drag had come to."""
+    window = opened(make_window)
+    at = point(mark(window, "target")[1])
+    if name == "image":
+        drawing = window.panes["image"].drawing
+        assert isinstance(drawing, ImageDrawing)
+        left, top, width, height = drawing.picture_rectangle_px
+        at = QPoint(left + width // 2, top + height // 2)
+    press(window, name, at)
+    for way in (20, 40):
+        move(window, name, at + QPoint(way, 5))
+    dragged = model(window)
+    assert window.store.in_gesture
+    window._choose_scene("cube")
+    start = model(window)
+    for way in (60, 80):
+        move(window, name, at + QPoint(way, 5))
+    release(window, name, at + QPoint(80, 5))
+    assert model(window) == start and not window.store.in_gesture
+    window.store.undo()
+    assert (window.store.document.scene, model(window)) == ("letter-f", dragged)

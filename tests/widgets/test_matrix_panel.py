@@ -1,0 +1,887 @@
+"""The matrices panel with real widgets: what it shows, marks, says and copies."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, Qt
+from PySide6.QtGui import QContextMenuEvent, QGuiApplication, QImage, QMouseEvent, QPainter
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QMenu
+from pytestqt.qtbot import QtBot
+
+from app.commands import cli
+from app.drawings.style import DARK, LIGHT
+from app.lecture import notation
+from app.lecture.notation import ARROW, LETTERS, Letters, as_latex
+from app.lecture.typed_matrix import with_cell
+from app.model.projection import Camera, FreeMatrix, Frustum, Oblique, Perspective, Projection
+from app.picking.picking import Probe
+from widgets.panels import matrix_panel
+from widgets.panels.matrix_panel import MatrixPanel
+from widgets.panels.matrix_view import MatrixView, _runs, _width, first_change, rich
+from widgets.parts.fields import short_text
+from widgets.parts.messages import stage_title
+
+OFF_AXIS = Projection(
+    Camera((6.0, 5.0, 9.0), (0.5, 2.0, -0.25)), Frustum(-0.7, 0.9, -0.4, 0.65, 1.5, 40.0)
+)
+
+
+@pytest.fixture
+def panel(display: Any, qtbot: QtBot) -> MatrixPanel:
+    panel = MatrixPanel()
+    qtbot.addWidget(panel)
+    panel.show_projection(OFF_AXIS)
+    panel.resize(1350, 240)
+    panel.show()
+    qtbot.waitExposed(panel)
+    return panel
+
+
+def moved(projection: Projection, **fields: Any) -> Projection:
+    return replace(projection, lens=replace(projection.lens, **fields))
+
+
+def shown_after(panel: MatrixPanel, qtbot: QtBot, projection: Projection) -> None:
+    panel.show_projection(projection)
+    qtbot.waitUntil(lambda: not panel._readable.pending)
+
+
+def choose(box: Any, value: str) -> None:
+    box.setCurrentIndex(box.findData(value))
+
+
+def test_numbers_are_those_of_the_command(panel: MatrixPanel) -> None:
+    told = json.loads(cli._matrices_json(OFF_AXIS))
+    assert [matrix.name for matrix in panel.shown] == list(told)
+    words = cli._matrices_text(OFF_AXIS).split()
+    for matrix in panel.shown:
+        view = panel.views[matrix.name]
+        assert view.texts == [[short_text(value) for value in row] for row in told[matrix.name]]
+        for i in range(4):
+            for j in range(4):
+                number = notation.cell_text(told[matrix.name][i][j])
+                assert number in words
+                assert f"{number}. " in panel.sentence(matrix, i, j)
+
+
+def test_folded_computes_nothing(
+    display: Any, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    calls: list[Projection] = []
+
+    def counted(projection: Projection, *args: Any, **options: Any) -> Any:
+        calls.append(projection)
+        return notation.matrices(projection, *args, **options)
+
+    monkeypatch.setattr(matrix_panel, "matrices", counted)
+    panel = MatrixPanel()
+    qtbot.addWidget(panel)
+    panel.set_style(LIGHT)
+    for near in (1.0, 1.25, 1.5):
+        panel.show_projection(moved(OFF_AXIS, near=near))
+        display.processEvents()
+    panel.set_style(DARK)
+    panel.running.setChecked(True)
+    assert not calls
+    panel.show()
+    qtbot.waitExposed(panel)
+    assert calls == [moved(OFF_AXIS, near=1.5)]
+    assert not any(view.lit for view in panel.views.values())
+    count = len(calls)
+    panel.hide()
+    panel.show_projection(OFF_AXIS)
+    display.processEvents()
+    assert len(calls) == count
+
+
+def test_cells_that_a_change_changed_are_lit(panel: MatrixPanel, qtbot: QtBot) -> None:
+    assert not panel.views["clip_from_view"].lit
+    shown_after(panel, qtbot, moved(OFF_AXIS, far=50.0))
+    assert panel.views["clip_from_view"].lit == {(2, 2), (2, 3)}
+    assert panel.views["view_from_world"].lit == set()
+    assert panel.views["canonical_perspective_from_view/scale"].lit == {(0, 0), (1, 1), (2, 2)}
+    assert panel.views["canonical_perspective_from_view/shear"].lit == set()
+
+
+def test_a_drag_is_marked_against_its_beginning(panel: MatrixPanel, qtbot: QtBot) -> None:
+    panel.begin_gesture()
+    shown_after(panel, qtbot, moved(OFF_AXIS, left=-0.75))
+    shown_after(panel, qtbot, moved(OFF_AXIS, left=-0.75, far=50.0))
+    lit = panel.views["clip_from_view"].lit
+    assert lit == {(0, 0), (0, 2), (2, 2), (2, 3)}
+    mark = panel.views["clip_from_view"].marks[2][2]
+    before, after = (short_text(-(far + 1.5) / (far - 1.5)) for far in (40.0, 50.0))
+    assert mark == first_change(before, after) and before[:mark] == after[:mark] and mark
+    shown_after(panel, qtbot, OFF_AXIS)  # dragged back to where it began
+    assert not panel.views["clip_from_view"].lit
+    panel.end_gesture()
+    shown_after(panel, qtbot, moved(OFF_AXIS, far=50.0))
+    assert panel.views["clip_from_view"].lit == {(2, 2), (2, 3)}
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "first"),
+    [
+        ("1.25", "1.25", None), ("1.25", "1.27", 3), ("1.25", "1.2", 3), ("9.9", "10.1", 0),
+        ("-1.5", "1.5", 0), ("1e-5", "1e-6", 0), ("2", "2.5", 1), ("0.5", "0.6", 2),
+    ],
+)  # fmt: skip
+def test_where_digits_begin_to_differ(before: str, after: str, first: int | None) -> None:
+    assert first_change(before, after) == first
+
+
+def test_light_and_underline_reach_the_screen(panel: MatrixPanel, qtbot: QtBot) -> None:
+    """The cell's ground takes the accent's colour, and its last digits get a line below."""
+    view = panel.views["clip_from_view"]
+    plain = view.grab().toImage()
+    shown_after(panel, qtbot, moved(OFF_AXIS, far=50.0))
+    lit = view.grab().toImage()
+    inside = view._cell_rect(2, 2).topLeft() + QPointF(4.0, 4.0)
+    other = view._cell_rect(1, 2).topLeft() + QPointF(4.0, 4.0)
+    assert plain.pixelColor(inside.toPoint()) != lit.pixelColor(inside.toPoint())
+    assert plain.pixelColor(other.toPoint()) == lit.pixelColor(other.toPoint())
+
+
+def test_formulas_in_the_letters_of_a_lecture(panel: MatrixPanel) -> None:
+    choose(panel.cells, "formulas")
+    view = panel.views["clip_from_view"]
+    assert view.texts[0] == ["2n/(r − l)", "0", "(r + l)/(r − l)", "0"]
+    choose(panel.letters, "000")
+    assert view.texts[0][0] == "2z_min/(x_max − x_min)"
+    choose(panel.letters, "002")
+    assert view.texts[3] == ["0", "0", "1", "0"]
+    box = panel._boxes[[matrix.name for matrix in panel.shown].index("clip_from_view")]
+    assert "lecture 002" in box.note.text() and box.note.isVisible()
+    choose(panel.letters, "001")
+    assert panel.views["view_from_world"].texts[2] == ["w_x", "w_y", "w_z", f"−w{ARROW}·P{ARROW}"]
+
+
+def test_row_vectors(panel: MatrixPanel) -> None:
+    columns = {matrix.name: matrix for matrix in panel.shown}
+    choose(panel.vectors, "rows")
+    for matrix in panel.shown:
+        assert np.array_equal(np.transpose(columns[matrix.name].values), matrix.values)
+    shown = {matrix.name: matrix for matrix in panel.shown}
+    assert [f.name for f in shown["view_from_world"].factors] == ["translation", "rotation"]
+    assert "It makes w the distance" in panel.sentence(shown["clip_from_view"], 2, 3)
+
+
+def test_running_products_and_the_inverse(panel: MatrixPanel) -> None:
+    panel.running.setChecked(True)
+    names = [matrix.name for matrix in panel.shown]
+    assert names[1:3] == ["view_from_world", "world_from_view"]
+    assert "canonical_parallel_from_world" in names
+    columns = np.array(panel.shown[2].values)[:3, :3].T
+    assert np.array_equal(columns, OFF_AXIS.camera.frame)
+
+
+@pytest.mark.parametrize(
+    ("name", "row", "column", "words"),
+    [
+        ("view_from_world", 0, 1, "the camera's axis u"),
+        ("view_from_world", 0, 3, "It shifts x by"),
+        ("clip_from_view", 0, 0, "It scales x by"),
+        ("clip_from_view", 0, 2, "times z to x: a shear"),
+        ("clip_from_view", 3, 2, "It makes w the distance"),
+        ("clip_from_view", 2, 3, "before the divide"),
+        ("clip_from_view", 1, 0, "x has no part in y"),
+        ("image_from_ndc", 1, 1, "turns it round"),
+        ("clip_from_depth_range", 3, 3, "It scales w, by which all is divided, by 40."),
+        ("view_from_world", 3, 3, "It keeps w."),
+        ("clip_from_view", 3, 3, "The w that comes in has no part in w."),
+        ("clip_from_world", 3, 2, "times z to w, by which all is divided"),
+        ("clip_from_world", 3, 3, " to w, by which all is divided"),
+    ],
+)
+def test_a_cell_says_what_it_does(
+    panel: MatrixPanel, name: str, row: int, column: int, words: str
+) -> None:
+    (matrix,) = (matrix for matrix in panel.shown if matrix.name == name)
+    assert words in panel.sentence(matrix, row, column)
+
+
+def test_a_cell_says_which_control_it_depends_on(panel: MatrixPanel) -> None:
+    matrix = next(matrix for matrix in panel.shown if matrix.name == "clip_from_view")
+    assert panel.sentence(matrix, 2, 2).endswith("It depends on: Far, Near, Depth range.")
+    assert panel.sentence(matrix, 3, 2).endswith("It depends on no control.")
+
+
+def test_pointing_with_mouse_and_keys(panel: MatrixPanel, qtbot: QtBot) -> None:
+    view = panel.views["view_from_world"]
+    with qtbot.waitSignal(view.pointed) as hover:
+        place = view._cell_rect(1, 3).center()
+        nothing = Qt.MouseButton.NoButton
+        move = QMouseEvent(
+            QEvent.Type.MouseMove, place, view.mapToGlobal(place), nothing, nothing,
+            Qt.KeyboardModifier.NoModifier,
+        )  # fmt: skip
+        QGuiApplication.sendEvent(view, move)
+    assert hover.args[0].startswith(f"view ← world, row 2, column 4: −v{ARROW}·e{ARROW} = ")
+    assert panel.explanation.text() == rich(hover.args[0])
+    assert "column 4: −<b>v</b>·<b>e</b> = " in panel.explanation.text()
+    qtbot.mouseClick(view, Qt.MouseButton.LeftButton, pos=view._cell_rect(0, 0).center().toPoint())
+    qtbot.keyClick(view, Qt.Key.Key_Right)
+    qtbot.keyClick(view, Qt.Key.Key_Down)
+    qtbot.keyClick(view, Qt.Key.Key_Down)
+    assert "row 3, column 2" in panel.explanation.text()
+    assert rich(view.accessibleDescription()) == panel.explanation.text()
+    assert view.accessibleName() == "view ← world"
+
+
+def test_copies_reach_the_clipboard(panel: MatrixPanel, qtbot: QtBot) -> None:
+    clipboard = QGuiApplication.clipboard()
+    view = panel.views["clip_from_view"]
+    qtbot.keyClick(view, Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
+    assert clipboard.text().startswith("clip_from_view = ")
+    place = QPoint(5, 5)
+    view.contextMenuEvent(QContextMenuEvent(QContextMenuEvent.Reason.Mouse, place, place))
+    (menu,) = view.findChildren(QMenu)
+    actions = menu.actions()
+    assert [action.text() for action in actions] == [
+        "Copy as text", "Copy for NumPy (numbers)", "Copy for LaTeX (needs amsmath)",
+    ]  # fmt: skip
+    actions[1].trigger()
+    numbers: dict[str, Any] = {"np": np}
+    exec(clipboard.text(), numbers)
+    assert (
+        numbers["clip_from_view"].tolist()
+        == json.loads(cli._matrices_json(OFF_AXIS))["clip_from_view"]
+    )
+    actions[2].trigger()
+    assert r"\begin{pmatrix}" in clipboard.text()
+    menu.close()
+    panel.copy.menu().actions()[1].trigger()
+    exec(clipboard.text(), numbers)
+    for name, matrix in json.loads(cli._matrices_json(OFF_AXIS)).items():
+        assert numbers[name].tolist() == matrix
+
+
+def test_factors_unfold_and_stay_so(panel: MatrixPanel, qtbot: QtBot) -> None:
+    view = panel.views["view_from_world/rotation"]
+    assert not view.isVisible()
+    box = panel._boxes[1]
+    qtbot.mouseClick(box.fold, Qt.MouseButton.LeftButton)
+    assert view.isVisible()
+    shown_after(panel, qtbot, OFF_AXIS.with_lens("oblique"))
+    qtbot.waitUntil(panel.views["view_from_world/rotation"].isVisible)
+    assert not panel.views["canonical_parallel_from_view/shear"].isVisible()
+
+
+@pytest.mark.parametrize("lens", [Perspective(45.0, 1.0, math.inf), Oblique()])
+def test_notes_are_shown(panel: MatrixPanel, qtbot: QtBot, lens: Any) -> None:
+    projection = replace(OFF_AXIS, lens=lens)
+    shown_after(panel, qtbot, projection)
+    notes = {box.note.text().replace("\n", " ") for box in panel._boxes if not box.note.isHidden()}
+    assert {stage.note for stage in projection.stages if stage.note} <= notes
+
+
+def test_the_window_shows_the_current_value_when_the_panel_opens(
+    make_window: Callable[..., Any], qtbot: QtBot
+) -> None:
+    window = make_window()
+    panel = window.matrices
+    assert not panel.shown
+    window.panels.open(panel)
+    qtbot.waitUntil(panel.isVisible)
+    QApplication.processEvents()
+    assert panel._scroll.verticalScrollBar().maximum() == 0, "it is as high as its matrices"
+    projection = window.store.document.projection
+    by_name = {matrix.name: matrix for matrix in panel.shown}
+    assert by_name["clip_from_view"].values[1][1] == projection.direct_stages[0].matrix[1, 1]
+    start = projection
+    window.controls.gesture_started.emit()
+    for near in (1.25, 1.5):
+        window.store.set_projection(moved(start, near=near))
+    qtbot.waitUntil(lambda: not panel._readable.pending)
+    assert panel.views["clip_from_view"].lit == {(2, 2), (2, 3)}
+    window.controls.gesture_finished.emit()
+    assert all(isinstance(view, MatrixView) for view in panel.views.values())
+
+
+# --------------------------------------------------------------------------- typing
+
+
+@pytest.fixture
+def edits(panel: MatrixPanel) -> list[Projection]:
+    made: list[Projection] = []
+    panel.edited.connect(made.append)
+    return made
+
+
+def double_click(panel: MatrixPanel, qtbot: QtBot, name: str, row: int, column: int) -> Any:
+    view = panel.views[name]
+    place = view._cell_rect(row, column).center().toPoint()
+    qtbot.mouseDClick(view, Qt.MouseButton.LeftButton, pos=place)
+    # Or Qt holds the button to be down, also in the tests after this one, where nothing is hovered.
+    qtbot.mouseRelease(view, Qt.MouseButton.LeftButton, pos=place)
+    return view.field
+
+
+def type_cell(
+    panel: MatrixPanel, qtbot: QtBot, name: str, row: int, column: int, text: str
+) -> None:
+    field = double_click(panel, qtbot, name, row, column)
+    field.selectAll()
+    qtbot.keyClicks(field, text)
+    qtbot.keyClick(field, Qt.Key.Key_Return)
+
+
+def test_a_cell_is_typed_and_goes_out_once(
+    panel: MatrixPanel, qtbot: QtBot, edits: list[Projection]
+) -> None:
+    field = double_click(panel, qtbot, "clip_from_view", 0, 2)
+    assert field.text() == notation.cell_text(panel.shown[-3].values[0][2])  # with all its digits
+    assert field.accessibleName() == "clip ← view, row 1, column 3"
+    type_cell(panel, qtbot, "clip_from_view", 0, 2, "1/4")
+    (edit,) = edits
+    assert isinstance(edit.lens, Frustum)
+    assert edit.direct_stages[0].matrix[0, 2] == 0.25
+    assert panel.views["clip_from_view"].texts[0][2] == "0.25"
+    assert panel.views["clip_from_view"].field is None
+    assert (0, 2) in panel.views["clip_from_view"].lit
+
+
+def test_what_is_made_of_a_fraction_is_said(
+    panel: MatrixPanel, qtbot: QtBot, edits: list[Projection]
+) -> None:
+    told: list[str] = []
+    panel.told.connect(told.append)
+    field = double_click(panel, qtbot, "clip_from_view", 0, 2)
+    assert "1/3" in field.toolTip() and field.placeholderText() == "1/3"
+    assert "a fraction such as 1/3" in panel.explanation.text()
+    type_cell(panel, qtbot, "clip_from_view", 0, 2, "0.25")
+    assert told == []
+    type_cell(panel, qtbot, "clip_from_view", 0, 2, " -1/3")
+    assert told == ["-1/3 is taken as -0.3333333333333333, its quotient to all digits of float64."]
+    assert edits[-1].direct_stages[0].matrix[0, 2] == -1 / 3
+    type_cell(panel, qtbot, "clip_from_view", 0, 2, "1/0")
+    assert len(told) == 1 and "must be a number" in panel.explanation.text()
+
+
+def test_what_is_being_typed_goes_when_its_matrix_does(
+    make_window: Callable[..., Any], qtbot: QtBot
+) -> None:
+    window = make_window()
+    start, panel = window.store.document, window.matrices
+    window.panels.open(panel)
+    qtbot.waitUntil(panel.isVisible)
+    type_cell(panel, qtbot, "clip_from_view", 3, 0, "0.1")
+    assert isinstance(window.store.document.projection.lens, FreeMatrix)
+    window.activateWindow()
+    field = double_click(panel, qtbot, "clip_from_view", 0, 0)
+    qtbot.waitUntil(field.hasFocus)
+    field.selectAll()
+    qtbot.keyClicks(field, "7.5")
+    window.reset()  # from the tool bar, which takes no keyboard
+    assert window.store.document == start
+    assert all(view.field is None for view in panel.views.values())
+
+
+def test_a_matrix_that_is_gone_tells_nothing_any_more(
+    make_window: Callable[..., Any], qtbot: QtBot
+) -> None:
+    window = make_window()
+    start, panel = window.store.document.projection, window.matrices
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    window.panels.open(panel)
+    qtbot.waitUntil(panel.isVisible)
+    free = with_cell(start, "clip_from_view", 3, 0, 0.1)
+    names = set(panel.views)
+    window.store.set_projection(free)
+    vanishing = names - set(panel.views)
+    assert vanishing
+    for name in vanishing:
+        window.store.set_projection(start)
+        panel.views[name].setFocus()
+        qtbot.keyClick(panel.views[name], Qt.Key.Key_Right)
+        assert panel._speaker is panel.views[name] and panel.explanation.text()
+        window.store.set_projection(free)  # the keyboard goes on to a neighbour on the way
+        assert panel._speaker in (None, *panel.views.values())
+
+
+@pytest.mark.parametrize("lens", [Perspective(), Oblique(), OFF_AXIS.lens])
+def test_what_is_typed_as_it_stands_changes_nothing(
+    panel: MatrixPanel, qtbot: QtBot, edits: list[Projection], lens: Any
+) -> None:
+    shown_after(panel, qtbot, replace(OFF_AXIS, lens=lens))
+    for name in ("clip_from_view", "view_from_world"):
+        for row in range(4):
+            for column in range(4):
+                field = double_click(panel, qtbot, name, row, column)
+                text = field.text()
+                type_cell(panel, qtbot, name, row, column, text)
+    assert edits == [] and panel.explanation.text()
+
+
+@pytest.mark.parametrize(
+    ("text", "sentence"),
+    [
+        ("abc", "“abc”: must be a number, such as 0.5 or 2e-3."),
+        ("nan", "“nan”: must be a number, such as 0.5 or 2e-3."),
+        ("", "“”: must be a number, such as 0.5 or 2e-3."),
+        ("inf", "∞: must be a finite number."),
+        ("1e400", "“1e400”: must be at most 1e+100."),
+        ("-1e101", "-1e+101: must be at least -1e+100."),
+    ],
+)
+@pytest.mark.parametrize("name", ["clip_from_view", "view_from_world"])
+def test_a_bad_cell_is_named_and_the_good_state_stays(
+    panel: MatrixPanel, qtbot: QtBot, edits: list[Projection], name: str, text: str, sentence: str
+) -> None:
+    before = panel.views[name].texts
+    field = double_click(panel, qtbot, name, 0, 2)
+    field.selectAll()
+    qtbot.keyClicks(field, text) if text else qtbot.keyClick(field, Qt.Key.Key_Delete)
+    qtbot.keyClick(field, Qt.Key.Key_Return)
+    cell = f"{stage_title(name)}, row 1, column 3"
+    assert panel.explanation.text() == f"⚠ Not possible. {cell} = {sentence}"
+    assert panel.explanation.styleSheet()
+    assert panel.views[name].field is field  # to be mended
+    assert edits == [] and panel._projection == OFF_AXIS
+    field.selectAll()
+    qtbot.keyClicks(field, "0.5")
+    qtbot.keyClick(field, Qt.Key.Key_Return)
+    assert len(edits) == 1 and panel.views[name].texts != before
+    qtbot.keyClick(panel.views[name], Qt.Key.Key_Right)
+    assert "⚠" not in panel.explanation.text() and not panel.explanation.styleSheet()
+
+
+@pytest.mark.parametrize("size", [(1920, 1080), (1366, 768)])
+@pytest.mark.parametrize("open_first", [True, False])
+def test_what_is_said_of_a_free_matrix_is_seen_whole(
+    make_window: Callable[..., Any], qtbot: QtBot, size: tuple[int, int], open_first: bool
+) -> None:
+    window = make_window()
+    window.resize(*size)
+    panel = window.matrices
+    if open_first:
+        window.panels.open(panel)
+        qtbot.waitUntil(panel.isVisible)
+    projection = window.store.document.projection
+    for row, column, value in ((3, 2, 0.0), (3, 0, 0.1), (3, 3, 0.5), (0, 1, 0.5), (1, 1, 0.0)):
+        projection = with_cell(projection, "clip_from_view", row, column, value)
+    window.store.set_projection(projection)
+    window.panels.open(panel)
+    qtbot.waitUntil(lambda: notes(panel, "clip_from_view").count(": ") >= 3)
+
+    def is_whole() -> bool:
+        box = panel._boxes[2].note
+        bottom = box.mapTo(panel._scroll.viewport(), box.rect().bottomLeft()).y()
+        return bool(bottom < panel._scroll.viewport().height())
+
+    qtbot.waitUntil(is_whole)
+
+
+@pytest.mark.parametrize("scrolled", [0.0, 0.5, 1.0])
+def test_a_matrix_stays_under_the_hand_when_its_neighbours_vanish_and_come_back(
+    make_window: Callable[..., Any], qtbot: QtBot, scrolled: float
+) -> None:
+    window = make_window()
+    panel = window.matrices
+    window.panels.open(panel)
+    qtbot.waitUntil(lambda: panel._scroll.horizontalScrollBar().maximum() > 500)
+    bar = panel._scroll.horizontalScrollBar()
+    bar.setValue(round(scrolled * bar.maximum()))
+
+    def left_px() -> int:
+        place: int = panel._left_of(panel.views["clip_from_view"])
+        return place
+
+    left, count = left_px(), len(panel.shown)
+    for text, boxes in (("0.25", count - 4), ("0", count)):
+        view = panel.views["clip_from_view"]
+        view.edit_cell(3, 0)
+        assert view.field is not None
+        view.field.setText(text)
+        view.field.setModified(True)
+        view.field.returnPressed.emit()
+        assert len(panel.shown) == boxes
+        assert left_px() == left  # at once, and when all has found its place
+        for _ in range(3):
+            window.panes["world"].request_repaint()
+            QApplication.processEvents()
+        assert left_px() == left
+    assert panel.window().focusWidget() is panel.views["clip_from_view"]
+    QApplication.sendEvent(panel, QEvent(QEvent.Type.Leave))  # the hand is elsewhere
+    assert panel._row.count() == len(panel.shown) + 1  # no gap, but the stretch
+
+
+def test_matrices_stand_on_one_line(panel: MatrixPanel, qtbot: QtBot) -> None:
+    panel.running.setChecked(True)
+    panel._boxes[1].fold.click()
+    qtbot.waitUntil(panel.views["view_from_world/rotation"].isVisible)
+    QApplication.processEvents()
+
+    def first_cells_px(seen: bool) -> set[int]:
+        views = [view for view in panel.views.values() if view.isVisible() is seen]
+        return {view.mapTo(panel, view._cell_rect(0, 0).topLeft().toPoint()).y() for view in views}
+
+    assert len(panel.views) > 10 and len(first_cells_px(True)) == 1
+    assert {box.view.height() for box in panel._boxes} == {panel._boxes[0].view.height()}
+
+
+def test_keys_open_leave_and_go_on(
+    panel: MatrixPanel, qtbot: QtBot, edits: list[Projection]
+) -> None:
+    view = panel.views["clip_from_view"]
+    view.setFocus()
+    for key in (Qt.Key.Key_F2, Qt.Key.Key_Return, Qt.Key.Key_Enter):
+        qtbot.keyClick(view, key)
+        field = view.field
+        assert field is not None
+        qtbot.keyClicks(field, "7")
+        qtbot.keyClick(field, Qt.Key.Key_Escape)
+        assert view.field is None and panel.window().focusWidget() is view and edits == []
+    field = double_click(panel, qtbot, "clip_from_view", 0, 0)
+    qtbot.keyClick(field, Qt.Key.Key_Tab)
+    assert view.field is not None and view._cursor == (0, 1)  # nothing typed, nothing edited
+    assert edits == []
+    qtbot.keyClicks(view.field, "0.25")  # a free matrix: the panel is built anew
+    qtbot.keyClick(view.field, Qt.Key.Key_Tab)
+    now = panel.views["clip_from_view"]
+    assert now is not view and now.field is not None and now._cursor == (0, 2)
+    assert isinstance(edits[0].lens, FreeMatrix)
+    qtbot.keyClick(now.field, Qt.Key.Key_Backtab, Qt.KeyboardModifier.ShiftModifier)
+    assert now._cursor == (0, 1)
+    qtbot.keyClicks(now.field, "0")
+    qtbot.keyClick(now.field, Qt.Key.Key_Return)
+    assert edits[1] == OFF_AXIS
+    assert panel.window().focusWidget() is panel.views["clip_from_view"]
+
+
+def test_only_numbers_of_two_matrices_open(panel: MatrixPanel, qtbot: QtBot) -> None:
+    for name in panel.views:
+        opened = double_click(panel, qtbot, name, 0, 0) if "/" not in name else None
+        assert (opened is not None) == (name in ("view_from_world", "clip_from_view")), name
+        panel.views[name].abandon()
+    hint = "press Enter to type another number"
+    by_name = {matrix.name: matrix for matrix in panel.shown}
+    assert hint in panel.sentence(by_name["clip_from_view"], 0, 0)
+    assert hint not in panel.sentence(by_name["clip_from_world"], 0, 0)
+    choose(panel.cells, "formulas")
+    assert double_click(panel, qtbot, "clip_from_view", 0, 0) is None
+    assert hint not in panel.sentence(by_name["clip_from_view"], 0, 0)
+
+
+def test_rows_and_lecture_002_type_into_the_same_matrix(
+    panel: MatrixPanel, qtbot: QtBot, edits: list[Projection]
+) -> None:
+    choose(panel.vectors, "rows")
+    type_cell(panel, qtbot, "clip_from_view", 2, 0, "0.5")
+    assert edits[-1].direct_stages[0].matrix[0, 2] == pytest.approx(0.5, rel=1e-15)
+    choose(panel.letters, "002")  # its w is z
+    shown = panel.views["clip_from_view"].texts[2][0]
+    assert shown == "-0.5"
+    type_cell(panel, qtbot, "clip_from_view", 2, 0, "-0.25")
+    assert edits[-1].direct_stages[0].matrix[0, 2] == pytest.approx(0.25, rel=1e-15)
+
+
+def notes(panel: MatrixPanel, name: str) -> str:
+    box = panel._boxes[[matrix.name for matrix in panel.shown].index(name)]
+    return str(box.note.text()).replace("\n", " ") if not box.note.isHidden() else ""
+
+
+def test_what_a_free_matrix_does_is_written_below_it(
+    panel: MatrixPanel, qtbot: QtBot, edits: list[Projection]
+) -> None:
+    type_cell(panel, qtbot, "clip_from_view", 0, 0, "0")
+    assert "singular (rank 3): the frustum cannot be drawn" in notes(panel, "clip_from_view")
+    names = [matrix.name for matrix in panel.shown]
+    assert names == [
+        "world_from_object", "view_from_world", "clip_from_view", "clip_from_world",
+        "image_from_ndc",
+    ]  # fmt: skip
+    titles = [box.title.text() for box in panel._boxes]
+    assert titles[2] == "clip ← view, a free matrix" and titles[1] == "view ← world"
+    type_cell(panel, qtbot, "clip_from_view", 3, 3, "1")
+    (clip,) = (matrix for matrix in panel.shown if matrix.name == "clip_from_view")
+    assert "It adds 1 times the w that comes in to w" in panel.sentence(clip, 3, 3)
+    assert "It adds -1 times z to w" in panel.sentence(clip, 3, 2)
+    type_cell(panel, qtbot, "view_from_world", 0, 0, "-3")
+    assert "mirrored: it turns right-handed space into left-handed" in notes(
+        panel, "view_from_world"
+    )
+    assert "no camera has it" in notes(panel, "view_from_world")
+    sentence = panel.sentence(panel.shown[1], 0, 2)  # x and y of the world make no row of it 0
+    assert "camera's axis" not in sentence and "a shear" in sentence
+    for running in (True, False):
+        panel.running.setChecked(running)
+        for letters in ("000", "001", "002", "003", "uvn"):
+            choose(panel.letters, letters)
+            choose(panel.cells, "formulas")
+            assert panel.views["clip_from_view"].texts[0][0] == "p_11"
+            assert panel.views["view_from_world"].texts[1][2] == "m_23"
+            choose(panel.cells, "numbers")
+
+
+def test_titles_are_given_to_translators(panel: MatrixPanel) -> None:
+    from PySide6.QtCore import QCoreApplication, QTranslator
+
+    class Estonian(QTranslator):
+        def translate(
+            self, context: str, text: str, disambiguation: Any = None, n: int = -1
+        ) -> str:
+            words = {("Space", "view"): "vaade", ("Factor", "rotation"): "pööre"}
+            return words.get((context, text), text)
+
+        def isEmpty(self) -> bool:
+            return False
+
+    translator = Estonian()
+    QCoreApplication.installTranslator(translator)
+    try:
+        assert stage_title("clip_from_view") == "clip ← vaade"
+        assert stage_title("rotation") == "pööre" and stage_title("M_pp") == "M_pp"
+    finally:
+        QCoreApplication.removeTranslator(translator)
+    panel.running.setChecked(True)
+    for matrix, box in zip(panel.shown, panel._boxes, strict=True):
+        target, _, source = matrix.name.replace("_", " ").partition(" from ")
+        assert box.title.text() == f"{target} ← {source}"
+
+
+def test_typing_reaches_the_whole_window_and_can_be_undone(
+    make_window: Callable[..., Any], qtbot: QtBot
+) -> None:
+    window = make_window()
+    window.panels.open(window.matrices)
+    qtbot.waitUntil(window.matrices.isVisible)
+    store, controls = window.store, window.controls
+    start = store.document.projection
+    type_cell(window.matrices, qtbot, "clip_from_view", 0, 0, "0")
+    assert isinstance(store.document.projection.lens, FreeMatrix)
+    assert controls.rows["kind"].value() == "matrix"
+    shown = {key for key, row in controls.rows.items() if not row.isHidden()}
+    assert not shown & {"near", "far", "fov_y_deg", "left", "fx"}
+    assert controls.sections["calibrated"].isHidden()
+    assert window.status.labels["fov"].text() == "free matrix"
+    qtbot.waitUntil(lambda: "no frustum is drawn" in window.status.health.toolTip())
+    assert controls.rows["eye_x"].isEnabled()
+    type_cell(window.matrices, qtbot, "view_from_world", 0, 0, "5")
+    assert not controls.rows["azimuth_deg"].isEnabled()
+    assert not controls.animation.isEnabled()
+    controls.animation.toggle()
+    assert not controls.animation.playing
+    store.undo()
+    assert controls.rows["azimuth_deg"].isEnabled()
+    store.undo()
+    assert store.document.projection == start
+    store.redo()
+    controls.rows["kind"].choose("perspective")  # the way back
+    assert store.document.projection == start
+    controls.rows["kind"].choose("matrix")
+    controls.rows["kind"].choose("orthographic")
+    assert store.document.projection == start.with_lens("orthographic")
+
+
+@pytest.mark.parametrize("depth", ["direct3d", "reversed"])
+def test_the_depth_range_of_a_free_matrix_can_be_changed(
+    make_window: Callable[..., Any], qtbot: QtBot, depth: str
+) -> None:
+    window = make_window()
+    free = window.store.document.projection.with_lens("matrix")
+    window.store.set_projection(free)
+    window.controls.rows["depth"].choose(depth)
+    found = window.store.document.projection
+    assert found.depth == depth and isinstance(found.lens, FreeMatrix)
+    points = [[1.0, 2.0, 0.5], [-1.0, 0.0, 1.0]]
+    assert np.allclose(found.trace(points).image, free.trace(points).image)
+    standard = free.with_lens("perspective").with_depth(depth)
+    assert np.allclose(found.trace(points).depth, standard.trace(points).depth)
+
+
+FREE_CELLS = (
+    ("clip_from_view", 0, 1, 0.5), ("clip_from_view", 0, 0, 0.0), ("clip_from_view", 0, 0, -1.0),
+    ("clip_from_view", 3, 2, 1.0), ("clip_from_view", 2, 2, 0.0), ("clip_from_view", 3, 0, 0.3),
+    ("view_from_world", 0, 0, -2.0), ("view_from_world", 3, 2, 0.05), ("clip_from_view", 3, 2, 0.0),
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("cell", FREE_CELLS)
+def test_every_pane_probe_and_stop_takes_any_matrix(
+    make_window: Callable[..., Any], qtbot: QtBot, display: Any, cell: Any
+) -> None:
+    window = make_window()
+    window.resize(940, 560)  # quickly drawn
+    window.panels.open(window.probe_panel)
+    start = window.store.document.projection
+    probes = [Probe(1, (0.5, 2.0, 0.0)), Probe(2, pixel=(300.0, 200.0))]
+    for depth in ("opengl", "reversed"):
+        window.store.set_projection(with_cell(start.with_depth(depth), *cell))
+        for position in (0.0, 0.5, 1.0, 1.9, 2.0, 2.6, 3.0, 3.7, 4.0, 4.5, 5.0):
+            window.strip.go_to(position)
+            display.processEvents()
+            for pane in window.panes.values():
+                pane.drawing.show_probes(probes)
+                sight = pane.drawing.sight
+                assert np.isfinite(sight.rows).all() and np.isfinite(sight.limits).all()
+        window.strip.go_to(2.5)
+        if not isinstance(window.store.document.projection.lens, FreeMatrix):
+            assert cell[:4] == ("clip_from_view", 2, 2, 0.0)  # reversed, far = inf has it
+            continue
+        assert window.panes["ndc"].title.text() == "View → NDC"
+        assert window.strip.words.text() == "no canonical volumes"
+
+
+def test_what_is_said_of_a_cell_is_of_its_value_now(panel: MatrixPanel, qtbot: QtBot) -> None:
+    view = panel.views["clip_from_view"]
+    qtbot.mouseClick(view, Qt.MouseButton.LeftButton, pos=view._cell_rect(0, 0).center().toPoint())
+    for right in (0.9, 1.3):
+        shown_after(panel, qtbot, moved(OFF_AXIS, right=right))
+        assert view.texts[0][0] in panel.explanation.text()
+        matrix = next(m for m in panel.shown if m.name == "clip_from_view")
+        assert panel.explanation.text() == panel.sentence(matrix, 0, 0)
+    type_cell(panel, qtbot, "clip_from_view", 0, 0, "3")
+    matrix = next(m for m in panel.shown if m.name == "clip_from_view")
+    assert matrix.values[0][0] == 3.0
+    assert panel.explanation.text() == panel.sentence(matrix, 0, 0)
+
+
+def test_undone_the_matrix_stays_under_the_hand(
+    make_window: Callable[..., Any], qtbot: QtBot
+) -> None:
+    window = make_window()
+    panel = window.matrices
+    window.panels.open(panel)
+    bar = panel._scroll.horizontalScrollBar()
+    qtbot.waitUntil(lambda: bar.maximum() > 500)
+    bar.setValue(400)
+    view = panel.views["clip_from_view"]
+    view.edit_cell(3, 0)
+    view.field.setText("0.25")
+    view.field.setModified(True)
+    view.field.returnPressed.emit()
+    QApplication.processEvents()
+    left = panel._left_of(panel.views["clip_from_view"])
+    window.store.undo()
+    QApplication.processEvents()
+    now = panel.views["clip_from_view"]
+    assert panel._left_of(now) == left and panel.window().focusWidget() is now
+
+
+# -- what is read on it
+
+
+@pytest.mark.parametrize("letters", LETTERS)
+@pytest.mark.parametrize("vectors", ["columns", "rows"])
+def test_a_vector_is_told_from_the_plane_of_its_letter(
+    panel: MatrixPanel, letters: Letters, vectors: str
+) -> None:
+    """(f + n)(n.e): n is near outside the product, and the camera's axis inside."""
+    choose(panel.cells, "formulas")
+    choose(panel.letters, letters)
+    choose(panel.vectors, vectors)
+    panel.running.setChecked(True)
+    products = [text for row in shown_texts(panel) for text in row if "·" in text]
+    assert products
+    for text in products:
+        before, _, after = text.partition("·")
+        assert before.endswith(ARROW) and after[1] == ARROW, text
+        runs = _runs(text)
+        assert "".join(run for run, _ in runs) == text.replace(ARROW, "").replace("_", "")
+        drawn_bold = [run for run, kind in runs if kind == ARROW]
+        assert len(drawn_bold) == text.count(ARROW) and {len(run) for run in drawn_bold} == {1}
+    latex = as_latex(panel.shown[1], letters, formulas=True)
+    assert r"\vec{" in latex and ARROW not in latex
+
+
+def inked(panel: MatrixPanel, text: str) -> int:
+    """How many pixels a matrix darkens with a text in a cell."""
+    picture = QImage(200, 40, QImage.Format.Format_Grayscale8)
+    picture.fill(Qt.GlobalColor.white)
+    painter = QPainter(picture)
+    next(iter(panel.views.values()))._paint_text(painter, QRectF(0.0, 0.0, 200.0, 40.0), text, None)
+    painter.end()
+    pixels = np.frombuffer(picture.constBits(), np.uint8)
+    return int((pixels < 128).sum())
+
+
+def test_a_vector_is_painted_heavier_and_a_subscript_lighter(panel: MatrixPanel) -> None:
+    assert inked(panel, f"n{ARROW}{ARROW.join('uve')}{ARROW}") > 1.2 * inked(panel, "nuve") > 0
+    assert inked(panel, "1_xyz") < inked(panel, "1xyz")
+
+
+def shown_texts(panel: MatrixPanel) -> list[list[str]]:
+    return [row for view in panel.views.values() for row in view.texts]
+
+
+def test_what_is_copied_is_what_is_shown(panel: MatrixPanel) -> None:
+    clipboard = QGuiApplication.clipboard()
+    text, numpy, latex = panel.copy.menu().actions()
+    assert "numbers" in numpy.text() and "amsmath" in latex.text()
+    choose(panel.cells, "formulas")
+    text.trigger()
+    assert f"−n{ARROW}·e{ARROW}" in clipboard.text()
+    assert "2n/(r − l)" in clipboard.text()
+    choose(panel.cells, "numbers")
+    text.trigger()
+    assert ARROW not in clipboard.text() and "(r − l)" not in clipboard.text()
+    for cells in ("numbers", "formulas"):
+        choose(panel.cells, cells)
+        latex.trigger()
+        # Each equation is displayed by itself, with nothing between that is mathematics.
+        between = re.split(r"\\\[\n.*?\n\\\]\n", clipboard.text(), flags=re.DOTALL)
+        assert len(between) == len(panel.shown) + 1 and not "".join(between).strip()
+
+
+def test_a_matrix_has_one_name(panel: MatrixPanel, qtbot: QtBot) -> None:
+    names = {stage_title(matrix.name) for matrix in panel.shown}
+    assert {box.title.text() for box in panel._boxes} == names
+    for matrix, box in zip(panel.shown, panel._boxes, strict=True):
+        assert panel.sentence(matrix, 0, 0).startswith(f"{box.title.text()}, row 1, column 1: ")
+        said = (box.title.toolTip(), box.view.accessibleName(), panel.sentence(matrix, 0, 0))
+        assert not any("_from_" in text for text in said)
+    type_cell(panel, qtbot, "clip_from_view", 0, 0, "x")
+    assert "clip ← view, row 1, column 1 = “x”" in panel.explanation.text()
+
+
+@pytest.mark.parametrize("letters", LETTERS)
+def test_no_formula_is_cut(panel: MatrixPanel, letters: Letters) -> None:
+    panel.running.setChecked(True)
+    choose(panel.cells, "formulas")
+    choose(panel.letters, letters)
+    for lens in (OFF_AXIS.lens, OFF_AXIS.with_lens("oblique").lens):
+        panel.show_projection(replace(OFF_AXIS, lens=lens))
+        for view in panel.views.values():
+            fonts = view._fonts()
+            for i, row in enumerate(view.texts):
+                for j, text in enumerate(row):
+                    assert _width(text, fonts) < view._cell_rect(i, j).width()
+
+
+def test_a_cell_that_is_held_while_its_matrix_goes_says_nothing_more(
+    make_window: Callable[..., Any], qtbot: QtBot
+) -> None:
+    """As with the other hand on the keyboard; what it said reached a widget that was deleted."""
+    window = make_window()
+    start, panel = window.store.document.projection, window.matrices
+    window.panels.open(panel)
+    qtbot.waitUntil(panel.isVisible)
+    view = panel.views["view_from_world"]
+    cell = view.mapTo(window, view._cell_rect(1, 1).center().toPoint())
+    QTest.mousePress(window.windowHandle(), Qt.MouseButton.LeftButton, Qt.KeyboardModifier(0), cell)
+    assert panel._speaker is view
+    orthographic = start.with_lens("orthographic")
+    window.store.set_projection(orthographic)
+    qtbot.waitUntil(lambda: not panel._readable.pending)
+    assert panel.views["view_from_world"] is not view
+    for step in range(3):  # the hand is not quite still, and has the old cell's mouse
+        QTest.mouseMove(window.windowHandle(), cell + QPoint(step, 1))
+    assert panel._speaker in (None, *panel.views.values())
+    for lens in ("frustum", "orthographic"):
+        QApplication.processEvents()
+        QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+        window.store.set_projection(orthographic.with_lens(lens))
+        qtbot.waitUntil(lambda: not panel._readable.pending)
+        assert panel._projection.lens.kind == lens  # no error on the way
+    QTest.mouseRelease(window.windowHandle(), Qt.MouseButton.LeftButton, pos=cell)

@@ -1,0 +1,762 @@
+"""The Measure panel: real measurements by the real process, and what is made of them."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import psutil
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QSignalSpy, QTest
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from app.document.document import Document
+from app.drawings.style import LIGHT
+from app.measure import arithmetic, chart, depth, detail, interpolation, smoothing
+from app.measure import meaning as meanings
+from app.measure import results as kept
+from app.measure.meaning import meaning
+from app.measure.results import Choice, Results, Trade, from_json, table, to_csv, to_json
+from app.model.projection import Camera, Perspective
+from app.scenes.scene import load
+from tests.measure.test_chart import RESULTS, TRADE
+from widgets.panels import measuring
+from widgets.panels.measure_panel import MeasurePanel
+from widgets.panels.measuring import Measuring
+from widgets.panes.pane import SMOOTHINGS
+from widgets.parts import messages, palette
+from widgets.window.main_window import MainWindow
+
+IN_USE = {"depth_format": "fixed24", "depth_mapping": "reversed", "rung": "good"}
+
+
+@pytest.fixture
+def document() -> Document:
+    return Document("letter-f", load("letter-f").start)
+
+
+@pytest.fixture
+def panel(qtbot: QtBot, document: Document) -> Iterator[MeasurePanel]:
+    made = MeasurePanel(lambda: document, lambda: IN_USE, SMOOTHINGS)
+    qtbot.addWidget(made)
+    made.resize(1340, 300)
+    made.show()
+    qtbot.waitExposed(made)
+    yield made
+    made.close_process()
+
+
+def measured(qtbot: QtBot, panel: MeasurePanel, *names: str) -> None:
+    panel.choose(*names)
+    with qtbot.waitSignal(panel.measuring.finished):
+        qtbot.mouseClick(panel.run_button, Qt.MouseButton.LeftButton)
+
+
+def cells(panel: MeasurePanel) -> list[list[str]]:
+    rows, columns = panel.table.rowCount(), panel.table.columnCount()
+    return [[panel.table.item(y, x).text() for x in range(columns)] for y in range(rows)]
+
+
+def heads(panel: MeasurePanel) -> list[str]:
+    columns = range(panel.table.columnCount())
+    return [panel.table.horizontalHeaderItem(x).text() for x in columns]
+
+
+def click_spot(panel: MeasurePanel, key: str) -> None:
+    (view,) = (view for view in panel.diagrams if view.isVisible())
+    view.grab()
+    assert view._diagram is not None
+    spot = next(spot for spot in view._diagram.spots if spot.key == key)
+    place = view.to_px(spot.x, spot.y).toPoint()
+    QTest.mouseClick(view, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier, place)
+
+
+def click_cell(panel: MeasurePanel, row: int) -> None:
+    place = panel.table.visualItemRect(panel.table.item(row, 1)).center()
+    none = Qt.KeyboardModifier.NoModifier
+    QTest.mouseClick(panel.table.viewport(), Qt.MouseButton.LeftButton, none, place)
+
+
+def write(path: Path, results: Results) -> Path:
+    path.write_text(to_json(results), encoding="utf-8")
+    return path
+
+
+# -- measuring
+
+
+def test_a_trade_is_measured_and_shown(panel: MeasurePanel, qtbot: QtBot) -> None:
+    assert panel.sentence.text() == "Not measured yet." and not panel.export_button.isEnabled()
+    fractions = QSignalSpy(panel.measuring.progressed)
+    measured(qtbot, panel, "depth")
+    results = panel.measured["depth"]
+    assert fractions.count() > 3 and panel.progress.value() == 1000
+    assert results.complete and results.document["lens"]["far"] == 30
+    trade = results.trades[0]
+    assert [heads(panel), *cells(panel)] == table(trade)  # as the command prints them
+    assert panel.sentence.text() == meaning(trade).sentence()
+    assert panel.where.toolTip() == chart.where(results)
+    assert "letter-f; eye (6, 5, 9)" in panel.seen.toolTip()
+    assert panel.list.currentItem().text() == "✓ Depth buffer"
+    (view,) = (view for view in panel.diagrams if view.isVisible())
+    assert view.accessibleName() == "Depth buffer"
+
+
+def test_several_are_measured_in_one_go_and_each_is_shown_by_itself(
+    panel: MeasurePanel, qtbot: QtBot
+) -> None:
+    measured(qtbot, panel, "depth", "near", "fov")
+    assert set(panel.measured) == {"depth", "near", "fov"}
+    assert panel.name == "fov"
+    assert sum(view.isVisible() for view in panel.diagrams) == 2
+    assert heads(panel)[0] == "fov, °" and len(cells(panel)) == 13
+    assert not panel.sentence.isVisible()
+    panel.choose("near")
+    assert heads(panel)[0] == "near"
+    assert sum(view.isVisible() for view in panel.diagrams) == 1
+    panel.choose("up")
+    assert panel.sentence.isVisible() and panel.sentence.text() == "Not measured yet."
+    assert panel.table.rowCount() == 0
+
+
+def test_what_is_not_saved_is_measured_with_its_mesh(
+    qtbot: QtBot, document: Document, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    mesh = tmp_path / "triangle.obj"
+    mesh.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    monkeypatch.chdir(tmp_path)  # where the process is not
+    start = load(str(mesh)).start
+    changed = Document("triangle.obj", replace(start, lens=replace(start.lens, far=77.5)))
+    panel = MeasurePanel(lambda: changed, dict, SMOOTHINGS)
+    qtbot.addWidget(panel)
+    measured(qtbot, panel, "interpolation")
+    found = panel.measured["interpolation"].document
+    assert found["scene"] == str(mesh) and found["lens"]["far"] == 77.5
+
+
+def test_its_file_is_gone_afterwards(panel: MeasurePanel, qtbot: QtBot) -> None:
+    panel.choose("depth")
+    panel.run()
+    file = panel.measuring._file
+    assert os.path.exists(file) and panel.cancel_button.isEnabled()
+    assert not panel.run_button.isEnabled()
+    with qtbot.waitSignal(panel.measuring.finished):
+        pass
+    assert not os.path.exists(file)
+    assert panel.run_button.isEnabled() and not panel.cancel_button.isEnabled()
+
+
+def test_cancelled_it_keeps_what_it_has_and_says_so(panel: MeasurePanel, qtbot: QtBot) -> None:
+    panel.how.setCurrentIndex(1)  # full: it would take half a minute
+    panel.choose("arithmetic", "depth")
+    panel.run()
+    with qtbot.waitSignal(panel.measuring.progressed):
+        pass
+    with qtbot.waitSignal(panel.measuring.finished):
+        qtbot.mouseClick(panel.cancel_button, Qt.MouseButton.LeftButton)
+    panel.choose("arithmetic")
+    assert not panel.measured["arithmetic"].complete
+    assert "(cancelled)" in panel.sentence.text()
+    assert len(cells(panel)) == len(panel.measured["arithmetic"].trades[0].choices) > 5
+    notes = {row[-1] for row in cells(panel) if row[1] == "-"}
+    assert notes <= {"cancelled", "not installed"}
+    panel.choose("depth")
+    assert "depth" not in panel.measured and cells(panel) == [["", "cancelled"]]
+    assert panel.sentence.text() == "cancelled"
+
+
+def test_it_waits_while_a_control_is_dragged(panel: MeasurePanel, qtbot: QtBot) -> None:
+    panel.begin_gesture()
+    panel.choose("depth")
+    panel.run()
+    assert panel.progress.format() == "waits"
+    with qtbot.assertNotEmitted(panel.measuring.finished, wait=0):
+        process = panel.measuring._process
+        assert process is not None
+        process.waitForFinished(4000)  # longer than it takes where nothing holds it up
+        assert panel.measuring.running
+    panel.begin_gesture()
+    panel.end_gesture()
+    assert panel.progress.format() == "waits"
+    with qtbot.waitSignal(panel.measuring.finished):
+        panel.end_gesture()
+    assert panel.progress.format() != "waits"
+    assert panel.measured["depth"].complete
+
+
+def test_what_the_process_refuses_is_one_sentence(
+    qtbot: QtBot, document: Document, tmp_path: Path
+) -> None:
+    gone = replace(document, scene=str(tmp_path / "gone.obj"))
+    panel = MeasurePanel(lambda: gone, dict, SMOOTHINGS)
+    qtbot.addWidget(panel)
+    refused = QSignalSpy(panel.refused)
+    panel.show()
+    measured(qtbot, panel, "depth")
+    assert refused.count() == 1
+    (said,) = refused.at(0)
+    assert said.startswith(f"{tmp_path / 'gone.obj'}: there is no such file"), said
+    assert said.count("\n") == 0
+    assert cells(panel) == [["", said]] and panel.sentence.text() == said
+
+
+def test_without_opengl_the_pictures_trades_are_words(
+    panel: MeasurePanel, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("MESA_GL_VERSION_OVERRIDE", "2.1")
+    measured(qtbot, panel, "smoothing", "depth")
+    assert "depth" in panel.measured
+    panel.choose("smoothing")
+    ((_, words),) = cells(panel)
+    assert "OpenGL" in words and "Not measured: smoothing." in words
+    measured(qtbot, panel, "smoothing")
+    ((_, words),) = cells(panel)
+    assert "OpenGL" in words and panel.measured["depth"].complete
+
+
+def test_nothing_before_the_eye_is_words_in_the_table(
+    qtbot: QtBot, document: Document, tmp_path: Path
+) -> None:
+    away = replace(document.projection, camera=Camera((0, 0, 500), (0, 0, 900)))
+    panel = MeasurePanel(lambda: replace(document, projection=away), dict, SMOOTHINGS)
+    qtbot.addWidget(panel)
+    panel.show()
+    measured(qtbot, panel, "arithmetic")
+    assert cells(panel)[0][-1] == arithmetic.NO_POINTS
+    assert panel.sentence.text() == f"Nothing could be measured: {arithmetic.NO_POINTS}."
+    assert panel.list.currentItem().text() == "Arithmetic" and panel.progress.value() == 0
+    assert panel.export(tmp_path / "nothing.png")
+
+
+def test_a_process_that_cannot_start_or_dies_is_a_sentence(
+    panel: MeasurePanel, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    refused = QSignalSpy(panel.refused)
+    monkeypatch.setattr(measuring.sys, "executable", "/nowhere/python")
+    panel.choose("depth")
+    with qtbot.waitSignal(panel.measuring.finished):
+        panel.run()
+    assert "cannot be started" in refused.at(0)[0] and not panel.measuring.running
+    monkeypatch.undo()
+    panel.run()
+    process = panel.measuring._process
+    assert process is not None
+    with qtbot.waitSignal(panel.measuring.finished):
+        process.kill()
+    assert refused.at(1)[0] == "The measurement ended unexpectedly."
+    assert panel.run_button.isEnabled()
+
+
+def test_a_killed_measurement_leaves_no_process_and_no_file(
+    panel: MeasurePanel, qtbot: QtBot
+) -> None:
+    finished = QSignalSpy(panel.measuring.finished)
+    panel.how.setCurrentIndex(1)
+    panel.run()
+    with qtbot.waitSignal(panel.measuring.progressed):
+        pass
+    process = panel.measuring._process
+    assert process is not None
+    number, file = process.processId(), panel.measuring._file
+    panel.close_process()
+    assert not psutil.pid_exists(number) and not os.path.exists(file)
+    assert finished.count() == 0 and not panel.measuring.running
+
+
+# -- using
+
+
+def test_a_click_on_a_point_or_a_row_uses_the_choice(panel: MeasurePanel, tmp_path: Path) -> None:
+    used = QSignalSpy(panel.used)
+    assert panel.load(write(tmp_path / "a.json", RESULTS))
+    panel.choose("arithmetic")
+    click_spot(panel, "good")
+    assert [used.at(i)[0] for i in range(used.count())] == [{"rung": "good"}]
+    assert panel.table.currentRow() == 2
+    click_cell(panel, 0)
+    assert used.at(1)[0] == {"rung": "fast"} and used.count() == 2
+    (view,) = (view for view in panel.diagrams if view.isVisible())
+    QTest.mouseClick(view, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier, QPoint(2, 2))
+    assert used.count() == 2, "a click beside the points uses nothing"
+
+
+def test_what_the_panes_cannot_draw_with_is_not_used(panel: MeasurePanel, tmp_path: Path) -> None:
+    used = QSignalSpy(panel.used)
+    peers = replace(TRADE, choices=tuple(replace(c, use={}) for c in TRADE.choices))
+    panel.load(write(tmp_path / "a.json", replace(RESULTS, trades=(peers,))))
+    panel.choose("arithmetic")
+    click_spot(panel, "good")
+    assert not panel.table.selectedItems() and used.count() == 0
+    click_cell(panel, 1)
+    assert not panel.table.selectedItems() and used.count() == 0
+    panel.load(write(tmp_path / "a.json", RESULTS))
+    click_cell(panel, 1)
+    assert {item.row() for item in panel.table.selectedItems()} == {1} and used.count() == 1
+
+
+def test_the_choice_in_use_is_marked_and_follows(panel: MeasurePanel, tmp_path: Path) -> None:
+    panel.load(write(tmp_path / "a.json", RESULTS))
+    panel.choose("arithmetic")
+
+    def marked() -> list[str]:
+        diagram = panel.diagrams[0]._diagram
+        assert diagram is not None
+        return [spot.key for spot in diagram.spots if spot.marked]
+
+    assert marked() == ["good"]
+    panel._current = lambda: {"rung": "bad"}
+    panel.show_current()
+    assert marked() == ["bad"]
+
+
+# -- files
+
+
+def test_what_is_shown_is_exported(panel: MeasurePanel, qtbot: QtBot, tmp_path: Path) -> None:
+    refused, succeeded = QSignalSpy(panel.refused), QSignalSpy(panel.succeeded)
+    assert not panel.export(tmp_path / "early.csv") and "nothing to export" in refused.at(0)[0]
+    measured(qtbot, panel, "depth", "near")
+    panel.choose("depth")
+    for ending in ("csv", "json", "png", "pdf"):
+        assert panel.export(tmp_path / f"depth.{ending}")
+    assert succeeded.count() == 4
+    trade = panel.measured["depth"].trades[0]
+    assert (tmp_path / "depth.csv").read_text() == to_csv(trade)
+    assert from_json((tmp_path / "depth.json").read_text()) == panel.measured["depth"]
+    assert (tmp_path / "depth.png").read_bytes().startswith(b"\x89PNG")
+    assert (tmp_path / "depth.pdf").read_bytes().startswith(b"%PDF")
+    assert not panel.export(tmp_path / "depth.doc") and "must end in one of" in refused.at(1)[0]
+    assert not panel.export(tmp_path / "no" / "depth.csv") and refused.count() == 3
+    assert "Traceback" not in refused.at(2)[0]
+    assert QApplication.overrideCursor() is None
+
+
+def test_another_machine_s_results_are_drawn_over_these(
+    panel: MeasurePanel, qtbot: QtBot, tmp_path: Path
+) -> None:
+    measured(qtbot, panel, "depth")
+    mine = panel.measured["depth"]
+    theirs = replace(mine, machine={"system": "Box 9"}, date="2020-02-02T00:00:00+00:00")
+    own_rows = cells(panel)
+    assert not panel.forget_button.isEnabled()
+    assert panel.load(write(tmp_path / "a.json", theirs))
+    diagram = panel.diagrams[0]._diagram
+    assert diagram is not None
+    assert "Box 9, 2020-02-02T00:00:00+00:00" in [c.label for c in diagram.curves]
+    rows = cells(panel)
+    assert rows[: len(own_rows)] == own_rows and len(rows) == 2 * len(own_rows)
+    assert rows[-1][:-1] == own_rows[-1][:-1]
+    assert rows[-1][-1] == "Box 9, 2020-02-02T00:00:00+00:00"
+    assert panel.export(tmp_path / "both.csv")
+    assert (tmp_path / "both.csv").read_text().count("choice,cost_B") == 2
+    qtbot.mouseClick(panel.forget_button, Qt.MouseButton.LeftButton)
+    assert cells(panel) == own_rows and panel.measured["depth"] is mine
+
+
+def test_results_without_own_ones_are_shown_as_they_are(
+    panel: MeasurePanel, tmp_path: Path
+) -> None:
+    assert panel.load(write(tmp_path / "a.json", RESULTS))
+    assert panel.name == "arithmetic" and len(cells(panel)) == len(TRADE.choices)
+    assert "Box 7" in panel.where.toolTip()
+    panel.choose("near")
+    assert cells(panel)[0][-1] == "float32 answers NaN"
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (lambda tree: tree | {"version": 99}, "another Frustum Lab: its version is 99"),
+        (lambda tree: tree | {"format": "x"}, "is not a file of measurements"),
+        (lambda tree: tree | {"trades": 5}, "is damaged: trades must be a list"),
+        (
+            lambda tree: tree | {"trades": [tree["trades"][0] | {"name": "speed"}]},
+            'is damaged: "speed" is nothing that is measured',
+        ),
+        (lambda tree: [tree], "is not a file of measurements"),
+    ],
+    ids=["version", "format", "damaged", "unknown", "list"],
+)
+def test_a_file_that_is_none_is_a_sentence_and_all_stays(
+    panel: MeasurePanel, tmp_path: Path, change: Callable[[Any], Any], words: str
+) -> None:
+    refused = QSignalSpy(panel.refused)
+    panel.load(write(tmp_path / "good.json", RESULTS))
+    before = cells(panel)
+    bad = tmp_path / "bad.json"
+    bad.write_text(json.dumps(change(json.loads(to_json(RESULTS)))))
+    assert not panel.load(bad)
+    assert words in refused.at(0)[0] and refused.at(0)[0].startswith("bad.json: ")
+    assert cells(panel) == before and set(panel.loaded) == {"arithmetic", "near"}
+
+
+def test_a_file_that_cannot_be_read_is_a_sentence(panel: MeasurePanel, tmp_path: Path) -> None:
+    refused = QSignalSpy(panel.refused)
+    assert not panel.load(tmp_path / "gone.json")
+    assert not panel.load(tmp_path)
+    (tmp_path / "bytes.json").write_bytes(b"\xff\xfe\x00")
+    assert not panel.load(tmp_path / "bytes.json")
+    said = [refused.at(i)[0] for i in range(refused.count())]
+    assert said[0].startswith("gone.json: cannot be read")
+    assert said[1].startswith(f"{tmp_path.name}: cannot be read")
+    assert said[2] == "bytes.json: is not a file of measurements."
+
+
+# -- look
+
+
+def test_it_gives_way_to_the_panes(panel: MeasurePanel, qapp: QApplication, tmp_path: Path) -> None:
+    panel.load(write(tmp_path / "a.json", RESULTS))
+    for projector in (True, False):
+        palette.apply(qapp, dark=False, projector=projector)
+        qapp.processEvents()
+        assert panel.minimumSizeHint().width() <= 1340
+    assert panel.minimumSizeHint().height() <= 100
+    panel.resize(1340, 600)
+    assert panel.sizeHint().height() <= 260
+
+
+def test_names_beside_points_do_not_hide_each_other(panel: MeasurePanel, tmp_path: Path) -> None:
+    panel.load(write(tmp_path / "a.json", RESULTS))
+    panel.choose("arithmetic")
+    view = panel.diagrams[0]
+    view.set_style(LIGHT)
+    view.grab()
+    assert set(view.spot_names) == {"fast", "bad", "good (now)", "right (0)", "endless (∞)"}
+    boxes = list(view.spot_names.values())
+    for i, box in enumerate(boxes):
+        assert view.frame.adjusted(-1, -1, 1, 1).contains(box)
+        assert not any(box.adjusted(0.1, 0.1, -0.1, -0.1).intersects(o) for o in boxes[:i])
+
+
+@pytest.mark.parametrize("projector", [False, True])
+def test_the_depth_chart_s_names_cross_nothing(
+    panel: MeasurePanel, document: Document, tmp_path: Path, projector: bool
+) -> None:
+    """In a panel as low as it opens: no name lies on another one, on a dot or on the frontier."""
+    found = replace(RESULTS, trades=(depth.measure(document.projection),), sweeps=())
+    panel.resize(1340, 225)
+    panel.load(write(tmp_path / "a.json", found))
+    panel.set_style(palette.drawing_style(dark=False, projector=projector, device_pixel_ratio=1.0))
+    view = panel.diagrams[0]
+    view.grab()
+    boxes = list(view.spot_names.values())
+    assert len(boxes) >= 4 and any("(now)" in name for name in view.spot_names)
+    diagram = chart.diagrams(found.trades[0], IN_USE)[0]
+    frontier = [view.to_px(x, y) for x, y in np.asarray(diagram.curves[-1].points).tolist()]
+    places = [one + (other - one) * t for one, other in pairwise(frontier)
+              for t in np.linspace(0.0, 1.0, 200).tolist()]  # fmt: skip
+    places += [view.to_px(spot.x, spot.y) for spot in diagram.spots]
+    for i, box in enumerate(boxes):
+        inner = box.adjusted(0.1, 0.1, -0.1, -0.1)
+        assert not any(inner.intersects(other) for other in boxes[:i])
+        assert not any(inner.contains(place) for place in places)
+
+
+def test_everything_has_a_name_and_a_tip(panel: MeasurePanel) -> None:
+    buttons = (
+        panel.run_button, panel.cancel_button, panel.export_button, panel.load_button,
+        panel.forget_button,
+    )  # fmt: skip
+    assert all(button.text() and button.toolTip() for button in buttons)
+    for widget in (panel.list, panel.how, panel.table):
+        assert widget.accessibleName() and widget.toolTip()
+    assert panel.progress.accessibleName() and panel.where.accessibleName()
+
+
+def test_translators_are_given_every_text() -> None:
+    assert set(messages.MEASURE_SENTENCES) == {*meanings.SENTENCES, *kept.SENTENCES}
+    assert set(messages.CHART_TEXTS) == set(chart.TEXTS)
+    notes = {
+        *(arithmetic.NO_POINTS, arithmetic.NOT_INSTALLED, arithmetic.NOT_A_NUMBER),
+        *(arithmetic.INFINITE, interpolation.NOTHING, interpolation.PARALLEL, depth.BEYOND),
+        *(detail.TOO_FEW, detail.NOT_SEEN, kept.CANCELLED),
+    }
+    assert set(messages.MEASURE_NOTES) == notes
+    assert messages.MEASURE_WORDS == kept.WORDS
+    everything = messages.MEASURE_SENTENCES + messages.MEASURE_NOTES + messages.CHART_TEXTS
+    everything += messages.MEASURE_WORDS
+    assert {messages._CONTEXTS[text] for text in everything} == {"Measure"}
+
+
+def test_every_name_of_a_choice_is_put_together_from_translated_parts(
+    document: Document,
+) -> None:
+    """Each part is either a format's or a program's own name, or is looked up."""
+    looked_up: list[str] = []
+
+    def translate(text: str) -> str:
+        looked_up.append(text)
+        return text.upper()
+
+    projection, scene = document.projection, load("letter-f")
+    trades = [
+        arithmetic.measure(projection, scene.corners, scene.origin, seconds=0.01),
+        interpolation.measure(projection, scene.corners, seconds=0.01),
+        depth.measure(projection),
+    ]
+    own = re.compile(r"(float|fixed)\d+|PyGLM|pylinalg|FXAA|MSAA \d|\d+ %|ns|ms|px|B|")
+    names = [c.name for trade in trades for c in trade.choices]
+    names += [each.name for each in smoothing.SMOOTHINGS] + [smoothing.OTHER_SAMPLES.format(4)]
+    names += [head for trade in trades for head in table(trade)[0]]
+    assert len(names) > 50
+    for name in names:
+        for part in name.split(", "):
+            looked_up.clear()
+            said = kept.named(part, translate)
+            assert own.fullmatch(part) or set(looked_up) <= set(kept.WORDS), part
+            assert own.fullmatch(part) or (looked_up and said == said.upper()), part
+    assert kept.named(
+        "affine, 4 pieces", {"affine": "afina", "{0} pieces": "{0} kom."}.__getitem__
+    ) == ("afina, 4 kom.")
+
+
+def test_what_cannot_be_used_looks_it_and_says_why(panel: MeasurePanel, tmp_path: Path) -> None:
+    """In italics and in words; grey is something else."""
+    usable = Choice("MSAA 2", 2.0, 2.0, 2.0, use={"smoothing": "MSAA 2"})
+    winner = "supersampling 3 x 3"
+    finer = replace(usable, name=winner, cost=1.0, error=1.0, use={"smoothing": winner})
+    peer = Choice("PyGLM", None, None, None, note="not installed")
+    trade = Trade("smoothing", "ms", "levels RMS", (usable, finer, peer), 5)
+    panel.load(write(tmp_path / "a.json", replace(RESULTS, trades=(trade,), sweeps=())))
+    refused, used = QSignalSpy(panel.refused), QSignalSpy(panel.used)
+    names, italics, greys, tips = [], [], [], []
+    for row in range(3):
+        cell = panel.table.item(row, 0)
+        assert cell is not None
+        names.append(cell.text())
+        italics.append(cell.font().italic())
+        greys.append(cell.foreground().style() != Qt.BrushStyle.NoBrush)
+        tips.append(cell.toolTip())
+        panel.table.cellClicked.emit(row, 0)
+    assert names == ["MSAA 2", f"{winner} (measured only)", "PyGLM"]
+    assert italics == [False, True, True]
+    assert greys == [True, False, False], "only the first is beaten by another one in both"
+    assert tips[0] == ""
+    assert tips[1] == "supersampling 3 x 3 is measured only: the panes are not drawn with it."
+    assert tips[2].splitlines()[0] == "not installed" and tips[2].count("measured only") == 1
+    assert used.count() == 1 and refused.count() == 2
+
+
+def test_grey_is_in_the_table_what_it_is_in_the_chart(panel: MeasurePanel, tmp_path: Path) -> None:
+    other = replace(TRADE, choices=tuple(reversed(TRADE.choices)))
+    panel.measured = {"arithmetic": replace(RESULTS, trades=(TRADE,), sweeps=())}
+    panel.loaded = {"arithmetic": replace(RESULTS, trades=(other,), sweeps=())}
+    panel.show_current()
+    (diagram,) = chart.diagrams(TRADE)
+    faded = {spot.key for spot in diagram.spots if spot.faded}
+    assert faded and len(faded) < len(diagram.spots)
+    names = [panel.table.item(row, 0) for row in range(panel.table.rowCount())]
+    grey = [cell.foreground().style() != Qt.BrushStyle.NoBrush for cell in names]
+    expected = [choice.name in faded for choice in (*TRADE.choices, *other.choices)]
+    assert grey == expected
+    ink = names[expected.index(True)].foreground().color()
+    assert ink != panel.palette().text().color()
+
+
+@pytest.mark.parametrize("width", [1000, 1340, 1800])
+def test_a_note_in_the_table_is_seen_whole(panel: MeasurePanel, tmp_path: Path, width: int) -> None:
+    panel.resize(width, 300)
+    note = arithmetic.NO_POINTS
+    noted = Choice("MSAA 8", 1.0, 1.0, 2.0, note=note, use={"smoothing": "MSAA 8"})
+    trade = Trade("smoothing", "ms", "levels RMS", (noted,), 5)
+    panel.load(write(tmp_path / "a.json", replace(RESULTS, trades=(trade,), sweeps=())))
+    panel.resize(width + 1, 300)
+    last = panel.table.columnCount() - 1
+    cell = panel.table.visualItemRect(panel.table.item(0, last))
+    metrics = panel.table.fontMetrics()
+    inside = cell.adjusted(4, 0, -4, 0)
+    needed = metrics.boundingRect(inside, Qt.TextFlag.TextWordWrap, note)
+    assert needed.width() <= inside.width() and needed.height() <= cell.height()
+
+
+def test_notes_take_the_room_that_a_panel_comes_to_have(
+    panel: MeasurePanel, display: Any, tmp_path: Path
+) -> None:
+    noted = Choice("MSAA 8", 1.0, 1.0, 2.0, note=arithmetic.NO_POINTS, use={"smoothing": "MSAA 8"})
+    trade = Trade("smoothing", "ms", "levels RMS", (noted,), 5)
+    panel.resize(700, 300)
+    panel.load(write(tmp_path / "a.json", replace(RESULTS, trades=(trade,), sweeps=())))
+    header, heights = panel.table.horizontalHeader(), []
+    least = header.sectionSize(header.count() - 1)
+    for width in (700, 1800, 700):
+        panel.resize(width, 300)
+        display.processEvents()
+        room = panel.table.viewport().width() - header.length()
+        assert room == 0 or (room < 0 and header.sectionSize(header.count() - 1) == least)
+        heights.append(panel.table.rowHeight(0))
+    assert heights[0] == heights[2] > heights[1]
+
+
+# -- in the window
+
+
+def settle(window: MainWindow) -> None:
+    for _ in range(5):
+        QApplication.processEvents()
+
+
+@pytest.mark.parametrize("size", [(1366, 768), (1920, 1080)])
+def test_the_panes_have_room_above_it(
+    make_window: Callable[..., MainWindow], size: tuple[int, int], tmp_path: Path
+) -> None:
+    window = make_window()
+    window.resize(*size)
+    settle(window)
+    window.panels.open(window.measure_panel)
+    window.measure_panel.load(write(tmp_path / "a.json", RESULTS))
+    settle(window)
+    assert window.measure_panel.isVisible() and (window.width(), window.height()) == size
+    for pane in window.panes.values():
+        assert pane.width() >= 300 and pane.height() >= 400
+
+
+def test_a_drag_in_the_window_makes_it_wait_and_a_sentence_reaches_the_bar(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window()
+    panel = window.measure_panel
+    for source in (window.controls, window.controls.animation, window.manipulation, window.strip):
+        source.gesture_started.emit()
+        assert panel._gestures == 1
+        source.gesture_finished.emit()
+        assert panel._gestures == 0
+    assert not panel.load(tmp_path / "gone.json")
+    assert window.messages.text.startswith("gone.json: cannot be read")
+    assert panel.load(write(tmp_path / "a.json", RESULTS)) and window.messages.text == ""
+
+
+def test_what_the_panel_refused_is_said_until_it_is_used_again(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window()
+    panel, bar = window.measure_panel, window.messages
+    window.panels.open(panel)
+    alone = replace(TRADE.choices[0], name="float16", use={})
+    usable = replace(TRADE.choices[2], name="float64", use={"rung": "float64"})
+    trade = replace(TRADE, choices=(alone, usable))
+    panel.load(write(tmp_path / "a.json", replace(RESULTS, trades=(trade,), sweeps=())))
+    settle(window)
+
+    def refuse() -> None:
+        panel.table.cellClicked.emit(0, 0)
+        assert bar.text == "float16 is measured only: the panes are not drawn with it."
+
+    refuse()
+    panel.table.cellClicked.emit(1, 0)
+    assert bar.text == "" and window.store.document.quality.rung == "float64"
+    refuse()
+    click_spot(panel, "float64")
+    assert bar.text == ""
+    refuse()
+    panel.choose("depth")
+    assert bar.text == ""
+    panel.choose("arithmetic")
+    refuse()
+    panel.run()
+    assert bar.text == ""
+    refuse()
+    bar.say("Something else went wrong.")
+    panel.choose("depth")
+    assert bar.text == "Something else went wrong.", "that is not the panel's to take back"
+
+
+def test_the_window_says_what_the_panes_are_drawn_with(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window()
+    assert window._in_use()["rung"] == "float32"
+    assert window._in_use()["depth_mapping"] == "opengl"
+    projection = window.store.document.projection
+    window.store.set_projection(
+        replace(projection, depth="reversed", lens=Perspective(1e-6, 1.0, 30.0))
+    )
+    assert window._in_use()["rung"] == "float64"
+    assert window._in_use()["depth_mapping"] == "reversed"
+
+
+def run_until_it_goes(panel: MeasurePanel, qtbot: QtBot) -> int:
+    """Start a full measurement; the number of its process, once that has told of progress."""
+    panel.how.setCurrentIndex(1)
+    panel.run()
+    with qtbot.waitSignal(panel.measuring.progressed):
+        pass
+    process = panel.measuring._process
+    assert process is not None
+    return int(process.processId())
+
+
+def test_closing_the_window_ends_the_measurement(
+    make_window: Callable[..., MainWindow], qtbot: QtBot
+) -> None:
+    window = make_window()
+    number = run_until_it_goes(window.measure_panel, qtbot)
+    window.close()
+    assert not psutil.pid_exists(number)
+
+
+def test_the_window_goes_on_during_a_measurement(
+    make_window: Callable[..., MainWindow], qtbot: QtBot
+) -> None:
+    window = make_window()
+    panel = window.measure_panel
+    number = run_until_it_goes(panel, qtbot)
+    ours, its = psutil.Process(), psutil.Process(number)
+    assert its.nice() == min(19, ours.nice() + 10), "the window's steps come first"
+    projection = window.store.document.projection
+    window.store.set_projection(replace(projection, lens=Perspective(30.0, 1.0, 30.0)))
+    settle(window)
+    assert window.status.labels["fov"].text().startswith("fov 30°")
+    assert panel.measuring.running
+
+
+# -- cost
+
+
+def test_the_cost_of_a_step_is_shown_for_every_pane_that_is_seen(
+    make_window: Callable[..., MainWindow], qtbot: QtBot
+) -> None:
+    window = make_window()
+    assert not window.status.cost.isVisible()
+    pane = window.panes["image"]
+    spies = [QSignalSpy(each.timed) for each in window.panes.values()]
+    projection = window.store.document.projection
+    window.store.set_projection(replace(projection, lens=Perspective(30.0, 1.0, 30.0)))
+    settle(window)
+    assert [spy.count() for spy in spies] == [0, 0, 0] and window._costs == {}
+    window._show_cost.trigger()
+    assert window.status.cost.isVisible()
+    with qtbot.waitSignals([each.timed for each in window.panes.values()]):
+        window.store.set_projection(replace(projection, lens=Perspective(40.0, 1.0, 30.0)))
+    tip = window.status.cost.toolTip()
+    assert all(title in tip for title in ("model", "World", "NDC cube", "Image"))
+    assert all(ms[0] > 0.0 and ms[1] > 0.0 for ms in window._costs.values())
+    assert window._model_ms > 0.0
+    pane.hide()
+    with qtbot.waitSignal(window.panes["world"].timed):
+        window.store.set_projection(replace(projection, lens=Perspective(50.0, 1.0, 30.0)))
+    assert "Image" not in window.status.cost.toolTip()
+    window._show_cost.trigger()
+    counts = [spy.count() for spy in spies]
+    window.store.set_projection(projection)
+    settle(window)
+    assert [spy.count() for spy in spies] == counts and not window.status.cost.isVisible()
+
+
+def test_measuring_one_thing_after_the_other(qtbot: QtBot, document: Document) -> None:
+    runner = Measuring()
+    for _ in range(2):
+        with qtbot.waitSignal(runner.finished) as told:
+            runner.start(document, ["depth"], [], quick=True)
+        results, said = told.args
+        assert results.complete and said == ""
+        assert not runner.running

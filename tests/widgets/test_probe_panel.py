@@ -1,0 +1,808 @@
+"""Probes: clicked in any pane, marked in all of them, and their numbers those of `project`."""
+
+from __future__ import annotations
+
+import json
+import math
+import threading
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QImage, QMouseEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+from pytestqt.qtbot import QtBot
+
+from app.commands import cli
+from app.document.document import Document, write
+from app.drawings import probes
+from app.drawings.probes import pick_in
+from app.drawings.style import LIGHT, rgb
+from app.lecture.notation import matrices, written
+from app.model.projection import (
+    LARGEST,
+    Array,
+    Camera,
+    FreeMatrix,
+    Lens,
+    Oblique,
+    Orthographic,
+    Perspective,
+    Projection,
+    format_value,
+)
+from app.picking.picking import Probe, Sight, Surface
+from app.scenes.scene import load
+from widgets.panels.probe_panel import MOST_PROBES, ProbePanel
+from widgets.window.main_window import MainWindow
+
+CORNER = (1.5, 5.0, 0.5)
+"""Of the letter F: seen in the image, in the world pane and in the cube at the start."""
+ACCENT = np.round(255 * np.array(rgb(LIGHT.accent)))
+
+
+def start() -> Projection:
+    return load("letter-f").start
+
+
+def marked(window: MainWindow, name: str, place_px: Any) -> bool:
+    """Whether the probe's colour is on the screen around a place of a pane's canvas."""
+    image = window.panes[name].canvas.grabFramebuffer().convertToFormat(QImage.Format.Format_RGB888)
+    array = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), image.bytesPerLine())
+    array = array[:, : 3 * image.width()].reshape(image.height(), image.width(), 3)
+    x, y = (round(part) for part in place_px)
+    near = array[max(0, y - 2) : y + 3, max(0, x - 2) : x + 3].reshape(-1, 3).astype(float)
+    return len(near) > 0 and bool((np.abs(near - ACCENT).max(axis=1) <= 12).any())
+
+
+def any_mark(window: MainWindow, name: str) -> bool:
+    image = window.panes[name].canvas.grabFramebuffer().convertToFormat(QImage.Format.Format_RGB888)
+    array = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), image.bytesPerLine())
+    array = array[:, : 3 * image.width()].reshape(image.height(), image.width(), 3).astype(float)
+    return int((np.abs(array - ACCENT).max(axis=2) <= 3).sum()) > 20
+
+
+def place_in(window: MainWindow, name: str, point: Any) -> tuple[float, float]:
+    """Where a pane shows a world point, by VTK's own camera; pixels from the top left."""
+    pane, projection = window.panes[name], window.store.document.projection
+    drawing: Any = pane.drawing
+    if name == "image":
+        left, top, width, height = drawing.picture_rectangle_px
+        image_width, image_height = projection.image_size
+        x, y = projection.trace(point).image
+        return left + x * width / image_width, top + y * height / image_height
+    shown = np.array(point) - load("letter-f").origin
+    if name == "ndc":  # OpenGL's cube with z mirrored for display, half as deep for [0, 1]
+        z_near, z_far = projection.depth_range
+        ndc = replace(projection, depth="opengl").trace(point).ndc
+        shown = ndc * (1.0, 1.0, -abs(z_far - z_near) / 2.0)
+    renderer = pane.canvas.renderer
+    renderer.SetWorldPoint(*shown, 1.0)
+    renderer.WorldToDisplay()
+    x, y, _ = renderer.GetDisplayPoint()
+    return x, pane.canvas.render_window.GetSize()[1] - y
+
+
+def click(window: MainWindow, name: str, place: tuple[float, float]) -> None:
+    canvas = window.panes[name].canvas
+    pos = QPoint(math.floor(place[0]), math.floor(place[1]))
+    QTest.mouseClick(canvas, Qt.MouseButton.LeftButton, pos=pos)
+    QApplication.processEvents()
+
+
+def cells(panel: ProbePanel, block: int, row: int) -> list[str]:
+    model = panel.table.model()
+    texts = [model.data(model.index(row, 1 + 4 * block + part)) for part in range(4)]
+    return [text for text in texts if text]
+
+
+# -- clicks
+
+
+@pytest.mark.parametrize("name", ["world", "ndc", "image"])
+def test_a_click_on_a_vertex_in_any_pane_marks_it_in_all(
+    make_window: Callable[..., MainWindow], name: str
+) -> None:
+    window = make_window()
+    click(window, name, place_in(window, name, CORNER))
+    (probe,) = window.probe_panel.probes
+    assert probe.point == pytest.approx(CORNER, abs=1e-5 * load("letter-f").size)
+    for other in window.panes:
+        assert marked(window, other, place_in(window, other, CORNER)), other
+
+
+LENSES: dict[str, Lens] = {
+    "perspective": Perspective(45.0, 1.0, 30.0),
+    "orthographic": Orthographic(-6.0, 6.0, -3.5, 3.5, 1.0, 30.0),
+}
+EYES = {
+    "oblique": Camera((6.0, 5.0, 9.0), (0.0, 2.2, 0.0)),
+    "along z": Camera((0.0, 2.5, 14.0), (0.0, 2.5, 0.0)),
+}
+
+
+def is_seen(sight: Sight, vertex: Array, triangles: Array, lines: Array) -> bool:
+    """Whether no face and no line is between a vertex and where the lines of sight come from."""
+    at = np.append(vertex - sight.eye, 1.0)
+    x, y, order, w = sight.rows
+    if (sight.limits @ at < 0.0).any() or w @ at <= 0.0:
+        return False
+    for line in lines:
+        places = np.linspace(*line, 1001)
+        off = np.hypot(*(sight.seen(places) - sight.seen(vertex[None])).T)
+        nearest = np.append(places[np.argmin(np.nan_to_num(off, nan=np.inf))] - sight.eye, 1.0)
+        in_front = order @ nearest / (w @ nearest) < order @ at / (w @ at) - 1e-5
+        if np.nanmin(off, initial=np.inf) < 0.4 and in_front:
+            return False
+    *viewer, weight = np.linalg.svd(np.array([x, y, w]))[2][3]
+    along = np.array(viewer) - weight * at[:3]
+    along /= np.linalg.norm(along)
+    ahead = at + np.append(1e-3 * along, 0.0)
+    if order @ ahead / (w @ ahead) > order @ at / (w @ at):
+        along = -along
+    a, b, c = triangles.transpose(1, 0, 2)  # Moller and Trumbore, 1997
+    across = np.cross(along, c - a)
+    area = np.einsum("ij,ij->i", b - a, across)
+    around = np.cross(vertex - a, b - a)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        s = np.einsum("ij,ij->i", vertex - a, across) / area
+        t = around @ along / area
+        far = np.einsum("ij,ij->i", c - a, around) / area
+        inside = np.minimum(np.minimum(s, t), 1.0 - s - t) > -1e-6
+    return not (inside & (far > 1e-4)).any()
+
+
+@pytest.mark.parametrize("eye", EYES)
+@pytest.mark.parametrize("lens", LENSES)
+def test_a_click_on_or_beside_a_vertex_that_is_seen_gives_it_in_every_pane(
+    make_window: Callable[..., MainWindow], lens: str, eye: str
+) -> None:
+    """0 and 2 px to each side: the edges that run to it or past it are not what is meant."""
+    window, scene = make_window(), load("letter-f")
+    window.store.set_projection(replace(start(), lens=LENSES[lens], camera=EYES[eye]))
+    QApplication.processEvents()
+    assert scene.surface is not None and scene.lines is not None
+    mesh = scene.surface.triangulate()
+    triangles = mesh.points[mesh.regular_faces].astype(np.float64) + scene.origin
+    vertices = np.unique(triangles.reshape(-1, 3), axis=0)
+    lines = scene.lines.points.reshape(-1, 2, 3).astype(np.float64) + scene.origin
+    ends = np.concatenate([vertices, lines.reshape(-1, 3)])
+    clicks, missed = dict.fromkeys(window.panes, 0), []
+    for name, pane in window.panes.items():
+        drawing: Any = pane.drawing
+        sight, spots = drawing.sight, drawing.sight.seen(ends)
+        for vertex, (x, y) in zip(vertices, sight.seen(vertices), strict=True):
+            if not is_seen(sight, vertex, triangles, lines):
+                continue
+            others = spots[np.abs(spots - (x, y)).max(axis=1) > 1e-6]
+            for right, down in ((0, 0), (2, 0), (-2, 0), (0, 2), (0, -2)):
+                away = np.hypot(*(others - (x + right, y + down)).T)
+                if np.nanmin(away) <= math.hypot(right, down):
+                    continue  # another is nearer
+                clicks[name] += 1
+                hit = pick_in(scene, sight, (float(x) + right, float(y) + down))
+                if hit is None or math.dist(hit.point, vertex) > 1e-6:
+                    missed.append((name, vertex.tolist(), right, down, hit))
+    assert not missed, missed
+    assert min(clicks.values()) >= 60, clicks
+
+
+def test_a_double_click_resets_the_view_and_follows_nothing(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window()
+    canvas = window.panes["world"].canvas
+    place = place_in(window, "world", CORNER)
+    pos = QPoint(math.floor(place[0]), math.floor(place[1]))
+
+    def double_click() -> None:
+        QTest.mouseClick(canvas, Qt.MouseButton.LeftButton, pos=pos)
+        assert window.probe_panel.probes
+        QTest.mouseDClick(canvas, Qt.MouseButton.LeftButton, pos=pos)
+        QApplication.processEvents()
+
+    double_click()
+    assert window.probe_panel.probes == () and window.probe_panel.chosen is None
+    window.probe_panel.follow(point=(0.0, 0.0, 0.0))
+    before = window.probe_panel.probes
+    double_click()
+    assert window.probe_panel.probes == before and window.probe_panel.chosen == before[0]
+
+
+@pytest.mark.parametrize("name", ["world", "ndc", "image"])
+def test_a_click_on_a_face_in_any_pane_follows_its_point(
+    make_window: Callable[..., MainWindow], name: str
+) -> None:
+    window = make_window()
+    window.panes["image"].show()
+    window.enlarge(name)  # the cubes are small: no vertex may be within 6 pixels
+    QApplication.processEvents()
+    on_face = (0.0, 2.5, 0.5)
+    x, y = (math.floor(part) + 0.5 for part in place_in(window, name, on_face))
+    click(window, name, (x, y))
+    (probe,) = window.probe_panel.probes
+    assert probe.point is not None and probe.point[2] == pytest.approx(0.5, abs=1e-6)
+    assert place_in(window, name, probe.point) == pytest.approx((x, y), abs=0.5)
+
+
+@pytest.mark.parametrize("name", ["world", "ndc", "image"])
+def test_a_click_on_a_line_of_the_ground_follows_its_nearest_point(
+    make_window: Callable[..., MainWindow], name: str
+) -> None:
+    window = make_window()
+    window.enlarge(name)
+    QApplication.processEvents()
+    x, y = (math.floor(part) + 0.5 for part in place_in(window, name, (3.0, 0.0, 1.4)))
+    click(window, name, (x, y))
+    (probe,) = window.probe_panel.probes
+    assert probe.point is not None
+    assert probe.point == pytest.approx((3.0, 0.0, 1.4), abs=0.1)
+    assert min(abs(probe.point[0] - 3.0), abs(probe.point[2] - 1.0)) <= 1e-12
+    assert math.dist(place_in(window, name, probe.point), (x, y)) <= 1.0
+
+
+def test_what_a_click_needs_is_made_when_the_scene_is_opened_beside_the_window(
+    make_window: Callable[..., MainWindow], monkeypatch: pytest.MonkeyPatch, qtbot: QtBot
+) -> None:
+    made: list[str] = []
+
+    class Counted(Surface):
+        def __init__(self, *arguments: Any) -> None:
+            made.append(threading.current_thread().name)
+            super().__init__(*arguments)
+
+    monkeypatch.setattr(probes, "Surface", Counted)
+    window = make_window()
+    click(window, "world", place_in(window, "world", CORNER))
+    click(window, "image", place_in(window, "image", CORNER))
+    assert window.probe_panel.probes and len(made) == 1
+    assert made[0] != threading.main_thread().name
+    window.files.choose_scene("cube")
+    qtbot.waitUntil(lambda: len(made) == 2)  # before any click
+
+
+def test_a_drag_makes_no_probe(make_window: Callable[..., MainWindow]) -> None:
+    window = make_window()
+    canvas = window.panes["world"].canvas
+    QTest.mousePress(canvas, Qt.MouseButton.LeftButton, pos=QPoint(150, 200))
+    QTest.mouseMove(canvas, QPoint(190, 210))
+    QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=QPoint(190, 210))
+    assert window.probe_panel.probes == ()
+    QTest.mouseClick(canvas, Qt.MouseButton.RightButton, pos=QPoint(150, 200))
+    assert window.probe_panel.probes == ()
+
+
+def test_a_mark_is_dragged_in_the_image_in_its_plane_or_along_its_ray(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window()
+    window.probe_panel.follow(point=CORNER)
+    window.probe_panel.pin.click()
+    window.probe_panel.follow(point=(0.0, 0.5, 0.5))
+    canvas = window.panes["image"].canvas
+    before, held = start().trace(CORNER), []
+
+    def drag(place: tuple[float, float], right: int, down: int, key: Any) -> Any:
+        x, y = (math.floor(part) for part in place)
+        QTest.mousePress(canvas, Qt.MouseButton.LeftButton, key, pos=QPoint(x, y))
+        for part in (1, 2):
+            away = QPoint(right * part // 2, down * part // 2)
+            event = QMouseEvent(
+                QEvent.Type.MouseMove, QPointF(QPoint(x, y) + away),
+                canvas.mapToGlobal(QPointF(QPoint(x, y) + away)), Qt.MouseButton.NoButton,
+                Qt.MouseButton.LeftButton, key,
+            )  # fmt: skip
+            QApplication.sendEvent(canvas, event)
+        held.append(window.probe_panel._readable.in_gesture)
+        end = QPoint(x + right, y + down)
+        QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, key, pos=end)
+        return window.probe_panel.probes[0].point
+
+    none, shift = Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ShiftModifier
+    moved = start().trace(drag(place_in(window, "image", CORNER), 20, 12, none))
+    scale = 1280 / window.panes["image"].drawing.picture_rectangle_px.width  # type: ignore
+    assert moved.image - before.image == pytest.approx([20 * scale, 12 * scale], rel=0.02)
+    assert moved.view[2] == pytest.approx(before.view[2], rel=1e-12)
+    place = place_in(window, "image", window.probe_panel.probes[0].point)
+    farther = start().trace(drag(place, 0, -20, shift))
+    assert farther.image == pytest.approx(moved.image, abs=1e-9)
+    assert farther.view[2] < 1.1 * moved.view[2]
+    drag((3.0, 3.0), 20, 20, none)  # it starts on no mark, and beside the picture
+    assert start().trace(window.probe_panel.probes[0].point).view == pytest.approx(farther.view)
+    assert window.probe_panel.probes[1].point == (0.0, 0.5, 0.5)
+    assert held == [True, True, False] and not window.probe_panel._readable.in_gesture
+    assert not window.store.modified
+
+
+@pytest.mark.parametrize("focus", ["window", "field", "canvas"])
+def test_escape_puts_a_dragged_probe_back_and_ends_the_drag(
+    make_window: Callable[..., MainWindow], qtbot: QtBot, focus: str
+) -> None:
+    window = make_window()
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    panel, canvas = window.probe_panel, window.panes["image"].canvas
+    window.panels.open(panel)
+    panel.follow(point=CORNER)
+    panel.pin.click()
+    {"window": window, "field": panel.fields[0], "canvas": canvas}[focus].setFocus()
+    x, y = (math.floor(part) for part in place_in(window, "image", CORNER))
+
+    def move(right: int, down: int) -> None:
+        at = QPointF(x + right, y + down)
+        event = QMouseEvent(
+            QEvent.Type.MouseMove, at, canvas.mapToGlobal(at), Qt.MouseButton.NoButton,
+            Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier,
+        )  # fmt: skip
+        QApplication.sendEvent(canvas, event)
+
+    QTest.mousePress(canvas, Qt.MouseButton.LeftButton, pos=QPoint(x, y))
+    move(20, 20)
+    assert panel.probes[0].point != CORNER
+    for _ in range(2):  # until the hand lets go, it is not "remove the probe" either
+        QTest.keyClick(QApplication.focusWidget() or window, Qt.Key.Key_Escape)
+        assert panel.probes == (Probe(1, CORNER),) and panel.pin.isChecked()
+        move(24, 24)
+    QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=QPoint(x + 24, y + 24))
+    assert panel.probes == (Probe(1, CORNER),) and not panel._readable.in_gesture
+    QTest.keyClick(QApplication.focusWidget() or window, Qt.Key.Key_Escape)
+    assert panel.probes == ()
+
+
+def test_a_probe_that_ends_with_its_scene_under_the_hand_does_not_come_back(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window()
+    panel, canvas = window.probe_panel, window.panes["image"].canvas
+    panel.follow(point=CORNER)
+    x, y = (math.floor(part) for part in place_in(window, "image", CORNER))
+    QTest.mousePress(canvas, Qt.MouseButton.LeftButton, pos=QPoint(x, y))
+    canvas.drag_started.emit(QPointF(x, y))
+    window.files.choose_scene("cube")
+    canvas.dragged.emit(QPointF(20.0, 20.0), False)
+    assert panel.probes == ()
+    canvas.drag_ended.emit()
+    assert not panel._readable.in_gesture
+
+
+def test_a_hand_that_trembles_still_clicks_and_turns_nothing(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window()
+    canvas = window.panes["world"].canvas
+    x, y = (math.floor(part) for part in place_in(window, "world", CORNER))
+    position = canvas.own_camera.GetPosition()
+    QTest.mousePress(canvas, Qt.MouseButton.LeftButton, pos=QPoint(x, y))
+    QTest.mouseMove(canvas, QPoint(x + 2, y + 1))
+    QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=QPoint(x + 2, y + 1))
+    assert len(window.probe_panel.probes) == 1
+    assert canvas.own_camera.GetPosition() == position
+
+
+def test_a_click_on_empty_image_space_shows_the_ray(make_window: Callable[..., MainWindow]) -> None:
+    window = make_window()
+    drawing: Any = window.panes["image"].drawing
+    left, top, width, height = drawing.picture_rectangle_px
+    place = left + width // 10, top + height // 8
+    click(window, "image", place)
+    (probe,) = window.probe_panel.probes
+    assert probe.point is None and probe.pixel is not None
+    x, y = (place[0] + 0.5 - left) / width * 1280, (place[1] + 0.5 - top) / height * 720
+    assert probe.pixel == pytest.approx((x, y))
+    assert marked(window, "image", place)
+    on_near = start().world_from_image((x, y, 0.0))
+    assert marked(window, "world", place_in(window, "world", on_near))
+    # The line itself, half way between the planes and at one place of the cube.
+    half_way = start().world_from_image((x, y, 0.9))
+    assert marked(window, "world", place_in(window, "world", half_way))
+    assert marked(window, "ndc", place_in(window, "ndc", half_way))
+
+
+@pytest.mark.parametrize(
+    ("last", "words", "is_drawn"),
+    [
+        ((0.1, 0.0, -1.0, 0.3), "the pixel's ray, as far as it is in front of the eye", True),
+        ((0.0, 0.0, -1.0, 2.2 / 1.1), "no ray in the world: the matrix has no inverse", False),
+        ((-0.1, 0.0, 1.0, -0.3), "no ray in the world: all of it is behind the eye", False),
+    ],
+)
+def test_a_ray_without_a_frustum_is_drawn_or_it_is_said_why_not(
+    make_window: Callable[..., MainWindow], last: tuple[float, ...], words: str, is_drawn: bool
+) -> None:
+    window = make_window()
+    rows = ((1.2, 0.1, 0.3, 0.0), (0.0, 1.5, 0.1, 0.2), (0.0, 0.0, -1.1, -2.2))
+    if not is_drawn and last[0] == 0.0:
+        rows = (*rows[:2], (0.0, 0.0, -1.1, 2.2))  # 1.1 times the last
+    matrix: Any = FreeMatrix((*rows, last))  # type: ignore[arg-type]
+    window.store.set_projection(replace(start(), lens=matrix))
+    assert window.store.document.projection.frustum_sign == 0
+    window.panels.open(window.probe_panel)
+    window.probe_panel.follow(pixel=(1200.0, 30.0))
+    QApplication.processEvents()
+    assert cells(window.probe_panel, 0, 0) == [words]
+    assert any_mark(window, "world") == is_drawn
+
+
+def test_inside_a_free_matrix_cube_is_said_without_ones(panel: ProbePanel) -> None:
+    panel.follow(point=CORNER)
+    for depth, formula in (("opengl", "−w ≤ z ≤ w"), ("reversed", "0 ≤ z ≤ w")):
+        cells_free = start().clip_from_view + np.diag([0.0, 0.0, 0.0, 0.1])
+        projection = replace(start(), lens=FreeMatrix(cells_free.tolist()), depth=depth)  # type: ignore[arg-type]
+        panel.show_projection(projection)
+        assert panel._model.formulas[-1] == f"|x|, |y| ≤ w;  {formula}"
+
+
+def test_a_click_beside_the_picture_or_beside_the_scene_does_nothing(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window()
+    click(window, "image", (3, 3))
+    click(window, "world", (3, 3))
+    click(window, "ndc", (3, 3))
+    assert window.probe_panel.probes == ()
+
+
+# -- marks
+
+
+def test_marks_follow_every_change_of_the_model(make_window: Callable[..., MainWindow]) -> None:
+    window = make_window()
+    window.probe_panel.follow(point=CORNER)
+    for changes in (
+        {"camera": Camera((-5.0, 4.0, 8.0), (0.0, 2.2, 0.0))},
+        {"lens": Oblique(-6.0, 6.0, -4.0, 4.0, 5.0, 30.0, alpha_deg=60.0, beta_deg=60.0)},
+        {"image_size": (600, 720)},
+        {"depth": "reversed"},
+    ):
+        window.store.set_projection(replace(window.store.document.projection, **changes))
+        QApplication.processEvents()
+        for name in window.panes:
+            assert marked(window, name, place_in(window, name, CORNER)), (name, changes)
+
+
+def test_the_projector_runs_from_the_eye_and_along_z(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window()
+    window.probe_panel.follow(point=CORNER)
+    QApplication.processEvents()
+    eye = np.array(start().camera.eye)
+    # A label may hide some of it.
+    parts = [eye + part * (np.array(CORNER) - eye) for part in np.linspace(0.15, 0.95, 17)]
+    assert sum(marked(window, "world", place_in(window, "world", part)) for part in parts) >= 9
+    x, y, _ = start().trace(CORNER).ndc
+    renderer = window.panes["ndc"].canvas.renderer
+    renderer.SetWorldPoint(x, y, 0.9, 1.0)  # displayed: near the front
+    renderer.WorldToDisplay()
+    place_x, place_y, _ = renderer.GetDisplayPoint()
+    height = window.panes["ndc"].canvas.render_window.GetSize()[1]
+    assert marked(window, "ndc", (place_x, height - place_y))
+
+
+@pytest.mark.parametrize("along", [0.0, -1.0])
+def test_no_mirrored_mark_anywhere_at_or_behind_the_eye(
+    make_window: Callable[..., MainWindow], along: float
+) -> None:
+    window = make_window()
+    camera = start().camera
+    # Beside the eye, or behind it and a little aside; mirrored, that would be in the picture.
+    point = np.array(camera.eye) + 0.5 * camera.frame[0] - 3.0 * along * camera.frame[2]
+    window.probe_panel.follow(point=tuple(point.tolist()))
+    QApplication.processEvents()
+    for name in ("ndc", "image"):
+        assert not any_mark(window, name), name
+    window.probe_panel.follow(point=CORNER)
+    QApplication.processEvents()
+    for name in ("ndc", "image"):
+        assert any_mark(window, name), name
+
+
+def test_a_probe_costs_one_repaint_and_a_hidden_pane_none(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window()
+    window.panes["ndc"].hide()
+    QApplication.processEvents()
+    counts = dict.fromkeys(window.panes, 0)
+    for name, pane in window.panes.items():
+
+        def count(_window: object, _event: str, name: str = name) -> None:
+            counts[name] += 1
+
+        pane.canvas.render_window.AddObserver("EndEvent", count)
+    window.probe_panel.follow(point=CORNER)
+    QApplication.processEvents()
+    assert counts == {"world": 1, "ndc": 0, "image": 1}
+    window.panes["ndc"].show()
+    QApplication.processEvents()
+    assert marked(window, "ndc", place_in(window, "ndc", CORNER))
+
+
+def test_probes_survive_edits_and_themes_and_end_with_the_scene(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window()
+    window.probe_panel.follow(point=CORNER)
+    window.store.set_projection(replace(start(), lens=Perspective(50.0, 1.0, 30.0)))
+    window.store.undo()
+    window.set_projector(True)
+    window.set_projector(False)
+    assert [probe.point for probe in window.probe_panel.probes] == [CORNER]
+    assert marked(window, "image", place_in(window, "image", CORNER))
+    assert not window.store.modified  # they are the window's, not the document's
+    window.store.set_document(Document("cube", load("cube").start))
+    assert window.probe_panel.probes == ()
+
+
+# -- the panel
+
+
+@pytest.fixture
+def panel(qtbot: QtBot) -> ProbePanel:
+    made = ProbePanel()
+    qtbot.addWidget(made)
+    made.show_projection(start())
+    made.show()
+    qtbot.waitExposed(made)
+    return made
+
+
+def test_every_number_is_the_command_s_to_the_last_digit(
+    panel: ProbePanel, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    points = [CORNER, (0.1, 1 / 3, -2.0), (40.0, -7.0, 2.0), (9.0, 7.0, 14.0)]
+    source = tmp_path / "points.csv"
+    source.write_text("\n".join(",".join(map(repr, point)) for point in points))
+    for number, lens in enumerate(
+        [
+            Perspective(45.0, 1.0, 30.0),
+            Perspective(1e-3, 1.0, 30.0),  # read from the exact rung
+            Oblique(-6.0, 6.0, -4.0, 4.0, 5.0, 30.0, alpha_deg=60.0, beta_deg=60.0),
+        ]
+    ):
+        for depth in ("opengl", "reversed"):
+            projection = replace(start(), lens=lens, depth=depth)  # type: ignore[arg-type]
+            document = tmp_path / f"{number}-{depth}.json"
+            write(Document("letter-f", projection), document)
+            assert cli.main(["project", str(document), str(source), "--format", "json"]) == 0
+            answer = json.loads(capsys.readouterr().out)
+            panel.clear()
+            panel.show_projection(projection)
+            for point in points:
+                panel.follow(point=point)
+                panel.pin.click()
+            for block, expected in enumerate(answer["points"]):
+                rows = ("world", "world", "view", "clip", None, "ndc", "image", "depth")
+                for row, name in enumerate(rows):
+                    if name is None:
+                        continue
+                    values = expected[name]
+                    values = [] if values is None else np.atleast_1d(values).tolist()
+                    assert cells(panel, block, row) == list(map(format_value, values)), name
+                    assert list(map(float, cells(panel, block, row))) == values
+                beyond = expected["outside_of"]
+                said = f"outside of: {', '.join(beyond)}" if beyond else "inside"
+                assert cells(panel, block, 8) == [said]
+
+
+def test_a_row_says_where_there_is_no_picture(panel: ProbePanel) -> None:
+    camera = Camera((0.0, 0.0, 5.0), (0.0, 0.0, 0.0))
+    panel.show_projection(replace(start(), camera=camera))
+    panel.follow(point=(1.0, 2.0, 7.0))
+    assert cells(panel, 0, 4) == ["behind the eye"]
+    panel.follow(point=(1.0, 2.0, 5.0))
+    assert cells(panel, 0, 4) == ["in the eye plane (w = 0)"]
+    assert [cells(panel, 0, row) for row in (5, 6, 7)] == [[], [], []]
+    panel.follow(point=(1.0, 2.0, 3.0))
+    assert cells(panel, 0, 4) == ["÷ 2"] * 3
+
+
+def test_no_number_is_cut(panel: ProbePanel) -> None:
+    panel.resize(1200, 300)
+    panel.follow(point=(1 / 3, 2 / 3, -1 / 7))
+    panel.show_projection(replace(start(), camera=Camera((6.1, 5.3, 9.7), (0.1, 2.2, 0.3))))
+    metrics, model = panel.table.fontMetrics(), panel.table.model()
+    for row in range(8):
+        for column in range(1, 5):
+            text = model.data(model.index(row, column)) or ""
+            assert metrics.horizontalAdvance(text) + 6 <= panel.table.columnWidth(column), text
+
+
+def test_lines_and_numbers_grow_with_the_font(panel: ProbePanel) -> None:
+    panel.follow(point=(1 / 3, 2 / 3, -1 / 7))
+    table = panel.table
+    height, width = table.rowHeight(2), table.columnWidth(1)
+    font = panel.font()
+    font.setPointSizeF(2.0 * font.pointSizeF())
+    panel.setFont(font)
+    assert table.rowHeight(2) > 1.5 * height and table.columnWidth(1) > 1.5 * width
+
+
+def test_an_open_panel_is_whole_in_projector_mode_and_back(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    """Every formula, and all nine lines; back, it takes less room again."""
+    window = make_window()
+    window.resize(1366, 768)
+    panel = window.probe_panel
+    window.panels.open(panel)
+    panel.follow(point=CORNER)
+    table, room = panel.table, []
+    for _ in range(3):
+        QApplication.processEvents()
+        metrics, model = table.fontMetrics(), table.model()
+        formulas = [model.data(model.index(row, 0)) for row in range(9)]
+        widest = max(metrics.horizontalAdvance(formula) for formula in formulas)
+        assert widest + 6 <= table.columnWidth(0)
+        assert table.viewport().height() >= 9 * table.rowHeight(0)
+        room.append((window.panels.height(), *map(table.columnWidth, range(5))))
+        window._projector.trigger()
+    assert room[0][1:] == room[2][1:] and room[1][0] > room[2][0]
+
+
+def test_a_folded_panel_fills_no_table_and_shows_the_value_when_it_opens(
+    panel: ProbePanel, qtbot: QtBot
+) -> None:
+    panel.follow(point=CORNER)
+    before = cells(panel, 0, 6)
+    panel.hide()
+    panel.show_projection(replace(start(), lens=Perspective(60.0, 1.0, 30.0)))
+    assert cells(panel, 0, 6) == before
+    panel.show()
+    qtbot.waitExposed(panel)
+    assert cells(panel, 0, 6) != before
+
+
+def test_a_click_moves_the_probe_unless_it_is_pinned(panel: ProbePanel, qtbot: QtBot) -> None:
+    panel.follow(point=(1.0, 0.0, 0.0))
+    panel.follow(point=(2.0, 0.0, 0.0))
+    assert panel.probes == (Probe(1, (2.0, 0.0, 0.0)),)
+    qtbot.mouseClick(panel.pin, Qt.MouseButton.LeftButton)
+    panel.follow(pixel=(5.0, 6.0))
+    panel.follow(point=(3.0, 0.0, 0.0))
+    assert panel.probes == (Probe(1, (2.0, 0.0, 0.0)), Probe(2, (3.0, 0.0, 0.0)))
+    panel.choose(1)
+    panel.follow(point=(4.0, 0.0, 0.0))  # the pinned one stays, the loose one goes there
+    assert panel.probes == (Probe(1, (2.0, 0.0, 0.0)), Probe(2, (4.0, 0.0, 0.0)))
+    panel.choose(1)
+    panel.remove()
+    assert [probe.number for probe in panel.probes] == [2]
+    panel.pin.click()
+    panel.follow(point=(5.0, 0.0, 0.0))
+    assert [probe.number for probe in panel.probes] == [1, 2]
+
+
+def test_one_more_than_can_be_compared_is_refused_in_a_sentence(
+    panel: ProbePanel, qtbot: QtBot
+) -> None:
+    for number in range(MOST_PROBES):
+        panel.follow(point=(float(number), 0.0, 0.0))
+        panel.pin.click()
+    before = panel.probes
+    with qtbot.waitSignal(panel.refused) as said:
+        panel.follow(point=(9.0, 9.0, 9.0))
+    assert said.args == ["Probes = 7: at most 6 can be pinned; remove one first."]
+    assert panel.probes == before
+
+
+def test_the_point_can_be_typed(panel: ProbePanel, qtbot: QtBot) -> None:
+    for field, text in zip(panel.fields, ("1.25", "1/3", "-2e-3"), strict=True):
+        field.setFocus()
+        field.selectAll()
+        qtbot.keyClicks(field, text)
+        qtbot.keyClick(field, Qt.Key.Key_Return)
+    assert panel.probes == (Probe(1, (1.25, 1 / 3, -0.002)),)
+    assert [field.text() for field in panel.fields] == ["1.25", "0.3333333333333333", "-0.002"]
+
+
+@pytest.mark.parametrize(
+    ("text", "sentence"),
+    [
+        ("here", "y = “here”: must be a number, such as 0.5 or 2e-3."),
+        ("nan", "y = “nan”: must be a number, such as 0.5 or 2e-3."),
+        ("inf", "y = ∞: must be a finite number."),
+        ("1e400", f"y = “1e400”: must be at most {LARGEST}."),
+        ("-1e101", f"y = -1e+101: must be at least -{LARGEST}."),
+        ("", "y = “”: must be a number, such as 0.5 or 2e-3."),
+    ],
+)
+def test_nonsense_is_one_sentence_and_the_last_good_point_stays(
+    panel: ProbePanel, qtbot: QtBot, text: str, sentence: str
+) -> None:
+    panel.follow(point=CORNER)
+    field = panel.fields[1]
+    field.setFocus()
+    field.selectAll()
+    qtbot.keyClick(field, Qt.Key.Key_Delete)
+    qtbot.keyClicks(field, text)
+    qtbot.keyClick(field, Qt.Key.Key_Return)
+    assert panel.error.isVisible() and panel.error.text() == f"⚠ Not possible. {sentence}"
+    assert field.accessibleDescription() == panel.error.text()
+    assert panel.probes == (Probe(1, CORNER),)
+    qtbot.keyClick(field, Qt.Key.Key_Escape)
+    assert not panel.error.isVisible() and field.text() == "5"
+    assert panel.probes == (Probe(1, CORNER),)
+
+
+def test_escape_in_the_window_removes_the_chosen_probe(
+    make_window: Callable[..., MainWindow], qtbot: QtBot
+) -> None:
+    window = make_window()
+    window.activateWindow()
+    window.probe_panel.follow(point=CORNER)
+    window.probe_panel.pin.click()
+    window.probe_panel.follow(point=(0.0, 0.0, 0.5))
+    qtbot.waitUntil(window.isActiveWindow)
+    QTest.keyClick(window, Qt.Key.Key_Escape)
+    assert window.probe_panel.probes == (Probe(1, CORNER),)
+    QTest.keyClick(window, Qt.Key.Key_Escape)
+    assert window.probe_panel.probes == ()
+    QApplication.processEvents()
+    assert not any_mark(window, "image")
+
+
+@pytest.mark.parametrize("theme", ["dark", "light"])
+def test_a_pinned_probe_s_button_is_seen_to_be_down(
+    make_window: Callable[..., MainWindow], theme: str
+) -> None:
+    window = make_window()
+    window.set_theme(theme)
+    panel = window.probe_panel
+    window.panels.open(panel)
+    panel.follow(point=CORNER)
+    QApplication.processEvents()
+    size = panel.pin.size()
+
+    def colour() -> Any:
+        return np.array(panel.pin.grab().toImage().pixelColor(8, 8).getRgbF()[:3])
+
+    up = colour()
+    panel.pin.click()
+    QApplication.processEvents()
+    assert np.abs(colour() - up).max() > 0.25
+    assert panel.pin.size() == size
+    panel.pin.click()
+    QApplication.processEvents()
+    assert np.abs(colour() - up).max() < 0.05
+
+
+def test_everything_has_a_name_for_a_screen_reader(panel: ProbePanel) -> None:
+    for widget in (*panel.fields, panel.table, panel.choice):
+        assert widget.accessibleName()
+    names = [field.accessibleName() for field in panel.fields]
+    assert names == ["Probe, world x", "Probe, world y", "Probe, world z"]
+
+
+def test_probes_are_traced_once_for_all_panes(
+    make_window: Callable[..., Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    window = make_window()
+    window.probe_panel.follow(point=(0.125, 1.0, 0.25))
+    QApplication.processEvents()
+    traced, whole = [], Projection.trace
+
+    def counted(projection: Projection, points: Any) -> Any:
+        if np.array_equal(points, [(0.125, 1.0, 0.25)]):
+            traced.append(projection)
+        return whole(projection, points)
+
+    monkeypatch.setattr(Projection, "trace", counted)
+    now = window.store.document.projection
+    window.store.set_projection(replace(now, lens=replace(now.lens, fov_y_deg=50.0)))
+    assert len(traced) == 1
+
+
+def test_letters_are_those_of_the_other_panels(panel: ProbePanel) -> None:
+    """M is the view matrix as in the camera frame; the image is W x H as in the matrices."""
+    own_view = FreeMatrix(np.eye(4).tolist(), np.eye(4).tolist())  # type: ignore[arg-type]
+    for lens, view in ((Perspective(), "R (p − e)"), (own_view, "M p")):
+        formulas = dict(panel._formulas(replace(start(), lens=lens)))
+        assert formulas["view"] == view and "M" not in formulas["world"]
+        shown = {matrix.name: matrix for matrix in matrices(Projection(), "uvn")}
+        w_2, h_2 = (written(shown["image_from_ndc"].formulas[i][3], "uvn") for i in (0, 1))
+        assert formulas["image px"] == f"(x + 1) {w_2},  (1 − y) {h_2}"

@@ -1,0 +1,933 @@
+"""Round the window: what happens before it opens, when something goes wrong, and at the end."""
+
+from __future__ import annotations
+
+import io
+import json
+import logging
+import math
+import os
+import re
+import signal
+import subprocess
+import sys
+import threading
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from app.commands.cli import main
+from app.document.document import Document, embed, read, to_json, write
+from app.document.store import Store
+from app.model.projection import Projection
+from app.scenes.scene import load as load_scene
+from tests import PATIENCE_S
+from tests.commands.test_cli import ROOT, comma_locale, refused, refused_by_a_process, run
+from widgets.program import application, opengl
+from widgets.program.application import Settings
+from widgets.window.files import Files
+from widgets.window.main_window import MainWindow
+
+__all__ = ["comma_locale"]
+
+# The real program, in which `act(window)` is called once the window is shown.
+DRIVER = """
+import os, signal, sys
+from PySide6.QtCore import QTimer
+from widgets.window.main_window import MainWindow
+
+def show_and_act(window, show=MainWindow.show):
+    show(window)
+    QTimer.singleShot(0, lambda: act(window))
+
+MainWindow.show = show_and_act
+
+def act(window):
+{act}
+
+from app.commands.cli import main
+sys.exit(main(sys.argv[1:]))
+"""
+
+
+def driver(act: str) -> list[str]:
+    lines = "\n".join("    " + line for line in act.strip().splitlines())
+    return [sys.executable, "-c", DRIVER.replace("{act}", lines)]
+
+
+def drive(act: str, *arguments: str | Path) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [*driver(act), *map(str, arguments)],
+        cwd=ROOT, capture_output=True, text=True, check=False, timeout=PATIENCE_S,
+    )  # fmt: skip
+
+
+def picture(path: Path) -> np.ndarray:
+    import pyvista as pv
+
+    image = pv.read(path)
+    width, height, _ = image.dimensions
+    return np.asarray(image.point_data["PNGImage"]).reshape(height, width, -1)[::-1, :, :3]
+
+
+# --------------------------------------------------------------------------- the display
+
+
+def no_window(**environment: str | None) -> str:
+    """Run the program where it cannot open a window, and return the sentence that says so."""
+    done = run(**environment)
+    assert done.returncode == 3, done
+    assert done.stdout == ""
+    assert done.stderr.count("\n") == 1 and done.stderr.endswith(".\n"), done.stderr
+    return done.stderr
+
+
+def test_without_a_display_it_says_how_to_get_one() -> None:
+    said = no_window(DISPLAY=None, WAYLAND_DISPLAY=None, QT_QPA_PLATFORM=None)
+    assert "There is no screen" in said and "ssh with -X" in said and "xvfb-run" in said
+
+
+def test_a_display_that_does_not_answer_is_named() -> None:
+    said = no_window(DISPLAY=":9999", WAYLAND_DISPLAY=None, QT_QPA_PLATFORM=None)
+    assert "DISPLAY = :9999 does not answer" in said
+
+
+def test_a_wayland_that_is_not_there_is_no_screen(tmp_path: Path) -> None:
+    said = no_window(
+        DISPLAY=None,
+        WAYLAND_DISPLAY="wayland-9",
+        XDG_RUNTIME_DIR=str(tmp_path),
+        QT_QPA_PLATFORM="wayland",
+    )
+    assert "WAYLAND_DISPLAY leads to none" in said
+
+
+@pytest.mark.parametrize("platform", ["offscreen", "minimal", "nonsense"])
+def test_a_platform_that_shows_no_opengl_is_refused(platform: str) -> None:
+    assert f"QT_QPA_PLATFORM = {platform}: must be xcb or wayland" in no_window(
+        QT_QPA_PLATFORM=platform
+    )
+
+
+def test_a_missing_system_library_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    def missing(name: str) -> None:
+        raise OSError("libxcb-cursor.so.0: cannot open shared object file")
+
+    monkeypatch.setattr(application.ctypes, "CDLL", missing)
+    with (
+        pytest.raises(application.DisplayError, match=r"libxcb-cursor\.so\.0.*doctor"),
+        application.display(),
+    ):
+        pytest.fail("a screen was promised")
+
+
+class FakeXcb:
+    """Stands in for libxcb: notes what is called, and refuses the first connections."""
+
+    def __init__(self, refusals: int, calls: list[str]) -> None:
+        self.refusals = refusals
+
+        def note(name: str, answer: Callable[[], int]) -> Callable[..., int]:
+            def called(*_arguments: object) -> int:
+                calls.append(name)
+                return answer()
+
+            return called
+
+        self.xcb_connect = note("connect", lambda: 1)
+        self.xcb_connection_has_error = note("ask", self.refuse)
+        self.xcb_disconnect = note("disconnect", lambda: 0)
+
+    def refuse(self) -> int:
+        self.refusals -= 1
+        return int(self.refusals >= 0)
+
+
+def test_an_x_server_never_loses_its_only_client_before_qt_comes(
+    display: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # Without any client it starts anew, and Qt, refused in that moment, would end the process.
+    calls: list[str] = []
+    monkeypatch.setattr(application.ctypes, "CDLL", lambda name: FakeXcb(0, calls))
+    monkeypatch.setattr(application.opengl, "prepare", lambda: None)
+    monkeypatch.setattr(application, "QApplication", lambda _: calls.append("Qt") or display)
+    application.make_application()
+    assert calls == ["connect", "ask", "Qt", "disconnect"]
+
+
+def test_an_x_server_that_is_starting_anew_is_asked_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    calls: list[str] = []
+    monkeypatch.setattr(application.ctypes, "CDLL", lambda name: FakeXcb(1, calls))
+    monkeypatch.setattr(application, "X_RETRIES_S", (0.0, 0.0))
+    with application.display():
+        assert calls == ["connect", "ask", "disconnect", "connect", "ask"]
+
+
+# --------------------------------------------------------------------------- OpenGL
+
+
+def test_too_old_an_opengl_is_a_sentence_and_no_crash() -> None:
+    said = no_window(MESA_GL_VERSION_OVERRIDE="2.1")
+    assert "OpenGL 2.1 is too old" in said
+    for remedy in ("driver", "LIBGL_ALWAYS_SOFTWARE=1", "Mesa", "remote desktop"):
+        assert remedy in said
+
+
+def test_probe_finds_what_vtk_draws_with(display: Any) -> None:
+    import pyvista as pv
+
+    found = opengl.probe()
+    plotter = pv.Plotter(off_screen=True, window_size=(20, 20))
+    plotter.show(auto_close=False)
+    details = plotter.render_window.ReportCapabilities()
+    plotter.close()
+    assert f"OpenGL renderer string:  {found.renderer}\n" in details
+    assert f"OpenGL vendor string:  {found.vendor}\n" in details
+    assert re.match(r"[3-9]\.\d", found.version)
+    assert found.software == ("llvmpipe" in found.renderer)
+
+
+@pytest.mark.parametrize(
+    ("renderer", "software"),
+    [
+        ("llvmpipe (LLVM 15.0.6, 256 bits)", True),
+        ("softpipe", True),
+        ("Software Rasterizer", True),
+        ("SWR (LLVM 10.0.0, 256 bits)", True),
+        ("ANGLE (Google, Vulkan 1.3.0 (SwiftShader Device (LLVM 16.0.0)), SwiftShader)", True),
+        ("GDI Generic", True),
+        ("D3D12 (Microsoft Basic Render Driver)", True),
+        ("Apple Software Renderer", True),
+        ("NVIDIA GeForce RTX 3060/PCIe/SSE2", False),
+        ("AMD Radeon RX 580 (polaris10, LLVM 15.0.6, DRM 3.49, 6.1.0)", False),
+        ("Mesa Intel(R) UHD Graphics 620 (KBL GT2)", False),
+        ("Apple M2", False),
+    ],
+)
+def test_a_program_that_draws_is_told_from_a_graphics_card(renderer: str, software: bool) -> None:
+    assert opengl.is_software(renderer) is software
+
+
+def test_every_window_gets_a_core_profile_without_multisampling(display: Any) -> None:
+    from PySide6.QtCore import QCoreApplication, Qt
+    from PySide6.QtGui import QSurfaceFormat
+
+    chosen = QSurfaceFormat.defaultFormat()
+    assert (chosen.majorVersion(), chosen.minorVersion(), chosen.samples()) == (3, 2, 0)
+    assert chosen.profile() == QSurfaceFormat.OpenGLContextProfile.CoreProfile
+    assert QCoreApplication.testAttribute(Qt.ApplicationAttribute.AA_ShareOpenGLContexts)
+
+
+# --------------------------------------------------------------------------- settings
+
+
+@pytest.fixture
+def ini(tmp_path: Path) -> Path:
+    return tmp_path / "settings.ini"
+
+
+def test_settings_come_back_as_they_were(ini: Path) -> None:
+    settings = Settings(ini)
+    settings.theme = "dark"
+    settings.projector = True
+    settings.language = "sr_RS"
+    settings.geometry = bytes(range(256))
+    recent = ['/tmp/a, "b"; ž=%41\\n.json', "C:\\d\\e.json", "@Variant(x)", "/tmp/\U0001f600"]
+    settings.recent = recent
+    again = Settings(ini)
+    assert (again.theme, again.projector, again.language) == ("dark", True, "sr_RS")
+    assert again.geometry == bytes(range(256))
+    assert again.recent == recent
+
+
+def test_settings_have_defaults_and_make_no_file_for_them(ini: Path) -> None:
+    settings = Settings(ini)
+    found = (settings.theme, settings.projector, settings.language, settings.geometry)
+    assert found == ("system", False, "", None)
+    assert settings.recent == []
+    assert not ini.exists()
+
+
+@pytest.mark.parametrize(
+    ("line", "name"),
+    [
+        ("theme=pink", "theme"),
+        ("theme=dark, light", "theme"),
+        ("projector=1", "projector"),
+        ("projector=yes", "projector"),
+        ("language=../../evil", "language"),
+        ("geometry=abc", "geometry"),
+        ("geometry=abcd efgh", "geometry"),
+        (f"geometry={'A' * 20_000}", "geometry"),
+        ('recent="[1, 2]"', "recent"),
+        ('recent="{}"', "recent"),
+        ('recent="["', "recent"),
+        (f'recent="{"[" * 9_000}"', "recent"),
+        ('recent="[\\"\\"]"', "recent"),
+    ],
+)
+def test_a_bad_value_is_the_default_and_the_others_stay(
+    ini: Path, line: str, name: str, caplog: pytest.LogCaptureFixture
+) -> None:
+    others = {"theme": "theme=dark", "projector": "projector=true"}
+    others.pop(name, None)
+    ini.write_text("\n".join(["[General]", line, *others.values()]) + "\n", encoding="utf-8")
+    settings = Settings(ini)
+    assert getattr(settings, name) == getattr(Settings(None), name)
+    if name != "theme":
+        assert settings.theme == "dark"
+    if name != "projector":
+        assert settings.projector is True
+    assert getattr(settings, name) is not None or name == "geometry"
+    assert [record for record in caplog.messages if f"setting {name} = " in record][1:] == []
+    assert f"setting {name} = " in caplog.text
+    assert not Path(f"{ini}.bak").exists()
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        b"\0\1\2\3" * 100,
+        b"\xff\xfe[\0G\0e\0n\0",
+        b"<html>not found</html>\n",
+        b"[General\ntheme=dark\n",
+        b"[General]\ntheme=da\0rk\n",
+        b"[General]\ntheme=@Variant(\\0\\0\\0\\x7f\\0\\0\\0\\xePyObject)\n",
+        b'[General]\ntheme="@ByteArray(dark)"\n',
+        b'{"theme": "dark"}\n',
+    ],
+)
+def test_a_broken_settings_file_is_set_aside(
+    ini: Path, content: bytes, caplog: pytest.LogCaptureFixture
+) -> None:
+    ini.write_bytes(content)
+    settings = Settings(ini)
+    assert settings.theme == "system"
+    assert Path(f"{ini}.bak").read_bytes() == content
+    assert "set aside as" in caplog.text and ".bak" in caplog.text
+    settings.theme = "dark"
+    assert Settings(ini).theme == "dark"
+
+
+def test_settings_that_cannot_be_written_hold_until_the_end(
+    tmp_path: Path, caplog: pytest.LogCaptureFixture
+) -> None:
+    # A link to nowhere: no folder can be made in its place, not even by root.
+    (tmp_path / "link").symlink_to(tmp_path / "nowhere")
+    settings = Settings(tmp_path / "link" / "settings.ini")
+    settings.theme = "dark"
+    settings.projector = True
+    assert (settings.theme, settings.projector) == ("dark", True)
+    assert len([m for m in caplog.messages if "settings cannot be written" in m]) == 1  # once
+
+
+def test_a_settings_folder_in_place_of_the_file_is_no_obstacle(ini: Path) -> None:
+    ini.mkdir()
+    settings = Settings(ini)
+    settings.theme = "dark"
+    assert settings.theme == "dark"
+    assert ini.is_dir()
+
+
+def test_an_override_is_not_saved_and_ends_when_the_value_is_set(ini: Path) -> None:
+    settings = Settings(ini)
+    settings.theme = "dark"
+    settings.override("theme", "light")
+    settings.projector = True
+    assert settings.theme == "light"
+    assert Settings(ini).theme == "dark"
+    settings.theme = "system"
+    assert settings.theme == Settings(ini).theme == "system"
+
+
+def test_two_windows_do_not_undo_each_others_settings(ini: Path) -> None:
+    one, other = Settings(ini), Settings(ini)
+    one.theme = "dark"
+    other.projector = True
+    again = Settings(ini)
+    assert (again.theme, again.projector) == ("dark", True)
+
+
+def test_two_windows_do_not_lose_each_others_recent_files(
+    ini: Path, tmp_path: Path, make_window: Callable[..., MainWindow]
+) -> None:
+    paths = [tmp_path / name for name in ("one.json", "other.json", "given.json")]
+    for path in paths:
+        write(Document("cube"), path)
+    one, other = (make_window(settings=Settings(ini), shown=False) for _ in range(2))
+    assert not ini.exists()  # a start has nothing to write
+    assert one.files.open(paths[0])
+    assert other.files.open(paths[1])
+    make_window(Document("cube"), settings=Settings(ini), path=paths[2], shown=False)
+    newest_first = [str(path) for path in reversed(paths)]
+    assert Settings(ini).recent == newest_first
+    make_window(settings=Settings(ini), shown=False)
+    assert Settings(ini).recent == newest_first
+    assert [action.text() for action in other._recent_menu.actions()] == newest_first[1:]
+
+
+def test_the_recent_files_of_another_process_are_kept(ini: Path) -> None:
+    settings = Settings(ini)
+    settings.recent = ["/one"]
+    write_recent = f"""
+from pathlib import Path
+from widgets.program.application import Settings
+settings = Settings(Path({str(ini)!r}))
+settings.recent = ["/other", *settings.recent]
+"""
+    subprocess.run([sys.executable, "-c", write_recent], cwd=ROOT, check=True)
+    assert settings.recent == ["/other", "/one"]
+
+
+def test_the_program_starts_with_broken_settings(own_home: Path) -> None:
+    ini = application.settings_path()
+    assert ini.is_relative_to(own_home)
+    ini.parent.mkdir(parents=True)
+    ini.write_bytes(b"\0broken")
+    done = drive("print(window.settings.theme); window.close()")
+    assert (done.returncode, done.stdout, done.stderr) == (0, "system\n", "")
+    assert Path(f"{ini}.bak").read_bytes() == b"\0broken"
+    assert "set aside as" in application.log_path().read_text(encoding="utf-8")
+
+
+def test_the_window_keeps_its_settings_from_one_start_to_the_next() -> None:
+    done = drive("window.set_projector(True); window.close()")
+    assert (done.returncode, done.stderr) == (0, "")
+    done = drive("print(window.settings.projector); window.close()")
+    assert done.stdout == "True\n"
+
+
+def test_reset_deletes_the_settings_and_says_so_even_where_no_window_opens() -> None:
+    ini = application.settings_path()
+    settings = Settings(ini)
+    settings.theme = "dark"
+    assert ini.exists()
+    done = run("--reset", DISPLAY=None, WAYLAND_DISPLAY=None)
+    assert done.stdout == f"Settings deleted: {ini}\n"
+    assert done.returncode == 3
+    assert not ini.exists()
+    done = run("--reset", DISPLAY=None, WAYLAND_DISPLAY=None)
+    assert done.stdout == f"There are no settings to delete: {ini}\n"
+
+
+def test_reset_opens_the_window_with_the_defaults() -> None:
+    Settings(application.settings_path()).theme = "dark"
+    done = drive("print(window.settings.theme); window.close()", "--reset")
+    assert done.returncode == 0
+    assert done.stdout.splitlines()[-1] == "system"
+
+
+# --------------------------------------------------------------------------- log and exceptions
+
+
+@pytest.fixture
+def own_logging() -> Iterator[logging.Logger]:
+    """Take away what `start_log` adds."""
+    root = logging.getLogger()
+    handlers, level = list(root.handlers), root.level
+    yield root
+    logging.captureWarnings(False)
+    for handler in set(root.handlers) - set(handlers):
+        root.removeHandler(handler)
+        handler.close()
+    root.setLevel(level)
+
+
+def test_the_log_is_in_the_users_data_folder(own_home: Path, own_logging: logging.Logger) -> None:
+    assert application.start_log() is not None
+    own_logging.warning("hello \udcff")
+    text = application.log_path().read_text(encoding="utf-8")
+    assert application.log_path().is_relative_to(own_home)
+    assert "WARNING root: hello \\udcff" in text
+
+
+def test_the_folders_of_xdg_hold_everywhere(
+    own_home: Path, monkeypatch: pytest.MonkeyPatch, display: Any
+) -> None:
+    """Where Qt does not ask for them, the tests would change the user's own settings."""
+    by_qt = application.settings_path(), application.data_folder(), application.log_path()
+    monkeypatch.setattr(application.QStandardPaths, "writableLocation", lambda _: "/elsewhere")
+    mine = application.settings_path(), application.data_folder(), application.log_path()
+    assert mine == by_qt and all(path.is_relative_to(own_home) for path in mine)
+    for name in ("XDG_CONFIG_HOME", "XDG_DATA_HOME"):
+        monkeypatch.setenv(name, "relative")
+    assert application.data_folder() == application.settings_path().parent == Path("/elsewhere")
+
+
+def test_the_log_does_not_grow_for_ever(
+    own_logging: logging.Logger, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(application, "LARGEST_LOG", 10_000)
+    application.start_log()
+    for number in range(2_000):
+        own_logging.info("line %d of many", number)
+    files = sorted(application.log_path().parent.iterdir())
+    assert len(files) == 3
+    assert max(file.stat().st_size for file in files) <= 10_000
+    assert "line 1999 of many" in application.log_path().read_text(encoding="utf-8")
+
+
+def test_a_log_on_a_full_disk_ends_with_one_line(
+    own_logging: logging.Logger,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.setattr(application, "log_path", lambda: Path("/dev/full"))
+    assert application.start_log() is not None
+    for _ in range(3):
+        own_logging.warning("hello")
+    said = capsys.readouterr().err
+    assert said.count("\n") == 1 and "the log ends: [Errno 28]" in said
+
+
+def test_a_log_that_cannot_be_written_is_done_without(
+    own_home: Path, own_logging: logging.Logger, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (own_home / "file").write_text("in the way")
+    monkeypatch.setenv("XDG_DATA_HOME", str(own_home / "file"))
+    assert application.start_log() is None
+
+
+@pytest.fixture
+def watch(display: Any, monkeypatch: pytest.MonkeyPatch) -> Iterator[application.ExceptionWatch]:
+    # monkeypatch puts pytest's own hooks back.
+    monkeypatch.setattr(sys, "excepthook", sys.excepthook)
+    monkeypatch.setattr(threading, "excepthook", threading.excepthook)
+    watch = application.ExceptionWatch(Path("the.log"))
+    watch.install()
+    yield watch
+    if watch.report is not None:
+        watch.report.close()
+        watch.report.deleteLater()
+
+
+def fail(display: Any, error: Exception) -> None:
+    """Raise in a slot, and let Qt go on."""
+    from PySide6.QtCore import QTimer
+
+    def slot() -> None:
+        raise error
+
+    QTimer.singleShot(0, slot)
+    for _ in range(3):
+        display.processEvents()
+
+
+def test_an_exception_in_a_slot_is_logged_and_reported(
+    watch: application.ExceptionWatch, display: Any, caplog: pytest.LogCaptureFixture
+) -> None:
+    fail(display, ValueError("the moon\nis new"))
+    report = watch.report
+    assert report is not None and report.isVisible() and not report.isModal()
+    assert "ValueError: the moon is new" in report.text
+    assert "the.log" in report.text
+    assert "Traceback" in caplog.text and "the moon" in caplog.text
+
+
+@pytest.mark.parametrize("when", ["first shown", "opened"])
+def test_what_fails_in_a_panel_while_it_is_shown_is_reported_and_the_window_stays(
+    watch: application.ExceptionWatch, display: Any, qtbot: Any, when: str
+) -> None:
+    from PySide6.QtCore import Qt
+    from PySide6.QtWidgets import QLabel, QToolButton, QWidget
+
+    from widgets.window.drawer import Panels
+
+    class Broken(QWidget):
+        def showEvent(self, event: Any) -> None:
+            super().showEvent(event)
+            raise ValueError("the panel broke")
+
+    panels, broken, whole = Panels(), Broken(), QLabel("all is well")
+    qtbot.addWidget(panels)
+    panels.add("Broken", broken, "")
+    panels.add("Whole", whole, "")
+    if when == "first shown":
+        panels.open(broken)
+    application.show_window(panels)
+    first, second = panels.findChildren(QToolButton)
+    if when == "opened":
+        assert watch.report is None
+        qtbot.mouseClick(first, Qt.MouseButton.LeftButton)
+    display.processEvents()
+    assert watch.report is not None and "the panel broke" in watch.report.text
+    assert panels.isVisible() and panels.open_panel is broken
+    qtbot.mouseClick(second, Qt.MouseButton.LeftButton)
+    assert panels.open_panel is whole and whole.isVisible()
+
+
+def test_repeated_exceptions_do_not_pile_up_windows(
+    watch: application.ExceptionWatch, display: Any
+) -> None:
+    before = len(display.topLevelWidgets())
+    for number in range(5):
+        fail(display, ValueError(f"number {number}"))
+    assert len(display.topLevelWidgets()) == before + 1
+    assert watch.report is not None
+    assert "number 0" in watch.report.text and "4 more times" in watch.report.text
+    watch.report.close()
+    fail(display, KeyError("another day"))
+    assert "another day" in watch.report.text and "more times" not in watch.report.text
+    assert len(display.topLevelWidgets()) == before + 1
+
+
+def test_an_exception_in_a_thread_is_reported_too(
+    watch: application.ExceptionWatch, display: Any
+) -> None:
+    thread = threading.Thread(target=lambda: 1 // 0)
+    thread.start()
+    thread.join()
+    display.processEvents()
+    assert watch.report is not None
+    assert "ZeroDivisionError" in watch.report.text
+
+
+def test_copy_details_puts_the_traceback_on_the_clipboard(
+    watch: application.ExceptionWatch, display: Any
+) -> None:
+    from PySide6.QtWidgets import QPushButton
+
+    fail(display, ValueError("the moon"))
+    assert watch.report is not None
+    buttons = watch.report.findChildren(QPushButton)
+    (copy,) = (button for button in buttons if button.text() == "Copy details")
+    copy.click()
+    text = display.clipboard().text()
+    assert "Traceback" in text and "in slot" in text and "ValueError: the moon" in text
+    assert "PySide6" in text
+    assert watch.report.isVisible()
+
+
+def test_a_report_that_fails_is_only_logged(
+    watch: application.ExceptionWatch,
+    display: Any,
+    monkeypatch: pytest.MonkeyPatch,
+    caplog: pytest.LogCaptureFixture,
+) -> None:
+    def broken(_report: object, _summary: str, _details: str) -> None:
+        raise RuntimeError("no ink")
+
+    monkeypatch.setattr(application.Report, "tell", broken)
+    fail(display, ValueError("the moon"))
+    assert [m for m in caplog.messages if "report" in m] == ["the report itself failed"]
+
+
+def test_the_program_outlives_an_exception_and_logs_what_qt_and_vtk_say() -> None:
+    done = drive(
+        """
+from PySide6.QtCore import qWarning
+from vtkmodules.vtkIOGeometry import vtkSTLReader
+def after():
+    from PySide6.QtWidgets import QApplication
+    reports = [w for w in QApplication.topLevelWidgets() if type(w).__name__ == "Report"]
+    print([report.isVisible() for report in reports])
+    reports[0].close()
+    window.close()
+QTimer.singleShot(0, lambda: QTimer.singleShot(0, after))
+qWarning("a word of Qt")
+reader = vtkSTLReader()
+reader.SetFileName("/no/such.stl")
+reader.Update()
+raise LookupError("lost")
+"""
+    )
+    assert (done.returncode, done.stdout) == (0, "[True]\n")
+    # The terminal gets the exception, which is a fault of ours, and nothing of the rest.
+    assert done.stderr.count("Traceback") == 1 and "LookupError: lost" in done.stderr
+    assert "Qt" not in done.stderr and "such.stl" not in done.stderr
+    text = application.log_path().read_text(encoding="utf-8")
+    assert "WARNING qt: a word of Qt" in text
+    assert re.search(r"ERROR vtk: .*\n?.*/no/such.stl", text)
+    assert "LookupError: lost" in text
+    assert "OpenGL" in text.splitlines()[0]
+
+
+BROKEN = """
+from app.drawings.image import ImageDrawing
+from app.drawings.ndc import NdcDrawing
+from app.drawings.world import WorldDrawing
+
+def broken(*arguments):
+    raise LookupError("no drawing")
+
+for drawing in (ImageDrawing, NdcDrawing, WorldDrawing):
+    drawing.show_projection = broken
+"""
+
+
+def test_drawings_that_fail_when_first_shown_are_told_of() -> None:
+    """Three of them at once: PySide6 forgot such exceptions, and broke when it painted."""
+    act = """
+reports = [w for w in QApplication.topLevelWidgets() if type(w).__name__ == "Report"]
+print(len(reports), reports[0].text.splitlines()[0])
+window.grab()
+reports[0].close()
+window.close()
+"""
+    program = driver(act)
+    program[2] = "from PySide6.QtWidgets import QApplication" + BROKEN + program[2]
+    done = subprocess.run(program, cwd=ROOT, capture_output=True, text=True, timeout=PATIENCE_S)
+    told = "An error in the program: LookupError: no drawing. Your work is still there."
+    assert done.stdout == f"1 {told} It or others came 2 more times.\n", done.stderr
+    assert done.returncode == 1
+    assert done.stderr.count("Traceback") == 3
+    assert application.log_path().read_text(encoding="utf-8").count("no drawing") >= 3
+
+
+def test_no_picture_is_taken_of_a_window_that_is_not_whole(tmp_path: Path) -> None:
+    picture = tmp_path / "window.png"
+    command = ["--screenshot", str(picture)]
+    program = [sys.executable, "-c", BROKEN + DRIVER.replace("{act}", "    pass"), *command]
+    done = subprocess.run(program, cwd=ROOT, capture_output=True, text=True, timeout=PATIENCE_S)
+    assert done.returncode == 2
+    assert done.stderr.endswith(f"{picture}: the window could not be shown whole.\n")
+    assert not picture.exists()
+
+
+# --------------------------------------------------------------------------- the window
+
+
+def test_ctrl_c_closes_the_window_and_ends_well(own_home: Path) -> None:
+    with subprocess.Popen(
+        driver("print('ready', flush=True)"),
+        cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+    ) as process:  # fmt: skip
+        assert process.stdout and process.stderr
+        try:
+            assert process.stdout.readline() == "ready\n"
+            process.send_signal(signal.SIGINT)
+            # Nothing else wakes the program: an idle window runs no Python.
+            assert process.wait(timeout=PATIENCE_S) == 0
+        finally:
+            process.kill()
+        assert process.stderr.read() == ""
+    assert "geometry" in application.settings_path().read_text()  # it was closed, not killed
+    assert not list(own_home.rglob("autosave-*"))
+
+
+def test_a_second_ctrl_c_ends_a_program_that_still_asks(own_home: Path) -> None:
+    act = """
+from dataclasses import replace
+projection = window.store.document.projection
+window.store.set_projection(replace(projection, image_size=(640, 480)))
+ask = window.files.may_discard
+def asking():
+    QTimer.singleShot(0, lambda: print("asking", flush=True))
+    return ask()
+window.files.may_discard = asking
+print("ready", flush=True)
+"""
+    with subprocess.Popen(
+        driver(act), cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    ) as process:
+        assert process.stdout
+        try:
+            for expected in ("ready\n", "asking\n"):
+                assert process.stdout.readline() == expected
+                assert process.poll() is None
+                process.send_signal(signal.SIGINT)
+            assert process.wait(timeout=PATIENCE_S) == -signal.SIGINT
+        finally:
+            process.kill()
+
+
+def test_the_window_shows_what_the_command_line_says(tmp_path: Path) -> None:
+    path = tmp_path / "my.json"
+    write(Document("cube", Projection(image_size=(300, 200))), path)
+    done = drive(
+        """
+document = window.store.document
+print(document.scene, document.projection.image_size, document.projection.lens.near)
+print(window.files.path, window.settings.theme, window.width(), window.height())
+window.store.mark_saved()
+window.close()
+""",
+        path, "--set", "lens.near=0.25", "--theme=dark", "--size", "1200x700",
+    )  # fmt: skip
+    assert done.stderr == ""
+    assert done.stdout.splitlines() == ["cube (300, 200) 0.25", f"{path} dark 1200 700"]
+    # --theme was for this once.
+    assert Settings(application.settings_path()).theme == "system"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "is_unsaved"),
+    [
+        (["my.json"], False),
+        (["my.json", "--set", "lens.near=1"], False),
+        (["my.json", "--set", "lens.far=inf"], True),
+        (["my.json", "--set", "scene=posts"], True),
+        (["my.obj"], False),
+        ([], False),
+        (["--set", "scene=focus"], False),
+        (["--set", "scene=cube", "--set", "lens.far=inf"], True),
+    ],
+)
+def test_what_the_command_line_changes_is_unsaved(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, arguments: list[str], is_unsaved: bool
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    write(Document("cube", Projection()), Path("my.json"))
+    Path("my.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    given: list[Any] = []
+    monkeypatch.setattr(application, "run_window", lambda *found: given.extend(found) or 0)
+    assert main(arguments) == 0
+    document, saved = given[:2]
+    assert Store(document, saved=saved).modified == is_unsaved
+
+
+def test_a_picture_is_no_place_to_save_in_whatever_its_name(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    write(Document("cube"), Path("notes"))
+    figure = io.BytesIO()
+    Image.new("RGB", (4, 4)).save(figure, "PNG")
+    Path("figure").write_bytes(embed(figure.getvalue(), to_json(Document("cube"))))
+    given: list[Any] = []
+    monkeypatch.setattr(application, "run_window", lambda *found: given.append(found[2]) or 0)
+    assert main(["notes"]) == main(["figure"]) == 0
+    places = [Files._place(path) for path in given]
+    assert places == [tmp_path / "notes", None]
+
+
+def test_a_mesh_is_loaded_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    mesh = tmp_path / "once.obj"
+    mesh.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    loaded: list[str] = []
+
+    def load(name: str, **options: Any) -> Any:
+        loaded.append(name)
+        return load_scene(name, **options)
+
+    monkeypatch.setattr("app.scenes.scene.load", load)
+    monkeypatch.setattr(application, "run_window", lambda *_found: 0)
+    assert main([str(mesh)]) == 0
+    assert loaded == [str(mesh)]
+
+
+def test_a_window_keeps_what_the_command_line_changed(tmp_path: Path) -> None:
+    path = tmp_path / "my.json"
+    write(Document("cube", Projection()), path)
+    done = drive(
+        """
+print(window.isWindowModified(), window.store.modified)
+window.autosave.save_now()
+print(len(list(window.autosave._folder.glob("autosave-*.json"))))
+window.store.undo()
+print(window.store.modified, window.store.document.projection.lens.far)
+window.store.redo()
+def answer():
+    box = QApplication.activeModalWidget()
+    box.button(QMessageBox.StandardButton.Save).click()
+from PySide6.QtWidgets import QApplication, QMessageBox
+QTimer.singleShot(0, answer)
+window.close()
+""",
+        path, "--set", "lens.far=inf",
+    )  # fmt: skip
+    assert done.stderr == ""
+    assert done.stdout.splitlines() == ["True True", "1", "False 30.0"]
+    assert read(path).projection.lens.far == math.inf
+
+
+def test_a_document_whose_mesh_is_gone_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "my.json"
+    for scene, said in ((str(tmp_path / "gone.stl"),) * 2, ("ball", "There is no scene “ball”")):
+        write(Document(scene), path)
+        assert refused_by_a_process(path).startswith(f"{path}: {said}")
+
+
+def test_numbers_in_files_keep_their_points_in_every_locale(comma_locale: dict[str, str]) -> None:
+    code = (
+        "import ctypes, locale\n"
+        "from widgets.program.application import make_application\n"
+        "application = make_application()\n"
+        "libc = ctypes.CDLL(None)\n"
+        "libc.strtod.restype = ctypes.c_double\n"
+        "print(libc.strtod(b'0.5', None))\n"
+        "locale.setlocale(locale.LC_NUMERIC, '')\n"
+        "print(libc.strtod(b'0.5', None))\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code],
+        cwd=ROOT, env={**os.environ, **comma_locale}, capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    # The second number shows that the locale does what is guarded against.
+    assert done.stdout == "0.5\n0.0\n", done.stderr
+
+
+def test_a_translation_beside_the_code_is_loaded(
+    display: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from PySide6.QtCore import QCoreApplication, QTranslator
+
+    (tmp_path / "frustum_lab_hr.ts").write_text(
+        '<?xml version="1.0" encoding="utf-8"?><!DOCTYPE TS><TS version="2.1" language="hr">'
+        "<context><name>Report</name><message><source>Copy details</source>"
+        "<translation>Kopiraj pojedinosti</translation></message></context></TS>",
+        encoding="utf-8",
+    )
+    tool = Path(sys.executable).parent / "pyside6-lrelease"
+    subprocess.run([tool, "frustum_lab_hr.ts"], cwd=tmp_path, check=True, capture_output=True)
+    monkeypatch.setattr(application, "TRANSLATIONS", tmp_path)
+    assert application.translate(display, "et") is False
+    assert application.translate(display, "hr_HR") is True
+    try:
+        assert QCoreApplication.translate("Report", "Copy details") == "Kopiraj pojedinosti"
+    finally:
+        for translator in display.findChildren(QTranslator):
+            display.removeTranslator(translator)
+            translator.deleteLater()
+
+
+# --------------------------------------------------------------------------- the screenshot
+
+
+def test_screenshot_is_a_picture_of_the_whole_window(tmp_path: Path) -> None:
+    Settings(application.settings_path()).theme = "dark"
+    out = tmp_path / "window.png"
+    done = run("--screenshot", out, "--size", "1366x768")
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+    light = picture(out)
+    assert light.shape == (768, 1366, 3)
+    assert np.median(light) > 200  # whatever the user's settings are
+    # The panes are the left three quarters. Grabbed too early, each is of one colour.
+    for pane in np.array_split(light[100:700, :1020], 3, axis=1):
+        colours, counts = np.unique(pane.reshape(-1, 3), axis=0, return_counts=True)
+        assert len(colours) > 50
+        assert counts.sum() - counts.max() > 2_000
+    done = run("--screenshot", out, "--theme", "dark", "--set", "lens.near=0.5")
+    assert done.returncode == 0
+    assert np.median(picture(out)) < 80
+    # The settings were left alone.
+    settings = Settings(application.settings_path())
+    assert (settings.theme, settings.geometry) == ("dark", None)
+
+
+def test_screenshot_to_a_place_that_is_not_there_is_refused(tmp_path: Path) -> None:
+    assert "there is no folder" in refused("--screenshot", tmp_path / "no" / "a.png")
+    assert "must end in .png" in refused("--screenshot", tmp_path / "a.jpg")
+
+
+def test_screenshot_to_a_full_disk_is_refused(tmp_path: Path) -> None:
+    out = tmp_path / "full.png"
+    out.symlink_to("/dev/full")
+    said = refused_by_a_process("--screenshot", out)
+    assert "full.png cannot be written: No space left on device" in said
+
+
+def test_doctor_reads_the_probe_of_another_process(display: Any) -> None:
+    done = subprocess.run(
+        [sys.executable, "-m", "widgets.program.opengl"],
+        cwd=ROOT, capture_output=True, text=True, check=True,
+    )  # fmt: skip
+    answer = json.loads(done.stdout)
+    found = opengl.probe()
+    assert (answer["version"], answer["renderer"]) == (found.version, found.renderer)
+    assert answer["platform"] == display.platformName()
+    assert len(answer["screens"]) == len(display.screens())

@@ -1,0 +1,125 @@
+"""What is read is shown as often as it can be read; the clock is the tests' own."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+from PySide6.QtWidgets import QWidget
+from pytestqt.qtbot import QtBot
+
+from widgets.parts.readable import READ_MS, STEPS, Readable
+
+
+class Shown(QWidget):
+    """Shows one number, and remembers what it showed."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.number, self.seen, self.ms = 0, [], 1000.0  # type: ignore[var-annotated]
+        self.readable = Readable(self, lambda: self.seen.append(self.number))
+
+    def step(self, number: int, after_ms: float = 1.0) -> None:
+        self.ms += after_ms
+        self.number = number
+        self.readable.changed()
+
+    def showEvent(self, event: Any) -> None:
+        super().showEvent(event)
+        self.readable.settle()
+
+
+@pytest.fixture
+def shown(display: Any, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch) -> Shown:
+    widget = Shown()
+    monkeypatch.setattr(widget.readable, "now_ms", lambda: widget.ms)
+    qtbot.addWidget(widget)
+    widget.show()
+    qtbot.waitExposed(widget)
+    return widget
+
+
+def test_without_a_gesture_every_change_is_shown_at_once(shown: Shown) -> None:
+    for number in range(1, 6):
+        shown.step(number)
+    assert shown.seen == [1, 2, 3, 4, 5]
+
+
+def test_quick_steps_are_shown_as_often_as_they_can_be_read(shown: Shown) -> None:
+    shown.readable.begin_gesture()
+    for number in range(1, 52):
+        shown.step(number, READ_MS / 10)
+    assert shown.seen == [1, 11, 21, 31, 41, 51]
+    shown.step(52)
+    shown.step(53)
+    assert shown.seen[-1] == 51 and shown.readable.pending
+    shown.readable.end_gesture()
+    assert shown.seen[-2:] == [51, 53] and not shown.readable.pending
+    shown.step(54)
+    assert shown.seen[-1] == 54
+
+
+def test_of_slow_steps_most_are_free_of_it(shown: Shown) -> None:
+    shown.readable.begin_gesture()
+    for number in range(1, 11):
+        shown.step(number, 0.99 * READ_MS)
+    assert shown.seen == list(range(1, 11, STEPS))
+
+
+def test_where_the_hand_rests_the_last_value_is_shown(shown: Shown, qtbot: QtBot) -> None:
+    shown.readable.begin_gesture()
+    for number in (1, 2, 3):
+        shown.step(number)
+    assert shown.seen == [1]
+    qtbot.waitUntil(lambda: not shown.readable.pending)
+    assert shown.seen == [1, 3] and shown.readable.in_gesture
+    shown.step(4, READ_MS)  # the first after a rest: at once
+    shown.step(5)
+    assert shown.seen == [1, 3, 4]
+
+
+def test_gestures_overlap(shown: Shown) -> None:
+    shown.readable.begin_gesture()
+    shown.readable.begin_gesture()
+    shown.step(1)
+    shown.step(2)
+    shown.readable.end_gesture()
+    assert shown.seen == [1]
+    shown.readable.end_gesture()
+    assert shown.seen == [1, 2]
+
+
+def test_hidden_it_shows_nothing_until_it_appears(shown: Shown) -> None:
+    shown.hide()
+    for number in (1, 2):
+        shown.step(number)
+    assert shown.seen == []
+    shown.show()
+    assert shown.seen == [2]
+    shown.hide()
+    shown.show()
+    assert shown.seen == [2], "nothing has changed"
+
+
+def test_what_fails_is_shown_on_appearing_again(shown: Shown) -> None:
+    def fail() -> None:
+        raise ValueError("not now")
+
+    whole, shown.readable._show = shown.readable._show, fail
+    with pytest.raises(ValueError, match="not now"):
+        shown.step(1)
+    shown.readable._show = whole
+    shown.hide()
+    shown.show()
+    assert shown.seen == [1]
+
+
+def test_a_gesture_shows_its_first_value_at_once(shown: Shown) -> None:
+    for number in (1, 2):
+        shown.readable.begin_gesture()
+        shown.step(number, READ_MS)
+        shown.readable.end_gesture()
+        assert shown.seen[-1] == number
+    shown.readable.begin_gesture()
+    shown.step(3, READ_MS)
+    assert shown.seen == [1, 2, 3]

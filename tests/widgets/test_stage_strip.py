@@ -1,0 +1,526 @@
+"""The stage strip: slider, keys and play in the real window, and what is drawn at every stop."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+
+import numpy as np
+import pytest
+import pyvista as pv
+from numpy.typing import NDArray
+from PySide6.QtCore import QEvent, QPointF, Qt
+from PySide6.QtGui import QMouseEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QLabel, QStyle, QStyleOptionSlider
+from pytestqt.qtbot import QtBot
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
+from vtkmodules.vtkRenderingCore import vtkTextActor
+
+import app.drawings.ndc as ndc_drawing
+from app.drawings import WORDS
+from app.drawings.figures import render
+from app.drawings.ndc import NdcDrawing
+from app.drawings.style import DARK, LIGHT, Style, rgb
+from app.lecture.stages import IMAGE, NDC, STOPS, VIEW, WORLD, Morph
+from app.model.projection import Frustum, Lens, Oblique, Perspective
+from app.scenes.scene import load
+from widgets.panes.stage_strip import CATCH, REST_S, STEP_S, STEPS, StageStrip
+from widgets.window.main_window import MainWindow
+
+Pixels = NDArray[np.uint8]
+LENSES: tuple[Lens, ...] = (
+    Perspective(45.0, 1.0, 30.0),
+    Perspective(45.0, 1.0, math.inf),
+    Frustum(-0.2, 0.9, -0.3, 0.5, 1.0, 40.0),
+    Oblique(-6.0, 6.0, -4.0, 4.0, 2.0, 25.0, alpha_deg=45.0, beta_deg=60.0),
+)
+
+
+class Shown:
+    """An NDC drawing of the letter F, off screen."""
+
+    def __init__(self, size: tuple[int, int] = (320, 300), style: Style = LIGHT) -> None:
+        self.plotter = pv.Plotter(off_screen=True, window_size=size)
+        self.scene = load("letter-f")
+        self.drawing = NdcDrawing(self.plotter, self.scene, WORDS, style)
+        self.drawing.show_projection(self.scene.start)
+
+    def pixels(self, position: float | None = None) -> Pixels:
+        """Render once, at a position if one is given."""
+        if position is not None:
+            self.drawing.show_stage(position)
+        window = self.plotter.render_window
+        window.Render()
+        width, height = window.GetSize()
+        buffer = vtkUnsignedCharArray()
+        window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, buffer)
+        return np.array(vtk_to_numpy(buffer).reshape(height, width, 4)[::-1, :, :3])
+
+
+@pytest.fixture
+def shown() -> Iterator[Callable[..., Shown]]:
+    made: list[Shown] = []
+
+    def make(*args: object) -> Shown:
+        made.append(Shown(*args))  # type: ignore[arg-type]
+        return made[-1]
+
+    yield make
+    for each in made:
+        each.drawing.remove()
+        each.plotter.close()
+
+
+def lit(pixels: Pixels, colour: str) -> NDArray[np.bool_]:
+    """Where a colour is drawn."""
+    wanted = np.round(np.array(rgb(colour)) * 255.0)
+    close: NDArray[np.bool_] = (np.abs(pixels.astype(int) - wanted) <= 3).all(axis=-1)
+    return close
+
+
+def settle() -> None:
+    for _ in range(3):
+        QApplication.processEvents()
+
+
+# -- the drawing
+
+
+@pytest.mark.parametrize("lens", LENSES, ids=lambda lens: f"{lens.kind} {lens.far}")
+def test_back_at_ndc_every_pixel_is_as_before(lens: Lens, shown: Callable[..., Shown]) -> None:
+    screen = shown()
+    screen.drawing.show_projection(replace(screen.scene.start, lens=lens))
+    before = screen.pixels()
+    pictures = [screen.pixels(position) for position in (0.0, 0.6, 1.0, 1.2, 2.0, 2.5, 3.0, 5.0)]
+    assert all((picture != before).any() for picture in pictures)
+    assert np.array_equal(screen.pixels(float(NDC)), before)
+
+
+@pytest.mark.parametrize("style", [LIGHT, DARK, LIGHT.enlarged(1.6)], ids=["light", "dark", "big"])
+@pytest.mark.parametrize("lens", LENSES, ids=lambda lens: f"{lens.kind} {lens.far}")
+def test_the_scene_is_in_the_pane_at_every_stop(
+    lens: Lens, style: Style, shown: Callable[..., Shown]
+) -> None:
+    """The letter's own faces are on the screen, and do not touch its border."""
+    screen = shown((320, 460), style)
+    screen.drawing.show_projection(replace(screen.scene.start, lens=lens))
+    for position in (0.0, 1.0, 2.0, 3.0, 4.0, 5.0):
+        pixels = screen.pixels(position)
+        saturated = pixels.max(axis=-1).astype(int) - pixels.min(axis=-1) > 60
+        assert saturated.sum() > 50, position
+        border = np.concatenate([saturated[0], saturated[-1], saturated[:, 0], saturated[:, -1]])
+        if lens.far < math.inf:
+            assert not border.any(), position
+
+
+def test_at_the_image_stop_the_cube_is_the_picture(shown: Callable[..., Shown]) -> None:
+    """Letter F where `trace` says, in the rectangle of the picture seen from the front."""
+    screen = shown((400, 300))
+    projection = screen.scene.start
+    pixels = screen.pixels(float(IMAGE))
+    frame = lit(pixels, LIGHT.u)  # the arrow along the picture's top edge
+    rows, columns = np.nonzero(frame)
+    top, left = int(np.median(rows)), int(columns.min())
+    right_edge = lit(pixels, LIGHT.near)
+    right = int(np.nonzero(right_edge)[1].max())
+    scale = (right - left) / projection.image_size[0]
+    # Middles of the letter's faces: what covers most of the picture.
+    assert scale > 0.1
+    points = np.array([(0.0, 2.2, 0.0), (0.5, 4.5, 0.5)])
+    for x, y in projection.trace(points).image:
+        column, row = round(left + scale * x), round(top + scale * y)
+        around = pixels[row - 4 : row + 5, column - 4 : column + 5].astype(int)
+        assert (around.max(axis=-1) - around.min(axis=-1) > 60).any(), (x, y)
+
+
+def test_the_scene_is_whole_until_the_volume_closes(shown: Callable[..., Shown]) -> None:
+    """A frustum that holds nothing of the letter: all of it is seen, then none."""
+    screen = shown((600, 600))
+    away = replace(screen.scene.start, lens=Perspective(45.0, 25.0, 30.0))
+    screen.drawing.show_projection(away)
+
+    def letter(position: float) -> int:
+        return int(lit(screen.pixels(position), "#e69f00").sum())
+
+    assert letter(WORLD) > 20
+    assert letter(VIEW) > 20
+    assert letter(1.5) == letter(2.0) == letter(2.5) == letter(3.0) == 0
+
+
+def test_nothing_is_smeared_when_the_eye_goes_to_infinity(shown: Callable[..., Shown]) -> None:
+    """The ground grid passes under the eye: behind it, its lines would cross the whole pane."""
+    screen = shown()
+    camera = replace(screen.scene.start.camera, eye=(0.3, 2.0, 0.2), target=(0.0, 2.0, -5.0))
+    screen.drawing.show_projection(
+        replace(screen.scene.start, camera=camera, lens=Perspective(60.0, 0.05, 30.0))
+    )
+    for position in np.linspace(2.0, 3.0, 9):
+        pixels = screen.pixels(float(position))
+        drawn = (pixels != pixels[0, 0]).any(axis=-1)
+        assert not drawn[:3].any()
+        assert not drawn[-3:].any()
+
+
+@pytest.mark.parametrize(
+    ("stop", "texts"),
+    [
+        (WORLD, {"x", "y", "z", "near", "far"}),
+        (VIEW, {"u", "v", "n", "near", "far"}),
+        (2, {"x", "y", "z", "far", "−1", "1", "near −0.0333"}),
+        (3, {"x", "y", "z", "near", "far", "−1", "1", "0"}),
+        (4, {"x", "y", "z", "near", "far", "−1", "1"}),
+        (5, {"x", "y", "0", "1280", "720"}),
+    ],
+    ids=STOPS,
+)
+def test_letters_and_limits_are_the_stops_own(
+    stop: int, texts: set[str], shown: Callable[..., Shown]
+) -> None:
+    screen = shown()
+    for start in (0.0, 1.0, 2.0, 3.0, 4.0, 5.0):
+        screen.drawing.show_stage(start)
+        screen.drawing.show_stage(float(stop))
+        written = {
+            prop.GetInput().strip()
+            for prop in screen.plotter.renderer.GetViewProps()
+            if isinstance(prop, vtkTextActor) and prop.GetVisibility()
+        }
+        assert written == texts, start
+
+
+def test_a_pane_that_was_turned_stays_turned(shown: Callable[..., Shown]) -> None:
+    screen = shown()
+    camera = screen.plotter.renderer.GetActiveCamera()
+    screen.drawing.show_stage(3.0)
+    framed = camera.GetPosition()
+    screen.drawing.show_stage(5.0)
+    assert camera.GetPosition() != framed  # nobody turned it: it faces the picture
+    camera.Azimuth(12.0)
+    turned = camera.GetPosition()
+    for position in (4.0, 2.5, 0.0):
+        screen.drawing.show_stage(position)
+        assert camera.GetPosition() == turned
+    screen.drawing.reset_view()
+    assert camera.GetPosition() != turned
+
+
+def test_at_ndc_no_other_stage_is_computed(
+    shown: Callable[..., Shown], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    made: list[Morph] = []
+
+    def counted(*args: object) -> Morph:
+        made.append(Morph(*args))  # type: ignore[arg-type]
+        return made[-1]
+
+    monkeypatch.setattr(ndc_drawing, "Morph", counted)
+    screen = shown()
+    for far in (30.0, 31.0):
+        screen.drawing.show_projection(
+            replace(screen.scene.start, lens=Perspective(45.0, 1.0, far))
+        )
+    assert not made
+    for position in (0.0, 0.5, 1.0, 5.0):
+        screen.drawing.show_stage(position)
+    assert len(made) == 1  # one per projection, however far the strip is moved
+
+
+def test_a_step_of_the_strip_touches_no_actor(shown: Callable[..., Shown]) -> None:
+    screen = shown()
+    actors = screen.plotter.renderer.GetActors()
+    meshes = [actor.GetMapper().GetInput() for actor in actors]
+    times = [mesh.GetMTime() for mesh in meshes]
+    for position in np.linspace(0.0, 5.0, 21):
+        screen.drawing.show_stage(float(position))
+    assert [mesh.GetMTime() for mesh in meshes] == times
+    assert screen.plotter.renderer.GetActors().GetNumberOfItems() == len(meshes)
+
+
+# -- the window
+
+
+def test_the_window_opens_at_ndc(make_window: Callable[..., MainWindow]) -> None:
+    window = make_window()
+    assert window.strip.position == NDC
+    assert window.panes["ndc"].title.text() == "NDC cube"
+    assert window.strip.words.text() == "x, y ±1, z −1 … 1"
+    assert [button.isChecked() for button in window.strip.stops].index(True) == NDC
+
+
+def test_arrow_keys_go_from_stop_to_stop(make_window: Callable[..., MainWindow]) -> None:
+    window = make_window()
+    strip, key = window.strip, Qt.Key
+    seen: list[float] = []
+    strip.moved.connect(seen.append)
+    for pressed in (key.Key_Right, key.Key_Right, key.Key_Left, key.Key_Down, key.Key_Home):
+        QTest.keyClick(strip.slider, pressed)
+    assert seen == [5.0, 4.0, 3.0, 0.0]  # right of the last stop there is none
+    QTest.keyClick(strip.slider, key.Key_PageUp)
+    assert 0.0 < strip.position < 0.5
+    QTest.keyClick(strip.slider, key.Key_Left)
+    assert strip.position == 0.0
+    QTest.keyClick(strip.slider, key.Key_PageUp)
+    QTest.keyClick(strip.slider, key.Key_Up)
+    assert strip.position == 1.0
+
+
+def test_a_drag_is_caught_by_the_stops(make_window: Callable[..., MainWindow]) -> None:
+    window = make_window()
+    slider = window.strip.slider
+    slider.setSliderDown(True)
+    for steps, position in (
+        (2 * STEPS + CATCH, 2.0),
+        (2 * STEPS + CATCH + 1, 2.0 + (CATCH + 1) / STEPS),
+        (3 * STEPS - 1, 3.0),
+    ):
+        slider.setSliderPosition(steps)
+        assert window.strip.position == position
+        assert slider.value() == position * STEPS
+    slider.setSliderDown(False)
+
+
+@pytest.mark.parametrize("before", [4.0, 2.25, 1.0 + 0.3 / STEPS])
+def test_escape_puts_the_slider_back_and_removes_no_probe(
+    make_window: Callable[..., MainWindow], qtbot: QtBot, before: float
+) -> None:
+    window = make_window()
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    window.probe_panel.follow(point=(1.5, 5.0, 0.5))
+    strip, slider = window.strip, window.strip.slider
+    strip._stand_at(before)  # as played, also between the slider's steps
+    option = QStyleOptionSlider()
+    slider.initStyleOption(option)
+    handle = slider.style().subControlRect(
+        QStyle.ComplexControl.CC_Slider, option, QStyle.SubControl.SC_SliderHandle, slider
+    )
+    QTest.mousePress(slider, Qt.MouseButton.LeftButton, pos=handle.center())
+    assert slider.isSliderDown()
+
+    def move(x: float) -> None:
+        at = QPointF(x, handle.center().y())
+        event = QMouseEvent(
+            QEvent.Type.MouseMove, at, slider.mapToGlobal(at), Qt.MouseButton.NoButton,
+            Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier,
+        )  # fmt: skip
+        QApplication.sendEvent(slider, event)
+
+    move(slider.width() / 2.0 + 9.0)
+    assert strip.position != before
+    QTest.keyClick(QApplication.focusWidget() or window, Qt.Key.Key_Escape)
+    assert strip.position == before
+    move(slider.width() / 2.0 + 19.0)
+    QTest.mouseRelease(slider, Qt.MouseButton.LeftButton, pos=handle.center())
+    assert strip.position == before and len(window.probe_panel.probes) == 1
+    QTest.keyClick(slider, Qt.Key.Key_Escape)
+    assert window.probe_panel.probes == ()  # the slider is let go of
+
+
+def test_a_name_goes_to_its_stop_and_the_header_says_so(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window()
+    pane, wanted = window.panes["ndc"], {
+        0: ("World", "x, y, z in world units"),
+        1: ("View", "u, v, n in world units"),
+        2: ("Canonical perspective", "x, y ±1, z −n/f = −0.0333 … −1"),
+        3: ("Canonical parallel", "x, y ±1, z 0 … −1"),
+        4: ("NDC cube", "x, y ±1, z −1 … 1"),
+        5: ("Image", "1280 × 720 pixels, y down"),
+    }  # fmt: skip
+    for stop, (title, note) in wanted.items():
+        QTest.mouseClick(window.strip.stops[stop], Qt.MouseButton.LeftButton)
+        assert (window.strip.position, pane.title.text()) == (stop, title)
+        assert window.strip.words.text() == note
+    window.strip.go_to(2.5)
+    assert pane.title.text() == "Pyramid → Box"
+    window.strip.go_to(2.0)
+    start = window.store.document.projection
+    window.store.set_projection(replace(start, lens=replace(start.lens, far=math.inf)))
+    assert window.strip.words.text() == "near z −1, far −∞ (scaled by 1/n)"
+
+
+def test_the_stops_of_a_parallel_lens_are_named_what_they_are(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    """It has its box at once; that M_pp is the identity is said where nothing moves."""
+    window = make_window()
+    strip, pane, start = window.strip, window.panes["ndc"], window.store.document.projection
+    window.store.set_projection(start.with_lens("orthographic"))
+    names = [button.text() for button in strip.stops]
+    assert names == ["World", "View", "Box", "Box", "NDC", "Image"]
+    assert "identity" in strip.stops[3].toolTip()
+    limits = "x, y ±1, z 0 … −1"
+    for position, title, words in (
+        (1.75, "View → Box", limits),
+        (2.0, "Canonical parallel", f"{limits}; M_pp: identity"),
+        (2.25, "Box → Box", f"{limits}; M_pp: identity"),
+        (2.75, "Box → Box", f"{limits}; M_pp: identity"),
+        (3.0, "Canonical parallel", f"{limits}; M_pp: identity"),
+        (3.25, "Box → NDC", limits),
+    ):
+        strip.go_to(position)
+        assert (pane.title.text(), strip.words.text()) == (title, words), position
+    window.store.set_projection(start)
+    assert [button.text() for button in strip.stops][1:4] == ["View", "Pyramid", "Box"]
+
+
+@pytest.mark.parametrize("projector", [False, True])
+def test_what_is_said_of_a_stage_is_whole_in_a_small_window_and_moves_nothing(
+    make_window: Callable[..., MainWindow], projector: bool
+) -> None:
+    window = make_window()
+    window.resize(1366, 768)
+    window.set_projector(projector)
+    start, words, heights = window.store.document.projection, window.strip.words, set()
+    for lens in (*LENSES, replace(LENSES[0], near=0.00123, far=30.0)):
+        window.store.set_projection(replace(start, lens=lens))
+        for half in range(2 * IMAGE + 1):
+            window.strip.go_to(half / 2.0)
+            settle()
+            assert QLabel.text(words) == words.text()
+            heights.add((words.height(), window.panes["ndc"].canvas.height()))
+    assert len(heights) == 1
+
+
+def test_the_strip_moves_its_own_pane_only_and_not_the_document(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window()
+    settle()
+    document = window.store.document
+    counts = dict.fromkeys(window.panes, 0)
+    tags = []
+    for name, pane in window.panes.items():
+
+        def count(_window: object, _event: str, name: str = name) -> None:
+            counts[name] += 1
+
+        tags.append(
+            (pane.canvas.render_window, pane.canvas.render_window.AddObserver("EndEvent", count))
+        )
+    before = window.panes["ndc"].canvas.grabFramebuffer()
+    for name in counts:
+        counts[name] = 0
+    window.strip.go_to(1.0)
+    settle()
+    assert counts == {"world": 0, "ndc": 1, "image": 0}
+    assert window.panes["ndc"].canvas.grabFramebuffer() != before
+    for view, tag in tags:
+        view.RemoveObserver(tag)
+    assert window.store.document == document
+    assert not window.store.modified
+    assert not window.store.can_undo
+
+
+def test_a_hidden_pane_takes_the_stage_when_it_appears(
+    make_window: Callable[..., MainWindow], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    window = make_window()
+    shown: list[float] = []
+    drawing = window.panes["ndc"].drawing
+    assert isinstance(drawing, NdcDrawing)
+    monkeypatch.setattr(drawing, "show_stage", shown.append)
+    window.enlarge("image")
+    assert not window.strip.isVisible()
+    window.strip.go_to(2.0)
+    assert shown == []
+    window.show_all_panes()
+    settle()
+    assert shown == [2.0]
+
+
+def test_a_new_drawing_stands_where_the_strip_is(make_window: Callable[..., MainWindow]) -> None:
+    window = make_window()
+    window.set_theme("light")
+    window.strip.go_to(5.0)
+    settle()
+    light = window.panes["ndc"].canvas.grabFramebuffer()
+    window.set_theme("dark")
+    settle()
+    assert window.panes["ndc"].canvas.grabFramebuffer() != light
+    window.set_theme("light")
+    settle()
+    assert window.panes["ndc"].canvas.grabFramebuffer() == light
+
+
+def test_an_exported_figure_shows_ndc(make_window: Callable[..., MainWindow]) -> None:
+    window = make_window()
+    projection = window.store.document.projection
+    scene = load("letter-f")
+    before = render(scene, projection, ("ndc",), (200, 150))
+    window.strip.go_to(0.0)
+    assert np.array_equal(render(scene, projection, ("ndc",), (200, 150)), before)
+    assert window._views_now() == {}  # the strip's own framing is nobody's turn of the view
+
+
+def test_play_runs_to_the_picture_resting_at_each_stop(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    strip = make_window().strip
+    strip.go_to(5.0)
+    seen: list[float] = []
+    strip.moved.connect(seen.append)
+    QTest.mouseClick(strip.button, Qt.MouseButton.LeftButton)
+    assert strip.playing
+    assert seen == [0.0]  # from the end, all of it
+    strip.advance(STEP_S / 2.0)
+    assert strip.position == 0.5
+    strip.advance(STEP_S / 2.0)
+    assert strip.position == 1.0
+    strip.advance(REST_S / 2.0)
+    assert strip.position == 1.0
+    strip.advance(REST_S / 2.0 + STEP_S / 4.0)
+    assert strip.position == pytest.approx(1.25)
+    QTest.mouseClick(strip.button, Qt.MouseButton.LeftButton)
+    assert not strip.playing
+    strip.advance(1.0)
+    assert strip.position == pytest.approx(1.25)
+    strip.play()
+    strip.advance(100.0)
+    assert strip.position == IMAGE
+    assert not strip.playing
+    assert set(range(6)) <= set(seen)
+
+
+def test_play_moves_by_itself_and_a_hand_or_a_hidden_pane_stops_it(
+    make_window: Callable[..., MainWindow], qtbot: object
+) -> None:
+    window = make_window()
+    strip: StageStrip = window.strip
+    strip.go_to(0.0)
+    strip.play()
+    qtbot.waitUntil(lambda: strip.position > 0.05)  # type: ignore[attr-defined]
+    strip.slider.setValue(3 * STEPS)
+    assert not strip.playing
+    assert strip.position == 3.0
+    strip.play()
+    window.enlarge("world")
+    assert not strip.playing
+
+
+@pytest.mark.parametrize(("size", "projector"), [((1366, 768), True), ((1920, 1080), False)])
+def test_near_and_far_are_written_in_the_pane_all_the_way(
+    make_window: Callable[..., MainWindow], size: tuple[int, int], projector: bool
+) -> None:
+    window = make_window()
+    window.resize(*size)
+    window.set_projector(projector)
+    start, cut = window.store.document.projection, []
+    for near, far in ((5.0, 20.0), (12.0, 14.0), (1.0, math.inf)):
+        window.store.set_projection(replace(start, lens=Perspective(45.0, near, far)))
+        for quarter in range(4 * VIEW, 4 * NDC + 1):
+            window.strip.go_to(quarter / 4)
+            QApplication.processEvents()
+            drawing = window.panes["ndc"].drawing
+            assert isinstance(drawing, NdcDrawing)
+            for label in (drawing._near, drawing._far):
+                if label.actor.GetVisibility():
+                    left, right, bottom, top = label.box_px(drawing._canvas.renderer)
+                    width, height = drawing._canvas.window.GetSize()
+                    if left < 0.0 or bottom < 0.0 or right > width or top > height:
+                        cut.append((near, far, quarter / 4, label._text))
+    assert not cut, cut

@@ -1,0 +1,277 @@
+"""The status line: figures at once, predictions when the hand rests, silence when all is well."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+import pytest
+from PySide6.QtCore import QEvent, QLocale, QObject
+from PySide6.QtWidgets import QApplication, QMainWindow
+from pytestqt.qtbot import QtBot
+
+from app.document.document import Document
+from app.model.projection import Camera, Orthographic, Perspective, Projection
+from app.precision.levels import drawing_bound_px, predict
+from app.precision.quality import Quality
+from app.scenes.scene import Scene, load
+from widgets.parts.number_dialog import NumberDialog
+from widgets.window import status_line
+from widgets.window.status_line import StatusLine
+
+EVERYDAY = Projection(Camera(), Perspective(45.0, 1.0, 30.0))
+
+
+@pytest.fixture
+def scene() -> Scene:
+    return load("letter-f")
+
+
+@pytest.fixture
+def line(qtbot: QtBot) -> StatusLine:
+    line = StatusLine()
+    line.resize(1600, 24)
+    qtbot.addWidget(line)
+    line.show()
+    qtbot.waitExposed(line)
+    return line
+
+
+def rested(qtbot: QtBot, line: StatusLine, projection: Projection, scene: Scene) -> None:
+    """Show a projection and let the hand rest."""
+    line.show_projection(projection, scene)
+    qtbot.waitUntil(lambda: not line._rest.isActive())
+
+
+def test_the_lens_is_in_figures_at_once(line: StatusLine, scene: Scene) -> None:
+    line.show_projection(EVERYDAY, scene)
+    assert line.labels["fov"].text() == "fov 45° × 72.73°, 25.61 mm"
+    assert line.labels["planes"].text() == "near 1 : far 30  (1 : 30)"
+    assert line.labels["camera"].text() == "eye to target 11.17"
+    box = Orthographic(-4, 4, -3, 3, -2, 30)
+    line.show_projection(replace(EVERYDAY, lens=box), scene)
+    assert line.labels["fov"].text() == "window 8 × 6"
+    assert line.labels["planes"].text() == "near -2 : far 30"
+    line.show_projection(replace(EVERYDAY, lens=Perspective(180 - 3e-12, 1, math.inf)), scene)
+    assert line.labels["fov"].text().startswith("fov 180-3e-12°")
+    assert line.labels["planes"].text() == "near 1 : far ∞"
+    line.show_projection(replace(EVERYDAY, lens=Perspective(45, 29.999999999, 30)), scene)
+    assert line.labels["planes"].text() == "near 29.999999999 : far 30  (1 : 1)"
+
+
+def test_rungs_are_predicted_when_the_hand_rests(
+    qtbot: QtBot, line: StatusLine, scene: Scene
+) -> None:
+    rested(qtbot, line, EVERYDAY, scene)
+    predictions = predict(EVERYDAY, scene.sample, scene.origin)
+    assert predictions is not None
+    drawn = drawing_bound_px(EVERYDAY, scene.corners, scene.origin)
+    read = predictions["float64"].px
+    assert line.rung.text() == f"drawn float32 ±{drawn:.1g} px, read float64 ±{read:.1g} px"
+    assert line.health.text() == "" and line.health.toolTip() == ""
+    line.rung.menu().aboutToShow.emit()
+    texts = [action.text() for action in line.rung.menu().actions()]
+    assert [text.split(":")[0] for text in texts[:3]] == ["float32", "float64", "exact"]
+    assert texts[0].endswith("(drawn)") and texts[1].endswith("(read)")
+    assert f"{predictions['float32'].px:.2g} px" in texts[0]
+    assert texts[-1] == "Drawing tolerance 0.01 px…"
+
+
+def test_an_error_without_a_bound_is_told_in_a_sentence(
+    qtbot: QtBot, line: StatusLine, scene: Scene
+) -> None:
+    line.resize(3200, 24)
+    beyond = replace(EVERYDAY, lens=Perspective(1e-80, 1.0, 30.0))
+    line.show_quality(Quality(rung="float32"), [])
+    rested(qtbot, line, beyond, scene)
+    assert line.rung.text().startswith("drawn float32 ±∞ px, read ")
+    line.rung.menu().aboutToShow.emit()
+    texts = [action.text() for action in line.rung.menu().actions()]
+    assert texts[0] == "float32: its error has no bound here  (drawn)"
+
+
+def test_while_it_moves_nothing_is_predicted(
+    qtbot: QtBot, line: StatusLine, scene: Scene, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    calls: list[Projection] = []
+
+    def counting(projection: Projection, *rest: Any) -> Any:
+        calls.append(projection)
+        return predict(projection, *rest)
+
+    monkeypatch.setattr(status_line, "predict", counting)
+    moved = [replace(EVERYDAY, lens=Perspective(45.0 + i, 1.0, 30.0)) for i in range(20)]
+    for projection in moved:
+        line.show_projection(projection, scene)
+    assert calls == []
+    qtbot.waitUntil(lambda: calls != [])
+    assert calls == moved[-1:]
+
+
+def test_what_is_hidden_is_predicted_when_it_appears(
+    qtbot: QtBot, line: StatusLine, scene: Scene
+) -> None:
+    line.hide()
+    line._rest.stop()
+    line.rung.setText("")
+    line.show_projection(EVERYDAY, scene)
+    assert not line._rest.isActive()
+    line.show()
+    qtbot.waitUntil(lambda: line.rung.text() != "")
+
+
+def test_a_risk_is_told_and_goes_again(qtbot: QtBot, line: StatusLine, scene: Scene) -> None:
+    risky = replace(EVERYDAY, lens=Perspective(179.5, 1e-6, math.inf))
+    rested(qtbot, line, risky, scene)
+    assert line.health.text().startswith("⚠ At the target, a 24-bit depth buffer")
+    assert "clamp the field of view to 179°" in line.health.toolTip()
+    assert line.health.accessibleDescription() == line.health.toolTip().replace("\n", " ")
+    line.resize(900, 24)
+    qtbot.waitUntil(lambda: line.health.text().endswith("…"))
+    rested(qtbot, line, EVERYDAY, scene)
+    assert line.health.text() == "" and line.health.toolTip() == ""
+
+
+def test_a_plane_is_named_as_inside_a_sentence(
+    qtbot: QtBot, line: StatusLine, scene: Scene
+) -> None:
+    away = replace(EVERYDAY, lens=Perspective(45.0, 1e3, 1e4))
+    rested(qtbot, line, away, scene)
+    assert "all lie beyond the near plane." in line.health.toolTip()
+
+
+def test_a_risk_has_the_room_of_what_is_told_elsewhere(
+    qtbot: QtBot, line: StatusLine, scene: Scene
+) -> None:
+    line.resize(2400, 24)
+    rested(qtbot, line, replace(EVERYDAY, lens=Perspective(45.0, 1e-6, 1e6)), scene)
+    whole, told = line.health.text(), line.rung.text()
+    assert whole.startswith("⚠") and "px" in told and line.labels["camera"].isVisible()
+    seen = set()
+    for width in range(2400, 1000, -20):
+        line.resize(width, 24)
+        seen.add((line.rung.text() == told, line.labels["camera"].isVisible()))
+        assert line.health.text() == whole or not line.labels["camera"].isVisible()
+    assert seen == {(True, True), (False, True), (False, False)}
+    line.resize(2400, 24)
+    assert line.rung.text() == told and line.labels["camera"].isVisible()
+
+
+def test_a_figure_keeps_its_room_while_it_changes_and_fits_at_rest(
+    qtbot: QtBot, line: StatusLine, scene: Scene
+) -> None:
+    rested(qtbot, line, replace(EVERYDAY, lens=Perspective(45.12, 1.0, 30.0)), scene)
+    figure, after = line.labels["fov"], line.labels["planes"]
+    wide, place = figure.width(), after.x()
+    requests: list[QEvent.Type] = []
+
+    class Watch(QObject):
+        def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+            requests.append(event.type())
+            return False
+
+    watch = Watch()
+    line.installEventFilter(watch)
+    QApplication.processEvents()
+    requests.clear()
+    for fov_y_deg in (45.01, 45.5, 45.0):
+        lens = Perspective(fov_y_deg, 1.0, 30.0)
+        line.show_projection(replace(EVERYDAY, lens=lens), scene)
+        QApplication.processEvents()
+    assert QEvent.Type.LayoutRequest not in requests
+    assert (figure.width(), after.x()) == (wide, place)
+    qtbot.waitUntil(lambda: figure.width() < wide)
+    line.show_projection(replace(EVERYDAY, lens=Perspective(180 - 3e-12, 1.0, 30.0)), scene)
+    qtbot.waitUntil(lambda: figure.width() > wide)
+    text_px = figure.fontMetrics().horizontalAdvance(figure.text())
+    assert text_px + 2 * figure.indent() <= figure.width()
+
+
+def test_numbers_of_a_narrow_slab_are_read_exactly(
+    qtbot: QtBot, line: StatusLine, scene: Scene
+) -> None:
+    slab = replace(EVERYDAY, lens=Perspective(45.0, 9.0, 9.0 * (1 + 1e-9)))
+    rested(qtbot, line, slab, scene)
+    assert "read exact" in line.rung.text()
+    assert "computed exactly" in line.health.toolTip()
+
+
+def test_the_tolerance_decides_what_draws(qtbot: QtBot, line: StatusLine, scene: Scene) -> None:
+    rested(qtbot, line, EVERYDAY, scene)
+    assert line.rung.text().startswith("drawn float32")
+    line.set_tolerance(1e-4)
+    qtbot.waitUntil(lambda: line.rung.text().startswith("drawn float64"))
+
+
+def test_the_tolerance_is_kept_in_the_settings(make_window: Callable[..., Any]) -> None:
+    window = make_window(Document())
+    window.status.tolerance_edited.emit(0.5)
+    assert window.settings.tolerance_px == 0.5
+    assert window.status.tolerance_px == 0.5
+
+
+@pytest.mark.parametrize("language", ["C", "de_DE", "hr_HR", "et_EE", "ar_EG"])
+def test_a_number_is_asked_for_as_the_rows_read_it(
+    line: StatusLine, language: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Qt's own question took 33.5 for 335 where the point stands between thousands."""
+    texts = ["33.5", "33,5", "0,05", "1/4 px", "1e3", "", "1.000,5", "-1", "5e-5", "inf", "٣", "2"]
+    wanted = [33.5, 33.5, 0.05, 0.25, "at most 100", *2 * ["a number"], *2 * ["at least 0.0001"],
+              "at most 100", "a number", 0.01]  # fmt: skip
+    found: list[Any] = []
+
+    def answer(dialog: NumberDialog) -> int:
+        assert dialog.field.text() == f"{line.tolerance_px:g}"
+        dialog.field.setText(texts[len(found)])
+        if len(found) == len(texts) - 1:
+            dialog.reject()
+            found.append(dialog.number)
+        else:
+            dialog.accept()
+            found.append(dialog.problem.text() or dialog.number)
+        return dialog.result()
+
+    monkeypatch.setattr(NumberDialog, "exec", answer)
+    taken: list[float] = []
+    line.tolerance_edited.connect(taken.append)
+    before = QLocale()
+    QLocale.setDefault(QLocale(language))
+    try:
+        for _ in texts:
+            line._ask_tolerance()
+    finally:
+        QLocale.setDefault(before)
+    for value, want in zip(found, wanted, strict=True):
+        if isinstance(want, str):
+            assert value.startswith("⚠ Not possible. Drawing tolerance = ") and want in value
+        else:
+            assert value == want
+    assert taken == [want for want in wanted[:-1] if isinstance(want, float)]
+
+
+def test_points_behind_the_camera_have_no_prediction(
+    qtbot: QtBot, line: StatusLine, scene: Scene
+) -> None:
+    away = replace(EVERYDAY, camera=Camera((0.0, 2.0, 100.0), (0.0, 2.0, 200.0)))
+    rested(qtbot, line, away, scene)
+    assert line.rung.text() == "drawn float32, read float64"
+
+
+def test_a_message_stands_alone(qtbot: QtBot, display: Any) -> None:
+    """Qt hides the figures meanwhile; what is shown then would be painted over it."""
+    window = QMainWindow()
+    qtbot.addWidget(window)
+    line, scene = StatusLine(), load("letter-f")
+    window.setStatusBar(line)
+    window.resize(1600, 200)
+    window.show()
+    qtbot.waitExposed(window)
+    rested(qtbot, line, EVERYDAY, scene)
+    figures = (*line.labels.values(), line.rung)
+    line.showMessage("1/3 is taken as 0.333")
+    rested(qtbot, line, replace(EVERYDAY, lens=Perspective(44.0, 1.0, 30.0)), scene)
+    assert not any(figure.isVisible() for figure in figures)
+    line.clearMessage()
+    assert all(figure.isVisible() for figure in figures)

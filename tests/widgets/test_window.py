@@ -1,0 +1,1969 @@
+"""The whole window: one model drives three panes, and nothing is lost."""
+
+from __future__ import annotations
+
+import gc
+import itertools
+import json
+import math
+import os
+import random
+import re
+import subprocess
+import sys
+import weakref
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import psutil
+import pytest
+from PIL import Image
+from PySide6.QtCore import QEvent, QMimeData, QObject, QPoint, QPointF, Qt, QTimer, QUrl
+from PySide6.QtGui import QAction, QDropEvent, QFont, QImage
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import (
+    QApplication,
+    QComboBox,
+    QFileDialog,
+    QLabel,
+    QMessageBox,
+    QProgressDialog,
+    QPushButton,
+    QStyle,
+    QStyleOptionSlider,
+    QToolButton,
+)
+from vtkmodules.vtkRenderingCore import vtkTextActor
+
+import app.document.document
+import app.scenes.scene
+from app.document.document import (
+    UNWRITABLE,
+    Document,
+    DocumentError,
+    extract,
+    picture_json,
+    read,
+    to_json,
+    write,
+)
+from app.drawings import actors
+from app.drawings import precision as rungs
+from app.drawings.figures import png_bytes, render
+from app.drawings.image import ImageDrawing
+from app.drawings.style import LIGHT, rgb
+from app.model.projection import (
+    Camera,
+    Orbit,
+    Orthographic,
+    Perspective,
+    Projection,
+    ProjectionError,
+)
+from app.scenes.phenomena import PHENOMENA
+from app.scenes.scene import load
+from app.scenes.shapes import GRID_RGB
+from tests import PATIENCE_MS, PATIENCE_S
+from tests.support.phenomenon import EVERYTHING
+from widgets.parts.messages import number_text, sentence
+from widgets.program.application import Settings
+from widgets.window.autosave import Autosave
+from widgets.window.export_dialog import ExportChoice, ExportDialog
+from widgets.window.main_window import MainWindow
+
+ROOT = Path(__file__).parent.parent
+
+
+@contextmanager
+def counted_repaints(window: MainWindow) -> Iterator[dict[str, int]]:
+    """Count VTK's renderings of each pane."""
+    counts = dict.fromkeys(window.panes, 0)
+    observers = []
+    for name, pane in window.panes.items():
+        render_window = pane.canvas.render_window
+
+        def count(_window: object, _event: str, name: str = name) -> None:
+            counts[name] += 1
+
+        observers.append((render_window, render_window.AddObserver("EndEvent", count)))
+    yield counts
+    for render_window, tag in observers:
+        render_window.RemoveObserver(tag)
+
+
+def settle(window: MainWindow) -> None:
+    """Let Qt do all that is asked of it, until it has nothing more to do."""
+    for _ in range(3):
+        QApplication.processEvents()
+
+
+def seen(window: MainWindow, **changes: Any) -> Projection:
+    return replace(window.store.document.projection, **changes)
+
+
+def pixels(window: MainWindow, name: str) -> np.ndarray:
+    image = window.panes[name].canvas.grabFramebuffer().convertToFormat(QImage.Format.Format_RGB888)
+    array = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), image.bytesPerLine())
+    return array[:, : 3 * image.width()].reshape(image.height(), image.width(), 3).copy()
+
+
+# -- one model, three panes
+
+
+def test_every_pane_shows_an_edit(make_window: Callable[..., MainWindow]) -> None:
+    window = make_window()
+    before = {name: pixels(window, name) for name in window.panes}
+    window.store.set_projection(seen(window, camera=Camera((-7.0, 3.0, 6.0))))
+    settle(window)
+    for name, picture in before.items():
+        assert (pixels(window, name) != picture).mean() > 0.005, name
+
+
+def test_one_change_is_one_repaint_of_each_pane(make_window: Callable[..., MainWindow]) -> None:
+    window = make_window()
+    settle(window)
+    with counted_repaints(window) as counts:
+        for step in range(5):
+            window.store.set_projection(seen(window, lens=Perspective(46.0 + step, 1.0, 30.0)))
+            settle(window)
+    assert counts == {"world": 5, "ndc": 5, "image": 5}
+
+
+def test_nothing_under_a_canvas_is_painted(make_window: Callable[..., MainWindow]) -> None:
+    """Qt would, and hand all of it to OpenGL, whenever a slider is painted beside the canvases."""
+    window = make_window()
+    slider = window.controls.rows["fov_y_deg"].slider
+    settle(window)
+    painted: list[QObject] = []
+
+    class Watch(QObject):
+        def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+            if event.type() == QEvent.Type.Paint:
+                painted.append(watched)
+            return False
+
+    watch = Watch()
+    for widget in (slider, *window.panes.values()):
+        widget.installEventFilter(watch)
+    slider.setValue(slider.value() + 1)
+    settle(window)
+    assert painted == [slider]
+
+
+def test_a_drag_repaints_once_a_step_and_once_to_refine(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window(software_rendering=True)
+    settle(window)
+    with counted_repaints(window) as counts:
+        window.store.begin_gesture()
+        for step in range(4):
+            window.store.set_projection(seen(window, lens=Perspective(46.0 + step, 1.0, 30.0)))
+            settle(window)
+        assert counts == {"world": 4, "ndc": 4, "image": 4}
+        window.store.end_gesture()
+        settle(window)
+    assert counts == {"world": 5, "ndc": 5, "image": 5}
+
+
+def test_a_gpu_smooths_during_a_drag_too(make_window: Callable[..., MainWindow]) -> None:
+    window = make_window(software_rendering=False)
+    settle(window)
+    with counted_repaints(window) as counts:
+        window.store.begin_gesture()
+        # Nothing that moves a label, which the end of a gesture would place afresh.
+        window.store.set_projection(seen(window, depth="direct3d"))
+        settle(window)
+        window.store.end_gesture()
+        settle(window)
+    assert counts == {"world": 1, "ndc": 1, "image": 1}
+
+
+def test_a_hidden_pane_neither_computes_nor_draws_and_catches_up(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window()
+    window.enlarge("world")
+    settle(window)
+    asked: list[Projection] = []
+    drawing = window.panes["image"].drawing
+    show = drawing.show_projection
+    drawing.show_projection = lambda projection, exhibit: (
+        asked.append(projection),
+        show(projection, exhibit),
+    )
+    with counted_repaints(window) as counts:
+        for step in range(3):
+            window.store.set_projection(seen(window, lens=Perspective(46.0 + step, 1.0, 30.0)))
+            settle(window)
+    assert asked == []
+    assert counts == {"world": 3, "ndc": 0, "image": 0}
+    window.enlarge("world")
+    settle(window)
+    assert asked == [window.store.document.projection]
+
+
+def test_a_pane_that_appears_again_is_as_if_it_had_been_there(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    """The end of a gesture, which fits its view and places its labels, may have passed it by."""
+    window, pictures = make_window(), []
+    start = window.store.document.projection
+    for hidden in (False, True):
+        window.store.set_projection(start)
+        window.reset_views()
+        settle(window)
+        if hidden:
+            window.enlarge("image")
+            settle(window)
+        window.store.set_projection(seen(window, lens=Perspective(100.0, 1.0, 30.0)))
+        settle(window)
+        if hidden:
+            window.enlarge("image")
+            settle(window)
+        pictures.append(pixels(window, "world"))
+    assert pictures[0].shape == pictures[1].shape and (pictures[0] == pictures[1]).all()
+
+
+def test_a_window_that_opens_draws_each_pane_once(
+    make_window: Callable[..., MainWindow], qtbot: Any
+) -> None:
+    """Qt would have it drawn as soon as it has a size, and again when it is shown."""
+    window = make_window(shown=False)
+    with counted_repaints(window) as counts:
+        window.show()
+        qtbot.waitExposed(window)
+        qtbot.waitUntil(lambda: all(counts.values()))
+        settle(window)
+    assert counts == {"world": 1, "ndc": 1, "image": 1}
+
+
+def test_idle_draws_nothing(make_window: Callable[..., MainWindow], qtbot: Any) -> None:
+    window = make_window()
+    settle(window)
+    with counted_repaints(window) as counts:
+        QTest.qWait(700)
+    assert counts == {"world": 0, "ndc": 0, "image": 0}
+
+
+def test_a_slider_moves_all_three_and_undo_brings_them_back(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window()
+    start = window.store.document.projection
+    before = pixels(window, "image")
+    window.controls.edited.emit(replace(start, lens=Perspective(80.0, 1.0, 30.0)))
+    settle(window)
+    assert (pixels(window, "image") != before).any()
+    window.store.undo()
+    settle(window)
+    assert window.store.document.projection == start
+    assert (pixels(window, "image") == before).all()
+
+
+def test_the_image_pane_shows_what_the_model_computes(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    """The topmost corner of the letter F, in the pane's pixels, is where its colour ends."""
+    window = make_window(Document("letter-f", Projection(camera=Camera((0.0, 2.5, 12.0)))))
+    settle(window)
+    scene = load("letter-f")
+    rectangle = window.panes["image"].drawing.picture_rectangle_px
+    left, top, width, _ = rectangle
+    trace = window.store.document.projection.trace(
+        [(scene.lower[0], scene.upper[1], scene.upper[2])]
+    )
+    scale = width / window.store.document.projection.image_size[0]
+    x, y = (trace.image[0] * scale + (left, top)).tolist()
+    picture = pixels(window, "image").astype(int)
+    inside = picture[round(y) + 4, round(x) + 4]
+    above = picture[round(y) - 4, round(x) + 4]
+    beside = picture[round(y) + 4, round(x) - 4]
+    assert np.abs(inside - above).max() > 40
+    assert np.abs(inside - beside).max() > 40
+
+
+# -- the panes' own views
+
+
+@pytest.mark.parametrize("name", ["world", "ndc"])
+def test_the_mouse_turns_the_view_and_never_the_model(
+    make_window: Callable[..., MainWindow], name: str
+) -> None:
+    window = make_window()
+    settle(window)
+    before = window.store.document
+    canvas = window.panes[name].canvas
+    place = canvas.own_camera.GetPosition()
+    QTest.mousePress(canvas, Qt.MouseButton.LeftButton, pos=QPoint(100, 100))
+    QTest.mouseMove(canvas, QPoint(160, 130))
+    QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=QPoint(160, 130))
+    moved = canvas.own_camera.GetPosition()
+    assert math.dist(place, moved) > 0.1
+    assert math.dist(canvas.own_camera.GetFocalPoint(), moved) == pytest.approx(
+        math.dist(canvas.own_camera.GetFocalPoint(), place)
+    )
+    canvas.zoom(1.5)
+    QTest.mouseDClick(canvas, Qt.MouseButton.LeftButton, pos=QPoint(100, 100))
+    assert math.dist(place, canvas.own_camera.GetPosition()) < 1e-9
+    assert window.store.document == before
+
+
+def test_the_world_stands_still_during_a_drag_and_fits_itself_after_it(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window()
+    camera = window.panes["world"].canvas.own_camera
+    place = camera.GetPosition()
+    window.store.begin_gesture()
+    window.store.set_projection(seen(window, lens=Perspective(110.0, 1.0, 30.0)))
+    settle(window)
+    assert camera.GetPosition() == place
+    with counted_repaints(window) as counts:
+        window.store.end_gesture()
+        settle(window)
+    assert counts["world"] == 1
+    assert math.dist(camera.GetPosition(), camera.GetFocalPoint()) > 1.05 * math.dist(
+        place, camera.GetFocalPoint()
+    )
+    assert window.panes["world"].view is None
+
+
+def test_turning_stops_at_the_pole(make_window: Callable[..., MainWindow]) -> None:
+    window = make_window()
+    canvas = window.panes["world"].canvas
+    for _ in range(5):
+        canvas._orbit(0.0, 300.0)
+        assert canvas.own_camera.GetViewUp()[1] > 0.0
+        x, y, z = np.subtract(canvas.own_camera.GetPosition(), canvas.own_camera.GetFocalPoint())
+        assert y / math.hypot(x, y, z) < math.sin(math.radians(89.1))
+
+
+def test_keys_on_a_pane_change_nothing(make_window: Callable[..., MainWindow]) -> None:
+    window = make_window()
+    settle(window)
+    before = pixels(window, "world")
+    canvas = window.panes["world"].canvas
+    for key in "3wsqerfp":
+        QTest.keyClick(canvas, key)
+    settle(window)
+    assert (pixels(window, "world") == before).all()
+    assert window.isVisible()
+
+
+def test_keys_turn_move_and_zoom_a_pane_that_tab_has_reached(
+    make_window: Callable[..., MainWindow], qtbot: Any
+) -> None:
+    window = make_window()
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    settle(window)
+    keys, shift = Qt.Key, Qt.KeyboardModifier.ShiftModifier
+    canvas, model = window.panes["world"].canvas, window.store.document
+    camera = canvas.own_camera
+    assert not window.panes["image"].canvas.focusPolicy() & Qt.FocusPolicy.TabFocus
+    window.panes["world"]._float.setFocus()
+    QTest.keyClick(window.panes["world"]._float, keys.Key_Tab)
+    assert canvas.hasFocus()
+    start = camera.GetPosition(), camera.GetFocalPoint()
+    for there, back in (
+        ((keys.Key_Right,), (keys.Key_Left,)),
+        ((keys.Key_Down,), (keys.Key_Up,)),
+        ((keys.Key_Right, shift), (keys.Key_Left, shift)),
+        ((keys.Key_Plus, shift), (keys.Key_Minus,)),
+        ((keys.Key_Up,), (keys.Key_Home,)),
+    ):
+        with counted_repaints(window) as counts:
+            QTest.keyClick(canvas, *there)
+            settle(window)
+        assert counts["world"] == 1
+        moved = camera.GetPosition(), camera.GetFocalPoint()
+        is_panned = there == (keys.Key_Right, shift)
+        assert math.dist(moved[0], start[0]) > 0.3
+        assert (math.dist(moved[1], start[1]) > 0.3) == is_panned
+        QTest.keyClick(canvas, *back)
+        assert camera.GetPosition() == pytest.approx(start[0])
+        assert camera.GetFocalPoint() == pytest.approx(start[1])
+    assert window.store.document == model
+    assert (camera.GetPosition(), window.panes["world"].view) == (start[0], None)
+
+
+def test_enlarging_and_back(make_window: Callable[..., MainWindow]) -> None:
+    window = make_window()
+    header = window.panes["ndc"].header
+    QTest.mouseDClick(header, Qt.MouseButton.LeftButton, pos=header.rect().center())
+    assert [pane.isVisible() for pane in window.panes.values()] == [False, True, False]
+    window.enlarge("ndc")
+    assert all(pane.isVisible() for pane in window.panes.values())
+
+
+def test_a_floating_pane_still_draws_and_docks_again(
+    make_window: Callable[..., MainWindow], qtbot: Any, qtlog: Any
+) -> None:
+    window = make_window()
+    pane = window.panes["ndc"]
+    window.toggle_float("ndc")
+    qtbot.waitExposed(pane)
+    assert pane.isWindow()
+    before = pixels(window, "ndc")
+    window.store.set_projection(seen(window, camera=Camera((-7.0, 3.0, 6.0))))
+    settle(window)
+    assert (pixels(window, "ndc") != before).any()
+    assert len(np.unique(pixels(window, "ndc").reshape(-1, 3), axis=0)) > 10
+    pane.close()  # its own close button docks it
+    settle(window)
+    said = [record.message for record in qtlog.records]
+    assert not [message for message in said if "QRhi" in message], "of the window it has left"
+    assert not pane.isWindow() and pane.isVisible()
+    assert window._pane_row.indexOf(pane) == 1
+    window.store.set_projection(seen(window, camera=Camera((7.0, 3.0, 6.0))))
+    settle(window)
+    assert len(np.unique(pixels(window, "ndc").reshape(-1, 3), axis=0)) > 10
+
+
+# -- room
+
+
+@pytest.mark.parametrize("size", [(1366, 768), (1920, 1080)])
+def test_the_panes_have_room(make_window: Callable[..., MainWindow], size: tuple[int, int]) -> None:
+    window = make_window()
+    window.resize(*size)
+    settle(window)
+    assert window.size().width() == size[0] and window.size().height() == size[1]
+    for pane in window.panes.values():
+        assert pane.width() >= 300 and pane.height() >= 400
+
+
+def test_the_strip_plays_on_while_its_pane_goes_to_a_window_and_back(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window()
+    window.strip.play()
+    for floats in (True, False):
+        window.toggle_float("ndc")
+        settle(window)
+        assert window.panes["ndc"].isWindow() == floats and window.strip.playing
+    window.strip.pause()
+    window.toggle_float("ndc")
+    assert not window.strip.playing
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+def test_themes_and_projector_mode_dress_every_pane(
+    make_window: Callable[..., MainWindow], theme: str
+) -> None:
+    window = make_window()
+    window.set_theme(theme)
+    size = window.font().pointSizeF()
+    window.set_projector(True)
+    settle(window)
+    assert QApplication.font().pointSizeF() > 1.2 * size
+    background = np.median(pixels(window, "world").reshape(-1, 3), axis=0).mean()
+    assert (background < 128) == (theme == "dark")
+    window.set_projector(False)
+    window.set_theme("light")
+    assert QApplication.font().pointSizeF() == pytest.approx(size)
+
+
+def test_a_window_that_starts_in_projector_mode_is_large_all_over(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    size = make_window().controls.sections["lens"].heading.font().pointSizeF()
+    settings = Settings(None)
+    settings.projector = True
+    window = make_window(settings=settings)
+    assert window.controls.sections["lens"].heading.font().pointSizeF() > 1.2 * size
+    assert window.menuBar().font().pointSizeF() > 1.2 * size
+    window.set_projector(False)
+
+
+def test_everything_has_a_name_and_a_tip(make_window: Callable[..., MainWindow]) -> None:
+    window = make_window()
+    for button in window.findChildren(QPushButton):
+        assert button.text() or button.accessibleName()
+    for button in window.findChildren(QToolButton):
+        assert button.isHidden() or button.toolTip(), button.text()
+    for box in window.findChildren(QComboBox):
+        assert box.accessibleName() and box.toolTip()
+
+
+# -- files
+
+
+def test_save_open_and_the_unsaved_mark(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window()
+    assert not window.isWindowModified()
+    window.store.set_projection(seen(window, lens=Perspective(60.0, 2.0, math.inf)))
+    assert window.isWindowModified()
+    path = tmp_path / "lesson.json"
+    assert window.files.save_to(path)
+    assert not window.isWindowModified()
+    assert read(path).projection == window.store.document.projection
+    assert "lesson.json" in window.windowTitle()
+    window.store.undo()
+    assert window.isWindowModified()
+    window.store.redo()
+    assert not window.isWindowModified()
+    other = tmp_path / "R&D.json"
+    write(Document("cube", Projection(lens=Orthographic())), other)
+    assert window.files.open(other)
+    assert window.store.document.scene == "cube"
+    assert window.files.recent[:2] == [str(other), str(path)]
+    texts = [action.text() for action in window._recent_menu.actions()]
+    assert texts[:2] == [str(tmp_path / "R&&D.json"), str(path)]  # as Qt writes an &
+
+
+@pytest.mark.parametrize(
+    ("name", "content"),
+    [
+        ("empty.json", b""),
+        ("cut.json", b'{"format": "frustum-lab", "version": 1, "sce'),
+        ("future.json", b'{"format": "frustum-lab", "version": 99}'),
+        ("foreign.json", b'{"hello": 1}'),
+        ("huge.json", b'{"format": "frustum-lab", "version": 1e400}'),
+        ("text.stl", b"this is not a mesh"),
+        ("empty.obj", b""),
+        ("plain.png", b"\x89PNG\r\n\x1a\nnot really"),
+        ("notes.txt", b"hello"),
+    ],
+)
+def test_a_bad_file_gives_one_sentence_and_leaves_the_window_as_it_was(
+    make_window: Callable[..., MainWindow], tmp_path: Path, name: str, content: bytes
+) -> None:
+    window = make_window(shown=False)
+    before = window.store.document
+    path = tmp_path / name
+    path.write_bytes(content)
+    assert not window.files.open(path)
+    assert name in window.messages.text
+    assert "\n" not in window.messages.text and window.messages.text.endswith((".", "?"))
+    assert window.store.document == before
+    assert window.files.recent == []
+
+
+def test_a_missing_file_and_a_folder(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window(shown=False)
+    for path in (tmp_path / "missing.json", tmp_path, tmp_path / "missing.obj"):
+        window.messages.hide()
+        assert not window.files.open(path)
+        assert path.name in window.messages.text
+
+
+def test_a_document_whose_mesh_is_gone_is_named(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window(shown=False)
+    path, gone = tmp_path / "lesson.json", tmp_path / "gone.stl"
+    for document in (Document(str(gone)), on_triangles(mesh=str(gone))):
+        write(document, path)
+        assert not window.files.open(path)
+        assert window.messages.text.startswith(f"{path}: {gone}: there is no such file")
+    assert not window.files.open(gone)
+    assert window.messages.text.startswith(f"{gone}: there is no such file")
+
+
+def test_saving_where_nothing_can_be_saved(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window(shown=False)
+    window.store.set_projection(seen(window, lens=Perspective(60.0, 2.0, 20.0)))
+    assert not window.files.save_to(tmp_path / "no such folder" / "lesson.json")
+    assert "lesson.json" in window.messages.text
+    assert window.store.modified
+
+
+def drop(window: MainWindow, path: Path) -> None:
+    data = QMimeData()
+    data.setUrls([QUrl.fromLocalFile(str(path))])
+    event = QDropEvent(
+        QPointF(200, 200), Qt.DropAction.CopyAction, data, Qt.MouseButton.LeftButton,
+        Qt.KeyboardModifier.NoModifier,
+    )  # fmt: skip
+    window.dropEvent(event)
+    settle(window)
+
+
+def test_a_mesh_is_opened_by_dropping_it(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window()
+    mesh = tmp_path / "tetra.obj"
+    mesh.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 1 3 4\nf 2 3 4\n")
+    drop(window, mesh)
+    assert window.store.document.scene == str(mesh)
+    trace = window.store.document.projection.trace([(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)])
+    assert not trace.outside.any()
+    assert len(np.unique(pixels(window, "image").reshape(-1, 3), axis=0)) > 3
+
+
+def test_an_exported_picture_brings_the_state_back(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window()
+    window.store.set_projection(seen(window, lens=Perspective(61.25, 0.5, math.inf)))
+    wanted = window.store.document
+    path = tmp_path / "figure.png"
+    choice = ExportChoice(("world", "ndc", "image"), (900, 300), 1.0, False)
+    assert window.pictures.export(path, choice)
+    picture = QImage(str(path))
+    assert (picture.width(), picture.height()) == (900, 300)
+    window.reset()
+    window.store.mark_saved()
+    drop(window, path)
+    assert window.store.document == wanted
+    assert window.files.path is None  # saving must not overwrite the picture
+
+
+def test_a_picture_written_through_a_link_finds_its_mesh(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window(shown=False)
+    mesh = tetrahedron(tmp_path)
+    assert window.files.open(mesh)
+    (tmp_path / "deep").mkdir()
+    link = tmp_path / "link.png"
+    link.symlink_to(tmp_path / "deep" / "real.png")
+    assert window.pictures.export(link, ExportChoice(("image",), (64, 64), 1.0, False))
+    assert window.files.open(link), window.messages.text
+    assert window.store.document.scene == str(mesh)
+
+
+def test_a_picture_of_any_name_is_no_place_to_save_a_document_in(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window(shown=False)
+    path = tmp_path / "pic.dat"
+    path.write_bytes(png_bytes(np.zeros((4, 4, 3), np.uint8), to_json(Document("cube"))))
+    assert window.files.open(path)
+    assert window.store.document.scene == "cube" and window.files.path is None
+
+
+def turn(window: MainWindow, name: str) -> None:
+    canvas = window.panes[name].canvas
+    QTest.mousePress(canvas, Qt.MouseButton.LeftButton, pos=QPoint(100, 100))
+    QTest.mouseMove(canvas, QPoint(180, 130))
+    QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=QPoint(180, 130))
+    canvas.zoom(1.2)
+    settle(window)
+
+
+def test_a_picture_shows_the_panes_as_they_were_turned_and_so_does_its_document(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window()
+    straight, turned = tmp_path / "straight.png", tmp_path / "turned.png"
+    choice = ExportChoice(("world", "ndc"), (800, 400), 1.0, False)
+    window.pictures.export(straight, choice)
+    for name in ("world", "ndc"):
+        turn(window, name)
+    assert not window.store.modified, "to look from elsewhere changes no document"
+    before = {name: pixels(window, name) for name in ("world", "ndc")}
+    window.pictures.export(turned, choice)
+    picture = np.asarray(Image.open(turned))
+    assert (picture != np.asarray(Image.open(straight))).mean() > 0.02
+    document = read(turned)
+    again = render(
+        load("letter-f"), document.projection, choice.panes, choice.size, views=document.views
+    )
+    assert (again == picture).all()
+
+    window.reset_views()
+    settle(window)
+    assert any((pixels(window, name) != before[name]).any() for name in before)
+    drop(window, turned)
+    for name, there in before.items():
+        assert (pixels(window, name) == there).all(), name
+    drop(window, straight)
+    assert window.panes["world"].view is None and window.panes["ndc"].view is None
+
+
+def test_the_views_of_panes_that_this_program_does_not_have_are_kept(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window()
+    tree = json.loads(to_json(Document("cube")))
+    other = tree["camera"] | {"note": "mine"}
+    path = tmp_path / "lesson.json"
+    path.write_text(json.dumps(tree | {"views": {"second-screen": other, "world": tree["camera"]}}))
+    assert window.files.open(path)
+    window.reset_views()
+    window.store.set_projection(seen(window, lens=Perspective(60.0, 2.0, 20.0)))
+    assert window.files.save()
+    assert json.loads(path.read_text())["views"] == {"second-screen": other}
+
+
+def test_another_theme_keeps_the_panes_as_they_were_turned(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window()
+    turn(window, "world")
+    view = window.panes["world"].view
+    assert view is not None
+    window.set_theme("dark")
+    settle(window)
+    assert window.panes["world"].view == view
+    assert window.panes["ndc"].view is None
+
+
+def test_the_picture_on_the_clipboard_carries_the_document(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window()
+    window.pictures.copy()
+    data = QApplication.clipboard().mimeData()
+    assert data.hasImage()
+    text = extract(bytes(data.data("image/png").data()))
+    assert text is not None and json.loads(text)["scene"] == "letter-f"
+
+
+def test_an_export_can_be_cancelled(
+    make_window: Callable[..., MainWindow], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    window = make_window()
+    monkeypatch.setattr("widgets.window.pictures.SHOW_PROGRESS_AFTER_MS", 0)
+    seen_dialogs = []
+
+    def cancel() -> None:
+        dialog = QApplication.activeModalWidget()
+        if isinstance(dialog, QProgressDialog):
+            seen_dialogs.append(dialog.labelText())
+            dialog.cancel()
+
+    timer = QTimer()
+    timer.timeout.connect(cancel)
+    timer.start(0)
+    path = tmp_path / "figure.png"
+    choice = ExportChoice(("world", "ndc", "image"), (900, 300), 1.0, False)
+    assert not window.pictures.export(path, choice)
+    timer.stop()
+    assert seen_dialogs
+    assert not path.exists()
+    assert window.messages.text == ""
+
+
+def test_a_message_goes_when_the_next_try_succeeds_and_an_offer_stays(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window(shown=False)
+    assert not window.files.save_to(tmp_path / "no such folder" / "lesson.json")
+    assert window.messages.text
+    assert window.files.save_to(tmp_path / "lesson.json")
+    assert window.messages.text == ""
+    messages, taken = window.messages, []
+    messages.say("An offer.", ("Take it", partial(taken.append, "it")))
+    assert window.files.save_to(tmp_path / "lesson.json")
+    assert messages.text == "An offer."
+    assert not window.files.save_to(tmp_path / "no such folder" / "lesson.json")
+    assert "no such folder" in messages.text and messages.choices == ()
+    assert window.files.save_to(tmp_path / "lesson.json")
+    assert messages.text == "An offer."
+    messages.say("A refusal.")
+    messages._close.click()
+    assert messages.text == "An offer."
+    messages.say("A refusal.")
+    messages.take_back("A refusal.")
+    messages.choices[0].click()
+    assert messages.text == "" and taken == ["it"]
+    messages.say("A refusal.")
+    messages.done()
+    assert messages.text == ""
+    messages.say("Another offer.", ("Take it", lambda: None))
+    messages._close.click()
+    messages.done()
+    assert messages.text == ""
+
+
+def test_the_export_dialog_refuses_what_cannot_be_drawn(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window(shown=False)
+    dialog = ExportDialog(window._titles, (640, 360), window)
+    save = dialog._buttons.button(dialog._buttons.StandardButton.Save)
+    assert save.isEnabled()
+    for box in dialog._boxes.values():
+        box.setChecked(False)
+    assert not save.isEnabled() and dialog._problem.text()
+    dialog._boxes["image"].setChecked(True)
+    assert dialog.choice() == ExportChoice(("image",), (640, 360), 1.0, False)
+    dialog._width.setText("0")
+    assert not save.isEnabled()
+    for text in ("1_800", "\uff11\uff18\uff10\uff10", "1800.0", "1e3", "", "9" * 5000):
+        dialog._width.setText(text)
+        assert not save.isEnabled(), text
+        assert "must be whole numbers" in dialog._problem.text()
+    dialog._width.setText("9" * 400)
+    assert not save.isEnabled()
+    assert "width = 1e400: must be a whole number of pixels" in dialog._problem.text()
+    dialog._width.setText(" 640 ")
+    assert save.isEnabled() and dialog.choice().size == (640, 360)
+    dialog._width.setText("16384")
+    assert save.isEnabled()
+    dialog._scale.setCurrentIndex(1)
+    assert not save.isEnabled()
+    dialog._scale.setCurrentIndex(0)
+    dialog._width.selectAll()
+    QTest.keyClicks(dialog._width, "777")
+    dialog._boxes["world"].setChecked(True)
+    assert dialog.choice().size == (777, 360)  # what was typed stays
+
+
+def test_a_number_of_400_digits_is_refused_in_a_sentence() -> None:
+    """As a document may hold it; float64 has no such number, and infinity is another."""
+    with pytest.raises(ProjectionError) as refused:
+        Perspective(45.0, 10**399, math.inf)
+    assert "1e399" in sentence(refused.value)
+    assert number_text(-(10**399)) == "-1e399"
+    assert number_text(-math.inf) == "-∞"
+
+
+def answer(button: QMessageBox.StandardButton) -> None:
+    """Press a button of the question that will be asked."""
+
+    def press() -> None:
+        box = QApplication.activeModalWidget()
+        assert isinstance(box, QMessageBox)
+        box.button(button).click()
+
+    QTimer.singleShot(0, press)
+
+
+def test_closing_with_unsaved_work_asks(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window()
+    window.store.set_projection(seen(window, lens=Perspective(60.0, 2.0, 20.0)))
+    answer(QMessageBox.StandardButton.Cancel)
+    assert not window.close()
+    assert window.isVisible()
+    window.files.path = tmp_path / "kept.json"
+    answer(QMessageBox.StandardButton.Save)
+    assert window.close()
+    assert read(tmp_path / "kept.json") == window.store.document
+
+
+def test_what_another_program_wrote_is_not_saved_over_unasked(
+    make_window: Callable[..., MainWindow], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    window, path = make_window(shown=False), tmp_path / "lesson.json"
+    asked: list[str] = []
+
+    def press(text: str) -> None:
+        def click() -> None:
+            box = QApplication.activeModalWidget()
+            assert isinstance(box, QMessageBox)
+            asked.append(box.text())
+            next(button for button in box.buttons() if button.text() == text).click()
+
+        QTimer.singleShot(0, click)
+
+    assert window.files.save_to(path)
+    window.store.set_projection(seen(window, lens=Perspective(60.0, 2.0, 20.0)))
+    assert window.files.save() and asked == [], "only this window wrote"
+    for depth, text in (("direct3d", "Cancel"), ("reversed", "Save &as…"), ("opengl", "")):
+        window.store.set_projection(seen(window, depth=depth))
+        theirs = Document("posts")
+        write(theirs, path)
+        other = tmp_path / "mine.json"
+        monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_, to=other: (str(to), ""))
+        press(text or "Save &over it")
+        assert window.files.save() == (text != "Cancel")
+        assert read(path) == (theirs if text else window.store.document)
+        if text == "Save &as…":
+            assert read(other) == window.store.document and window.files.path == other
+            assert window.files.open(path)
+    assert (
+        asked == ["lesson.json has been changed elsewhere since it was opened or saved here."] * 3
+    )
+    path.unlink()
+    assert window.files.save() and path.exists(), "what is gone is written again"
+
+
+def being_typed(window: MainWindow, qtbot: Any, text: str) -> None:
+    """Leave a number in the field of the vertical field of view, not yet entered."""
+    field = window.controls._number("fov_y_deg").field
+    qtbot.mouseClick(field, Qt.MouseButton.LeftButton)
+    field.selectAll()
+    qtbot.keyClicks(field, text)
+
+
+def fov_deg(document: Document) -> float:
+    lens = document.projection.lens
+    assert isinstance(lens, Perspective)
+    return lens.fov_y_deg
+
+
+def test_what_is_typed_and_not_entered_is_asked_about_at_closing(
+    make_window: Callable[..., MainWindow], qtbot: Any
+) -> None:
+    window = make_window()
+    being_typed(window, qtbot, "67")
+    assert not window.store.modified
+    answer(QMessageBox.StandardButton.Cancel)
+    assert not window.close()
+    assert fov_deg(window.store.document) == 67.0
+    being_typed(window, qtbot, "nonsense")
+    answer(QMessageBox.StandardButton.Discard)
+    assert window.close()
+
+
+def test_what_is_typed_and_not_entered_is_saved(
+    make_window: Callable[..., MainWindow], qtbot: Any, tmp_path: Path
+) -> None:
+    window = make_window()
+    window.files.path = tmp_path / "kept.json"
+    being_typed(window, qtbot, "67")
+    window._save.trigger()
+    assert fov_deg(read(tmp_path / "kept.json")) == 67.0
+    assert not window.store.modified
+
+
+def test_closing_in_the_middle_of_a_drag_and_of_a_play(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window()
+    window.store.begin_gesture()
+    window.store.set_projection(seen(window, lens=Perspective(60.0, 2.0, 20.0)))
+    window.controls.animation.toggle()
+    answer(QMessageBox.StandardButton.Discard)
+    assert window.close()
+
+
+def test_shortcuts_work_in_the_window_of_a_floated_pane(
+    make_window: Callable[..., MainWindow], qtbot: Any
+) -> None:
+    window = make_window()
+    start = window.store.document
+    pane = window.panes["world"]
+    window.toggle_float("world")
+    pane.activateWindow()
+    qtbot.waitUntil(pane.isActiveWindow)
+    window.store.set_projection(seen(window, lens=Perspective(60.0, 2.0, 20.0)))
+    qtbot.keyClick(pane, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    assert window.store.document == start
+    qtbot.keyClick(pane, Qt.Key.Key_F9)
+    assert not pane.isWindow()
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    window.redo()
+    qtbot.keyClick(window, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    assert window.store.document == start
+
+
+def test_the_title_names_what_is_shown(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window(shown=False)
+    mesh = tetrahedron(tmp_path)
+    assert "Untitled" in window.windowTitle()
+    assert window.files.open(mesh)
+    assert mesh.name in window.windowTitle()
+    window._choose_scene("cube")
+    assert "Untitled" in window.windowTitle()
+    window.undo()
+    assert mesh.name in window.windowTitle()
+
+
+def test_the_keys_that_help_names_are_those_of_the_window(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window(shown=False)
+    window.help.show_keys()
+    box = window.findChild(QMessageBox)
+    named = set(re.findall(r"Ctrl\+\w+|\bF\d+", box.text())) - {"F2"}  # of a matrix cell
+    assert {"Ctrl+Space", "Ctrl+Z", "F4", "F9"} <= named
+    assert named <= {action.shortcut().toString() for action in window.findChildren(QAction)}
+    box.close()
+
+
+# -- autosave
+
+
+def test_unsaved_work_is_offered_after_a_crash_and_never_opened_by_itself(
+    make_window: Callable[..., MainWindow], qtbot: Any
+) -> None:
+    crashed = make_window(shown=False)
+    crashed.store.set_projection(seen(crashed, lens=Perspective(61.0, 2.0, 20.0)))
+    crashed.autosave.save_now()
+    lost = crashed.store.document
+    window = make_window(shown=False)
+    settle(window)
+    assert window.messages.text == "", "the work of a window that lives is not offered"
+    crashed.autosave._lock.unlock()  # what the system does when a process dies
+    window._offer_recovery()
+    assert window.messages.text
+    assert window.store.document != lost
+    window.messages.choices[0].click()
+    assert window.store.document == lost
+    assert window.store.modified
+    assert window.autosave.orphans() == []
+
+
+DIES = """
+import os, signal, sys
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+from PySide6.QtCore import QCoreApplication
+from app.document.document import Document, to_json
+from app.model.projection import Perspective
+from widgets.program.application import Settings
+from widgets.window.autosave import Autosave
+application = QCoreApplication([])
+document = Document("posts")
+document = replace(document, projection=replace(document.projection, lens=Perspective(61, 2, 20)))
+autosave = Autosave(Path(sys.argv[1]), lambda: document)
+autosave.save_now()
+assert autosave.orphans() == []
+os.kill(os.getpid(), signal.SIGKILL if hasattr(signal, "SIGKILL") else signal.SIGTERM)
+"""
+
+
+def test_a_killed_process_leaves_its_work_to_the_next(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window(shown=False)
+    folder = window.autosave._folder
+    killed = subprocess.run([sys.executable, "-c", DIES, str(folder)], cwd=ROOT, check=False)
+    assert killed.returncode != 0
+    window._offer_recovery()
+    window.messages.choices[0].click()
+    assert window.store.document.scene == "posts"
+    assert window.store.document.projection.lens == Perspective(61.0, 2.0, 20.0)
+    assert window.autosave.orphans() == []
+
+
+def test_the_lock_of_a_killed_window_without_unsaved_work_is_removed(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window(shown=False)
+    folder = window.autosave._folder
+    dies = DIES.replace("autosave.save_now()", "")
+    subprocess.run([sys.executable, "-c", dies, str(folder)], cwd=ROOT, check=False)
+    assert len(list(folder.iterdir())) == 2
+    assert window.autosave.orphans() == []
+    assert list(folder.iterdir()) == [window.autosave._lock_path(window.autosave._path)]
+
+
+def test_a_good_close_leaves_no_autosave(make_window: Callable[..., MainWindow]) -> None:
+    window = make_window()
+    window.store.set_projection(seen(window, lens=Perspective(61.0, 2.0, 20.0)))
+    window.autosave.save_now()
+    folder = window.autosave._folder
+    assert list(folder.glob("autosave-*.json"))
+    window.store.mark_saved()
+    window.close()
+    assert not list(folder.glob("autosave-*"))
+
+
+def test_a_broken_autosave_is_one_sentence(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window(shown=False)
+    broken = window.autosave._folder / "autosave-1-aaaa.json"
+    broken.write_text("{")
+    window._offer_recovery()
+    window.messages.choices[0].click()
+    assert "autosave-1-aaaa.json" in window.messages.text
+    assert not window.store.modified
+    other = window.autosave._folder / "autosave-3-aaaa.json"
+    write(Document("cube"), other)
+    whole = window.autosave._folder / "autosave-2-aaaa.json"
+    write(Document("posts"), whole)
+    os.utime(whole, (1.0, 1.0))  # older
+    window.messages.choices[1].click()
+    assert not broken.exists()
+    other.unlink()  # recovered in another window
+    window.messages.choices[0].click()
+    assert other.name in window.messages.text and not window.messages.choices
+    window._offer_recovery()
+    window.messages.choices[0].click()
+    assert window.store.document.scene == "posts"
+
+
+def test_recovered_work_is_in_a_copy_at_every_moment(
+    make_window: Callable[..., MainWindow],
+    monkeypatch: pytest.MonkeyPatch,
+    caplog: pytest.LogCaptureFixture,
+) -> None:
+    window = make_window(shown=False)
+    lost = window.autosave._folder / "autosave-1-aaaa.json"
+    write(Document("posts"), lost)
+
+    def full(_document: Document, path: Path) -> None:
+        raise DocumentError(UNWRITABLE, "No space left on device", file=str(path))
+
+    window._offer_recovery()
+    with monkeypatch.context() as disk:
+        disk.setattr("widgets.window.autosave.write", full)
+        window.messages.choices[0].click()
+    assert window.store.document.scene == "posts"
+    assert lost.exists() and "save it soon" in window.messages.text
+    caplog.clear()  # the error holds the window
+    window.store.mark_saved()
+    window._offer_recovery()
+    window.messages.choices[0].click()
+    (copy,) = window.autosave._folder.glob("autosave-*.json")
+    assert copy != lost and read(copy).scene == "posts"
+
+
+def test_work_whose_mesh_is_not_there_can_be_recovered_when_it_is(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window(shown=False)
+    mesh = tetrahedron(tmp_path)
+    copy = window.autosave._folder / "autosave-1-aaaa.json"
+    write(on_triangles(mesh=str(mesh)), copy)
+    mesh.unlink()
+    window._offer_recovery()
+    window.messages.choices[0].click()
+    assert mesh.name in window.messages.text and copy.exists()
+    tetrahedron(tmp_path)
+    window.messages.choices[0].click()
+    assert window.store.document.mesh == str(mesh) and window.messages.text == ""
+
+
+def test_the_autosave_folder_may_be_unusable(display: Any, tmp_path: Path) -> None:
+    in_the_way = tmp_path / "file"
+    in_the_way.write_text("")
+    autosave = Autosave(in_the_way / "data", lambda: Document())
+    told: list[str] = []
+    autosave.failed.connect(told.append)
+    for _ in range(2):
+        autosave.save_now()
+    assert told == [str(in_the_way / "data")], "once"
+    assert autosave.orphans() == []
+    autosave.close()
+
+
+def test_a_copy_that_cannot_be_removed_keeps_no_window_open(
+    make_window: Callable[..., MainWindow],
+    monkeypatch: pytest.MonkeyPatch,
+    caplog: pytest.LogCaptureFixture,
+) -> None:
+    window = make_window(shown=False)
+    other = window.autosave._folder / "autosave-1-aaaa.json"
+    write(Document("posts"), other)
+    window._offer_recovery()
+    window.store.set_projection(replace(window.store.document.projection, depth="direct3d"))
+    assert window.autosave.save_now()
+
+    def refuse(path: Path, missing_ok: bool = False) -> None:
+        raise PermissionError(13, "Permission denied", str(path))
+
+    with monkeypatch.context() as folder:
+        folder.setattr(Path, "unlink", refuse)
+        window.messages.choices[1].click()  # discard it
+        assert window.messages.text == f"{other} could not be removed: Permission denied."
+        window.store.mark_saved()
+        assert window.close()
+    assert "autosave stays" in caplog.text
+    caplog.clear()  # the error holds the window
+
+
+def test_that_no_copy_can_be_kept_is_said_in_the_window(
+    make_window: Callable[..., MainWindow],
+    monkeypatch: pytest.MonkeyPatch,
+    caplog: pytest.LogCaptureFixture,
+) -> None:
+    window = make_window(shown=False)
+
+    def full(_document: Document, path: Path) -> None:
+        raise DocumentError(UNWRITABLE, "No space left on device", file=str(path))
+
+    start = window.store.document.projection
+    window.store.set_projection(replace(start, depth="direct3d"))
+    with monkeypatch.context() as disk:
+        disk.setattr("widgets.window.autosave.write", full)
+        window.autosave.save_now()
+    said = f"No copy of unsaved work can be kept in {window.autosave._folder}: save it soon."
+    assert window.messages.text == said
+    window.store.mark_saved()
+    caplog.clear()  # the error holds the window
+
+
+# -- scenes
+
+
+def test_the_scene_menu_changes_the_scene_and_undo_brings_it_back(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window()
+    before = pixels(window, "image")
+    window._choose_scene("posts")
+    settle(window)
+    assert window.store.document.scene == "posts"
+    assert window._scene_box.currentData() == "posts"
+    assert (pixels(window, "image") != before).any()
+    window.store.undo()
+    settle(window)
+    assert window.store.document.scene == "letter-f"
+    assert window._scene_box.currentData() == "letter-f"
+    assert (pixels(window, "image") == before).all()
+
+
+def test_status_line_in_figures(make_window: Callable[..., MainWindow]) -> None:
+    # tan(45/2) 16/9 = 0.73637 -> 2 atan = 72.73 deg; 43.267/2 / (tan(22.5) sqrt(1+(16/9)^2)) =
+    # 21.6333/(0.414214*2.039741) = 25.605 mm
+    window = make_window(shown=False)
+    texts = " ".join(label.text() for label in window.statusBar().findChildren(QLabel))
+    assert "45° × 72.73°" in texts
+    assert "25.61 mm" in texts
+    assert "1 : 30" in texts
+    window.store.set_projection(seen(window, lens=Perspective(45.0, 1.0, math.inf)))
+    assert "far ∞" in " ".join(label.text() for label in window.statusBar().findChildren(QLabel))
+
+
+@pytest.mark.parametrize(
+    ("fov_y_deg", "text"),
+    [
+        (180.0 - 3e-12, "fov 180-3e-12° × 180-2e-12°"),
+        (179.97, "fov 179.97° × 179.983°"),
+        (1e-12, "fov 1e-12° × 1.778e-12°"),
+    ],
+)
+def test_the_status_line_shows_no_fov_that_no_lens_has(
+    make_window: Callable[..., MainWindow], fov_y_deg: float, text: str
+) -> None:
+    window = make_window(shown=False)
+    window.store.set_projection(seen(window, lens=Perspective(fov_y_deg, 1.0, 30.0)))
+    assert text in " ".join(label.text() for label in window.statusBar().findChildren(QLabel))
+
+
+# -- memory
+
+
+def resident() -> int:
+    return int(psutil.Process().memory_info().rss)
+
+
+def test_windows_opened_and_closed_leave_nothing_behind(
+    make_window: Callable[..., MainWindow], display: QApplication
+) -> None:
+    """The benchmark does it 20 times; a leak of one window shows in fewer."""
+    sizes, canvases = [], []
+    for _ in range(6):
+        window = make_window()
+        canvases += [weakref.ref(pane.canvas) for pane in window.panes.values()]
+        window.close()
+        make_window.forget(window)  # type: ignore[attr-defined]
+        del window
+        display.processEvents()
+        display.sendPostedEvents(None, 52)  # QEvent.DeferredDelete
+        gc.collect()
+        sizes.append(resident())
+    assert sum(canvas() is not None for canvas in canvases) == 0
+    assert sizes[-1] - sizes[1] < 20e6
+
+
+def test_random_changes_do_not_pile_up(make_window: Callable[..., MainWindow]) -> None:
+    window = make_window()
+    window.resize(940, 420)  # quickly drawn
+    window.store.begin_gesture()
+    rng = random.Random(2)
+    start = 0
+    for change in range(600):
+        if change == 300:
+            gc.collect()
+            start = resident()
+        camera = Camera.from_orbit(
+            (0.0, 2.2, 0.0), Orbit(rng.uniform(-180, 180), rng.uniform(-80, 80), rng.uniform(2, 40))
+        )
+        near = 10 ** rng.uniform(-6, 1)
+        lens = Perspective(rng.uniform(1, 179), near, near * 10 ** rng.uniform(0.1, 9))
+        window.store.set_projection(Projection(camera, lens))
+        QApplication.processEvents()
+    gc.collect()
+    assert resident() - start < 10e6
+    window.store.end_gesture()
+
+
+# -- phenomena
+
+TRIANGLES = PHENOMENA["similar-triangles"]
+
+
+def on_triangles(**changes: Any) -> Document:
+    return Document("similar-triangles", TRIANGLES.start, **changes)
+
+
+def exhibits_of(window: MainWindow) -> dict[str, list[Any]]:
+    """What each pane is given to show from now on."""
+    given: dict[str, list[Any]] = {}
+    for name, pane in window.panes.items():
+        given[name] = []
+        for method in ("build", "show_projection"):
+            show = getattr(pane, method)
+
+            def keep(
+                projection: Any,
+                exhibit: Any,
+                *args: Any,
+                to: list[Any] = given[name],
+                show: Any = show,
+            ) -> None:
+                to.append(exhibit)
+                show(projection, exhibit, *args)
+
+            setattr(pane, method, keep)
+    return given
+
+
+@pytest.fixture
+def everything(monkeypatch: pytest.MonkeyPatch) -> Document:
+    """A document of a scene with a setting of every kind."""
+    for room in (app.document.document, app.scenes.scene):
+        monkeypatch.setattr(room, "PHENOMENA", {**PHENOMENA, "everything": EVERYTHING})
+    return Document("everything", EVERYTHING.start)
+
+
+def test_choosing_a_phenomenon_opens_its_panel_and_leaving_it_folds_it(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window()
+    assert window.panels.open_panel is None
+    window._choose_scene("similar-triangles")
+    settle(window)
+    assert window.panels.open_panel is window.scene_panel
+    assert window.scene_panel.title.text() == "Similar triangles"
+    assert list(window.scene_panel.rows) == ["distance", "point"]
+    assert not window.controls.rows["azimuth_deg"].isHidden()
+    window.panels.open(None)
+    window.store.set_settings({"distance": 5.0})
+    window.set_theme("dark")
+    assert window.panels.open_panel is None, "it is opened once, and stays folded"
+    window._choose_scene("cube")
+    assert window.scene_panel.rows == {}
+    window.store.undo()
+    assert window.panels.open_panel is window.scene_panel
+    window.store.undo()
+    window.store.undo()
+    assert window.store.document.scene == "letter-f" and window.panels.open_panel is None
+
+
+@pytest.mark.parametrize("size", [(1366, 768), (1920, 1080)])
+def test_the_panes_have_room_above_a_phenomenon(
+    make_window: Callable[..., MainWindow], size: tuple[int, int]
+) -> None:
+    window = make_window(on_triangles())
+    window.resize(*size)
+    settle(window)
+    assert window.scene_panel.isVisible()
+    assert (window.width(), window.height()) == size
+    for pane in window.panes.values():
+        assert pane.width() >= 300 and pane.height() >= 400
+    bar = window.scene_panel._readout_column.verticalScrollBar()
+    assert not bar.isVisible(), "every reading is seen without scrolling"
+
+
+def test_scenes_are_listed_in_the_order_of_the_lectures_by_their_titles(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window(shown=False)
+    names = [action.data() for action in window._scene_group.actions()]
+    assert names[:2] == ["letter-f", "cube"]
+    assert [name for name in names if name in PHENOMENA] == list(PHENOMENA)
+    titles = {action.data(): action.text() for action in window._scene_group.actions()}
+    assert titles["similar-triangles"] == "Similar triangles"
+    box = window._scene_box
+    listed = [box.itemData(index) for index in range(box.count())]
+    assert [name for name in listed if name] == names
+    first = names.index(next(iter(PHENOMENA)))
+    assert listed[first] is None, "a separator before the first phenomenon"
+    window._choose_scene("similar-triangles")
+    assert box.currentText() == "Similar triangles"
+
+
+def test_an_exhibit_is_computed_once_a_change_and_shown_everywhere(
+    make_window: Callable[..., MainWindow], everything: Document, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    made: list[Any] = []
+
+    def show(*arguments: Any) -> Any:
+        made.append(EVERYTHING.show(*arguments))
+        return made[-1]
+
+    counting = replace(EVERYTHING, show=show)
+    monkeypatch.setitem(app.scenes.scene.PHENOMENA, "everything", counting)  # type: ignore[arg-type]
+    window = make_window(everything)
+    settle(window)
+    made.clear()
+    given = exhibits_of(window)
+    with counted_repaints(window) as counts:
+        window.store.set_settings({"gap": 3.0})
+        settle(window)
+        window.store.set_projection(seen(window, camera=Camera((-7.0, 3.0, 6.0))))
+        settle(window)
+    assert len(made) == 2
+    assert given == dict.fromkeys(window.panes, made)
+    assert counts == {"world": 2, "ndc": 2, "image": 2}
+    value = window.scene_panel.readout.lines[0][1]
+    assert value.text() == "3"
+    assert made[-1].readings[0].value == 3.0
+
+
+def test_idle_with_an_open_panel_draws_nothing(make_window: Callable[..., MainWindow]) -> None:
+    window = make_window(on_triangles())
+    settle(window)
+    with counted_repaints(window) as counts:
+        QTest.qWait(300)
+    assert counts == {"world": 0, "ndc": 0, "image": 0}
+
+
+def test_no_exhibit_of_one_scene_is_shown_in_another(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window(on_triangles())
+    given = exhibits_of(window)
+    window._choose_scene("posts")
+    assert all(shown == [None] for shown in given.values())
+    window._choose_scene("similar-triangles")
+    for shown in given.values():
+        assert shown[0] is None and shown[1] is not None and len(shown) == 2
+
+
+def test_a_setting_is_changed_from_its_row_and_undone_into_it(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window(on_triangles())
+    row: Any = window.scene_panel.rows["distance"]
+    row.slider.setSliderDown(True)
+    for position in (10, 20, 30):
+        row.slider.setValue(position)
+    row.slider.setSliderDown(False)
+    distance = row.value()
+    assert window.store.document.settings["distance"] == distance < 0.0
+    assert window.isWindowModified()
+    assert window.scene_panel.readout.lines[4][1].text() == "upside down and left for right"
+    window.store.undo()
+    assert row.value() == 4.0 and window.store.document == on_triangles()
+    assert window.scene_panel.readout.lines[4][1].text() == "upright"
+    assert not window.store.can_undo and not window.isWindowModified()
+    window.store.redo()
+    assert row.value() == distance
+
+
+def test_a_setting_that_cannot_be_is_refused_at_its_row(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window(on_triangles())
+    row: Any = window.scene_panel.rows["distance"]
+    row.field.setFocus()
+    row.field.selectAll()
+    QTest.keyClicks(row.field, "0")
+    QTest.keyClick(row.field, Qt.Key.Key_Return)
+    assert row.error.startswith("⚠ Not possible. Plane distance d = 0: must not be 0: the plane")
+    assert window.store.document == on_triangles()
+    assert not window.store.can_undo
+
+
+def test_the_camera_follows_in_the_same_step(
+    make_window: Callable[..., MainWindow], everything: Document
+) -> None:
+    window = make_window(everything)
+    row: Any = window.scene_panel.rows["light"]
+    field = row.fields[1]
+    field.setFocus()
+    field.selectAll()
+    QTest.keyClicks(field, "7")
+    QTest.keyClick(field, Qt.Key.Key_Return)
+    assert window.store.document.projection.camera.eye == (5.5, 7.0, 9.5)
+    assert window.controls.projection.camera.eye == (5.5, 7.0, 9.5)
+    window.store.undo()
+    assert window.store.document == everything and not window.store.can_undo
+
+
+def test_undo_while_the_camera_walks_takes_back_what_was_done_last(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window()
+    walk, row = window.controls.animation, window.controls.rows["fov_y_deg"]
+    start = window.store.document.projection
+    walk.play()
+    walk.advance(0.2)
+    walked = window.store.document.projection
+    row.field.selectAll()
+    QTest.keyClicks(row.field, "70")
+    QTest.keyClick(row.field, Qt.Key.Key_Return)
+    walk.advance(0.2)
+    window._undo.trigger()
+    assert window.store.document.projection == walked != start
+    assert not walk.playing and window.store.can_redo  # playing on would leave nothing to redo
+    window._undo.trigger()
+    assert window.store.document.projection == start and not window.store.can_undo
+    window._redo.trigger()
+    window._redo.trigger()
+    assert window.store.document.projection.lens == replace(start.lens, fov_y_deg=70.0)
+
+
+def test_reset_while_the_camera_walks_puts_all_back(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window()
+    start = window.store.document
+    window.controls.animation.play()
+    window.controls.animation.advance(0.2)
+    walked = window.store.document
+    window.reset()
+    settle(window)
+    assert window.store.document == start and not window.controls.animation.playing
+    window._undo.trigger()
+    assert window.store.document == walked
+
+
+def test_a_play_is_one_step_of_undo_and_ends_with_the_scene(
+    make_window: Callable[..., MainWindow], everything: Document
+) -> None:
+    window = make_window(everything)
+    player = window.scene_panel.players["turn"]
+    player.play()
+    for _ in range(5):
+        player.advance(0.25)
+    player.pause()
+    assert window.store.document.settings["turn"] == 112.5
+    window.store.undo()
+    assert window.store.document == everything and not window.store.can_undo
+    player.play()
+    window._choose_scene("cube")
+    assert not player.playing and not window.store.in_gesture
+
+
+def test_closing_while_a_setting_plays(
+    make_window: Callable[..., MainWindow], everything: Document
+) -> None:
+    window = make_window(everything)
+    player = window.scene_panel.players["turn"]
+    player.play()
+    player.advance(0.1)
+    answer(QMessageBox.StandardButton.Discard)
+    assert window.close()
+    assert not player.playing
+
+
+def test_a_reset_of_all_resets_the_settings_and_keeps_the_mesh(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    mesh = tetrahedron(tmp_path)
+    window = make_window(on_triangles(mesh=str(mesh), settings={"distance": -3.0}))
+    window.store.set_projection(seen(window, lens=Perspective(60.0, 2.0, 20.0)))
+    window.reset()
+    assert window.store.document == on_triangles(mesh=str(mesh))
+    window.store.undo()
+    assert window.store.document.settings["distance"] == -3.0
+
+
+def tetrahedron(folder: Path) -> Path:
+    mesh = folder / "tetra.obj"
+    mesh.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 1 3 4\nf 2 3 4\n")
+    return mesh
+
+
+def test_a_picture_asks_for_a_mesh_that_is_not_beside_it(
+    make_window: Callable[..., MainWindow], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name in ("here", "there"):
+        (tmp_path / name).mkdir()
+    mesh, picture = tetrahedron(tmp_path / "there"), tmp_path / "here" / "a.png"
+    text = picture_json(on_triangles(mesh=str(mesh)))
+    picture.write_bytes(png_bytes(np.zeros((4, 4, 3), np.uint8), text))
+    window = make_window(Document("cube"))
+    asked = []
+
+    def choose(_: object, title: str, *_more: object) -> tuple[str, str]:
+        asked.append(title)
+        return str(mesh), ""
+
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", choose)
+    assert window.files.open(picture)
+    assert window.store.document.mesh == str(mesh) and "tetra.obj" in asked[0]
+    beside = tetrahedron(tmp_path / "here")
+    assert window.files.open(picture) and len(asked) == 1
+    assert window.store.document.mesh == str(beside)
+
+
+def test_a_mesh_of_the_user_s_takes_the_place_of_the_objects_and_leaves_it(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window(on_triangles(settings={"distance": 5.0}))
+    own = pixels(window, "image")
+    assert window.files.use_mesh(str(tetrahedron(tmp_path)))
+    settle(window)
+    assert (pixels(window, "image") != own).mean() > 0.005
+    assert window.store.document.settings["distance"] == 5.0
+    assert window.scene_panel.remove_mesh.isVisible()
+    document = window.store.document
+    assert window.files.save_to(tmp_path / "lesson.json")
+    assert read(tmp_path / "lesson.json") == document
+    window.scene_panel.remove_mesh.click()
+    settle(window)
+    assert window.store.document.mesh == ""
+    assert (pixels(window, "image") == own).all()
+    window.store.undo()
+    assert window.store.document == document
+    tetrahedron(tmp_path).unlink()
+    window.store.undo()
+    window.store.redo()  # undo cannot fail on a file that has gone meanwhile
+    assert window.store.document == document
+
+
+@pytest.mark.parametrize("as_document", [False, True])
+def test_a_file_that_is_opened_again_is_read_again(
+    make_window: Callable[..., MainWindow], tmp_path: Path, as_document: bool
+) -> None:
+    """Out of a modelling program, look, change, out again, look: the same name each time."""
+    window = make_window()
+    path = mesh = tetrahedron(tmp_path)
+    assert window.files.open(mesh)
+    if as_document:
+        path = tmp_path / "lesson.json"
+        assert window.files.save_to(path)
+    size = window._scene.size
+    mesh.write_text(mesh.read_text().replace("v 1 0 0", "v 7 0 0"))
+    assert window.files.open(path)
+    assert window._scene.size > 4.0 * size
+    for text in ("no mesh at all", None):
+        if text is None:
+            mesh.unlink()
+        else:
+            mesh.write_text(text)
+        shown = window._scene
+        assert not window.files.open(path)
+        assert "tetra.obj" in window.messages.text
+        assert window._scene is shown
+
+
+def test_a_mesh_that_is_used_again_is_read_again(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window(on_triangles())
+    mesh = tetrahedron(tmp_path)
+    assert window.files.use_mesh(str(mesh))
+    before = pixels(window, "image")
+    mesh.write_text(mesh.read_text().replace("v 1 0 0", "v 3 0 0"))
+    assert window.files.use_mesh(str(mesh))
+    settle(window)
+    assert (pixels(window, "image") != before).mean() > 0.005
+    window.store.undo()
+    assert window.store.document == on_triangles()
+
+
+@pytest.mark.parametrize("name", ["missing.obj", "empty.obj", "notes.txt"])
+def test_a_mesh_that_cannot_be_used_is_a_sentence_and_nothing_else(
+    make_window: Callable[..., MainWindow], tmp_path: Path, name: str
+) -> None:
+    window = make_window(on_triangles())
+    for empty in ("empty.obj", "notes.txt"):
+        (tmp_path / empty).write_text("")
+    assert not window.files.use_mesh(str(tmp_path / name))
+    assert name in window.messages.text and "\n" not in window.messages.text
+    assert window.store.document == on_triangles() and not window.store.can_undo
+
+
+def test_an_exported_phenomenon_brings_its_settings_back(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window(on_triangles(mesh=str(tetrahedron(tmp_path))))
+    window.store.set_settings({"distance": -2.0, "point": (0.0, 1.0, 0.25)})
+    wanted = window.store.document
+    path = tmp_path / "figure.png"
+    assert window.pictures.export(path, ExportChoice(("world", "image"), (600, 300), 1.0, False))
+    window._choose_scene("cube")
+    window.store.mark_saved()
+    drop(window, path)
+    assert window.store.document == wanted
+    assert window.scene_panel.rows["distance"].value() == -2.0
+
+
+def test_a_picture_that_is_copied_makes_a_failed_export_good(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window()
+    choice = ExportChoice(("image",), (64, 64), 1.0, False)
+    assert not window.pictures.export(tmp_path / "no folder" / "figure.png", choice)
+    assert "figure.png" in window.messages.text
+    assert window.pictures.copy()
+    assert window.messages.text == ""
+
+
+def test_a_long_name_leaves_window_and_panel_as_wide(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window()
+    window.resize(1366, 768)
+    path = tmp_path / f"{'x' * 200}.obj"
+    path.write_text("")
+    assert not window.files.open(path)
+    settle(window)
+    assert path.name in window.messages.text and window.messages.isVisible()
+    assert window.width() == 1366
+    path = tmp_path / f"{'x' * 100}\n{'y' * 100}.obj"  # which Linux allows
+    path.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    assert window.files.open(path)
+    window.panels.open(window.scene_panel)
+    settle(window)
+    assert window._scene_box.currentText() == path.name.replace("\n", " ")
+    assert window.scene_panel._text_column.horizontalScrollBar().maximum() == 0
+    assert window.scene_panel.height() < 130, "for a name and a sentence"
+    window.files.choose_scene("depth-buffer")
+    settle(window)
+    assert window.scene_panel.height() >= 200
+
+
+def text_boxes(window: MainWindow) -> dict[str, tuple[float, float, float, float]]:
+    """Left, bottom, right, top of the texts in the picture, in its pixels."""
+    drawing = window.panes["image"].drawing
+    assert isinstance(drawing, ImageDrawing)
+    renderer, boxes = drawing.picture_renderer, {}
+    for actor in renderer.GetViewProps():
+        if isinstance(actor, vtkTextActor) and actor.GetVisibility():
+            box = [0.0] * 4
+            actor.GetBoundingBox(renderer, box)
+            x, y = actor.GetPositionCoordinate().GetComputedDoubleViewportValue(renderer)
+            boxes[actor.GetInput()] = (x + box[0], y + box[2], x + box[1], y + box[3])
+    return boxes
+
+
+def test_on_a_small_projector_no_number_and_no_text_of_a_scene_is_hidden(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window()
+    window.resize(1366, 768)
+    window.set_projector(True)
+    seen = 0
+    for name in PHENOMENA:
+        window._choose_scene(name)
+        settle(window)
+        panel = window.scene_panel
+        for column in (panel._settings_column, panel._readout_column):
+            assert column.horizontalScrollBar().maximum() == 0, name
+        assert panel._readout_column.verticalScrollBar().maximum() == 0, name
+        assert panel._text_column.verticalScrollBar().maximum() < 2 * panel._line, name
+        assert all(pane.height() >= 360 for pane in window.panes.values()), name
+        boxes = text_boxes(window)
+        seen += len(boxes)
+        for (one, a), (other, b) in itertools.combinations(boxes.items(), 2):
+            apart = a[2] <= b[0] or b[2] <= a[0] or a[3] <= b[1] or b[3] <= a[1]
+            assert apart, (name, one, other)
+    assert seen > 20
+
+
+def test_full_hd_at_a_screen_scale_of_two_holds_the_window_of_a_projector(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window()
+    window.set_projector(True)
+    for name in ("letter-f", *PHENOMENA):
+        window._choose_scene(name)
+        settle(window)
+        window.resize(960, 540)
+        settle(window)
+        assert (window.width(), window.height()) == (960, 540), name
+    for panel in (window.matrices, window.frame_panel, window.probe_panel, window.measure_panel):
+        window.panels.open(panel)
+        settle(window)
+        assert window.minimumSizeHint().width() <= 960
+    line = window.status
+    assert line.rung.geometry().right() < line.width() and line.rung.text()
+
+
+def share_of(window: MainWindow, colour: Any) -> float:
+    """How much of the world pane has exactly this colour."""
+    same = pixels(window, "world") == np.round(255 * np.array(colour))
+    return float(same.all(axis=2).mean())
+
+
+@pytest.mark.parametrize("image_size", [(16384, 1), (4000, 100)])
+def test_edges_that_run_far_behind_the_pane_are_lines(
+    make_window: Callable[..., MainWindow], image_size: tuple[int, int]
+) -> None:
+    """Only a window draws lines by VTK's shader; off the screen OpenGL makes them wide."""
+    window = make_window()
+    window.enlarge("world")
+    start = window.store.document.projection
+    window.store.set_projection(replace(start, image_size=image_size))
+    QApplication.processEvents()
+    for colour in (LIGHT.near, LIGHT.far):
+        assert 0.001 < share_of(window, rgb(colour)) < 0.008
+
+
+def test_a_grid_that_runs_behind_the_pane_is_lines(make_window: Callable[..., MainWindow]) -> None:
+    window = make_window()
+    window.enlarge("world")
+    QApplication.processEvents()
+    canvas = window.panes["world"].canvas
+    canvas.own_camera.SetPosition(0.3, 0.4, 3.2)
+    canvas.own_camera.SetFocalPoint(0.0, 0.3, -3.0)
+    canvas.moved.emit()
+    QApplication.processEvents()
+    assert 0.001 < share_of(window, np.array(GRID_RGB) / 255.0) < 0.0125
+
+
+def test_lines_are_drawn_where_their_shader_declares_itself_in_other_words(
+    make_window: Callable[..., MainWindow], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As another VTK may write it; what is put into its text has to be compiled there as well."""
+    cut_behind = actors._cut_behind
+
+    def cut_another_text(actor: Any) -> None:
+        cut_behind(actor)
+        declared = "layout(lines) in;\nlayout(triangle_strip, max_vertices = 4) out;"
+        other = "layout(lines) in;\nlayout(max_vertices = 4, triangle_strip) out;"
+        actor.GetShaderProperty().AddGeometryShaderReplacement(declared, True, other, True)
+
+    with monkeypatch.context() as patched:
+        patched.setattr(actors, "_cut_behind", cut_another_text)
+        other = make_window()
+    assert np.array_equal(pixels(other, "world"), pixels(make_window(), "world"))
+
+
+def test_a_note_beside_a_panes_title_ends_in_an_ellipsis_where_it_is_cut(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window()
+    note = window.panes["ndc"].note
+    text = "u, v, n in world units, as the camera has them"
+    note.setText(text)
+    for width in (60, 150, 2000, 100):
+        note.resize(width, note.height())
+        shown = str(QLabel.text(note))
+        assert note.fontMetrics().horizontalAdvance(shown) <= width
+        assert (shown == text) == (width == 2000) and shown.endswith("…") == (width != 2000)
+        assert note.text() == note.toolTip() == text
+    font = QFont(note.font())
+    font.setPointSizeF(2.0 * font.pointSizeF())
+    note.setFont(font)
+    assert note.fontMetrics().horizontalAdvance(QLabel.text(note)) <= 100
+    note.setText("")
+    assert QLabel.text(note) == ""
+
+
+def test_a_panes_title_has_all_the_room_there_is_before_its_note(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    pane = make_window().panes["image"]
+    title, note, whole = pane.title, pane.note, pane.title.text()
+    for width in range(120, 400, 7):
+        pane.header.setFixedWidth(width)
+        pane.header.layout().activate()
+        shown = str(QLabel.text(title))
+        assert shown == whole or (shown.endswith("…") and note.width() == 0)
+        assert title.toolTip() == ("" if shown == whole else whole)
+        assert title.fontMetrics().horizontalAdvance(shown) <= title.width() or shown == "…"
+    assert QLabel.text(title) == whole
+    pane.set_title("Canonical parallel view volume")
+    pane.header.layout().activate()
+    assert QLabel.text(title) == "Canonical parallel view volume", "longer, and none of it is cut"
+
+
+def test_both_panes_share_what_float64_has_projected(
+    make_window: Callable[..., MainWindow], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    window = make_window()
+    cut, whole = [0], rungs._cut
+
+    def counted(*given: Any) -> Any:
+        cut[0] += 1
+        return whole(*given)
+
+    monkeypatch.setattr(rungs, "_cut", counted)
+    for step in range(3):  # faces and edges, at a field of view that float32 cannot draw
+        window.store.set_projection(seen(window, lens=Perspective(1e-3 + 1e-5 * step, 1.0, 30.0)))
+        assert cut[0] == 2 * (step + 1)
+    assert {window.panes[name].drawing.rung for name in ("ndc", "image")} == {"float64"}  # type: ignore[union-attr]
+    pictures = {name: pixels(window, name) for name in ("ndc", "image")}
+    for name, shown in pictures.items():  # each for itself draws the same
+        rungs._projected.clear()
+        window.panes[name].show_projection(window.store.document.projection)
+        settle(window)
+        assert (pixels(window, name) == shown).all(), name
+    window.store.set_projection(seen(window, lens=Perspective(45.0, 1.0, 30.0)))
+    assert not len(rungs._projected)
+
+
+@pytest.mark.parametrize("key", ["fov_x_deg", "far", "azimuth_deg"])
+def test_esc_puts_back_what_a_slider_has_dragged(
+    make_window: Callable[..., MainWindow], key: str
+) -> None:
+    window = make_window()
+    window.probe_panel.follow(point=(0.0, 0.0, 0.0))  # which Esc would remove otherwise
+    before, could_undo = window.store.document, window.store.can_undo
+    row = window.controls.rows[key]
+    window.controls.ensureWidgetVisible(row)
+    slider, text = row.slider, row.field.text()
+    option = QStyleOptionSlider()
+    slider.initStyleOption(option)
+    place = slider.style().subControlRect(
+        QStyle.ComplexControl.CC_Slider, option, QStyle.SubControl.SC_SliderHandle, slider
+    ).center()  # fmt: skip
+    left = Qt.MouseButton.LeftButton
+    QTest.mousePress(slider, left, pos=place)
+    QTest.mouseMove(slider, place + QPoint(15, 0))
+    settle(window)
+    assert window.store.document != before
+    QTest.keyClick(slider, Qt.Key.Key_Escape)
+    settle(window)
+    assert window.store.document == before and not window.store.in_gesture
+    assert (row.field.text(), window.store.can_undo) == (text, could_undo)
+    assert len(window.probe_panel.probes) == 1
+    QTest.mouseMove(slider, place + QPoint(30, 0))  # the hand has let go of it
+    QTest.mouseRelease(slider, left, pos=place + QPoint(30, 0))
+    settle(window)
+    assert window.store.document == before
+    QTest.mousePress(slider, left, pos=place)
+    QTest.mouseMove(slider, place + QPoint(15, 0))
+    QTest.mouseRelease(slider, left, pos=place + QPoint(15, 0))
+    assert window.store.document != before and window.store.can_undo
+
+
+_EDGES = """
+import os, sys
+from PySide6.QtCore import QPoint
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+from widgets.program.opengl import prepare
+prepare()
+app = QApplication([])
+from app.document.document import Document
+from app.scenes.scene import load
+from widgets.program.application import Settings
+from widgets.window.main_window import MainWindow
+document = Document("letter-f", load("letter-f").start)
+window = MainWindow(document, settings=Settings(None), software_rendering=True)
+window.resize(1000, 600)
+window.show()
+assert QTest.qWaitForWindowExposed(window, int(sys.argv[1]))
+for change in (None, lambda: window._pane_row.setSizes([301, 302, 303]),
+               lambda: window.messages.say("Something."), lambda: window.toggle_float("ndc"),
+               lambda: window.toggle_float("ndc")):
+    if change is not None:
+        change()
+    QTest.qWait(1)
+    for pane in window.panes.values():
+        canvas = pane.canvas
+        place = canvas.mapTo(canvas.window(), QPoint())
+        ends = place + QPoint(canvas.width(), canvas.height())
+        print(*(end * window.devicePixelRatioF() for end in (*place.toTuple(), *ends.toTuple())))
+print("done", flush=True)
+os._exit(0)
+"""
+
+
+def test_a_canvas_ends_on_whole_pixels_at_a_broken_scale(display: Any) -> None:
+    done = subprocess.run(
+        [sys.executable, "-c", _EDGES, str(PATIENCE_MS)], cwd=ROOT,
+        env={**os.environ, "QT_SCALE_FACTOR": "1.75"},
+        capture_output=True, text=True, timeout=PATIENCE_S, check=False,
+    )  # fmt: skip
+    *edges, last = done.stdout.splitlines() or [""]
+    assert last == "done" and len(edges) == 15, done
+    for line in edges:
+        for edge in map(float, line.split()):
+            assert edge == pytest.approx(round(edge), abs=1e-6), edges

@@ -1,0 +1,1 @@
+"""The dock: camera, lens, image, animation."""

@@ -1,0 +1,475 @@
+"""The exercise of lecture 004: the camera walks round the scene while its height changes.
+
+`camera_at` is the whole exercise as a pure function of time; `AnimationBar` plays it. The bar
+emits cameras and is told of cameras, like every other control, and knows no model beyond that.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from functools import partial
+from typing import Literal, TypeAlias
+
+from PySide6.QtCore import QElapsedTimer, Qt, QTimer, Signal
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
+
+from app.model.projection import (
+    AT_LEAST,
+    AT_MOST,
+    LARGEST,
+    NOT_PARALLEL,
+    NOT_THE_EYE,
+    Camera,
+    ProjectionError,
+    Vector,
+)
+from widgets.parts.fields import Choice, ChoiceRow, Linear, NumberRow, Row
+from widgets.parts.messages import sentence, translated
+
+HeightMode: TypeAlias = Literal["fixed", "swing", "steps"]
+LookMode: TypeAlias = Literal["target", "level"]
+
+STEP_S = 2.0
+"""The lecture's pause between two heights in steps."""
+STEPS_UP = 3
+"""Steps from the lowest height to the highest."""
+PERIOD_S = 2.0 * STEPS_UP * STEP_S
+"""Once up and down, smoothly or in steps."""
+FASTEST_DEG_S = 3600
+"""Ten turns a second: beyond a sixth of a turn a frame nobody sees which way it goes."""
+
+FRAME_MS = 16
+"""Least time between two frames."""
+LONGEST_FRAME_S = 0.25
+"""A stalled window goes on from where it was instead of jumping."""
+
+
+@dataclass(frozen=True)
+class Motion:
+    """How the camera walks.
+
+    Parameters
+    ----------
+    speed_deg_s : float
+        Turn about the vertical through the target, degrees per second; positive is
+        anticlockwise seen from above.
+    height : {"fixed", "swing", "steps"}
+        The eye keeps its y, swings between the limits, or takes the next of four heights
+        every `STEP_S`.
+    look : {"target", "level"}
+        The camera looks at the target, or horizontally: the y of what it looks at is its own.
+    lowest, highest : float
+        Limits of the eye's y, world units; in either order.
+    clock_s : float
+        Where between the limits the walk begins: 0 is lowest, `PERIOD_S`/2 is highest.
+    """
+
+    speed_deg_s: float = 20.0
+    height: HeightMode = "fixed"
+    look: LookMode = "target"
+    lowest: float = 0.0
+    highest: float = 10.0
+    clock_s: float = 0.0
+
+    @property
+    def _middle(self) -> float:
+        return self.lowest / 2.0 + self.highest / 2.0
+
+    @property
+    def _reach(self) -> float:
+        return abs(self.highest / 2.0 - self.lowest / 2.0)
+
+    def swing(self, clock_s: float) -> float:
+        """The eye's y of the smooth walk, world units."""
+        turn = 2.0 * math.pi * math.remainder(clock_s, PERIOD_S) / PERIOD_S
+        return self._middle - self._reach * math.cos(turn)
+
+    def step(self, clock_s: float) -> float:
+        """The eye's y of the walk in steps, world units."""
+        beat = math.floor(clock_s / STEP_S) % (2 * STEPS_UP)
+        level = min(beat, 2 * STEPS_UP - beat)
+        return self._middle + self._reach * (2.0 * level / STEPS_UP - 1.0)
+
+    def clock_at(self, height: float, *, rising: bool = True) -> float:
+        """The time at which the walk passes nearest to a height.
+
+        Parameters
+        ----------
+        height : float
+            The eye's y, world units.
+        rising : bool
+            Which of the two times.
+        """
+        down = (self._middle - height) / self._reach if self._reach > 0.0 else 0.0
+        clock_s = math.acos(min(max(down, -1.0), 1.0)) / (2.0 * math.pi) * PERIOD_S
+        return clock_s if rising else PERIOD_S - clock_s
+
+    @property
+    def rising(self) -> bool:
+        """Whether the smooth walk goes up at `clock_s`."""
+        return math.remainder(self.clock_s, PERIOD_S) >= 0.0
+
+
+def camera_at(start: Camera, elapsed_s: float, motion: Motion) -> Camera:
+    """Where the camera is some time after it stood at `start`.
+
+    Parameters
+    ----------
+    start : Camera
+        The walk goes round its target, in the distance from the vertical that it has now.
+    elapsed_s : float
+        Seconds since then.
+    motion : Motion
+
+    Returns
+    -------
+    Camera
+
+    Raises
+    ------
+    ProjectionError
+        If there is no such camera: one straight above its target cannot look level.
+    """
+    turn = math.radians(math.remainder(motion.speed_deg_s * elapsed_s, 360.0))
+    cos, sin = math.cos(turn), math.sin(turn)
+
+    def turned(vector: Vector) -> Vector:
+        x, y, z = vector
+        return cos * x + sin * z, y, cos * z - sin * x
+
+    from_target = (start.eye[0] - start.target[0], 0.0, start.eye[2] - start.target[2])
+    x, _, z = turned(from_target)
+    eye_y = _height(start.eye[1], elapsed_s, motion)
+    eye = (start.target[0] + x, eye_y, start.target[2] + z)
+    target_y = eye_y if motion.look == "level" else start.target[1]
+    return Camera(eye, (start.target[0], target_y, start.target[2]), turned(start.up))
+
+
+def _height(start_y: float, elapsed_s: float, motion: Motion) -> float:
+    clock_s = motion.clock_s + elapsed_s
+    if motion.height == "swing":
+        # A start beyond the limits is not jumped from; the difference fades within seconds.
+        excess = start_y - motion.swing(motion.clock_s)
+        return motion.swing(clock_s) + excess * math.exp(-elapsed_s)
+    if motion.height == "steps":
+        same_beat = math.floor(clock_s / STEP_S) == math.floor(motion.clock_s / STEP_S)
+        return start_y if same_beat else motion.step(clock_s)
+    return start_y
+
+
+def _limits(largest: float) -> str:
+    """What holds for any number of a row that takes it in both signs."""
+    bounds = ((AT_LEAST, -largest), (AT_MOST, largest))
+    return "; ".join(translated(bound).format(limit) for bound, limit in bounds)
+
+
+class AnimationBar(QWidget):
+    """Plays the walk: one camera a frame, from where the camera is, until paused.
+
+    A frame is asked for only when the one before has been handled, so that frames never queue
+    up behind a slow renderer. Whatever else moves the camera meanwhile (a slider, undo) is taken
+    up: the walk goes on from there.
+    """
+
+    edited = Signal(object)
+    """The next `Camera`, once per frame."""
+    gesture_started = Signal()
+    gesture_finished = Signal()
+    playing_changed = Signal(bool)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._motion = Motion()
+        self._start: Camera | None = None
+        self._elapsed_s = 0.0
+        self._shown: Camera | None = None
+        self._playing = False
+        self._watch = QElapsedTimer()
+        self._timer = QTimer(self)
+        self._timer.setSingleShot(True)
+        self._timer.setTimerType(Qt.TimerType.PreciseTimer)
+        self._timer.setInterval(FRAME_MS)
+        self._timer.timeout.connect(self._frame)
+        self._make_widgets()
+        self._show_state()
+        self._say("")
+
+    def _make_widgets(self) -> None:
+        self.button = QToolButton()
+        self.button.clicked.connect(self.toggle)
+        self._error = QLabel()
+        self._error.setWordWrap(True)
+        self.speed = NumberRow(
+            self.tr("Speed"),
+            self.tr(
+                "How fast the camera walks round the vertical through the target; below 0 it"
+                " walks the other way."
+            ),
+            Linear(-90.0, 90.0, 1.0),
+            self.tr("°/s"),
+            self.tr("degrees per second"),
+        )
+        self.height_mode = ChoiceRow(
+            self.tr("Height"),
+            self.tr("What the y of the eye does during the walk (the exercise of lecture 004)."),
+            (
+                Choice("fixed", self.tr("fixed"), self.tr("The eye keeps its y.")),
+                Choice(
+                    "swing",
+                    self.tr("swinging smoothly"),
+                    self.tr("The eye's y swings between the lowest and the highest value."),
+                ),
+                Choice(
+                    "steps",
+                    self.tr("in steps"),
+                    self.tr("The eye's y jumps to the next of four values every 2 seconds."),
+                ),
+            ),
+        )
+        unit, unit_tip = self.tr("units"), self.tr("world units")
+        self.lowest = NumberRow(
+            self.tr("Lowest"), self.tr("The least y of the eye while its height changes."),
+            Linear(-10.0, 10.0, 0.1), unit, unit_tip,
+        )  # fmt: skip
+        self.highest = NumberRow(
+            self.tr("Highest"), self.tr("The greatest y of the eye while its height changes."),
+            Linear(-10.0, 10.0, 0.1), unit, unit_tip,
+        )  # fmt: skip
+        self.look = ChoiceRow(
+            self.tr("Look"),
+            self.tr("Where the camera looks during the walk."),
+            (
+                Choice("target", self.tr("at the target"), self.tr("The target stays in place.")),
+                Choice(
+                    "level",
+                    self.tr("level"),
+                    self.tr("The y of the target is the eye's y: the camera looks horizontally."),
+                ),
+            ),
+        )
+        self.rows: tuple[Row, ...] = (
+            self.speed, self.height_mode, self.lowest, self.highest, self.look
+        )  # fmt: skip
+        line = QHBoxLayout()
+        line.addWidget(self.button)
+        line.addStretch(1)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(3)
+        layout.addLayout(line)
+        layout.addWidget(self._error)
+        for row in self.rows:
+            layout.addWidget(row)
+        for number, largest in (
+            (self.speed, FASTEST_DEG_S), (self.lowest, LARGEST), (self.highest, LARGEST)
+        ):  # fmt: skip
+            number.limits = partial(_limits, largest)
+            number.edited.connect(partial(self._number_edited, number, largest))
+        for choice in (self.height_mode, self.look):
+            choice.edited.connect(self._settings_edited)
+        self.speed.setValue(self._motion.speed_deg_s)
+        for row in self.rows:
+            row.setDefault(row.value())
+
+    # -- what the owner says
+
+    def set_scene(self, size: float, camera: Camera) -> None:
+        """Fit the limits of the height to a scene, and stand still.
+
+        Parameters
+        ----------
+        size : float
+            Diagonal of the scene's bounds, world units.
+        camera : Camera
+            The scene's own.
+        """
+        self.pause()
+        middle = camera.target[1]
+        scale = Linear.about(middle, 3.0 * size)
+        # Beside a long row of things a swing as high as that would look straight down.
+        reach = min(size, camera.distance / 2.0)
+        for row, height in (
+            (self.lowest, middle - reach / 4.0),
+            (self.highest, middle + reach),
+        ):
+            row.setScale(scale)
+            row.setValue(scale.value_at(scale.position_of(height)))
+            row.setDefault(row.value())
+        self._start = None
+        self._settings_edited()
+
+    def show_camera(self, camera: Camera) -> None:
+        """Note where the camera is; one that is not the last frame's is where to go on from."""
+        if camera == self._shown:
+            return
+        self._say("")
+        self._forget_refusals()
+        before, self._shown = self._shown, camera
+        if self._start is None or before is None:
+            return
+        aim_y = self._start.target[1]
+        if camera.target[1] != before.target[1]:  # not the walk's own levelling
+            aim_y = camera.target[1]
+        rising, old_y = self._now.rising, before.eye[1]
+        self._go_on_from(camera, aim_y)
+        if camera.eye[1] != old_y:
+            self._motion = replace(
+                self._motion, clock_s=self._motion.clock_at(camera.eye[1], rising=rising)
+            )
+
+    # -- playing
+
+    @property
+    def playing(self) -> bool:
+        """Whether the camera walks."""
+        return self._playing
+
+    @property
+    def motion(self) -> Motion:
+        """The settings, with the clock as it stood when the walk last began afresh."""
+        return self._motion
+
+    def toggle(self) -> None:
+        """Play, or pause."""
+        if self._playing:
+            self.pause()
+        else:
+            self.play()
+
+    def play(self) -> None:
+        """Walk on from where the camera is."""
+        if self._playing or self._shown is None or not self.isEnabled():
+            return
+        self._playing = True
+        self._say("")
+        if self._start is None:
+            self._begin_at(self._shown)
+        self._show_state()
+        self.gesture_started.emit()
+        self.playing_changed.emit(True)
+        self._watch.start()
+        self._timer.start()
+
+    def pause(self) -> None:
+        """Stand still; the next `play` goes on from here."""
+        if not self._playing:
+            return
+        self._playing = False
+        self._timer.stop()
+        self._show_state()
+        self.gesture_finished.emit()
+        self.playing_changed.emit(False)
+
+    def advance(self, seconds: float) -> None:
+        """Walk for some seconds and emit the camera; without effect while paused."""
+        if not self._playing or self._start is None:
+            return
+        self._elapsed_s += seconds
+        try:
+            camera = camera_at(self._start, self._elapsed_s, self._motion)
+        except ProjectionError as error:
+            self.pause()
+            self._say(self._why(error))
+            return
+        if camera != self._shown:
+            self._shown = camera
+            self.edited.emit(camera)
+
+    def _why(self, error: ProjectionError) -> str:
+        """What stopped the walk, without the numbers of a camera that nobody made."""
+        if error.bound == NOT_THE_EYE and self._motion.look == "level":
+            if self._start is not None and self._start.eye[1] < self._start.target[1]:
+                return self.tr("The camera is straight below the target and cannot look level.")
+            return self.tr("The camera stands straight above the target and cannot look level.")
+        if error.bound == NOT_THE_EYE:
+            return self.tr("The camera has come to the target and cannot look at it.")
+        if error.bound == NOT_PARALLEL:
+            return self.tr("The camera would look along its own up vector.")
+        return sentence(error)
+
+    def _frame(self) -> None:
+        seconds = self._watch.nsecsElapsed() * 1e-9  # whole milliseconds would lose 3 %
+        self._watch.restart()
+        self.advance(min(seconds, LONGEST_FRAME_S))
+        if self._playing:
+            self._timer.start()
+
+    # -- where the walk is
+
+    @property
+    def _now(self) -> Motion:
+        return replace(self._motion, clock_s=self._motion.clock_s + self._elapsed_s)
+
+    def _begin_at(self, camera: Camera) -> None:
+        self._start = camera
+        self._elapsed_s = 0.0
+        clock_s = self._motion.clock_at(camera.eye[1])
+        self._motion = replace(self._motion, clock_s=clock_s)
+
+    def _go_on_from(self, camera: Camera, aim_y: float) -> None:
+        """Let the walk so far be the past; what it aims at survives looking level."""
+        self._motion = self._now
+        self._elapsed_s = 0.0
+        x, _, z = camera.target
+        try:
+            self._start = replace(camera, target=(x, aim_y, z))
+        except ProjectionError:  # the aim is where the eye is now, or straight up from it
+            self._start = camera
+
+    def _number_edited(self, row: NumberRow, largest: float, value: float) -> None:
+        if abs(value) > largest:
+            bound, limit = (AT_MOST, largest) if value > 0.0 else (AT_LEAST, -largest)
+            row.show_error(sentence(ProjectionError(row.name, value, bound, limit)))
+        else:
+            self._settings_edited()
+
+    def _forget_refusals(self) -> None:
+        """Something else was accepted."""
+        for row in self.rows:
+            if row.error and not row.in_hand:
+                row.clear_error()
+
+    def _settings_edited(self) -> None:
+        self._say("")
+        self._forget_refusals()
+        if self._start is not None and self._shown is not None:
+            self._go_on_from(self._shown, self._start.target[1])
+        height, look = self.height_mode.value(), self.look.value()
+        limits_moved = (
+            self.lowest.value() != self._motion.lowest
+            or self.highest.value() != self._motion.highest
+            or (height != "fixed" and self._motion.height == "fixed")
+        )
+        rising = self._motion.rising
+        self._motion = replace(
+            self._motion,
+            speed_deg_s=self.speed.value(),
+            height=height,
+            look=look,
+            lowest=self.lowest.value(),
+            highest=self.highest.value(),
+        )
+        if limits_moved and self._start is not None:
+            clock_s = self._motion.clock_at(self._start.eye[1], rising=rising)
+            self._motion = replace(self._motion, clock_s=clock_s)
+        self._show_state()
+
+    # -- shown
+
+    def _show_state(self) -> None:
+        sign, word = ("❚❚", self.tr("Pause")) if self._playing else ("▶", self.tr("Play"))
+        self.button.setText(f"{sign} {word}")  # a style's icons are black on a dark window too
+        self.button.setAccessibleName(word)
+        self.button.setToolTip(
+            self.tr("Stand still; playing again goes on from here.")
+            if self._playing
+            else self.tr("Walk round the target, as in the exercise of lecture 004.")
+        )
+        for row in (self.lowest, self.highest):
+            row.setVisible(self.height_mode.value() != "fixed")
+
+    def _say(self, text: str) -> None:
+        stopped = self.tr("Stopped.")
+        self._error.setText(f"⚠ {stopped} {text}" if text else "")
+        self._error.setVisible(bool(text))

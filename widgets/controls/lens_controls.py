@@ -1,0 +1,491 @@
+"""The Lens section and the calibrated camera's: every number that a lens can be given by.
+
+Field of view, focal lengths and the window on the near plane are views of one value; so are the
+angles of an oblique lens and how things recede under it, and a perspective lens and its K.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+from typing import Any, NamedTuple
+
+from PySide6.QtCore import QObject
+
+from app.model.projection import (
+    AT_LEAST,
+    AT_MOST,
+    BETWEEN,
+    FINITE_NUMBER,
+    LARGEST_SHEAR,
+    LENSES,
+    OBLIQUE_PRESETS,
+    FreeMatrix,
+    Oblique,
+    Perspective,
+    Projection,
+    ProjectionError,
+    focal_length_35mm,
+    focal_length_e,
+    fov_x_from_fov_y,
+    fov_y_from_focal_length_35mm,
+    fov_y_from_focal_length_e,
+    fov_y_from_window,
+    oblique_angles,
+    receding_of,
+)
+from widgets.parts.fields import Choice, Linear, Log, NumberRow, Scale
+from widgets.parts.section import Binding, Read, Section, Typed, Write, tidy
+
+STANDARD = tuple(LENSES)
+SYMMETRIC = ("perspective",)
+CONVERGING = ("perspective", "frustum")
+WINDOWED = ("frustum", "orthographic", "oblique")
+OBLIQUE = ("oblique",)
+
+SIDES = ("left", "right", "bottom", "top")
+_SAME_ANGLE_DEG = 1e-9  # what a preset's angle may lose on its way through a file
+
+
+class Receding(NamedTuple):
+    """How an oblique lens draws what goes straight into the picture; see `oblique_angles`."""
+
+    receding: float
+    receding_deg: float
+
+
+class LensControls(QObject):
+    """Fills two sections with the rows of all lenses, and fits them to the lens in hand.
+
+    Parameters
+    ----------
+    lens : Section
+    calibrated : Section
+        For the camera matrix K, of those who have one.
+    """
+
+    def __init__(self, lens: Section, calibrated: Section) -> None:
+        super().__init__(lens)
+        self._lens, self._calibrated = lens, calibrated
+        self._make_kind()
+        self._make_field_of_view()
+        self._make_leaning()
+        self._make_window()
+        self._make_planes()
+        self._make_other_measures()
+        self._make_camera_matrix()
+        self._reach = 0.0
+        self._scaled_for: dict[str, Any] = {}
+        for key in SIDES:
+            self._row(key).gesture_finished.connect(self._fit_window)
+
+    # -- the rows
+
+    def _make_kind(self) -> None:
+        kinds = (
+            Choice(
+                "perspective",
+                self.tr("perspective"),
+                self.tr("Rays meet in the eye: what is farther looks smaller. The view volume is a"
+                        " pyramid cut off by near and far, symmetric about the view direction"
+                        " (gluPerspective)."),
+            ),
+            Choice(
+                "frustum",
+                self.tr("frustum (off-axis)"),
+                self.tr("Rays meet in the eye, but the window is anywhere on the near plane: a"
+                        " shifted pyramid (glFrustum)."),
+            ),
+            Choice(
+                "orthographic",
+                self.tr("orthographic"),
+                self.tr("Rays are parallel and meet the picture at right angles: distance does not"
+                        " change size. The view volume is a box (glOrtho)."),
+            ),
+            Choice(
+                "oblique",
+                self.tr("oblique"),
+                self.tr("Rays are parallel and meet the picture aslant: a slanted box, as in"
+                        " cavalier and cabinet drawings (lecture 002: H, then orthographic)."),
+            ),
+            Choice(
+                "matrix",
+                self.tr("free matrix"),
+                self.tr("None of these: the cells of clip_from_view as they were typed in the"
+                        " Matrices panel. A choice of another kind goes back to the lens before."),
+            ),
+        )  # fmt: skip
+        self._lens.add_choice(
+            "kind", "lens",
+            self.tr("Kind of projection. What lies at the target keeps its size when it changes."),
+            kinds, lambda p: p.lens.kind, lambda p, kind: p.with_lens(kind),
+        )  # fmt: skip
+
+    def _make_field_of_view(self) -> None:
+        degrees, fov = self.tr("degrees"), Linear(1.0, 179.0, 0.5)
+        rows = (
+            self._lens.add_number(
+                "fov_y_deg", "lens",
+                self.tr("Angle between the bottom and the top of the frustum, as seen from the"
+                        " eye."),
+                fov, "°", degrees, _field("fov_y_deg"), _with_field("fov_y_deg"), lenses=SYMMETRIC,
+            ),
+            self._lens.add_number(
+                "fov_x_deg", "lens",
+                self.tr("Angle between the left and the right of the frustum, as seen from the eye:"
+                        " the vertical field of view and the aspect in one number."),
+                fov, "°", degrees, _fov_x, _with_fov_x, lenses=SYMMETRIC,
+            ),
+        )  # fmt: skip
+        for row in rows:
+            row.below = 180.0
+        self._lens.add_number(
+            "focal_length_mm", "lens",
+            self.tr("Focal length of a 35 mm film camera (36 × 24 mm) with the same diagonal"
+                    " field of view: below 35 is wide angle, above 70 telephoto."),
+            Log(5.0, 2000.0), self.tr("mm"), self.tr("millimetres"),
+            *_by_fov(focal_length_35mm, fov_y_from_focal_length_35mm), lenses=SYMMETRIC,
+        )  # fmt: skip
+
+    def _make_leaning(self) -> None:
+        """How the projectors of an oblique lens lean."""
+        drawings = {
+            "cavalier": (self.tr("cavalier, {0}°"), self.tr("Depth is drawn in full length")),
+            "cabinet": (self.tr("cabinet, {0}°"), self.tr("Depth is drawn in half its length")),
+        }
+        choices = []
+        for key in OBLIQUE_PRESETS:
+            drawing, _, angle = key.partition("-")
+            text, tip = drawings[drawing]
+            rising = self.tr("{0}, rising at {1}°.").format(tip, angle)
+            choices.append(Choice(key, text.format(angle), rising))
+        self._lens.add_choice(
+            "preset", "lens",
+            self.tr("The textbooks' drawings. What lies at the target stays in its place in the"
+                    " picture."),
+            choices, _preset, _with_preset, none=self.tr("free"), lenses=OBLIQUE,
+        )  # fmt: skip
+        degrees = self.tr("degrees")
+        receding = Typed(_angles, lambda p: Receding(*receding_of(_oblique(p))), _with_receding)
+        self._lens.add_number(
+            "receding", "lens",
+            self.tr("Drawn length of what goes straight into the picture, per true length: 1 is a"
+                    " cavalier, 0.5 a cabinet drawing, 0 orthographic. The target stays in its"
+                    " place in the picture."),
+            Linear(0.0, 2.0, 0.01), self.tr("×"), self.tr("times the true length"),
+            *receding.access("receding"), lenses=OBLIQUE,
+        )  # fmt: skip
+        self._lens.add_number(
+            "receding_deg", "lens",
+            self.tr("Direction in which depth is drawn, from the right anticlockwise. The target"
+                    " stays in its place in the picture."),
+            Linear(-180.0, 180.0, 1.0), "°", degrees,
+            *receding.access("receding_deg"), lenses=OBLIQUE,
+        )  # fmt: skip
+        angles = {
+            "alpha_deg": self.tr("Angle of the projectors with the x axis: H of lecture 002 adds"
+                                 " (z + near) cot(alpha) to x. What lies on the near plane stays."),
+            "beta_deg": self.tr("Angle of the projectors with the y axis: H of lecture 002 adds"
+                                " (z + near) cot(beta) to y. What lies on the near plane stays."),
+        }  # fmt: skip
+        for key, tip in angles.items():
+            self._lens.add_number(
+                key, "lens", tip, Linear(1.0, 179.0, 0.5), "°", degrees,
+                _field(key), _with_field(key), lenses=OBLIQUE,
+            )  # fmt: skip
+
+    def _make_window(self) -> None:
+        sides = {
+            "left": self.tr("Left edge of the picture's window on the near plane: where the view"
+                            " volume begins in x of view space."),
+            "right": self.tr("Right edge of the picture's window on the near plane: where the view"
+                             " volume ends in x of view space."),
+            "bottom": self.tr("Bottom edge of the picture's window on the near plane: where the"
+                              " view volume begins in y of view space."),
+            "top": self.tr("Top edge of the picture's window on the near plane: where the view"
+                           " volume ends in y of view space."),
+        }  # fmt: skip
+        for side, tip in sides.items():
+            self._lens.add_length(
+                side, "lens", tip, _field(side), _with_field(side), lenses=WINDOWED
+            )
+        keeps = (
+            Choice(
+                "stretch",
+                self.tr("stretch"),
+                self.tr("The window fills the image; circles may become ellipses."),
+            ),
+            Choice(
+                "x",
+                self.tr("keep x, fit y"),
+                self.tr("The y range grows or shrinks about its centre (lecture 000, variant X)."),
+            ),
+            Choice(
+                "y",
+                self.tr("keep y, fit x"),
+                self.tr("The x range grows or shrinks about its centre (lecture 000, variant Y)."),
+            ),
+        )
+        self._lens.add_choice(
+            "keep", "lens", self.tr("How the window follows the aspect of the image."),
+            keeps, _field("keep"), _with_field("keep"), lenses=WINDOWED,
+        )  # fmt: skip
+
+    def _make_planes(self) -> None:
+        self._lens.add_length(
+            "near", "lens",
+            self.tr("Distance from the eye to the near plane: nothing nearer is drawn. The closer"
+                    " to 0, the coarser the depth buffer."),
+            _field("near"), _with_field("near"), lenses=STANDARD,
+        )  # fmt: skip
+        self._lens.add_length(
+            "far", "lens",
+            self.tr("Distance from the eye to the far plane: nothing farther is drawn. A"
+                    " perspective lens also takes inf (∞), at the slider's end."),
+            _field("far"), _with_field("far"), lenses=STANDARD,
+        )  # fmt: skip
+
+    def _make_other_measures(self) -> None:
+        """What the lectures call a field of view, beside its angle."""
+        self._lens.add_number(
+            "e", "lens",
+            self.tr("Lecture 003's focal length e = 1/tan(fov/2), with the horizontal fov: at this"
+                    " distance the picture reaches from x = −1 to 1."),
+            Log(1e-2, 1e2), self.tr("units"), self.tr("world units"),
+            *_by_fov(focal_length_e, fov_y_from_focal_length_e), lenses=SYMMETRIC,
+        )  # fmt: skip
+        halves = {
+            "window_right": self.tr("Half the width of the picture on the near plane: glFrustum's"
+                                    " right, and −left. With near it sets the field of view."),
+            "window_top": self.tr("Half the height of the picture on the near plane: glFrustum's"
+                                  " top, and −bottom. With near it sets the field of view."),
+        }  # fmt: skip
+        for key, tip in halves.items():
+            self._lens.add_length(
+                key, "lens", tip, partial(_half, key), partial(_with_half, key), lenses=SYMMETRIC
+            )
+
+    def _make_camera_matrix(self) -> None:
+        tips = {
+            "fx": self.tr("Focal length in pixel widths: K's first diagonal entry."),
+            "fy": self.tr("Focal length in pixel heights: K's second diagonal entry. As large as"
+                          " fx if the pixels are square."),
+            "cx": self.tr("Principal point, from the centre of the first pixel to the right. In"
+                          " the image's middle the lens is symmetric, elsewhere off-axis."),
+            "cy": self.tr("Principal point, from the centre of the first pixel downwards. In the"
+                          " image's middle the lens is symmetric, elsewhere off-axis."),
+        }  # fmt: skip
+        typed = Typed(
+            lambda p: (p.lens, p.image_size), lambda p: p.intrinsics, Projection.with_intrinsics
+        )
+        for key, tip in tips.items():
+            self._calibrated.add_number(
+                key, "lens", tip, Log(1.0, 10.0), self.tr("px"), self.tr("pixels"),
+                *typed.access(key), lenses=CONVERGING,
+            )  # fmt: skip
+
+    def _row(self, key: str) -> NumberRow:
+        section = self._lens if key in self._lens.bindings else self._calibrated
+        row = section.bindings[key].row
+        assert isinstance(row, NumberRow)
+        return row
+
+    # -- fitted to the lens in hand
+
+    def fit(self, projection: Projection, size: float, defaults: Projection) -> None:
+        """Give the rows of this kind of lens their sliders, and say what a reset goes back to.
+
+        Parameters
+        ----------
+        projection : Projection
+        size : float
+            Diagonal of the scene's bounds, world units.
+        defaults : Projection
+            The camera and lens with which the scene opens.
+        """
+        self._projection, self._size = projection, size
+        self._reach = 0.0
+        kind = projection.lens.kind
+        free = isinstance(projection.lens, FreeMatrix)
+        parallel = not isinstance(projection.lens, FreeMatrix) and projection.lens.parallel
+        for name in ("near", "far"):
+            if parallel:  # even for a box, in ratios for a pyramid
+                self._row(name).setScale(Linear.about(0.0, 10.0 * size))
+            else:
+                scale = Log(1e-6 * size, 1e9 * size, infinite=name == "far")
+                self._row(name).setScale(scale)
+        alike = defaults.with_lens(kind)
+        for key, binding in self._bindings:
+            if not binding.lenses or kind in binding.lenses:
+                source = defaults if key == "kind" else alike
+                binding.row.setDefault(binding.read(source))
+        self._calibrated.setVisible(not parallel and not free)
+        self.follow(projection)
+
+    @property
+    def _bindings(self) -> list[tuple[str, Binding]]:
+        return [*self._lens.bindings.items(), *self._calibrated.bindings.items()]
+
+    def follow(self, projection: Projection) -> None:
+        """Keep the sliders in proportion to what they show.
+
+        Parameters
+        ----------
+        projection : Projection
+            With the kind of lens that was fitted.
+        """
+        self._projection = projection
+        if isinstance(projection.lens, FreeMatrix):
+            return
+        if projection.lens.kind in WINDOWED:
+            self._fit_window()
+        if projection.lens.kind in SYMMETRIC:
+            near = 10.0 ** round(math.log10(projection.lens.near))
+            scale = Log(1e-2 * near, 1e2 * near)
+            self._set_scales(dict.fromkeys(("window_right", "window_top"), scale))
+        if not projection.lens.parallel:
+            width, height = projection.image_size
+            focal = Log(1e-2 * max(width, height), 1e2 * max(width, height))
+            self._set_scales(
+                {
+                    "fx": focal,
+                    "fy": focal,
+                    "cx": Linear.about((width - 1) / 2.0, 1.5 * width),
+                    "cy": Linear.about((height - 1) / 2.0, 1.5 * height),
+                }
+            )
+
+    def _set_scales(self, scales: dict[str, Scale]) -> None:
+        for key, scale in scales.items():
+            if self._scaled_for.get(key) != scale:
+                self._scaled_for[key] = scale
+                self._row(key).setScale(scale)
+
+    def _fit_window(self) -> None:
+        """Let the window's sliders reach about twice as far as the window, of a box the scene.
+
+        None of them changes under the hand, nor as long as the window fills a fair part of them.
+        """
+        lens = self._projection.lens
+        if isinstance(lens, Perspective | FreeMatrix):
+            return
+        extent = max(abs(getattr(lens, side)) for side in SIDES)
+        least = 2.0 * self._size if lens.parallel else 0.0
+        if extent <= self._reach and (self._reach <= least or extent >= 0.05 * self._reach):
+            return
+        if not all(self._row(side).at_rest for side in SIDES):
+            return
+        self._reach = max(2.0 * extent, least)
+        for side in SIDES:
+            self._row(side).setScale(Linear.about(0.0, self._reach))
+
+
+# --------------------------------------------------------------------------- reading and writing
+
+
+def _field(field: str) -> Read:
+    return lambda projection: getattr(projection.lens, field)
+
+
+def _with_field(field: str) -> Write:
+    def write(projection: Projection, value: Any) -> Projection:
+        return replace(projection, lens=replace(projection.lens, **{field: value}))
+
+    return write
+
+
+def _perspective(projection: Projection) -> Perspective:
+    assert isinstance(projection.lens, Perspective)
+    return projection.lens
+
+
+def _oblique(projection: Projection) -> Oblique:
+    assert isinstance(projection.lens, Oblique)
+    return projection.lens
+
+
+def _with_fov_y(projection: Projection, fov_y_deg: float) -> Projection:
+    return replace(projection, lens=replace(_perspective(projection), fov_y_deg=fov_y_deg))
+
+
+def _by_fov(
+    measure: Callable[[float, float], float], fov_y: Callable[[float, float], float]
+) -> tuple[Read, Write]:
+    """Read and write another measure of the field of view, by its value and the aspect."""
+
+    def read(projection: Projection) -> float:
+        return tidy(measure(_perspective(projection).fov_y_deg, projection.aspect))
+
+    def write(projection: Projection, value: float) -> Projection:
+        return _with_fov_y(projection, fov_y(value, projection.aspect))
+
+    return read, write
+
+
+def _fov_x(projection: Projection) -> float:
+    fov_x_deg = fov_x_from_fov_y(_perspective(projection).fov_y_deg, projection.aspect)
+    tidy_deg = tidy(fov_x_deg)
+    return tidy_deg if tidy_deg < 180.0 else fov_x_deg
+
+
+def _with_fov_x(projection: Projection, fov_x_deg: float) -> Projection:
+    if not math.isfinite(fov_x_deg):
+        raise ProjectionError("fov_x_deg", fov_x_deg, FINITE_NUMBER)
+    if not 0.0 < fov_x_deg < 180.0:
+        raise ProjectionError("fov_x_deg", fov_x_deg, BETWEEN, 0, 180)
+    return _with_fov_y(projection, fov_x_from_fov_y(fov_x_deg, 1.0 / projection.aspect))
+
+
+def _half(key: str, projection: Projection) -> float:
+    _, right, _, top = projection.window
+    return tidy(right if key == "window_right" else top)
+
+
+def _with_half(key: str, projection: Projection, half: float) -> Projection:
+    top = half / projection.aspect if key == "window_right" else half
+    try:
+        fov_y_deg = fov_y_from_window(top, projection.standard_lens.near)
+    except ProjectionError as error:  # which speaks of top
+        raise ProjectionError(key, half, error.bound, *error.limits) from None
+    return _with_fov_y(projection, fov_y_deg)
+
+
+def _angles(projection: Projection) -> tuple[float, float]:
+    lens = _oblique(projection)
+    return lens.alpha_deg, lens.beta_deg
+
+
+def _leaning(projection: Projection, alpha_deg: float, beta_deg: float) -> Projection:
+    """Other angles, with the target in its place in the picture."""
+    lens = _oblique(projection)
+    leaning = replace(lens, alpha_deg=alpha_deg, beta_deg=beta_deg)
+    away = projection.camera.distance - lens.near
+    x, y = ((was - now) * away for was, now in zip(lens.shear, leaning.shear, strict=True))
+    lens = replace(
+        leaning,
+        left=lens.left + x, right=lens.right + x, bottom=lens.bottom + y, top=lens.top + y,
+    )  # fmt: skip
+    return replace(projection, lens=lens)
+
+
+def _with_receding(projection: Projection, receding: Receding) -> Projection:
+    if abs(receding.receding) > LARGEST_SHEAR and math.isfinite(receding.receding):
+        bound, limit = (
+            (AT_MOST, LARGEST_SHEAR) if receding.receding > 0.0 else (AT_LEAST, -LARGEST_SHEAR)
+        )
+        raise ProjectionError("receding", receding.receding, bound, limit)
+    return _leaning(projection, *oblique_angles(*receding))
+
+
+def _preset(projection: Projection) -> str | None:
+    angles = _angles(projection)
+    for key, preset in OBLIQUE_PRESETS.items():
+        if max(abs(a - b) for a, b in zip(angles, preset, strict=True)) <= _SAME_ANGLE_DEG:
+            return key
+    return None
+
+
+def _with_preset(projection: Projection, key: str) -> Projection:
+    return _leaning(projection, *OBLIQUE_PRESETS[key])

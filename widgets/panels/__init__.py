@@ -1,0 +1,1 @@
+"""Matrices, camera frame, probes, scene, measurements."""

@@ -1,0 +1,494 @@
+"""The camera's frame, step by step: eye, look, up, n, u, v, and the view matrix made of them.
+
+Formulas with the numbers of the camera in hand: n, u, v and the matrix are the model's own, with
+the digits that `python -m app matrices` prints. The panel computes nothing while it is folded.
+
+::
+
+    Back, Next, Play, Show all --step_changed(0..6, None when folded)--> the world pane
+    angle of up, nudge --edited(Projection)--> the store
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+from typing import NamedTuple
+
+from PySide6.QtCore import QEvent, QRectF, QSize, Qt, QTimer, Signal
+from PySide6.QtGui import (
+    QEnterEvent,
+    QFont,
+    QHideEvent,
+    QPainter,
+    QPaintEvent,
+    QShowEvent,
+)
+from PySide6.QtWidgets import (
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QScrollArea,
+    QSizePolicy,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.lecture.camera_frame import (
+    STEPS,
+    UpAndView,
+    most_turned_deg,
+    nudged_up,
+    turned_up,
+    up_and_view,
+    view_matrix,
+)
+from app.lecture.highlight import NOTHING, Attention
+from app.model.projection import Camera, FreeMatrix, Projection, ProjectionError, format_value
+from widgets.parts.fields import Log, NumberRow
+from widgets.parts.focus import FocusRing
+from widgets.parts.highlight import paint_attention
+from widgets.parts.messages import sentence
+from widgets.parts.section import tidy
+
+STEP_MS = 2500
+"""While playing, how long each step can be read."""
+NUDGE_DEG = 0.1
+CLOSE_DEG = 1.0
+"""From here on up is near the view direction."""
+_UP: Attention = frozenset(("up",))
+_ABOUT: tuple[Attention, ...] = tuple(
+    frozenset(names)
+    for names in (("eye",), ("target",), ("up",), ("n",), ("u",), ("v",), ("u", "v", "n", "eye"))
+)
+
+
+class _Step(NamedTuple):
+    """Name, formula and sentence of a step; in the formula, which is HTML, vectors are bold."""
+
+    name: str
+    formula: str
+    sentence: str
+
+
+class FramePanel(QWidget):
+    """Builds u, v and n in front of the reader.
+
+    Attributes
+    ----------
+    step : int
+        Index into `app.lecture.camera_frame.STEPS`.
+    """
+
+    step_changed = Signal(object)
+    """The step that is to be drawn; None while the panel is folded."""
+    edited = Signal(object)
+    """The user made this `Projection`."""
+    attended = Signal(object)
+    """The `Attention` that the formula under the mouse draws."""
+    gesture_started = Signal()
+    gesture_finished = Signal()
+    gesture_abandoned = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setAccessibleName(self.tr("Camera frame"))
+        self.step = 0
+        self._projection = Projection()
+        self._is_stale = True
+        self._attention = NOTHING
+        self._steps = self._make_steps()
+        self._timer = QTimer(self)
+        self._timer.setInterval(STEP_MS)
+        self._timer.timeout.connect(self._play_on)
+
+        self.back = self._button(self.tr("◀ Back"), self.tr("One step back"), self._go_back)
+        self.next = self._button(self.tr("Next ▶"), self.tr("The next step"), self._go_on)
+        self.play = self._button("", "", self.toggle)
+        self.all = self._button(
+            self.tr("Show all"), self.tr("All steps at once"), lambda: self.go_to(len(STEPS) - 1)
+        )
+        self.title = QLabel()
+        self.title.setObjectName("paneTitle")
+        self.formula, self.numbers = _Formula(), QLabel()
+        self.numbers.setTextFormat(Qt.TextFormat.RichText)
+        self.numbers.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self.numbers.setAccessibleDescription(self.tr("The step in numbers"))
+        self.sentence = QLabel()
+        self.sentence.setWordWrap(True)
+        self._make_up()
+        self._lay_out()
+        self._show_playing()
+        self._show_step()
+
+    # -- making
+
+    def _make_steps(self) -> tuple[_Step, ...]:
+        return (
+            _Step(
+                self.tr("eye"), "<b>e</b>",
+                self.tr("The centre of projection: where the camera stands in the world."),
+            ),
+            _Step(
+                self.tr("look"), "<b>look</b> = target − <b>e</b>",
+                self.tr("The camera looks at the target; only the direction matters."),
+            ),
+            _Step(
+                self.tr("up"), "<b>up</b>",
+                self.tr("The direction that shall be vertical in the picture. It need not be at a"
+                        " right angle to the view, and its length does not matter."),
+            ),
+            _Step(
+                self.tr("n"), "<b>n</b> = (<b>e</b> − target) / |<b>e</b> − target|",
+                self.tr("Backwards, from the target to the eye, of length 1: the camera looks"
+                        " along −n."),
+            ),
+            _Step(
+                self.tr("u"), "<b>u</b> = <b>up</b> × <b>n</b> / |<b>up</b> × <b>n</b>|",
+                self.tr("To the right in the picture: at right angles to up and to n, of"
+                        " length 1."),
+            ),
+            _Step(
+                self.tr("v"), "<b>v</b> = <b>n</b> × <b>u</b>",
+                self.tr("Upwards in the picture: at right angles to n and u. It is what is left"
+                        " of up across the view."),
+            ),
+            _Step(
+                self.tr("view matrix"),
+                "M = R T, &nbsp; R = (<b>u</b>, <b>v</b>, <b>n</b>)<sup>T</sup>, &nbsp; "
+                "M (<b>e</b> : 1) = (<b>0</b> : 1)",
+                self.tr("The rows of the rotation R are u, v and n; T moves the eye to the"
+                        " origin, so that the last column is −R e."),
+            ),
+        )  # fmt: skip
+
+    def _button(self, text: str, tip: str, act: Callable[[], object]) -> QPushButton:
+        button = QPushButton(text)
+        button.setToolTip(tip)
+        button.setAccessibleName(tip or text)
+        button.clicked.connect(lambda _checked=False: act())
+        return button
+
+    def _make_up(self) -> None:
+        self.figures = QLabel()
+        self.figures.setTextFormat(Qt.TextFormat.PlainText)
+        self.angle = NumberRow(
+            self.tr("Up from view"),
+            self.tr("Turns up towards the view direction, in the plane of both: u, v and n stay,"
+                    " until no u can be told from another."),
+            Log(1e-14, 180.0, 20, 20), "°", self.tr("degrees"),
+        )  # fmt: skip
+        self.angle.setDefault(90.0)
+        self.angle.edited.connect(self._turn)
+        self.angle.gesture_started.connect(self.gesture_started)
+        self.angle.gesture_finished.connect(self.gesture_finished)
+        self.angle.gesture_abandoned.connect(self.gesture_abandoned)
+        self.angle.attended.connect(lambda is_at: self.attended.emit(_UP if is_at else NOTHING))
+        self.nudge = self._button(
+            self.tr("Nudge up by {0}° to the side").format(NUDGE_DEG),
+            self.tr("Make an error in up, and see by how much the picture turns"),
+            self._nudge,
+        )
+        self.warning = QLabel()
+        self.warning.setWordWrap(True)
+        self.warning.setTextFormat(Qt.TextFormat.PlainText)
+
+    def _set_fonts(self) -> None:
+        larger = QFont(self.font())
+        larger.setPointSizeF(1.25 * larger.pointSizeF())
+        self.formula.setFont(larger)
+
+    def _lay_out(self) -> None:
+        bar = QHBoxLayout()
+        for button in (self.back, self.next, self.play, self.all):
+            bar.addWidget(button)
+        bar.addSpacing(12)
+        bar.addWidget(self.title)
+        bar.addStretch(1)
+        lesson = QWidget()
+        column = QVBoxLayout(lesson)
+        column.setContentsMargins(2, 0, 2, 0)
+        column.setSpacing(4)
+        for label in (self.formula, self.numbers, self.sentence):
+            column.addWidget(label)
+            label.installEventFilter(self)
+        column.addStretch(1)
+        scroll = QScrollArea()
+        scroll.setWidgetResizable(True)
+        scroll.setFrameShape(QFrame.Shape.NoFrame)
+        scroll.setWidget(lesson)
+        aside = QWidget()
+        column = QVBoxLayout(aside)
+        column.setContentsMargins(12, 0, 2, 0)
+        column.setSpacing(4)
+        for widget in (self.figures, self.angle, self.nudge, self.warning):
+            column.addWidget(widget)
+        column.addStretch(1)
+        aside_scroll = QScrollArea()
+        aside_scroll.setWidgetResizable(True)
+        aside_scroll.setFrameShape(QFrame.Shape.NoFrame)
+        aside_scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        aside_scroll.setWidget(aside)
+        scroll.setAccessibleName(self.tr("The step"))
+        aside_scroll.setAccessibleName(self.tr("What up does"))
+        for area in (scroll, aside_scroll):
+            FocusRing(area)
+        body = QHBoxLayout()
+        body.addWidget(scroll, 3)
+        body.addWidget(aside_scroll, 2)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(4, 0, 4, 2)
+        layout.setSpacing(4)
+        layout.addLayout(bar)
+        layout.addLayout(body, 1)
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
+
+    # -- steps
+
+    def go_to(self, step: int) -> None:
+        """Show a step and all before it, and play no more."""
+        self.pause()
+        self._set_step(step)
+
+    def toggle(self) -> None:
+        """Play on from here, or from the first step if this is the last; or pause."""
+        if self.playing:
+            self.pause()
+            return
+        if self.step == len(STEPS) - 1:
+            self._set_step(0)
+        self._timer.start()
+        self._show_playing()
+
+    def pause(self) -> None:
+        """Stay at this step."""
+        self._timer.stop()
+        self._show_playing()
+
+    @property
+    def playing(self) -> bool:
+        """Whether one step follows the other by itself."""
+        return self._timer.isActive()
+
+    def _play_on(self) -> None:
+        self._set_step(self.step + 1)
+        if self.step == len(STEPS) - 1:
+            self.pause()
+
+    def _go_on(self) -> None:
+        self.go_to(min(self.step + 1, len(STEPS) - 1))
+
+    def _go_back(self) -> None:
+        self.go_to(max(self.step - 1, 0))
+
+    def _set_step(self, step: int) -> None:
+        if step != self.step:
+            self.step = step
+            self._show_step()
+            self._show_numbers()
+            if self.isVisible():
+                self.step_changed.emit(step)
+
+    def _show_step(self) -> None:
+        step = self._steps[self.step]
+        place = self.tr("{0} of {1}: {2}")
+        self.title.setText(place.format(self.step + 1, len(STEPS), step.name))
+        self.formula.setText(step.formula)
+        self.sentence.setText(step.sentence)
+        self._mark()
+        self.back.setEnabled(self.step > 0)
+        self.next.setEnabled(self.step < len(STEPS) - 1)
+        self.all.setEnabled(self.step < len(STEPS) - 1)
+
+    def _show_playing(self) -> None:
+        text = self.tr("Pause") if self.playing else self.tr("Play")
+        self.play.setText(text)
+        self.play.setAccessibleName(text)
+        self.play.setToolTip(
+            self.tr("Stay at this step") if self.playing else self.tr("One step after the other")
+        )
+
+    # -- the model
+
+    def sizeHint(self) -> QSize:
+        """High enough for the four rows of the last step's matrix."""
+        return super().sizeHint() + QSize(0, 3 * self.fontMetrics().height())
+
+    def show_projection(self, projection: Projection) -> None:
+        """Show this camera's numbers: now if visible, else on appearing.
+
+        Parameters
+        ----------
+        projection : Projection
+        """
+        if self._projection.camera != projection.camera or (
+            _has_own_view(self._projection) != _has_own_view(projection)
+        ):
+            self._is_stale = True
+        self._projection = projection
+        if self.isVisible():
+            self._refresh()
+
+    def _refresh(self) -> None:
+        if self._is_stale:
+            self._is_stale = False
+            up = up_and_view(self._projection.camera)
+            self._show_numbers()
+            self._show_up(up)
+
+    def _show_numbers(self) -> None:
+        if self.isVisible():
+            self.numbers.setText(_numbers(STEPS[self.step], self._projection.camera))
+
+    def _show_up(self, up: UpAndView) -> None:
+        self.angle.setValue(tidy(up.angle_deg))
+        if not self.angle.in_hand:
+            self.angle.clear_error()
+        self.figures.setText(
+            self.tr(
+                "Angle of up and view direction: {0}°\n|up × n| = {1}\n"
+                "An error in up is {2} times as large in u and v."
+            ).format(f"{up.angle_deg:.6g}", f"{up.length:.6g}", f"{up.magnified:.6g}")
+        )
+        off_deg = min(up.angle_deg, 180.0 - up.angle_deg)
+        text = ""
+        if off_deg <= CLOSE_DEG:
+            turned_deg = most_turned_deg(round(off_deg, 12), NUDGE_DEG)  # as 0.1 was typed
+            text = self.tr(
+                "⚠ Up is only {0}° from the line of sight: up × n is nearly 0, and an error of"
+                " {1}° in up turns the picture by up to {2}°."
+            ).format(f"{off_deg:.3g}", f"{NUDGE_DEG:g}", f"{turned_deg:.3g}")
+        typed = _has_own_view(self._projection)
+        if typed:
+            text = self.tr(
+                "⚠ The view matrix was typed, and no camera has it: these are the numbers of the"
+                " camera before. Undo, or choose a lens."
+            )
+        for control in (self.angle, self.nudge):
+            control.setEnabled(not typed)  # nothing would turn
+        self.warning.setText(text)
+
+    def _turn(self, angle_deg: float) -> None:
+        self._offer(lambda camera: turned_up(camera, angle_deg))
+
+    def _nudge(self) -> None:
+        self.angle.finish_gesture()
+        self._offer(lambda camera: nudged_up(camera, NUDGE_DEG))
+
+    def _offer(self, change: Callable[[Camera], Camera]) -> None:
+        try:
+            camera = change(self._projection.camera)
+        except ProjectionError as error:
+            self.angle.show_error(sentence(error))
+        else:
+            self.edited.emit(replace(self._projection, camera=camera))
+
+    # -- attention
+
+    def show_attention(self, attended: Attention) -> None:
+        """Mark the formula if it is about what is attended to."""
+        self._attention = attended
+        self.angle.set_marked(bool(attended & _UP))
+        self._mark()
+
+    def _mark(self) -> None:
+        self.formula.set_marked(bool(self._attention & _ABOUT[self.step]))
+
+    # -- events
+
+    def eventFilter(self, watched: object, event: QEvent) -> bool:
+        if isinstance(event, QEnterEvent):
+            self.attended.emit(_ABOUT[self.step])
+        elif event.type() == QEvent.Type.Leave:
+            self.attended.emit(NOTHING)
+        return False
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self._set_fonts()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self._set_fonts()  # not before: the first polish of a style sheet takes it back
+        self._is_stale = True
+        self._refresh()
+        self.step_changed.emit(self.step)
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        super().hideEvent(event)
+        self.pause()
+        self.attended.emit(NOTHING)
+        self.step_changed.emit(None)
+
+
+class _Formula(QLabel):
+    """A formula that shows when something else draws attention to what it is about."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.is_marked = False
+        self.setTextFormat(Qt.TextFormat.RichText)
+
+    def set_marked(self, marked: bool) -> None:
+        if marked != self.is_marked:
+            self.is_marked = marked
+            self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        if self.is_marked:
+            painter = QPainter(self)
+            paint_attention(self, painter, QRectF(self.rect()))
+            painter.end()
+
+
+def _has_own_view(projection: Projection) -> bool:
+    """Whether the scene is seen through a view matrix that is no camera's."""
+    lens = projection.lens
+    return isinstance(lens, FreeMatrix) and lens.view_from_world is not None
+
+
+def _numbers(step: str, camera: Camera) -> str:
+    """What a step comes to, line by line."""
+    u, v, n = camera.frame.tolist()
+    backward = [e - t for e, t in zip(camera.eye, camera.target, strict=True)]
+    lines: list[tuple[str, str]]
+    if step == "eye":
+        lines = [("e", _vector(camera.eye))]
+    elif step == "look":
+        lines = [
+            ("look", _vector(-part for part in backward)),
+            ("|look|", format_value(camera.distance)),
+            ("look / |look|", _vector(-part for part in n)),
+        ]
+    elif step == "up":
+        lines = [("up", _vector(camera.up))]
+    elif step == "n":
+        lines = [
+            ("e − target", _vector(backward)),
+            ("|e − target|", format_value(camera.distance)),
+            ("n", _vector(n)),
+        ]
+    elif step == "u":
+        up = up_and_view(camera)
+        lines = [
+            ("up × n", _vector(up.cross)),
+            ("|up × n|", format_value(up.length)),
+            ("u", _vector(u)),
+        ]
+    elif step == "v":
+        lines = [("v", _vector(v))]
+    else:
+        rows = [[format_value(value + 0.0) for value in row] for row in view_matrix(camera)]
+        cells = ("".join(f"<td align='right'>{cell}</td>" for cell in row) for row in rows)
+        table = "".join(f"<tr>{row}</tr>" for row in cells)
+        return f"<table cellspacing='0' cellpadding='3'>{table}</table>"
+    names = (re.sub(r"\b(e|look|up|u|v|n)\b", r"<b>\1</b>", name) for name, _ in lines)
+    return "<br>".join(f"{name} = {value}" for name, (_, value) in zip(names, lines, strict=True))
+
+
+def _vector(parts: Iterable[float]) -> str:
+    return "(" + ", ".join(format_value(part + 0.0) for part in parts) + ")"

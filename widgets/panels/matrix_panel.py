@@ -1,0 +1,648 @@
+"""The matrices panel: every stage's matrix in a row, as numbers or formulas, to read and copy.
+
+::
+
+    MatrixPanel.show_projection --at most every 100 ms, and at rest--> app.lecture.notation.matrices
+                                --what changed--> MatrixView, one for each matrix and factor
+
+    MatrixView.typed --a cell's text--> app.lecture.typed_matrix.with_cell --> MatrixPanel.edited
+
+Nothing is computed while the panel is folded. A drag counts as one change of the cells.
+"""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Sequence
+from functools import partial
+from typing import cast
+
+from PySide6.QtCore import (
+    QCoreApplication,
+    QEvent,
+    QObject,
+    QPoint,
+    QSize,
+    Qt,
+    Signal,
+)
+from PySide6.QtGui import (
+    QGuiApplication,
+    QShowEvent,
+)
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QHBoxLayout,
+    QLabel,
+    QMenu,
+    QScrollArea,
+    QSpacerItem,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.drawings.style import LIGHT, Style
+from app.lecture.highlight import NOTHING, Attention
+from app.lecture.notation import (
+    ARROW,
+    Letters,
+    Matrix,
+    as_latex,
+    as_numpy,
+    as_text,
+    cell_sign,
+    cell_text,
+    has_own_signs,
+    matrices,
+    written,
+)
+from app.lecture.typed_matrix import EDITABLE, properties, with_cell
+from app.model.projection import FreeMatrix, Projection, ProjectionError
+from widgets.panels.matrix_view import VIEW, MatrixView, is_a_cameras, rich
+from widgets.parts.fields import REFUSAL_SHEET, parse_number, refusal
+from widgets.parts.focus import FocusRing
+from widgets.parts.messages import field_name, sentence, stage_title, translated
+from widgets.parts.readable import Readable
+
+_NOTE_CHARACTERS = 36
+"""Characters in a line of a note, which shall not be wider than its matrix."""
+
+
+class _Box(QWidget):
+    """A matrix under its name, with its factors beside it, folded until they are asked for."""
+
+    def __init__(self, panel: MatrixPanel, matrix: Matrix, unfolded: bool) -> None:
+        super().__init__()
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 6, 0)
+        layout.setSpacing(1)
+        title = QHBoxLayout()
+        title.setSpacing(4)
+        self.title = QLabel()
+        self.title.setObjectName("paneTitle")
+        title.addWidget(self.title)
+        self.fold = QToolButton()
+        self.fold.setAutoRaise(True)
+        self.fold.setCheckable(True)
+        self.fold.setChecked(unfolded)
+        self.fold.setVisible(bool(matrix.factors))
+        fixed = self.fold.sizePolicy()
+        fixed.setRetainSizeWhenHidden(True)  # or titles without one would stand higher
+        self.fold.setSizePolicy(fixed)
+        self.fold.setAccessibleName(self.tr("Factors of {0}").format(stage_title(matrix.name)))
+        self.fold.setToolTip(self.tr("Show the factors that this matrix is the product of"))
+        title.addWidget(self.fold)
+        title.addStretch(1)
+        layout.addLayout(title)
+        row = QHBoxLayout()
+        row.setSpacing(4)
+        self.view = panel.new_view(matrix.name)
+        row.addWidget(self.view, 0, Qt.AlignmentFlag.AlignTop)
+        self.factors = QWidget()
+        self.factors.setVisible(unfolded and bool(matrix.factors))
+        self.fold.toggled.connect(self.factors.setVisible)
+        inner = QHBoxLayout(self.factors)
+        inner.setContentsMargins(0, 0, 0, 0)
+        inner.setSpacing(4)
+        self.factor_views: list[MatrixView] = []
+        for number, factor in enumerate(matrix.factors):
+            inner.addWidget(QLabel("·" if number else "="))
+            column = QVBoxLayout()
+            column.setSpacing(1)
+            view = panel.new_view(factor.name)
+            self.factor_views.append(view)
+            column.addWidget(view)
+            column.addWidget(QLabel(stage_title(factor.name)))
+            column.addStretch(1)
+            inner.addLayout(column)
+        row.addWidget(self.factors)
+        row.addStretch(1)
+        layout.addLayout(row)
+        self.note = QLabel()
+        self.note.setObjectName("paneNote")
+        self.note.hide()
+        layout.addWidget(self.note)
+        layout.addStretch(1)
+
+    @property
+    def views(self) -> tuple[MatrixView, ...]:
+        """Of the matrix, and of its factors."""
+        return (self.view, *self.factor_views)
+
+
+class MatrixPanel(QWidget):
+    """Every matrix between the object and its picture.
+
+    Attributes
+    ----------
+    edited : Signal(Projection)
+        The user typed a cell, and this is the projection with it.
+    """
+
+    attended = Signal(object)
+    """The `Attention` that the cell under the mouse or the cursor draws."""
+    edited = Signal(object)
+    outgrown = Signal()
+    """The matrices and what is said below them want more height than ever before."""
+    told = Signal(str)
+    """What was made of a text that is not the number itself: a sentence."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setAccessibleName(self.tr("Matrices"))
+        self._attention = NOTHING
+        self._projection: Projection | None = None
+        self._before: Projection | None = None
+        self._readable = Readable(self, self._refresh)
+        self._style = LIGHT
+        self._shown: tuple[Matrix, ...] = ()
+        self._boxes: list[_Box] = []
+        self._plan: object = None
+        self._unfolded: set[str] = set()
+        self._speaker: MatrixView | None = None
+        """Whose cell the explanation is about."""
+        self._gap: QSpacerItem | None = None
+        """Keeps a matrix in its place whose neighbours have gone."""
+        self._earlier: tuple[object, tuple[Matrix, ...]] = (None, ())
+        self._lay_out()
+        self._highest = self._content.sizeHint().height()
+
+    def _lay_out(self) -> None:
+        self.cells = self._choice(
+            self.tr("Cells"), self.tr("What each cell shows"),
+            (("numbers", self.tr("Numbers")), ("formulas", self.tr("Formulas"))),
+        )  # fmt: skip
+        self.vectors = self._choice(
+            self.tr("Vectors"),
+            self.tr("Points as columns, right of the matrix, or as rows, left of it: then every "
+                    "matrix is transposed and every product turned round"),
+            (("columns", self.tr("Column vectors")), ("rows", self.tr("Row vectors"))),
+        )  # fmt: skip
+        self.letters = self._choice(
+            self.tr("Letters"),
+            self.tr("Whose letters the formulas are written in: those of vectors are bold; lecture "
+                    "002 has its own signs too"),
+            (
+                ("uvn", self.tr("own: u v n, n f, fov")),
+                ("000", self.tr("z_min z_max (lecture 000)")),
+                ("001", self.tr("u v w, θ (lecture 001)")),
+                ("002", self.tr("z_n z_f and signs (lecture 002)")),
+                ("003", self.tr("e, n f (lecture 003)")),
+            ),
+        )  # fmt: skip
+        self.running = QCheckBox(self.tr("Running products"))
+        self.running.setToolTip(
+            self.tr("Also the product of all stages so far, and the view matrix's inverse, whose "
+                    "columns are the camera's axes and the eye")
+        )  # fmt: skip
+        self.running.toggled.connect(self._readable.changed)
+        self.copy = QToolButton()
+        self.copy.setText(self.tr("Copy all"))
+        self.copy.setAccessibleName(self.tr("Copy all matrices"))
+        self.copy.setToolTip(self.tr("Copy every matrix shown, in the order of the stages"))
+        self.copy.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        menu = QMenu(self.copy)
+        for form, text in (
+            ("text", self.tr("As text")),
+            ("numpy", self.tr("For NumPy (numbers)")),
+            ("latex", self.tr("For LaTeX (needs amsmath)")),
+        ):
+            menu.addAction(text, partial(self._copy_all, form))
+        self.copy.setMenu(menu)
+        self._bar = bar = QHBoxLayout()
+        for widget in (self.cells, self.vectors, self.letters, self.running):
+            bar.addWidget(widget)
+        bar.addStretch(1)
+        bar.addWidget(self.copy)
+
+        self._content = QWidget()
+        self._row = QHBoxLayout(self._content)
+        self._row.setContentsMargins(2, 0, 2, 0)
+        self._row.setSpacing(6)
+        self._row.addStretch(1)
+        self._scroll = QScrollArea()
+        self._scroll.setWidgetResizable(True)
+        self._scroll.setWidget(self._content)
+        self._scroll.setAccessibleName(self.tr("Matrices"))
+        FocusRing(self._scroll)
+        self._content.installEventFilter(self)
+        self._scroll.setFrameShape(QScrollArea.Shape.NoFrame)
+        self.explanation = QLabel()
+        self.explanation.setWordWrap(True)
+        self.explanation.setAccessibleDescription(self.tr("About the cell"))
+        self.explanation.setMinimumHeight(2 * self.fontMetrics().height())
+        self.explanation.setAlignment(Qt.AlignmentFlag.AlignTop)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(2, 0, 2, 2)
+        layout.setSpacing(2)
+        layout.addLayout(bar)
+        layout.addWidget(self._scroll, 1)
+        layout.addWidget(self.explanation)
+
+    def _choice(self, name: str, tip: str, choices: Sequence[tuple[str, str]]) -> QComboBox:
+        box = QComboBox()
+        box.setAccessibleName(name)
+        box.setToolTip(tip)
+        for value, text in choices:
+            box.addItem(text, value)
+        box.currentIndexChanged.connect(self._readable.changed)
+        return box
+
+    def new_view(self, name: str) -> MatrixView:
+        """A view of one matrix, wired to the explanation, the clipboard and the model."""
+        view = MatrixView(stage_title(name), self.sentence, editable=name in EDITABLE)
+        view.pointed.connect(partial(self._said, view))
+        view.copied.connect(self._copy_one)
+        view.attended.connect(self.attended)
+        view.show_attention(self._attention)
+        view.typed.connect(partial(self._typed, view, name))
+        view.moved_on.connect(partial(self._edit_cell, name))
+        return view
+
+    def show_attention(self, attended: Attention) -> None:
+        """Mark the cells that speak of what is attended to."""
+        self._attention = attended
+        for box in self._boxes:  # as they are drawn: the model may have gone on since
+            for view in box.views:
+                view.show_attention(attended)
+
+    def _edit_cell(self, name: str, row: int, column: int) -> None:
+        """Go on in the view of now: another lens has other ones."""
+        self.views[name].edit_cell(row, column)
+
+    def _said(self, view: MatrixView, text: str) -> None:
+        self._speaker = view
+        self._explain(text)
+
+    def _explain(self, text: str, sheet: str = "") -> None:
+        self.explanation.setStyleSheet(sheet)
+        vectors = ARROW in text
+        self.explanation.setTextFormat(
+            Qt.TextFormat.RichText if vectors else Qt.TextFormat.PlainText
+        )
+        self.explanation.setText(rich(text) if vectors else text)
+
+    def _typed(self, view: MatrixView, name: str, row: int, column: int, text: str) -> None:
+        """Take a cell that was typed, or say what is wrong with it."""
+        if self._projection is None:
+            return
+        into, of = (column, row) if self._rows else (row, column)
+        cell = self.tr("{0}, row {1}, column {2}").format(stage_title(name), row + 1, column + 1)
+        try:
+            value = parse_number(cell, text)
+            sign = cell_sign(self._projection, self._letters, name, into, of)
+            projection = with_cell(self._projection, name, into, of, sign * value)
+        except ProjectionError as error:
+            view.refuse()
+            if error.field == f"{name}[{into}, {of}]":  # the core's word for it
+                error = ProjectionError(cell, error.value, error.bound, *error.limits)
+            self._explain(refusal(sentence(error)), REFUSAL_SHEET)
+            return
+        if "/" in text:
+            taken = self.tr("{0} is taken as {1}, its quotient to all digits of float64.")
+            self.told.emit(taken.format(text.strip(), cell_text(value)))
+        if projection != self._projection:
+            self.show_projection(projection)
+            self._readable.settle()
+            self.edited.emit(projection)
+
+    def _in_hand(self) -> tuple[str, int, tuple[int, int]] | None:
+        """Name, left edge and cell of the matrix that the keyboard is in."""
+        focus = self.window().focusWidget()
+        for name, view in self.views.items():
+            if focus is not None and focus in (view, view.field):
+                return name, self._left_of(view), view.place
+        return None
+
+    def _left_of(self, view: MatrixView) -> int:
+        """Where it stands in what is seen, in px."""
+        return view.mapTo(self._scroll.viewport(), QPoint()).x()
+
+    def _keep_in_place(self, view: MatrixView, left_px: int) -> None:
+        """Put a view where the hand is, though its neighbours have gone or come."""
+        bar = self._scroll.horizontalScrollBar()
+
+        def scroll() -> int:
+            """Scroll as far as that helps; how far to the right it has yet to go, in px."""
+            QCoreApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest.value)
+            bar.setValue(bar.value() + self._left_of(view) - left_px)
+            return left_px - self._left_of(view)
+
+        away = scroll()
+        if away:  # to the left there is no more to scroll to, or to the right
+            self._gap = QSpacerItem(abs(away), 0)
+            before = next(i for i, box in enumerate(self._boxes) if view in box.views)
+            self._row.insertItem(before if away > 0 else len(self._boxes), self._gap)
+            scroll()
+
+    # -- the model
+
+    def begin_gesture(self) -> None:
+        """Until `end_gesture`, changes are marked against what is shown now."""
+        if not self._readable.in_gesture:
+            self._before = self._projection
+        self._readable.begin_gesture()
+
+    def end_gesture(self) -> None:
+        """End the gesture that `begin_gesture` began."""
+        self._readable.end_gesture()
+
+    def show_projection(self, projection: Projection) -> None:
+        """Take over the model.
+
+        Parameters
+        ----------
+        projection : Projection
+        """
+        if projection == self._projection:
+            return
+        if not self._readable.in_gesture:
+            self._before = self._projection
+        self._projection = projection
+        if not self.isVisible():
+            self._before = None
+        self._readable.changed()
+
+    def set_style(self, style: Style) -> None:
+        """Take over the colours of the drawings."""
+        self._style = style
+        self.explanation.setMinimumHeight(2 * self.fontMetrics().height())
+        self._readable.changed()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self._readable.settle()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self._plan = None  # widths are measured anew
+            self._readable.changed()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.LayoutRequest and self._boxes:
+            height = self._content.sizeHint().height()
+            if height > self._highest:  # never less: the panes stand still
+                self._highest = height
+                if height > self._scroll.viewport().height():
+                    self.outgrown.emit()
+        return super().eventFilter(watched, event)
+
+    def sizeHint(self) -> QSize:
+        # Folded, there is no matrix yet to be measured: a title, axes, four rows, a note.
+        matrices_height = max(
+            8 * self.fontMetrics().height() + 24, self._content.sizeHint().height()
+        )
+        around = (
+            self._bar.sizeHint().height(),
+            self._scroll.horizontalScrollBar().sizeHint().height(),
+            self.explanation.minimumHeight(),
+        )
+        return QSize(super().sizeHint().width(), matrices_height + sum(around) + 6)
+
+    @property
+    def shown(self) -> tuple[Matrix, ...]:
+        """The matrices that are shown."""
+        return self._shown
+
+    @property
+    def views(self) -> dict[str, MatrixView]:
+        """The view of each matrix by its name, factors as ``stage/factor``."""
+        views = {}
+        for matrix, box in zip(self._shown, self._boxes, strict=True):
+            views[matrix.name] = box.view
+            for factor, view in zip(matrix.factors, box.factor_views, strict=True):
+                views[f"{matrix.name}/{factor.name}"] = view
+        return views
+
+    def _refresh(self) -> None:
+        if self._projection is None:
+            return
+        in_hand = self._in_hand()
+        self._shown = self._matrices(self._projection)
+        before: dict[str, Matrix] = {}
+        if self._before is not None:
+            key = (self._before, self._letters, self._rows, self.running.isChecked())
+            if self._earlier[0] != key:
+                self._earlier = (key, self._matrices(self._before))
+            before = {matrix.name: matrix for matrix in self._earlier[1]}
+        plan = [(matrix.name, [f.name for f in matrix.factors]) for matrix in self._shown]
+        anew, self._plan = plan != self._plan, plan
+        if anew:
+            self._build()
+        settings = {
+            "letters": self._letters, "rows": self._rows,
+            "formulas": self.cells.currentData() == "formulas", "style": self._style,
+        }  # fmt: skip
+        for matrix, box in zip(self._shown, self._boxes, strict=True):
+            title = stage_title(matrix.name)
+            if properties(self._projection, matrix.name):
+                title = self.tr("{0}, a free matrix").format(title)
+            box.title.setText(title)
+            factors_of = (f"({stage_title(name)})" for name in matrix.product)
+            box.title.setToolTip(" = ".join([stage_title(matrix.name), " · ".join(factors_of)])
+                                 if matrix.product else stage_title(matrix.name))  # fmt: skip
+            note = self._note(matrix)
+            old = before.get(matrix.name)
+            box.view.show_matrix(matrix, old, **settings)
+            fitting = box.view.width() // max(box.note.fontMetrics().averageCharWidth(), 1)
+            wide = max(_NOTE_CHARACTERS, fitting - 2)
+            box.note.setText(
+                "\n".join(
+                    textwrap.fill(line, wide, break_on_hyphens=False) for line in note.splitlines()
+                )
+            )
+            box.note.setVisible(bool(note))
+            factors = old.factors if old and len(old.factors) == len(matrix.factors) else None
+            for number, view in enumerate(box.factor_views):
+                view.show_matrix(
+                    matrix.factors[number], factors[number] if factors else None, **settings
+                )
+        if anew and in_hand is not None and in_hand[0] in self.views:
+            name, left_px, cell = in_hand
+            self._keep_in_place(self.views[name], left_px)
+            self.views[name].take_over(cell)
+        if self._speaker is not None:
+            self._speaker.say_again()
+
+    @property
+    def _letters(self) -> Letters:
+        return cast(Letters, self.letters.currentData())
+
+    @property
+    def _rows(self) -> bool:
+        return bool(self.vectors.currentData() == "rows")
+
+    def _matrices(self, projection: Projection) -> tuple[Matrix, ...]:
+        return matrices(
+            projection, self._letters, rows=self._rows, running=self.running.isChecked()
+        )
+
+    def _close_gap(self) -> None:
+        if self._gap is not None:
+            self._row.removeItem(self._gap)
+            self._gap = None
+
+    def leaveEvent(self, event: QEvent) -> None:
+        super().leaveEvent(event)
+        self._close_gap()  # the hand is elsewhere
+
+    def _build(self) -> None:
+        self._close_gap()
+        for box in self._boxes:
+            for view in box.views:
+                view.abandon()  # or it would be taken for entered, when the field is hidden
+            self._row.removeWidget(box)
+            box.hide()
+            for view in box.views:
+                view.blockSignals(True)  # a mouse button held on it still tells it of moves
+            box.deleteLater()
+        if self._speaker is not None:  # perhaps only now, when the keyboard left what was hidden
+            self._speaker = None
+            self._explain("")
+        self._boxes = []
+        for place, matrix in enumerate(self._shown):
+            box = _Box(self, matrix, matrix.name in self._unfolded)
+            box.fold.toggled.connect(partial(self._folded, box, matrix.name))
+            self._set_arrow(box)
+            self._boxes.append(box)
+            self._row.insertWidget(place, box, 0, Qt.AlignmentFlag.AlignTop)
+            box.show()
+
+    def _folded(self, box: _Box, name: str, unfolded: bool) -> None:
+        (self._unfolded.add if unfolded else self._unfolded.discard)(name)
+        self._set_arrow(box)
+
+    def _set_arrow(self, box: _Box) -> None:
+        box.fold.setArrowType(
+            Qt.ArrowType.LeftArrow if box.fold.isChecked() else Qt.ArrowType.RightArrow
+        )
+
+    def _note(self, matrix: Matrix) -> str:
+        if matrix.note:
+            return translated(matrix.note)
+        if matrix.name == "clip_from_world":
+            return self.tr("then x, y and z are divided by w")
+        projection = self._projection
+        if projection is None:
+            return ""
+        if isinstance(projection.lens, FreeMatrix):
+            found = [
+                translated(template).format(*figures)
+                for template, figures in properties(projection, matrix.name)
+            ]
+            return "\n".join(found)
+        if matrix.name != "clip_from_view":
+            return ""
+        if not has_own_signs(projection, self._letters):
+            return ""
+        if projection.depth != "opengl":
+            return self.tr("with lecture 002's sign: w = z")
+        if projection.standard_lens.parallel:
+            return self.tr("with lecture 002's sign: z runs from 1 at near to −1")
+        return self.tr("with lecture 002's signs: w = z, and z runs from 1 at near to −1")
+
+    # -- words
+
+    def sentence(self, matrix: Matrix, row: int, column: int) -> str:
+        """What a cell is, does and depends on."""
+        value, formula = matrix.values[row][column], matrix.formulas[row][column]
+        text = written(formula, self._letters)
+        number = cell_text(value)
+        cell = number if text.replace("−", "-") == number else f"{text} = {number}"
+        fields = matrix.fields[row][column]
+        if fields:
+            depends = self.tr("It depends on: {0}.").format(", ".join(map(field_name, fields)))
+        else:
+            depends = self.tr("It depends on no control.")
+        into, of = (column, row) if self._rows else (row, column)
+        place = self.tr("row {0}, column {1}").format(row + 1, column + 1)
+        does = self._does(matrix, into, of, value)
+        typed = ""
+        if matrix.name in EDITABLE and self.cells.currentData() == "numbers":
+            typed = self.tr(
+                "Double-click or press Enter to type another number, or a fraction such as 1/3."
+            )
+            typed += " "
+        return f"{stage_title(matrix.name)}, {place}: {cell}. {does} {typed}{depends}"
+
+    def _does(self, matrix: Matrix, into: int, of: int, value: float) -> str:
+        target, source, number = "xyzw"[into], "xyzw"[of], cell_text(value)
+        axes = ("u", "v", written("axis_n", self._letters))
+        if into < 3 and of < 3 and matrix.name in VIEW and is_a_cameras(matrix):
+            text = self.tr(
+                "The world's {1} component of the camera's axis {0}: it adds {3} times {1} to {2}."
+            )
+            return text.format(axes[into], source, target, number)
+        if into < 3 and matrix.name == "world_from_view":
+            if of == 3:
+                return self.tr("The {0} of the eye, where view space has its origin.").format(
+                    target
+                )
+            return self.tr("The world's {1} component of the camera's axis {0}.").format(
+                axes[of], target
+            )
+        if into == 3:
+            return self._does_to_w(matrix, source, value, number)
+        if into == of:
+            if value == 1.0:
+                return self.tr("It leaves the scale of {0} as it is.").format(target)
+            if value < 0.0:
+                return self.tr("It scales {0} by {1}, and so turns it round.").format(
+                    target, number
+                )
+            return self.tr("It scales {0} by {1}.").format(target, number)
+        if value == 0.0:
+            if of == 3:
+                return self.tr("It does not shift {0}.").format(target)
+            return self.tr("{1} has no part in {0}.").format(target, source)
+        if of == 3:
+            if any(
+                line != end
+                for line, end in zip(self._w_row(matrix), (0.0, 0.0, 0.0, 1.0), strict=True)
+            ):
+                return self.tr(
+                    "It adds {1} to {0} before the divide, and so {1}/w to the quotient."
+                ).format(target, number)
+            return self.tr("It shifts {0} by {1}.").format(target, number)
+        return self.tr("It adds {2} times {1} to {0}: a shear.").format(target, source, number)
+
+    def _does_to_w(self, matrix: Matrix, source: str, value: float, number: str) -> str:
+        if value == 0.0:
+            if source == "w":
+                return self.tr("The w that comes in has no part in w.")
+            return self.tr("{0} has no part in w.").format(source)
+        if sum(map(bool, self._w_row(matrix))) == 1:
+            if source == "w":
+                if value == 1.0:
+                    return self.tr("It keeps w.")
+                return self.tr("It scales w, by which all is divided, by {0}.").format(number)
+            if source == "z" and value == -1.0:
+                return self.tr("It makes w the distance −z, by which all is divided: perspective.")
+        if source == "w" and matrix.name.endswith("_from_world"):  # where every w is 1
+            return self.tr("It adds {0} to w, by which all is divided.").format(number)
+        if source == "w":
+            source = self.tr("the w that comes in")
+        return self.tr("It adds {1} times {0} to w, by which all is divided.").format(
+            source, number
+        )
+
+    def _w_row(self, matrix: Matrix) -> tuple[float, ...]:
+        return tuple(row[3] for row in matrix.values) if self._rows else matrix.values[3]
+
+    # -- copying
+
+    def _copy_one(self, form: str, matrix: Matrix) -> None:
+        QGuiApplication.clipboard().setText(self._written_out(form, matrix))
+
+    def _copy_all(self, form: str) -> None:
+        text = "\n".join(self._written_out(form, matrix) for matrix in self._shown)
+        QGuiApplication.clipboard().setText(text)
+
+    def _written_out(self, form: str, matrix: Matrix) -> str:
+        if form == "numpy":
+            return as_numpy(matrix)
+        write = as_latex if form == "latex" else as_text
+        return write(matrix, self._letters, formulas=self.cells.currentData() == "formulas")

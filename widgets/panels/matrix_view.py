@@ -1,0 +1,613 @@
+"""One 4x4 matrix: its cells, painted, pointed at and typed.
+
+Cells that differ from before the last change are lit, and their digits from the first other one on
+underlined.
+"""
+
+from __future__ import annotations
+
+import html
+import re
+from collections.abc import Callable, Sequence
+from functools import partial
+from typing import TypeAlias, cast
+
+from PySide6.QtCore import (
+    QEvent,
+    QPointF,
+    QRectF,
+    QSize,
+    Qt,
+    Signal,
+)
+from PySide6.QtGui import (
+    QColor,
+    QContextMenuEvent,
+    QFocusEvent,
+    QFont,
+    QFontMetricsF,
+    QHelpEvent,
+    QHideEvent,
+    QKeyEvent,
+    QKeySequence,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPen,
+)
+from PySide6.QtWidgets import (
+    QLineEdit,
+    QMenu,
+    QSizePolicy,
+    QToolTip,
+    QWidget,
+)
+
+from app.drawings.style import LIGHT, Style
+from app.lecture.highlight import NOTHING, Attention, made_of
+from app.lecture.notation import (
+    ARROW,
+    Letters,
+    Matrix,
+    cell_text,
+    letters_in,
+    written,
+)
+from widgets.parts.fields import short_text
+from widgets.parts.highlight import paint_attention
+
+_AXES = ("u", "v", "n")
+VIEW = ("view_from_world", "rotation")
+
+
+def first_change(before: str, after: str) -> int | None:
+    """Where the digits of a number begin to differ; None if the texts are alike.
+
+    With another count of digits before the point every digit has another place: all differ.
+    """
+    if before == after:
+        return None
+    places = [len(text.partition("e")[0].partition(".")[0]) for text in (before, after)]
+    exponents = [text.partition("e")[2] for text in (before, after)]
+    if places[0] != places[1] or exponents[0] != exponents[1]:
+        return 0
+    pairs = enumerate(zip(before, after, strict=False))
+    return next((i for i, (a, b) in pairs if a != b), min(len(before), len(after)))
+
+
+def is_a_cameras(matrix: Matrix) -> bool:
+    """Whether a matrix is made of a camera's axes; a typed one has none."""
+    return matrix.name in (*VIEW, "world_from_view") and matrix.formulas[0][0] != "m_11"
+
+
+class _CellField(QLineEdit):
+    """Where a cell is typed: Tab goes on to the next, Esc back to what was."""
+
+    left = Signal()
+    moved_on = Signal(int)
+
+    def event(self, event: QEvent) -> bool:
+        kinds, keys = QEvent.Type, Qt.Key
+        if isinstance(event, QKeyEvent) and event.type() in (
+            kinds.ShortcutOverride,
+            kinds.KeyPress,
+        ):
+            steps = {keys.Key_Tab: 1, keys.Key_Backtab: -1}
+            pressed = event.type() == kinds.KeyPress
+            enter = event.key() in (keys.Key_Return, keys.Key_Enter)
+            if enter or event.key() == keys.Key_Escape or event.key() in steps:
+                event.accept()  # a line of text would pass Enter on, which opens a cell
+                if pressed and enter:
+                    self.returnPressed.emit()
+                elif pressed and event.key() == keys.Key_Escape:
+                    self.left.emit()
+                elif pressed:
+                    self.moved_on.emit(steps[keys(event.key())])
+                return True
+        return super().event(event)
+
+
+class MatrixView(QWidget):
+    """One 4x4 matrix; its cells are pointed at with the mouse or the arrow keys.
+
+    A double click, F2 or Enter opens the number of an `editable` one to be typed.
+
+    Parameters
+    ----------
+    title : str
+        What a reader calls it.
+    explain : callable
+        The sentence about a cell: ``(matrix, row, column) -> str``.
+
+    Attributes
+    ----------
+    pointed : Signal(str)
+        The sentence about the cell under the mouse or the cursor.
+    copied : Signal(str, object)
+        A format (``"text"``, ``"numpy"``, ``"latex"``) and the matrix to be copied in it.
+    typed : Signal(int, int, str)
+        Row, column and text of a cell, to be taken or refused by `refuse`.
+    moved_on : Signal(int, int)
+        Row and column of the cell that is to be typed next.
+    """
+
+    pointed = Signal(str)
+    copied = Signal(str, object)
+    attended = Signal(object)
+    """The `Attention` that the cell under the mouse or the cursor draws; only when it changes."""
+    typed = Signal(int, int, str)
+    moved_on = Signal(int, int)
+
+    def __init__(
+        self, title: str, explain: Callable[[Matrix, int, int], str], *, editable: bool = False
+    ) -> None:
+        super().__init__()
+        self.setAccessibleName(title)
+        self._explain, self._editable = explain, editable
+        self._field: _CellField | None = None
+        self._refused = False
+        self._matrix: Matrix | None = None
+        self._texts: list[list[str]] = []
+        self._marks: list[list[int | None]] = []
+        self._lit: set[tuple[int, int]] = set()
+        self._columns: list[float] = [0.0] * 4
+        self._letters: Letters = "uvn"
+        self._rows = self._formulas = False
+        self._style = LIGHT
+        self._cursor = (0, 0)
+        self._attention = self._pointed_at = NOTHING
+        self._told: tuple[int, int] | None = None  # of which cell
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setMouseTracking(True)
+        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+
+    def show_matrix(
+        self,
+        matrix: Matrix,
+        before: Matrix | None,
+        *,
+        letters: Letters,
+        rows: bool,
+        formulas: bool,
+        style: Style,
+    ) -> None:
+        """Show a matrix, and what differs in it from another.
+
+        Parameters
+        ----------
+        matrix : Matrix
+        before : Matrix or None
+            What it was before the last change.
+        letters : Letters
+        rows : bool
+            Whether vectors are rows, so that the axes are too.
+        formulas : bool
+            Formulas instead of numbers.
+        style : Style
+            The colours of the axes.
+        """
+        dressed = (letters, rows, formulas, style)
+        anew = dressed != (self._letters, self._rows, self._formulas, self._style)
+        self._letters, self._rows, self._formulas, self._style = dressed
+        old, self._matrix = self._matrix, matrix
+        if old is not None and (anew or old.values != matrix.values):
+            self.abandon()
+        lit = set()
+        marks: list[list[int | None]] = [[None] * 4 for _ in range(4)]
+        for i, row in enumerate(matrix.values):
+            for j, value in enumerate(row):
+                if before is not None and before.values[i][j] != value:
+                    lit.add((i, j))
+                    if not formulas:
+                        texts = short_text(before.values[i][j]), short_text(value)
+                        marks[i][j] = first_change(*texts)
+        if not anew and old == matrix and (lit, marks) == (self._lit, self._marks):
+            return
+        self._lit, self._marks = lit, marks
+        if formulas:
+            self._texts = [[written(cell, letters) for cell in row] for row in matrix.formulas]
+        else:
+            self._texts = [[short_text(value) for value in row] for row in matrix.values]
+        self._measure(anew or old is None or old.name != matrix.name)
+        if self.hasFocus():
+            self._say()
+        self.update()
+
+    @property
+    def texts(self) -> list[list[str]]:
+        """What the cells show."""
+        return self._texts
+
+    @property
+    def lit(self) -> set[tuple[int, int]]:
+        """Row and column of the cells that the last change changed."""
+        return self._lit
+
+    @property
+    def marks(self) -> list[list[int | None]]:
+        """From which character on each cell's digits have changed."""
+        return self._marks
+
+    # -- places
+
+    def _small(self) -> QFont:
+        font = QFont(self.font())
+        font.setPointSizeF(font.pointSizeF() * 0.75)
+        return font
+
+    def _fonts(self) -> _Fonts:
+        """Those of letters, of subscripts and of vectors."""
+        bold = QFont(self.font())
+        bold.setBold(True)
+        return {"": self.font(), "_": self._small(), ARROW: bold}
+
+    def _measure(self, anew: bool) -> None:
+        metrics, fonts = QFontMetricsF(self.font()), self._fonts()
+        widths = [
+            max(_width(row[j], fonts) for row in self._texts) + 0.8 * metrics.height()
+            for j in range(4)
+        ]
+        # While numbers run, columns only grow: a row that jumps to and fro cannot be read.
+        self._columns = widths if anew else list(map(max, self._columns, widths))
+        size = self._wanted()
+        if size != self.minimumSize():
+            self.setFixedSize(size)
+
+    @property
+    def _line(self) -> float:
+        return QFontMetricsF(self.font()).height() + 3.0
+
+    @property
+    def _margin(self) -> tuple[float, float]:
+        """Left and top of the first cell: room for the axes' letters and the bracket.
+
+        Above there is room wherever the letters are, so that all matrices stand on one line.
+        """
+        plate = QFontMetricsF(self._small()).height() + 2.0
+        return (plate + 8.0 if self._axes_are_rows else 8.0), plate + 2.0
+
+    @property
+    def _axes_are_rows(self) -> bool:
+        return (self._matrix is not None and self._matrix.name in VIEW) is not self._rows
+
+    def _wanted(self) -> QSize:
+        left, top = self._margin
+        return QSize(int(left + sum(self._columns) + 8.0), int(top + 4 * self._line + 4.0))
+
+    def sizeHint(self) -> QSize:
+        return self._wanted()
+
+    def _cell_rect(self, row: int, column: int) -> QRectF:
+        left, top = self._margin
+        return QRectF(
+            left + sum(self._columns[:column]), top + row * self._line,
+            self._columns[column], self._line,
+        )  # fmt: skip
+
+    def cell_at(self, place: QPointF) -> tuple[int, int] | None:
+        """Row and column of the cell at a place in the widget."""
+        cells = ((i, j) for i in range(4) for j in range(4))
+        return next((cell for cell in cells if self._cell_rect(*cell).contains(place)), None)
+
+    # -- painting
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        if self._matrix is None:
+            return
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        ink = self.palette().windowText().color()
+        self._paint_axes(painter)
+        self._paint_brackets(painter, ink)
+        for i, row in enumerate(self._texts):
+            for j, text in enumerate(row):
+                rect = self._cell_rect(i, j)
+                if (i, j) in self._lit:
+                    light = QColor(self._style.accent)
+                    painter.fillRect(rect.adjusted(1, 1, -1, -1), _faded(light, 0.3))
+                    painter.setPen(QPen(light, 1.0))
+                    painter.drawRect(rect.adjusted(1.5, 1.5, -1.5, -1.5))
+                if self.is_marked(i, j):
+                    paint_attention(self, painter, rect.adjusted(1, 1, -1, -1))
+                painter.setPen(_faded(ink, 0.45) if text == "0" else ink)
+                self._paint_text(painter, rect, text, self._marks[i][j])
+        if self.hasFocus():
+            painter.setPen(QPen(self.palette().highlight().color(), 2.0))
+            painter.drawRect(self._cell_rect(*self._cursor).adjusted(1, 1, -1, -1))
+        painter.end()
+
+    def _paint_axes(self, painter: QPainter) -> None:
+        left, top = self._margin
+        painter.setFont(self._small())
+        plate = QFontMetricsF(self._small()).height()
+        assert self._matrix is not None
+        camera = is_a_cameras(self._matrix)
+        third = written("axis_n", self._letters).removesuffix(ARROW)
+        names = ("u", "v", third) if camera else ("x", "y", "z")
+        for k, (axis, name) in enumerate(zip(_AXES, names, strict=True)):
+            colour = QColor(getattr(self._style, axis))
+            if self._axes_are_rows:
+                rect = QRectF(0.0, top + k * self._line + 1.0, plate, self._line - 2.0)
+                band = QRectF(left, top + k * self._line, sum(self._columns), self._line)
+            else:
+                cell = self._cell_rect(0, k)
+                rect = QRectF(cell.left() + 2.0, 0.0, cell.width() - 4.0, plate)
+                band = QRectF(cell.left(), top, cell.width(), 4 * self._line)
+            painter.fillRect(band, _faded(colour, 0.12))
+            painter.fillRect(rect, colour)
+            painter.setPen(QColor(self._style.text_on(colour.name())))
+            painter.drawText(rect, Qt.AlignmentFlag.AlignCenter, name)
+        painter.setFont(self.font())
+
+    def _paint_brackets(self, painter: QPainter, ink: QColor) -> None:
+        left, top = self._margin
+        bottom, width = top + 4 * self._line, sum(self._columns)
+        painter.setPen(QPen(ink, 1.2))
+        for x, inward in ((left - 2.0, 4.0), (left + width + 2.0, -4.0)):
+            painter.drawPolyline(
+                [
+                    QPointF(x + inward, top), QPointF(x, top),
+                    QPointF(x, bottom), QPointF(x + inward, bottom),
+                ]
+            )  # fmt: skip
+
+    def _paint_text(self, painter: QPainter, rect: QRectF, text: str, mark: int | None) -> None:
+        fonts, metrics = self._fonts(), QFontMetricsF(self.font())
+        pad = 0.4 * metrics.height()
+        x = rect.right() - pad - _width(text, fonts)
+        base = rect.center().y() + (metrics.ascent() - metrics.descent()) / 2.0
+        for run, kind in _runs(text):
+            painter.setFont(fonts[kind])
+            lower = 0.2 * metrics.height() if kind == "_" else 0.0
+            painter.drawText(QPointF(x, base + lower), run)
+            x += QFontMetricsF(fonts[kind]).horizontalAdvance(run)
+        painter.setFont(self.font())
+        if mark is not None:
+            end = rect.right() - pad
+            start = end - metrics.horizontalAdvance(text[mark:] or text[-1:])
+            painter.setPen(QPen(painter.pen().color(), 2.0))
+            painter.drawLine(QPointF(start, base + 3.0), QPointF(end, base + 3.0))
+
+    # -- pointing
+
+    # -- typing
+
+    def edit_cell(self, row: int, column: int) -> None:
+        """Open a cell to be typed, with all its digits; without effect if that is not to be."""
+        if not self._editable or self._formulas or self._matrix is None:
+            return
+        self.abandon()
+        self._cursor = (row, column)
+        self._field = field = _CellField(cell_text(self._matrix.values[row][column]), self)
+        place = self.tr("{0}, row {1}, column {2}")
+        field.setAccessibleName(place.format(self.accessibleName(), row + 1, column + 1))
+        field.setPlaceholderText("1/3")
+        field.setToolTip(
+            self.tr("A number, or a fraction such as 1/3, which is divided to all digits")
+        )
+        wide = QFontMetricsF(self.font()).horizontalAdvance(field.text() + "00") + 8.0
+        rect = self._cell_rect(row, column)
+        wide = min(max(wide, rect.width()), float(self.width()))
+        left = max(min(rect.right() - wide, self.width() - wide), 0.0)
+        field.setGeometry(int(left), int(rect.top()), int(wide), int(rect.height()))
+        field.setStyleSheet("padding: 0px; margin: 0px")
+        field.returnPressed.connect(self._enter)
+        field.editingFinished.connect(self._left_field)
+        field.left.connect(self.abandon)
+        field.moved_on.connect(self._move_on)
+        field.textEdited.connect(self._mend)
+        field.selectAll()
+        self._say()
+        field.show()
+        field.setFocus()
+
+    @property
+    def place(self) -> tuple[int, int]:
+        """Row and column of the cell that the keyboard is at."""
+        return self._cursor
+
+    def take_over(self, cursor: tuple[int, int]) -> None:
+        """Go on at the cell where another view stood."""
+        self._cursor = cursor
+        self._say()
+        self.setFocus()
+
+    def refuse(self) -> None:
+        """What was typed was not taken: it stays open to be mended."""
+        self._refused = True
+        if self._field is not None:
+            self._field.setStyleSheet(
+                f"padding: 0px; margin: 0px; border: 2px solid {self._style.far}"
+            )
+
+    def _mend(self) -> None:
+        self._refused = False
+
+    def _enter(self) -> bool:
+        """Hand the text on; whether it was taken."""
+        field, (row, column) = self._field, self._cursor
+        if field is None or self._refused:
+            return False
+        if field.isModified():
+            field.setModified(False)
+            self.typed.emit(row, column, field.text())
+            if self._refused:
+                field.setModified(True)
+                return False
+        self.abandon()
+        return True
+
+    def _left_field(self) -> None:
+        if self._field is not None and not self._field.hasFocus() and not self._enter():
+            self.abandon()  # nobody mends it any more: the number before stands
+
+    def _move_on(self, step: int) -> None:
+        place = (4 * self._cursor[0] + self._cursor[1] + step) % 16
+        if self._enter():
+            self.moved_on.emit(*divmod(place, 4))
+
+    def abandon(self) -> None:
+        """Close the cell that is being typed, if one is; the number before stands."""
+        field, self._field, self._refused = self._field, None, False
+        if field is not None:
+            had_focus = self.window().focusWidget() is field
+            field.hide()
+            field.deleteLater()
+            if had_focus:
+                self.setFocus()
+            self.update()
+
+    @property
+    def field(self) -> QLineEdit | None:
+        """Where a cell is being typed, if one is."""
+        return self._field
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        cell = self.cell_at(event.position())
+        if cell is not None and event.button() == Qt.MouseButton.LeftButton:
+            self.edit_cell(*cell)
+
+    def _say(self) -> None:
+        if self._matrix is not None:
+            self._told = self._cursor
+            sentence = self._explain(self._matrix, *self._cursor)
+            self.setAccessibleDescription(sentence)
+            self.pointed.emit(sentence)
+            self._point_at(self._cursor)
+
+    def say_again(self) -> None:
+        """Tell anew what was told of a cell, which may have changed, unless it is being typed."""
+        if self._matrix is not None and self._told is not None and self._field is None:
+            self.pointed.emit(self._explain(self._matrix, *self._told))
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        cell = self.cell_at(event.position())
+        if cell is not None and self._matrix is not None:
+            self._told = cell
+            self.pointed.emit(self._explain(self._matrix, *cell))
+        self._point_at(cell)
+
+    def leaveEvent(self, event: QEvent) -> None:
+        super().leaveEvent(event)
+        self._point_at(None)
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        super().focusOutEvent(event)
+        self._point_at(None)
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        super().hideEvent(event)
+        self._point_at(None)
+
+    def _point_at(self, cell: tuple[int, int] | None) -> None:
+        attended = NOTHING
+        if cell is not None and self._matrix is not None:
+            attended = letters_in(self._matrix, *cell)
+        if attended != self._pointed_at:
+            self._pointed_at = attended
+            self.attended.emit(attended)
+
+    def show_attention(self, attended: Attention) -> None:
+        """Mark the cells that speak of what is attended to."""
+        if attended != self._attention:
+            self._attention = attended
+            self.update()
+
+    def is_marked(self, row: int, column: int) -> bool:
+        """Whether a cell speaks of what is attended to, or is made of it."""
+        if self._matrix is None or not self._attention:
+            return False
+        depends = set(self._matrix.fields[row][column]) & {"target", "up"}
+        names = letters_in(self._matrix, row, column) | depends
+        return bool(names & made_of(self._attention))
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        self._cursor = self.cell_at(event.position()) or self._cursor
+        self._say()
+        self.update()
+        super().mousePressEvent(event)
+
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        super().focusInEvent(event)
+        self._say()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        steps = {
+            Qt.Key.Key_Left: (0, -1), Qt.Key.Key_Right: (0, 1),
+            Qt.Key.Key_Up: (-1, 0), Qt.Key.Key_Down: (1, 0),
+        }  # fmt: skip
+        if event.matches(QKeySequence.StandardKey.Copy):
+            self.copied.emit("text", self._matrix)
+        elif event.key() in steps:
+            row, column = steps[Qt.Key(event.key())]
+            self._cursor = (
+                min(max(self._cursor[0] + row, 0), 3), min(max(self._cursor[1] + column, 0), 3),
+            )  # fmt: skip
+            self._say()
+            self.update()
+        elif event.key() in (Qt.Key.Key_F2, Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            self.edit_cell(*self._cursor)
+        else:
+            super().keyPressEvent(event)
+
+    def event(self, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.ToolTip and self._matrix is not None:
+            help_event = cast(QHelpEvent, event)
+            cell = self.cell_at(QPointF(help_event.pos()))
+            if cell is not None:
+                tip = self._explain(self._matrix, *cell)
+                QToolTip.showText(help_event.globalPos(), f"<p>{rich(tip)}</p>", self)
+                return True
+        return super().event(event)
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        menu = QMenu(self)
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        for form, text in self._forms():
+            menu.addAction(text, partial(self.copied.emit, form, self._matrix))
+        menu.popup(event.globalPos())
+
+    def _forms(self) -> Sequence[tuple[str, str]]:
+        return (
+            ("text", self.tr("Copy as text")),
+            ("numpy", self.tr("Copy for NumPy (numbers)")),
+            ("latex", self.tr("Copy for LaTeX (needs amsmath)")),
+        )
+
+
+def _faded(colour: QColor, alpha: float) -> QColor:
+    faded = QColor(colour)
+    faded.setAlphaF(alpha)
+    return faded
+
+
+def rich(text: str) -> str:
+    """A text as HTML, with the letters of vectors bold: few fonts put an arrow above a letter."""
+    return re.sub(f"(.){ARROW}", r"<b>\1</b>", html.escape(text, quote=False))
+
+
+_PIECE = re.compile(f"_(?P<below>[^\\W_]*)|(?P<vector>.){ARROW}|.")
+
+
+def _runs(text: str) -> list[tuple[str, str]]:
+    """A text in pieces, each with what it is: ``"_"`` a subscript, `ARROW` a vector, or nothing."""
+    if "_" not in text and ARROW not in text:  # a number, most often
+        return [(text, "")]
+    runs: list[tuple[str, str]] = []
+    for piece in _PIECE.finditer(text):
+        if piece["below"] is not None:
+            runs.append((piece["below"], "_"))
+        elif piece["vector"] is not None:
+            runs.append((piece["vector"], ARROW))
+        elif runs and not runs[-1][1]:
+            runs[-1] = (runs[-1][0] + piece[0], "")
+        else:
+            runs.append((piece[0], ""))
+    return runs
+
+
+_Fonts: TypeAlias = dict[str, QFont]
+
+
+def _width(text: str, fonts: _Fonts) -> float:
+    return sum(QFontMetricsF(fonts[kind]).horizontalAdvance(run) for run, kind in _runs(text))

@@ -1,0 +1,664 @@
+"""Measure: what speed costs in accuracy, here, for the scene and the camera in the panes.
+
+::
+
+    Run --> Measuring (a process of its own) --> Results, one for each trade or sweep
+    a file of results ---------------------------> drawn thinner over those
+    a click on a point or a row --> used({"rung": "float32"})   the window makes it so
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from PySide6.QtCore import QEvent, QObject, QSize, Qt, Signal
+from PySide6.QtGui import QFont, QGuiApplication, QImage, QPalette, QShowEvent
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QComboBox,
+    QFileDialog,
+    QGridLayout,
+    QHBoxLayout,
+    QHeaderView,
+    QLabel,
+    QListWidget,
+    QListWidgetItem,
+    QProgressBar,
+    QPushButton,
+    QSizePolicy,
+    QTableWidget,
+    QTableWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.document.document import Document, DocumentError, write_bytes_atomically
+from app.drawings.style import LIGHT, Style
+from app.measure import chart
+from app.measure.meaning import meaning
+from app.measure.results import (
+    CANCELLED,
+    DAMAGED,
+    MEASURED_ONLY,
+    NOT_RESULTS,
+    Choice,
+    Results,
+    ResultsError,
+    Sweep,
+    Trade,
+    from_json,
+    named,
+    table,
+    to_csv,
+    to_json,
+)
+from app.scenes.phenomena.illustration import Diagram
+from widgets.panels.measuring import Measuring
+from widgets.parts.diagram import DiagramView
+from widgets.parts.focus import FocusRing
+from widgets.parts.messages import sentence, translated
+from widgets.parts.note import Note
+
+HEIGHT_PX = 225
+"""Of the panel where it opens, at the ordinary font, in a window of 768; more in a higher one."""
+ORDINARY_WINDOW_PX = 768
+LEAST_WINDOW_PX = 900
+"""In a window that is so wide it must find room."""
+ENDINGS = (".csv", ".json", *chart.ENDINGS)
+"""Of what can be exported."""
+NOTE_LETTERS = 24
+"""As wide as this many letters the column of notes is at the least, if they are as long."""
+SWEPT = ("near", "far", "fov", "distance", "up", "aspect")
+
+
+class MeasurePanel(QWidget):
+    """Runs measurements, and shows each as a chart, a table and a sentence.
+
+    Parameters
+    ----------
+    document : callable
+        The document as it stands, to be measured.
+    current : callable
+        What is in use now, as `Choice.use` has it.
+    smoothings : sequence of str
+        Those that the panes can draw with.
+    """
+
+    used = Signal(object)
+    """The `use` of a choice that was clicked: a dict of str."""
+    refused = Signal(str)
+    """What went wrong, in one sentence."""
+    went_on = Signal(str)
+    """That sentence, when the panel is used again and nobody has to read it any more."""
+    succeeded = Signal()
+    """A file was read or written after all."""
+    copy_wanted = Signal(QImage)
+    export_wanted = Signal(QImage)
+    """This picture of a diagram shall go to the clipboard, or into a file."""
+
+    def __init__(
+        self,
+        document: Callable[[], Document],
+        current: Callable[[], Mapping[str, str]],
+        smoothings: Sequence[str],
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self._document, self._current, self._smoothings = document, current, smoothings
+        self._style = LIGHT
+        self._gestures = 0
+        self._stale = True
+        self._said = ""
+        """What was refused last, until the panel is used again."""
+        self._asked: list[str] = []
+        """What the running measurement is about."""
+        self.measured: dict[str, Results] = {}
+        """By its name, the last of every trade and sweep; each holds only that one."""
+        self.loaded: dict[str, Results] = {}
+        """The same of a file."""
+        self.words: dict[str, str] = {}
+        """Why there is nothing, by name."""
+        self.measuring = Measuring(self)
+        self.measuring.progressed.connect(self._progressed)
+        self.measuring.finished.connect(self._finished)
+        self._make_controls()
+        self._make_views()
+        self._lay_out()
+        self._show_running()
+
+    # -- making
+
+    def _make_controls(self) -> None:
+        self.list = QListWidget()
+        self.list.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
+        self.list.setAccessibleName(self.tr("Trades and sweeps"))
+        self.list.setToolTip(
+            self.tr("What to measure and to show; Ctrl or Shift to choose several to measure")
+        )
+        for name in chart.TITLES:
+            item = QListWidgetItem(translated(chart.TITLES[name]))
+            item.setData(Qt.ItemDataRole.UserRole, name)
+            self.list.addItem(item)
+        self.list.setCurrentRow(0)
+        self.list.currentItemChanged.connect(self._go_on)
+        self.list.currentItemChanged.connect(self._refresh)
+        self.how = QComboBox()
+        self.how.addItem(self.tr("Quick"), True)
+        self.how.addItem(self.tr("Full"), False)
+        self.how.setAccessibleName(self.tr("How exactly"))
+        self.how.setToolTip(
+            self.tr("Quick: 2 s a trade, 13 values a sweep; full: 30 s a trade, 49 values")
+        )
+        self.run_button = self._button(
+            self.tr("Run"), self.tr("Measure what is chosen, for this scene and camera"), self.run
+        )
+        self.cancel_button = self._button(
+            self.tr("Cancel"), self.tr("Stop; what was measured until then is kept"),
+            self.measuring.cancel,
+        )  # fmt: skip
+        self.progress = QProgressBar()
+        self.progress.setRange(0, 1000)
+        self.progress.setAccessibleName(self.tr("Progress of the measurement"))
+        self.export_button = self._button(
+            self.tr("Export…"), self.tr("Save what is shown: CSV, JSON, PNG or PDF"),
+            self.export_dialog,
+        )  # fmt: skip
+        self.load_button = self._button(
+            self.tr("Compare…"),
+            self.tr("Draw results of a file, of another machine perhaps, over these"),
+            self.load_dialog,
+        )
+        self.forget_button = self._button(
+            self.tr("Forget"), self.tr("Take the results of the file away again"), self.forget
+        )
+
+    def _button(self, text: str, tip: str, act: Callable[[], object]) -> QPushButton:
+        button = QPushButton(text)
+        button.setToolTip(tip)
+        button.clicked.connect(lambda _checked=False: act())
+        return button
+
+    def _make_views(self) -> None:
+        self.diagrams: list[DiagramView] = []
+        self._drawn = QHBoxLayout()
+        self._drawn.setContentsMargins(0, 0, 0, 0)
+        self.where = Note()
+        self.where.setAccessibleName(self.tr("On what and when it was measured"))
+        self.seen = Note()
+        self.seen.setAccessibleName(self.tr("The scene and camera that were measured"))
+        self.sentence = QLabel()
+        self.sentence.setWordWrap(True)
+        self.sentence.setTextFormat(Qt.TextFormat.PlainText)
+        self.sentence.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self.table = QTableWidget()
+        self.table.setAccessibleName(self.tr("What was measured"))
+        self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.table.setTabKeyNavigation(False)  # or the keyboard never leaves it
+        self.table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        self.table.verticalHeader().hide()
+        self.table.setMinimumSize(200, 40)
+        for shown in (self.list, self.table):
+            FocusRing(shown)
+        self._least_notes = 0
+        self.table.horizontalHeader().sectionResized.connect(self._fit_notes)
+        self.table.viewport().installEventFilter(self)
+        self.table.cellClicked.connect(self._row_used)
+        self.table.cellActivated.connect(self._row_used)
+
+    def _lay_out(self) -> None:
+        buttons = QGridLayout()
+        buttons.setSpacing(3)
+        buttons.addWidget(self.how, 0, 0)
+        buttons.addWidget(self.run_button, 0, 1)
+        buttons.addWidget(self.cancel_button, 0, 2)
+        buttons.addWidget(self.progress, 1, 0, 1, 3)
+        buttons.addWidget(self.export_button, 2, 0)
+        buttons.addWidget(self.load_button, 2, 1)
+        buttons.addWidget(self.forget_button, 2, 2)
+        left = QVBoxLayout()
+        left.setSpacing(3)
+        left.addWidget(self.list, 1)
+        left.addLayout(buttons)
+        middle = QVBoxLayout()
+        middle.setSpacing(0)
+        middle.addLayout(self._drawn, 1)
+        middle.addWidget(self.where)
+        middle.addWidget(self.seen)
+        right = QVBoxLayout()
+        right.setSpacing(3)
+        right.addWidget(self.sentence)
+        right.addWidget(self.table, 1)
+        columns = QHBoxLayout(self)
+        columns.setContentsMargins(4, 0, 4, 2)
+        columns.setSpacing(8)
+        columns.addLayout(left)
+        columns.addLayout(middle, 6)
+        columns.addLayout(right, 5)
+        for button in (self.run_button, self.cancel_button, self.export_button, self.load_button):
+            button.setMinimumWidth(60)
+        self.list.setMinimumHeight(40)
+        self.list.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Ignored)
+
+    def sizeHint(self) -> QSize:
+        """Low, for the panes above need the height; higher in a window that has more."""
+        lines = 13.0 * self.fontMetrics().height()
+        more = max(0.0, 0.6 * (self.window().height() - ORDINARY_WINDOW_PX))
+        return QSize(super().sizeHint().width(), round(max(HEIGHT_PX, lines) + more))
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(min(super().minimumSizeHint().width(), LEAST_WINDOW_PX), 80)
+
+    # -- what the owner says
+
+    def begin_gesture(self) -> None:
+        """Wait with measuring: a control is being dragged, or something plays."""
+        self._gestures += 1
+        self._show_paused()
+
+    def end_gesture(self) -> None:
+        """End what `begin_gesture` began; go on when the last one has ended."""
+        self._gestures = max(0, self._gestures - 1)
+        self._show_paused()
+
+    def show_current(self) -> None:
+        """Mark another choice as the present one: at once if visible, else on appearing."""
+        self._refresh()
+
+    def set_style(self, style: Style) -> None:
+        """Draw the charts in other colours and sizes; those of the panes."""
+        self._style = style
+        for diagram in self.diagrams:
+            diagram.set_style(style)
+        self._refresh()  # with the style goes the font, and with that the widths of columns
+
+    def close_process(self) -> None:
+        """End what is being measured, for good."""
+        self.measuring.kill()
+        self._show_running()
+
+    # -- measuring
+
+    @property
+    def name(self) -> str:
+        """The trade or sweep that is shown."""
+        item = self.list.currentItem()
+        return str(item.data(Qt.ItemDataRole.UserRole))
+
+    @property
+    def chosen(self) -> list[str]:
+        """The trades and sweeps that are to be measured."""
+        items = self.list.selectedItems() or [self.list.currentItem()]
+        rows = sorted(map(self.list.row, items))
+        return [str(self.list.item(row).data(Qt.ItemDataRole.UserRole)) for row in rows]
+
+    def choose(self, *names: str) -> None:
+        """Choose trades and sweeps, and show the last of them."""
+        self.list.clearSelection()
+        for row, name in enumerate(chart.TITLES):
+            if name in names:
+                self.list.setCurrentRow(row)
+        for row, name in enumerate(chart.TITLES):
+            self.list.item(row).setSelected(name in names)
+
+    def run(self) -> None:
+        """Measure what is chosen."""
+        if self.measuring.running:
+            return
+        self._go_on()
+        self._asked = self.chosen
+        self.progress.setValue(0)
+        trades = [name for name in self._asked if name not in SWEPT]
+        sweeps = [name for name in self._asked if name in SWEPT]
+        self.measuring.start(self._document(), trades, sweeps, quick=self.how.currentData())
+        self._show_running()
+
+    def _progressed(self, fraction: float) -> None:
+        self.progress.setValue(round(1000.0 * fraction))
+
+    def _finished(self, results: Results | None, said: str) -> None:
+        found = {} if results is None else _split(results)
+        missing = [name for name in self._asked if name not in found]
+        for name in self._asked:
+            self.words.pop(name, None)
+        self.measured |= found
+        if results is not None and not results.complete:
+            said = translated(CANCELLED)
+        for name in missing:
+            self.words[name] = said
+            if results is None or results.complete:  # or an older one is better than nothing
+                self.measured.pop(name, None)
+        if missing and (results is None or results.complete):
+            self._refuse(said)
+        done = (
+            results is not None and results.complete and any(map(_says_something, found.values()))
+        )
+        self.progress.setValue(1000 if done else 0)
+        self._show_running()
+        self._refresh()
+
+    def _show_running(self) -> None:
+        running = self.measuring.running
+        self.run_button.setEnabled(not running)
+        self.cancel_button.setEnabled(running)
+        self._show_paused()
+
+    def _show_paused(self) -> None:
+        paused = self._gestures > 0
+        self.measuring.set_paused(paused)
+        waits = paused and self.measuring.running
+        self.progress.setFormat(self.tr("waits") if waits else "%p %")
+
+    # -- files
+
+    def export_dialog(self) -> None:
+        """Ask where to save what is shown, and do it."""
+        path, _ = QFileDialog.getSaveFileName(
+            self, self.tr("Export what is shown"), f"{self.name}.pdf",
+            self.tr("Tables (*.csv);;Results (*.json);;Pictures (*.png);;Vectors (*.pdf)"),
+            self.tr("Vectors (*.pdf)"),
+        )  # fmt: skip
+        if path:
+            self.export(Path(path))
+
+    def export(self, path: Path) -> bool:
+        """Save what is shown, in the format that the ending says; False if that failed."""
+        shown, other = self._shown()
+        ending = path.suffix.lower()
+        if shown is None:
+            self._refuse(self.tr("There is nothing to export yet: run a measurement first."))
+            return False
+        if ending not in ENDINGS:
+            text = self.tr("{0}: its name must end in one of {1}.")
+            self._refuse(text.format(path, ", ".join(ENDINGS)))
+            return False
+        QGuiApplication.setOverrideCursor(Qt.CursorShape.WaitCursor)
+        try:
+            if ending == ".csv":
+                content = "\n".join(to_csv(_part(each)) for each in (shown, other) if each).encode()
+            elif ending == ".json":
+                content = to_json(shown).encode()
+            else:
+                content = chart.picture(shown, path.name, self._current(), other, translated)
+            write_bytes_atomically(path, content)
+        except DocumentError as error:
+            self._refuse(sentence(error))
+            return False
+        finally:
+            QGuiApplication.restoreOverrideCursor()
+        self.succeeded.emit()
+        return True
+
+    def load_dialog(self) -> None:
+        """Ask for a file of results, and show it over what was measured."""
+        path, _ = QFileDialog.getOpenFileName(
+            self, self.tr("Compare with results of a file"), "",
+            self.tr("Results (*.json);;All files (*)"),
+        )  # fmt: skip
+        if path:
+            self.load(Path(path))
+
+    def load(self, path: Path) -> bool:
+        """Show results of a file over what was measured; False if it is none, and all stays."""
+        try:
+            results = _read(path)
+        except OSError as error:
+            text = self.tr("{0}: cannot be read: {1}.")
+            self._refuse(text.format(path.name, error.strerror or error))
+            return False
+        except ResultsError as error:
+            self._refuse(sentence(error))
+            return False
+        self.loaded = _split(results)
+        if self.name not in self.loaded and self.loaded:
+            self.choose(next(iter(self.loaded)))
+        self.succeeded.emit()
+        self._refresh()
+        return True
+
+    def forget(self) -> None:
+        """Take the results of the file away again."""
+        self.loaded = {}
+        self._refresh()
+
+    # -- showing
+
+    def _shown(self) -> tuple[Results | None, Results | None]:
+        """What is shown, and what is drawn thinner over it."""
+        measured, loaded = self.measured.get(self.name), self.loaded.get(self.name)
+        return (measured, loaded) if measured is not None else (loaded, None)
+
+    def _refresh(self, *_: object) -> None:
+        self._stale = True
+        if self.isVisible():
+            self._fill()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        if self._stale:
+            self._fill()
+
+    def _fill(self) -> None:
+        self._stale = False
+        shown, other = self._shown()
+        for row, name in enumerate(chart.TITLES):
+            found = (self.measured.get(name), self.loaded.get(name))
+            sign = "✓ " if any(each and _says_something(each) for each in found) else ""
+            self.list.item(row).setText(sign + translated(chart.TITLES[name]))
+        self.forget_button.setEnabled(bool(self.loaded))
+        self.export_button.setEnabled(shown is not None)
+        self._show_chart(shown, other)
+        self._show_table(shown, other)
+        if shown is None:
+            self.where.setText("")
+            self.seen.setText("")
+            self.sentence.setText(self.words.get(self.name) or self.tr("Not measured yet."))
+            self.sentence.show()
+            return
+        part = _part(shown)
+        said = meaning(part).sentence(translated) if isinstance(part, Trade) else ""
+        if not part.complete:
+            said = f"{chart.title(part, translated)}. {said}"
+        if self.name in self.words:
+            said = f"{self.words[self.name]} {said}"
+        self.sentence.setText(said)
+        self.sentence.setVisible(bool(said))
+        self.where.setText(chart.where(shown))
+        self.seen.setText(chart.seen(shown, translated))
+
+    def _show_chart(self, shown: Results | None, other: Results | None) -> None:
+        diagrams: tuple[Diagram, ...] = ()
+        if shown is not None:
+            over = _part(other) if other is not None else None
+            name = chart.machine(other) if other is not None else ""
+            diagrams = chart.diagrams(_part(shown), self._current(), over, name, translated)
+        while len(self.diagrams) < max(1, len(diagrams)):
+            view = DiagramView()
+            view.set_style(self._style)
+            view.spot_clicked.connect(self._spot_used)
+            view.copy_wanted.connect(self.copy_wanted)
+            view.export_wanted.connect(self.export_wanted)
+            self.diagrams.append(view)
+            self._drawn.addWidget(view, 1)
+        for number, view in enumerate(self.diagrams):
+            view.show_diagram(diagrams[number] if number < len(diagrams) else None)
+            view.setVisible(number < max(1, len(diagrams)))
+
+    def _show_table(self, shown: Results | None, other: Results | None) -> None:
+        heads: list[str] = []
+        rows: list[list[str]] = []
+        if shown is not None:
+            heads, *rows = table(_part(shown))
+            if other is not None:
+                heads, rows = _joined(heads, rows, *_other_rows(other))
+        elif self.name in self.words:
+            heads, rows = ["", ""], [["", self.words[self.name]]]
+        choices = self._choices()
+        beaten = [
+            part.is_beaten(choice)
+            for part in (_part(each) for each in (shown, other) if each is not None)
+            if isinstance(part, Trade)
+            for choice in part.choices
+        ]
+        self.table.setToolTip(
+            self.tr(
+                "Click a choice to use it in the panes; those in italics cannot be used, and those"
+                " in grey are beaten by another one in both"
+            )
+            if choices
+            else self.tr("What was measured at each value; there is nothing to use in the panes")
+        )
+        slanted = QFont(self.table.font())
+        slanted.setItalic(True)
+        grey = self.palette().brush(QPalette.ColorRole.PlaceholderText)
+        self.table.setRowCount(len(rows))
+        self.table.setColumnCount(len(heads))
+        self.table.setHorizontalHeaderLabels([named(head, translated) for head in heads])
+        for y, row in enumerate(rows):
+            why = self._why_not(choices[y]) if y < len(choices) else ""
+            for x, text in enumerate(row):
+                cell = QTableWidgetItem(named(text, translated))
+                if why:
+                    cell.setFont(slanted)
+                    if x == 0 and choices[y].cost is not None:
+                        cell.setText(self.tr("{0} (measured only)").format(cell.text()))
+                if y < len(beaten) and beaten[y]:
+                    cell.setForeground(grey)
+                cell.setToolTip("\n".join(filter(None, (named(row[-1], translated), why))))
+                if 0 < x < len(row) - 1:
+                    cell.setTextAlignment(
+                        Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+                    )
+                self.table.setItem(y, x, cell)
+        header = self.table.horizontalHeader()
+        header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
+        self._least_notes = 0
+        self.table.resizeColumnsToContents()
+        if rows:
+            # Without notes it needs no room of its own; with them, enough for a few words.
+            words = self.fontMetrics().averageCharWidth() * NOTE_LETTERS
+            self._least_notes = min(words, header.sectionSize(len(heads) - 1))
+            header.resizeSection(len(heads) - 1, self._least_notes)
+        self._fit_notes()
+
+    def _fit_notes(self) -> None:
+        """Make the last column as wide as there is room, and the rows as high as that makes it."""
+        header = self.table.horizontalHeader()
+        last = header.count() - 1
+        if self._least_notes and last >= 0:
+            room = self.table.viewport().width() - header.sectionPosition(last)
+            header.resizeSection(last, max(room, self._least_notes))
+        self.table.resizeRowsToContents()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.Resize:
+            self._fit_notes()
+        return super().eventFilter(watched, event)
+
+    # -- using
+
+    def _choices(self) -> list[Choice]:
+        """Of the rows, in their order."""
+        parts = [_part(each) for each in self._shown() if each is not None]
+        return [c for part in parts if isinstance(part, Trade) for c in part.choices]
+
+    def _refuse(self, text: str) -> None:
+        self._said = text
+        self.refused.emit(text)
+
+    def _go_on(self, *_: object) -> None:
+        """What was refused is past."""
+        if self._said:
+            said, self._said = self._said, ""
+            self.went_on.emit(said)
+
+    def _row_used(self, row: int, _column: int = 0) -> None:
+        self._go_on()
+        choices = self._choices()
+        if row < len(choices):
+            self._use(choices[row])
+
+    def _spot_used(self, key: str) -> None:
+        self._go_on()
+        for row, choice in enumerate(self._choices()):
+            if choice.name == key:
+                self.table.selectRow(row)
+                self._use(choice)
+                return
+
+    def _why_not(self, choice: Choice) -> str:
+        """Why the panes cannot be drawn with a choice; empty if they can."""
+        if choice.use and choice.use.get("smoothing", "none") in self._smoothings:
+            return ""
+        return translated(MEASURED_ONLY).format(named(choice.name, translated))
+
+    def _use(self, choice: Choice) -> None:
+        why = self._why_not(choice)
+        if not why:
+            self.used.emit(dict(choice.use))
+            return
+        self.table.clearSelection()  # as if it were used
+        if choice.name:
+            self._refuse(why)
+
+
+def _part(results: Results) -> Trade | Sweep:
+    """The one trade or sweep of results that were split."""
+    parts: list[Trade | Sweep] = [*results.trades, *results.sweeps]
+    return parts[0]
+
+
+def _says_something(results: Results) -> bool:
+    """Whether there is a number in results that were split."""
+    part = _part(results)
+    if isinstance(part, Trade):
+        return bool(part.frontier)
+    return any(error is not None for curve in part.curves.values() for error in curve.errors)
+
+
+def _split(results: Results) -> dict[str, Results]:
+    """Results by the name of their trade or sweep, each with that one alone."""
+    found = {
+        trade.name: replace(results, trades=(trade,), sweeps=(), complete=trade.complete)
+        for trade in results.trades
+    }
+    return found | {
+        sweep.parameter: replace(results, trades=(), sweeps=(sweep,), complete=sweep.complete)
+        for sweep in results.sweeps
+    }
+
+
+def _read(path: Path) -> Results:
+    try:
+        results = from_json(path.read_text(encoding="utf-8"), path.name)
+    except UnicodeDecodeError as error:
+        raise ResultsError(NOT_RESULTS, path.name) from error
+    for name in _split(results):
+        if name not in chart.TITLES:
+            raise ResultsError(
+                DAMAGED, path.name, f"{json.dumps(name)} is nothing that is measured"
+            )
+    return results
+
+
+def _other_rows(other: Results) -> tuple[list[str], list[list[str]]]:
+    """The table of other results; whose they are is in the last column, the only wide one."""
+    heads, *rows = table(_part(other))
+    name = chart.machine(other)
+    return heads, [[*cells, "; ".join(filter(None, (name, note)))] for *cells, note in rows]
+
+
+def _joined(
+    heads: list[str], rows: list[list[str]], other_heads: list[str], other_rows: list[list[str]]
+) -> tuple[list[str], list[list[str]]]:
+    """Two tables below each other; the columns that only the second has come last but one."""
+    middle = list(dict.fromkeys([*heads[1:-1], *other_heads[1:-1]]))
+    joined = []
+    for names, each in ((heads, rows), (other_heads, other_rows)):
+        for row in each:
+            cells = dict(zip(names[1:-1], row[1:-1], strict=True))
+            joined.append([row[0], *(cells.get(name, "-") for name in middle), row[-1]])
+    return [heads[0], *middle, heads[-1]], joined

@@ -1,0 +1,159 @@
+"""One measurement at a time, as a process of its own: nothing of it stops the window.
+
+::
+
+    start(document, ...) --> python -m app measure --attended --json - ...
+    set_paused           --> "pause", "resume" on its standard input
+    cancel               --> "cancel"; what it measured until then still comes
+    progressed           <-- a fraction, a line each, on its standard error
+    finished             <-- Results on its standard output, or a sentence that says why not
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+import tempfile
+from collections.abc import Sequence
+from contextlib import suppress
+from dataclasses import replace
+
+from PySide6.QtCore import QObject, QProcess, Signal
+
+from app.bootstrap import ROOT
+from app.document.document import Document, DocumentError, is_mesh, to_json, write_bytes_atomically
+from app.measure.results import ResultsError, from_json
+from widgets.parts.messages import sentence
+
+PAUSE, RESUME, CANCEL = b"pause\n", b"resume\n", b"cancel\n"
+_KILLED_WITHIN_MS = 3000
+
+
+class Measuring(QObject):
+    """Runs the command `measure` on a document that need not be saved."""
+
+    progressed = Signal(float)
+    """The fraction done."""
+    finished = Signal(object, str)
+    """`Results` or None, and a sentence on what could not be measured, if there is something."""
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._process: QProcess | None = None
+        self._file = ""
+        """Holds the document while it is measured."""
+        self._paused = False
+        self._lines: list[str] = []
+        """What the process said on its standard error, but for fractions."""
+        self._rest = b""
+        """The beginning of a line whose end is yet to come."""
+
+    @property
+    def running(self) -> bool:
+        """Whether a measurement is under way, paused or not."""
+        return self._process is not None
+
+    def start(
+        self, document: Document, trades: Sequence[str], sweeps: Sequence[str], *, quick: bool
+    ) -> None:
+        """Measure trades and sweeps of a document; not while another measurement runs."""
+        assert not self.running
+        try:
+            self._file = _written(document)
+        except (DocumentError, OSError) as error:
+            self.finished.emit(None, sentence(error))
+            return
+        process = self._process = QProcess(self)
+        process.setWorkingDirectory(str(ROOT))
+        process.readyReadStandardError.connect(self._read)
+        process.errorOccurred.connect(self._failed)
+        process.finished.connect(self._ended)
+        self._lines, self._rest = [], b""
+        options = [f"--trade={name}" for name in trades] + [f"--sweep={name}" for name in sweeps]
+        if quick:
+            options.append("--quick")
+        process.start(
+            sys.executable,
+            ["-m", "app", "measure", "--attended", "--json=-", *options, self._file],
+        )
+        if self._paused:
+            process.write(PAUSE)
+
+    def set_paused(self, paused: bool) -> None:
+        """Let it wait, from the next timing on, and go on again."""
+        if paused != self._paused:
+            self._paused = paused
+            self._tell(PAUSE if paused else RESUME)
+
+    def cancel(self) -> None:
+        """Stop it after the present timing; it finishes with what it has."""
+        self._tell(CANCEL)
+
+    def kill(self) -> None:
+        """End it at once, without a word."""
+        process = self._process
+        if process is None:
+            return
+        process.blockSignals(True)
+        process.kill()
+        process.waitForFinished(_KILLED_WITHIN_MS)
+        self._clear()
+
+    def _tell(self, words: bytes) -> None:
+        if self._process is not None:
+            self._process.write(words)
+
+    def _read(self) -> None:
+        assert self._process is not None
+        self._rest += bytes(self._process.readAllStandardError().data())
+        *lines, self._rest = self._rest.split(b"\n")
+        for line in (line.decode(errors="replace").strip() for line in lines):
+            try:
+                fraction = float(line)
+            except ValueError:
+                if line:
+                    self._lines.append(line)
+            else:
+                self.progressed.emit(fraction)
+
+    def _failed(self, error: QProcess.ProcessError) -> None:
+        """It could not be started; of any other end `_ended` is told too."""
+        if error == QProcess.ProcessError.FailedToStart and self._process is not None:
+            text = self.tr("The measurement cannot be started: {0}.")
+            said = text.format(self._process.errorString().rstrip("."))
+            self._clear()
+            self.finished.emit(None, said)
+
+    def _ended(self, _code: int, _status: QProcess.ExitStatus) -> None:
+        assert self._process is not None
+        self._read()
+        out = bytes(self._process.readAllStandardOutput().data())
+        said = self._lines[-1] if self._lines else ""  # of a traceback, what went wrong
+        said = said.removeprefix(f"{self._file}: ")  # of which the user knows nothing
+        self._clear()
+        try:
+            results = from_json(out.decode(), self.tr("The measurement"))
+        except (ResultsError, UnicodeDecodeError):  # it said why, or was ended from outside
+            self.finished.emit(None, said or self.tr("The measurement ended unexpectedly."))
+        else:
+            self.finished.emit(results, said)
+
+    def _clear(self) -> None:
+        if self._process is not None:
+            self._process.deleteLater()
+            self._process = None
+        with suppress(OSError):  # the system's own tidying has been here before
+            os.unlink(self._file)
+
+
+def _written(document: Document) -> str:
+    """A file with the document, meshes by their absolute paths."""
+
+    def absolute(path: str) -> str:
+        return os.path.abspath(path) if is_mesh(path) else path
+
+    there = replace(document, scene=absolute(document.scene), mesh=absolute(document.mesh))
+    descriptor, path = tempfile.mkstemp(".json", "frustum-lab-")
+    os.close(descriptor)
+    write_bytes_atomically(path, to_json(there).encode())
+    return path

@@ -1,0 +1,598 @@
+"""The probes: points that are followed through every stage, and their numbers.
+
+The numbers are those that the command `project` prints for the same points, computed by the same
+rung. They are the window's, not the document's: a probe is a question, not a part of the scene.
+A panel that is folded fills no table.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from PySide6.QtCore import (
+    QAbstractTableModel,
+    QEvent,
+    QModelIndex,
+    QObject,
+    QPersistentModelIndex,
+    QSize,
+    Qt,
+    Signal,
+)
+from PySide6.QtGui import QBrush, QColor, QGuiApplication, QKeyEvent, QKeySequence, QShowEvent
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QComboBox,
+    QHBoxLayout,
+    QHeaderView,
+    QLabel,
+    QLineEdit,
+    QPushButton,
+    QTableView,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.lecture.highlight import NOTHING, Attention, made_of
+from app.model.projection import (
+    AT_LEAST,
+    AT_MOST,
+    FINITE_NUMBER,
+    LARGEST,
+    PLANES,
+    FreeMatrix,
+    Projection,
+    ProjectionError,
+    Trace,
+    Vector,
+    format_value,
+)
+from app.picking.picking import Probe, projector
+from app.precision.levels import predict, rung_for_reading, trace
+from widgets.parts.fields import REFUSAL_SHEET, parse_number, refusal
+from widgets.parts.messages import number_text, plane_name, sentence
+from widgets.parts.readable import Readable
+
+MOST_PROBES = 6
+"""More than these are no comparison any more."""
+
+_PIN_SHEET = """
+QPushButton:checked {
+    background: palette(highlight); color: palette(highlighted-text);
+    border: 1px solid palette(mid); border-radius: 3px;
+}
+"""
+"""Fusion hardly shows whether a dark button is down."""
+
+_PARTS = 4  # columns of a probe: x, y, z, w
+_ROOT = QModelIndex()
+
+
+class ProbePanel(QWidget):
+    """The probes, what can be done to them, and the table of their numbers.
+
+    Attributes
+    ----------
+    probes : tuple of Probe
+        Those that are marked in the panes, in the order of the table.
+    """
+
+    changed = Signal()
+    """There are other probes now."""
+    attended = Signal(object)
+    """The `Attention` that the words under the mouse draw: which planes a probe is outside of."""
+    refused = Signal(str)
+    """A probe could not be made; the sentence says why."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.probes: tuple[Probe, ...] = ()
+        self._pinned: set[int] = set()
+        self._chosen = 0  # number of the probe that is edited; 0 for none
+        self._projection: Projection | None = None
+        self._spans: list[tuple[int, int]] = []
+        self._font_is_new = False
+        self._readable = Readable(self, self._fill)
+        self.begin_gesture = self._readable.begin_gesture
+        self.end_gesture = self._readable.end_gesture
+
+        self.choice = QComboBox()
+        self.choice.setAccessibleName(self.tr("Probe"))
+        self.choice.setToolTip(self.tr("Which probe the fields and buttons are about"))
+        self.choice.activated.connect(lambda index: self.choose(self.choice.itemData(index)))
+        self.fields = tuple(_Coordinate() for _ in range(3))
+        self.pin = QPushButton(self.tr("Pin"))
+        self.pin.setCheckable(True)
+        self.pin.setStyleSheet(_PIN_SHEET)
+        self.pin.setToolTip(self.tr("Keep this probe: the next click makes another one"))
+        self.pin.clicked.connect(self._pin_clicked)
+        self._remove = QPushButton(self.tr("Remove"))
+        self._remove.setToolTip(self.tr("Remove this probe (Esc)"))
+        self._remove.clicked.connect(self.remove)
+        self._clear = QPushButton(self.tr("Clear"))
+        self._clear.setToolTip(self.tr("Remove all probes"))
+        self._clear.clicked.connect(self.clear)
+        self.error = QLabel()
+        self.error.setObjectName("rowError")
+        self.error.setStyleSheet(REFUSAL_SHEET)
+        self.error.setTextFormat(Qt.TextFormat.PlainText)
+        self.error.setWordWrap(True)
+        self.error.hide()
+        self._hint = QLabel(
+            self.tr(
+                "Click a point in any pane to follow it from the world to its pixel; "
+                "click beside everything in the image for that pixel's ray."
+            )
+        )
+        self._hint.setWordWrap(True)
+
+        self._model = _Table(self)
+        self.table = QTableView()
+        self.table.setModel(self._model)
+        self.table.setMouseTracking(True)
+        self.table.entered.connect(
+            lambda index: self.attended.emit(self._model.attention_at(index))
+        )
+        self.table.viewportEntered.connect(lambda: self.attended.emit(NOTHING))
+        self.table.viewport().installEventFilter(self)
+        self.table.setAccessibleName(self.tr("The probes' numbers at every stage"))
+        self.table.setTabKeyNavigation(False)  # or the keyboard never leaves it
+        self.table.setSelectionMode(QAbstractItemView.SelectionMode.ContiguousSelection)
+        self.table.setWordWrap(False)
+        self.table.setAlternatingRowColors(True)
+        self.table.setHorizontalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
+        self.table.horizontalHeader().setHighlightSections(False)
+        rows = self.table.verticalHeader()
+        rows.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
+        rows.setMinimumSectionSize(0)
+        self._lay_out()
+        self._fit_rows()
+        self._show_choice()
+
+    def _lay_out(self) -> None:
+        line = QHBoxLayout()
+        line.addWidget(self.choice)
+        for name, field in zip("xyz", self.fields, strict=True):
+            field.setAccessibleName(self.tr("Probe, world {0}").format(name))
+            field.setToolTip(self.tr("World {0} of the probe; type a number").format(name))
+            field.editingFinished.connect(self._typed)
+            label = QLabel(name)
+            label.setBuddy(field)
+            line.addWidget(label)
+            line.addWidget(field, 1)
+        for button in (self.pin, self._remove, self._clear):
+            line.addWidget(button)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(4, 0, 4, 2)
+        layout.setSpacing(2)
+        layout.addLayout(line)
+        layout.addWidget(self.error)
+        layout.addWidget(self._hint)
+        layout.addWidget(self.table, 1)
+
+    def hasHeightForWidth(self) -> bool:
+        return False  # the sentences wrap, but it is the table that wants height
+
+    def sizeHint(self) -> QSize:
+        """High enough for every line of the table, with or without a probe in it."""
+        line = self.table.verticalHeader().defaultSectionSize()
+        head = self.choice.sizeHint().height() + self.table.horizontalHeader().sizeHint().height()
+        bar = self.table.horizontalScrollBar().sizeHint().height()
+        return QSize(super().sizeHint().width(), head + bar + 9 * line + 12)
+
+    # -- the probes
+
+    @property
+    def chosen(self) -> Probe | None:
+        """The probe that the fields and the buttons are about."""
+        return next((probe for probe in self.probes if probe.number == self._chosen), None)
+
+    def follow(
+        self, *, point: Vector | None = None, pixel: tuple[float, float] | None = None
+    ) -> None:
+        """Follow a point, or a pixel's ray: with the chosen probe, unless it is pinned.
+
+        Parameters
+        ----------
+        point : Vector, optional
+            World coordinates.
+        pixel : (float, float), optional
+            Of the image.
+        """
+        number = self._chosen
+        if not number or number in self._pinned:
+            # One that nobody pinned is in use; only where all are kept is there need of another.
+            loose = [p.number for p in self.probes if p.number not in self._pinned]
+            taken = {probe.number for probe in self.probes}
+            free = [n for n in range(1, MOST_PROBES + 1) if n not in taken]
+            if not loose and not free:
+                text = self.tr("Probes = {0}: at most {1} can be pinned; remove one first.")
+                self.refused.emit(text.format(len(self.probes) + 1, MOST_PROBES))
+                return
+            number = (loose or free)[0]
+        self._chosen = number
+        self._put(Probe(number, point, pixel))
+
+    def restore(self, probes: tuple[Probe, ...], chosen: int) -> None:
+        """Go back to earlier probes, of which `chosen` was the chosen one's number; 0 for none."""
+        self._chosen = chosen
+        self._set(probes)
+
+    def put(self, number: int, point: Vector) -> None:
+        """Put a probe elsewhere, pinned or not."""
+        self._put(Probe(number, point))
+
+    def choose(self, number: int) -> None:
+        """Let the fields and buttons be about another probe."""
+        self._chosen = number
+        self._show_choice()
+
+    def remove(self) -> None:
+        """Remove the chosen probe; the last one left is chosen then."""
+        probes = tuple(probe for probe in self.probes if probe.number != self._chosen)
+        self._pinned.discard(self._chosen)
+        self._chosen = probes[-1].number if probes else 0
+        self._set(probes)
+
+    def clear(self) -> None:
+        """Remove them all."""
+        self._pinned.clear()
+        self._chosen = 0
+        self._set(())
+
+    def _put(self, new: Probe) -> None:
+        others = [probe for probe in self.probes if probe.number != new.number]
+        self._set(tuple(sorted([*others, new], key=lambda probe: probe.number)))
+
+    def _set(self, probes: tuple[Probe, ...]) -> None:
+        if probes != self.probes:
+            self.probes = probes
+            self.changed.emit()
+            self._readable.changed()
+        self._show_choice()
+
+    def _pin_clicked(self, pinned: bool) -> None:
+        if pinned:
+            self._pinned.add(self._chosen)
+        else:
+            self._pinned.discard(self._chosen)
+        self._show_choice()
+
+    # -- the fields
+
+    def _typed(self) -> None:
+        """Take the three fields over, or say what is wrong with one of them."""
+        if not any(field.isModified() for field in self.fields):
+            return
+        probe = self.chosen
+        point = list(probe.point) if probe is not None and probe.point is not None else [0.0] * 3
+        for axis, (name, field) in enumerate(zip("xyz", self.fields, strict=True)):
+            if not field.isModified():
+                continue
+            try:
+                point[axis] = _coordinate(name, field.text())
+            except ProjectionError as error:
+                self.error.setText(refusal(sentence(error)))
+                self.error.show()
+                field.setAccessibleDescription(self.error.text())
+                return
+        if not self._chosen:
+            self.follow(point=(point[0], point[1], point[2]))
+        else:
+            self._put(Probe(self._chosen, (point[0], point[1], point[2])))
+        self._show_choice()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Escape and any(field.isModified() for field in self.fields):
+            self._show_choice()  # takes back what was typed
+        else:
+            super().keyPressEvent(event)
+
+    def _show_choice(self) -> None:
+        probe = self.chosen
+        self.choice.clear()
+        for other in self.probes:
+            self.choice.addItem(self._name(other), other.number)
+        self.choice.setCurrentIndex(self.choice.findData(self._chosen))
+        self.choice.setEnabled(bool(self.probes))
+        point = None if probe is None else probe.point
+        for axis, field in enumerate(self.fields):
+            field.setText("" if point is None else number_text(point[axis]))
+            field.setCursorPosition(0)
+            field.setAccessibleDescription("")
+        self.error.hide()
+        self.error.clear()
+        self.pin.setChecked(self._chosen in self._pinned)
+        for button in (self.pin, self._remove):
+            button.setEnabled(probe is not None)
+        self._clear.setEnabled(bool(self.probes))
+        self._hint.setVisible(not self.probes)
+        self.table.setVisible(bool(self.probes))
+
+    def _name(self, probe: Probe) -> str:
+        pin = " ⚲" if probe.number in self._pinned else ""
+        text = self.tr("Ray {0}") if probe.point is None else self.tr("Point {0}")
+        return text.format(probe.number) + pin
+
+    # -- the table
+
+    def _fit_rows(self) -> None:
+        height = self.fontMetrics().height() + 4
+        self.table.verticalHeader().setDefaultSectionSize(height)
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:  # projector mode
+            self._fit_rows()
+            self._font_is_new = True
+            self._readable.changed()
+
+    def show_projection(self, projection: Projection) -> None:
+        """Show the numbers under the model's new value."""
+        if projection != self._projection:
+            self._projection = projection
+            self._readable.changed()
+
+    def show_attention(self, attended: Attention) -> None:
+        """Mark the words that are about what is attended to."""
+        self._model.show_attention(made_of(attended))
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.Leave:
+            self.attended.emit(NOTHING)
+        return super().eventFilter(watched, event)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self._readable.settle()
+
+    def _fill(self) -> None:
+        if self._projection is None:
+            return
+        projection = self._projection
+        points = [probe.point for probe in self.probes if probe.point is not None]
+        followed: Trace | None = None
+        if points:
+            followed = trace(projection, points, rung_for_reading(predict(projection, points)))
+        formulas = self._formulas(projection)
+        columns, outside, row = [], [], 0
+        for probe in self.probes:
+            if probe.point is None or followed is None:
+                columns.append(self._of_ray(projection, probe))
+                outside.append(NOTHING)
+            else:
+                point = Trace(*(part[row] for part in followed))
+                columns.append(self._of_point(point))
+                outside.append(frozenset(_outside_of(point)))
+                row += 1
+        numbers = [probe.number for probe in self.probes]
+        anew = self._model.show(numbers, formulas, columns, outside)
+        if anew:
+            self._spans = []
+        self._widen(columns, anew or self._font_is_new)
+        self._font_is_new = False
+
+    def _widen(self, columns: list[list[list[str]]], anew: bool) -> None:
+        """Let every number be seen whole: one without its last digits would be another."""
+        metrics = self.fontMetrics()  # a change of font may reach the table after its panel
+        digit = metrics.horizontalAdvance("0")
+        if anew:
+            longest = max(metrics.horizontalAdvance(text) for text in self._model.formulas)
+            self.table.setColumnWidth(0, longest + 2 * digit)
+        # Words, where there are no numbers, are said across all four columns.
+        spans = [
+            (row, 1 + _PARTS * i)
+            for i, lines in enumerate(columns)
+            for row in (0, 4, len(lines) - 1)
+            if len(lines[row]) == 1
+        ]
+        if spans != self._spans:
+            self.table.clearSpans()
+            for row, column in spans:
+                self.table.setSpan(row, column, 1, _PARTS)
+            self._spans = spans
+        for i, lines in enumerate(columns):
+            numbers = [line for row, line in enumerate(lines) if (row, 1 + _PARTS * i) not in spans]
+            for part in range(_PARTS):
+                longest = max([len(line[part]) for line in numbers if part < len(line)], default=4)
+                column = 1 + _PARTS * i + part
+                width = digit * (longest + 2)
+                if anew or width > self.table.columnWidth(column):
+                    self.table.setColumnWidth(column, width)
+
+    def _formulas(self, projection: Projection) -> list[tuple[str, str]]:
+        """Name and formula of every line."""
+        lens = projection.lens
+        view, inside = "R (p − e)", "|x|, |y| ≤ w;  n ≤ −z_view ≤ f"
+        if isinstance(lens, FreeMatrix):
+            low = "0" if min(projection.depth_range) == 0.0 else "−w"
+            divide, inside = "w = (P p_view)_4", f"|x|, |y| ≤ w;  {low} ≤ z ≤ w"
+            if lens.view_from_world is not None:
+                view = "M p"
+        else:
+            divide = "w = 1" if lens.parallel else "w = −z_view"
+        depth = "(z + 1) / 2" if projection.depth == "opengl" else "z"
+        image = "(x + 1) W/2,  (1 − y) H/2"
+        return [
+            (self.tr("object"), "p"),
+            (self.tr("world"), "I p"),
+            (self.tr("view"), view),
+            (self.tr("clip"), f"P p_view;  {divide}"),
+            (self.tr("divide"), "÷ w"),
+            (self.tr("NDC"), "x/w,  y/w,  z/w"),
+            (self.tr("image px"), image),
+            (self.tr("depth"), depth),
+            (self.tr("inside"), inside),
+        ]
+
+    def _of_point(self, point: Trace) -> list[list[str]]:
+        """The texts of a point's lines."""
+        world, view, clip = _texts(point.world), _texts(point.view), _texts(point.clip)
+        outside_of = _outside_of(point)
+        if outside_of:
+            names = ", ".join(map(plane_name, outside_of))
+            inside = self.tr("outside of: {0}").format(names)
+        else:
+            inside = self.tr("inside")
+        lines = [world, world, view, clip]
+        if point.in_front:
+            divide = [f"÷ {clip[3]}"] * 3
+            lines += [divide, _texts(point.ndc), _texts(point.image), _texts(point.depth)]
+        else:
+            w = float(point.clip[3])
+            if w < 0.0:
+                why = self.tr("behind the eye")
+            elif w == 0.0:
+                why = self.tr("in the eye plane (w = 0)")
+            else:
+                why = self.tr("beside the eye: no number is large enough")
+            lines += [[why], [], [], []]
+        return [*lines, [inside]]
+
+    def _of_ray(self, projection: Projection, probe: Probe) -> list[list[str]]:
+        """The texts of a ray's lines: it has x and y only, and these from the pixel."""
+        assert probe.pixel is not None
+        (x, y), (width, height) = probe.pixel, projection.image_size
+        ndc = [format_value(2.0 * x / width - 1.0), format_value(1.0 - 2.0 * y / height)]
+        image = [format_value(x), format_value(y)]
+        return [[self._ray(projection, probe)], [], [], [], [], ndc, image, [], []]
+
+    def _ray(self, projection: Projection, probe: Probe) -> str:
+        """What of a pixel's ray is drawn in the world, or why there is none."""
+        if not isinstance(projection.lens, FreeMatrix) or projection.frustum_sign:
+            return self.tr("the pixel's ray, from near to far")
+        if projector(projection, probe, [0.0]) is not None:
+            return self.tr("the pixel's ray, as far as it is in front of the eye")
+        try:
+            projection.world_from_clip_at(projection.camera.eye)
+        except ProjectionError:
+            return self.tr("no ray in the world: the matrix has no inverse")
+        return self.tr("no ray in the world: all of it is behind the eye")
+
+
+def _outside_of(point: Trace) -> list[str]:
+    """The planes of the view volume that a point is outside of."""
+    return [plane for plane, is_out in zip(PLANES, point.outside.tolist(), strict=True) if is_out]
+
+
+def _texts(values: Any) -> list[str]:
+    """Numbers as `project` prints them, with every digit and no minus zero."""
+    return [format_value(value) for value in (values + 0.0).reshape(-1).tolist()]
+
+
+def _coordinate(name: str, text: str) -> float:
+    value = parse_number(name, text)
+    if math.isinf(value):
+        raise ProjectionError(name, value, FINITE_NUMBER)
+    if abs(value) > LARGEST:
+        bound, limit = (AT_MOST, LARGEST) if value > 0.0 else (AT_LEAST, -LARGEST)
+        raise ProjectionError(name, value, bound, limit)
+    return value
+
+
+class _Coordinate(QLineEdit):
+    """A field that keeps Esc for itself while there is something to take back."""
+
+    def event(self, event: QEvent) -> bool:
+        if (
+            event.type() == QEvent.Type.ShortcutOverride
+            and isinstance(event, QKeyEvent)
+            and event.matches(QKeySequence.StandardKey.Cancel)
+            and self.isModified()
+        ):
+            event.accept()
+            return True
+        return super().event(event)
+
+
+class _Table(QAbstractTableModel):
+    """Texts in blocks of four columns, one block for each probe; asked only for what is seen."""
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._numbers: list[int] = []
+        self._formulas: list[tuple[str, str]] = []
+        self._columns: list[list[list[str]]] = []
+        self._outside: list[Attention] = []
+        self._attended = NOTHING
+
+    @property
+    def formulas(self) -> list[str]:
+        """The lines' own."""
+        return [formula for _, formula in self._formulas]
+
+    def attention_at(self, index: QModelIndex) -> Attention:
+        """What a cell is about: the last line is about planes."""
+        if index.column() == 0 or index.row() != self.rowCount() - 1:
+            return NOTHING
+        return self._outside[(index.column() - 1) // _PARTS]
+
+    def show_attention(self, attended: Attention) -> None:
+        """Mark the cells that are about what is attended to."""
+        if attended != self._attended:
+            self._attended = attended
+            if self._numbers:
+                row = self.rowCount() - 1
+                first, last = self.index(row, 1), self.index(row, self.columnCount() - 1)
+                self.dataChanged.emit(first, last, [Qt.ItemDataRole.BackgroundRole])
+
+    def show(
+        self,
+        numbers: list[int],
+        formulas: list[tuple[str, str]],
+        columns: list[list[list[str]]],
+        outside: list[Attention],
+    ) -> bool:
+        """Show other texts; tell whether there are other columns."""
+        anew = numbers != self._numbers or formulas != self._formulas
+        if anew:
+            self.beginResetModel()
+        self._numbers, self._formulas, self._columns = numbers, formulas, columns
+        self._outside = outside
+        if anew:
+            self.endResetModel()
+        else:
+            last = self.index(self.rowCount() - 1, self.columnCount() - 1)
+            self.dataChanged.emit(self.index(0, 1), last, [Qt.ItemDataRole.DisplayRole])
+        return anew
+
+    def rowCount(self, parent: QModelIndex | QPersistentModelIndex = _ROOT) -> int:
+        return 0 if parent.isValid() else len(self._formulas)
+
+    def columnCount(self, parent: QModelIndex | QPersistentModelIndex = _ROOT) -> int:
+        return 0 if parent.isValid() else 1 + _PARTS * len(self._numbers)
+
+    def data(
+        self,
+        index: QModelIndex | QPersistentModelIndex,
+        role: int = Qt.ItemDataRole.DisplayRole,
+    ) -> Any:
+        row, column = index.row(), index.column()
+        if role == Qt.ItemDataRole.BackgroundRole:
+            marked = self.attention_at(self.index(row, column)) & self._attended
+            return self._mark() if marked else None
+        if role != Qt.ItemDataRole.DisplayRole:
+            return None
+        if column == 0:
+            return self._formulas[row][1]
+        probe, part = divmod(column - 1, _PARTS)
+        texts = self._columns[probe][row]
+        return texts[part] if part < len(texts) else None
+
+    def _mark(self) -> QBrush:
+        colour = QColor(QGuiApplication.palette().highlight().color())
+        colour.setAlphaF(0.35)
+        return QBrush(colour)
+
+    def headerData(
+        self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
+    ) -> Any:
+        if role != Qt.ItemDataRole.DisplayRole:
+            return None
+        if orientation == Qt.Orientation.Vertical:
+            return self._formulas[section][0]
+        if section == 0:
+            return "="
+        probe, part = divmod(section - 1, _PARTS)
+        return f"{self._numbers[probe]}: {'xyzw'[part]}"

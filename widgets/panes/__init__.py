@@ -1,0 +1,1 @@
+"""The three pictures as widgets, and what the hand does in them."""

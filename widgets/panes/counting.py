@@ -1,0 +1,100 @@
+"""What a phenomenon predicts about the picture's pixels, counted in a picture off the screen.
+
+::
+
+    window -> show(scene, projection, exhibit)     at every change
+    counted(exhibit, share) -> scene panel         once the hand rests
+
+While anything moves, nothing is counted: the last change but `REST_MS` is waited for.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+from PySide6.QtCore import QObject, QTimer, Signal
+from PySide6.QtGui import QOpenGLContext
+
+from app.drawings.figures import off_screen
+from app.drawings.rasterising import counted_wrong_share
+from app.model.projection import Projection
+from app.scenes.phenomena.illustration import Exhibit
+from app.scenes.scene import Scene
+
+REST_MS = 250
+PIXELS = 130_000
+"""In which is counted: 0.3 points of a share, in less than 100 ms on a software renderer."""
+LONGEST_PX = 1000
+MOST_FACES = 20_000
+"""A larger mesh of the user's would keep the window waiting: its share is only predicted."""
+
+
+class Counting(QObject):
+    """Counts the pixels of one exhibit, when it has not changed for a while.
+
+    Parameters
+    ----------
+    busy : callable
+        Whether the hand does not rest: a control is held, or something plays.
+    parent : QObject
+    """
+
+    counted = Signal(object, float)
+    """The `Exhibit`, and the share of its pixels, 0..1, that are wrong; NaN where those are few."""
+
+    def __init__(self, busy: Callable[[], bool], parent: QObject) -> None:
+        super().__init__(parent)
+        self._busy = busy
+        self._shown: tuple[Scene, Projection, Exhibit] | None = None
+        self._timer = QTimer(self)
+        self._timer.setSingleShot(True)
+        self._timer.setInterval(REST_MS)
+        self._timer.timeout.connect(self._rest)
+
+    def show(self, scene: Scene, projection: Projection, exhibit: Exhibit | None) -> None:
+        """Take over what is shown now; None for a scene that is no phenomenon."""
+        self._shown = None
+        self._timer.stop()
+        if exhibit is not None and exhibit.rendering is not None:
+            self._shown = scene, projection, exhibit
+            self._timer.start()
+
+    def stop(self) -> None:
+        """Count no more: the window closes."""
+        self._shown = None
+        self._timer.stop()
+
+    def _rest(self) -> None:
+        if self._busy():
+            self._timer.start()
+            return
+        if self._shown is None:
+            return
+        share = self._count(*self._shown)
+        if share is not None:
+            self.counted.emit(self._shown[2], share)
+
+    def _count(self, scene: Scene, projection: Projection, exhibit: Exhibit) -> float | None:
+        rendering = exhibit.rendering
+        if not any(reading.counted for reading in exhibit.readings) or rendering is None:
+            return None
+        if rendering.buffer is None or scene.surface is None or not exhibit.copies:
+            return None
+        if scene.surface.n_cells > MOST_FACES:
+            return None
+        current = QOpenGLContext.currentContext()
+        if current is not None:  # or VTK may take Qt's context for its own
+            current.doneCurrent()
+        wide = math.sqrt(PIXELS * projection.aspect)
+        width, height = (
+            max(1, min(LONGEST_PX, round(side))) for side in (wide, wide / projection.aspect)
+        )
+        with off_screen(width, height) as plotter:
+            return counted_wrong_share(
+                plotter,
+                scene,
+                projection,
+                rendering.buffer,
+                exhibit.copies[0].world_from_world,
+            )

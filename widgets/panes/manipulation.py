@@ -1,0 +1,411 @@
+"""Taking hold of the camera itself: its handles in the world pane, the picture in the image pane.
+
+::
+
+    canvas.drag_started, dragged --> app.picking.handles: what it makes of a field --> edited(Projection)
+                                                  or of the scene's setting --> setting_edited
+                                                             ProjectionError --> a sentence over
+                                                                                 the pane
+
+A drag is a gesture, and so is a burst of wheel steps. The panes must stand still under the hand,
+so that the sentence of a refusal lies over the pane: the window's own bar would push them down.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import partial
+from types import MappingProxyType
+from typing import Any
+
+import numpy as np
+from PySide6.QtCore import QObject, QPointF, Qt, QTimer, Signal
+from PySide6.QtWidgets import QLabel
+
+from app.drawings.image import ImageDrawing
+from app.drawings.world import WorldDrawing
+from app.model.projection import (
+    NOT_THE_EYE,
+    OTHER_SIDE,
+    Projection,
+    ProjectionError,
+    Vector,
+    six_digits,
+)
+from app.picking.handles import (
+    Change,
+    Handle,
+    Spot,
+    changed,
+    dollied,
+    dragged,
+    dragged_grip,
+    panned,
+    place,
+    present,
+)
+from app.picking.picking import Sight
+from app.scenes.phenomena.illustration import Exhibit, Grip, Settings
+from widgets.panes.pane import ZOOM_PER_WHEEL_STEP, Pane
+from widgets.parts.escape import EscapeKey
+from widgets.parts.fields import QUIET_MS, short_text
+from widgets.parts.message_bar import MessageBar
+from widgets.parts.messages import field_name, seen_from, sentence
+
+NO_SETTINGS: Settings = MappingProxyType({})
+HOLD_WITHIN_PX = 9.0
+"""So near to a mark a drag takes hold of it."""
+
+
+class Manipulation(QObject):
+    """Turns drags on handles and on the picture, and the wheel there, into projections.
+
+    Parameters
+    ----------
+    world, image : Pane
+    parent : QObject
+
+    Attributes
+    ----------
+    message : MessageBar
+        Why a drag goes no further, while it does not.
+    """
+
+    edited = Signal(object)
+    """The hand made this `Projection`."""
+    setting_edited = Signal(object)
+    """The hand gave the scene's settings these values, by name; `refuse` says if they cannot be."""
+    gesture_started = Signal()
+    gesture_finished = Signal()
+
+    def __init__(self, world: Pane, image: Pane, parent: QObject) -> None:
+        super().__init__(parent)
+        self._world, self._image = world, image
+        self._projection = Projection()
+        self._grips: dict[str, Grip] = {}
+        self._values: Settings = NO_SETTINGS
+        self._drag: _Drag | None = None
+        self._in_gesture = False
+        self._escape = EscapeKey(self)
+        self._escape.pressed.connect(self._put_back)
+        self._plain_tip = self.tr(
+            "Drag a mark to move the eye, the target, a plane or a corner; drag elsewhere to turn, "
+            "Shift-drag to move, wheel to zoom, double-click to reset (or Tab to here, and arrows, "
+            "+ −, Home); click to follow a point"
+        )
+        self.message = MessageBar(world)
+        self._line = QLabel(world)
+        self._line.setObjectName("heldLine")
+        self._line.setWordWrap(True)
+        self._line.setMargin(4)
+        self._line.setAutoFillBackground(True)
+        self._line.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self._line.hide()
+        self._quiet = QTimer(self)
+        self._quiet.setSingleShot(True)
+        self._quiet.setInterval(QUIET_MS)
+        self._quiet.timeout.connect(self._finish)
+        canvas = world.canvas
+        canvas.setToolTip(self._plain_tip)
+        canvas.hovered.connect(self._hover)
+        canvas.left.connect(self.leave)
+        canvas.drag_started.connect(self._take_handle)
+        for pane in (world, image):
+            pane.canvas.dragged.connect(self._move)
+            pane.canvas.drag_ended.connect(self.let_go)
+        image.canvas.scrolled.connect(self._dolly)
+
+    def show_projection(self, projection: Projection) -> None:
+        """Take the model's new value over: what the next drag begins with."""
+        if projection.lens.kind != self._projection.lens.kind:
+            self._drag = None  # undone or reset under the hand: its fields are gone
+        self._projection = projection
+        drawing = self._world.drawing
+        if isinstance(drawing, WorldDrawing) and drawing.held is not None:
+            self._tell(drawing.held)
+
+    def show_exhibit(self, exhibit: Exhibit | None, settings: Settings) -> None:
+        """Take over where the scene's settings are held; None for a scene that has none."""
+        self._values = settings
+        self._grips = {} if exhibit is None else {grip.setting: grip for grip in exhibit.grips}
+        drag = self._drag
+        if drag is not None and drag.held is not None and drag.held.setting not in self._grips:
+            self._drag = None  # another scene under the hand
+        drawing = self._world.drawing
+        if isinstance(drawing, WorldDrawing) and drawing.held is not None:
+            self._tell(drawing.held)
+
+    # -- what is under the mouse
+
+    def _hover(self, pixel: QPointF) -> None:
+        drawing = self._world.drawing
+        if isinstance(drawing, WorldDrawing) and self._drag is None:
+            self._point_out(drawing, self._handle_at(drawing, pixel))
+
+    def leave(self) -> None:
+        """Point out no handle: the mouse, or the drawing that the handle was in, is gone."""
+        drawing = self._world.drawing
+        if isinstance(drawing, WorldDrawing) and self._drag is None:
+            self._point_out(drawing, None)
+
+    def _handle_at(self, drawing: WorldDrawing, pixel: QPointF) -> Handle | None:
+        within_px = HOLD_WITHIN_PX * self._world.canvas.pixel_ratio
+        return drawing.handle_at((pixel.x(), pixel.y()), within_px)
+
+    def _point_out(self, drawing: WorldDrawing, handle: Handle | None) -> None:
+        said_of_another = handle is None and self.said  # in a drawing before this one
+        if handle == drawing.held and not said_of_another:
+            return
+        drawing.hold(handle)
+        self._world.request_repaint()
+        canvas = self._world.canvas
+        self._line.hide()
+        if handle is None:
+            canvas.unsetCursor()
+            canvas.setToolTip(self._plain_tip)
+            self._world.note.setText("")
+            self._line.clear()
+        else:
+            canvas.setCursor(Qt.CursorShape.OpenHandCursor)
+            self._tell(handle)
+
+    def _tell(self, handle: Handle) -> None:
+        """Say what a drag of a handle does, and what it has made so far."""
+        if handle.name == "grip":
+            if handle.setting in self._grips:
+                value = _shown(_value(self._grips[handle.setting]))
+                text = self.tr("Drag this point (Shift: up and down)")
+                self._say(f"{text}: {value}")
+            return
+        names, text = self._does(handle)
+        values = present(self._projection, names)
+        now = ", ".join(f"{field_name(name)} = {_shown(value)}" for name, value in values.items())
+        self._say(f"{text}: {now}")
+
+    def _say(self, text: str) -> None:
+        """Beside the pane's title, or in a line over the pane if that is too narrow.
+
+        What once took the line keeps it: the text does not jump while its numbers change.
+        """
+        self._world.canvas.setToolTip(text)
+        note, line, width = self._world.note, self._line, self._world.width()
+        fits = note.fontMetrics().horizontalAdvance(text) <= note.width()
+        in_line = self.message.isHidden() and (line.isVisible() or not fits)
+        note.setText("" if in_line else text)
+        line.setText(text if in_line else "")
+        line.setVisible(in_line)
+        if in_line:
+            line.setGeometry(0, self._world.canvas.y(), width, line.heightForWidth(width))
+            line.raise_()
+
+    @property
+    def said(self) -> str:
+        """What is said about the handle under the mouse, or in the hand."""
+        return self._line.text() or self._world.note.text()
+
+    def _does(self, handle: Handle) -> tuple[tuple[str, ...], str]:
+        if handle.name == "eye":
+            return ("eye",), self.tr("Drag the eye (Shift: up and down)")
+        if handle.name == "target":
+            return ("target",), self.tr("Drag the target (Shift: up and down)")
+        if handle.name == "near":
+            return ("near",), self.tr("Drag the near plane")
+        if handle.name == "far":
+            return ("far",), self.tr("Drag the far plane")
+        if self._projection.lens.kind == "perspective":
+            return ("fov_y_deg",), self.tr("Drag to open the lens")
+        right, up = handle.at
+        sides = "right" if right > 0.0 else "left", "top" if up > 0.0 else "bottom"
+        return sides, self.tr("Drag this corner (Shift: both sides)")
+
+    # -- drags
+
+    def _take_handle(self, pixel: QPointF) -> None:
+        """Take hold of the handle that a drag in the world pane starts on."""
+        drawing = self._world.drawing
+        if not isinstance(drawing, WorldDrawing):
+            return
+        handle = self._handle_at(drawing, pixel)
+        if handle is None:
+            return
+        self._world.canvas.keep_view()
+        self._point_out(drawing, handle)
+        sight, drawn = drawing.sight, drawing.planes_drawn
+        held = self._grips.get(handle.setting)
+        at = place(self._projection, handle, drawn) if held is None else held.point
+        spot = sight.seen([at])[0]
+        grip = handle, drawn, sight, (float(spot[0]), float(spot[1]))
+        self._start(
+            _Drag(self._world, self._projection, grip, held, self._values.get(handle.setting))
+        )
+
+    def take_picture(self, pixel: QPointF) -> None:
+        """Take hold of the picture, if a drag in the image pane starts on it."""
+        drawing = self._image.drawing
+        if isinstance(drawing, ImageDrawing) and drawing.image_pixel(pixel.x(), pixel.y()):
+            self._start(_Drag(self._image, self._projection, None))
+
+    def _start(self, drag: _Drag) -> None:
+        self._finish()
+        self._drag = drag
+        drag.pane.canvas.setCursor(Qt.CursorShape.ClosedHandCursor)
+        self._escape.watch(drag.pane.window())
+        self._begin()
+
+    def _move(self, away: QPointF, shift: bool) -> None:
+        drag = self._drag
+        if drag is None:
+            return
+        right_px, down_px = away.x(), away.y()
+        if drag.grip is not None:
+            handle, drawn, sight, (x, y) = drag.grip
+            pixel = x + right_px, y + down_px
+            if drag.held is not None:
+                self._drag_point(drag, drag.held, sight, pixel, shift=shift)
+                return
+            self._attempt(
+                drag.pane, partial(dragged, drag.start, handle, drawn, sight, pixel, shift=shift)
+            )
+        elif isinstance(drag.pane.drawing, ImageDrawing):
+            shift_px = drag.pane.drawing.image_shift(right_px, down_px)
+            self._attempt(drag.pane, partial(panned, drag.start, shift_px))
+
+    def _drag_point(
+        self, drag: _Drag, held: Grip, sight: Sight, pixel: Spot, *, shift: bool
+    ) -> None:
+        before: Vector = tuple(held.point.tolist())
+        self.message.hide()
+        point = dragged_grip(before, sight, pixel, shift=shift)
+        if point == before:  # the hand is back
+            self.setting_edited.emit({held.setting: drag.before})
+        else:
+            moved = replace(held, point=np.array(point))
+            self.setting_edited.emit({held.setting: _value(moved)})
+
+    def refuse(self, error: ProjectionError) -> None:
+        """Say over the pane why a setting cannot be what the hand made of it."""
+        self._refuse(self._world, error)
+
+    def let_go(self) -> None:
+        """End a drag where it is; whatever the hand does until it lets go is none."""
+        if not self._escape.is_watched:
+            return
+        self._escape.leave()
+        self._drag = None
+        self._image.canvas.unsetCursor()
+        drawing = self._world.drawing
+        if isinstance(drawing, WorldDrawing) and drawing.held is not None:
+            self._world.canvas.setCursor(Qt.CursorShape.OpenHandCursor)
+        self._finish()
+        if isinstance(drawing, WorldDrawing) and drawing.held is not None:
+            self._tell(drawing.held)  # where a refusal was
+
+    def _put_back(self) -> None:
+        """Give up the drag: what it changed is as it was at its start."""
+        drag, self._drag = self._drag, None
+        if drag is not None and drag.held is not None:
+            self.message.hide()
+            self.setting_edited.emit({drag.held.setting: drag.before})
+        elif drag is not None:
+            self.message.hide()
+            self.edited.emit(changed(self._projection, present(drag.start, drag.names)))
+
+    # -- the wheel
+
+    def _dolly(self, steps: float) -> None:
+        if self._drag is None:
+            self._begin()
+            self._quiet.start()
+            factor = ZOOM_PER_WHEEL_STEP**-steps
+            self._attempt(self._image, partial(dollied, self._projection, factor))
+
+    # -- edits
+
+    def _begin(self) -> None:
+        if not self._in_gesture:
+            self._in_gesture = True
+            self.gesture_started.emit()
+
+    def _finish(self) -> None:
+        self._quiet.stop()
+        self.message.hide()
+        if self._in_gesture:
+            self._in_gesture = False
+            self.gesture_finished.emit()
+
+    def _attempt(self, pane: Pane, make: Callable[[], Change]) -> None:
+        change: Change = {}
+        try:
+            change = make()
+            if self._drag is not None:
+                self._drag.names.update(change)
+            projection = changed(self._projection, change)
+        except ProjectionError as error:
+            self._refuse(pane, _seen_from(change, error))
+        else:
+            self.message.hide()
+            self.edited.emit(projection)
+
+    def _refuse(self, pane: Pane, error: ProjectionError) -> None:
+        bar, width = self.message, pane.width()
+        self._line.hide()
+        bar.setParent(pane)
+        bar.say(sentence(six_digits(error)))
+        layout = bar.layout()
+        assert layout is not None
+        bar.setGeometry(0, pane.canvas.y(), width, layout.totalHeightForWidth(width))
+        bar.raise_()
+
+
+class _Drag:
+    """What is held, and how everything was when the hand took it.
+
+    Parameters
+    ----------
+    pane : Pane
+        Where it is dragged.
+    start : Projection
+    grip : (Handle, (float, float), Sight, (float, float)) or None
+        The handle, where the planes were drawn, how the pane looked, and where the handle was in
+        it; None for the picture.
+    held : Grip, optional
+        The setting that is dragged, as it was held.
+    before : tuple of 3 floats, optional
+        Its value then.
+    """
+
+    def __init__(
+        self,
+        pane: Pane,
+        start: Projection,
+        grip: tuple[Handle, tuple[float, float], Sight, tuple[float, float]] | None,
+        held: Grip | None = None,
+        before: Any = None,
+    ) -> None:
+        self.pane, self.start, self.grip, self.held, self.before = pane, start, grip, held, before
+        #: The fields that have been dragged at.
+        self.names: set[str] = set()
+
+
+def _seen_from(change: Change, error: ProjectionError) -> ProjectionError:
+    """A refusal as it looks from what was dragged."""
+    side, _ = OTHER_SIDE.get(error.bound, ("", ""))
+    value = change.get(side)
+    if isinstance(value, float):
+        return seen_from(side, "", value, error)
+    if error.bound == NOT_THE_EYE and "eye" in change:
+        return seen_from("eye", "", 0.0, error)
+    return error
+
+
+def _value(grip: Grip) -> Vector:
+    """The setting that a grip stands for."""
+    x, y, z = (p - b for p, b in zip(grip.point.tolist(), grip.base, strict=True))
+    return x, y, z
+
+
+def _shown(value: Any) -> str:
+    if isinstance(value, tuple):
+        return f"({', '.join(short_text(part) for part in value)})"
+    return short_text(value)

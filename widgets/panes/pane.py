@@ -1,0 +1,763 @@
+"""The one kind of pane: a title, and a canvas that shows any drawing.
+
+How a change reaches the screen, and why it is drawn once::
+
+    show_projection(p) --> drawing.show_projection(p)   matrices only, draws nothing
+                       --> QWidget.update(canvas)       coalesced by Qt
+    mouse on the canvas -> vtkCamera of this pane only -> QWidget.update(canvas)
+                                                   |
+                              Qt's paint event --> paintGL --> one VTK render
+
+`plotter.render()` is never called: it draws at once *and* again in paintGL. The mouse does not go
+through VTK's interactor styles, which render by themselves, rewrite the clipping range at every
+drag, and bind plain keys to changes of the scene.
+"""
+
+from __future__ import annotations
+
+import math
+import sys
+import time
+from collections.abc import Callable, Sequence
+from typing import Any, Protocol, cast
+
+from PySide6.QtCore import QPoint, QPointF, Qt, Signal
+from PySide6.QtGui import (
+    QCloseEvent,
+    QKeyEvent,
+    QMouseEvent,
+    QMoveEvent,
+    QResizeEvent,
+    QShowEvent,
+    QWheelEvent,
+)
+from PySide6.QtWidgets import (
+    QApplication,
+    QFrame,
+    QHBoxLayout,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+from pyvistaqt import QtInteractor
+
+from app.lecture.highlight import NOTHING, Attention
+from app.model.projection import Camera, Projection
+from app.picking.picking import Probe, Sight
+from app.scenes.phenomena.illustration import Exhibit
+from app.scenes.scene import Scene
+from widgets.parts.focus import FocusRing
+from widgets.parts.note import Note, Title
+
+ORBIT_DEG_PER_PX = 0.4
+ZOOM_PER_WHEEL_STEP = 1.15
+HIGHEST_DEG = 89.0
+KEY_PX = 25.0
+"""What the mouse would be moved by for an arrow key: it turns by 10 degrees."""
+_ARROWS = {
+    Qt.Key.Key_Left: (-KEY_PX, 0.0),
+    Qt.Key.Key_Right: (KEY_PX, 0.0),
+    Qt.Key.Key_Up: (0.0, -KEY_PX),
+    Qt.Key.Key_Down: (0.0, KEY_PX),
+}
+_ZOOM_STEPS = {Qt.Key.Key_Plus: 1, Qt.Key.Key_Equal: 1, Qt.Key.Key_Minus: -1}
+"""Plus is on the key of = of many keyboards."""
+SCALES = {"half resolution": 0.5, "supersampling 2 x 2": 2.0}
+"""Pixels that are drawn for one that is shown, along each side, where that is not one."""
+SMOOTHINGS = ("none", "FXAA", "MSAA 2", "MSAA 4", "MSAA 8", *SCALES)
+"""What a pane can do: of larger pictures Qt takes four pixels at the most for one."""
+
+
+def multisamples(smoothing: str) -> int:
+    """The samples a pixel that one of `SMOOTHINGS` asks OpenGL for."""
+    kind, _, samples = smoothing.partition(" ")
+    return int(samples) if kind == "MSAA" else 0
+
+
+class Drawing(Protocol):
+    """What a pane needs of a drawing."""
+
+    def show_projection(self, projection: Projection, exhibit: Exhibit | None) -> None:
+        """Take over the model's matrices; draw nothing yet."""
+
+    def show_detail(self, fewer: Scene | None) -> None:
+        """Take a scene's fewer triangles, or all for None; then show a projection."""
+
+    def reset_view(self) -> None:
+        """Put the pane's own camera where the whole drawing is in view."""
+
+    def refit(self) -> bool:
+        """Fit a view that nobody moved to what has left it; tell whether it changed."""
+
+    def reset_clipping_range(self) -> None:
+        """Fit the pane camera's own near and far to the drawing after it has moved."""
+
+    @property
+    def view(self) -> Camera | None:
+        """Where the pane's own camera was moved to; None if it was not."""
+
+    def show_view(self, view: Camera) -> None:
+        """Move the pane's own camera there."""
+
+    def show_probes(self, probes: Sequence[Probe]) -> None:
+        """Mark these probes, and no others; draw nothing yet."""
+
+    @property
+    def sight(self) -> Sight:
+        """How the pane looks at the world just now."""
+
+    def show_attention(self, attended: Attention) -> bool:
+        """Let what is attended to stand out; tell whether that changes what is seen."""
+
+    def attention_at(self, x_px: float, y_px: float) -> Attention:
+        """What is at a device pixel from the pane's top left."""
+
+    def remove(self) -> None:
+        """Take everything out of the plotter again."""
+
+
+class StagedDrawing(Drawing, Protocol):
+    """A drawing that can show other stages of the pipeline than its own."""
+
+    def show_stage(self, position: float) -> None:
+        """Move to a position of the stage strip; draw nothing yet."""
+
+
+class SteppedDrawing(Drawing, Protocol):
+    """A drawing in which the camera's frame can be built step by step."""
+
+    def show_step(self, step: int | None) -> None:
+        """Build it up to a step, or show what is always shown; draw nothing yet."""
+
+
+class _Canvas(QtInteractor):
+    """The VTK surface; turns mouse and keys into moves of its own camera, and nothing else."""
+
+    moved = Signal()
+    clicked = Signal(QPointF)
+    """Pressed and released in one place: the middle of that pixel, in device pixels."""
+    drag_started = Signal(QPointF)
+    """The left button has left the place, in device pixels, where it was pressed."""
+    dragged = Signal(QPointF, bool)
+    """How far it is from there, in device pixels, and whether Shift is held."""
+    drag_ended = Signal()
+    hovered = Signal(QPointF)
+    """The mouse is over this place, no button held: the middle of that pixel, in device pixels."""
+    left = Signal()
+    """The mouse is over the canvas no more."""
+    painted = Signal(float)
+    """A repaint was done, in so many ms; only while `timed`."""
+    scrolled = Signal(float)
+    """The wheel was turned by so many steps, away from the user, where it is not a zoom."""
+
+    def __init__(self, parent: QWidget, *, orbits: bool) -> None:
+        super().__init__(parent, auto_update=False, multi_samples=0)
+        # Or Qt paints the window under it, and uploads that, whenever it draws a slider as well.
+        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
+        self.setMouseTracking(True)
+        self.setAcceptDrops(False)  # the window takes drops; pyvistaqt would add the file here
+        # By Tab alone: a click leaves the focus in a field that is typed in.
+        self.setFocusPolicy(Qt.FocusPolicy.TabFocus if orbits else Qt.FocusPolicy.NoFocus)
+        FocusRing(self)
+        self.setMinimumSize(120, 120)
+        self.timed = False
+        self._orbits = orbits
+        self._last: QPointF | None = None
+        self._pressed: QPointF | None = None
+        """Where the left button went down, as long as it may be a click."""
+        self._dragged_from: QPointF | None = None
+        self._finer = 1.0
+        self._resizing = False
+
+    @property
+    def pixel_ratio(self) -> float:
+        """Pixels that VTK draws for one of Qt's, along each side."""
+        return self.devicePixelRatioF() * self._finer
+
+    def draw_finer(self, times: float) -> None:
+        """Draw so many pixels for one that the screen shows, along each side."""
+        if times != self._finer:
+            self._finer = times
+            self.resizeGL(self.width(), self.height())
+
+    def resizeGL(self, w: int, h: int) -> None:
+        super().resizeGL(w, h)  # type: ignore[no-untyped-call]
+        window: Any = self.render_window
+        if self._finer != 1.0:
+            sides = (max(1, round(side * self.pixel_ratio)) for side in (w, h))
+            window.GetInteractor().UpdateSize(*sides)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        self._resizing = True
+        try:
+            super().resizeEvent(event)
+        finally:
+            self._resizing = False
+
+    def paintGL(self) -> None:
+        window: Any = self.render_window
+        if self._resizing and window.GetNeverRendered():
+            return  # Qt has given it its first size; it will show it, and draw it then
+        began = time.perf_counter()
+        super().paintGL()  # type: ignore[no-untyped-call]
+        if not self.timed:
+            return
+        window.WaitForCompletion()  # drawing goes on after the call otherwise
+        self.painted.emit(1e3 * (time.perf_counter() - began))
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        modifiers, key = event.modifiers(), event.key()
+        is_shifted = bool(modifiers & Qt.KeyboardModifier.ShiftModifier)
+        plain = Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.KeypadModifier
+        event.ignore()
+        if not self._orbits or self._dragged_from is not None or modifiers & ~plain:
+            return
+        if key in _ARROWS:
+            (self._pan if is_shifted else self._orbit)(*_ARROWS[Qt.Key(key)])
+            self.moved.emit()
+            event.accept()
+        elif key in _ZOOM_STEPS:
+            self.zoom(ZOOM_PER_WHEEL_STEP ** _ZOOM_STEPS[Qt.Key(key)])
+            event.accept()
+
+    def keyReleaseEvent(self, event: Any) -> None:
+        event.ignore()
+
+    def enterEvent(self, event: Any) -> None:
+        event.ignore()
+
+    def leaveEvent(self, event: Any) -> None:
+        event.ignore()
+        self.left.emit()
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        if self._dragged_from is not None:  # another button is no part of a drag
+            event.accept()
+            return
+        self._last = event.position()
+        is_left = event.button() == Qt.MouseButton.LeftButton
+        self._pressed = event.position() if is_left else None
+        event.accept()
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        if event.buttons() == Qt.MouseButton.NoButton:
+            self._last = None
+        event.accept()
+        if self._dragged_from is not None and event.button() == Qt.MouseButton.LeftButton:
+            self._dragged_from = None
+            self.drag_ended.emit()
+        if self._pressed is not None and event.button() == Qt.MouseButton.LeftButton:
+            middle = self._middle(self._pressed)
+            self._pressed = None
+            self.clicked.emit(middle)
+
+    def _middle(self, position: QPointF) -> QPointF:
+        """Of the pixel at a position, in device pixels."""
+        return (position + QPointF(0.5, 0.5)) * self.pixel_ratio
+
+    def keep_view(self) -> None:
+        """The drag that has just started is about what was under it: the view stays."""
+        self._last = None
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        self._pressed = None
+        event.ignore()  # the pane resets the view
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        event.accept()
+        if event.buttons() == Qt.MouseButton.NoButton:
+            self.hovered.emit(self._middle(event.position()))
+            return
+        if self._pressed is not None:
+            moved = (event.position() - self._pressed).manhattanLength()
+            if moved < QApplication.startDragDistance():  # a hand that trembles turns nothing
+                return
+            self._dragged_from, self._pressed = self._pressed, None
+            self.drag_started.emit(self._dragged_from * self.pixel_ratio)
+        if self._dragged_from is not None:
+            shift = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
+            away = (event.position() - self._dragged_from) * self.pixel_ratio
+            self.dragged.emit(away, shift)
+        if self._last is None or not self._orbits:
+            return
+        step = event.position() - self._last
+        self._last = event.position()
+        if event.buttons() == Qt.MouseButton.LeftButton and not (
+            event.modifiers() & Qt.KeyboardModifier.ShiftModifier
+        ):
+            self._orbit(step.x(), step.y())
+        else:
+            self._pan(step.x(), step.y())
+        self.moved.emit()
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        event.accept()
+        steps = event.angleDelta().y() / 120.0
+        if self._dragged_from is not None:  # what is held would leave the hand
+            return
+        if self._orbits:
+            self.zoom(ZOOM_PER_WHEEL_STEP**steps)
+        elif steps:
+            self.scrolled.emit(steps)
+
+    def gesture_event(self, event: Any) -> bool:
+        pinch = event.gesture(Qt.GestureType.PinchGesture)
+        if pinch is not None and self._orbits:
+            event.accept(pinch)
+            self.zoom(pinch.scaleFactor())
+        return True
+
+    @property
+    def own_camera(self) -> Any:
+        """The pane's own camera; pyvista's `camera` would first put it where pyvista likes."""
+        return self.renderer.GetActiveCamera()
+
+    def zoom(self, factor: float) -> None:
+        """Bring the pane's own camera nearer by `factor`."""
+        camera = self.own_camera
+        if camera.GetParallelProjection():
+            camera.SetParallelScale(camera.GetParallelScale() / factor)
+        else:
+            camera.Dolly(factor)
+        self.moved.emit()
+
+    def _orbit(self, right_px: float, down_px: float) -> None:
+        camera = self.own_camera
+        camera.Azimuth(-ORBIT_DEG_PER_PX * right_px)
+        # Turntable, not trackball: the world's vertical stays vertical, so the pole is a stop.
+        elevation_deg = _elevation_deg(camera)
+        turned = elevation_deg + ORBIT_DEG_PER_PX * down_px
+        camera.Elevation(max(-HIGHEST_DEG, min(HIGHEST_DEG, turned)) - elevation_deg)
+
+    def _pan(self, right_px: float, down_px: float) -> None:
+        camera = self.own_camera
+        if camera.GetParallelProjection():
+            half_height = camera.GetParallelScale()
+        else:
+            half_angle = math.radians(camera.GetViewAngle()) / 2.0
+            half_height = camera.GetDistance() * math.tan(half_angle)
+        unit = 2.0 * half_height / max(1, self.height())
+        matrix = camera.GetViewTransformMatrix()
+        shift = [
+            unit * (down_px * matrix.GetElement(1, i) - right_px * matrix.GetElement(0, i))
+            for i in range(3)
+        ]
+        for get, put in (
+            (camera.GetPosition, camera.SetPosition),
+            (camera.GetFocalPoint, camera.SetFocalPoint),
+        ):
+            put(*(p + s for p, s in zip(get(), shift, strict=True)))
+
+
+def _elevation_deg(camera: Any) -> float:
+    up = camera.GetViewUp()
+    away = [-d for d in camera.GetDirectionOfProjection()]
+    length = math.hypot(*up)
+    sine = sum(a * b for a, b in zip(away, up, strict=True)) / length
+    return math.degrees(math.asin(max(-1.0, min(1.0, sine))))
+
+
+class _WholePixels(QWidget):
+    """Holds a canvas so that its edges are on whole pixels of the screen.
+
+    Where the screen's scale is 1.5, say, they are not everywhere: Qt then leaves a black line at
+    an edge, and stretches the picture by the rest of a pixel.
+    """
+
+    def __init__(self, canvas: QWidget) -> None:
+        super().__init__()
+        self._margins = QVBoxLayout(self)
+        self._margins.setContentsMargins(0, 0, 0, 0)
+        self._margins.addWidget(canvas)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self.fit()
+
+    def fit(self) -> None:
+        """Move the edges inwards to the next whole pixels."""
+        place, ratio = self.mapTo(self.window(), QPoint()), self.devicePixelRatioF()
+        left, top = place.x(), place.y()
+        self._margins.setContentsMargins(
+            _to_whole(left, 1, ratio),
+            _to_whole(top, 1, ratio),
+            _to_whole(left + self.width(), -1, ratio),
+            _to_whole(top + self.height(), -1, ratio),
+        )
+        self._margins.invalidate()
+        self._margins.activate()
+
+
+def _to_whole(edge: int, inwards: int, ratio: float) -> int:
+    """How far it is from an edge to a whole pixel of the screen; 0 if there is none near."""
+    for away in range(8):
+        at = (edge + inwards * away) * ratio
+        if abs(at - round(at)) < 1e-6:
+            return away
+    return 0
+
+
+class Pane(QFrame):
+    """A titled canvas for one drawing.
+
+    A pane that is not visible neither computes nor draws; it shows the current value when it
+    appears.
+
+    Parameters
+    ----------
+    title : str
+        Translated name of the pane.
+    make_drawing : callable
+        Builds the drawing into a plotter: ``make_drawing(plotter, *args)``, with the arguments
+        that `build` is given.
+    orbits : bool
+        Whether the mouse moves this pane's own camera.
+    """
+
+    enlarge_requested = Signal()
+    """The title was double-clicked."""
+    clicked = Signal(QPointF)
+    """A place in the canvas, in device pixels from its top left."""
+    double_clicked = Signal()
+    """The canvas was double-clicked: the click before was meant to be no click."""
+    float_requested = Signal()
+    """The pane shall get, or leave, a window of its own."""
+    attended = Signal(object)
+    """The `Attention` that the mouse draws to what is under it; only when that changes."""
+    timed = Signal(float, float)
+    """What the last step's matrices and a repaint took, in ms; only after `set_timed`."""
+
+    def __init__(
+        self,
+        title: str,
+        make_drawing: Callable[..., Drawing],
+        *,
+        orbits: bool,
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self.setFrameShape(QFrame.Shape.StyledPanel)
+        self.setAccessibleName(title)
+        self.drawing: Drawing | None = None
+        self._make_drawing = make_drawing
+        self._projection: Projection | None = None
+        self._to_build: tuple[object, ...] | None = None
+        self._view: Camera | None = None
+        self._stage: float | None = None
+        self._stage_is_stale = False
+        self._step: int | None = None
+        self._step_is_stale = False
+        self._probes: Sequence[Probe] = ()
+        self._attention = self._pointed_at = NOTHING
+        self._exhibit: Exhibit | None = None
+        self._stale = False
+        self._probes_stale = False
+        self._smoothing = "none"
+        self._fewer: Scene | None = None
+        self._detail_is_stale = False
+        self._matrices_ms = 0.0
+
+        self.title = Title(title)
+        self.note = Note()
+        self._reset = self._button("⌂", self.tr("Reset this pane's own view (double-click)"))
+        self._reset.clicked.connect(self.reset_view)
+        self._reset.setVisible(orbits)
+        self._float = self._button("❐", self.tr("Put this pane into a window of its own, and back"))
+        self._float.clicked.connect(self.float_requested)
+        self._enlarge = self._button("⤢", self.tr("Enlarge this pane, and back"))
+        self._enlarge.clicked.connect(self.enlarge_requested)
+        self.header = QWidget()
+        self.header.setToolTip(self.tr("Double-click to enlarge this pane, and again to go back"))
+        bar = QHBoxLayout(self.header)
+        bar.setContentsMargins(8, 2, 2, 2)
+        bar.addWidget(self.title)
+        bar.addWidget(self.note, 1)
+        for button in (self._reset, self._enlarge, self._float):
+            bar.addWidget(button)
+
+        self.canvas = _Canvas(self, orbits=orbits)
+        self.canvas.setAccessibleName(title)
+        self.canvas.moved.connect(self._view_moved)
+        self.canvas.clicked.connect(self.clicked)
+        self.canvas.hovered.connect(self._hovered)
+        self.canvas.left.connect(self._left)
+        self.canvas.painted.connect(lambda ms: self.timed.emit(self._matrices_ms, ms))
+        if orbits:
+            self.canvas.setToolTip(
+                self.tr(
+                    "Click to follow a point; drag to turn, Shift-drag to move, wheel to zoom, "
+                    "double-click to reset; or Tab to here, and arrows, + −, Home"
+                )
+            )
+            self.canvas.setAccessibleDescription(
+                self.tr("Arrow keys turn, Shift and an arrow moves, + and − zoom, Home resets")
+            )
+        else:
+            self.canvas.setToolTip(
+                self.tr(
+                    "Click to follow a point; drag to move the camera in its plane, wheel to go "
+                    "nearer to the target"
+                )
+            )
+        self._column = QVBoxLayout(self)
+        self._column.setContentsMargins(0, 0, 0, 0)
+        self._column.setSpacing(0)
+        self._column.addWidget(self.header)
+        self._fitted = _WholePixels(self.canvas)
+        self._column.addWidget(self._fitted, 1)
+
+    def _button(self, text: str, tip: str) -> QToolButton:
+        button = QToolButton()
+        button.setText(text)
+        button.setAutoRaise(True)
+        button.setToolTip(tip)
+        button.setAccessibleName(f"{self.accessibleName()}: {tip}")
+        return button
+
+    def build(
+        self,
+        projection: Projection,
+        exhibit: Exhibit | None,
+        view: Camera | None,
+        *args: object,
+    ) -> None:
+        """Make the drawing anew, for another scene or style: now if visible, else on appearing.
+
+        Parameters
+        ----------
+        projection, exhibit
+            What it shows first, as for `show_projection`.
+        view : Camera or None
+            Where the pane's own camera is to stand; None for where everything is in view.
+        *args
+            Handed to `make_drawing` after the plotter.
+        """
+        self._projection, self._exhibit = projection, exhibit
+        self._to_build = args
+        self._view = view
+        if self.isVisible():
+            self._refresh()
+
+    @property
+    def view(self) -> Camera | None:
+        """Where the user moved the pane's own camera to; None if it was not moved."""
+        if self._to_build is not None or self.drawing is None:
+            return self._view
+        return self.drawing.view
+
+    def show_projection(self, projection: Projection, exhibit: Exhibit | None = None) -> None:
+        """Show the model's new value, and what a phenomenon shows for it: now, or on appearing."""
+        self._projection, self._exhibit = projection, exhibit
+        self._stale = True
+        if self.isVisible():
+            self._refresh()
+
+    def show_stage(self, position: float) -> None:
+        """Show a `StagedDrawing` at a position of its strip: at once if visible, or on appearing.
+
+        Parameters
+        ----------
+        position : float
+        """
+        self._stage, self._stage_is_stale = position, True
+        if self.isVisible():
+            self._refresh()
+
+    def show_step(self, step: int | None) -> None:
+        """Show a `SteppedDrawing` at a step, or as ever: at once if visible, or on appearing."""
+        if step != self._step:
+            self._step, self._step_is_stale = step, True
+            if self.isVisible():
+                self._refresh()
+
+    def show_probes(self, probes: Sequence[Probe]) -> None:
+        """Mark these probes, and no others: at once if visible, else on appearing."""
+        if probes != self._probes:
+            self._probes = probes
+            self._probes_stale = True
+            if self.isVisible():
+                self._refresh()
+
+    def show_attention(self, attended: Attention) -> None:
+        """Let what is attended to stand out: at once if visible, else on appearing."""
+        self._attention = attended
+        if (
+            self.isVisible()
+            and self._to_build is None
+            and self.drawing is not None
+            and self.drawing.show_attention(attended)
+        ):
+            self.request_repaint()
+
+    def _hovered(self, place: QPointF) -> None:
+        if self.drawing is not None:
+            self._point_at(self.drawing.attention_at(place.x(), place.y()))
+
+    def _left(self) -> None:
+        self._point_at(NOTHING)
+
+    def _point_at(self, attended: Attention) -> None:
+        if attended != self._pointed_at:
+            self._pointed_at = attended
+            self.attended.emit(attended)
+
+    def _refresh(self) -> None:
+        """Bring the drawing up to what was asked for while nobody looked."""
+        if self._projection is None:
+            return
+        if self._to_build is not None:
+            if self.drawing is not None:
+                self.drawing.remove()
+            self.drawing = self._make_drawing(self.canvas, *self._to_build)
+            self._to_build = None
+            self._step_is_stale = self._step is not None
+            self._apply_smoothing()
+            self.drawing.show_projection(self._projection, self._exhibit)
+            self._take_stage(self.drawing)
+            self.drawing.reset_view()
+            if self._view is not None:
+                self.drawing.show_view(self._view)
+            self.drawing.show_probes(self._probes)
+            self._fewer, self._detail_is_stale = None, False
+        elif self.drawing is not None:
+            if self._detail_is_stale:
+                self.drawing.show_detail(self._fewer)
+            if self._stale or self._detail_is_stale:
+                began = time.perf_counter()
+                self.drawing.show_projection(self._projection, self._exhibit)
+                self._matrices_ms = 1e3 * (time.perf_counter() - began)
+            if self._probes_stale:
+                self.drawing.show_probes(self._probes)
+        if self._stage_is_stale and self.drawing is not None:
+            self._take_stage(self.drawing)
+        if self._step_is_stale and self.drawing is not None:
+            cast(SteppedDrawing, self.drawing).show_step(self._step)
+            self._step_is_stale = False
+        if self.drawing is not None:
+            self.drawing.show_attention(self._attention)
+        self._stale = self._probes_stale = False
+        self._detail_is_stale = False
+        self.request_repaint()
+
+    def _take_stage(self, drawing: Drawing) -> None:
+        if self._stage is not None:
+            cast(StagedDrawing, drawing).show_stage(self._stage)
+        self._stage_is_stale = False
+
+    def add_below(self, widget: QWidget) -> None:
+        """Put a widget under the canvas: it is hidden, enlarged and floated with the pane."""
+        self._column.addWidget(widget)
+
+    def set_title(self, title: str) -> None:
+        """Name what the pane shows now; its own name, for screen readers, stays."""
+        self.title.setText(title)
+
+    def set_smoothing(self, smoothing: str) -> None:
+        """Change antialiasing, to one of `SMOOTHINGS`; the next repaint shows it."""
+        if smoothing != self._smoothing:
+            self._smoothing = smoothing
+            self._apply_smoothing()
+            self.request_repaint()
+
+    def set_timed(self, timed: bool) -> None:
+        """Tell with every repaint what it cost, and wait for its end; or do not."""
+        self.canvas.timed = timed
+        if timed:
+            self.request_repaint()
+
+    def set_detail(self, fewer: Scene | None) -> None:
+        """Draw the faces of a scene with fewer triangles, or None for all: now, or on appearing."""
+        if fewer is not self._fewer:
+            self._fewer, self._detail_is_stale = fewer, True
+            if self.isVisible():
+                self._refresh()
+
+    @property
+    def samples(self) -> int:
+        """Of each pixel, by OpenGL's multisampling: fewer than asked for where it has no more."""
+        window: Any = self.canvas.render_window
+        return int(window.GetMultiSamples())
+
+    def _apply_smoothing(self) -> None:
+        window: Any = self.canvas.render_window
+        for renderer in window.GetRenderers():
+            renderer.SetUseFXAA(self._smoothing == "FXAA")
+        window.SetMultiSamples(multisamples(self._smoothing))
+        self.canvas.draw_finer(SCALES.get(self._smoothing, 1.0))
+
+    def request_repaint(self) -> None:
+        """Ask Qt for one repaint, however often it is asked before the next paint."""
+        QWidget.update(self.canvas)
+
+    def reset_view(self) -> None:
+        """Put the pane's own camera back; the model is not touched."""
+        if self.drawing is not None:
+            self.drawing.reset_view()
+            self.request_repaint()
+
+    def refit(self) -> None:
+        """Bring back what an edit has carried out of a view that nobody moved."""
+        if self.isVisible() and self.drawing is not None and self.drawing.refit():
+            self.request_repaint()
+
+    def move_to(self, window: QWidget | None, place: Callable[[], object]) -> None:
+        """Get under another top-level window, of which the picture knows nothing yet.
+
+        Parameters
+        ----------
+        window : QWidget or None
+            New parent as a window of its own; None to be docked by `place`.
+        place : callable
+            Called while the pane is hidden: puts it where it shall be.
+        """
+        self.hide()
+        if window is not None:
+            self.setParent(window, Qt.WindowType.Window)
+        place()
+        # Qt keeps the canvas' texture, which belongs to the old window, until the size changes.
+        size = self.canvas.size()
+        self.canvas.resize(size.width(), size.height() + 1)
+        self.show()
+        self._fitted.fit()
+
+    def close_canvas(self) -> None:
+        """Release VTK's hold; before the window's own close, or it outlives its GL context."""
+        self.drawing = None
+        self.canvas.close()
+
+    def _view_moved(self) -> None:
+        if self.drawing is not None:
+            self.drawing.reset_clipping_range()
+        self.request_repaint()
+
+    def moveEvent(self, event: QMoveEvent) -> None:
+        super().moveEvent(event)
+        self._fitted.fit()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        try:
+            self._refresh()
+            self.refit()  # gestures may have ended while nobody looked
+        except Exception:  # PySide6 loses it, or itself, where several panes are shown at once
+            sys.excepthook(*sys.exc_info())
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        if self.isWindow():  # floating: its close button docks it again
+            event.ignore()
+            self.float_requested.emit()
+        else:
+            super().closeEvent(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Home and self.canvas.hasFocus():
+            self.reset_view()
+        else:
+            super().keyPressEvent(event)
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        if self.header.geometry().contains(event.position().toPoint()):
+            self.enlarge_requested.emit()
+        else:
+            self.double_clicked.emit()
+            self.reset_view()

@@ -1,0 +1,401 @@
+"""The stage strip under the NDC pane: from the world to the picture and back, by hand or played.
+
+The strip knows positions and words, and no matrix: `Pane.show_stage` takes the positions.
+"""
+
+from __future__ import annotations
+
+import math
+
+from PySide6.QtCore import QElapsedTimer, QSize, Qt, QTimer, Signal
+from PySide6.QtGui import QHideEvent, QKeyEvent, QMouseEvent, QResizeEvent
+from PySide6.QtWidgets import (
+    QGridLayout,
+    QHBoxLayout,
+    QSizePolicy,
+    QSlider,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.lecture.stages import (
+    CANONICAL_PARALLEL,
+    CANONICAL_PERSPECTIVE,
+    IMAGE,
+    NDC,
+    STOPS,
+    VIEW,
+    WORLD,
+)
+from app.model.projection import FreeMatrix, Projection
+from widgets.parts.escape import HeldSlider
+from widgets.parts.note import Note
+
+STEPS = 240
+"""Slider steps from one stop to the next."""
+CATCH = 12
+"""Within as many steps of a stop a drag is at the stop."""
+STEP_S, REST_S = 2.0, 0.8
+"""Seconds that playing takes from one stop to the next, and stands at each."""
+
+_HALF_COLUMNS = 2 * len(STOPS) + 1  # a name takes three of them
+
+FRAME_MS = 16
+LONGEST_FRAME_S = 0.25
+
+
+class _StopsSlider(HeldSlider):
+    """A slider whose arrow keys go from stop to stop."""
+
+    grasped = Signal()
+    """The mouse goes down, and has moved nothing yet."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setRange(0, IMAGE * STEPS)
+        self.setTickInterval(STEPS)
+        self.setTickPosition(QSlider.TickPosition.TicksBelow)
+        self.setPageStep(STEPS // 8)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        keys = Qt.Key
+        if event.key() in (keys.Key_Right, keys.Key_Up):
+            self.setValue((self.value() // STEPS + 1) * STEPS)
+        elif event.key() in (keys.Key_Left, keys.Key_Down):
+            self.setValue((-(-self.value() // STEPS) - 1) * STEPS)
+        else:
+            super().keyPressEvent(event)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        self.grasped.emit()
+        super().mousePressEvent(event)
+
+
+class StageStrip(QWidget):
+    """One slider through all stages, a name under each stop, and play.
+
+    The position is the window's, not the document's; it starts at NDC.
+    """
+
+    moved = Signal(float)
+    """The new position: 0 to 5, whole at `morph.STOPS`."""
+    gesture_started = Signal()
+    gesture_finished = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._names = (
+            (self.tr("World"), self.tr("World space: the scene and the view volume in it")),
+            (self.tr("View"), self.tr("View space: the eye is at 0 and looks along −z")),
+            (
+                self.tr("Pyramid"),
+                self.tr("The canonical perspective volume: a pyramid with its tip in the eye"),
+            ),
+            (
+                self.tr("Box"),
+                self.tr("The canonical parallel volume: M_pp has made the pyramid a box"),
+            ),
+            (self.tr("NDC"), self.tr("Normalised device coordinates, z mirrored for display")),
+            (self.tr("Image"), self.tr("The picture in pixels: x right, y down")),
+        )
+        self._parallel = False
+        self._playing = False
+        self._rest_s = 0.0
+        self._at = self._before = float(NDC)
+        self._watch = QElapsedTimer()
+        self._timer = QTimer(self)
+        self._timer.setSingleShot(True)
+        self._timer.setTimerType(Qt.TimerType.PreciseTimer)
+        self._timer.setInterval(FRAME_MS)
+        self._timer.timeout.connect(self._frame)
+
+        self.button = QToolButton()
+        self.button.setAutoRaise(True)
+        self.button.clicked.connect(self.toggle)
+        self.slider = _StopsSlider()
+        self.slider.setAccessibleName(self.tr("Stage"))
+        self.slider.setToolTip(
+            self.tr(
+                "From the world through all stages to the picture; the arrow keys go from stop to"
+                " stop"
+            )
+        )
+        self.slider.setValue(NDC * STEPS)
+        self.slider.valueChanged.connect(self._slid)
+        self.slider.grasped.connect(self._grasped)
+        self.slider.abandoned.connect(lambda: self._stand_at(self._before))
+        self.slider.sliderPressed.connect(self._pressed)
+        self.slider.sliderReleased.connect(self.gesture_finished)
+        self.words = Note()
+        self.stops: list[QToolButton] = []
+        self._ends = QHBoxLayout()
+        self._ends.addWidget(self.slider)
+        # Every other name a row lower, so that each can be wider than the way between two stops.
+        names = QGridLayout()
+        names.setSpacing(0)
+        names.setContentsMargins(0, 0, 0, 0)
+        for stop in range(len(STOPS)):
+            button = _Narrow()
+            button.setCheckable(True)
+            button.clicked.connect(lambda _checked=False, stop=stop: self.go_to(float(stop)))
+            names.addWidget(button, stop % 2, 2 * stop, 1, 3)
+            self.stops.append(button)
+        for column in range(_HALF_COLUMNS):
+            names.setColumnStretch(column, 1)
+        self._columns = QVBoxLayout()
+        self._columns.setSpacing(0)
+        self._columns.addLayout(self._ends)
+        self._columns.addLayout(names)
+        slider_and_names = QHBoxLayout()
+        slider_and_names.setSpacing(2)
+        slider_and_names.addWidget(self.button, 0, Qt.AlignmentFlag.AlignTop)
+        slider_and_names.addLayout(self._columns, 1)
+        said = QHBoxLayout()  # in a line of its own: beside the pane's title is no room for it
+        said.setContentsMargins(4, 0, 0, 0)
+        said.addWidget(self.words)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(4, 2, 4, 2)
+        layout.setSpacing(0)
+        layout.addLayout(said)
+        layout.addLayout(slider_and_names)
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
+        self._name_stops()
+        self._show_playing()
+        self._show_stop()
+
+    # -- where it is
+
+    @property
+    def position(self) -> float:
+        """0 to 5, whole at `morph.STOPS`."""
+        return self._at
+
+    @property
+    def stop(self) -> int:
+        """The stop whose axes and letters are shown: the nearest one."""
+        return int(self._at + 0.5)
+
+    def go_to(self, position: float) -> None:
+        """Stand at a position, as if the slider had been moved there.
+
+        Parameters
+        ----------
+        position : float
+            0 to 5.
+        """
+        self.pause()
+        self.slider.setValue(round(position * STEPS))
+
+    def show_projection(self, projection: Projection) -> None:
+        """Name the stops after what they are of this projection, and say axes and limits here."""
+        parallel = not isinstance(projection.lens, FreeMatrix) and projection.lens.parallel
+        if parallel != self._parallel:
+            self._parallel = parallel
+            self._name_stops()
+        self.words.setText(self._words(projection))
+
+    def _name(self, stop: int) -> tuple[str, str]:
+        """A stop's name and tooltip."""
+        if self._parallel and stop == CANONICAL_PERSPECTIVE:
+            name, _ = self._names[CANONICAL_PARALLEL]
+            tip = self.tr("The canonical parallel volume, at once: a parallel lens has no pyramid")
+            return name, tip
+        if self._parallel and stop == CANONICAL_PARALLEL:
+            name, _ = self._names[CANONICAL_PARALLEL]
+            return name, self.tr("The same box: M_pp of a parallel lens is the identity")
+        return self._names[stop]
+
+    def _name_stops(self) -> None:
+        for stop, button in enumerate(self.stops):
+            name, tip = self._name(stop)
+            button.setText(name)
+            button.setToolTip(tip)
+
+    def title(self, projection: Projection | None = None) -> str:
+        """What the pane shows at this position, of this projection if it is given."""
+        titles = (
+            self.tr("World"),
+            self.tr("View"),
+            self.tr("Canonical parallel") if self._parallel else self.tr("Canonical perspective"),
+            self.tr("Canonical parallel"),
+            self.tr("NDC cube"),
+            self.tr("Image"),
+        )
+        free = projection is not None and isinstance(projection.lens, FreeMatrix)
+        if free and VIEW < self._at < NDC:
+            return f"{self._names[VIEW][0]} → {self._names[NDC][0]}"
+        if self._at == self.stop:
+            return titles[self.stop]
+        before = math.floor(self._at)
+        return f"{self._name(before)[0]} → {self._name(before + 1)[0]}"
+
+    def _words(self, projection: Projection) -> str:
+        """Axes and limits at this position: short enough for a pane of 280 pixels."""
+        stop, lens = self.stop, projection.lens
+        if stop == WORLD:
+            text = self.tr("x, y, z in world units")
+        elif isinstance(lens, FreeMatrix) and VIEW < stop < NDC:
+            text = self.tr("no canonical volumes")
+        elif isinstance(lens, FreeMatrix) and stop == VIEW:
+            text = self.tr("x, y, z of view space")
+        elif stop == VIEW:
+            text = self.tr("u, v, n in world units")
+        elif stop == NDC:
+            z_near, z_far = projection.depth_range
+            text = self.tr("x, y ±1, z {0} … {1}").format(f"{z_near:g}", f"{z_far:g}")
+        elif stop == IMAGE:
+            width, height = projection.image_size
+            text = self.tr("{0} × {1} pixels, y down").format(width, height)
+        elif self._parallel and CANONICAL_PERSPECTIVE <= self._at <= CANONICAL_PARALLEL:
+            text = self.tr("x, y ±1, z 0 … -1; M_pp: identity")
+        elif isinstance(lens, FreeMatrix) or lens.parallel or stop == CANONICAL_PARALLEL:
+            text = self.tr("x, y ±1, z 0 … -1")
+        elif lens.far == math.inf:
+            text = self.tr("near z -1, far -∞ (scaled by 1/n)")
+        else:
+            text = self.tr("x, y ±1, z -n/f = {0} … -1").format(f"{-lens.near / lens.far:.3g}")
+        return text.replace("-", "−")
+
+    # -- playing
+
+    @property
+    def playing(self) -> bool:
+        """Whether the strip runs by itself."""
+        return self._playing
+
+    def toggle(self) -> None:
+        """Play, or pause."""
+        if self._playing:
+            self.pause()
+        else:
+            self.play()
+
+    def play(self) -> None:
+        """Run on from here to the picture, resting at each stop; from its end, all of it."""
+        if self._playing or self.isHidden():
+            return
+        self._playing = True
+        self.gesture_started.emit()
+        self._show_playing()
+        if self._at >= IMAGE:
+            self._stand_at(float(WORLD))
+        self._rest_s = 0.0
+        self._watch.start()
+        self._timer.start()
+
+    def pause(self) -> None:
+        """Stand still; playing again goes on from here."""
+        if self._playing:
+            self._playing = False
+            self._timer.stop()
+            self._show_playing()
+            self.gesture_finished.emit()
+
+    def advance(self, seconds: float) -> None:
+        """Run for some seconds; without effect while paused."""
+        while self._playing and seconds > 0.0:
+            rest = min(self._rest_s, seconds)
+            self._rest_s -= rest
+            seconds -= rest
+            if seconds <= 0.0:
+                return
+            stop = math.floor(self._at) + 1
+            needed = (stop - self._at) * STEP_S
+            if needed > seconds:
+                self._stand_at(self._at + seconds / STEP_S)
+                return
+            seconds -= needed
+            self._stand_at(float(stop))
+            self._rest_s = REST_S
+            if stop == IMAGE:
+                self.pause()
+
+    def _frame(self) -> None:
+        seconds = self._watch.nsecsElapsed() * 1e-9
+        self._watch.restart()
+        self.advance(min(seconds, LONGEST_FRAME_S))
+        if self._playing:
+            self._timer.start()
+
+    # -- kept together
+
+    def _stand_at(self, position: float) -> None:
+        """Played: between the slider's steps too."""
+        self._at = position
+        self.slider.blockSignals(True)
+        self.slider.setValue(round(position * STEPS))
+        self.slider.blockSignals(False)
+        self._show_stop()
+        self.moved.emit(position)
+
+    def _slid(self, value: int) -> None:
+        self.pause()
+        stop = round(value / STEPS) * STEPS
+        if self.slider.isSliderDown() and 0 < abs(value - stop) <= CATCH:
+            self.slider.setValue(stop)  # and here again
+            return
+        if value != self._at * STEPS:
+            self._at = value / STEPS
+            self._show_stop()
+            self.moved.emit(self._at)
+
+    def _grasped(self) -> None:
+        self._before = self._at
+
+    def _pressed(self) -> None:
+        self.pause()
+        self.gesture_started.emit()
+
+    def _show_stop(self) -> None:
+        for stop, button in enumerate(self.stops):
+            button.setChecked(stop == self._at)
+        self.slider.setAccessibleDescription(self.title())
+
+    def _show_playing(self) -> None:
+        sign, word = ("❚❚", self.tr("Pause")) if self._playing else ("▶", self.tr("Play"))
+        self.button.setText(sign)
+        self.button.setAccessibleName(self.tr("{0} the stages").format(word))
+        self.button.setToolTip(
+            self.tr("Stand still; playing again goes on from here.")
+            if self._playing
+            else self.tr("Run through all stages to the picture, resting at each.")
+        )
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        # The slider's ends over the middles of the first and the last name.
+        name_width = 3 * self._columns.geometry().width() // _HALF_COLUMNS
+        handle = self.slider.style().pixelMetric(
+            self.slider.style().PixelMetric.PM_SliderLength, None, self.slider
+        )
+        margin = max(0, (name_width - handle) // 2)
+        self._ends.setContentsMargins(margin, 0, margin, 0)
+        self._fit_names(name_width)
+
+    def _fit_names(self, width: int) -> None:
+        """Write the names as large as the widest of them allows."""
+        font = self.font()
+        widest = max(self.fontMetrics().horizontalAdvance(name) for name, _ in self._names)
+        pixels = self.fontInfo().pixelSize()
+        font.setPixelSize(max(8, min(pixels, (width - 6) * pixels // max(1, widest))))
+        for button in self.stops:
+            button.setFont(font)
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        super().hideEvent(event)
+        self.pause()  # what nobody sees does not run
+
+
+class _Narrow(QToolButton):
+    """A name that takes the width it is given."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setAutoRaise(True)
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self.setStyleSheet("padding: 1px 0px")
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # the slider's arrow keys reach them all
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(0, super().minimumSizeHint().height())

@@ -1,0 +1,1 @@
+"""Small widgets and words that know no pane and no panel."""

@@ -1,0 +1,1211 @@
+"""One row of the controls: a name, a way to choose a value, and what is wrong with it.
+
+A row owns what the user is doing to one value (dragging, typing, a refused text) and knows no
+model. It speaks only of the user's own actions:
+
+    user -> row.edited(value) -> owner accepts (says nothing) or calls row.show_error(sentence)
+    owner -> row.setValue(value)     never answered by a signal
+
+`gesture_started` and `gesture_finished` enclose the edits that belong together: a drag, a burst
+of keys or wheel steps, one typed value, one reset. `gesture_abandoned` comes before the latter
+where all of it shall be put back.
+"""
+
+from __future__ import annotations
+
+import html
+import math
+import re
+from abc import abstractmethod
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property, partial
+from typing import Any, NamedTuple
+
+from PySide6.QtCore import (
+    QCoreApplication,
+    QEvent,
+    QRectF,
+    QSignalBlocker,
+    QSize,
+    Qt,
+    QTimer,
+    Signal,
+)
+from PySide6.QtGui import (
+    QAction,
+    QEnterEvent,
+    QFocusEvent,
+    QHideEvent,
+    QInputMethodEvent,
+    QKeyEvent,
+    QKeySequence,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPalette,
+    QWheelEvent,
+)
+from PySide6.QtWidgets import (
+    QButtonGroup,
+    QCheckBox,
+    QComboBox,
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QSizePolicy,
+    QSlider,
+    QToolButton,
+    QWidget,
+)
+
+from app.model.projection import (
+    AT_LEAST,
+    AT_MOST,
+    DISTINCT,
+    FINITE_NUMBER,
+    LARGEST,
+    ProjectionError,
+)
+from widgets.parts.escape import HeldSlider
+from widgets.parts.highlight import paint_attention
+from widgets.parts.messages import (
+    A_NUMBER,
+    A_NUMBER_LIKE,
+    A_NUMBER_OR_INFINITY,
+    number_text,
+    sentence,
+)
+
+QUIET_MS = 500
+"""Keys and wheel steps with less than this between them are one gesture."""
+FIELD_CHARACTERS = 8
+"""Longest number, without its sign, that a field shows while it is not being edited."""
+INSIDE_FIELD_PX = 2
+"""What Qt leaves free on both sides of a field's text."""
+ROW_GAP_PX = 4
+"""Between the parts of a row."""
+LEAST_SLIDER_PX = 90
+"""Shorter than this, a slider has more values than a hand can tell apart."""
+
+REFUSAL_SHEET = "QLabel { border: 0px; border-left: 3px solid #d55e00; padding: 1px 0 2px 5px; }"
+"""How a `refusal` looks: in the window's own text colour; the bar, sign and words mark it."""
+
+
+def refusal(sentence: str) -> str:
+    """A sentence that says why something was refused, marked as that."""
+    refused = QCoreApplication.translate("Row", "Not possible.")  # lupdate reads no f-strings
+    return f"⚠ {refused} {sentence}"
+
+
+# --------------------------------------------------------------------------- numbers as text
+
+EXAMPLES = (0.5, 2e-3)
+"""The numbers that `A_NUMBER` names."""
+_NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)(e[+-]?\d+)?", re.ASCII | re.IGNORECASE)
+_INFINITY = re.compile(r"([+-]?)(∞|inf|infinity)", re.IGNORECASE)
+
+
+def parse_number(name: str, text: str, unit: str = "", *, infinite: bool = False) -> float:
+    """Read a number as typed: decimal point or comma, ``1/3``, ``inf``, perhaps with its unit.
+
+    Parameters
+    ----------
+    name : str
+        What the number is, for the refusal.
+    text, unit : str
+        The typed text, and the unit that may follow the number.
+    infinite : bool
+        Whether infinity is worth mentioning in the refusal. It is read in any case: whether it
+        is allowed is the model's to say.
+
+    Raises
+    ------
+    ProjectionError
+        For any other text, and for digits that float64 can only keep as infinity or as 0.
+    """
+    typed = text.strip()
+    bare = typed.removesuffix(unit).rstrip().replace("−", "-")
+    infinity = _INFINITY.fullmatch(bare)
+    if infinity:
+        return -math.inf if infinity[1] == "-" else math.inf
+    not_a_number = A_NUMBER_OR_INFINITY if infinite else A_NUMBER
+    parts = []
+    for part in bare.split("/"):
+        match = _NUMBER.fullmatch(part.strip())
+        if not match:
+            raise ProjectionError(name, typed, not_a_number)
+        number = float(match[0].replace(",", "."))
+        if number == 0.0 and re.search("[1-9]", match[1]):
+            raise ProjectionError(name, typed, DISTINCT, 0)
+        parts.append(number)
+    if len(parts) > 2 or parts[1:] == [0.0]:
+        raise ProjectionError(name, typed, not_a_number)
+    number = parts[0] / parts[1] if len(parts) == 2 else parts[0]
+    if any(map(math.isinf, parts)) or math.isinf(number):
+        bound, limit = (AT_LEAST, -LARGEST) if number < 0.0 else (AT_MOST, LARGEST)
+        raise ProjectionError(name, typed, bound, limit)
+    if number == 0.0 and parts[0] != 0.0:
+        raise ProjectionError(name, typed, DISTINCT, 0)
+    return number
+
+
+def short_text(value: float, below: float | None = None) -> str:
+    """The number as it stands if it is short, otherwise rounded to about six digits.
+
+    Of one that has more before the point these are all shown, as far as there is room: what is
+    far from the origin differs in the last of them.
+
+    What is shown is never cut off: a lost exponent would be another number. Nor is it rounded up
+    to a bound `below` which the number stays: then its distance is shown, as ``180-3e-12``.
+    """
+    text = number_text(value)
+    if 1e6 <= abs(value) < 10.0**FIELD_CHARACTERS - 0.5:
+        text = f"{value:.0f}"
+    for digits in (6, 5, 4, 3, 2, 1):
+        if len(text.lstrip("-")) <= FIELD_CHARACTERS:
+            break
+        text = re.sub(r"e([+-])0*", r"e\1", f"{value:.{digits}g}").replace("e+", "e")
+    if below is not None and value < below <= float(text):
+        return f"{below:g}-{below - value:.0e}"
+    return text
+
+
+# --------------------------------------------------------------------------- slider scales
+
+
+@dataclass(frozen=True)
+class Linear:
+    """A slider in even steps; its values are whole multiples of the step, decimal to the eye.
+
+    Parameters
+    ----------
+    low, high : float
+        The ends, rounded to multiples of the step.
+    step : float
+        One arrow key; best 1, 2 or 5 times a power of ten.
+    page : int
+        How many steps PageUp and PageDown make.
+    """
+
+    low: float
+    high: float
+    step: float
+    page: int = 10
+    infinite = False
+
+    @classmethod
+    def about(cls, centre: float, reach: float) -> Linear:
+        """From ``centre - reach`` to ``centre + reach`` in 200 to 500 nice steps."""
+        rough = 2.0 * reach / 500.0
+        power = 10.0 ** math.floor(math.log10(rough))
+        step = next(m * power for m in (1.0, 2.0, 5.0, 10.0) if m * power >= rough)
+        return cls(centre - reach, centre + reach, float(f"{step:.1g}"))
+
+    @cached_property
+    def _step(self) -> Fraction:
+        return Fraction(repr(self.step))
+
+    @cached_property
+    def _first(self) -> int:
+        return round(Fraction(self.low) / self._step)
+
+    @cached_property
+    def last(self) -> int:
+        """The slider's top position; the bottom is 0."""
+        return round(Fraction(self.high) / self._step) - self._first
+
+    def value_at(self, position: int) -> float:
+        """The value of a slider position."""
+        return float((self._first + position) * self._step)
+
+    def position_of(self, value: float) -> int:
+        """The nearest slider position; the ends for values beyond them."""
+        if value <= self.low:
+            return 0
+        if value >= self.high:
+            return self.last
+        return min(max(round(value / self.step - self._first), 0), self.last)
+
+
+@dataclass(frozen=True)
+class Log:
+    """A slider in even ratios; its values have three digits and pass through powers of ten.
+
+    Parameters
+    ----------
+    low, high : float
+        The ends, above 0, rounded to whole steps.
+    per_decade : int
+        Steps from 1 to 10.
+    page : int
+        How many steps PageUp and PageDown make.
+    infinite : bool
+        Whether one more position at the top stands for infinity.
+    """
+
+    low: float
+    high: float
+    per_decade: int = 50
+    page: int = 10
+    infinite: bool = False
+
+    @cached_property
+    def _first(self) -> int:
+        return round(math.log10(self.low) * self.per_decade)
+
+    @cached_property
+    def _last_finite(self) -> int:
+        return round(math.log10(self.high) * self.per_decade) - self._first
+
+    @property
+    def last(self) -> int:
+        """The slider's top position; the bottom is 0."""
+        return self._last_finite + self.infinite
+
+    def value_at(self, position: int) -> float:
+        """The value of a slider position."""
+        if position > self._last_finite:
+            return math.inf
+        return float(f"{10.0 ** ((self._first + position) / self.per_decade):.3g}")
+
+    def position_of(self, value: float) -> int:
+        """The nearest slider position; the ends for values beyond them."""
+        if value <= 0.0:
+            return 0
+        if math.isinf(value):
+            return self.last
+        position = round(math.log10(value) * self.per_decade) - self._first
+        return min(max(position, 0), self._last_finite)
+
+
+@dataclass(frozen=True)
+class Doubling:
+    """A slider over whole numbers in nearly even ratios: 1, 2, 3, 4, 6, 8, 12, 16, and so on.
+
+    Parameters
+    ----------
+    low, high : float
+        The ends, whole and above 0.
+    page : int
+        How many steps PageUp and PageDown make: 2 double.
+    """
+
+    low: float
+    high: float
+    page: int = 2
+    infinite = False
+
+    @cached_property
+    def _values(self) -> list[float]:
+        powers = [2.0**n for n in range(math.ceil(math.log2(self.high)) + 1)]
+        values = sorted({*powers, *(1.5 * power for power in powers[1:]), self.low, self.high})
+        return [value for value in values if self.low <= value <= self.high]
+
+    @property
+    def last(self) -> int:
+        """The slider's top position; the bottom is 0."""
+        return len(self._values) - 1
+
+    def value_at(self, position: int) -> float:
+        """The value of a slider position."""
+        return self._values[position]
+
+    def position_of(self, value: float) -> int:
+        """The nearest slider position; the ends for values beyond them."""
+        return min(range(len(self._values)), key=lambda at: abs(self._values[at] - value))
+
+
+Scale = Linear | Log | Doubling
+
+# --------------------------------------------------------------------------- parts of a row
+
+
+def _rich(text: str) -> str:
+    """Plain tooltips never wrap; rich ones do."""
+    return f"<qt>{html.escape(text)}</qt>"
+
+
+class _Name(QLabel):
+    double_clicked = Signal()
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        if event.button() == Qt.MouseButton.LeftButton:
+            self.double_clicked.emit()
+
+
+class _Slider(HeldSlider):
+    """A slider that leaves the wheel to the column until it has the focus."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setMinimumWidth(LEAST_SLIDER_PX)  # in projector mode, too
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        if self.hasFocus():
+            super().wheelEvent(event)
+        else:
+            event.ignore()
+
+
+class _Combo(QComboBox):
+    """A combo box that leaves the wheel to the column until it has the focus."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        policy = QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
+        self.setSizeAdjustPolicy(policy)  # a long translation must not widen the column
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        if self.hasFocus():
+            super().wheelEvent(event)
+        else:
+            event.ignore()
+
+
+_LEAVE_TEXT = {
+    Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Tab, Qt.Key.Key_Backtab, Qt.Key.Key_Escape,
+    Qt.Key.Key_Up, Qt.Key.Key_Down, Qt.Key.Key_PageUp, Qt.Key.Key_PageDown,
+    Qt.Key.Key_Shift, Qt.Key.Key_Control, Qt.Key.Key_Alt, Qt.Key.Key_AltGr, Qt.Key.Key_Meta,
+}  # fmt: skip
+
+
+def _may_edit(event: QEvent) -> bool:
+    """Whether this event is a hand at the text of a field."""
+    if isinstance(event, QKeyEvent):
+        return event.type() == QEvent.Type.KeyPress and event.key() not in _LEAVE_TEXT
+    if isinstance(event, QInputMethodEvent):
+        return bool(event.commitString() or event.preeditString())
+    kinds = QEvent.Type
+    return event.type() in (kinds.MouseButtonPress, kinds.ContextMenu, kinds.Drop)
+
+
+class _Field(QLineEdit):
+    """A line of text that leaves undo and Esc to the window when it has no use for them."""
+
+    focused = Signal(bool)
+    touched = Signal()
+    """What comes next may edit the text."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.refused = False
+
+    @property
+    def is_typed_in(self) -> bool:
+        """Whether keys go here, or will when the user comes back to the window."""
+        return self.window().focusWidget() is self
+
+    def event(self, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
+            if event.key() == Qt.Key.Key_Escape and (self.refused or self.isModified()):
+                event.accept()
+                return True
+            keys = QKeySequence.StandardKey
+            if (event.matches(keys.Undo) and not self.isUndoAvailable()) or (
+                event.matches(keys.Redo) and not self.isRedoAvailable()
+            ):
+                event.ignore()
+                return False
+        if _may_edit(event):
+            self.touched.emit()
+        return super().event(event)
+
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        self.focused.emit(True)  # first: the full number is there when Tab selects it all
+        super().focusInEvent(event)
+        if self.selectedText() == self.text():
+            self.select_to_start()
+
+    def select_to_start(self) -> None:
+        """Select all with the cursor at the start, so that it is the start that is seen."""
+        self.setSelection(len(self.text()), -len(self.text()))
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        super().focusOutEvent(event)
+        self.focused.emit(False)
+
+    def sizeHint(self) -> QSize:
+        return self.minimumSizeHint()
+
+    def minimumSizeHint(self) -> QSize:
+        hint, metrics = super().minimumSizeHint(), self.fontMetrics()
+        widest = metrics.horizontalAdvance("-" + "0" * FIELD_CHARACTERS)
+        frame = hint.width() - metrics.maxWidth()  # Qt's least width is one widest letter
+        return QSize(widest + frame + 2 * INSIDE_FIELD_PX + 1, hint.height())  # 1: the cursor
+
+
+_BY_KEYS = {
+    Qt.FocusReason.TabFocusReason,
+    Qt.FocusReason.BacktabFocusReason,
+    Qt.FocusReason.ShortcutFocusReason,
+}
+"""A focus that a click has brought is the mouse's, which attends by itself."""
+
+_BUTTONS = """
+QToolButton {
+    background: palette(button); color: palette(button-text);
+    border: 1px solid palette(mid); border-radius: 3px; padding: 2px 1px;
+}
+QToolButton:checked {
+    background: palette(highlight); color: palette(highlighted-text); font-weight: 600;
+}
+QToolButton:hover, QToolButton:focus { border-color: palette(text); }
+"""
+"""Fusion hardly shows which of two dark buttons is down."""
+
+# --------------------------------------------------------------------------- rows
+
+
+class Row(QWidget):
+    """What number and choice rows share: name, reset, error line, gestures.
+
+    Parameters
+    ----------
+    name : str
+        Translated name, shown and read aloud.
+    tip : str
+        Translated sentence that says what the value does, in the lectures' terms.
+    """
+
+    edited = Signal(object)
+    """The user chose this value."""
+    gesture_started = Signal()
+    gesture_finished = Signal()
+    gesture_abandoned = Signal()
+    """Esc: what the gesture, which ends now, has changed shall be put back."""
+    attended = Signal(bool)
+    """The mouse has come over the row or the keyboard into it, or neither is there any more."""
+
+    def __init__(self, name: str, tip: str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.name = name
+        self._drawn_by: set[str] = set()  # what draws attention to the row: mouse, keyboard
+        self._marked = False
+        self._value: Any = None
+        self._default: Any = None
+        self._error: QLabel | None = None
+        self._refused = False
+        how_to_reset = self.tr("Double-click the name to reset it.")
+        self._tip = f"{tip} {how_to_reset}"
+        self._told: dict[QWidget, str] = {}
+        self.name_label = _Name(name)
+        self.name_label.setWordWrap(True)
+        self._tell(self.name_label, self._tip)
+        self.name_label.double_clicked.connect(self.reset)
+        self._reset_action = QAction(self.tr("Reset {0}").format(name), self)
+        self._reset_action.triggered.connect(self.reset)
+        self.addAction(self._reset_action)  # by the menu key or the right mouse button as well
+        self.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
+        self._grid = QGridLayout(self)
+        self._grid.setContentsMargins(0, 0, 0, 0)
+        self._grid.setHorizontalSpacing(ROW_GAP_PX)
+        self._grid.setVerticalSpacing(1)
+        self._grid.setColumnStretch(1, 1)
+        self._grid.addWidget(self.name_label, 0, 0)
+        # Fixed would hold the row at its size hint, which knows not how often the error wraps.
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
+
+    def value(self) -> Any:
+        """The value shown."""
+        return self._value
+
+    @abstractmethod
+    def setValue(self, value: Any) -> None:
+        """Show a value; never answered by a signal."""
+
+    def setDefault(self, value: Any) -> None:
+        """Set what a reset goes back to."""
+        self._default = value
+
+    def reset(self) -> None:
+        """Go back to the default, as the user's own edit."""
+        self.clear_error()
+        if self._default is not None and self._default != self._value:
+            self._make_edit(self._default)
+
+    @property
+    def error(self) -> str:
+        """The sentence shown below the row, or nothing."""
+        return "" if self._error is None else self._error.text()
+
+    @property
+    def at_rest(self) -> bool:
+        """Whether the row shows its value, and nothing that was refused or is being chosen."""
+        return True
+
+    @property
+    def in_hand(self) -> bool:
+        """Whether the user is at it: drags it, or types in it."""
+        return False
+
+    def show_error(self, sentence: str) -> None:
+        """Refuse what was just edited, and say why below the row."""
+        self._refused = True
+        self._show_refusal(refusal(sentence))
+
+    def _show_refusal(self, text: str) -> None:
+        if self._error is None:
+            self._error = QLabel()
+            self._error.setWordWrap(True)
+            self._error.setTextFormat(Qt.TextFormat.PlainText)
+            self._error.setObjectName("rowError")
+            self._error.setStyleSheet(REFUSAL_SHEET)
+            self._grid.addWidget(self._error, 1, 0, 1, self._grid.columnCount())
+        self._error.setText(text)
+        self._error.show()
+        self._describe(self._error.text())
+
+    def clear_error(self) -> None:
+        """Take the error away, and the refused text with it."""
+        if self._error is not None:
+            self._grid.removeWidget(self._error)
+            self._error.hide()
+            self._error.deleteLater()
+            self._error = None
+            self._describe("")
+            self._show_value()
+
+    def finish_gesture(self) -> None:
+        """End what the user is in the middle of, if anything."""
+
+    def _attempt(self, value: Any) -> bool:
+        """Offer a value to the owner; without an objection it is ours. Whether it is."""
+        before, self._value = self._value, value
+        self._refused = False
+        self.edited.emit(value)
+        if self._refused and self._value == value:
+            self._value = before
+        return not self._refused
+
+    def _make_edit(self, value: Any) -> None:
+        self.finish_gesture()
+        self.gesture_started.emit()
+        self._attempt(value)
+        self.gesture_finished.emit()
+        self._show_value()
+
+    @abstractmethod
+    def _show_value(self) -> None:
+        """Bring the row's widgets to the value."""
+
+    def _tell(self, part: QWidget, tip: str) -> None:
+        """Say what a part does: by its tooltip, and to a screen reader without the markup."""
+        part.setToolTip(_rich(tip))
+        part.setAccessibleDescription(tip)
+        self._told[part] = tip
+
+    def _describe(self, error: str) -> None:
+        """Tell a screen reader what is wrong, if anything is."""
+        for part, tip in self._told.items():
+            part.setAccessibleDescription(error or tip)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Escape and self._error is not None:
+            self.clear_error()
+        else:
+            super().keyPressEvent(event)
+
+    # -- attention
+
+    @property
+    def is_marked(self) -> bool:
+        """Whether the row shows that it is about what is attended to."""
+        return self._marked
+
+    def set_marked(self, marked: bool) -> None:
+        """Tint the row, or no more."""
+        if marked != self._marked:
+            self._marked = marked
+            self.update()
+
+    def _draw(self, by: str, drawn: bool) -> None:
+        before = bool(self._drawn_by)
+        (self._drawn_by.add if drawn else self._drawn_by.discard)(by)
+        if bool(self._drawn_by) != before:
+            self.attended.emit(not before)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        if self._marked:
+            painter = QPainter(self)
+            paint_attention(self, painter, QRectF(self.rect()))
+            painter.end()
+
+    def enterEvent(self, event: QEnterEvent) -> None:
+        super().enterEvent(event)
+        self._draw("mouse", True)
+
+    def leaveEvent(self, event: QEvent) -> None:
+        super().leaveEvent(event)
+        self._draw("mouse", False)
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        super().hideEvent(event)
+        self._draw("mouse", False)
+        self._draw("keyboard", False)
+
+    def eventFilter(self, watched: Any, event: QEvent) -> bool:
+        if isinstance(event, QFocusEvent):
+            self._draw("keyboard", event.gotFocus() and event.reason() in _BY_KEYS)
+        return super().eventFilter(watched, event)
+
+
+class NumberRow(Row):
+    """A slider, a number field and a unit for one number.
+
+    The slider offers round numbers; the field takes any number exactly as it is typed, also
+    beyond the slider's ends. It shows the number whole when it is entered, short once it has been
+    taken, and whole again as soon as it is touched.
+
+    Parameters
+    ----------
+    name, tip : str
+        As in `Row`.
+    scale : Linear or Log
+        What the slider's positions stand for.
+    unit : str
+        Shown behind the field.
+    unit_tip : str
+        What the unit is, if the letters do not say it.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        tip: str,
+        scale: Scale,
+        unit: str = "",
+        unit_tip: str = "",
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(name, tip, parent)
+        self._scale = scale
+        self._value: float = scale.value_at(0)
+        self.limits: Callable[[], str] = str
+        """Says what holds for any number here, for whoever typed none; set by the owner."""
+        self.accepts: Callable[[float], bool] = lambda _number: True
+        """Says whether a number could be an example here; set by the owner."""
+        self.below: float | None = None
+        """A bound that the number never reaches, and must not seem to; set by the owner."""
+        self._open = False
+        self._whole = False
+        self._unit = unit
+        self._unit_said = unit_tip or unit
+        self.slider = _Slider()
+        self.slider.setAccessibleName(self.tr("{0}, slider").format(name))
+        self._tell(self.slider, self._tip)
+        self.field = _Field()
+        self._tell(self.field, self._tip)
+        self.field.setAccessibleName(f"{name} ({self._unit_said})" if unit else name)
+        self.unit_label = QLabel(unit)
+        self.unit_label.setForegroundRole(QPalette.ColorRole.PlaceholderText)
+        if unit_tip:
+            self._tell(self.unit_label, unit_tip)
+        self.name_label.setBuddy(self.field)
+        self._grid.addWidget(self.slider, 0, 1)
+        self._grid.addWidget(self.field, 0, 2)
+        self._grid.addWidget(self.unit_label, 0, 3)
+        self._quiet = QTimer(self)
+        self._quiet.setSingleShot(True)
+        self._quiet.setInterval(QUIET_MS)
+        self._quiet.timeout.connect(self.finish_gesture)
+        self.slider.valueChanged.connect(self._slid)
+        self.slider.sliderPressed.connect(self._pressed)
+        self.slider.sliderReleased.connect(self._released)
+        self.slider.abandoned.connect(self._abandon)
+        self.field.editingFinished.connect(self._typed)
+        self.field.focused.connect(self._focused)
+        self.field.touched.connect(self._touched)
+        for widget in (self.slider, self.field):
+            widget.installEventFilter(self)
+        self.setScale(scale)
+
+    # -- set by the owner
+
+    def setValue(self, value: float) -> None:
+        """Show a value; never answered by a signal.
+
+        A slider in the user's hand and a text being typed stay as they are until the user is
+        done; then they show this value.
+        """
+        value = float(value)
+        if value == self._value:
+            return
+        self._value = value
+        self._whole = False
+        if not self._open:
+            self.clear_error()
+            self._show_value()
+
+    def setScale(self, scale: Scale) -> None:
+        """Give the slider other ends and steps."""
+        self._scale = scale
+        with QSignalBlocker(self.slider):
+            self.slider.setRange(0, scale.last)
+            self.slider.setPageStep(scale.page)
+        self._show_value()
+
+    # -- done by the user
+
+    def _pressed(self) -> None:
+        self._quiet.stop()
+        self._begin()
+
+    def _released(self) -> None:
+        self.finish_gesture()
+        self.clear_error()  # the hand rests on the value that holds
+
+    def _abandon(self) -> None:
+        self.gesture_abandoned.emit()
+        self.finish_gesture()
+        self.clear_error()
+
+    def _begin(self) -> None:
+        if not self._open:
+            self._open = True
+            self.gesture_started.emit()
+
+    def finish_gesture(self) -> None:
+        """End a drag or a burst of keys; the slider goes back to the value that holds."""
+        if self._open:
+            self._quiet.stop()
+            self._open = False
+            self._show_value()
+            self.gesture_finished.emit()
+
+    def _slid(self, position: int) -> None:
+        value = self._scale.value_at(position)
+        self._begin()
+        if not self.slider.isSliderDown():
+            self._quiet.start()
+        self.clear_error()
+        self._whole = False
+        self._set_text(short_text(value, self.below))
+        if value != self._value and not self._attempt(value):
+            self._go_as_far_as_possible(position)
+
+    def _go_as_far_as_possible(self, refused: int) -> None:
+        """Take the last value before a refused position, however fast the hand came there.
+
+        What was said of the refused value stays: that is where the hand is.
+        """
+        said = self.error
+        held = self._scale.position_of(self._value)
+        step = 1 if refused > held else -1
+        trial = held + step  # first: a hand that stays beyond costs one trial each time it moves
+        while abs(refused - held) > 1:
+            if self._attempt(self._scale.value_at(trial)):
+                held = trial
+            else:
+                refused = trial
+            trial = (held + refused) // 2
+        if not self.slider.isSliderDown():  # the next key starts from the value that holds
+            with QSignalBlocker(self.slider):
+                self.slider.setValue(held)
+        self._show_refusal(said)
+
+    def reset(self) -> None:
+        """Go back to the default, as the user's own edit; a text being typed is forgotten."""
+        self._forget_text()
+        super().reset()
+        self._show_text()
+
+    def _typed(self) -> None:
+        if not self.field.isModified():
+            if not self.field.refused:
+                self._forget_text()
+                self._show_text()
+            return
+        text = self.field.text()
+        self.finish_gesture()
+        try:
+            value = parse_number(self.name, text, self._unit, infinite=self._scale.infinite)
+        except ProjectionError as error:
+            limits = self.limits() if error.bound in (A_NUMBER, A_NUMBER_OR_INFINITY) else ""
+            if error.bound == A_NUMBER and not all(map(self.accepts, EXAMPLES)):
+                example = short_text(self._value)
+                error = ProjectionError(self.name, text.strip(), A_NUMBER_LIKE, example)
+            said = sentence(error)
+            self._refuse(text, f"{said.removesuffix('.')}; {limits}." if limits else said)
+            return
+        self.clear_error()
+        self._forget_text()
+        if value != self._value:
+            self._make_edit(value)
+        if self._error is not None:
+            self._refuse(text)
+        else:
+            self._show_text()
+
+    def _refuse(self, text: str, sentence: str = "") -> None:
+        """Leave a refused text where it can be put right."""
+        if sentence:
+            self.show_error(sentence)
+        self.field.refused = True
+        place = self.field.cursorPosition()
+        self._set_text(text)
+        if self.field.hasFocus():
+            self.field.setCursorPosition(place)
+
+    def eventFilter(self, watched: Any, event: QEvent) -> bool:
+        if watched is self.field and event.type() == QEvent.Type.ToolTip:
+            self._write_field_tip()
+        elif watched is self.slider and event.type() == QEvent.Type.FocusIn:
+            self._say_value()
+        return super().eventFilter(watched, event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        actions = QSlider.SliderAction
+        steps = {
+            Qt.Key.Key_Up: actions.SliderSingleStepAdd,
+            Qt.Key.Key_Down: actions.SliderSingleStepSub,
+            Qt.Key.Key_PageUp: actions.SliderPageStepAdd,
+            Qt.Key.Key_PageDown: actions.SliderPageStepSub,
+        }
+        if event.key() in steps:  # from the field, as in a spin box
+            self._typed()
+            self.slider.triggerAction(steps[Qt.Key(event.key())])
+        elif event.key() == Qt.Key.Key_Escape and (self.error or self.field.isModified()):
+            self._forget_text()
+            self.clear_error()
+            self._show_text()
+        else:
+            super().keyPressEvent(event)
+
+    # -- shown
+
+    @property
+    def at_rest(self) -> bool:
+        """Whether the row shows its value, and nothing that was refused or is being chosen."""
+        return not (self._open or self.field.refused or self.field.isModified())
+
+    @property
+    def in_hand(self) -> bool:
+        """Whether the user is at it: drags it, or types in it."""
+        return self._open or (not self.at_rest and self.field.is_typed_in)
+
+    def clear_error(self) -> None:
+        """Take the error away, and the refused text with it."""
+        self.field.refused = False
+        super().clear_error()
+
+    def _forget_text(self) -> None:
+        self.field.setModified(False)
+        self._whole = False
+
+    def _focused(self, has_focus: bool) -> None:
+        self._whole = has_focus
+        self._show_text()
+
+    def _touched(self) -> None:
+        """Let the user edit all digits, not the few that were shown."""
+        if not self._whole:
+            self._whole = True
+            self._show_text()
+
+    def _show_value(self) -> None:
+        if not self._open:
+            with QSignalBlocker(self.slider):
+                self.slider.setValue(self._scale.position_of(self._value))
+            self._show_text()
+            if self.slider.hasFocus():
+                self._say_value()
+
+    def _say_value(self) -> None:
+        """Tell a screen reader the value, for which it has only the slider's position, at rest."""
+        value = f"{short_text(self._value, self.below)} {self._unit_said}".rstrip()
+        self.slider.setAccessibleDescription(self.error or f"{value}. {self._tip}")
+
+    def _show_text(self) -> None:
+        if self.field.refused or self.field.isModified():
+            return
+        short = short_text(self._value, self.below)
+        self._set_text(number_text(self._value) if self._whole else short)
+
+    def _set_text(self, text: str) -> None:
+        """Show a text from its start; what was selected as a whole stays so."""
+        all_selected = self.field.hasSelectedText() and (
+            self.field.selectedText() == self.field.text()
+        )
+        self.field.setText(text)
+        self.field.setCursorPosition(0)
+        if all_selected:
+            self.field.select_to_start()
+
+    def _write_field_tip(self) -> None:
+        exact = f"{self.name} = {number_text(self._value)} {self._unit}".rstrip()
+        self.field.setToolTip(f"<qt><b>{html.escape(exact)}</b><br>{html.escape(self._tip)}</qt>")
+
+
+class Choice(NamedTuple):
+    """One of the things that can be chosen: its key, its translated text and explanation."""
+
+    key: str
+    text: str
+    tip: str = ""
+
+
+class ChoiceRow(Row):
+    """One of a few named things: a combo box, or buttons side by side.
+
+    Parameters
+    ----------
+    name, tip : str
+        As in `Row`.
+    choices : sequence of Choice
+    buttons : bool
+        Buttons instead of a combo box: one click instead of two.
+    none : str
+        What a combo box says while none of them is chosen.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        tip: str,
+        choices: Sequence[Choice],
+        *,
+        buttons: bool = False,
+        none: str = "",
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(name, tip, parent)
+        self._keys = [choice.key for choice in choices]
+        self._value: str | None = self._keys[0]
+        self._combo: QComboBox | None = None
+        self._group = QButtonGroup(self)
+        if buttons:
+            self.widgets: list[QWidget] = self._make_buttons(choices)
+        else:
+            self.widgets = [self._make_combo(choices, none)]
+        self.name_label.setBuddy(self.widgets[0])
+        for widget in self.widgets:
+            widget.installEventFilter(self)
+        self._show_value()
+
+    def _make_combo(self, choices: Sequence[Choice], none: str) -> QComboBox:
+        self._combo = combo = _Combo()
+        combo.setPlaceholderText(none)
+        for index, choice in enumerate(choices):
+            combo.addItem(choice.text)
+            combo.setItemData(index, _rich(choice.tip), Qt.ItemDataRole.ToolTipRole)
+        combo.setAccessibleName(self.name)
+        self._tell(combo, self._tip)
+        combo.activated.connect(self._chosen)  # the user's choice, never the program's
+        self._grid.addWidget(combo, 0, 1)
+        return combo
+
+    def _make_buttons(self, choices: Sequence[Choice]) -> list[QWidget]:
+        line = QHBoxLayout()
+        line.setSpacing(2)
+        made: list[QWidget] = []
+        for index, choice in enumerate(choices):
+            button = QToolButton()
+            button.setText(choice.text)
+            button.setCheckable(True)
+            button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+            button.setStyleSheet(_BUTTONS)
+            button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+            button.setAccessibleName(f"{self.name}: {choice.text}")
+            self._tell(button, f"{choice.tip} {self._tip}".strip())
+            self._group.addButton(button, index)
+            line.addWidget(button)
+            made.append(button)
+        self._group.idClicked.connect(self._chosen)
+        self._grid.addLayout(line, 0, 1)
+        return made
+
+    def choose(self, key: str) -> None:
+        """Choose as the user does."""
+        self._chosen(self._keys.index(key))
+
+    def setValue(self, key: str | None) -> None:
+        """Show a choice, or none of them; never answered by a signal."""
+        if key != self._value:
+            self._value = key
+            self.clear_error()
+            self._show_value()
+
+    def _chosen(self, index: int) -> None:
+        key = self._keys[index]
+        self.clear_error()
+        if key == self._value:
+            self._show_value()
+        else:
+            self._make_edit(key)
+
+    def _show_value(self) -> None:
+        index = self._keys.index(self._value) if self._value in self._keys else -1
+        if self._combo is not None:
+            self._combo.setCurrentIndex(index)
+            return
+        self._group.setExclusive(False)  # an exclusive group cannot show that none is chosen
+        for position, button in enumerate(self._group.buttons()):
+            button.setChecked(position == index)
+        self._group.setExclusive(True)
+
+
+class VectorRow(Row):
+    """Three number fields side by side for a point or a direction.
+
+    Each is typed and refused by itself, as in a `NumberRow`.
+
+    Parameters
+    ----------
+    name, tip : str
+        As in `Row`.
+    """
+
+    def __init__(self, name: str, tip: str, parent: QWidget | None = None) -> None:
+        super().__init__(name, tip, parent)
+        self._value: tuple[float, ...] = (0.0, 0.0, 0.0)
+        self._whole: set[_Field] = set()
+        self.fields = tuple(_Field() for _ in "xyz")
+        line = QHBoxLayout()
+        line.setSpacing(4)
+        for letter, field in zip("xyz", self.fields, strict=True):
+            component = self.tr("{0} {1}").format(name, letter)
+            field.setAccessibleName(component)
+            self._tell(field, f"{component}. {self._tip}")
+            field.editingFinished.connect(partial(self._typed, field, component))
+            field.focused.connect(partial(self._focused, field))
+            field.touched.connect(partial(self._focused, field, True))
+            label = QLabel(letter)
+            label.setForegroundRole(QPalette.ColorRole.PlaceholderText)
+            line.addWidget(label)
+            line.addWidget(field, 1)
+        self.name_label.setBuddy(self.fields[0])
+        self._grid.addLayout(line, 0, 1)
+        self._show_value()
+
+    def setValue(self, value: tuple[float, ...]) -> None:
+        """Show a value; never answered by a signal. A text being typed stays as it is."""
+        if value != self._value:
+            self._value = value
+            self.clear_error()
+            self._show_value()
+
+    def reset(self) -> None:
+        """Go back to the default, as the user's own edit; texts being typed are forgotten."""
+        self._forget_texts()
+        super().reset()
+        self._show_value()
+
+    def _typed(self, field: _Field, component: str) -> None:
+        if not field.isModified():
+            return
+        text, place = field.text(), self.fields.index(field)
+        try:
+            number = parse_number(component, text)
+            if math.isinf(number):
+                raise ProjectionError(component, number, FINITE_NUMBER)
+        except ProjectionError as error:
+            self._refuse(field, text, sentence(error))
+            return
+        self.clear_error()
+        field.setModified(False)
+        value = (*self._value[:place], number, *self._value[place + 1 :])
+        if value != self._value:
+            self._make_edit(value)
+        if self._error is not None:
+            self._refuse(field, text, "")
+        else:
+            self._show_value()
+
+    def _refuse(self, field: _Field, text: str, sentence: str) -> None:
+        """Leave a refused text where it can be put right."""
+        if sentence:
+            self.clear_error()
+            self.show_error(sentence)
+        field.refused = True
+        field.setText(text)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Escape and not self.at_rest:
+            self._forget_texts()
+            self.clear_error()
+            self._show_value()
+        else:
+            super().keyPressEvent(event)
+
+    @property
+    def at_rest(self) -> bool:
+        """Whether the row shows its value, and nothing that was refused or is being typed."""
+        return not any(field.refused or field.isModified() for field in self.fields)
+
+    @property
+    def in_hand(self) -> bool:
+        """Whether the user types in it."""
+        return any((f.refused or f.isModified()) and f.is_typed_in for f in self.fields)
+
+    def clear_error(self) -> None:
+        """Take the error away, and the refused text with it."""
+        for field in self.fields:
+            field.refused = False
+        super().clear_error()
+
+    def _forget_texts(self) -> None:
+        for field in self.fields:
+            field.setModified(False)
+
+    def _focused(self, field: _Field, has_focus: bool) -> None:
+        """Let the user edit all digits, not the few that are shown."""
+        if has_focus != (field in self._whole):
+            (self._whole.add if has_focus else self._whole.discard)(field)
+            self._show_value()
+
+    def _show_value(self) -> None:
+        for number, field in zip(self._value, self.fields, strict=True):
+            if field.refused or field.isModified():
+                continue
+            text = number_text(number) if field in self._whole else short_text(number)
+            if text != field.text():
+                all_selected = field.hasSelectedText() and field.selectedText() == field.text()
+                field.setText(text)
+                field.setCursorPosition(0)
+                if all_selected:
+                    field.select_to_start()
+
+
+class CheckRow(Row):
+    """A switch: a check box behind its name."""
+
+    def __init__(self, name: str, tip: str, parent: QWidget | None = None) -> None:
+        super().__init__(name, tip, parent)
+        self._value = False
+        self.box = QCheckBox()
+        self.box.setAccessibleName(name)
+        self._tell(self.box, self._tip)
+        self.box.clicked.connect(self._make_edit)  # the user's choice, never the program's
+        self.name_label.setBuddy(self.box)
+        self._grid.addWidget(self.box, 0, 1, Qt.AlignmentFlag.AlignLeft)
+
+    def setValue(self, value: bool) -> None:
+        """Show a value; never answered by a signal."""
+        if value != self._value:
+            self._value = value
+            self.clear_error()
+            self._show_value()
+
+    def _show_value(self) -> None:
+        self.box.setChecked(self._value)
+
+
+def align(rows: Iterable[Row]) -> None:
+    """Give the names of these rows one width, and the units another, so that they form columns."""
+    rows = list(rows)
+    metrics = rows[0].fontMetrics()
+    widest_name = metrics.averageCharWidth() * 16
+    name_width = max(metrics.horizontalAdvance(row.name) for row in rows) + 2
+    unit_width = max(
+        (row.unit_label.sizeHint().width() for row in rows if isinstance(row, NumberRow)),
+        default=0,
+    )
+    for row in rows:
+        row.name_label.setFixedWidth(min(name_width, widest_name))
+        if isinstance(row, NumberRow):
+            row.unit_label.setFixedWidth(unit_width)

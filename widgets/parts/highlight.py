@@ -1,0 +1,56 @@
+"""What the user attends to just now: one value for the whole window.
+
+::
+
+    row, cell, word or pane --attend(who, what)--> Attended --changed(what)--> all that show it
+
+Whoever is hovered or has the keyboard's focus says what it is about, and says `NOTHING` when that
+is over. The latest counts; when it is over, the one before does again.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Hashable
+
+from PySide6.QtCore import QObject, QRectF, Signal
+from PySide6.QtGui import QColor, QPainter, QPen
+from PySide6.QtWidgets import QWidget
+
+from app.lecture.highlight import NOTHING, Attention
+
+
+class Attended(QObject):
+    """Keeps what is attended to."""
+
+    changed = Signal(object)
+    """Another `Attention` than before."""
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._by_whom: dict[Hashable, Attention] = {}
+        self._now = NOTHING
+
+    @property
+    def now(self) -> Attention:
+        """What is attended to."""
+        return self._now
+
+    def attend(self, who: Hashable, what: Attention) -> None:
+        """Take over what somebody is about, or that this is over (`NOTHING`)."""
+        self._by_whom.pop(who, None)
+        if what:
+            self._by_whom[who] = what
+        now = next(reversed(self._by_whom.values()), NOTHING)
+        if now != self._now:
+            self._now = now
+            self.changed.emit(now)
+
+
+def paint_attention(widget: QWidget, painter: QPainter, rect: QRectF) -> None:
+    """Tint and frame a part of a widget that shows what is attended to."""
+    colour = widget.palette().highlight().color()
+    tint = QColor(colour)
+    tint.setAlphaF(0.2)
+    painter.fillRect(rect, tint)
+    painter.setPen(QPen(colour, 1.0))
+    painter.drawRect(rect.adjusted(0.5, 0.5, -0.5, -0.5))

@@ -1,0 +1,117 @@
+"""A strip across the window for one sentence, and what can be done about it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TypeAlias
+
+from PySide6.QtCore import QEvent, Qt
+from PySide6.QtGui import QAccessible, QAccessibleAnnouncementEvent, QKeyEvent
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QToolButton, QWidget
+
+from widgets.parts.messages import breakable
+
+Choice: TypeAlias = tuple[str, Callable[[], object]]
+"""Text of a button and what it does."""
+
+
+class MessageBar(QFrame):
+    """Says one thing at a time and never blocks the window; Esc inside it dismisses it.
+
+    An offer, which is a sentence with choices, makes way for another sentence and comes back
+    after it, until it is taken up or dismissed.
+    """
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("messageBar")
+        self.setAccessibleName(self.tr("Message"))
+        self._sign = QLabel("⚠")
+        self._text = QLabel()
+        self._text.setWordWrap(True)
+        self._text.setTextFormat(Qt.TextFormat.PlainText)
+        self._text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        self._said = ""
+        self._choices: list[QPushButton] = []
+        self._offer: tuple[str, tuple[Choice, ...]] | None = None
+        self._close = QToolButton()
+        self._close.setText("✕")
+        self._close.setAutoRaise(True)
+        self._close.setAccessibleName(self.tr("Dismiss this message"))
+        self._close.setToolTip(self.tr("Dismiss this message"))
+        self._close.clicked.connect(self._dismiss)
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(10, 4, 4, 4)
+        layout.addWidget(self._sign)
+        layout.addWidget(self._text, 1)
+        layout.addWidget(self._close)
+        self.hide()
+
+    @property
+    def text(self) -> str:
+        """The sentence shown, or nothing."""
+        return self._said if not self.isHidden() else ""
+
+    def say(self, sentence: str, *choices: Choice) -> None:
+        """Show a sentence, with a button for each choice.
+
+        Parameters
+        ----------
+        sentence : str
+            Translated.
+        *choices : (str, callable)
+            Button text and what it does; the bar closes first.
+        """
+        is_news = sentence != self.text
+        if choices:
+            self._offer = sentence, choices
+        for button in self._choices:
+            button.deleteLater()
+        self._choices = []
+        self._said = sentence
+        self._text.setText(breakable(sentence))
+        for label, act in choices:
+            button = QPushButton(label)
+            button.clicked.connect(self._dismiss)
+            button.clicked.connect(lambda _checked=False, act=act: act())
+            layout = self.layout()
+            assert isinstance(layout, QHBoxLayout)
+            layout.insertWidget(layout.count() - 1, button)
+            self._choices.append(button)
+        self.show()
+        if is_news:  # or a screen reader would not notice, far from where the focus is
+            QAccessible.updateAccessibility(QAccessibleAnnouncementEvent(self, sentence))
+
+    def take_back(self, sentence: str) -> None:
+        """Hide a sentence, if it is still the one that is shown."""
+        if self.text == sentence:
+            self.done()
+
+    def done(self) -> None:
+        """Take back what was said of a try that has been made good; an offer stays."""
+        if self._choices:
+            return
+        self.hide()
+        if self._offer is not None:
+            sentence, choices = self._offer
+            self.say(sentence, *choices)
+
+    def event(self, event: QEvent) -> bool:
+        if isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_Escape:
+            event.accept()  # before it is a shortcut
+            if event.type() == QEvent.Type.KeyPress:
+                self._dismiss()
+            return True
+        return super().event(event)
+
+    def _dismiss(self) -> None:
+        if self._choices:
+            self._offer = None
+            self.hide()
+        else:
+            self.done()
+
+    @property
+    def choices(self) -> tuple[QPushButton, ...]:
+        """The buttons of the message shown."""
+        return tuple(self._choices)

@@ -1,0 +1,89 @@
+"""Asks for one number, which is read and refused as in the rows of the controls.
+
+Qt's own question reads and shows it in the system's locale, where a decimal point may be taken for
+a mark between thousands: 33.5 typed would be 335.
+"""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QDialog, QDialogButtonBox, QLabel, QLineEdit, QVBoxLayout, QWidget
+
+from app.model.projection import AT_LEAST, AT_MOST, ProjectionError
+from widgets.parts.fields import REFUSAL_SHEET, parse_number, refusal
+from widgets.parts.messages import number_text, sentence
+
+
+class NumberDialog(QDialog):
+    """The question for one number.
+
+    Parameters
+    ----------
+    name : str
+        What the number is: the title, and for the refusal.
+    question : str
+    value, low, high : float
+        The number to begin with, and the least and the largest that is taken.
+    unit : str
+        What may follow the number.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        question: str,
+        value: float,
+        low: float,
+        high: float,
+        unit: str,
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self.number = value
+        """The number taken last: that in hand, until another one is accepted."""
+        self._name, self._low, self._high, self._unit = name, low, high, unit
+        self.setWindowTitle(name)
+        asked = QLabel(question)
+        asked.setWordWrap(True)
+        self.field = QLineEdit(number_text(value))
+        self.field.setAccessibleName(f"{name} ({unit})")
+        self.field.selectAll()
+        asked.setBuddy(self.field)
+        self.problem = QLabel()
+        self.problem.setWordWrap(True)
+        self.problem.setTextFormat(Qt.TextFormat.PlainText)
+        self.problem.setStyleSheet(REFUSAL_SHEET)
+        self.problem.hide()
+        self.buttons = QDialogButtonBox(
+            QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
+        )
+        self.buttons.accepted.connect(self.accept)
+        self.buttons.rejected.connect(self.reject)
+        layout = QVBoxLayout(self)
+        for widget in (asked, self.field, self.problem, self.buttons):
+            layout.addWidget(widget)
+
+    def accept(self) -> None:
+        """Take the number and close; or say what is wrong with it, and stay."""
+        try:
+            self.number = self._read()
+        except ProjectionError as error:
+            said = refusal(sentence(error))
+            self.problem.setText(said)
+            self.problem.show()
+            self.adjustSize()  # or the window keeps its height, and the texts are cut
+            self.field.setAccessibleDescription(said)
+            self.field.setFocus()
+            self.field.selectAll()
+            return
+        super().accept()
+
+    def _read(self) -> float:
+        value = parse_number(self._name, self.field.text(), self._unit)
+        for wrong, bound, limit in (
+            (value < self._low, AT_LEAST, self._low),
+            (value > self._high, AT_MOST, self._high),
+        ):
+            if wrong:
+                raise ProjectionError(self._name, value, bound, limit)
+        return value

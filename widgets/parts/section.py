@@ -1,0 +1,215 @@
+"""A part of the control column: a heading that folds, and the rows below it with their bindings.
+
+A `Binding` ties a row to the model by two functions, `read` and `write`; rows that show one value
+in several ways (fov and focal length, orbit and vectors) are nothing but several bindings.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Hashable, Sequence
+from dataclasses import dataclass
+from typing import Any, Literal, TypeAlias
+
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QSizePolicy, QToolButton, QVBoxLayout, QWidget
+
+from app.model.projection import Projection
+from widgets.parts.fields import Choice, ChoiceRow, Log, NumberRow, Row, Scale
+from widgets.parts.messages import field_name
+
+Read: TypeAlias = Callable[[Projection], Any]
+Write: TypeAlias = Callable[[Projection, Any], Projection]
+Keep: TypeAlias = Callable[[Projection, Any, Projection], None]
+Part: TypeAlias = Literal["lens", "camera", "image_size", "depth"]
+PARTS: tuple[Part, ...] = ("lens", "camera", "image_size", "depth")
+
+
+def tidy(number: float) -> float:
+    """A number that was computed from the one that is kept, without its rounding noise.
+
+    What was typed as 60 comes back as 60, not as 60.00000000000001.
+    """
+    return float(f"{number:.13g}")
+
+
+class Typed:
+    """Numbers that the model does not keep, as they were typed.
+
+    Computed back from what the model does keep they would carry rounding noise, and some would
+    be gone: the azimuth of a camera straight above its target, the direction in which things
+    recede that recede by 0.
+
+    Parameters
+    ----------
+    source : callable
+        What of a projection the numbers are computed from.
+    compute : callable
+        A named tuple of them, out of a projection.
+    apply : callable
+        A projection with other ones.
+    """
+
+    def __init__(
+        self,
+        source: Callable[[Projection], Hashable],
+        compute: Callable[[Projection], Any],
+        apply: Callable[[Projection, Any], Projection],
+    ) -> None:
+        self._source, self._compute, self._apply = source, compute, apply
+        self._kept: tuple[Hashable, Any] = (None, None)
+        self._computed: tuple[Hashable, Any] = (None, None)
+
+    def numbers(self, projection: Projection) -> Any:
+        """All of them, those that were typed to the last digit."""
+        now = self._source(projection)
+        for source, numbers in (self._kept, self._computed):
+            if source == now:
+                return numbers
+        computed = self._compute(projection)
+        self._computed = now, type(computed)(*map(tidy, computed))
+        return self._computed[1]
+
+    def access(self, name: str) -> tuple[Read, Write, Keep]:
+        """What a `Binding` needs to show one of them."""
+
+        def read(projection: Projection) -> float:
+            return float(getattr(self.numbers(projection), name))
+
+        def changed(projection: Projection, value: float) -> Any:
+            return self.numbers(projection)._replace(**{name: value})
+
+        def write(projection: Projection, value: float) -> Projection:
+            return self._apply(projection, changed(projection, value))
+
+        def keep(before: Projection, value: float, after: Projection) -> None:
+            self._kept = self._source(after), changed(before, value)
+
+        return read, write, keep
+
+
+@dataclass(frozen=True)
+class Binding:
+    """A row and the value of the model that it shows.
+
+    Parameters
+    ----------
+    row : Row
+    field : str
+        The model's name of the value.
+    part : str
+        The field of `Projection` that it belongs to: another one cannot cure its error.
+    read, write : callable
+        The value out of a projection, and a projection with another value.
+    keep : callable, optional
+        Told of a value that was taken: the projection before, the value, the one after.
+    lenses : tuple of str
+        The kinds of lens that have this value; empty if every lens has it.
+    """
+
+    row: Row
+    field: str
+    part: Part
+    read: Read
+    write: Write
+    keep: Keep | None = None
+    lenses: tuple[str, ...] = ()
+
+
+class Section(QWidget):
+    """A heading that folds what is below it: by a click, Space, Enter, or as in a tree, ← and →.
+
+    Attributes
+    ----------
+    bindings : dict of str to Binding
+        Of its rows, by the name of what they show.
+    """
+
+    toggled = Signal(bool)
+
+    def __init__(self, title: str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.bindings: dict[str, Binding] = {}
+        self.heading = QToolButton()
+        self.heading.setText(title)
+        self.heading.setAutoRaise(True)
+        self.heading.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.heading.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        self.heading.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.heading.setAccessibleName(title)
+        font = self.heading.font()
+        font.setBold(True)
+        self.heading.setFont(font)
+        self.heading.installEventFilter(self)
+        self.heading.clicked.connect(lambda: self.set_open(not self.is_open))
+        self.body = QWidget()
+        self.rows = QVBoxLayout(self.body)
+        self.rows.setContentsMargins(6, 0, 2, 6)
+        self.rows.setSpacing(3)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(0)
+        layout.addWidget(self.heading)
+        layout.addWidget(self.body)
+        self.set_open(True)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Take the heading's keys before the button makes arrows move the focus."""
+        if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress:
+            key, keys = event.key(), Qt.Key
+            if key in (keys.Key_Return, keys.Key_Enter):
+                self.set_open(not self.is_open)
+                return True
+            if key in (keys.Key_Left, keys.Key_Right):
+                if self.is_open != (key == keys.Key_Right):
+                    self.set_open(key == keys.Key_Right)
+                return True
+        return super().eventFilter(watched, event)
+
+    @property
+    def is_open(self) -> bool:
+        """Whether the rows below the heading are shown."""
+        return not self.body.isHidden()
+
+    def set_open(self, is_open: bool) -> None:
+        """Fold or unfold."""
+        self.body.setVisible(is_open)
+        self.heading.setArrowType(Qt.ArrowType.DownArrow if is_open else Qt.ArrowType.RightArrow)
+        self.heading.setToolTip(self.tr("Fold") if is_open else self.tr("Unfold"))
+        self.heading.setAccessibleDescription(self.tr("unfolded") if is_open else self.tr("folded"))
+        self.toggled.emit(is_open)
+
+    # -- rows
+
+    def add_number(
+        self, key: str, part: Part, tip: str, scale: Scale, unit: str, unit_tip: str,
+        read: Read, write: Write, keep: Keep | None = None, *, name: str = "", field: str = "",
+        lenses: tuple[str, ...] = (),
+    ) -> NumberRow:  # fmt: skip
+        """Add a number; its row is called by the model's name for `key` if no other is given."""
+        row = NumberRow(name or field_name(key), tip, scale, unit, unit_tip)
+        self._bind(key, Binding(row, field or key, part, read, write, keep, lenses))
+        return row
+
+    def add_length(
+        self, key: str, part: Part, tip: str, read: Read, write: Write, keep: Keep | None = None,
+        *, name: str = "", field: str = "", lenses: tuple[str, ...] = (),
+    ) -> NumberRow:  # fmt: skip
+        """Add a length in world units; the scene is yet to scale its slider."""
+        return self.add_number(
+            key, part, tip, Log(1.0, 10.0), self.tr("units"), self.tr("world units"),
+            read, write, keep, name=name, field=field, lenses=lenses,
+        )  # fmt: skip
+
+    def add_choice(
+        self, key: str, part: Part, tip: str, choices: Sequence[Choice], read: Read, write: Write,
+        *, buttons: bool = False, none: str = "", name: str = "", lenses: tuple[str, ...] = (),
+    ) -> ChoiceRow:  # fmt: skip
+        """Add a choice; see `ChoiceRow`."""
+        row = ChoiceRow(name or field_name(key), tip, choices, buttons=buttons, none=none)
+        self._bind(key, Binding(row, key, part, read, write, None, lenses))
+        return row
+
+    def _bind(self, key: str, binding: Binding) -> None:
+        self.bindings[key] = binding
+        self.rows.addWidget(binding.row)

@@ -1,0 +1,1 @@
+"""Starting and ending: display, OpenGL, log, settings, language."""

@@ -1,0 +1,1 @@
+"""The main window: what it opens, saves, exports and says."""

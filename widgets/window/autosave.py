@@ -1,0 +1,137 @@
+"""A copy of unsaved work in the user's data folder, for the day the program dies."""
+
+from __future__ import annotations
+
+import logging
+import os
+import secrets
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtCore import QLockFile, QObject, QTimer, Signal
+
+from app.document.document import Document, DocumentError, read, write
+
+log = logging.getLogger(__name__)
+
+DELAY_MS = 2000
+"""An edit is on disk after this long without another one, and a long drag at this rate."""
+
+
+class Autosave(QObject):
+    """Keeps one file for this window, locked while the window lives.
+
+    A file whose lock can be taken belongs to a window that died; it is offered, never opened by
+    itself.
+
+    Parameters
+    ----------
+    folder : Path
+        The user's data folder; made if it is not there.
+    current : callable
+        Gives the document to keep, or None when all is saved.
+
+    Attributes
+    ----------
+    failed : Signal(str)
+        No copy can be kept in this folder, as the log says; not told again until one could.
+    """
+
+    failed = Signal(str)
+
+    def __init__(
+        self, folder: Path, current: Callable[[], Document | None], parent: QObject | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._folder = folder
+        self._current = current
+        self._has_failed = False
+        self._path = folder / f"autosave-{os.getpid()}-{secrets.token_hex(4)}.json"
+        self._lock = QLockFile(str(self._lock_path(self._path)))
+        self._lock.setStaleLockTime(0)  # held for days by a window left open, until it dies
+        self._timer = QTimer(self)
+        self._timer.setSingleShot(True)
+        self._timer.setInterval(DELAY_MS)
+        self._timer.timeout.connect(self.save_now)
+        try:
+            folder.mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            log.warning("autosave is off: %s", error)
+        else:
+            self._lock.tryLock(0)
+
+    @staticmethod
+    def _lock_path(path: Path) -> Path:
+        return path.with_suffix(".lock")
+
+    def schedule(self) -> None:
+        """Save soon; a running count is not put off, so that a long play is saved too."""
+        if not self._timer.isActive():
+            self._timer.start()
+
+    def save_now(self) -> bool:
+        """Write the copy, or remove it when there is nothing unsaved; False if that failed."""
+        document = self._current()
+        if not self._lock.isLocked():
+            return self._fail() if document is not None else False
+        try:
+            if document is None:
+                self._path.unlink(missing_ok=True)
+            else:
+                write(document, self._path)
+        except (DocumentError, OSError) as error:
+            log.warning("autosave failed: %s", error)
+            return self._fail()
+        self._has_failed = False
+        return True
+
+    def _fail(self) -> bool:
+        if not self._has_failed:
+            self._has_failed = True
+            self.failed.emit(str(self._folder))
+        return False
+
+    def orphans(self) -> list[Path]:
+        """Copies left by windows that died, newest first; their locks are removed."""
+        found = []
+        left = (*self._folder.glob("autosave-*.json"), *self._folder.glob("autosave-*.lock"))
+        for path in {path.with_suffix(".json") for path in left} - {self._path}:
+            lock = QLockFile(str(self._lock_path(path)))
+            lock.setStaleLockTime(0)
+            if lock.tryLock(0):
+                lock.unlock()
+                if path.exists():
+                    found.append(path)
+        return sorted(found, key=lambda path: path.stat().st_mtime, reverse=True)
+
+    @staticmethod
+    def recover(path: Path) -> Document:
+        """Read a copy.
+
+        Raises
+        ------
+        DocumentError
+            If the copy is not a valid document.
+        """
+        return read(path)
+
+    @staticmethod
+    def discard(path: Path) -> None:
+        """Remove a copy that was recovered or is not wanted.
+
+        Raises
+        ------
+        OSError
+            If it cannot be removed.
+        """
+        path.unlink(missing_ok=True)
+
+    def close(self) -> None:
+        """Leave nothing behind: the window was closed in good order."""
+        self._timer.stop()
+        if self._lock.isLocked():
+            try:
+                self._path.unlink(missing_ok=True)
+            except OSError as error:  # it will be offered, which is better than not to close
+                log.warning("autosave stays: %s", error)
+            self._lock.unlock()

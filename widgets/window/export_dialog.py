@@ -1,0 +1,146 @@
+"""Asks what a picture shall show, how large it is, and on which background."""
+
+from __future__ import annotations
+
+import re
+from typing import NamedTuple
+
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QDialog,
+    QDialogButtonBox,
+    QFormLayout,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.drawings.figures import PANES, FigureError, checked_size
+from widgets.parts.messages import sentence
+
+
+class ExportChoice(NamedTuple):
+    """What the user chose; the picture has ``size * scale`` pixels."""
+
+    panes: tuple[str, ...]
+    size: tuple[int, int]
+    scale: float
+    transparent: bool
+
+
+class ExportDialog(QDialog):
+    """The choice of a figure's panes, size, scale and background.
+
+    Parameters
+    ----------
+    titles : dict
+        Translated pane titles by name.
+    image_size : (int, int)
+        Size of the model's image, the natural size of the image pane alone.
+    """
+
+    def __init__(
+        self, titles: dict[str, str], image_size: tuple[int, int], parent: QWidget | None = None
+    ) -> None:
+        super().__init__(parent)
+        self.setWindowTitle(self.tr("Export a picture"))
+        self._image_size = image_size
+        self._boxes = {name: QCheckBox(titles[name]) for name in PANES}
+        panes = QHBoxLayout()
+        for box in self._boxes.values():
+            box.setChecked(True)
+            box.toggled.connect(self._panes_changed)
+            panes.addWidget(box)
+        self._width, self._height = QLineEdit("1800"), QLineEdit("600")
+        size = QHBoxLayout()
+        for field, name in (
+            (self._width, self.tr("Width in pixels")),
+            (self._height, self.tr("Height in pixels")),
+        ):
+            field.setAccessibleName(name)
+            field.setToolTip(name)
+            field.textChanged.connect(self._check)
+        size.addWidget(self._width)
+        size.addWidget(QLabel("×"))
+        size.addWidget(self._height)
+        size.addWidget(QLabel(self.tr("px")))
+        self._scale = QComboBox()
+        self._scale.setToolTip(
+            self.tr("Draws the same figure with more pixels: text and lines grow with it")
+        )
+        for factor in (1, 2, 3, 4):
+            self._scale.addItem(f"{factor} ×", float(factor))
+        self._scale.currentIndexChanged.connect(self._check)
+        self._background = QComboBox()
+        self._background.addItem(self.tr("white"), False)
+        self._background.addItem(self.tr("transparent"), True)
+        self._problem = QLabel()
+        self._problem.setWordWrap(True)
+        self._buttons = QDialogButtonBox(
+            QDialogButtonBox.StandardButton.Save | QDialogButtonBox.StandardButton.Cancel
+        )
+        self._buttons.accepted.connect(self.accept)
+        self._buttons.rejected.connect(self.reject)
+        form = QFormLayout()
+        form.addRow(self.tr("Panes"), panes)
+        form.addRow(self.tr("Size"), size)
+        form.addRow(self.tr("Scale"), self._scale)
+        form.addRow(self.tr("Background"), self._background)
+        layout = QVBoxLayout(self)
+        layout.addLayout(form)
+        layout.addWidget(self._problem)
+        layout.addWidget(self._buttons)
+        self._check()
+
+    def choice(self) -> ExportChoice:
+        """What is chosen now; valid once the dialog is accepted."""
+        return ExportChoice(
+            tuple(name for name in PANES if self._boxes[name].isChecked()),
+            (_whole(self._width.text()), _whole(self._height.text())),
+            float(self._scale.currentData()),
+            bool(self._background.currentData()),
+        )
+
+    def _panes_changed(self) -> None:
+        chosen = [name for name in PANES if self._boxes[name].isChecked()]
+        if chosen == ["image"]:
+            width, height = self._image_size
+        else:
+            width, height = 600 * max(1, len(chosen)), 600
+        if not (self._width.isModified() or self._height.isModified()):  # a typed size stays
+            self._width.setText(str(width))
+            self._height.setText(str(height))
+        self._check()
+
+    def _check(self) -> None:
+        problem = ""
+        if not any(box.isChecked() for box in self._boxes.values()):
+            problem = self.tr("Choose at least one pane.")
+        else:
+            try:
+                choice = self.choice()
+            except ValueError:
+                problem = self.tr("Width and height must be whole numbers.")
+            else:
+                try:
+                    checked_size(self._image_size, choice.panes, choice.size, choice.scale)
+                except FigureError as error:
+                    problem = sentence(error)
+        self._problem.setText("⚠ " + problem if problem else "")
+        self._buttons.button(QDialogButtonBox.StandardButton.Save).setEnabled(not problem)
+
+
+def _whole(text: str) -> int:
+    """A whole number; not what only Python takes for one, such as 1_800 and digits of any script.
+
+    Raises
+    ------
+    ValueError
+        If it is none.
+    """
+    if not re.fullmatch(r"\s*[-+]?[0-9]+\s*", text):
+        raise ValueError(text)
+    return int(text)

@@ -1,0 +1,354 @@
+"""The File menu's work: scenes and documents in and out, nothing lost on the way."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import TypeVar
+
+from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtWidgets import QFileDialog, QMessageBox, QProgressDialog, QWidget
+
+from app.document.document import (
+    MESH_ENDINGS,
+    Document,
+    DocumentError,
+    holds_document,
+    is_mesh,
+    read,
+    write,
+)
+from app.document.store import Store
+from app.scenes.scene import Scene, SceneCancelled, SceneError, load
+from widgets.parts.message_bar import MessageBar
+from widgets.parts.messages import sentence
+
+_T = TypeVar("_T")
+RECENT_LIMIT = 10
+SHOW_PROGRESS_AFTER_MS = 100
+
+
+class Files(QObject):
+    """Opens, saves and remembers files for one window.
+
+    Whatever cannot be opened or saved is told in the message bar, in one sentence, and the
+    window stays as it was.
+
+    Parameters
+    ----------
+    window : QWidget
+        Parent of the dialogs.
+    store : Store
+    messages : MessageBar
+    recent : callable
+        Gives the paths opened or saved before, newest first, as other windows left them.
+    with_views : callable
+        Adds to a document from where its panes are looked at just now.
+    """
+
+    path_changed = Signal()
+    recent_changed = Signal()
+
+    def __init__(
+        self,
+        window: QWidget,
+        store: Store,
+        messages: MessageBar,
+        recent: Callable[[], list[str]],
+        with_views: Callable[[Document], Document],
+    ) -> None:
+        super().__init__(window)
+        self._window, self._store, self._messages = window, store, messages
+        self._with_views = with_views
+        self._scenes: dict[tuple[str, str], Scene] = {}
+        self._recent = recent
+        self.path: Path | None = None
+        self._written: object = None
+        """When and how long the file at the path was as this window read or wrote it."""
+        self.recent = recent()[:RECENT_LIMIT]
+
+    # -- scenes
+
+    def scene(self, name: str, mesh: str = "") -> Scene:
+        """The scene of that name or mesh path, with a mesh in its objects' place, loaded once.
+
+        All scenes that the undo history can come back to stay in memory, so that undo cannot
+        fail on a file that has gone meanwhile.
+
+        Raises
+        ------
+        SceneError
+            If it cannot be loaded; `SceneCancelled` if the user stopped it.
+        """
+        if (name, mesh) not in self._scenes:
+            self._scenes[name, mesh] = self._load(name, mesh)
+        return self._scenes[name, mesh]
+
+    def keep(self, document: Document, scene: Scene) -> None:
+        """Take a document's scene that is loaded already."""
+        self._scenes[document.scene, document.mesh] = scene
+
+    def _load(self, name: str, mesh: str) -> Scene:
+        file = mesh or name
+        if not is_mesh(file):
+            return load(name, mesh=mesh)
+        dialog = QProgressDialog(
+            self.tr("Opening {0}").format(os.path.basename(file)), self.tr("Cancel"), 0, 100,
+            self._window,
+        )  # fmt: skip
+        dialog.setWindowModality(Qt.WindowModality.WindowModal)
+        dialog.setMinimumDuration(SHOW_PROGRESS_AFTER_MS)
+
+        def progress(fraction: float) -> bool:
+            dialog.setValue(min(99, round(100 * fraction)))
+            return not dialog.wasCanceled()
+
+        try:
+            return load(name, progress, mesh)
+        finally:
+            dialog.close()
+            dialog.deleteLater()
+
+    # -- opening
+
+    def open_dialog(self) -> None:
+        """Ask for a file and open it."""
+        meshes = " ".join(f"*{ending}" for ending in MESH_ENDINGS)
+        path, _ = QFileDialog.getOpenFileName(
+            self._window,
+            self.tr("Open a document, a mesh or an exported picture"),
+            str(self.path.parent) if self.path else "",
+            self.tr("All that can be opened ({0});;All files (*)").format(f"*.json {meshes} *.png"),
+        )
+        if path:
+            self.open(path)
+
+    def open(self, path: str | Path) -> bool:
+        """Open a document, a picture with a document inside, or a mesh, as its file is now.
+
+        Returns
+        -------
+        bool
+            False if it could not be opened, or the user kept the unsaved work.
+        """
+        path = os.path.abspath(path)
+
+        def opened() -> tuple[Document, Scene, Path | None]:
+            if is_mesh(path):
+                scene = self._load(path, "")
+                return Document(path, scene.start), scene, None
+            document = self._with_mesh(read(path), path)
+            return document, self._load(document.scene, document.mesh), self._place(path)
+
+        found = self._try(opened, "" if is_mesh(path) else path)
+        if found is None or not self.may_discard():
+            return False
+        document, scene, place = found
+        self._scenes.clear()
+        self.keep(document, scene)
+        self._store.open(document)
+        self._set_path(place)
+        self._remember(path)
+        return True
+
+    def _with_mesh(self, document: Document, path: str) -> Document:
+        """A picture's document, with the mesh from beside it, or else from where the user says."""
+        mesh = document.scene if is_mesh(document.scene) else document.mesh
+        if not mesh or holds_document(path) or os.path.exists(mesh):
+            return document
+        place = self._ask_for_mesh(
+            self.tr("Where is {0}, which the picture shows?").format(os.path.basename(mesh)),
+            os.path.dirname(mesh),
+        )
+        if not place:
+            return document
+        place = os.path.abspath(place)
+        if is_mesh(document.scene):
+            return replace(document, scene=place)
+        return replace(document, mesh=place)
+
+    def _ask_for_mesh(self, title: str, folder: str) -> str:
+        endings = " ".join(f"*{ending}" for ending in MESH_ENDINGS)
+        kinds = self.tr("Meshes ({0});;All files (*)").format(endings)
+        path, _ = QFileDialog.getOpenFileName(self._window, title, folder, kinds)
+        return path
+
+    def take_up(self, path: Path) -> None:
+        """Note that what is shown was opened from a file."""
+        self._set_path(self._place(path))
+        self._remember(str(path))
+
+    def open_recovered(self, document: Document) -> bool:
+        """Take up a document from an autosave; it is in no file of the user's yet."""
+        scene = self._try(lambda: self.scene(document.scene, document.mesh))
+        if scene is None or not self.may_discard():
+            return False
+        self._store.open(document, saved=False)
+        self._set_path(None)
+        return True
+
+    def choose_scene(self, name: str) -> bool:
+        """Change to a built-in scene as an edit that can be undone."""
+        scene = self._try(lambda: self.scene(name))
+        if scene is None:
+            return False
+        if name != self._store.document.scene:
+            self._store.set_document(Document(name, scene.start, self._store.document.extra))
+        return True
+
+    def mesh_dialog(self) -> None:
+        """Ask for a mesh to stand in the place of the scene's own objects."""
+        path = self._ask_for_mesh(
+            self.tr("Use a mesh in the place of the scene's own objects"),
+            os.path.dirname(self._store.document.mesh),
+        )
+        if path:
+            self.use_mesh(path)
+
+    def use_mesh(self, path: str) -> bool:
+        """Put a mesh in the place of the scene's own objects, as an edit that can be undone.
+
+        The file is read as it is now, also for the steps of the history that use it.
+
+        Parameters
+        ----------
+        path : str
+            Empty for the scene's own objects.
+
+        Returns
+        -------
+        bool
+            False if it cannot be shown there.
+        """
+
+        before, mesh = self._store.document, os.path.abspath(path) if path else ""
+
+        def used() -> tuple[Document, Scene]:
+            scene = self._load(before.scene, mesh)  # says more of a file than the document would
+            return replace(before, mesh=mesh), scene
+
+        found = self._try(used)
+        if found is None:
+            return False
+        document, scene = found
+        self.keep(document, scene)
+        if document == before:
+            self._store.show_again()
+        else:
+            self._store.set_document(document)
+        return True
+
+    # -- saving
+
+    def save(self) -> bool:
+        """Save where the document came from, or ask; also where another program wrote there."""
+        if self.path is None:
+            return self.save_as()
+        if (now := _written(self.path)) is None or now == self._written:
+            return self.save_to(self.path)
+        box = QMessageBox(self._window)
+        box.setIcon(QMessageBox.Icon.Warning)
+        text = self.tr("{0} has been changed elsewhere since it was opened or saved here.")
+        box.setText(text.format(self.path.name))
+        box.setInformativeText(self.tr("Save over it?"))
+        over = box.addButton(self.tr("Save &over it"), QMessageBox.ButtonRole.DestructiveRole)
+        beside = box.addButton(self.tr("Save &as…"), QMessageBox.ButtonRole.AcceptRole)
+        box.addButton(QMessageBox.StandardButton.Cancel)
+        box.setDefaultButton(beside)
+        box.exec()
+        if box.clickedButton() is over:
+            return self.save_to(self.path)
+        return box.clickedButton() is beside and self.save_as()
+
+    def save_as(self) -> bool:
+        """Ask for a place and save there."""
+        path, _ = QFileDialog.getSaveFileName(
+            self._window,
+            self.tr("Save the document"),
+            str(self.path or "frustum-lab.json"),
+            self.tr("Frustum Lab documents (*.json)"),
+        )
+        if not path:
+            return False
+        return self.save_to(Path(path if path.lower().endswith(".json") else path + ".json"))
+
+    def save_to(self, path: Path) -> bool:
+        """Save to a path; the old file stays whole if that fails."""
+        document = self._with_views(self._store.document)
+
+        def written() -> bool:
+            write(document, path)
+            return True
+
+        if not self._try(written):
+            return False
+        self._store.mark_saved()
+        self._set_path(path)
+        self._remember(str(path))
+        return True
+
+    def may_discard(self) -> bool:
+        """Ask what shall become of unsaved work; True if the window may go on without it."""
+        if not self._store.modified:
+            return True
+        box = QMessageBox(self._window)
+        box.setIcon(QMessageBox.Icon.Warning)
+        box.setText(self.tr("There are changes that are not saved."))
+        box.setInformativeText(self.tr("Save them first?"))
+        buttons = QMessageBox.StandardButton
+        box.setStandardButtons(buttons.Save | buttons.Discard | buttons.Cancel)
+        box.setDefaultButton(buttons.Save)
+        answer = box.exec()
+        if answer == buttons.Save:
+            return self.save()
+        return answer == buttons.Discard
+
+    # -- helpers
+
+    def _try(self, act: Callable[[], _T], document: str = "") -> _T | None:
+        """Do it, or say in one sentence why not.
+
+        Parameters
+        ----------
+        act : callable
+        document : str
+            The file that asks for a scene, to be named beside it.
+        """
+        try:
+            done = act()
+        except SceneCancelled:
+            return None
+        except DocumentError as error:
+            self._messages.say(sentence(error))
+            return None
+        except SceneError as error:
+            self._messages.say(f"{document}: {sentence(error)}" if document else sentence(error))
+            return None
+        self._messages.done()
+        return done
+
+    @staticmethod
+    def _place(path: str | Path) -> Path | None:
+        """Where what was opened is saved: a picture or a mesh is no place for a document."""
+        return Path(path) if holds_document(path) else None
+
+    def _set_path(self, path: Path | None) -> None:
+        self.path = path
+        self._written = _written(path) if path else None
+        self.path_changed.emit()
+
+    def _remember(self, path: str) -> None:
+        path = os.path.abspath(path)
+        self.recent = [path, *(old for old in self._recent() if old != path)][:RECENT_LIMIT]
+        self.recent_changed.emit()
+
+
+def _written(path: Path) -> tuple[int, int] | None:
+    """When a file was last written, in ns, and how many bytes it has; None if it is not there."""
+    try:
+        found = path.stat()
+    except OSError:
+        return None
+    return found.st_mtime_ns, found.st_size

@@ -1,0 +1,175 @@
+"""The pictures' work: what the panes show goes into a PNG file or on the clipboard."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+
+import numpy as np
+from PySide6.QtCore import QByteArray, QMimeData, QObject, Qt
+from PySide6.QtGui import QGuiApplication, QImage, QOpenGLContext
+from PySide6.QtWidgets import QFileDialog, QMainWindow, QProgressDialog
+
+from app.document.document import Document, DocumentError, picture_json
+from app.drawings.figures import (
+    PANES,
+    FigureCancelled,
+    FigureError,
+    Pixels,
+    png_bytes,
+    render,
+    write_png,
+)
+from app.scenes.scene import Scene
+from widgets.parts import palette
+from widgets.parts.message_bar import MessageBar
+from widgets.parts.messages import sentence
+from widgets.window.export_dialog import ExportChoice, ExportDialog
+from widgets.window.files import SHOW_PROGRESS_AFTER_MS
+
+
+class Pictures(QObject):
+    """Exports and copies pictures for one window.
+
+    Every picture carries the document that it shows. What cannot be drawn or written is told in
+    the message bar, in one sentence; what was done, in the status line.
+
+    Parameters
+    ----------
+    window : QMainWindow
+        Parent of the dialogs.
+    messages : MessageBar
+    seen : callable
+        The document as it is looked at just now: with the views of the panes.
+    scene : callable
+        The loaded scene of a name and a mesh in it.
+    titles : dict
+        The panes' names as the window writes them.
+    words : mapping
+        The drawings' words in the window's language.
+    """
+
+    def __init__(
+        self,
+        window: QMainWindow,
+        messages: MessageBar,
+        seen: Callable[[], Document],
+        scene: Callable[[str, str], Scene],
+        titles: dict[str, str],
+        words: Mapping[str, str],
+    ) -> None:
+        super().__init__(window)
+        self._window, self._messages = window, messages
+        self._seen, self._scene = seen, scene
+        self._titles, self._words = titles, words
+
+    def export_dialog(self) -> None:
+        """Ask what to export and where, and do it."""
+        size = self._seen().projection.image_size
+        dialog = ExportDialog(self._titles, size, self._window)
+        if dialog.exec() != ExportDialog.DialogCode.Accepted:
+            return
+        path = self._where(self.tr("Export a picture"))
+        if path is not None:
+            self.export(path, dialog.choice())
+
+    def _where(self, title: str) -> Path | None:
+        """Ask for a file; None if there shall be none."""
+        path, _ = QFileDialog.getSaveFileName(
+            self._window, title, "frustum-lab.png", self.tr("PNG pictures (*.png)")
+        )
+        if path and not path.lower().endswith(".png"):
+            path += ".png"
+        return Path(path) if path else None
+
+    def export(self, path: Path, choice: ExportChoice) -> bool:
+        """Write a picture; False if that failed or the user stopped it."""
+        return self._write(path, lambda document: self._draw(document, choice))
+
+    def _write(self, path: Path, draw: Callable[[Document], Pixels]) -> bool:
+        document = self._seen()
+
+        def write() -> None:
+            write_png(path, draw(document), picture_json(document))
+
+        return self._try(write, self.tr("Exported {0}").format(path))
+
+    def export_diagram(self, image: QImage) -> None:
+        """Ask where to write the picture of a diagram, and do it."""
+        path = self._where(self.tr("Export a diagram"))
+        if path is not None:
+            self._write(path, lambda _document: _pixels(image))
+
+    def copy_diagram(self, image: QImage) -> None:
+        """Put the picture of a diagram on the clipboard."""
+        png = png_bytes(_pixels(image), picture_json(self._seen()))
+        self._try(lambda: _to_clipboard(png), self.tr("Copied the diagram"))
+
+    def copy(self) -> bool:
+        """Put the three panes on the clipboard; False if that failed or the user stopped it."""
+        document = self._seen()
+
+        def put() -> None:
+            pixels = self._draw(document, ExportChoice(PANES, (1800, 600), 1.0, False))
+            _to_clipboard(png_bytes(pixels, picture_json(document)))
+
+        return self._try(put, self.tr("Copied the picture"))
+
+    def _try(self, act: Callable[[], object], done: str) -> bool:
+        """Do it and say so, or say in one sentence why not."""
+        try:
+            act()
+        except FigureCancelled:
+            return False
+        except (FigureError, DocumentError) as error:
+            self._messages.say(sentence(error))
+            return False
+        self._messages.done()
+        self._window.statusBar().showMessage(done, 5000)
+        return True
+
+    def _draw(self, document: Document, choice: ExportChoice) -> Pixels:
+        current = QOpenGLContext.currentContext()
+        if current is not None:  # or VTK may take Qt's context for its own
+            current.doneCurrent()
+        dialog = QProgressDialog(
+            self.tr("Drawing the picture"), self.tr("Cancel"), 0, 100, self._window
+        )
+        dialog.setWindowModality(Qt.WindowModality.WindowModal)
+        dialog.setMinimumDuration(SHOW_PROGRESS_AFTER_MS)
+
+        def progress(fraction: float) -> bool:
+            dialog.setValue(round(99 * fraction))
+            return not dialog.wasCanceled()
+
+        try:
+            return render(
+                self._scene(document.scene, document.mesh),
+                document.projection,
+                views=document.views,
+                settings=document.settings,
+                quality=document.quality,
+                panes=choice.panes,
+                size=choice.size,
+                scale=choice.scale,
+                transparent=choice.transparent,
+                style=palette.drawing_style(dark=False, projector=False, device_pixel_ratio=1.0),
+                words=self._words,
+                progress=progress,
+            )
+        finally:
+            dialog.close()
+            dialog.deleteLater()
+
+
+def _pixels(image: QImage) -> Pixels:
+    image = image.convertToFormat(QImage.Format.Format_RGBA8888)
+    size = image.height(), image.width(), 4
+    return np.frombuffer(image.constBits(), np.uint8).reshape(size).copy()
+
+
+def _to_clipboard(png: bytes) -> None:
+    data = QMimeData()
+    data.setImageData(QImage.fromData(png))
+    data.setData("image/png", QByteArray(png))
+    QGuiApplication.clipboard().setMimeData(data)

@@ -1,0 +1,460 @@
+"""The status line: the lens in figures, how exactly the picture and its numbers are computed, and
+what is at risk.
+
+Predicting errors takes some milliseconds; it waits until the hand rests, and is not done at all
+while nobody can see it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from functools import partial
+
+from PySide6.QtCore import QEvent, QRectF, QSize, Qt, QTimer, Signal
+from PySide6.QtGui import QEnterEvent, QPainter, QPaintEvent, QResizeEvent, QShowEvent
+from PySide6.QtWidgets import QLabel, QMenu, QSizePolicy, QStatusBar, QToolButton
+
+from app.drawings.frame_budget import LARGEST_FRAME_MS
+from app.lecture.highlight import CORNERS, NOTHING, SIDES, Attention
+from app.model.projection import (
+    FreeMatrix,
+    Perspective,
+    Projection,
+    focal_length_35mm,
+    format_value,
+    fov_x_from_fov_y,
+)
+from app.precision.levels import (
+    DRAWING_TOLERANCE_PX,
+    LARGEST_TOLERANCE_PX,
+    LEAST_TOLERANCE_PX,
+    Prediction,
+    Rung,
+    drawing_bound_px,
+    predict,
+    rung_for_drawing,
+    rung_for_reading,
+)
+from app.precision.quality import AUTOMATIC, Quality
+from app.precision.risks import risks
+from app.scenes.scene import Scene
+from widgets.parts.fields import short_text
+from widgets.parts.highlight import paint_attention
+from widgets.parts.messages import plane_name, translated
+from widgets.parts.number_dialog import NumberDialog
+
+_ABOUT: dict[str, Attention] = {
+    "fov": frozenset(("fov",)),
+    "planes": frozenset(("near", "far")),
+    "camera": frozenset(("eye", "target")),
+}
+_OF_THE_WINDOW: Attention = frozenset((*CORNERS, *SIDES))
+_BESIDE_PX, _ABOVE_PX = 8, 2  # round the text of a figure
+RESTS_AFTER_MS = 150
+"""How long nothing must change until errors are predicted."""
+
+
+class StatusLine(QStatusBar):
+    """Figures of the projection at the bottom of the window.
+
+    Attributes
+    ----------
+    tolerance_edited : Signal(float)
+        The error in pixels up to which a GPU's own arithmetic may draw, set by the user.
+    frame_edited : Signal(float)
+        The longest frame that is wanted while a control is dragged, in ms; 0 for any.
+    automatic_wanted : Signal()
+        Quality shall be automatic again.
+    """
+
+    tolerance_edited = Signal(float)
+    frame_edited = Signal(float)
+    automatic_wanted = Signal()
+    attended = Signal(object)
+    """The `Attention` that the figure under the mouse draws."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._projection: Projection | None = None
+        self._scene: Scene | None = None
+        self.tolerance_px = DRAWING_TOLERANCE_PX
+        self._predictions: dict[Rung, Prediction] | None = None
+        self._drawn: Rung = "float32"
+        self._quality = AUTOMATIC
+        self._frame_ms = 0.0
+        self._risks: list[str] = []
+        self._notes: list[str] = []
+        self.labels = {name: _Figure(_ABOUT[name]) for name in ("fov", "planes", "camera")}
+        self.health = _Elided("health")
+        self.health.setAccessibleName(self.tr("Numerical health"))
+        for name, tip in (
+            ("fov", self.tr("Field of view, vertical × horizontal, and 35-mm equivalent")),
+            ("planes", self.tr("Near plane : far plane, and their ratio")),
+            ("camera", self.tr("Distance from the eye to the target, in world units")),
+        ):
+            self.labels[name].setToolTip(tip)
+            self.labels[name].attended.connect(self.attended)
+            self.addWidget(self.labels[name])
+        self.rung = QToolButton()
+        self.rung.setAutoRaise(True)
+        self._show_rungs(self._drawn, 0.0, None)
+        self.rung.setText(self._rungs)
+        self.rung.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        self.rung.setMenu(QMenu(self.rung))
+        self.addWidget(self.rung)
+        self.rung.setToolTip(
+            self.tr(
+                "With how many digits the picture is drawn and its numbers are computed, and what "
+                "their errors cannot exceed: drawn, of what is seen; read, and behind a click each "
+                "alternative, of every point in front of the eye"
+            )
+        )
+        self.rung.menu().aboutToShow.connect(self._fill_menu)
+        self.quality = QToolButton()
+        self.quality.setAutoRaise(True)
+        # Or it would be as high as an icon as long as it has no text, and the panes less high.
+        self.quality.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
+        self.quality.setToolTip(
+            self.tr("The panes are drawn with a chosen quality; click for the automatic one")
+        )
+        self.quality.clicked.connect(self.automatic_wanted)
+        self.quality.hide()
+        self.addWidget(self.quality)
+        self.addWidget(self.health, 1)
+        self.cost = _Elided("cost")
+        self.cost.setAccessibleName(self.tr("Cost of a step"))
+        self.cost.hide()
+        self.addWidget(self.cost, 8)  # of health the sign is left, and its tooltip
+        self.messageChanged.connect(self._make_room)
+        self._rest = QTimer(self)
+        self._rest.setSingleShot(True)
+        self._rest.setInterval(RESTS_AFTER_MS)
+        self._rest.timeout.connect(self._predict)
+
+    def show_projection(self, projection: Projection, scene: Scene) -> None:
+        """Take over the model and what it looks at.
+
+        Parameters
+        ----------
+        projection : Projection
+        scene : Scene
+        """
+        self._projection, self._scene = projection, scene
+        self._show_lens(projection)
+        self._wait_for_rest()
+
+    def show_cost(self, model_ms: float, panes: Mapping[str, tuple[float, float]]) -> None:
+        """Show what the last step took.
+
+        Parameters
+        ----------
+        model_ms : float
+            To compute the model's matrices.
+        panes : mapping of str to (float, float)
+            By the panes' titles: to hand the matrices to the drawing, and to repaint it, in ms.
+        """
+        parts = [
+            self.tr("{0} {1} + {2}").format(title, f"{matrices:.1f}", f"{repaint:.1f}")
+            for title, (matrices, repaint) in panes.items()
+        ]
+        model = self.tr("model {0}").format(f"{model_ms:.1f}")
+        text = self.tr("{0} ms").format("  ".join([model, *parts]))
+        tip = self.tr(
+            "Of the last step, in ms: the model; for each pane its matrices + its repaint"
+        )
+        self.cost.show_text(text, f"{tip}\n{text}")
+
+    def show_attention(self, attended: Attention) -> None:
+        """Mark the figures that are about what is attended to."""
+        if attended & _OF_THE_WINDOW:  # a corner is dragged to another field of view
+            attended |= {"fov"}
+        for label in self.labels.values():
+            label.show_attention(attended)
+
+    def set_tolerance(self, tolerance_px: float) -> None:
+        """Set up to which error in pixels a GPU's own arithmetic may draw."""
+        self.tolerance_px = tolerance_px
+        self._wait_for_rest()
+
+    def set_frame(self, frame_ms: float) -> None:
+        """Set the longest frame that is wanted while a control is dragged, in ms; 0 for any."""
+        self._frame_ms = frame_ms
+
+    def show_quality(self, quality: Quality, notes: list[str]) -> None:
+        """Show what of the quality is not automatic, and what of it cannot be had here.
+
+        Parameters
+        ----------
+        quality : Quality
+        notes : list of str
+            Sentences without their full stops, for the health of the picture.
+        """
+        if (quality, notes) == (self._quality, self._notes):
+            return
+        chosen = [
+            f"{100.0 * v:g} %" if isinstance(v, float) else v for v in quality.chosen.values()
+        ]
+        self.quality.setText(self.tr("quality: {0}").format(", ".join(chosen)))
+        self.quality.setVisible(bool(chosen))
+        if quality.rung != self._quality.rung:
+            self._wait_for_rest()
+        self._quality, self._notes = quality, notes
+        self._show_health()
+
+    def _show_health(self) -> None:
+        self.health.show_sentences([f"{text}." for text in (*self._risks, *self._notes)])
+        self._make_room()
+
+    def _make_room(self) -> None:
+        """Let a sentence that has too little room have that of what can be read elsewhere."""
+        if self.currentMessage():  # Qt has hidden all of it, and tells when it is gone
+            return
+        self.rung.setText(self._rungs)
+        self.labels["camera"].show()
+        layout = self.layout()
+        if layout is None or not self.cost.isHidden():  # which has all the room there is
+            return
+        for give_way in (
+            partial(self.rung.setText, self._rungs_alone),  # the errors are in its menu
+            self.labels["camera"].hide,  # its distance is among the controls
+        ):
+            layout.activate()
+            if self.health.is_whole and layout.minimumSize().width() <= self.width():
+                return
+            give_way()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        if self.isVisible():  # before that all is laid out several times, and rests at last
+            self._make_room()
+
+    def minimumSizeHint(self) -> QSize:
+        """Of any width: what has no room gives way, and the window may be a small one."""
+        return QSize(0, super().minimumSizeHint().height())
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        QTimer.singleShot(0, self._predict)  # nothing moves yet that it could hold up
+
+    def _wait_for_rest(self) -> None:
+        if self.isVisible():
+            self._rest.start()
+
+    def _show_lens(self, projection: Projection) -> None:
+        lens, aspect = projection.lens, projection.aspect
+        self.labels["camera"].show_text(
+            self.tr("eye to target {0}").format(f"{projection.camera.distance:.4g}")
+        )
+        if isinstance(lens, FreeMatrix):
+            self.labels["fov"].show_text(self.tr("free matrix"))
+            self.labels["planes"].show_text("")
+            if lens.view_from_world is not None:
+                self.labels["camera"].show_text(self.tr("free view matrix"))
+            return
+        if isinstance(lens, Perspective):
+            fov = self.tr("fov {0}° × {1}°, {2} mm").format(
+                _angle_text(lens.fov_y_deg),
+                _angle_text(fov_x_from_fov_y(lens.fov_y_deg, aspect)),
+                f"{focal_length_35mm(lens.fov_y_deg, aspect):.4g}",
+            )
+        else:
+            left, right, bottom, top = projection.window
+            fov = self.tr("window {0} × {1}").format(f"{right - left:.4g}", f"{top - bottom:.4g}")
+        self.labels["fov"].show_text(fov)
+        near, far = f"{lens.near:.4g}", "∞" if lens.far == math.inf else f"{lens.far:.4g}"
+        if near == far:  # they never are
+            near, far = format_value(lens.near), format_value(lens.far)
+        planes = self.tr("near {0} : far {1}").format(near, far)
+        if not lens.parallel and lens.far != math.inf:
+            planes += self.tr("  (1 : {0})").format(f"{lens.far / lens.near:.4g}")
+        self.labels["planes"].show_text(planes)
+
+    def _predict(self) -> None:
+        if self._projection is None or self._scene is None:
+            return
+        for label in self.labels.values():
+            label.fit()
+        projection, scene = self._projection, self._scene
+        self._predictions = predict(projection, scene.vertices, scene.origin)
+        self._drawn = rung_for_drawing(
+            projection, scene.corners, scene.origin, self._quality.tolerance_px(self.tolerance_px)
+        )
+        drawing_px = drawing_bound_px(projection, scene.corners, scene.origin)
+        self._show_rungs(self._drawn, drawing_px, self._predictions)
+        self._risks = [
+            translated(risk.template).format(*map(plane_name, risk.figures))
+            for risk in risks(
+                projection, scene.lower, scene.upper, self._drawn, drawing_px, self._predictions
+            )
+        ]
+        self._show_health()
+
+    def _show_rungs(
+        self, drawn: Rung, drawing_px: float, predictions: dict[Rung, Prediction] | None
+    ) -> None:
+        read = rung_for_reading(predictions)
+        self._rungs = self._rungs_alone = self.tr("drawn {0}, read {1}").format(drawn, read)
+        if predictions is not None:
+            # Whatever computed it, a rasteriser is handed float32 in the end.
+            at_least_px = max(self._projection.image_size) * 2.0**-24 if self._projection else 0.0
+            drawn_px = drawing_px if drawn == "float32" else predictions[drawn].px
+            self._rungs = self.tr("drawn {0} ±{1} px, read {2} ±{3} px").format(
+                drawn,
+                _error_text(max(drawn_px, at_least_px)),
+                read,
+                _error_text(predictions[read].px),
+            )
+
+    def _fill_menu(self) -> None:
+        menu = self.rung.menu()
+        menu.clear()
+        read = rung_for_reading(self._predictions)
+        for rung, (px, depth) in (self._predictions or {}).items():
+            line = self.tr("{0}: up to {1} px, {2} in depth").format(
+                rung, f"{px:.2g}", f"{depth:.2g}"
+            )
+            if not math.isfinite(px + depth):
+                line = self.tr("{0}: its error has no bound here").format(rung)
+            uses = [
+                use
+                for use, chosen in ((self.tr("drawn"), self._drawn), (self.tr("read"), read))
+                if chosen == rung
+            ]
+            menu.addAction(f"{line}  ({', '.join(uses)})" if uses else line).setEnabled(False)
+        menu.addSeparator()
+        text = self.tr("Frames of at most {0} ms while dragging…").format(f"{self._frame_ms:g}")
+        if not self._frame_ms:
+            text = self.tr("Frames of any length while dragging…")
+        menu.addAction(text).triggered.connect(self._ask_frame)
+        text = self.tr("Drawing tolerance {0} px…").format(f"{self.tolerance_px:g}")
+        menu.addAction(text).triggered.connect(self._ask_tolerance)
+
+    def _ask_frame(self) -> None:
+        dialog = NumberDialog(
+            self.tr("Frame time"),
+            self.tr(
+                "While a control is dragged, antialiasing and triangles may be left out so that a "
+                "frame takes at most so many milliseconds; 0 for whatever it takes:"
+            ),
+            self._frame_ms, 0.0, LARGEST_FRAME_MS, "ms", self,
+        )  # fmt: skip
+        if dialog.exec():
+            self.frame_edited.emit(dialog.number)
+
+    def _ask_tolerance(self) -> None:
+        dialog = NumberDialog(
+            self.tr("Drawing tolerance"),
+            self.tr("A GPU's own arithmetic (float32) may draw up to this many pixels off:"),
+            self.tolerance_px, LEAST_TOLERANCE_PX, LARGEST_TOLERANCE_PX, "px", self,
+        )  # fmt: skip
+        if dialog.exec():
+            self.tolerance_edited.emit(dialog.number)
+
+
+def _error_text(px: float) -> str:
+    return f"{px:.1g}" if math.isfinite(px) else "∞"
+
+
+class _Figure(QLabel):
+    """A figure that draws attention to what it is about, and shows when something else does.
+
+    While its text changes the room it has only grows, so that the steps of a drag lay nothing out.
+    """
+
+    attended = Signal(object)
+
+    def __init__(self, about: Attention) -> None:
+        super().__init__()
+        self._about = about
+        self.is_marked = False
+        self.setIndent(_BESIDE_PX)  # contents margins QFrame forgets when its style changes
+
+    def show_text(self, text: str) -> None:
+        """Show a text, in more room if it needs more."""
+        if text == self.text():
+            return
+        self.setText(text)
+        if self._needed.width() > self.minimumWidth():
+            self.fit()  # round any label whose size is not fixed Qt lays everything out anew
+
+    def fit(self) -> None:
+        """Take as much room as the text needs."""
+        self.setFixedSize(self._needed)
+
+    @property
+    def _needed(self) -> QSize:
+        """Without the least size of now, which QLabel's own hint has in it."""
+        text = self.fontMetrics().size(Qt.TextFlag.TextSingleLine.value, self.text())
+        return text + QSize(2 * _BESIDE_PX, 2 * _ABOVE_PX)
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() in (QEvent.Type.FontChange, QEvent.Type.StyleChange):
+            self.fit()
+
+    def show_attention(self, attended: Attention) -> None:
+        marked = bool(attended & self._about)
+        if marked != self.is_marked:
+            self.is_marked = marked
+            self.update()
+
+    def enterEvent(self, event: QEnterEvent) -> None:
+        super().enterEvent(event)
+        self.attended.emit(self._about)
+
+    def leaveEvent(self, event: QEvent) -> None:
+        super().leaveEvent(event)
+        self.attended.emit(NOTHING)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        if self.is_marked:
+            painter = QPainter(self)
+            paint_attention(self, painter, QRectF(self.rect()))
+            painter.end()
+
+
+class _Elided(QLabel):
+    """As much of the worst sentence as there is room for; all of them as its tooltip."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__()
+        self.setObjectName(name)
+        # Neither a long sentence nor its sign, which another font has, may resize the panes.
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Ignored)
+        self._sentence = ""
+
+    def show_text(self, text: str, tip: str) -> None:
+        """Show one line, and as its tooltip all that it stands for."""
+        self._sentence = text
+        self.setToolTip(tip)
+        self.setAccessibleDescription(tip.replace("\n", " "))
+        self._elide()
+
+    def show_sentences(self, sentences: list[str]) -> None:
+        """Show the first, or nothing if there is none."""
+        more = f" (+{len(sentences) - 1})" if sentences[1:] else ""
+        self.show_text(f"⚠ {sentences[0]}{more}" if sentences else "", "\n".join(sentences))
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether there is room for all of the line."""
+        return self.text() == self._sentence
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._elide()
+
+    def _elide(self) -> None:
+        text = self.fontMetrics().elidedText(
+            self._sentence, Qt.TextElideMode.ElideRight, self.width() - 4
+        )
+        if text != self.text():
+            self.setText(text)
+
+
+def _angle_text(fov_deg: float) -> str:
+    """Four digits, or as many as tell the angle from 180, which no lens has."""
+    text = f"{fov_deg:.4g}"
+    return short_text(fov_deg, below=180.0) if text == "180" else text
