@@ -30,7 +30,7 @@ def main() -> int:
     try:  # from the first import on: Ctrl-C is no error
         arguments = sys.argv[1:]
         if arguments[:1] == ["doctor"] or not HELP.isdisjoint(arguments):
-            from app import options  # which takes its time
+            from app.commands import options  # which takes its time
 
             if (status := options.outcome(lambda: _without_set_up(arguments))) is not None:
                 return status

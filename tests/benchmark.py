@@ -88,8 +88,8 @@ def open_window(scene: str = "letter-f", size: tuple[int, int] = (1600, 700)) ->
     app = application()
     from app.document.document import Document
     from app.scenes.scene import load
-    from widgets.program.application import Settings
     from widgets.window.main_window import MainWindow
+    from widgets.window.settings import Settings
 
     folder = Path(os.environ["HOME"])
     window = MainWindow(

@@ -106,8 +106,8 @@ def make_window(display: Any, qtbot: Any, own_home: Path) -> Iterator[Callable[.
     """Open main windows; after the test all are closed and no interactor survives."""
     from app.document.document import Document
     from app.scenes.scene import load
-    from widgets.program.application import Settings
     from widgets.window.main_window import MainWindow
+    from widgets.window.settings import Settings
 
     windows: list[Any] = []
     canvases: list[weakref.ref[Any]] = []

@@ -121,11 +121,12 @@ def _window(arguments: Sequence[str]) -> int:
         with bootstrap.for_good():
             from widgets.program import application
             from widgets.program.opengl import OpenGLError
+            from widgets.window.settings import delete_settings
     except ImportError as error:
         raise cannot_import(error) from error
     if found.reset:
         try:
-            write_out([f"{application.delete_settings()}\n"])
+            write_out([f"{delete_settings()}\n"])
         except OSError as error:
             raise CliError(f"The settings cannot be deleted: {error}.") from error
     path = None if file is None else Path(os.path.abspath(file))

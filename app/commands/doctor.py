@@ -119,14 +119,14 @@ def _pip(requirement: str) -> str:
 
 def _folders() -> Iterator[Finding]:
     try:
-        from widgets.program import application
+        from widgets.window.settings import data_folder, log_path, settings_path
     except ImportError as error:
         yield Finding("Window", f"cannot be loaded: {error}", "see the system libraries above")
         return
     for name, folder in (
-        ("Settings in", application.settings_path().parent),
-        ("Recovery in", application.data_folder()),
-        ("Log in", application.log_path().parent),
+        ("Settings in", settings_path().parent),
+        ("Recovery in", data_folder()),
+        ("Log in", log_path().parent),
     ):
         there = folder
         while not there.exists() and there != there.parent:
@@ -180,11 +180,10 @@ def _off_screen() -> Finding:
 
 def _try(command: list[str], environment: dict[str, str]) -> tuple[dict[str, Any] | None, str]:
     """Run a trial that prints JSON in its last line; None and why, if it fails."""
-    root = str(Path(__file__).resolve().parent.parent)
     try:
         done = subprocess.run(
-            command, cwd=root, env=environment, capture_output=True, text=True, errors="replace",
-            stdin=subprocess.DEVNULL, timeout=LONGEST_TRIAL_S, check=False,
+            command, cwd=bootstrap.ROOT, env=environment, capture_output=True, text=True,
+            errors="replace", stdin=subprocess.DEVNULL, timeout=LONGEST_TRIAL_S, check=False,
         )  # fmt: skip
     except subprocess.TimeoutExpired:
         return None, f"does not answer within {LONGEST_TRIAL_S:g} s"

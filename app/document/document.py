@@ -110,7 +110,7 @@ BOUNDS = (
     UNWRITABLE, BAD_NAME, BROKEN_PICTURE, NEITHER, PLAIN_PICTURE, UNKNOWN, OTHER_LENS, OTHER_SCENE,
     MESH_NAME, NO_MESH_HERE, NO_EQUALS, THE_DOCUMENT,
 )  # fmt: skip
-"""Every part of a `DocumentError` beyond those of `app.model.projection.BOUNDS`, for translators."""
+"""Every part of a `DocumentError` beyond `app.model.projection.BOUNDS`, for translators."""
 
 
 class DocumentError(ValueError):

@@ -15,8 +15,8 @@ seen is the projection's own.
 
 That is the pane at the NDC stop of its stage strip, and as it is exported. At any other position
 (`NdcDrawing.show_stage`) the scene and the view volume, which is the cube's own edges and faces,
-stand under the matrices of `app.lecture.stages` instead, and the words are those of the nearest stop. A
-step of the strip sets these matrices and nothing else.
+stand under the matrices of `app.lecture.stages` instead, and the words are those of the nearest
+stop. A step of the strip sets these matrices and nothing else.
 """
 
 from __future__ import annotations

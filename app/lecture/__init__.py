@@ -1,1 +1,1 @@
-"""What a lecture says of the model: notation, stages and morph, typed matrices, the frame by steps."""
+"""What a lecture says of the model: notation, stages, typed matrices, the frame by steps."""

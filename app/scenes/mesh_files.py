@@ -1,9 +1,9 @@
 """Meshes out of the user's files: OBJ, STL, PLY and glTF, in float64, or one sentence why not.
 
 This room knows the formats and what can be wrong with a file. It gives points and polygons;
-what they look like, and from where, is `app.scenes.scene`'s. A mesh file is a stranger's: what it claims
-is checked against what is there, and what it would grow to against `LARGEST`, before memory is
-taken. Python and numpy alone read it, which cannot run past the end of an array.
+what they look like, and from where, is `app.scenes.scene`'s. A mesh file is a stranger's: what it
+claims is checked against what is there, and what it would grow to against `LARGEST`, before memory
+is taken. Python and numpy alone read it, which cannot run past the end of an array.
 
 `docs/meshes.md` has the figures by which no library reads them: not one keeps the time and
 the places of every format.

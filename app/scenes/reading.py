@@ -1,9 +1,9 @@
 """Meshes read where they can do no harm: what is large, in a process of its own.
 
 There it can be stopped at once, and takes no more memory than it may; neither its end nor
-exhausted memory reaches the window. The process is `python -m app.scenes.reading FILE`, a fresh one on
-every system, which imports nothing but numpy. It writes lines of JSON to its standard output (how
-far it is, or why the file was refused) and then the mesh's arrays as they lie in memory.
+exhausted memory reaches the window. The process is `python -m app.scenes.reading FILE`, a fresh one
+on every system, which imports nothing but numpy. It writes lines of JSON to its standard output
+(how far it is, or why the file was refused) and then the mesh's arrays as they lie in memory.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ ENDED = (
     "download the file again."
 )
 SENTENCES = (ENDED,)
-"""Every further sentence of a `SceneError`, for translators; see also `app.scenes.mesh_files.SENTENCES`."""
+"""Every further sentence of a `SceneError`, for translators; see also `mesh_files.SENTENCES`."""
 _POLL_S = 0.05
 
 
@@ -59,7 +59,7 @@ def read(path: Path, progress: Progress | None = None) -> Mesh:
 
 
 def _read_apart(path: Path, progress: Progress | None) -> Mesh:
-    packages = [str(Path(__file__).parents[1]), os.environ.get("PYTHONPATH", "")]
+    packages = [str(Path(__file__).parents[2]), os.environ.get("PYTHONPATH", "")]
     child = subprocess.Popen(
         [sys.executable, "-P", "-m", "app.scenes.reading", os.fspath(path)],
         stdin=subprocess.DEVNULL,

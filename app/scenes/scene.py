@@ -76,7 +76,7 @@ NO_OWN_MESH = "mesh = {1}: the scene “{0}” has a subject of its own, no mesh
 SENTENCES = (
     WRONG_ENDING, NOT_A_SCENE, NEARLY_A_SCENE, ONE_POINT, ONE_LINE, WRONG_SIZE, NO_OWN_MESH,
 )  # fmt: skip
-"""Every further sentence of a `SceneError`, for translators; see also `app.scenes.mesh_files.SENTENCES`."""
+"""Every further sentence of a `SceneError`, for translators; see also `mesh_files.SENTENCES`."""
 
 FACES_WITH_EDGES = 5_000
 """Meshes of more faces get no edge lines: they would be denser than the pixels."""

@@ -125,10 +125,11 @@ class Checkout:
 def fresh(tmp_path: Path) -> Checkout:
     """A checkout that was never started."""
     checkout = Checkout(tmp_path / "lab with a space", tmp_path / "wheels")
-    (checkout.root / "app").mkdir(parents=True)
-    for name in ("__init__.py", "__main__.py", "bootstrap.py", "options.py", "doctor.py"):
-        shutil.copy(bootstrap.ROOT / "app" / name, checkout.root / "app")
-    (checkout.root / "app" / "cli.py").write_text(COMMAND_LINE)
+    (checkout.root / "app" / "commands").mkdir(parents=True)
+    stdlib_only = ("commands/__init__.py", "commands/options.py", "commands/doctor.py")
+    for name in ("__init__.py", "__main__.py", "bootstrap.py", "strangers.py", *stdlib_only):
+        shutil.copy(bootstrap.ROOT / "app" / name, checkout.root / "app" / name)
+    (checkout.root / "app" / "commands" / "cli.py").write_text(COMMAND_LINE)
     checkout.ask_for(">=1,<2", exactly="1.0")
     wheel(checkout.wheels, "frustum_probe", "1.0")
     wheel(checkout.wheels, "frustum_extra", "1.0")
@@ -309,7 +310,7 @@ def test_a_set_up_that_is_stopped_says_how_to_go_on(made: Checkout) -> None:
     assert re.fullmatch(stopped, one_sentence(said))
 
 
-@pytest.mark.parametrize("room", ["cli.py", "bootstrap.py"])
+@pytest.mark.parametrize("room", ["commands/cli.py", "bootstrap.py"])
 def test_a_start_that_is_stopped_before_anything_is_set_up_says_nothing(
     made: Checkout, room: str
 ) -> None:

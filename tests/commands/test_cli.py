@@ -20,6 +20,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from app.bootstrap import ROOT
 from app.commands import cli, options
 from app.document.document import Document, embed, read, set_values, to_json, write
 from app.model.projection import (
@@ -40,8 +41,6 @@ from app.scenes.phenomena import PHENOMENA
 from app.scenes.scene import load
 from tests import PATIENCE_S
 from tests.oracles import exact
-
-ROOT = Path(__file__).parent.parent
 
 # Numbers that a hand can follow: cot(90/2) = 1, the aspect is 2, near 1 and far 9.
 BY_HAND = Document(
@@ -1429,7 +1428,7 @@ def test_doctor_does_not_wait_for_ever(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_doctor_does_not_take_the_keyboard_from_the_terminal() -> None:
     code = (
-        "import os, sys; from app import doctor; "
+        "import os, sys; from app.commands import doctor; "
         "print(doctor._try([sys.executable, '-c', 'print(repr(input()))'], dict(os.environ)))"
     )
     done = subprocess.run(

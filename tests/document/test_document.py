@@ -30,6 +30,7 @@ from PIL import Image, PngImagePlugin
 import app.document.document
 import app.model.projection
 import app.scenes.scene
+from app.bootstrap import ROOT
 from app.document.document import (
     BOUNDS,
     Document,
@@ -1120,7 +1121,7 @@ def run_script(script: str, *arguments: object) -> str:
     """Run a program of its own with the repository on its path; its output."""
     done = subprocess.run(
         [sys.executable, "-c", script, *map(str, arguments)],
-        cwd=Path(__file__).parent.parent,
+        cwd=ROOT,
         capture_output=True,
         text=True,
         timeout=PATIENCE_S,

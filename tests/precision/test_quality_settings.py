@@ -26,8 +26,8 @@ from app.scenes.scene import Scene, load
 from tests.widgets.test_window import counted_repaints, pixels, settle
 from widgets.panes import adaptive, pane
 from widgets.parts.number_dialog import NumberDialog
-from widgets.program.application import Settings
 from widgets.window.main_window import MainWindow
+from widgets.window.settings import Settings
 
 PANES = ("world", "ndc", "image")
 

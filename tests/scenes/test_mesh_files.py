@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from app.bootstrap import ROOT
 from app.document import document
 from app.document.document import Document, DocumentError
 from app.scenes import mesh_files as meshes
@@ -20,7 +21,6 @@ from app.scenes import reading
 from app.scenes.mesh_files import Mesh, SceneCancelled, SceneError
 from tests.scenes.test_scene import PYRAMID, gltf_parts, obj_file, ply_file, write_gltf
 
-ROOT = Path(__file__).parents[1]
 THREE = "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
 POSIX = pytest.mark.skipif(sys.platform == "win32", reason="a file of POSIX systems")
 
@@ -264,7 +264,7 @@ def test_memory_that_is_not_there_is_a_sentence(tmp_path: Path) -> None:
     with (tmp_path / "m.stl").open("r+b") as file:
         file.truncate(84 + 50 * 4_000_000)
     code = (
-        "from pathlib import Path; from app import reading; reading.MEMORY = 600 * 2**20;"
+        "from pathlib import Path; from app.scenes import reading; reading.MEMORY = 600 * 2**20;"
         f"reading._main(Path({str(tmp_path / 'm.stl')!r}))"
     )
     done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, check=False)

@@ -253,7 +253,7 @@ def marked_texts() -> set[str]:
     import ast
 
     found: set[str] = set()
-    for path in sorted(Path(ROOT, "app", "phenomena").glob("*.py")):
+    for path in sorted(Path(ROOT, "app", "scenes", "phenomena").glob("*.py")):
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "QT_TRANSLATE_NOOP":
                 context, text = (ast.literal_eval(part) for part in node.args)

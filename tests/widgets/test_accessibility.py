@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterable, Iterator
-from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
@@ -22,6 +21,7 @@ from PySide6.QtWidgets import (
 )
 from pytestqt.qtbot import QtBot
 
+from app.bootstrap import ROOT
 from app.document.document import Document
 from app.scenes.scene import load
 from widgets.parts.diagram import DiagramView
@@ -151,5 +151,5 @@ def test_tab_goes_as_one_sees_and_is_seen(make_window: Callable[..., Any], qtbot
 
 def test_no_layout_is_walked_by_its_items() -> None:
     """An item is no QObject: PySide takes what comes to lie in its place for it, and crashes."""
-    for path in (Path(__file__).parents[1] / "widgets").glob("*.py"):
+    for path in (ROOT / "widgets").rglob("*.py"):
         assert ".itemAt(" not in path.read_text(encoding="utf-8"), path.name

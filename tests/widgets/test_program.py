@@ -19,6 +19,7 @@ from typing import Any
 import numpy as np
 import pytest
 from PIL import Image
+from PySide6.QtCore import QStandardPaths
 
 from app.commands.cli import main
 from app.document.document import Document, embed, read, to_json, write
@@ -28,9 +29,9 @@ from app.scenes.scene import load as load_scene
 from tests import PATIENCE_S
 from tests.commands.test_cli import ROOT, comma_locale, refused, refused_by_a_process, run
 from widgets.program import application, opengl
-from widgets.program.application import Settings
 from widgets.window.files import Files
 from widgets.window.main_window import MainWindow
+from widgets.window.settings import Settings, data_folder, log_path, settings_path
 
 __all__ = ["comma_locale"]
 
@@ -375,7 +376,7 @@ def test_the_recent_files_of_another_process_are_kept(ini: Path) -> None:
     settings.recent = ["/one"]
     write_recent = f"""
 from pathlib import Path
-from widgets.program.application import Settings
+from widgets.window.settings import Settings
 settings = Settings(Path({str(ini)!r}))
 settings.recent = ["/other", *settings.recent]
 """
@@ -384,14 +385,14 @@ settings.recent = ["/other", *settings.recent]
 
 
 def test_the_program_starts_with_broken_settings(own_home: Path) -> None:
-    ini = application.settings_path()
+    ini = settings_path()
     assert ini.is_relative_to(own_home)
     ini.parent.mkdir(parents=True)
     ini.write_bytes(b"\0broken")
     done = drive("print(window.settings.theme); window.close()")
     assert (done.returncode, done.stdout, done.stderr) == (0, "system\n", "")
     assert Path(f"{ini}.bak").read_bytes() == b"\0broken"
-    assert "set aside as" in application.log_path().read_text(encoding="utf-8")
+    assert "set aside as" in log_path().read_text(encoding="utf-8")
 
 
 def test_the_window_keeps_its_settings_from_one_start_to_the_next() -> None:
@@ -402,7 +403,7 @@ def test_the_window_keeps_its_settings_from_one_start_to_the_next() -> None:
 
 
 def test_reset_deletes_the_settings_and_says_so_even_where_no_window_opens() -> None:
-    ini = application.settings_path()
+    ini = settings_path()
     settings = Settings(ini)
     settings.theme = "dark"
     assert ini.exists()
@@ -415,7 +416,7 @@ def test_reset_deletes_the_settings_and_says_so_even_where_no_window_opens() -> 
 
 
 def test_reset_opens_the_window_with_the_defaults() -> None:
-    Settings(application.settings_path()).theme = "dark"
+    Settings(settings_path()).theme = "dark"
     done = drive("print(window.settings.theme); window.close()", "--reset")
     assert done.returncode == 0
     assert done.stdout.splitlines()[-1] == "system"
@@ -440,8 +441,8 @@ def own_logging() -> Iterator[logging.Logger]:
 def test_the_log_is_in_the_users_data_folder(own_home: Path, own_logging: logging.Logger) -> None:
     assert application.start_log() is not None
     own_logging.warning("hello \udcff")
-    text = application.log_path().read_text(encoding="utf-8")
-    assert application.log_path().is_relative_to(own_home)
+    text = log_path().read_text(encoding="utf-8")
+    assert log_path().is_relative_to(own_home)
     assert "WARNING root: hello \\udcff" in text
 
 
@@ -449,13 +450,13 @@ def test_the_folders_of_xdg_hold_everywhere(
     own_home: Path, monkeypatch: pytest.MonkeyPatch, display: Any
 ) -> None:
     """Where Qt does not ask for them, the tests would change the user's own settings."""
-    by_qt = application.settings_path(), application.data_folder(), application.log_path()
-    monkeypatch.setattr(application.QStandardPaths, "writableLocation", lambda _: "/elsewhere")
-    mine = application.settings_path(), application.data_folder(), application.log_path()
+    by_qt = settings_path(), data_folder(), log_path()
+    monkeypatch.setattr(QStandardPaths, "writableLocation", lambda _: "/elsewhere")
+    mine = settings_path(), data_folder(), log_path()
     assert mine == by_qt and all(path.is_relative_to(own_home) for path in mine)
     for name in ("XDG_CONFIG_HOME", "XDG_DATA_HOME"):
         monkeypatch.setenv(name, "relative")
-    assert application.data_folder() == application.settings_path().parent == Path("/elsewhere")
+    assert data_folder() == settings_path().parent == Path("/elsewhere")
 
 
 def test_the_log_does_not_grow_for_ever(
@@ -465,10 +466,10 @@ def test_the_log_does_not_grow_for_ever(
     application.start_log()
     for number in range(2_000):
         own_logging.info("line %d of many", number)
-    files = sorted(application.log_path().parent.iterdir())
+    files = sorted(log_path().parent.iterdir())
     assert len(files) == 3
     assert max(file.stat().st_size for file in files) <= 10_000
-    assert "line 1999 of many" in application.log_path().read_text(encoding="utf-8")
+    assert "line 1999 of many" in log_path().read_text(encoding="utf-8")
 
 
 def test_a_log_on_a_full_disk_ends_with_one_line(
@@ -639,7 +640,7 @@ raise LookupError("lost")
     # The terminal gets the exception, which is a fault of ours, and nothing of the rest.
     assert done.stderr.count("Traceback") == 1 and "LookupError: lost" in done.stderr
     assert "Qt" not in done.stderr and "such.stl" not in done.stderr
-    text = application.log_path().read_text(encoding="utf-8")
+    text = log_path().read_text(encoding="utf-8")
     assert "WARNING qt: a word of Qt" in text
     assert re.search(r"ERROR vtk: .*\n?.*/no/such.stl", text)
     assert "LookupError: lost" in text
@@ -675,7 +676,7 @@ window.close()
     assert done.stdout == f"1 {told} It or others came 2 more times.\n", done.stderr
     assert done.returncode == 1
     assert done.stderr.count("Traceback") == 3
-    assert application.log_path().read_text(encoding="utf-8").count("no drawing") >= 3
+    assert log_path().read_text(encoding="utf-8").count("no drawing") >= 3
 
 
 def test_no_picture_is_taken_of_a_window_that_is_not_whole(tmp_path: Path) -> None:
@@ -705,7 +706,7 @@ def test_ctrl_c_closes_the_window_and_ends_well(own_home: Path) -> None:
         finally:
             process.kill()
         assert process.stderr.read() == ""
-    assert "geometry" in application.settings_path().read_text()  # it was closed, not killed
+    assert "geometry" in settings_path().read_text()  # it was closed, not killed
     assert not list(own_home.rglob("autosave-*"))
 
 
@@ -751,7 +752,7 @@ window.close()
     assert done.stderr == ""
     assert done.stdout.splitlines() == ["cube (300, 200) 0.25", f"{path} dark 1200 700"]
     # --theme was for this once.
-    assert Settings(application.settings_path()).theme == "system"
+    assert Settings(settings_path()).theme == "system"
 
 
 @pytest.mark.parametrize(
@@ -889,7 +890,7 @@ def test_a_translation_beside_the_code_is_loaded(
 
 
 def test_screenshot_is_a_picture_of_the_whole_window(tmp_path: Path) -> None:
-    Settings(application.settings_path()).theme = "dark"
+    Settings(settings_path()).theme = "dark"
     out = tmp_path / "window.png"
     done = run("--screenshot", out, "--size", "1366x768")
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
@@ -905,7 +906,7 @@ def test_screenshot_is_a_picture_of_the_whole_window(tmp_path: Path) -> None:
     assert done.returncode == 0
     assert np.median(picture(out)) < 80
     # The settings were left alone.
-    settings = Settings(application.settings_path())
+    settings = Settings(settings_path())
     assert (settings.theme, settings.geometry) == ("dark", None)
 
 

@@ -42,6 +42,7 @@ from vtkmodules.vtkRenderingCore import vtkTextActor
 
 import app.document.document
 import app.scenes.scene
+from app.bootstrap import ROOT
 from app.document.document import (
     UNWRITABLE,
     Document,
@@ -71,12 +72,10 @@ from app.scenes.shapes import GRID_RGB
 from tests import PATIENCE_MS, PATIENCE_S
 from tests.support.phenomenon import EVERYTHING
 from widgets.parts.messages import number_text, sentence
-from widgets.program.application import Settings
 from widgets.window.autosave import Autosave
 from widgets.window.export_dialog import ExportChoice, ExportDialog
 from widgets.window.main_window import MainWindow
-
-ROOT = Path(__file__).parent.parent
+from widgets.window.settings import Settings
 
 
 @contextmanager
@@ -1015,7 +1014,7 @@ from pathlib import Path
 from PySide6.QtCore import QCoreApplication
 from app.document.document import Document, to_json
 from app.model.projection import Perspective
-from widgets.program.application import Settings
+from widgets.window.settings import Settings
 from widgets.window.autosave import Autosave
 application = QCoreApplication([])
 document = Document("posts")
@@ -1933,7 +1932,7 @@ prepare()
 app = QApplication([])
 from app.document.document import Document
 from app.scenes.scene import load
-from widgets.program.application import Settings
+from widgets.window.settings import Settings
 from widgets.window.main_window import MainWindow
 document = Document("letter-f", load("letter-f").start)
 window = MainWindow(document, settings=Settings(None), software_rendering=True)

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 from typing import Literal, TypeAlias
 
-from PySide6.QtCore import QElapsedTimer, Qt, QTimer, Signal
+from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
 
 from app.model.projection import (
@@ -24,6 +24,7 @@ from app.model.projection import (
     ProjectionError,
     Vector,
 )
+from widgets.parts.clock import Clock
 from widgets.parts.fields import Choice, ChoiceRow, Linear, NumberRow, Row
 from widgets.parts.messages import sentence, translated
 
@@ -38,11 +39,6 @@ PERIOD_S = 2.0 * STEPS_UP * STEP_S
 """Once up and down, smoothly or in steps."""
 FASTEST_DEG_S = 3600
 """Ten turns a second: beyond a sixth of a turn a frame nobody sees which way it goes."""
-
-FRAME_MS = 16
-"""Least time between two frames."""
-LONGEST_FRAME_S = 0.25
-"""A stalled window goes on from where it was instead of jumping."""
 
 
 @dataclass(frozen=True)
@@ -185,12 +181,8 @@ class AnimationBar(QWidget):
         self._elapsed_s = 0.0
         self._shown: Camera | None = None
         self._playing = False
-        self._watch = QElapsedTimer()
-        self._timer = QTimer(self)
-        self._timer.setSingleShot(True)
-        self._timer.setTimerType(Qt.TimerType.PreciseTimer)
-        self._timer.setInterval(FRAME_MS)
-        self._timer.timeout.connect(self._frame)
+        self._clock = Clock(self)
+        self._clock.ticked.connect(self.advance)
         self._make_widgets()
         self._show_state()
         self._say("")
@@ -348,15 +340,14 @@ class AnimationBar(QWidget):
         self._show_state()
         self.gesture_started.emit()
         self.playing_changed.emit(True)
-        self._watch.start()
-        self._timer.start()
+        self._clock.start()
 
     def pause(self) -> None:
         """Stand still; the next `play` goes on from here."""
         if not self._playing:
             return
         self._playing = False
-        self._timer.stop()
+        self._clock.stop()
         self._show_state()
         self.gesture_finished.emit()
         self.playing_changed.emit(False)
@@ -387,13 +378,6 @@ class AnimationBar(QWidget):
         if error.bound == NOT_PARALLEL:
             return self.tr("The camera would look along its own up vector.")
         return sentence(error)
-
-    def _frame(self) -> None:
-        seconds = self._watch.nsecsElapsed() * 1e-9  # whole milliseconds would lose 3 %
-        self._watch.restart()
-        self.advance(min(seconds, LONGEST_FRAME_S))
-        if self._playing:
-            self._timer.start()
 
     # -- where the walk is
 

@@ -66,7 +66,7 @@ _ABOUT: dict[str, tuple[str, ...]] = {
     "kind": (),
     "preset": (),
 }
-"""What a row is about, by the names of `app.lecture.highlight`, if its field's name is not all of it."""
+"""What a row is about, by `app.lecture.highlight`'s names, if its field's name is not all of it."""
 _MAKES: dict[str, tuple[str, ...]] = {
     **dict.fromkeys(("eye", "target", "azimuth_deg", "elevation_deg"), ("u", "v", "n")),
     "fov_y_deg": ("bottom", "top"),

@@ -18,7 +18,7 @@ from fractions import Fraction
 from functools import partial
 from typing import Any
 
-from PySide6.QtCore import QElapsedTimer, QEvent, QObject, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QHelpEvent, QHideEvent, QImage, QPalette, QShowEvent
 from PySide6.QtWidgets import (
     QBoxLayout,
@@ -49,7 +49,7 @@ from app.scenes.phenomena.illustration import (
     Settings,
     Value,
 )
-from widgets.controls.animation import FRAME_MS, LONGEST_FRAME_S
+from widgets.parts.clock import Clock
 from widgets.parts.diagram import DiagramView
 from widgets.parts.fields import (
     CheckRow,
@@ -726,12 +726,8 @@ class Player(QObject):
         self._at = self._shown_at = self._low
         self._shown: float | None = None
         self._playing = False
-        self._watch = QElapsedTimer()
-        self._timer = QTimer(self)
-        self._timer.setSingleShot(True)
-        self._timer.setTimerType(Qt.TimerType.PreciseTimer)
-        self._timer.setInterval(FRAME_MS)
-        self._timer.timeout.connect(self._frame)
+        self._clock = Clock(self)
+        self._clock.ticked.connect(self.advance)
         self.button = QToolButton()
         self.button.clicked.connect(self.toggle)
         self._show_state()
@@ -754,14 +750,13 @@ class Player(QObject):
             self._playing = True
             self._show_state()
             self.started.emit()
-            self._watch.start()
-            self._timer.start()
+            self._clock.start()
 
     def pause(self) -> None:
         """Stand still."""
         if self._playing:
             self._playing = False
-            self._timer.stop()
+            self._clock.stop()
             self._show_state()
             self.paused.emit()
 
@@ -787,13 +782,6 @@ class Player(QObject):
         if value != self._shown:
             self._shown = value
             self.stepped.emit(value)
-
-    def _frame(self) -> None:
-        seconds = self._watch.nsecsElapsed() * 1e-9
-        self._watch.restart()
-        self.advance(min(seconds, LONGEST_FRAME_S))
-        if self._playing:
-            self._timer.start()
 
     def _place(self, value: float) -> float:
         return math.log10(value) if self._setting.logarithmic else value

@@ -2,7 +2,7 @@
 
 ::
 
-    canvas.drag_started, dragged --> app.picking.handles: what it makes of a field --> edited(Projection)
+    canvas.drag_started, dragged --> app.picking.handles: what it makes of a field --> edited
                                                   or of the scene's setting --> setting_edited
                                                              ProjectionError --> a sentence over
                                                                                  the pane

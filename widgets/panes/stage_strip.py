@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 
-from PySide6.QtCore import QElapsedTimer, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QHideEvent, QKeyEvent, QMouseEvent, QResizeEvent
 from PySide6.QtWidgets import (
     QGridLayout,
@@ -29,6 +29,7 @@ from app.lecture.stages import (
     WORLD,
 )
 from app.model.projection import FreeMatrix, Projection
+from widgets.parts.clock import Clock
 from widgets.parts.escape import HeldSlider
 from widgets.parts.note import Note
 
@@ -40,9 +41,6 @@ STEP_S, REST_S = 2.0, 0.8
 """Seconds that playing takes from one stop to the next, and stands at each."""
 
 _HALF_COLUMNS = 2 * len(STOPS) + 1  # a name takes three of them
-
-FRAME_MS = 16
-LONGEST_FRAME_S = 0.25
 
 
 class _StopsSlider(HeldSlider):
@@ -103,12 +101,8 @@ class StageStrip(QWidget):
         self._playing = False
         self._rest_s = 0.0
         self._at = self._before = float(NDC)
-        self._watch = QElapsedTimer()
-        self._timer = QTimer(self)
-        self._timer.setSingleShot(True)
-        self._timer.setTimerType(Qt.TimerType.PreciseTimer)
-        self._timer.setInterval(FRAME_MS)
-        self._timer.timeout.connect(self._frame)
+        self._clock = Clock(self)
+        self._clock.ticked.connect(self.advance)
 
         self.button = QToolButton()
         self.button.setAutoRaise(True)
@@ -281,14 +275,13 @@ class StageStrip(QWidget):
         if self._at >= IMAGE:
             self._stand_at(float(WORLD))
         self._rest_s = 0.0
-        self._watch.start()
-        self._timer.start()
+        self._clock.start()
 
     def pause(self) -> None:
         """Stand still; playing again goes on from here."""
         if self._playing:
             self._playing = False
-            self._timer.stop()
+            self._clock.stop()
             self._show_playing()
             self.gesture_finished.emit()
 
@@ -310,13 +303,6 @@ class StageStrip(QWidget):
             self._rest_s = REST_S
             if stop == IMAGE:
                 self.pause()
-
-    def _frame(self) -> None:
-        seconds = self._watch.nsecsElapsed() * 1e-9
-        self._watch.restart()
-        self.advance(min(seconds, LONGEST_FRAME_S))
-        if self._playing:
-            self._timer.start()
 
     # -- kept together
 

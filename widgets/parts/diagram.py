@@ -1,8 +1,8 @@
 """A diagram beside the panes: frame, ticks, curves with their names beside them.
 
-It draws an `app.scenes.phenomena.illustration.Diagram`, which is data, with Qt's painter: as crisp as the
-screen is, and repainted only when there is something else to see. Colours are names of `Style`,
-as in the panes; a curve's name is on a plate of its colour, as there.
+It draws an `app.scenes.phenomena.illustration.Diagram`, which is data, with Qt's painter: as crisp
+as the screen is, and repainted only when there is something else to see. Colours are names of
+`Style`, as in the panes; a curve's name is on a plate of its colour, as there.
 """
 
 from __future__ import annotations

@@ -75,7 +75,7 @@ SETTING_BOUNDS = (
     QT_TRANSLATE_NOOP("ProjectionError", "must be a whole number"),
     QT_TRANSLATE_NOOP("ProjectionError", "must be true or false"),
 )
-"""What `app.scenes.phenomena.illustration` adds to them; each phenomenon marks what it adds itself."""
+"""What the phenomena's illustrations add to them; each phenomenon marks what it adds itself."""
 
 DOCUMENT_BOUNDS = (
     QT_TRANSLATE_NOOP("DocumentError", "is missing"),
@@ -320,8 +320,8 @@ SCENE_SENTENCES = (
         "mesh = {1}: the scene “{0}” has a subject of its own, no mesh can take its place.",
     ),
 )
-"""Every `SceneError`: the members of the `SENTENCES` of `app.scenes.mesh_files`, `app.scenes.reading` and
-`app.scenes.scene`."""
+"""Every `SceneError`: the members of the `SENTENCES` of `mesh_files`, `reading` and `scene` in
+`app.scenes`."""
 
 FIGURE_SENTENCES = (
     QT_TRANSLATE_NOOP("FigureError", "panes = {0}: must name at least one of {1}."),
@@ -525,7 +525,7 @@ PROPERTY_SENTENCES = (
     QT_TRANSLATE_NOOP("Matrix", "w is negative all over the view volume: there is no picture"),
     QT_TRANSLATE_NOOP("Matrix", "the view volume reaches infinity: the frustum cannot be drawn"),
 )
-"""Every `app.lecture.typed_matrix.Property`: the members of `app.lecture.typed_matrix.PROPERTIES`."""
+"""Every `Property`: the members of `app.lecture.typed_matrix.PROPERTIES`."""
 
 SPACES = {
     "object": QT_TRANSLATE_NOOP("Space", "object"),

@@ -12,16 +12,12 @@ unexpected exception also in one `Report` on the screen.
 
 from __future__ import annotations
 
-import base64
-import binascii
 import ctypes
-import json
 import locale
 import logging
 import logging.handlers
 import os
 import platform
-import re
 import signal
 import socket
 import sys
@@ -34,21 +30,18 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from types import FrameType, TracebackType
-from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
+from typing import TYPE_CHECKING, Any
 
 from PySide6 import __version__ as pyside_version
 from PySide6.QtCore import (
     QBuffer,
-    QCoreApplication,
     QEvent,
     QIODevice,
     QLibraryInfo,
     QLocale,
     QMessageLogContext,
     QObject,
-    QSettings,
     QSocketNotifier,
-    QStandardPaths,
     Qt,
     QtMsgType,
     QTranslator,
@@ -67,17 +60,14 @@ from PySide6.QtWidgets import (
 
 from app import __version__, bootstrap
 from app.document.document import Document, write_bytes_atomically
-from app.drawings.frame_budget import FRAME_MS, LARGEST_FRAME_MS
-from app.precision.levels import DRAWING_TOLERANCE_PX, LARGEST_TOLERANCE_PX, LEAST_TOLERANCE_PX
 from widgets.program import opengl
+from widgets.window.settings import Settings, log_path, name_application, settings_path
 
 if TYPE_CHECKING:
     from app.scenes.scene import Scene
 
 log = logging.getLogger(__name__)
 
-_T = TypeVar("_T")
-NAME = "frustum-lab"
 TRANSLATIONS = Path(__file__).parent / "translations"
 WITHOUT_DISPLAY = "“export”, “project” and “matrices” need none."
 LARGEST_LOG = 1_000_000
@@ -114,265 +104,6 @@ class Options:
     theme: str | None = None
     size: tuple[int, int] | None = None
     screenshot: Path | None = None
-
-
-# --------------------------------------------------------------------------- folders
-
-
-def name_application() -> None:
-    """Tell Qt the program's name, on which its folders depend."""
-    QCoreApplication.setApplicationName(NAME)
-    QCoreApplication.setApplicationVersion(__version__)
-
-
-def _folder(location: QStandardPaths.StandardLocation) -> Path:
-    name_application()
-    is_config = location == QStandardPaths.StandardLocation.AppConfigLocation
-    own = Path(os.environ.get("XDG_CONFIG_HOME" if is_config else "XDG_DATA_HOME", ""))
-    if own.is_absolute():  # on Windows and macOS Qt does not ask, and tests would use the user's
-        return own / NAME
-    return Path(QStandardPaths.writableLocation(location))
-
-
-def data_folder() -> Path:
-    """Where unsaved work is kept for recovery."""
-    return _folder(QStandardPaths.StandardLocation.AppDataLocation)
-
-
-def log_path() -> Path:
-    """The file that everything unexpected is written to."""
-    return _folder(QStandardPaths.StandardLocation.AppLocalDataLocation) / f"{NAME}.log"
-
-
-def settings_path() -> Path:
-    """The file of the user's settings."""
-    return _folder(QStandardPaths.StandardLocation.AppConfigLocation) / f"{NAME}.ini"
-
-
-# --------------------------------------------------------------------------- settings
-
-
-class Settings:
-    """The user's settings: every value is checked here, what is not valid is the default.
-
-    QSettings writes the file. It is not trusted to read it: it reports no error for a file that
-    is not INI, and makes 0 of a number that is none.
-
-    Parameters
-    ----------
-    path : Path or None
-        The INI file; None keeps the settings in memory only. A broken file is set aside as
-        ``.bak``.
-    """
-
-    THEMES: ClassVar[tuple[str, ...]] = ("system", "light", "dark")
-
-    def __init__(self, path: Path | None) -> None:
-        self._file: QSettings | None = None
-        self._values: dict[str, object] = {}
-        self._for_now: dict[str, str] = {}
-        self._refused: set[str] = set()
-        if path is not None and _set_aside_if_broken(path):
-            self._file = QSettings(str(path), QSettings.Format.IniFormat)
-            self._values = {key: self._file.value(key) for key in self._file.allKeys()}
-
-    @property
-    def theme(self) -> str:
-        """One of `THEMES`."""
-        return self._read("theme", _theme, "system")
-
-    @theme.setter
-    def theme(self, theme: str) -> None:
-        self._write("theme", theme)
-
-    @property
-    def projector(self) -> bool:
-        """Whether text and lines are enlarged for the back row."""
-        return self._read("projector", _flag, False)
-
-    @projector.setter
-    def projector(self, on: bool) -> None:
-        self._write("projector", "true" if on else "false")
-
-    @property
-    def language(self) -> str:
-        """A locale such as ``"hr"`` or ``"sr_RS"``; empty for the system's."""
-        return self._read("language", _language, "")
-
-    @language.setter
-    def language(self, language: str) -> None:
-        self._write("language", language)
-
-    @property
-    def tolerance_px(self) -> float:
-        """Error in pixels up to which a GPU's own arithmetic may draw."""
-        return self._read("tolerance", _tolerance, DRAWING_TOLERANCE_PX)
-
-    @tolerance_px.setter
-    def tolerance_px(self, tolerance_px: float) -> None:
-        self._write("tolerance", repr(tolerance_px))
-
-    @property
-    def frame_ms(self) -> float:
-        """Longest frame that is wanted while a control is dragged, in ms; 0 for any."""
-        return self._read("frame", _frame, FRAME_MS)
-
-    @frame_ms.setter
-    def frame_ms(self, frame_ms: float) -> None:
-        self._write("frame", repr(frame_ms))
-
-    @property
-    def geometry(self) -> bytes | None:
-        """The window's place as Qt wrote it, None before the first time."""
-        return self._read("geometry", _bytes, None)
-
-    @geometry.setter
-    def geometry(self, geometry: bytes) -> None:
-        self._write("geometry", base64.b64encode(geometry).decode("ascii"))
-
-    @property
-    def recent(self) -> list[str]:
-        """Paths of the files opened or saved before, newest first: by every window, as of now."""
-        if self._file is not None:
-            self._file.sync()
-            self._values["recent"] = self._file.value("recent")
-        nothing: list[str] = []
-        return list(self._read("recent", _paths, nothing))
-
-    @recent.setter
-    def recent(self, recent: list[str]) -> None:
-        self._write("recent", json.dumps(recent))
-
-    def override(self, key: str, text: str) -> None:
-        """Use another value until it is set again; it is not saved."""
-        self._for_now[key] = text
-
-    def _read(self, key: str, convert: Callable[[str], _T], default: _T) -> _T:
-        value = self._for_now.get(key, self._values.get(key))
-        if value is None:
-            return default
-        try:
-            if not isinstance(value, str):  # what has a comma in it QSettings splits
-                raise ValueError
-            return convert(value)
-        except ValueError:
-            if key not in self._refused:  # told once, however often it is asked for
-                self._refused.add(key)
-                log.warning("setting %s = %.60r is not valid: using %r", key, value, default)
-            return default
-
-    def _write(self, key: str, text: str) -> None:
-        self._for_now.pop(key, None)
-        self._refused.discard(key)
-        self._values[key] = text
-        if self._file is None:
-            return
-        self._file.setValue(key, text)
-        self._file.sync()
-        if self._file.status() != QSettings.Status.NoError:
-            log.warning("the settings cannot be written to %s", self._file.fileName())
-            self._file = None  # told once
-
-
-def _theme(text: str) -> str:
-    if text not in Settings.THEMES:
-        raise ValueError
-    return text
-
-
-def _flag(text: str) -> bool:
-    if text not in ("true", "false"):
-        raise ValueError
-    return text == "true"
-
-
-def _tolerance(text: str) -> float:
-    tolerance_px = float(text)
-    if not LEAST_TOLERANCE_PX <= tolerance_px <= LARGEST_TOLERANCE_PX:
-        raise ValueError
-    return tolerance_px
-
-
-def _frame(text: str) -> float:
-    frame_ms = float(text)
-    if not 0.0 <= frame_ms <= LARGEST_FRAME_MS:
-        raise ValueError
-    return frame_ms
-
-
-def _language(text: str) -> str:
-    if not re.fullmatch(r"([a-z]{2,3}([_-][A-Za-z]{2,4}){0,2})?", text):
-        raise ValueError
-    return text
-
-
-def _bytes(text: str) -> bytes:
-    if len(text) > 10_000:
-        raise ValueError
-    try:
-        return base64.b64decode(text, validate=True)
-    except binascii.Error as error:
-        raise ValueError from error
-
-
-def _paths(text: str) -> list[str]:
-    try:
-        paths = json.loads(text)
-    except RecursionError as error:
-        raise ValueError from error
-    if not isinstance(paths, list):
-        raise ValueError
-    if not all(isinstance(path, str) and path and "\0" not in path for path in paths):
-        raise ValueError
-    return paths
-
-
-def _set_aside_if_broken(path: Path) -> bool:
-    """Rename a settings file that is none; False if there is no using this path at all."""
-    try:
-        content = path.read_bytes()
-    except FileNotFoundError:
-        return True
-    except OSError as error:
-        log.warning("the settings cannot be read, the defaults are used: %s", error)
-        return False
-    if _is_ini(content):
-        return True
-    aside = path.with_name(path.name + ".bak")
-    try:
-        os.replace(path, aside)
-    except OSError as error:
-        log.warning("the settings are broken and cannot be set aside: %s", error)
-        return False
-    log.warning("the settings were broken: set aside as %s, the defaults are used", aside)
-    return True
-
-
-def _is_ini(content: bytes) -> bool:
-    """Whether these bytes are INI as QSettings writes our texts."""
-    try:
-        lines = content.decode().splitlines()
-    except UnicodeDecodeError:
-        return False
-    # A value that begins with @ would be unpacked into any type of Qt's; ours are texts.
-    line_of_ini = re.compile(r'\s*|\s*;.*|\[[\w%]+\]\s*|[\w%\\]+\s*=\s*(?!"?@[^@])[^\0]*')
-    return all(line_of_ini.fullmatch(line) for line in lines)
-
-
-def delete_settings() -> str:
-    """Delete the user's settings and return a sentence that says so.
-
-    Raises
-    ------
-    OSError
-        If they cannot be deleted.
-    """
-    path = settings_path()
-    try:
-        path.unlink()
-    except FileNotFoundError:
-        return f"There are no settings to delete: {path}"
-    return f"Settings deleted: {path}"
 
 
 # --------------------------------------------------------------------------- log

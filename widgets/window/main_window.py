@@ -79,12 +79,12 @@ from widgets.parts.focus import focus_next
 from widgets.parts.highlight import Attended
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import Words, file_title, of_phenomena, sentence
-from widgets.program.application import data_folder
 from widgets.window.autosave import Autosave
 from widgets.window.drawer import Panels
 from widgets.window.files import Files
 from widgets.window.help import FULL_SCREEN_KEY, PLAY_KEY, Help
 from widgets.window.pictures import Pictures
+from widgets.window.settings import data_folder
 from widgets.window.status_line import StatusLine
 
 PANE_WIDTHS = [400, 305, 330]
@@ -542,7 +542,8 @@ class MainWindow(QMainWindow):
         Parameters
         ----------
         choice : mapping of str to str
-            Fields of `app.precision.quality.Quality`, or a scene and paths in its document, and their values.
+            Fields of `app.precision.quality.Quality`, or a scene and paths in its document, and
+            their values.
         """
         document, panel = self.store.document, self.panels.open_panel
         scene = choice.get("scene", document.scene)

@@ -1,0 +1,82 @@
+"""``python3 -m tests.near``: the rooms that one step of the near slider visits.
+
+A step that visits many rooms is hard to follow and slow. It is counted with ``sys.setprofile`` in
+the window as it opens with the letter F, from the key press to the last repaint.
+"""
+
+from __future__ import annotations
+
+import argparse
+import collections
+import os
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+from types import FrameType
+from typing import Any
+
+from app import bootstrap
+
+
+def main() -> int:
+    """Set up as the tests do, and count inside a screen."""
+    parser = argparse.ArgumentParser(prog="python3 -m tests.near", description=__doc__)
+    parser.add_argument("--inside", action="store_true", help=argparse.SUPPRESS)
+    if parser.parse_args().inside:
+        _count()
+        return 0
+    bootstrap.start("tests", extras=("test",))
+    from tests.__main__ import screens
+
+    with screens(1) as environment, tempfile.TemporaryDirectory() as home:
+        environment |= {"HOME": home, "XDG_DATA_HOME": home, "XDG_CONFIG_HOME": home}
+        command = [sys.executable, "-m", "tests.near", "--inside"]
+        return subprocess.run(command, env=environment, cwd=bootstrap.ROOT, check=False).returncode
+
+
+def _count() -> None:
+    from PySide6.QtCore import Qt
+    from PySide6.QtTest import QTest
+    from PySide6.QtWidgets import QSlider
+
+    from tests.benchmark import application, open_window, settle
+
+    window = open_window()
+    app = application()
+    (slider,) = (s for s in window.findChildren(QSlider) if s.accessibleName() == "Near, slider")
+    slider.setFocus()
+    for _ in range(3):  # what is only made once is made
+        QTest.keyClick(slider, Qt.Key.Key_Right)
+        settle(app)
+    calls: collections.Counter[str] = collections.Counter()
+    changes = [0]
+    last = [""]
+    root = str(bootstrap.ROOT) + os.sep
+
+    def enter(frame: FrameType, event: str, _argument: Any) -> None:
+        name = frame.f_code.co_filename
+        if event != "call" or not name.startswith(root):
+            return
+        room = Path(name).relative_to(bootstrap.ROOT).as_posix()
+        if not room.startswith(("app/", "widgets/")):
+            return
+        calls[room] += 1
+        changes[0] += room != last[0]
+        last[0] = room
+
+    sys.setprofile(enter)
+    try:
+        QTest.keyClick(slider, Qt.Key.Key_Right)
+        settle(app)
+    finally:
+        sys.setprofile(None)
+    for room, count in calls.most_common():
+        print(f"{count:6} {room}")
+    print(f"{len(calls)} modules, {sum(calls.values())} calls, {changes[0]} changes of room")
+    window.store.mark_saved()
+    window.close()
+
+
+if __name__ == "__main__":
+    sys.exit(main())
