@@ -48,7 +48,7 @@ from app.model.projection import (
 from app.precision.quality import AUTOMATIC, Quality
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.phenomena.illustration import Setting, Settings
-from app.strangers import open_regular, printable
+from app.strangers import open_regular
 
 if sys.platform != "win32":
     import fcntl
@@ -70,7 +70,7 @@ LARGEST_DOCUMENT = 16 * 2**20
 LARGEST_PICTURE = 2**30
 """Most bytes read as a PNG picture."""
 MOST_VALUES = 200_000
-"""Most values of a document, by its brackets and commas: reading takes microseconds for each."""
+"""Most values of a document, by its commas: reading takes microseconds for each."""
 DEEPEST = 50
 """Most levels of brackets in a document, far below what Python's recursion can write again."""
 
@@ -151,7 +151,7 @@ class DocumentError(ValueError):
             Turns one of `BOUNDS` into another language.
         """
         bound = translate(self.bound).format(*shown_limits(self.limits, self.value))
-        file = printable(self.file)
+        file = _printable(self.file)
         if len(file) > _LONGEST_FILE:
             file = "..." + file[3 - _LONGEST_FILE :]
         if not self.field:
@@ -322,12 +322,16 @@ def _as_written(value: object) -> str:
         text = "[" + ", ".join(map(_as_written, value[:_LONGEST_SHOWN])) + "]"
     elif isinstance(value, dict):
         keys = list(value)[:_LONGEST_SHOWN]
-        text = "{" + ", ".join(f"{printable(key)}: ..." for key in keys) + "}"
+        text = "{" + ", ".join(f"{_printable(key)}: ..." for key in keys) + "}"
     elif isinstance(value, str):
         text = repr(type(value)(value[: _LONGEST_SHOWN + 1]))
     else:
         text = format_value(value)
     return text if len(text) <= _LONGEST_SHOWN else text[: _LONGEST_SHOWN - 3] + "..."
+
+
+def _printable(name: str) -> str:
+    return name if name.isprintable() else repr(name)
 
 
 def _number(text: str) -> float | None:
@@ -408,7 +412,7 @@ def _bound_of_far(kind: object) -> str:
 
 
 def _join(path: str, key: str) -> str:
-    shown = printable(key[:_LONGEST_SHOWN])
+    shown = _printable(key[:_LONGEST_SHOWN])
     return f"{path}.{shown}" if path else shown
 
 
@@ -430,7 +434,7 @@ def parse(text: str, folder: Path | None = None) -> Document:
     text = text.removeprefix("\ufeff")  # some editors' mark that the text is UTF-8
     if not text.strip():
         raise DocumentError(EMPTY)
-    if sum(map(text.count, "[{,")) > MOST_VALUES:
+    if text.count(",") >= MOST_VALUES:
         raise DocumentError(TOO_MANY, MOST_VALUES)
     try:
         tree = json.loads(
@@ -739,7 +743,7 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
         path, equals, text = (part.strip() for part in assignment.partition("="))
         if not equals or not path:
             written = assignment.strip()
-            raise DocumentError(NO_EQUALS, field=printable(written) or repr(written))
+            raise DocumentError(NO_EQUALS, field=_printable(written) or repr(written))
         texts[path] = text
     scene = texts.pop("scene", document.scene)
     if scene != document.scene:
@@ -831,7 +835,7 @@ def _read_text(path: str, text: str) -> Any:
 
 
 def _unknown_path(path: str, paths: list[str]) -> DocumentError:
-    shown = printable(path[:_LONGEST_SHOWN])
+    shown = _printable(path[:_LONGEST_SHOWN])
     section, _, key = path.rpartition(".")
     kinds = [kind for kind, names in _LENS.items() if key in names]
     if section in ("lens", "") and kinds and f"lens.{key}" not in paths:
