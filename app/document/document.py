@@ -711,11 +711,6 @@ def _mesh_from(path: str, folder: Path) -> str:
 # --------------------------------------------------------------------------- the --set language
 
 
-def set_value(document: Document, path: str, text: str) -> Document:
-    """Set one value by its path in the document; see `set_values`."""
-    return set_values(document, [f"{path}={text}"])
-
-
 def set_values(document: Document, assignments: Iterable[str]) -> Document:
     """Set values by their paths in the document, all at once.
 

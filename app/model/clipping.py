@@ -183,31 +183,6 @@ def _boundaries(points_clip: Array, depth: str) -> Array:
     return np.stack([near, far, w + x, w - x, w + y, w - y], axis=-1)
 
 
-def outcodes(points_clip: ArrayLike, depth: str = "opengl") -> NDArray[np.bool_]:
-    """Which planes points lie beyond.
-
-    Parameters
-    ----------
-    points_clip : (..., 4) array_like
-        Homogeneous, before the divide; any w.
-    depth : {"opengl", "direct3d", "reversed"}
-        The NDC range of z.
-
-    Returns
-    -------
-    (..., 6) bool array
-        In the order of `PLANES`, as in `Trace.outside`: a point on a plane is not beyond it.
-
-    Raises
-    ------
-    ProjectionError
-        For another depth range, a coordinate that is not finite or larger than `LARGEST_CLIP`,
-        or four zeros.
-    """
-    _chosen((), depth)
-    return _boundaries(_points("points_clip", points_clip, 4), depth) < 0.0
-
-
 def _cut(
     inside: Array, outside: Array, b_inside: Array, b_outside: Array, plane: str, depth: str
 ) -> Array:
@@ -462,7 +437,7 @@ def naive_ndc(points_clip: ArrayLike) -> Array:
     Raises
     ------
     ProjectionError
-        As `outcodes`.
+        For a coordinate that is not finite or larger than `LARGEST_CLIP`, or four zeros.
     """
     points = _points("points_clip", points_clip, 4)
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):

@@ -41,7 +41,6 @@ from app.document.document import (
     is_mesh,
     parse,
     read,
-    set_value,
     set_values,
     to_json,
     write,
@@ -1343,6 +1342,11 @@ if sys.platform != "win32":  # what only POSIX can do, or be asked
         write(Document(), tmp_path / "lesson.json")
         assert read(tmp_path / "lesson.json") == Document()
         assert other.exists()  # whose it is cannot be told
+
+
+def set_value(document: Document, path: str, text: str) -> Document:
+    """Set one value by its path, as ``--set`` does."""
+    return set_values(document, [f"{path}={text}"])
 
 
 def test_any_bytes_are_written_whole(tmp_path: Path) -> None:

@@ -19,7 +19,6 @@ from app.model.clipping import (
     clip_segments,
     cut_at_eye,
     naive_ndc,
-    outcodes,
 )
 from app.model.projection import (
     DEPTH_RANGES,
@@ -348,19 +347,19 @@ def test_an_unknown_plane_or_depth_range_is_named() -> None:
     with pytest.raises(ProjectionError, match=r"planes = 'front': must be one of near, far"):
         clip_segments(point, point, planes=("front",))
     with pytest.raises(ProjectionError, match=r"depth = 'vulkan': must be one of opengl"):
-        outcodes(point, "vulkan")
+        clip_segments(point, point, "vulkan")
     with pytest.raises(ProjectionError, match="depth"):
         clip_polygon([point, point, point], depth=None)  # type: ignore[arg-type]
 
 
-# --------------------------------------------------------------------------- outcodes
+# --------------------------------------------------------------------------- points
 
 
 @given(points=st.lists(points_of(st.one_of(SMALL, WIDE)), min_size=1, max_size=5), depth=DEPTHS)
 @settings(max_examples=200)
-def test_outcodes_are_exact(points: list[Array], depth: str) -> None:
+def test_which_planes_a_point_lies_beyond_is_exact(points: list[Array], depth: str) -> None:
     expected = [[room(rational(p), plane, depth) < 0 for plane in PLANES] for p in points]
-    assert outcodes(np.array(points), depth).tolist() == expected
+    assert clip_segments(points, points, depth).outside.tolist() == expected
 
 
 # --------------------------------------------------------------------------- polygons

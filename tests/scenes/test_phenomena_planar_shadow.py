@@ -10,7 +10,7 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from app.model.clipping import outcodes
+from app.model.clipping import clip_segments
 from app.model.projection import (
     Array,
     Camera,
@@ -184,7 +184,7 @@ def test_the_gpu_cuts_the_anti_shadow_off_and_minus_s_lets_it_through(
         for sign in (1.0, -1.0):
             clip = np.column_stack([points, np.ones(200)]) @ (sign * matrix).T
             clip = clip @ projection.clip_from_world.T
-            inside = ~outcodes(clip, depth).any(axis=1)
+            inside = ~clip_segments(clip, clip, depth).outside.any(axis=1)
             assert (inside == (seen & (sign * shadows.w > 0.0))).all()
             drawn[sign > 0.0] += int(inside.sum())
     assert min(drawn.values()) > 50
