@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
-from typing import NamedTuple, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 Rationals: TypeAlias = list[list[Fraction]]
 
@@ -30,12 +30,12 @@ def rationals(matrix: Sequence[Sequence[float | Fraction]]) -> Rationals:
     return [[Fraction(part) for part in row] for row in matrix]
 
 
-def product(left: Rationals, right: Rationals) -> Rationals:
-    """``left right``; most cells of a lens are zero, and not worth multiplying."""
-    columns = list(zip(*right, strict=True))
+def product(left: list[list[Any]], right: list[list[Any]]) -> list[list[Any]]:
+    """``left right``, in any exact arithmetic; most cells of a lens are zero, and skipped."""
+    columns, zero = list(zip(*right, strict=True)), left[0][0] - left[0][0]
     return [
         [
-            sum((a * b for a, b in zip(row, column, strict=True) if a and b), Fraction(0))
+            sum((a * b for a, b in zip(row, column, strict=True) if a and b), zero)
             for column in columns
         ]
         for row in left

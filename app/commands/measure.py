@@ -28,7 +28,7 @@ from app.measure.arithmetic import SWEEPS
 from app.measure.meaning import meaning
 from app.measure.results import Results, table, to_csv, to_json
 from app.measure.run import Cancelled
-from app.model.projection import LENSES, FreeMatrix
+from app.model.projection import LENSES
 
 
 def run(arguments: Sequence[str]) -> int:
@@ -68,7 +68,7 @@ def run(arguments: Sequence[str]) -> int:
     file = words[0] if words else None
     document = document_of(file, settings)
     scene = load_scene(document.scene, document.mesh, file)
-    if isinstance(document.projection.lens, FreeMatrix):
+    if document.projection.lens.planes is None:
         raise CliError(
             "lens.kind = matrix: a free matrix has no near, no far and no angle to measure; it must"
             f" be one of {', '.join(LENSES)}."

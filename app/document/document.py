@@ -41,7 +41,6 @@ from app.model.projection import (
     Lens,
     Projection,
     ProjectionError,
-    StandardLens,
     format_value,
     shown_limits,
 )
@@ -246,9 +245,15 @@ class Document:
 
 # --------------------------------------------------------------------------- names and values
 
+
+def lens_fields(kind: object) -> tuple[str, ...]:
+    """The fields of a kind of lens; none of a kind that there is not."""
+    if not isinstance(kind, str) or kind not in (*LENSES, FreeMatrix.kind):
+        return ()
+    return tuple(field.name for field in fields(LENSES.get(kind, FreeMatrix)))
+
+
 _CAMERA = tuple(f.name for f in fields(Camera))
-_LENS = {kind: tuple(f.name for f in fields(lens)) for kind, lens in LENSES.items()}
-_LENS[FreeMatrix.kind] = tuple(f.name for f in fields(FreeMatrix))
 _QUALITY = tuple(f.name for f in fields(Quality))
 _OPTIONAL = ("keep",)
 _MATRICES = ("lens.clip_from_view", "lens.view_from_world")
@@ -258,7 +263,7 @@ _TEXTS = (
 )
 _PATHS = (
     {key: f"camera.{key}" for key in _CAMERA}
-    | {key: f"lens.{key}" for names in _LENS.values() for key in ("kind", *names)}
+    | {key: f"lens.{key}" for kind in KINDS for key in ("kind", *lens_fields(kind))}
     | {key: f"image.{key}" for key in ("width", "height")}
 )  # of the model's fields in the document, where they are not the same
 # What float() takes and no document would: 1_000, nan, infinity, digits of other scripts.
@@ -272,12 +277,11 @@ _SECTIONS = ("settings", "camera", "lens", "image", "quality")
 
 def _known(scene: str, kind: object) -> dict[str, tuple[str, ...]]:
     """The keys that this program knows, by section; the top level is section ``""``."""
-    lens = _LENS.get(kind, ()) if isinstance(kind, str) else ()
     return {
         "": ("format", "version", "scene", "mesh", "depth", "views", *_SECTIONS),
         "settings": tuple(setting.name for setting in _settings_of(scene)),
         "camera": _CAMERA,
-        "lens": ("kind", *lens),
+        "lens": ("kind", *lens_fields(kind)),
         "image": ("width", "height"),
         "quality": _QUALITY,
     }
@@ -295,7 +299,7 @@ def _unknown(tree: Tree, scene: str, kind: str, views: Iterable[str]) -> Tree:
         inside = {k: v for k, v in tree.get(section, {}).items() if k not in known[section]}
         former = tree.get(section, {}).get("former")
         if kind == FreeMatrix.kind and section == "lens" and isinstance(former, dict):
-            names = ("kind", *_LENS.get(former.get("kind", ""), ()))
+            names = ("kind", *lens_fields(former.get("kind")))
             beside = {k: v for k, v in former.items() if k not in names}
             inside |= {"former": beside} if beside else {}
         if inside:
@@ -408,7 +412,7 @@ def _check_tree(value: Any, path: str, depth: int) -> None:
 def _bound_of_far(kind: object) -> str:
     """What a far that is no number must be: of some lenses it may be infinite."""
     lens = LENSES.get(kind) if isinstance(kind, str) else None
-    return FINITE_NUMBER if lens is None or lens.parallel else FINITE_OR_INF
+    return FINITE_OR_INF if lens is not None and lens.central else FINITE_NUMBER
 
 
 def _join(path: str, key: str) -> str:
@@ -529,7 +533,7 @@ def _document(tree: Tree, folder: Path | None = None) -> Document:
     return Document(scene, projection, unknown, cameras, settings, mesh, quality)
 
 
-def _lens(values: Any, path: str) -> StandardLens:
+def _lens(values: Any, path: str) -> Lens:
     """A lens that has fields; of a free matrix it is the former one, with a path of its own."""
     if not isinstance(values, dict):
         raise DocumentError(OBJECT, field=path, value=values)
@@ -537,14 +541,15 @@ def _lens(values: Any, path: str) -> StandardLens:
     if not isinstance(kind, str) or kind not in LENSES:
         kinds = KINDS if path == "lens" else LENSES
         raise DocumentError(ONE_OF, ", ".join(kinds), field=f"{path}.kind", value=kind)
-    for key in _LENS[kind]:
+    for key in lens_fields(kind):
         if key not in _OPTIONAL:
             _required(values, key, f"{path}.{key}")
-    values = {key: values[key] for key in _LENS[kind] if key in values}
+    values = {key: values[key] for key in lens_fields(kind) if key in values}
     if values["far"] == "inf":
         values["far"] = math.inf
     try:
-        return LENSES[kind](**values)
+        lens: Lens = LENSES[kind](**values)
+        return lens
     except ProjectionError as error:
         refused, bound = error.field, error.bound
         if refused == "far" and bound == FINITE_NUMBER:
@@ -661,7 +666,7 @@ def _tree(document: Document) -> Tree:
         }
     for section in _SECTIONS:
         unknown = dict(extra.get(section, {}))
-        if section == "lens" and isinstance(lens, FreeMatrix):
+        if section == "lens" and lens.planes is None:
             tree["lens"]["former"] |= unknown.pop("former", {})
         if section in tree:
             tree[section] |= unknown
@@ -669,15 +674,19 @@ def _tree(document: Document) -> Tree:
 
 
 def _lens_tree(lens: Lens) -> Tree:
-    tree: Tree = {"kind": lens.kind}
-    if isinstance(lens, FreeMatrix):
-        for key in ("clip_from_view", "view_from_world"):
-            cells = getattr(lens, key)
-            if cells is not None:
-                tree[key] = [[_plain(part) for part in row] for row in cells]
-        return tree | {"former": _lens_tree(lens.former)}
-    values = {key: getattr(lens, key) for key in _LENS[lens.kind]}
-    return tree | {k: v if isinstance(v, str) else _plain(v) for k, v in values.items()}
+    values = {field.name: getattr(lens, field.name) for field in fields(lens)}
+    return {"kind": lens.kind} | {
+        key: _lens_value(value) for key, value in values.items() if value is not None
+    }
+
+
+def _lens_value(value: Any) -> Any:
+    """A number, a word, a typed matrix or the lens that it was, as JSON has it."""
+    if isinstance(value, Lens):
+        return _lens_tree(value)
+    if isinstance(value, tuple):
+        return [[_plain(part) for part in row] for row in value]
+    return value if isinstance(value, str) else _plain(value)
 
 
 def _settings_tree(document: Document) -> Tree:
@@ -832,7 +841,7 @@ def _read_text(path: str, text: str) -> Any:
 def _unknown_path(path: str, paths: list[str]) -> DocumentError:
     shown = _printable(path[:_LONGEST_SHOWN])
     section, _, key = path.rpartition(".")
-    kinds = [kind for kind, names in _LENS.items() if key in names]
+    kinds = [kind for kind in KINDS if key in lens_fields(kind)]
     if section in ("lens", "") and kinds and f"lens.{key}" not in paths:
         return DocumentError(OTHER_LENS, ", ".join(kinds), field=shown)
     if section == "settings" and not any(known.startswith("settings.") for known in paths):

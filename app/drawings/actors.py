@@ -39,7 +39,7 @@ from vtkmodules.vtkRenderingCore import (
 )
 
 from app.drawings.style import Style, rgb
-from app.model.projection import FreeMatrix, Projection
+from app.model.projection import Projection
 from app.scenes.scene import Scene
 
 CUBE_CORNERS = np.array(
@@ -617,11 +617,11 @@ def lifted(
     """
     lens = projection.clip_from_view
     distance = math.dist(projection.camera.eye, scene.centre)
-    if isinstance(projection.lens, FreeMatrix):  # it has no eye: the same step of depth for all
+    if projection.lens.planes is None:  # it has no eye: the same step of depth for all
         matrix = clip_from_local.copy()
         matrix[2] -= _LIFT_FREE * matrix[3]
         return matrix
-    if not projection.lens.parallel:
+    if projection.lens.central:
         # z_clip = a w + b, so that b / (1 - step) in place of b is the depth at w (1 - step).
         nearer = lens[2, 3] * _LIFT * (min(1.0, scene.size / distance) if distance > 0.0 else 1.0)
     else:

@@ -59,7 +59,7 @@ from app.lecture.stages import (
     FreeMorph,
     Morph,
 )
-from app.model.projection import DEPTH_RANGES, Array, Camera, FreeMatrix, Projection
+from app.model.projection import DEPTH_RANGES, Array, Camera, Projection
 from app.picking.picking import Probe, Sight
 from app.precision.levels import DRAWING_TOLERANCE_PX, Rung
 from app.scenes.phenomena.illustration import Exhibit, Marks
@@ -637,7 +637,7 @@ class NdcDrawing:
         """Set the matrices, planes and words of a position that is not the NDC stop."""
         if self._morph is None:
             scene = self._scene
-            free = isinstance(self._projection.lens, FreeMatrix)
+            free = self._projection.lens.planes is None
             kind = FreeMorph if free else Morph
             self._morph = kind(self._projection, scene.origin, scene.corners)
         morph, position = self._morph, self._position
@@ -654,7 +654,7 @@ class NdcDrawing:
             plane.SetNormal(*normal)
             plane.SetOrigin(*(-offset * part for part in normal))
         stop = int(position + 0.5)
-        if isinstance(self._projection.lens, FreeMatrix) and VIEW < stop < NDC:
+        if self._projection.lens.planes is None and VIEW < stop < NDC:
             stop = VIEW if position < (VIEW + NDC) / 2.0 else NDC
         self._name_stop(stop)
         for label in (self._near, self._far):
@@ -689,7 +689,7 @@ class NdcDrawing:
         for name, numbers in self._numbers.items():
             for number in numbers:
                 number.set_visible(stop >= CANONICAL_PERSPECTIVE and (stop != IMAGE or name != "z"))
-        if stop == CANONICAL_PERSPECTIVE and not self._projection.standard_lens.parallel:
+        if stop == CANONICAL_PERSPECTIVE and self._projection.lens.central:
             self._numbers["z"][0].set_visible(False)  # on the plate of near, which is small here
 
     def _place_axes(self, stop: int, morph: Morph, box: Array) -> None:
@@ -715,7 +715,7 @@ class NdcDrawing:
             camera = self._projection.camera
             at = (0.0, 0.0, 0.0) if stop == WORLD else camera.eye
             seen = matrix @ [*(np.array(at) - self._scene.origin), 1.0]
-            if stop == VIEW and isinstance(self._projection.lens, FreeMatrix):
+            if stop == VIEW and self._projection.lens.planes is None:
                 # Of view space itself: its matrix need not be the camera's.
                 seen, matrix = morph.display_from_stage(VIEW)[:, 3], np.eye(4)
                 camera = _LEVEL
@@ -750,11 +750,11 @@ class NdcDrawing:
         limit = RADIUS if stop <= VIEW else 2.0
         near, far = (_edge(box, -1.0, 1.0, limit, z) for z in (1.0, 0.0))
         lens = self._projection.lens
-        pyramid = not isinstance(lens, FreeMatrix) and not lens.parallel
+        pyramid = lens.central
         if stop <= CANONICAL_PERSPECTIVE and pyramid:
             aside = _BESIDE
             if stop > VIEW:
-                lens = self._projection.standard_lens
+                lens = self._projection.lens
                 # As far as the near face is small, and the pane has turned to where it looks so.
                 part = 1.0 - abs(self._position - CANONICAL_PERSPECTIVE)
                 aside = part * (1.0 - lens.near / lens.far / 2.0) * _BESIDE_PYRAMID
@@ -766,7 +766,7 @@ class NdcDrawing:
         (width, height) = self._projection.image_size
         x, y = ("−1", "1"), ("−1", "1")
         ends, z = (1.0, 1.0), ("0", "−1")
-        if stop == CANONICAL_PERSPECTIVE and not isinstance(lens, FreeMatrix) and pyramid:
+        if stop == CANONICAL_PERSPECTIVE and lens.planes is not None and pyramid:
             # The sides are 1 where z is -1: at far, and at near if far is infinite.
             infinite = lens.far == math.inf
             ends = (1.0, 1.0) if infinite else (0.0, 0.0)

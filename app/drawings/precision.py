@@ -38,7 +38,7 @@ from vtkmodules.vtkRenderingCore import vtkActor
 
 from app.drawings.actors import Detail, scene_actors
 from app.drawings.style import Style
-from app.model.projection import Array, FreeMatrix, Projection
+from app.model.projection import Array, Projection
 from app.precision.levels import Rung, rung_for_drawing
 from app.scenes.scene import Scene
 
@@ -138,7 +138,7 @@ class ModelActors:
         for made in self._made:
             world = made.points.astype(np.float64) + self._scene.origin
             part = _cut(projection.trace(world).clip, made.cells, planes)
-            if isinstance(projection.lens, FreeMatrix):
+            if projection.lens.planes is None:
                 w = part.clip[:, 3:]
                 part = part._replace(clip=part.clip / np.where(w > 0.0, w, 1.0))
             parts.append(part)
@@ -153,7 +153,7 @@ class ModelActors:
         for made, part in zip(self._made, parts, strict=True):
             made.replace(part, unit)
         clip_from_vertex = np.diag([1.0, 1.0, _SHALLOW, 0.0]) / unit
-        if isinstance(projection.lens, FreeMatrix) or projection.lens.parallel:
+        if not projection.lens.central:
             clip_from_vertex[3, 3] = 1.0
         else:
             a, b = projection.clip_from_view[2, 2:]  # for z of view space, which is -w
@@ -258,7 +258,7 @@ def _planes(projection: Projection) -> tuple[Array, Array]:
     sides = [(1.0, 0.0, 0.0, _WIDE), (-1.0, 0.0, 0.0, _WIDE)]
     sides += [(0.0, 1.0, 0.0, _WIDE), (0.0, -1.0, 0.0, _WIDE)]
     lens = projection.lens
-    if isinstance(lens, FreeMatrix):
+    if lens.planes is None:
         depth = [((0.0, 0.0, 1.0, 1.0), 0.0), ((0.0, 0.0, -1.0, 1.0), 0.0)]
         depth.append(((0.0, 0.0, 0.0, 1.0), -_LEAST_W))
     elif lens.parallel:

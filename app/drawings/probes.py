@@ -24,7 +24,7 @@ from vtkmodules.vtkRenderingCore import vtkActor2D, vtkPolyDataMapper2D
 
 from app.drawings.actors import Canvas, Label, Space, lift_lines, line_actor
 from app.drawings.style import Style, rgb
-from app.model.projection import Array, FreeMatrix, Projection, Trace, Vector
+from app.model.projection import Array, Projection, Trace, Vector
 from app.picking.picking import Hit, Lines, Probe, Sight, Surface, pick, projector
 from app.scenes.scene import Scene
 
@@ -101,10 +101,10 @@ class Probes:
         """
         near, far = drawn
         start_at, has_near = min(0.0, near), True
-        if isinstance(projection.lens, FreeMatrix):  # in shares of the way through the volume
+        if projection.lens.planes is None:  # in shares of the way through the volume
             near, far, start_at = 0.0, 1.0, 0.0
             has_near = projection.frustum_sign != 0
-        elif not projection.lens.parallel:
+        elif projection.lens.central:
             start_at = 0.0
         marks = []
         for probe, trace in zip(self.probes, self._traces(projection), strict=True):
@@ -121,7 +121,7 @@ class Probes:
             crossing = sight.seen(line[:1])[0] if line is not None and has_near else None
             spot = sight.seen([point])[0]
             ends: Array | None = np.stack([start, point]) - origin
-            if line is None and isinstance(projection.lens, FreeMatrix):
+            if line is None and projection.lens.planes is None:
                 ends = None
             marks.append(Mark(probe.number, spot, not trace.outside.any(), ends, crossing))
         return marks

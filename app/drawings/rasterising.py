@@ -40,7 +40,7 @@ from vtkmodules.vtkRenderingCore import vtkActor
 from app.drawings.actors import Canvas, Space, identity_camera, unlit_actor
 from app.drawings.style import LIGHT, Style, rgb
 from app.model.depth import FORMATS, DepthBuffer
-from app.model.projection import Array, FreeMatrix, Lens, Projection
+from app.model.projection import Array, Lens, Projection
 from app.scenes.phenomena.depth_buffer import FINEST
 from app.scenes.phenomena.illustration import (
     QT_TRANSLATE_NOOP,
@@ -369,7 +369,7 @@ class Rasteriser:
         elif fog is not None:
             which, end, slope = 1, fog.end, 1.0 / (fog.end - fog.start)
         near, span = 0.0, 0.0
-        if not isinstance(lens, FreeMatrix):  # which is shown without fog
+        if lens.planes is not None:  # which is shown without fog
             near, span = lens.near, lens.far - lens.near if lens.parallel else 0.0
         return [
             *(("flFog", which), ("flFogEnd", end), ("flFogSlope", slope)),
@@ -496,7 +496,7 @@ def counted_wrong_share(
     origin = np.array(scene.origin)
     shift, back = np.eye(4), np.eye(4)
     shift[:3, 3], back[:3, 3] = origin, -origin
-    parallel = projection.standard_lens.parallel
+    parallel = projection.lens.parallel
     seen = projection.with_depth("opengl")
     clip_from_local = seen.clip_from_world_at(scene.origin)
     plain = scene.surface.copy(deep=False)

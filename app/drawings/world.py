@@ -45,11 +45,10 @@ from app.lecture.highlight import CORNERS, Attention
 from app.model.projection import (
     Array,
     Camera,
-    FreeMatrix,
+    Lens,
     Orthographic,
     Perspective,
     Projection,
-    StandardLens,
 )
 from app.picking.handles import Handle, nearest, shown
 from app.picking.picking import Probe, Sight
@@ -375,7 +374,7 @@ class WorldDrawing:
         ]
         segments += volume_edges(corners)
         lens = self._projection.lens
-        if not isinstance(lens, FreeMatrix) and not lens.parallel:
+        if lens.central:
             segments += [(frozenset(("fov",)), eye, corner) for corner in corners[:4]]
         return pointed_at((x_px, y_px), self._canvas.style.font_size, points, segments, corners)
 
@@ -406,7 +405,7 @@ class WorldDrawing:
         self._projection = projection
         if projection.camera is not self._camera:
             self._show_camera(projection.camera)
-        if isinstance(projection.lens, FreeMatrix):
+        if projection.lens.planes is None:
             self._show_free_volume(projection)
         else:
             self._show_volume(projection.lens)
@@ -451,7 +450,7 @@ class WorldDrawing:
             self._frustum_space.set(frustum)
             self._body_space.set(frustum)
 
-    def _show_volume(self, lens: StandardLens) -> None:
+    def _show_volume(self, lens: Lens) -> None:
         """A lens' frustum, broken where it is too deep to be drawn true to scale."""
         self._reach = reach = self._reach_of(lens)
         for actor in self._volume:
@@ -471,19 +470,19 @@ class WorldDrawing:
             if broken is not None:
                 part = _cube_from_part(view_from_cube, *broken)
                 self._break_ends[name] = _applied(frustum @ part, _CUBE)
-        self._apex.SetVisibility(not lens.parallel)
-        if not lens.parallel:
+        self._apex.SetVisibility(lens.central)
+        if lens.central:
             base = frustum
             if reach.near_break is not None:
                 base = _normalised(self._local_from_view @ self._view_from_cube(*reach.near_break))
             self._apex_space.set(base @ _CUBE_FROM_PYRAMID)
 
-    def _reach_of(self, lens: StandardLens) -> _Reach:
+    def _reach_of(self, lens: Lens) -> _Reach:
         size, extent = self._scene.size, self._extent
         nearby_target = min(self._projection.camera.distance, 2.0 * extent)
         high = _BEYOND * max(self._objects_depth, nearby_target, 0.5 * size)
         near, far = lens.near, lens.far
-        if not lens.parallel:
+        if lens.central:
             low = 0.0
             near = max(near, 1e-12 * high)  # nobody sees the difference; float32 does
         else:
@@ -510,8 +509,8 @@ class WorldDrawing:
         arrows, directions = self._arrows
         tips = np.concatenate([self._eye + k * directions for k in _BEYOND_TIP])
         body = _applied(self._local_from_body, _BODY_BOX)
-        planes = None if isinstance(lens, FreeMatrix) else (lens.near, lens.far)
-        seen = not isinstance(lens, FreeMatrix) or self._projection.frustum_sign != 0
+        planes = None if lens.planes is None else (lens.near, lens.far)
+        seen = lens.planes is not None or self._projection.frustum_sign != 0
         corners = self._corners if seen else None
         named = Named(self._eye, self._target, arrows, tips, body, corners, planes)
         first = None
@@ -559,7 +558,7 @@ class WorldDrawing:
         px = math.dist(pane.eye, left_bottom) * 2.0 * pane.slope / pane.size_px[1]
         depths = self._depths
         seen = math.dist(left_bottom, right_top) > _LEAST_PICTURE_PX * px
-        if isinstance(lens, FreeMatrix):
+        if lens.planes is None:
             seen = seen and self._projection.frustum_sign > 0
         else:
             assert reach is not None
@@ -972,7 +971,7 @@ def flatten(
     In homogeneous coordinates, with depth 1 at the near and 0 at the far end of what is in the
     picture: ``flatten: z' = w +- slab z``; x, y and w stay, so that each point keeps its ray.
     """
-    lens = projection.standard_lens
+    lens = projection.lens
     near, far = lens.near, lens.far
     free = max(_MARGIN * (depths[1] - depths[0]), 1e-6 * reach)  # flat scenes have no depth
     start = max(near, depths[0] - free)
@@ -1031,7 +1030,7 @@ def _side_planes(projection: Projection) -> Array:
     Clip space has them as w + x and so on, which cancel for a window far off the axis.
     """
     left, right, bottom, top = projection.window
-    lens = projection.standard_lens
+    lens = projection.lens
     near = lens.near
     planes = np.zeros((4, 4))
     for row, (axis, edge, sign) in enumerate(
@@ -1085,7 +1084,7 @@ def _part(projection: Projection, near: float, far: float) -> tuple[Array, Array
     clip_from_view, view_from_clip : (4, 4) float64 arrays
     """
     clip_from_view, view_from_clip = projection.clip_from_view.copy(), np.zeros((4, 4))
-    lens = projection.standard_lens
+    lens = projection.lens
     clip_from_view[2], depth_from_clip = _depth_rows(near, far, lens.parallel)
     if lens.parallel:
         left, right, bottom, top = projection.window

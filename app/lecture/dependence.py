@@ -7,14 +7,24 @@ What is 0 by chance of no number that a control has (a sum that cancels) is not 
 
 from __future__ import annotations
 
-import ast
-import math
 from collections.abc import Sequence
 from fractions import Fraction
-from functools import cache, lru_cache
+from functools import lru_cache
 from typing import NamedTuple, TypeAlias
 
-from app.model.projection import FreeMatrix, Oblique, Perspective, Projection
+from app.model.formula import (
+    Call,
+    Difference,
+    Formula,
+    Letter,
+    Negative,
+    Number,
+    Pair,
+    Quotient,
+    Sum,
+    parse,
+)
+from app.model.projection import Projection
 
 FIELDS = {
     "n": ("near",), "f": ("far",), "l": ("left",), "r": ("right",), "b": ("bottom",), "t": ("top",),
@@ -26,8 +36,6 @@ FIELDS = {
 }  # fmt: skip
 """Of the document, by the names of `app.lecture.notation`'s formulas."""
 
-_ROUNDING = 1e-12
-"""What a window's proportions may differ from the image's, of themselves, by their rounding."""
 _SIDES = {("r", "l"): "x", ("t", "b"): "y"}
 
 
@@ -42,6 +50,8 @@ class State(NamedTuple):
         The names, and the sums and calls of names, that are 0.
     fits : bool
         Whether the lens' window has the image's proportions as it is: then nothing is fitted.
+    letters : tuple of (str, tuple of str)
+        Letters that only this lens has, and the fields of the document that they depend on.
     held : tuple of (str, tuple of str)
         Components of u and v that are 0 and can only be moved by some of their fields: along an
         axis of the world u has none wherever the camera stands if up has only that, nor have u
@@ -51,6 +61,7 @@ class State(NamedTuple):
     keep: str
     zeros: frozenset[str]
     fits: bool
+    letters: tuple[tuple[str, tuple[str, ...]], ...]
     held: tuple[tuple[str, tuple[str, ...]], ...]
 
 
@@ -73,7 +84,6 @@ def state_of(projection: Projection) -> State:
     """
     lens, camera = projection.lens, projection.camera
     values: dict[str, object] = {}
-    fits = False
     for point in ("eye", "target"):
         parts = getattr(camera, point)
         values |= {f"{point}_{x}": part for x, part in zip("xyz", parts, strict=True)}
@@ -82,23 +92,14 @@ def state_of(projection: Projection) -> State:
     for axis, row, part in zip("uvn", frame, shift, strict=True):
         values |= {f"{axis}_{x}": component for x, component in zip("xyz", row, strict=True)}
         values[f"dot(axis_{axis})"] = part
-    if isinstance(lens, FreeMatrix):
-        for i, cells in enumerate(lens.clip_from_view, 1):
-            values |= {f"p_{i}{j}": cell for j, cell in enumerate(cells, 1)}
-    else:
-        values |= {"n": lens.near, "f": lens.far}
-        if not isinstance(lens, Perspective):
-            values |= {"r + l": lens.right + lens.left, "t + b": lens.top + lens.bottom}
-            fitted = projection.aspect * (lens.top - lens.bottom)
-            fits = math.isclose(lens.right - lens.left, fitted, rel_tol=_ROUNDING)
-        if isinstance(lens, Oblique):
-            values |= dict(zip(("cot(alpha)", "cot(beta)"), lens.shear, strict=True))
+    values |= lens.letters(Fraction(*projection.image_size))
     held: list[tuple[str, tuple[str, ...]]] = [(f"u_{x}", ("up",)) for x in _only_axis(camera.up)]
     held += [(f"{axis}_{x}", ("eye", "target")) for x in _only_axis(frame[2]) for axis in "uv"]
     return State(
         getattr(lens, "keep", ""),
         frozenset(name for name, value in values.items() if not value),
-        fits,
+        lens.fits(projection.aspect),
+        tuple(lens.table.fields.items()),
         tuple(held),
     )
 
@@ -119,41 +120,36 @@ def reach(formula: str, state: State) -> Reach:
         In the names of `app.lecture.notation`.
     state : State
     """
-    fields, is_zero = _of(_tree(formula), state)
+    fields, is_zero = _of(parse(formula), state)
     return Reach(tuple(fields), is_zero)
 
 
-@cache
-def _tree(formula: str) -> ast.expr:
-    return ast.parse(formula, mode="eval").body
-
-
-def _of(node: ast.expr, state: State) -> _Found:
-    if isinstance(node, ast.Constant):
-        return {}, node.value == 0
-    if isinstance(node, ast.Name):
-        return _of_name(node.id, state)
-    if isinstance(node, ast.UnaryOp):
+def _of(node: Formula, state: State) -> _Found:
+    if isinstance(node, Number):
+        return {}, node.number == 0
+    if isinstance(node, Letter):
+        return _of_name(node.name, state)
+    if isinstance(node, Negative):
         return _of(node.operand, state)
-    if isinstance(node, ast.Call):
-        assert isinstance(node.func, ast.Name)
-        if node.func.id == "dot":
-            assert isinstance(node.args[0], ast.Name)
-            return _of_dot(node.args[0].id, state)
-        found, _ = _of(node.args[0], state)
-        return found, ast.unparse(node) in state.zeros
-    assert isinstance(node, ast.BinOp)
-    if isinstance(node.left, ast.Name) and isinstance(node.right, ast.Name):
-        across = _SIDES.get((node.left.id, node.right.id))
+    if isinstance(node, Call):
+        first = node.arguments[0]
+        if node.name == "dot":
+            assert isinstance(first, Letter)
+            return _of_dot(first.name, state)
+        found, _ = _of(first, state)
+        return found, node.text in state.zeros
+    assert isinstance(node, Pair)
+    if isinstance(node.left, Letter) and isinstance(node.right, Letter):
+        across = _SIDES.get((node.left.name, node.right.name))
         if across is not None:
-            return _of_window(across, isinstance(node.op, ast.Add), state)
+            return _of_window(across, isinstance(node, Sum), state)
     (left, left_is_zero), (right, right_is_zero) = _of(node.left, state), _of(node.right, state)
-    if isinstance(node.op, ast.Div):
+    if isinstance(node, Quotient):
         cancelled = _what_is_left(node.left, state)
         if cancelled and cancelled == _what_is_left(node.right, state):
             return {field: None for field in left | right if field not in FIELDS[cancelled]}, False
         return (left if left_is_zero else left | right), left_is_zero
-    if not isinstance(node.op, ast.Mult):
+    if isinstance(node, Sum | Difference):
         return left | right, left_is_zero and right_is_zero
     if left_is_zero and right_is_zero:
         return {field: None for field in left if field in right}, True
@@ -162,16 +158,16 @@ def _of(node: ast.expr, state: State) -> _Found:
     return left | right, False
 
 
-def _what_is_left(node: ast.expr, state: State) -> str:
+def _what_is_left(node: Formula, state: State) -> str:
     """The plane that a sum of planes is, without those at 0: f is for ``f - n`` with n = 0."""
-    if isinstance(node, ast.UnaryOp):
+    if isinstance(node, Negative):
         return _what_is_left(node.operand, state)
-    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.Add | ast.Sub):
+    if isinstance(node, Sum | Difference):
         for gone, other in ((node.left, node.right), (node.right, node.left)):
             if _of(gone, state)[1]:
                 return _what_is_left(other, state)
-    if isinstance(node, ast.Name) and node.id in ("n", "f") and node.id not in state.zeros:
-        return node.id
+    if isinstance(node, Letter) and node.name in ("n", "f") and node.name not in state.zeros:
+        return node.name
     return ""
 
 
@@ -183,7 +179,8 @@ def _of_name(name: str, state: State) -> _Found:
         stem = f"axis_{stem}" if stem in ("u", "v", "n") else stem
     else:
         stem = name
-    return dict.fromkeys(FIELDS.get(stem, ())), name in state.zeros
+    fields = dict(state.letters).get(stem) or FIELDS.get(stem, ())
+    return dict.fromkeys(fields), name in state.zeros
 
 
 def _of_dot(axis: str, state: State) -> _Found:
@@ -195,7 +192,7 @@ def _of_dot(axis: str, state: State) -> _Found:
     if axis == "axis_n":
         return dict.fromkeys(("eye",) if "eye" in state.zeros else ("eye", "target")), is_zero
     by_eye, by_target = (
-        _of(_tree(" + ".join(f"{axis[-1]}_{x}*{point}_{x}" for x in "xyz")), state)[0]
+        _of(parse(" + ".join(f"{axis[-1]}_{x}*{point}_{x}" for x in "xyz")), state)[0]
         for point in ("eye", "target")
     )
     return {field: None for field in by_eye if field in by_target}, is_zero

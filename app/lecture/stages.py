@@ -36,7 +36,7 @@ from functools import cached_property
 
 import numpy as np
 
-from app.model.projection import Array, FreeMatrix, Projection, StandardLens, Vector
+from app.model.projection import Array, Lens, Projection, Vector
 
 STOPS = ("world", "view", "canonical_perspective", "canonical_parallel", "ndc", "image")
 """The strip's stops in order; a position is an index into them, or between two."""
@@ -78,8 +78,8 @@ class Morph:
     corners_world: Array
 
     @property
-    def _lens(self) -> StandardLens:
-        return self.projection.standard_lens
+    def _lens(self) -> Lens:
+        return self.projection.lens
 
     # -- the pipeline's own
 
@@ -407,7 +407,7 @@ class FreeMorph(Morph):
     def _is_rigid(self) -> bool:
         """Whether the view matrix is the camera's, which the world turns into as a whole."""
         lens = self.projection.lens
-        return isinstance(lens, FreeMatrix) and lens.view_from_world is None
+        return not lens.has_steps and lens.own_view is None
 
     @cached_property
     def _local_from_box(self) -> Array | None:

@@ -19,6 +19,7 @@ from typing import Any, NamedTuple, TypeAlias
 
 from app.arithmetic.double_double import cotangent_deg
 from app.arithmetic.rationals import Rationals, eliminate, rationals
+from app.model.lenses.lens import plane_letters
 from app.model.projection import (
     LENSES,
     OBLIQUE_PRESETS,
@@ -27,12 +28,12 @@ from app.model.projection import (
     Cells,
     FreeMatrix,
     Frustum,
+    Lens,
     Oblique,
     Orthographic,
     Perspective,
     Projection,
     ProjectionError,
-    StandardLens,
     Vector,
     finite_matrix,
     format_value,
@@ -112,9 +113,9 @@ def with_matrix(projection: Projection, name: str, matrix: Sequence[Sequence[flo
     if cells == shown(projection, name):
         return projection
     lens, camera = projection.lens, projection.camera
-    former = lens.former if isinstance(lens, FreeMatrix) else lens
+    former = lens.former
     clip_from_view = shown(projection, "clip_from_view")
-    view_from_world = lens.view_from_world if isinstance(lens, FreeMatrix) else None
+    view_from_world = lens.own_view
     if name == "view_from_world":
         found = recognised_camera(cells, camera)
         camera, view_from_world = (camera, cells) if found is None else (found, None)
@@ -135,7 +136,7 @@ def with_matrix(projection: Projection, name: str, matrix: Sequence[Sequence[flo
 # --------------------------------------------------------------------------- recognition: lenses
 
 
-def recognised_lens(cells: Cells, projection: Projection) -> StandardLens | None:
+def recognised_lens(cells: Cells, projection: Projection) -> Lens | None:
     """The lens whose ``clip_from_view`` this is, if there is one.
 
     Parameters
@@ -158,7 +159,7 @@ def recognised_lens(cells: Cells, projection: Projection) -> StandardLens | None
         kinds = [Orthographic.kind, Oblique.kind]
     else:
         return None
-    kinds.sort(key=lambda kind: kind != projection.standard_lens.kind)
+    kinds.sort(key=lambda kind: kind != projection.lens.kind)
     for kind in kinds:
         for lens in _candidates(kind, exact, projection):
             if _has(lens, exact, projection):
@@ -166,9 +167,9 @@ def recognised_lens(cells: Cells, projection: Projection) -> StandardLens | None
     return None
 
 
-def _candidates(kind: str, exact: Rationals, projection: Projection) -> Iterator[StandardLens]:
+def _candidates(kind: str, exact: Rationals, projection: Projection) -> Iterator[Lens]:
     """Lenses of a kind that may have the matrix, those with the fields in hand first."""
-    in_hand = projection.standard_lens
+    in_hand = projection.lens
     try:
         near, far = _planes(exact, projection, parallel=kind in ("orthographic", "oblique"))
         if kind == Perspective.kind:
@@ -199,7 +200,7 @@ def _candidates(kind: str, exact: Rationals, projection: Projection) -> Iterator
         lens: Any = LENSES[kind]
         leaning: Any = dict(zip(("alpha_deg", "beta_deg"), angles, strict=False))
         if in_hand.kind == kind and not isinstance(in_hand, Perspective):
-            yield replace(in_hand, near=near, far=far, **leaning)
+            yield in_hand.but(near=near, far=far, **leaning)
         sides = [
             *_ends(scales[0], shift[0], unit),
             *_ends(scales[1], shift[1], unit),
@@ -214,16 +215,12 @@ def _planes(exact: Rationals, projection: Projection, *, parallel: bool) -> tupl
     (a, b), (z_near, z_far) = exact[2][2:], map(Fraction, projection.depth_range)
 
     def row(near: float, far: float) -> tuple[float, ...]:
-        n = Fraction(near)
-        if far == math.inf:
-            return float(-z_far), float((z_near - z_far) * n)
-        f = Fraction(far)
-        if parallel:
-            return float((z_near - z_far) / (f - n)), float((z_near * f - z_far * n) / (f - n))
-        return float(-(z_far * f - z_near * n) / (f - n)), float((z_near - z_far) * n * f / (f - n))
+        lens = (Orthographic if parallel else Perspective)(near=near, far=far)
+        letters = {**plane_letters(lens), "z_n": z_near, "z_f": z_far}
+        return tuple(float(cell.value(letters)) for cell in lens.table.clip_from_view[2][2:])
 
     wanted = float(a), float(b)
-    in_hand = projection.standard_lens
+    in_hand = projection.lens
     with_parallel_far = parallel and in_hand.far == math.inf
     if not with_parallel_far and row(in_hand.near, in_hand.far) == wanted:
         return in_hand.near, in_hand.far
@@ -318,7 +315,7 @@ def _same(a: Fraction, b: Fraction, size: Fraction) -> bool:
     return apart <= Fraction(_ROUNDING) * size and apart <= Fraction(_OF_ITSELF) * abs(b)
 
 
-def _has(lens: StandardLens, exact: Rationals, projection: Projection) -> bool:
+def _has(lens: Lens, exact: Rationals, projection: Projection) -> bool:
     """Whether a lens has the matrix, cell by cell, but for the rounding of its fields."""
     try:
         own = replace(projection, lens=lens).direct_stages[0].exact
@@ -460,12 +457,12 @@ def properties(projection: Projection, name: str) -> list[Property]:
         Empty for the matrix of a lens or a camera. Decided in rationals.
     """
     lens = projection.lens
-    if not isinstance(lens, FreeMatrix):
+    if lens.has_steps:
         return []
     if name == "clip_from_view":
-        return _of_clip(projection, rationals(lens.clip_from_view))
-    if name == "view_from_world" and lens.view_from_world is not None:
-        return _of_view(rationals(lens.view_from_world))
+        return _of_clip(projection, projection.direct_stages[0].exact)
+    if name == "view_from_world" and lens.own_view is not None:
+        return _of_view(rationals(lens.own_view))
     return []
 
 

@@ -376,7 +376,7 @@ def _with_aspect(projection: Projection, aspect: float) -> tuple[Projection, Arr
 
 
 def _perspective(projection: Projection) -> Perspective:
-    lens = projection.standard_lens
+    lens = projection.lens
     if isinstance(lens, Perspective):
         return lens
     turned = projection.with_lens("perspective").lens
@@ -519,7 +519,7 @@ def in_view(projection: Projection, points_world: Array) -> Array:
         return kept
     rng = np.random.default_rng(1)
     width, height = projection.image_size
-    lens = projection.standard_lens
+    lens = projection.lens
     far = lens.far if math.isfinite(lens.far) else 1e3 * max(abs(lens.near), 1e-100)
     near = lens.near
     if lens.parallel:
@@ -541,11 +541,7 @@ def _spread(projection: Projection, pixels: Array, depth: Array) -> Array:
     width, height = projection.image_size
     x = left + (right - left) * pixels[:, 0] / width
     y = top - (top - bottom) * pixels[:, 1] / height
-    grow = (
-        np.ones_like(depth)
-        if projection.standard_lens.parallel
-        else depth / projection.standard_lens.near
-    )
+    grow = projection.lens.enlarged(depth)
     view = np.column_stack([x * grow, y * grow, -depth])
     world: Array = view @ projection.camera.frame + projection.camera.eye
     return world
@@ -553,13 +549,13 @@ def _spread(projection: Projection, pixels: Array, depth: Array) -> Array:
 
 def _vtk_camera(projection: Projection, world: Array, reference: Truth) -> _Answer:
     """VTK's own camera set as a program would set it, and whether it took what it was given."""
-    lens, camera = projection.standard_lens, vtkCamera()
+    lens, camera = projection.lens, vtkCamera()
     camera.SetPosition(*projection.camera.eye)
     camera.SetFocalPoint(*projection.camera.target)
     camera.SetViewUp(*projection.camera.up)
     camera.SetClippingRange(lens.near, lens.far)
     left, right, bottom, top = projection.window
-    fov_y_deg = math.degrees(2.0 * math.atan2(top, lens.near)) if not lens.parallel else 0.0
+    fov_y_deg = math.degrees(2.0 * math.atan2(top, lens.near)) if lens.central else 0.0
     if isinstance(lens, Perspective):
         fov_y_deg = lens.fov_y_deg
     if lens.parallel:
@@ -577,7 +573,7 @@ def _vtk_camera(projection: Projection, world: Array, reference: Truth) -> _Answ
         [(ndc[:, 0] + 1.0) * width / 2.0, (1.0 - ndc[:, 1]) * height / 2.0, (ndc[:, 2] + 1.0) / 2.0]
     )
     notes = []
-    if not lens.parallel and camera.GetViewAngle() != fov_y_deg:
+    if lens.central and camera.GetViewAngle() != fov_y_deg:
         notes.append(f"clamps the view angle to {camera.GetViewAngle():g}°")
     if camera.GetClippingRange() != (lens.near, lens.far):
         notes.append("changes near or far")

@@ -47,7 +47,7 @@ def measure(projection: Projection, watch: Watch = unwatched) -> Trade:
     Cancelled
         By `watch`; with the choices done.
     """
-    lens = projection.standard_lens
+    lens = projection.lens
     distance = -float(projection.trace(projection.camera.target).view[2])
     names = [(format_, mapping) for format_ in FORMATS for mapping in MAPPINGS]
     choices: list[Choice] = []
@@ -59,7 +59,7 @@ def measure(projection: Projection, watch: Watch = unwatched) -> Trade:
         name = f"{format_}, {mapping}"
         memory = FORMATS[format_].bits / 8.0
         try:
-            buffer = DepthBuffer(format_, mapping, lens.near, lens.far, lens.parallel)
+            buffer = DepthBuffer.of(lens, format_, mapping)
         except ProjectionError as error:
             choices.append(Choice(name, memory, memory, None, note=str(error)))
             continue

@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from app.model.lenses.window import Windowed
 from app.model.projection import Array, Oblique, Perspective, Projection
 
 DIGITS = 200
@@ -56,7 +57,7 @@ def truth(projection: Projection, points_world: Array) -> Truth:
     """
     from mpmath import mp
 
-    lens, camera = projection.standard_lens, projection.camera
+    lens, camera = projection.lens, projection.camera
     with mp.workdps(DIGITS):
 
         def exact(values: Any) -> list[Any]:
@@ -82,6 +83,7 @@ def truth(projection: Projection, points_world: Array) -> Truth:
             half_width = half_height * width / height
             left, top = -half_width, half_height
         else:
+            assert isinstance(lens, Windowed)
             left, right, bottom, top = exact([lens.left, lens.right, lens.bottom, lens.top])
             half_width, half_height = (right - left) / 2, (top - bottom) / 2
             if lens.keep == "x":

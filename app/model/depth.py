@@ -23,7 +23,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any, Literal, NamedTuple, TypeAlias
+from typing import Any, Literal, NamedTuple, TypeAlias, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
@@ -35,8 +35,11 @@ from app.model.projection import (
     FINITE_NUMBER,
     ONE_OF,
     Array,
+    DepthRange,
+    Lens,
     Orthographic,
     Perspective,
+    Projection,
     ProjectionError,
 )
 
@@ -123,11 +126,7 @@ class DepthBuffer:
                 raise ProjectionError(field, value, ONE_OF, ", ".join(known))
         if not isinstance(self.parallel, bool):
             raise ProjectionError("parallel", self.parallel, ONE_OF, "True, False")
-        lens: Perspective | Orthographic
-        if self.parallel:
-            lens = Orthographic(near=self.near, far=self.far)
-        else:
-            lens = Perspective(near=self.near, far=self.far)
+        lens = self._lens
         if self.mapping == "logarithmic":
             if self.parallel:
                 raise ProjectionError("mapping", self.mapping, ONE_OF, ", ".join(DEPTH_RANGES))
@@ -135,6 +134,24 @@ class DepthBuffer:
                 raise ProjectionError("far", lens.far, FINITE_NUMBER)
         object.__setattr__(self, "near", lens.near)
         object.__setattr__(self, "far", lens.far)
+
+    @classmethod
+    def of(cls, lens: Lens, format_: str, mapping: str, far: float | None = None) -> DepthBuffer:
+        """The buffer in front of a lens, or of it with another far plane.
+
+        Raises
+        ------
+        ProjectionError
+            As the class, and for a typed matrix.
+        """
+        return cls(format_, mapping, lens.near, lens.far if far is None else far, lens.parallel)
+
+    @property
+    def _lens(self) -> Perspective | Orthographic:
+        """A lens whose matrix makes this depth."""
+        if self.parallel:
+            return Orthographic(near=self.near, far=self.far)
+        return Perspective(near=self.near, far=self.far)
 
     # -- from distance to code
 
@@ -409,15 +426,9 @@ class DepthBuffer:
 
     def _entries(self) -> tuple[float, float]:
         """A and B of ``z_clip = A w + B``, what the matrix of the lens holds."""
-        near, far = self.near, self.far
-        z_near, z_far = DEPTH_RANGES[self.mapping]
-        if self.parallel:
-            a = (z_far - z_near) / (far - near)
-            return a, (z_near * far - z_far * near) / (far - near)
-        if far == math.inf:
-            return z_far, (z_near - z_far) * near
-        a = (z_far * far - z_near * near) / (far - near)
-        return a, (z_near - z_far) * near * (far / (far - near))
+        projection = Projection(lens=self._lens, depth=cast(DepthRange, self.mapping))
+        a, b = projection.clip_from_view[2, 2:].tolist()
+        return -a, b
 
     def _cells(self, depth: Array) -> tuple[Any, Any]:
         """Width of the codes' cells at a depth: the mean, and by how much they alternate.

@@ -30,6 +30,7 @@ from __future__ import annotations
 
 import math
 import numbers
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
@@ -45,27 +46,36 @@ from app.model.camera import (
     Camera,
     Orbit,
 )
+from app.model.formula import FLOAT64
 from app.model.lenses import (
     KINDS,
     LENSES,
-    OBLIQUE_PRESETS,
     FreeMatrix,
     Frustum,
     Lens,
     Oblique,
     Orthographic,
     Perspective,
-    StandardLens,
-    Windowed,
-    check_planes,
+)
+from app.model.lenses.lens import Seen
+from app.model.lenses.oblique import COTS, OBLIQUE_PRESETS, oblique_angles, receding_of
+from app.model.lenses.perspective import (
     focal_length_35mm,
     focal_length_e,
     fov_x_from_fov_y,
     fov_y_from_focal_length_35mm,
     fov_y_from_focal_length_e,
     fov_y_from_window,
-    oblique_angles,
-    receding_of,
+)
+from app.model.tables import (
+    NO_M_PP,
+    NO_OBJECT_TRANSFORM,
+    NOTES,
+    OBJECT,
+    SCALED_BY_NEAR,
+    VIEWPORT,
+    Step,
+    evaluated,
 )
 from app.model.values import (
     ABOVE,
@@ -179,7 +189,6 @@ __all__ = [  # the model's one door: what its other rooms hold can be had here
     "ProjectionError",
     "Rationals",
     "Stage",
-    "StandardLens",
     "Trace",
     "Vector",
     "checked_points",
@@ -278,13 +287,6 @@ class Stage(NamedTuple):
         return _rounded(self.exact)
 
 
-NO_OBJECT_TRANSFORM = "the scene's objects are given in world coordinates"
-NO_M_PP = "a parallel lens has no M_pp: this is the identity"
-SCALED_BY_NEAR = "far is infinite: the canonical pyramid is scaled by near, which is at z = -1"
-NOTES = (NO_OBJECT_TRANSFORM, NO_M_PP, SCALED_BY_NEAR)
-"""Every note of a `Stage`, for translators."""
-
-
 class Intrinsics(NamedTuple):
     """A perspective camera as photogrammetry and OpenCV write it, all in pixels.
 
@@ -340,7 +342,13 @@ class Trace(NamedTuple):
     outside: NDArray[np.bool_]
 
 
-def _stage(name: str, *factors: tuple[str, Rationals], note: str = "") -> Stage:
+def _stage(step: Step, letters: Mapping[str, Fraction]) -> Stage:
+    """A step of a table in numbers."""
+    factors = [(name, evaluated(table, letters)) for name, table in step.factors]
+    return _product(step.name, factors, step.note)
+
+
+def _product(name: str, factors: Sequence[tuple[str, Rationals]], note: str = "") -> Stage:
     """A stage that is the product of its factors."""
     whole = _diagonal(1, 1, 1, 1)
     for _, factor in factors:
@@ -413,31 +421,9 @@ class Projection:
         if not isinstance(self.depth, str) or self.depth not in DEPTH_RANGES:
             raise ProjectionError("depth", self.depth, ONE_OF, ", ".join(DEPTH_RANGES))
         keep_checked(self, image_size=(int(size[0]), int(size[1])))
-        if isinstance(self.lens, Windowed):  # `keep` can shrink it to nothing, far from the axis
-            left, right, bottom, top = self.window
-            x_axis, y_axis = self._axes
-            for name, low, high, axis in (
-                ("left", left, right, x_axis),
-                ("bottom", bottom, top, y_axis),
-            ):
-                if abs(high - low - axis.extent) > axis.extent / 2.0:
-                    raise ProjectionError(name, low, DISTINCT, format_value(high))
-            self.lens.check_window(left, right, bottom, top)
+        self.lens.check_image(Fraction(*self.image_size))
 
     # -- plain figures
-
-    @property
-    def standard_lens(self) -> StandardLens:
-        """The lens, where it is one that has fields.
-
-        Raises
-        ------
-        ProjectionError
-            For a free matrix.
-        """
-        if isinstance(self.lens, FreeMatrix):
-            raise ProjectionError("kind", self.lens.kind, ONE_OF, ", ".join(LENSES))
-        return self.lens
 
     @property
     def aspect(self) -> float:
@@ -452,16 +438,12 @@ class Projection:
     @cached_property
     def window(self) -> tuple[float, float, float, float]:
         """Left, right, bottom, top of the picture on the near plane, in world units."""
-        return self.standard_lens.window(Fraction(*self.image_size))
+        return self.lens.window(Fraction(*self.image_size))
 
     @cached_property
     def _axes(self) -> tuple[_Axis, _Axis]:
         """The picture's x and y range on the near plane, after `keep`, without its rounding."""
-        lens = self.standard_lens
-        if isinstance(lens, Perspective):
-            _, right, _, top = self.window
-            return _Axis(0.0, 2.0 * right), _Axis(0.0, 2.0 * top)
-        exact = lens.exact_window(Fraction(*self.image_size))
+        exact = self.lens.exact_window(Fraction(*self.image_size))
         return _axis(*exact[:2]), _axis(*exact[2:])
 
     @property
@@ -473,7 +455,7 @@ class Projection:
         ProjectionError
             For a parallel lens and for a free matrix, which have none.
         """
-        if isinstance(self.lens, FreeMatrix) or self.lens.parallel:
+        if not self.lens.central:
             raise ProjectionError("kind", self.lens.kind, ONE_OF, "perspective, frustum")
         width, height = self.image_size
         if isinstance(self.lens, Perspective):  # square pixels, and the axis in the middle
@@ -496,18 +478,7 @@ class Projection:
         that distance's largest ratio to the picture's half-width or half-height there, times
         what the lens adds. About 4 for everyday lenses.
         """
-        lens = self.standard_lens
-        left, right, bottom, top = self.window
-        across, up = max(abs(left), abs(right)), max(abs(bottom), abs(top))
-        half_width, half_height = (right - left) / 2.0, (top - bottom) / 2.0
-        if not lens.parallel:
-            slant = math.hypot(across, up, lens.near) / lens.near
-            return slant * max((lens.near + across) / half_width, (lens.near + up) / half_height)
-        depth = max(abs(lens.near), abs(lens.far))
-        shear_x, shear_y = (abs(cot) for cot in self.shear)
-        extent = lens.far - lens.near
-        distance = math.hypot(across + shear_x * extent, up + shear_y * extent, depth)
-        return distance * max((1.0 + shear_x) / half_width, (1.0 + shear_y) / half_height)
+        return self.lens.stretch(self.window)
 
     @property
     def view_error(self) -> float:
@@ -519,7 +490,7 @@ class Projection:
     @property
     def shear(self) -> tuple[float, float]:
         """``cot(alpha), cot(beta)`` of an oblique lens, 0 and 0 of the others."""
-        return self.lens.shear if isinstance(self.lens, Oblique) else (0.0, 0.0)
+        return self.lens.shear
 
     # -- matrices
 
@@ -538,57 +509,14 @@ class Projection:
     @cached_property
     def view_from_world(self) -> Array:
         """The view matrix R P of lecture 004, or the one typed in its place, (4, 4)."""
-        if isinstance(self.lens, FreeMatrix) and self.lens.view_from_world is not None:
-            return read_only(self.lens.view_from_world)
+        if self.lens.own_view is not None:
+            return read_only(self.lens.own_view)
         return read_only(self.view_rotation @ self.view_translation)
 
     @cached_property
     def clip_from_view(self) -> Array:
-        """The lens' matrix, (4, 4), for the chosen depth range.
-
-        Lecture 000 (13) for a perspective lens, glOrtho for the orthographic one, lecture 002's
-        ``P_obl = P_ort H`` for the oblique one.
-        """
-        lens = self.lens
-        if isinstance(lens, FreeMatrix):
-            return read_only(lens.clip_from_view)
-        near, far = lens.near, lens.far
-        matrix = np.zeros((4, 4))
-        if isinstance(lens, Perspective):
-            matrix[1, 1] = lens.cot_half_fov_y
-            matrix[0, 0] = matrix[1, 1] / self.aspect
-        else:
-            unit = 1.0 if lens.parallel else near
-            for row, axis in enumerate(self._axes):
-                matrix[row, row] = 2.0 * unit / axis.extent
-                matrix[row, 3 if lens.parallel else 2] = axis.skew
-        if not lens.parallel:
-            matrix[2, 2:] = self._depth_row
-            matrix[3, 2] = -1.0
-        else:
-            z_near, z_far = self.depth_range
-            matrix[:2, 3] *= -1.0
-            matrix[2, 2] = (z_near - z_far) / (far - near)
-            matrix[2, 3] = (z_near * far - z_far * near) / (far - near)
-            matrix[3, 3] = 1.0
-            for row, cot in enumerate(self.shear):
-                matrix[row, 2] = matrix[row, row] * cot
-                matrix[row, 3] += matrix[row, row] * (cot * near)
-        return read_only(matrix)
-
-    @property
-    def _depth_row(self) -> tuple[float, float]:
-        """A and B of ``z_clip = A z_view + B`` for a perspective lens (lecture 000, before (12)).
-
-        Both planes' conditions give ``A = -(z_far f - z_near n)/(f - n)`` and
-        ``B = (z_near - z_far) n f/(f - n)``; with far = inf they have the limits below.
-        """
-        near, far = self.standard_lens.near, self.standard_lens.far
-        z_near, z_far = self.depth_range
-        if far == math.inf:
-            return -z_far, (z_near - z_far) * near
-        a = -(z_far * far - z_near * near) / (far - near)
-        return a, (z_near - z_far) * near * (far / (far - near))
+        """The lens' matrix, (4, 4), for the chosen depth range: its table's closed form."""
+        return read_only(evaluated(self.lens.table.clip_from_view, self._letters, FLOAT64))
 
     @cached_property
     def view_from_clip(self) -> Array:
@@ -599,38 +527,30 @@ class Projection:
         ProjectionError
             For a free matrix without an inverse.
         """
-        lens = self.lens
-        if isinstance(lens, FreeMatrix):
-            return _rounded(_inverse("clip_from_view", rationals(lens.clip_from_view)))
-        near, far = lens.near, lens.far
+        table = self.lens.table.view_from_clip
+        if table is None:
+            return _rounded(_inverse("clip_from_view", self.direct_stages[0].exact))
+        return read_only(evaluated(table, self._letters, FLOAT64))
+
+    @cached_property
+    def _letters(self) -> dict[str, float]:
+        """What the letters of the lens' table stand for, in float64."""
         z_near, z_far = self.depth_range
-        matrix = np.zeros((4, 4))
-        if isinstance(lens, Perspective):
-            matrix[0, 0] = self.aspect / lens.cot_half_fov_y
-            matrix[1, 1] = 1.0 / lens.cot_half_fov_y
-        else:
-            unit = 1.0 if lens.parallel else near
-            for row, axis in enumerate(self._axes):
-                matrix[row, row] = axis.extent / 2.0 / unit
-                matrix[row, 3] = axis.middle / unit
-        if not lens.parallel:
-            matrix[2, 3] = -1.0
-            # 1/w is affine in z_ndc: 1/near on the near face, 1/far on the far one.
-            step = (1.0 if far == math.inf else (far - near) / far) / near
-            matrix[3, 2] = step / (z_near - z_far)
-            if z_far == 0.0:
-                matrix[3, 3] = 1.0 / far
-            else:
-                matrix[3, 3] = (z_near / far - z_far / near) / (z_near - z_far)
-        else:
-            matrix[2, 2] = (far - near) / (z_near - z_far)
-            matrix[2, 3] = -(z_near * far - z_far * near) / (z_near - z_far)
-            matrix[3, 3] = 1.0
-            # From the near plane the depth is (far - near) (z - z_near)/(z_near - z_far).
-            for row, cot in enumerate(self.shear):
-                matrix[row, 2] = -cot * matrix[2, 2]
-                matrix[row, 3] += cot * matrix[2, 2] * z_near
-        return read_only(matrix)
+        return {**self.lens.letters(Fraction(*self.image_size)), "z_n": z_near, "z_f": z_far}
+
+    @cached_property
+    def _exact_letters(self) -> dict[str, Fraction]:
+        """What the letters of every step stand for, in rationals."""
+        width, height = map(Fraction, self.image_size)
+        z_near, z_far = map(Fraction, self.depth_range)
+        return {
+            **self.lens.exact_letters(width / height),
+            "z_n": z_near,
+            "z_f": z_far,
+            "z_low": min(z_near, z_far),
+            "W": width,
+            "H": height,
+        }
 
     @cached_property
     def clip_from_world(self) -> Array:
@@ -661,7 +581,7 @@ class Projection:
     @cached_property
     def clip_from_eye(self) -> Array:
         """Clip from world axes with their origin in the eye: `clip_from_world_at` it, (4, 4)."""
-        if isinstance(self.lens, FreeMatrix):
+        if self.lens.planes is None:
             return _rounded(self.exact_from_eye[1])
         return read_only(self.clip_from_view @ self.view_rotation)
 
@@ -672,13 +592,13 @@ class Projection:
         For a view matrix of its own the eye is but a point near by: what it and a point have in
         common is subtracted before anything is multiplied.
         """
-        if not isinstance(self.lens, FreeMatrix) or self.lens.view_from_world is None:
+        if self.lens.own_view is None:
             view = _diagonal(1, 1, 1, 1)
             for row, axis in zip(view, self.camera.exact_frame, strict=False):
                 row[:3] = axis
         else:
             eye = map(Fraction, self.camera.eye)
-            view = product(rationals(self.lens.view_from_world), _shift(*eye))
+            view = product(rationals(self.lens.own_view), _shift(*eye))
         return view, product(self.direct_stages[0].exact, view)
 
     @cached_property
@@ -699,7 +619,7 @@ class Projection:
         without an inverse, with one too large to be drawn, or where infinity lies in or on its
         volume.
         """
-        if not isinstance(self.lens, FreeMatrix):
+        if self.lens.planes is not None:
             return 1
         try:
             x, y, z, w = self._eye_from_clip[3]
@@ -713,8 +633,8 @@ class Projection:
     def least_w(self) -> float:
         """The least w of what is in the view volume, or less: near, of a perspective lens."""
         lens = self.lens
-        if not isinstance(lens, FreeMatrix):
-            return 1.0 if lens.parallel else lens.near
+        if lens.planes is not None:
+            return lens.near if lens.central else 1.0
         if self.frustum_sign <= 0:
             return 0.0
         # Un-projected, the cube's corner (x, y, z, 1) has the inverse of the point's own w.
@@ -731,7 +651,7 @@ class Projection:
             For a free matrix without an inverse, or one that float64 cannot hold.
         """
         shift = _translation(self.camera.eye - np.asarray(origin, dtype=np.float64))
-        if isinstance(self.lens, FreeMatrix):
+        if self.lens.planes is None:
             return read_only(shift @ _rounded(self._eye_from_clip))
         return read_only(shift @ self.view_rotation.T @ self.view_from_clip)
 
@@ -747,23 +667,13 @@ class Projection:
     @cached_property
     def exact_lens(self) -> ExactLens:
         """The numbers that the lens is made of, without their rounding to float64."""
-        lens = self.standard_lens
-        width, height = self.image_size
-        zero = Fraction(0)
-        shear, near = (zero, zero), Fraction(lens.near)
-        if isinstance(lens, Perspective):
-            cot = dd.cotangent_deg(Fraction(lens.fov_y_deg) / 2)
-            scale, shift = (cot * height / width, cot), (zero, zero)
-        else:
-            left, right, bottom, top = lens.exact_window(Fraction(width, height))
-            size = 2 if lens.parallel else 2 * near
-            scale = size / (right - left), size / (top - bottom)
-            shift = -(right + left) / (right - left), -(top + bottom) / (top - bottom)
-        if isinstance(lens, Oblique):
-            alpha, beta = Fraction(lens.alpha_deg), Fraction(lens.beta_deg)
-            shear = dd.cotangent_deg(alpha), dd.cotangent_deg(beta)
-        far = None if lens.far == math.inf else Fraction(lens.far)
-        return ExactLens(scale, shift, shear, near, far)
+        near = Fraction(self.lens.near)  # a typed matrix has none, and refuses
+        zero, letters = Fraction(0), self._exact_letters
+        upright = {**letters, **dict.fromkeys(COTS, zero)}
+        x, y, *_ = evaluated(self.lens.table.clip_from_view, upright)
+        shift = (-x[2], -y[2]) if self.lens.central else (x[3], y[3])
+        cot_alpha, cot_beta = (letters.get(cot, zero) for cot in COTS)
+        return ExactLens((x[0], y[1]), shift, (cot_alpha, cot_beta), near, letters.get("f"))
 
     @cached_property
     def stages(self) -> tuple[Stage, ...]:
@@ -775,47 +685,20 @@ class Projection:
 
         These are the matrices to be read: every number is computed in rationals and rounded once.
         """
-        z_near, z_far = (Fraction(z) for z in self.depth_range)
-        width, height = self.image_size
-        z_low = min(z_near, z_far)
-        of_object = _stage("world_from_object", note=NO_OBJECT_TRANSFORM)
-        to_image = _stage(
-            "image_from_ndc",
-            ("scale", _diagonal(Fraction(width, 2), Fraction(-height, 2), 1 / (1 - z_low), 1)),
-            ("translation", _shift(1, -1, -z_low)),
+        first, *rest = (
+            _stage(step, self._exact_letters) for step in (OBJECT, *self.lens.table.steps, VIEWPORT)
         )
-        if isinstance(self.lens, FreeMatrix):
-            return of_object, self._view_stage, to_image
-        near, far = self.exact_lens.near, self.exact_lens.far
-        if self.lens.parallel:
-            to_parallel, normalise = self._parallel_stages, _diagonal(1, 1, 1, 1)
-        else:
-            to_parallel = self._perspective_stages
-            # Times far: w is the distance again, last row 0 0 -1 0 as the field writes it.
-            reach = near if far is None else far
-            normalise = _diagonal(reach, reach, reach, reach)
-        return (
-            of_object,
-            self._view_stage,
-            *to_parallel,
-            _stage(
-                "depth_range_from_canonical_parallel",
-                ("translation", _shift(0, 0, z_near)),
-                ("scale", _diagonal(1, 1, z_near - z_far, 1)),
-            ),
-            _stage("clip_from_depth_range", ("scale", normalise)),
-            to_image,
-        )
+        return (first, self._view_stage, *rest)
 
     @property
     def _view_stage(self) -> Stage:
-        if isinstance(self.lens, FreeMatrix) and self.lens.view_from_world is not None:
-            return Stage("view_from_world", rationals(self.lens.view_from_world), (), "")
+        if self.lens.own_view is not None:
+            return Stage("view_from_world", rationals(self.lens.own_view), (), "")
         eye = [Fraction(-part) for part in self.camera.eye]
         rotation = _diagonal(1, 1, 1, 1)
         for row, axis in zip(rotation, self.camera.exact_frame, strict=False):
             row[:3] = axis
-        view = _stage("view_from_world", ("rotation", rotation), ("translation", _shift(*eye)))
+        view = _product("view_from_world", [("rotation", rotation), ("translation", _shift(*eye))])
         # The product's zeros cancel to the last of the frame's bits only.
         for row, part in zip(view.exact, self.camera.exact_view((0.0, 0.0, 0.0)), strict=False):
             row[3] = part
@@ -827,57 +710,15 @@ class Projection:
 
         A free matrix is one step, and has no factors.
         """
-        view, *lens = self.stages[1:-1]
-        direct = _stage("clip_from_view", *((stage.name, stage.exact) for stage in reversed(lens)))
-        if isinstance(self.lens, FreeMatrix):
-            direct = Stage("clip_from_view", rationals(self.lens.clip_from_view), (), "")
-            lens = [direct]
-        return (
-            direct,
-            _stage(
-                "clip_from_world",
-                *((stage.name, stage.exact) for stage in (*reversed(lens), view)),
-            ),
-        )
-
-    @property
-    def _perspective_stages(self) -> tuple[Stage, Stage]:
-        """From view space through the canonical pyramid to the canonical box (lecture 001)."""
-        (scale_x, scale_y), (shift_x, shift_y), _, near, far = self.exact_lens
-        reach, note = (near, SCALED_BY_NEAR) if far is None else (far, "")
-        factors = [("scale", _diagonal(scale_x / reach, scale_y / reach, 1 / reach, 1))]
-        if self.lens.kind == "frustum":  # H of lecture 002: the window's middle to the axis
-            shear = _diagonal(1, 1, 1, 1)
-            shear[0][2], shear[1][2] = -shift_x / scale_x, -shift_y / scale_y
-            factors.append(("shear", shear))
-        m_pp = _diagonal(1, 1, 1, 0)
-        m_pp[3][2] = Fraction(-1)
-        m_pp[2][3] = Fraction(1)
-        if far is not None:
-            m_pp[2][2:] = far / (far - near), near / (far - near)
-        return (
-            _stage("canonical_perspective_from_view", *factors, note=note),
-            _stage("canonical_parallel_from_canonical_perspective", ("M_pp", m_pp), note=note),
-        )
-
-    @property
-    def _parallel_stages(self) -> tuple[Stage, Stage]:
-        """From view space to the canonical box (lecture 002: P_ort H, ours in 001's z range)."""
-        (scale_x, scale_y), (shift_x, shift_y), cots, near, far = self.exact_lens
-        assert far is not None
-        factors = [
-            ("scale", _diagonal(scale_x, scale_y, 1 / (far - near), 1)),
-            ("translation", _shift(shift_x / scale_x, shift_y / scale_y, near)),
-        ]
-        if self.lens.kind == "oblique":
-            shear = _diagonal(1, 1, 1, 1)
-            for row, cot in enumerate(cots):
-                shear[row][2:] = cot, near * cot
-            factors.append(("shear", shear))
-        return (
-            _stage("canonical_parallel_from_view", *factors),
-            _stage("canonical_parallel_from_canonical_perspective", note=NO_M_PP),
-        )
+        view, *steps = self.stages[1:-1]
+        if steps:
+            in_order = [(stage.name, stage.exact) for stage in reversed(steps)]
+            direct = _product("clip_from_view", in_order)
+        else:
+            exact = evaluated(self.lens.table.clip_from_view, self._exact_letters)
+            direct = Stage("clip_from_view", exact, (), "")
+            in_order = [(direct.name, exact)]
+        return direct, _product("clip_from_world", [*in_order, (view.name, view.exact)])
 
     @cached_property
     def frustum_corners_world(self) -> Array:
@@ -892,7 +733,7 @@ class Projection:
         ProjectionError
             For a free matrix without an inverse.
         """
-        if isinstance(self.lens, FreeMatrix):
+        if self.lens.planes is None:
             cube = [(x, y, z, 1.0) for z in self.depth_range for x, y in _FACE]
             corners = np.array(cube) @ _rounded(self._eye_from_clip).T
             finite = corners[:, 3] != 0.0
@@ -935,7 +776,7 @@ class Projection:
         """
         world = checked_points(points_world)
         with np.errstate(divide="ignore", invalid="ignore", over="ignore", under="ignore"):
-            if isinstance(self.lens, FreeMatrix):
+            if self.lens.planes is None:
                 return self._trace_free(world)
             return self._trace_view(world)
 
@@ -1063,7 +904,7 @@ class Projection:
 
     def _trace_block(self, traced: Trace) -> None:
         """Fill in what follows from the world coordinates, row by row: so numpy is fast."""
-        lens = self.standard_lens
+        lens = self.lens
         near, far = lens.near, lens.far
         rows, rest = self._view(traced.world)
         x, y, z = rows
@@ -1138,7 +979,7 @@ class Projection:
     @cached_property
     def _near_ratio(self) -> tuple[float, float]:
         """``n/(f - n)`` of a finite lens, rounded once, and the rest."""
-        near, far = Fraction(self.standard_lens.near), Fraction(self.standard_lens.far)
+        near, far = Fraction(self.lens.near), Fraction(self.lens.far)
         return dd.from_exact(near / (far - near))
 
     def world_from_image(self, points_image: ArrayLike) -> Array:
@@ -1166,30 +1007,19 @@ class Projection:
         for wrong, bound, limit in ((depth < 0.0, AT_LEAST, 0), (depth > 1.0, AT_MOST, 1)):
             if wrong.any():
                 raise ProjectionError("depth", float(depth[wrong][0]), bound, limit)
-        if isinstance(self.lens, FreeMatrix):
+        if self.lens.planes is None:
             return self._world_from_image_free(points)
-        lens = self.lens
-        near, far = lens.near, lens.far
         # From 0 at the near plane to 1 at the far one, and what is left of it, without a
         # difference where the format has its digits.
         gone, left_over = (1.0 - depth, depth) if self.depth == "reversed" else (depth, 1.0 - depth)
-        if lens.parallel:
-            distance = near * left_over + far * gone
-        elif far == math.inf:
-            with np.errstate(divide="ignore", over="ignore"):
-                distance = near / left_over
-        else:
-            distance = near / (left_over + near / far * gone)
+        with np.errstate(divide="ignore", over="ignore"):
+            distance = self.lens.distance(gone, left_over)
         width, height = self.image_size
         x_axis, y_axis = self._axes
         x = x_axis.middle + x_axis.extent * ((points[..., 0] - width / 2.0) / width)
         y = y_axis.middle - y_axis.extent * ((points[..., 1] - height / 2.0) / height)
-        if lens.parallel:
-            cot_alpha, cot_beta = self.shear
-            x, y = x + cot_alpha * (distance - near), y + cot_beta * (distance - near)
-        else:
-            with np.errstate(over="ignore", invalid="ignore"):
-                x, y = x * (distance / near), y * (distance / near)
+        with np.errstate(over="ignore", invalid="ignore"):
+            x, y = self.lens.outwards(x, y, distance)
         nowhere = ~(np.abs(x) + np.abs(y) + np.abs(distance) < _BEYOND)
         if nowhere.any():
             raise ProjectionError("depth", float(depth[nowhere][0]), NO_POINT)
@@ -1241,26 +1071,8 @@ class Projection:
         if depth == self.depth:
             return self
         changed = replace(self, depth=depth)
-        if not isinstance(self.lens, FreeMatrix):
-            return changed
-        old_near, old_far = map(Fraction, self.depth_range)
-        new_near, new_far = map(Fraction, changed.depth_range)
-        scale = (new_far - new_near) / (old_far - old_near)
-        x, y, z, w = rationals(self.lens.clip_from_view)
-        z = [scale * a + (new_near - scale * old_near) * b for a, b in zip(z, w, strict=True)]
-        cells: Any = _rounded([x, y, z, w]).tolist()
-        return replace(changed, lens=replace(self.lens, clip_from_view=cells))
-
-    @property
-    def _target_window(self) -> tuple[float, float, float, float]:
-        """Left, right, bottom, top of the picture in the plane through the target."""
-        left, right, bottom, top = self.window
-        distance, near = self.camera.distance, self.standard_lens.near
-        if not self.standard_lens.parallel:
-            k = distance / near
-            return k * left, k * right, k * bottom, k * top
-        x, y = (cot * (distance - near) for cot in self.shear)
-        return left + x, right + x, bottom + y, top + y
+        lens = self.lens.in_depth_range(self.depth_range, changed.depth_range)
+        return changed if lens is self.lens else replace(changed, lens=lens)
 
     def with_lens(self, kind: str) -> Projection:
         """Change the kind of lens, keeping the picture as alike as it can be.
@@ -1279,42 +1091,18 @@ class Projection:
         ProjectionError
             For another kind.
         """
-        if kind not in KINDS:
-            raise ProjectionError("kind", kind, ONE_OF, ", ".join(KINDS))
+        kinds = (*LENSES, FreeMatrix.kind)
+        if kind not in kinds:
+            raise ProjectionError("kind", kind, ONE_OF, ", ".join(kinds))
         if kind == self.lens.kind:
             return self
-        if isinstance(self.lens, FreeMatrix):
+        if self.lens.former is not self.lens:
             return replace(self, lens=self.lens.former).with_lens(kind)
-        lens, distance = self.lens, self.camera.distance
         if kind == FreeMatrix.kind:
             cells: Any = self.direct_stages[0].matrix.tolist()
-            return replace(self, lens=FreeMatrix(cells, None, lens))
-        near, far = lens.near, lens.far
-        keep: Keep = "y" if isinstance(lens, Perspective) else lens.keep
-        if kind in ("perspective", "frustum"):
-            if near < SMALLEST:
-                near = (min(distance, far) if far > 0.0 else distance) / 1000.0
-            if far <= near:  # the volume is behind the eye; the target shall be in the new one
-                far = 2.0 * distance
-            if lens.parallel:
-                window = tuple(near / distance * side for side in self._target_window)
-            else:
-                window = self.window
-            left, right, bottom, top = window
-            if kind == "frustum":
-                return replace(self, lens=Frustum(left, right, bottom, top, near, far, keep))
-            fov_y_deg = fov_y_from_window((top - bottom) / 2.0, near)
-            return replace(self, lens=Perspective(fov_y_deg, near, far))
-        if far == math.inf:
-            far = max(4.0 * distance, 2.0 * near)
-        box = (*self._target_window, near, far, keep)
-        if kind == "orthographic":
-            return replace(self, lens=Orthographic(*box))
-        oblique = Oblique(*box)
-        x, y = (cot * (distance - near) for cot in oblique.shear)
-        left, right, bottom, top = self._target_window
-        shifted = replace(oblique, left=left - x, right=right - x, bottom=bottom - y, top=top - y)
-        return replace(self, lens=shifted)
+            return replace(self, lens=FreeMatrix(cells, None, self.lens))
+        seen = Seen(self.lens, self.window, self.camera.distance)
+        return replace(self, lens=LENSES[kind].showing(seen))
 
     def between(self, near: float, far: float) -> Projection:
         """The same view volume, and so the same picture, cut by other near and far planes.
@@ -1329,18 +1117,7 @@ class Projection:
         ProjectionError
             For planes that the lens cannot have, and for a free matrix.
         """
-        lens = self.standard_lens
-        near, far = check_planes(near, far, parallel=lens.parallel)
-        left, right, bottom, top = self.window
-        if isinstance(lens, Frustum):  # its window is on the near plane, and moves with it
-            k = near / lens.near
-            window = {"left": k * left, "right": k * right, "bottom": k * bottom, "top": k * top}
-            return replace(self, lens=replace(lens, near=near, far=far, keep="stretch", **window))
-        if isinstance(lens, Oblique):
-            x, y = (cot * (near - lens.near) for cot in lens.shear)
-            window = {"left": left + x, "right": right + x, "bottom": bottom + y, "top": top + y}
-            return replace(self, lens=replace(lens, near=near, far=far, keep="stretch", **window))
-        return replace(self, lens=replace(lens, near=near, far=far))
+        return replace(self, lens=self.lens.cut(self.window, near, far))
 
     def with_intrinsics(self, intrinsics: Intrinsics) -> Projection:
         """The same camera with the lens of a calibrated one.
@@ -1376,7 +1153,7 @@ class Projection:
             if value > side / (2.0 * SMALLEST_OPENING):
                 most = format_value(side / (2.0 * SMALLEST_OPENING))
                 raise ProjectionError(name, value, AT_MOST, most)
-        lens = self.with_lens("frustum").standard_lens
+        lens = self.with_lens("frustum").lens
         near, far = lens.near, lens.far
         if fx == fy and cx == (width - 1) / 2.0 and cy == (height - 1) / 2.0:
             fov_y_deg = fov_y_from_window(height / 2.0, fy)

@@ -24,7 +24,6 @@ from app.model.projection import (
     LENSES,
     ONE_OF,
     Array,
-    FreeMatrix,
     Perspective,
     Projection,
     ProjectionError,
@@ -104,7 +103,7 @@ def shown(
     grips : mapping of setting to (3,) array, optional
         Points of the world that settings of the scene are held at.
     """
-    free = isinstance(projection.lens, FreeMatrix)
+    free = projection.lens.planes is None
     held = [Handle("grip", setting=name) for name in grips]
     held_at = sight.seen(np.array(list(grips.values())).reshape(-1, 3)).tolist()
     spots = dict(zip(held, map(tuple, held_at), strict=True))
@@ -148,7 +147,7 @@ def shown(
 def has_camera(projection: Projection) -> bool:
     """Whether the view is a camera's; it is not where somebody typed another view matrix."""
     lens = projection.lens
-    return not (isinstance(lens, FreeMatrix) and lens.view_from_world is not None)
+    return lens.own_view is None
 
 
 def nearest(handles: Sequence[tuple[Handle, Spot]], pixel: Spot, within_px: float) -> Handle | None:
@@ -231,9 +230,9 @@ def panned(projection: Projection, shift_px: tuple[float, float]) -> Change:
     shift_px : (float, float)
         Right and down, in the image's pixels.
     """
-    camera, lens = projection.camera, projection.standard_lens
+    camera, lens = projection.camera, projection.lens
     left, right, bottom, top = projection.window
-    away = 1.0 if lens.parallel else camera.distance / lens.near
+    away = lens.enlarged(camera.distance)
     width, height = projection.image_size
     per_px = (right - left) * away / width, (top - bottom) * away / height
     across, up = (
@@ -277,7 +276,7 @@ def changed(projection: Projection, change: Mapping[str, float | Vector]) -> Pro
     return replace(
         projection,
         camera=replace(projection.camera, **camera),  # type: ignore[arg-type]
-        lens=replace(projection.lens, **lens),  # type: ignore[arg-type]
+        lens=projection.lens.but(**lens),
     )
 
 
@@ -306,23 +305,19 @@ def _places(projection: Projection, drawn: tuple[float, float]) -> Array:
 
 def _outwards(projection: Projection, on_near: Array, distances: Array) -> Array:
     """From the near plane along the projectors: x, y of view space at these distances."""
-    near = projection.standard_lens.near
-    if projection.standard_lens.parallel:
-        moved: Array = on_near + np.array(projection.shear) * (distances - near)
-        return moved
-    scaled: Array = on_near / near * distances
-    return scaled
+    x, y = projection.lens.outwards(on_near[..., :1], on_near[..., 1:], distances)
+    return np.concatenate([x, y], axis=-1)
 
 
 def _rail(
     projection: Projection, handle: Handle, drawn: tuple[float, float]
 ) -> tuple[Array, Array]:
     """Where a plane's handle is at distance 0, and its way per unit of distance; world, (3,)."""
-    lens = projection.standard_lens
+    lens = projection.lens
     distance = drawn[handle.face == "far"]
     x, y, _ = projection.camera.frame @ (place(projection, handle, drawn) - projection.camera.eye)
     along = np.array([0.0, 0.0, -1.0])
-    if not lens.parallel and (handle.face == "far" or isinstance(lens, Perspective)):
+    if lens.central and (handle.face == "far" or isinstance(lens, Perspective)):
         along[:2] = x / distance, y / distance
     elif handle.face == "far":
         along[:2] = projection.shear
@@ -338,11 +333,11 @@ def _moved_plane(
     sight: Sight,
     pixel: Spot,
 ) -> float:
-    before: float = getattr(projection.standard_lens, handle.name)
+    before: float = getattr(projection.lens, handle.name)
     drawn_at = drawn[handle.name == "far"]
     distance, per_px = _slide(sight, *_rail(projection, handle, drawn), pixel)
-    if not projection.standard_lens.parallel and distance <= 0.0:  # in the eye, or behind it
-        distance = 0.0 if handle.name == "near" else projection.standard_lens.near
+    if projection.lens.central and distance <= 0.0:  # in the eye, or behind it
+        distance = 0.0 if handle.name == "near" else projection.lens.near
     if abs(before) > (1.0 + 1e-9) * abs(drawn_at) and abs(distance) >= abs(drawn_at):
         return float(f"{before * (distance / drawn_at):.6g}")
     return _tidy(distance, before, per_px)
@@ -380,8 +375,7 @@ def _resized(
     Where the window keeps the image's proportions its corner runs on its diagonal, and the fields
     become the window that is seen.
     """
-    lens, camera = projection.standard_lens, projection.camera
-    assert not isinstance(lens, Perspective)
+    camera, keep = projection.camera, getattr(projection.lens, "keep", "stretch")
     distance = drawn[handle.face == "far"]
     window = projection.window
     x, y = handle.at
@@ -394,10 +388,10 @@ def _resized(
         world: Array = camera.frame.T @ view + camera.eye
         return world
 
-    if lens.keep != "stretch":
+    if keep != "stretch":
         start = in_world(fixed)
         part, per_px = _slide(sight, start, in_world(corner) - start, pixel)
-        axis = 0 if lens.keep == "x" else 1  # the other one follows
+        axis = 0 if keep == "x" else 1  # the other one follows
         length = float(corner[axis] - fixed[axis])
         value = float(fixed[axis]) + length * part
         kept = _tidy(value, float(corner[axis]), abs(length) * per_px)
@@ -415,7 +409,7 @@ def _resized(
         if symmetric:
             mirrored = float(opposite[axis] + (corner[axis] - value))
             change[other] = _tidy(mirrored, float(opposite[axis]), per_px)
-        elif lens.keep != "stretch":
+        elif keep != "stretch":
             change[other] = float(opposite[axis])
     return change
 
@@ -424,13 +418,12 @@ def _on_window(
     projection: Projection, sight: Sight, distance: float, pixel: Spot
 ) -> tuple[Array, float]:
     """Where a pixel's ray meets the face at a distance, (2,) on the near plane; what a pixel is."""
-    frame, eye, near = projection.camera.frame, projection.camera.eye, projection.standard_lens.near
+    frame, eye = projection.camera.frame, projection.camera.eye
     point = _meets(sight, pixel, -frame[2], np.array(eye) - distance * frame[2])
     per_px = min(_per_px(sight, point, axis) for axis in frame[:2])
-    flat = frame[:2] @ (point - eye)
-    if projection.standard_lens.parallel:
-        return flat - np.array(projection.shear) * (distance - near), per_px
-    return flat / distance * near, per_px / distance * near
+    across, up = frame[:2] @ (point - eye)
+    on_near = np.array(projection.lens.inwards(across, up, distance))
+    return on_near, per_px / projection.lens.enlarged(distance)
 
 
 # --------------------------------------------------------------------------- on the screen

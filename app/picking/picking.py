@@ -21,7 +21,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from app.model.projection import LARGEST, Array, FreeMatrix, Projection, ProjectionError, Vector
+from app.model.projection import LARGEST, Array, Projection, ProjectionError, Vector
 
 VERTEX_WITHIN_PX = 6.0
 """A vertex that is seen so close to the pixel is what was meant, not the face beside it."""
@@ -66,7 +66,7 @@ class Sight(NamedTuple):
     def of(cls, projection: Projection) -> Sight:
         """The model's own: pixels of the image, between near and far."""
         camera, lens = projection.camera, projection.lens
-        if isinstance(lens, FreeMatrix):  # the planes and the order are those of the cube
+        if lens.planes is None:  # the planes and the order are those of the cube
             clip = projection.clip_from_eye
             z_near, z_far = projection.depth_range
             sign = math.copysign(1.0, z_far - z_near)
@@ -161,11 +161,11 @@ def projector(projection: Projection, probe: Probe, distances: ArrayLike) -> Arr
     its end as far as it is drawn.
     """
     camera = projection.camera
-    if isinstance(projection.lens, FreeMatrix):
+    if projection.lens.planes is None:
         return _line_of_cube(projection, probe, distances)
     depths = np.asarray(distances, dtype=np.float64)
     eye = np.array(camera.eye)
-    if probe.point is not None and not projection.lens.parallel:
+    if probe.point is not None and projection.lens.central:
         offset = np.array(probe.point) - eye
         away = -float(camera.frame[2] @ offset)
         return eye + depths[:, None] * (offset / away) if away > 0.0 else None
@@ -258,7 +258,7 @@ def dragged(
     if not trace.in_front:
         return None
     right_px, down_px = shift_px
-    if isinstance(projection.lens, FreeMatrix):
+    if projection.lens.planes is None:
         x_px, y_px, depth = float(trace.image[0]), float(trace.image[1]), float(trace.depth)
         if along_ray:
             away = -1.0 if projection.depth == "reversed" else 1.0

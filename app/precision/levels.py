@@ -31,7 +31,6 @@ from app.model.projection import (
     ONE_OF,
     Array,
     ExactLens,
-    FreeMatrix,
     Oblique,
     Projection,
     ProjectionError,
@@ -169,7 +168,7 @@ class _Bounds:
         clip_from_local = projection.clip_from_world_at(origin)
         self._single = _single_sizes(projection, origin, clip_from_local)
         lens = projection.lens
-        if isinstance(lens, FreeMatrix):
+        if lens.planes is None:
             self._axes = np.eye(3)
             self._rows = _with_depth(projection, projection.clip_from_eye)
             sizes = _with_depth(projection, np.abs(projection.clip_from_eye))
@@ -245,7 +244,7 @@ class _Bounds:
 
 def _depth_row(projection: Projection) -> tuple[float, float, float, float]:
     """The depth times w from view coordinates, as `Projection.trace` has it."""
-    lens = projection.standard_lens
+    lens = projection.lens
     near, far, reverse = lens.near, lens.far, projection.depth == "reversed"
     if far == math.inf:
         return (0.0, 0.0, 0.0, near) if reverse else (0.0, 0.0, -1.0, -near)
@@ -305,7 +304,7 @@ def _single_sizes(projection: Projection, origin: Vector, clip_from_local: Array
 
     What float64 lost in making them is in it, as 2^-27 of the terms that they are summed from.
     """
-    if isinstance(projection.lens, FreeMatrix):
+    if projection.lens.planes is None:
         from_eye = np.abs(projection.clip_from_eye)
     else:
         from_eye = _cell_sizes(projection) @ np.abs(projection.view_rotation)
@@ -376,7 +375,7 @@ def drawing_bound_px(
         return math.inf
     least_w = 1.0
     lens = projection.lens
-    if isinstance(lens, FreeMatrix) or not lens.parallel:
+    if lens.planes is None or lens.central:
         near = projection.least_w
         clip = local @ clip_from_local[:, :3].T + clip_from_local[:, 3]
         least_w = max(near, _least_w_seen(clip, lost[:, 0] / _UNIT_32))
@@ -478,7 +477,7 @@ def _trace_float32(projection: Projection, world: Array, origin: Vector) -> tupl
     local = (world - origin).astype(single)
     offset = (world - projection.camera.eye).astype(single)
     lens = projection.lens
-    if isinstance(lens, FreeMatrix):
+    if lens.planes is None:
         view_matrix = np.array(projection.exact_from_eye[0], dtype=np.float64).astype(single)
         view = offset @ view_matrix[:, :3].T + view_matrix[:, 3]
         view = view[:, :3] / view[:, 3:]
@@ -501,7 +500,7 @@ def _trace_float32(projection: Projection, world: Array, origin: Vector) -> tupl
         depth = single(0.5) * depth + single(0.5)
     x, y, z, w = clip.T
     in_front = (w > 0.0) & np.isfinite(ndc).all(axis=1) & np.isfinite(image).all(axis=1)
-    if isinstance(lens, FreeMatrix):
+    if lens.planes is None:
         z_near, z_far = projection.depth_range
         sign = math.copysign(1.0, z_far - z_near)
         before, beyond = sign * z < sign * z_near * w, sign * z > sign * z_far * w
@@ -549,7 +548,7 @@ def _clip(projection: Projection, n: ExactLens, x: Any, y: Any, distance: Any) -
     reverse = projection.depth == "reversed"
     one = distance * 0 + 1
     from_near, to_far = distance - n.near, one if n.far is None else -distance + n.far
-    if projection.standard_lens.parallel:
+    if projection.lens.parallel:
         assert n.far is not None
         w = one
         x_clip, y_clip = (
@@ -646,7 +645,7 @@ def _exact_numbers(projection: Projection, world: Array) -> tuple[Array, Array, 
     for start in range(0, len(world), _CHUNK):
         block = slice(start, start + _CHUNK)
         points = world[block]
-        if isinstance(projection.lens, FreeMatrix):
+        if projection.lens.planes is None:
             offsets = (
                 dd.two_sum(points[:, i], -part) for i, part in enumerate(projection.camera.eye)
             )
@@ -676,7 +675,7 @@ def _trace_rational(
     projection: Projection, point: Sequence[float]
 ) -> tuple[list[float], list[float], list[bool]]:
     """One point of `_exact_numbers` in rationals, each number rounded once."""
-    if isinstance(projection.lens, FreeMatrix):
+    if projection.lens.planes is None:
         pairs = zip(point, projection.camera.eye, strict=True)
         first = _clip_free(projection, *(Fraction(part) - Fraction(eye) for part, eye in pairs))
     else:

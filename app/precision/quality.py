@@ -17,7 +17,6 @@ from app.model.projection import (
     FINITE_NUMBER,
     LENSES,
     ONE_OF,
-    FreeMatrix,
     Projection,
     ProjectionError,
 )
@@ -109,15 +108,11 @@ class Quality:
             If the lens cannot have it.
         """
         lens = projection.lens
-        if isinstance(lens, FreeMatrix):
+        if lens.planes is None:
             raise ProjectionError("lens.kind", lens.kind, ONE_OF, ", ".join(LENSES))
         try:
-            return DepthBuffer(
-                self.depth_format or "fixed24",
-                self.depth_mapping or projection.depth,
-                lens.near,
-                lens.far,
-                lens.parallel,
+            return DepthBuffer.of(
+                lens, self.depth_format or "fixed24", self.depth_mapping or projection.depth
             )
         except ProjectionError as error:
             path = {"mapping": "quality.depth_mapping"}.get(error.field, error.field)

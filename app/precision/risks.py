@@ -14,7 +14,6 @@ from app.model.depth import DepthBuffer
 from app.model.projection import (
     INVERTIBLE,
     PLANES,
-    FreeMatrix,
     Perspective,
     Projection,
     ProjectionError,
@@ -94,8 +93,8 @@ def risks(
     if beyond.any():
         found.append(Risk(NO_PICTURE, (PLANES[beyond.argmax()],)))
     lens, distance = projection.lens, projection.camera.distance
-    if not isinstance(lens, FreeMatrix) and lens.near <= distance <= lens.far:
-        buffer = DepthBuffer("fixed24", projection.depth, lens.near, lens.far, lens.parallel)
+    if lens.planes is not None and lens.near <= distance <= lens.far:
+        buffer = DepthBuffer.of(lens, "fixed24", projection.depth)
         gap = float(buffer.gap(distance))
         if gap > _GAP * size:
             found.append(Risk(WIDE_GAP, (f"{gap:.2g}",)) if gap < math.inf else Risk(NO_GAP))
@@ -109,10 +108,10 @@ def risks(
             found.append(Risk(VTK_CLAMPS, (f"{_LARGEST_VTK_FOV_DEG:g}",)))
         elif lens.fov_y_deg < _SMALLEST_VTK_FOV_DEG:
             found.append(Risk(VTK_CLAMPS, (f"{_SMALLEST_VTK_FOV_DEG:g}",)))
-    if isinstance(lens, FreeMatrix):
+    if lens.planes is None:
         if not projection.frustum_sign:
             found.append(Risk(_why_no_frustum(projection)))
-    elif not lens.parallel and size / lens.near >= _VTK_DROPS_FROM:
+    elif lens.central and size / lens.near >= _VTK_DROPS_FROM:
         found.append(Risk(VTK_DROPS, (f"{size / lens.near:.2g}",)))
     return found
 

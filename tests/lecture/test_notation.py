@@ -15,6 +15,7 @@ import pytest
 from app.commands import cli
 from app.lecture import notation
 from app.lecture.notation import LETTERS, Letters, Matrix, matrices
+from app.model.formula import parse
 from app.model.projection import (
     DEPTH_RANGES,
     Camera,
@@ -25,6 +26,8 @@ from app.model.projection import (
     Orthographic,
     Perspective,
     Projection,
+    focal_length_e,
+    fov_x_from_fov_y,
 )
 
 BOX = (-3.0, 4.5, -2.0, 3.25)
@@ -47,6 +50,44 @@ def projection_of(lens: str, depth: Any = "opengl") -> Projection:
     return Projection(CAMERA, LENSES[lens], (1280, 720), depth)
 
 
+def letter_values(projection: Projection, letters: Letters = "uvn") -> dict[str, Any]:
+    """What the names in the formulas stand for: floats, vectors, ``cot``, ``tan`` and ``dot``.
+
+    Of a free matrix its own cells. Angles are in radians; with ``"002"`` n and f are the planes'
+    coordinates, which are negative.
+    """
+    lens, camera = projection.lens, projection.camera
+    width, height = projection.image_size
+    values: dict[str, Any] = {
+        "W": width, "H": height, "aspect": projection.aspect, "a": height / width,
+        "eye": camera.eye,
+        "cot": lambda angle: math.tan(math.pi / 2.0 - angle), "tan": math.tan,
+        "dot": lambda a, b: math.sumprod(a, b) if hasattr(math, "sumprod")
+        else math.fsum(x * y for x, y in zip(a, b, strict=True)),
+    }  # fmt: skip
+    for axis, row in zip("uvn", camera.frame.tolist(), strict=True):
+        values[f"axis_{axis}"] = row
+        values |= {f"{axis}_{part}": value for part, value in zip("xyz", row, strict=True)}
+    values |= {f"eye_{part}": value for part, value in zip("xyz", camera.eye, strict=True)}
+    if isinstance(lens, FreeMatrix):
+        for letter, cells in (("p", lens.clip_from_view), ("m", lens.view_from_world or ())):
+            for i, row in enumerate(cells, 1):
+                values |= {f"{letter}_{i}{j}": value for j, value in enumerate(row, 1)}
+        return values
+    left, right, bottom, top = projection.window
+    sign = -1.0 if letters == "002" else 1.0
+    values |= {
+        "n": sign * lens.near, "f": sign * lens.far, "l": left, "r": right, "b": bottom, "t": top,
+    }  # fmt: skip
+    if isinstance(lens, Perspective):
+        values["fov"] = values["theta_v"] = math.radians(lens.fov_y_deg)
+        values["theta_h"] = math.radians(fov_x_from_fov_y(lens.fov_y_deg, projection.aspect))
+        values["e"] = focal_length_e(lens.fov_y_deg, projection.aspect)
+    if isinstance(lens, Oblique):
+        values["alpha"], values["beta"] = math.radians(lens.alpha_deg), math.radians(lens.beta_deg)
+    return values
+
+
 def evaluated(matrix: Matrix, values: dict[str, Any]) -> list[list[float]]:
     return [[eval(cell, {"__builtins__": {}}, values) for cell in row] for row in matrix.formulas]
 
@@ -59,7 +100,7 @@ def test_a_letter_stands_for_one_thing(lens: str, letters: Letters) -> None:
     parts = [part for matrix in shown for part in (matrix, *matrix.factors)]
     names = {
         name for part in parts for row in part.formulas for cell in row
-        for name in notation._names(cell)
+        for name in parse(cell).letters
     }  # fmt: skip
     written = {name: notation.written(name, letters) for name in names}
     assert len(set(written.values())) == len(names) > 10
@@ -73,7 +114,7 @@ def test_a_letter_stands_for_one_thing(lens: str, letters: Letters) -> None:
 def test_every_formula_is_its_number(lens: str, depth: str, letters: Letters, rows: bool) -> None:
     projection = projection_of(lens, depth)
     shown = matrices(projection, letters, rows=rows, running=True)
-    values = notation.letter_values(projection, letters)
+    values = letter_values(projection, letters)
     (lens_matrix,) = (m for m in shown if m.name == "clip_from_view")
     for i, row in enumerate(lens_matrix.values, 1):
         values |= {f"p_{i}{j}": value for j, value in enumerate(row, 1)}

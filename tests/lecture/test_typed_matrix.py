@@ -34,7 +34,7 @@ from app.lecture.typed_matrix import (
     with_cell,
     with_matrix,
 )
-from app.model.lenses import OBLIQUE_PRESETS
+from app.model.lenses.oblique import OBLIQUE_PRESETS
 from app.model.projection import (
     DEPTH_RANGES,
     LARGEST,
@@ -48,14 +48,13 @@ from app.model.projection import (
     Perspective,
     Projection,
     ProjectionError,
-    StandardLens,
 )
 from app.precision import levels as precision
 
 QUICK = settings(max_examples=80)
 PLACES = [(i, j) for i in range(4) for j in range(4)]
 CAVALIER = dict(zip(("alpha_deg", "beta_deg"), OBLIQUE_PRESETS["cavalier-30"], strict=True))
-TYPED: dict[str, StandardLens] = {
+TYPED: dict[str, Lens] = {
     "perspective": Perspective(),
     "infinite": Perspective(60.0, 0.1, math.inf),
     "far": Perspective(20.5, 0.01, 1e6),
@@ -93,7 +92,7 @@ def edited(row: int, column: int, value: float, name: str = "clip_from_view") ->
 
 @pytest.mark.parametrize("depth", DEPTH_RANGES)
 @pytest.mark.parametrize("lens", TYPED.values(), ids=TYPED)
-def test_a_lens_own_matrix_is_that_lens(lens: StandardLens, depth: Any) -> None:
+def test_a_lens_own_matrix_is_that_lens(lens: Lens, depth: Any) -> None:
     projection = replace(EDIT, lens=lens, depth=depth)
     for name in EDITABLE:
         cells = shown(projection, name)
@@ -115,7 +114,7 @@ def test_a_lens_own_matrix_is_that_lens(lens: StandardLens, depth: Any) -> None:
 
 
 @pytest.mark.parametrize("lens", TYPED.values(), ids=TYPED)
-def test_the_fields_in_hand_stay_where_they_fit(lens: StandardLens) -> None:
+def test_the_fields_in_hand_stay_where_they_fit(lens: Lens) -> None:
     projection = replace(EDIT, lens=lens)
     spoiled = with_cell(projection, "clip_from_view", 0, 1, 0.25)
     assert isinstance(spoiled.lens, FreeMatrix) and spoiled.lens.former == lens
@@ -154,7 +153,7 @@ def test_one_cell_makes_the_lens_that_has_it() -> None:
 
 @pytest.mark.parametrize("factor", [0.5, 3.0, 1e-20, 1e20])
 @pytest.mark.parametrize("lens", TYPED.values(), ids=TYPED)
-def test_a_positive_factor_changes_nothing(lens: StandardLens, factor: float) -> None:
+def test_a_positive_factor_changes_nothing(lens: Lens, factor: float) -> None:
     projection = replace(EDIT, lens=lens)
     cells = np.array(shown(projection, "clip_from_view")) * factor
     found = recognised_lens(cells.tolist(), projection)
@@ -385,7 +384,7 @@ def test_the_rank_is_not_a_matter_of_rounding() -> None:
 
 @pytest.mark.parametrize("depth", DEPTH_RANGES)
 @pytest.mark.parametrize("lens", TYPED.values(), ids=TYPED)
-def test_no_lens_is_mirrored_in_any_depth_range(lens: StandardLens, depth: Any) -> None:
+def test_no_lens_is_mirrored_in_any_depth_range(lens: Lens, depth: Any) -> None:
     projection = replace(EDIT, lens=lens, depth=depth)
     assert properties(projection, "clip_from_view") == []
     free = projection.with_lens("matrix")
@@ -421,9 +420,7 @@ def test_every_property_is_listed_and_made() -> None:
 
 @pytest.mark.parametrize("depth", DEPTH_RANGES)
 @pytest.mark.parametrize("lens", TYPED.values(), ids=TYPED)
-def test_a_lens_cells_as_a_free_matrix_make_the_same_picture(
-    lens: StandardLens, depth: Any
-) -> None:
+def test_a_lens_cells_as_a_free_matrix_make_the_same_picture(lens: Lens, depth: Any) -> None:
     projection = replace(EDIT, lens=lens, depth=depth)
     free = projection.with_lens("matrix")
     points = np.random.default_rng(1).uniform(-5.0, 5.0, (200, 3))

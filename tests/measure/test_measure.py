@@ -95,7 +95,7 @@ def test_the_reference_is_the_oracle(parameter: str, depth: str) -> None:
 @pytest.mark.parametrize("kind", ["frustum", "orthographic", "oblique"])
 def test_the_reference_is_the_oracle_for_every_lens(kind: str, keep: str, depth: str) -> None:
     projection = replace(START, depth=depth).with_lens(kind)
-    lens = replace(projection.standard_lens, left=-3.0, bottom=-0.5, keep=keep)
+    lens = replace(projection.lens, left=-3.0, bottom=-0.5, keep=keep)
     assert_true(replace(projection, lens=lens), looked_at(projection, POINTS)[:5])
 
 

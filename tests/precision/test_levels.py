@@ -763,7 +763,7 @@ def test_predictions_of_the_readmes_documents_are_no_looser_than_it_says() -> No
     documents = [(load(name), load(name).start) for name in BUILT_IN]
     documents += [(letter_f, seen_from), (letter_f, letter_f.start.with_lens("oblique"))]
     documents += [(letter_f, replace(letter_f.start, lens=Perspective(45.0, 1.0, math.inf)))]
-    far = posts.start.standard_lens.far
+    far = posts.start.lens.far
     documents += [
         (posts, replace(posts.start, lens=Perspective(45.0, near, far)))
         for near in np.geomspace(1e-3, 10.0, 5).tolist()

@@ -20,8 +20,9 @@ from pytestqt.qtbot import QtBot
 from app.commands import cli
 from app.drawings.style import DARK, LIGHT
 from app.lecture import notation
-from app.lecture.notation import ARROW, LETTERS, Letters, as_latex
+from app.lecture.notation import LETTERS, Letters, as_latex
 from app.lecture.typed_matrix import with_cell
+from app.model.formula import ARROW
 from app.model.projection import Camera, FreeMatrix, Frustum, Oblique, Perspective, Projection
 from app.picking.picking import Probe
 from widgets.panels import matrix_panel

@@ -31,7 +31,6 @@ from app.model.projection import (
     FINITE_NUMBER,
     LARGEST,
     Camera,
-    FreeMatrix,
     Orbit,
     Projection,
     ProjectionError,
@@ -178,7 +177,7 @@ class Controls(QScrollArea):
     def _enable_camera(self, projection: Projection) -> None:
         """No camera has a view matrix of its own: what moves one has nothing to move then."""
         lens = projection.lens
-        free = isinstance(lens, FreeMatrix) and lens.view_from_world is not None
+        free = lens.own_view is not None
         why = self.tr("The view matrix was typed, and no camera has it: undo, or choose a lens.")
         for key in ("camera", "animation"):
             self.sections[key].body.setEnabled(not free)
@@ -249,7 +248,7 @@ class Controls(QScrollArea):
 
     def _frame_rows(self) -> None:
         """Frame what matters for the scene; of a free matrix it shows nothing that could."""
-        free = isinstance(self._projection.lens, FreeMatrix)
+        free = self._projection.lens.planes is None
         for key, binding in self._bindings.items():
             _frame(binding.row, self._matters(key, binding) and not free)
 

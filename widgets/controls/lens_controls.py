@@ -22,7 +22,6 @@ from app.model.projection import (
     LARGEST_SHEAR,
     LENSES,
     OBLIQUE_PRESETS,
-    FreeMatrix,
     Oblique,
     Perspective,
     Projection,
@@ -308,8 +307,8 @@ class LensControls(QObject):
         self._projection, self._size = projection, size
         self._reach = 0.0
         kind = projection.lens.kind
-        free = isinstance(projection.lens, FreeMatrix)
-        parallel = not isinstance(projection.lens, FreeMatrix) and projection.lens.parallel
+        free = projection.lens.planes is None
+        parallel = projection.lens.parallel
         for name in ("near", "far"):
             if parallel:  # even for a box, in ratios for a pyramid
                 self._row(name).setScale(Linear.about(0.0, 10.0 * size))
@@ -337,7 +336,7 @@ class LensControls(QObject):
             With the kind of lens that was fitted.
         """
         self._projection = projection
-        if isinstance(projection.lens, FreeMatrix):
+        if projection.lens.planes is None:
             return
         if projection.lens.kind in WINDOWED:
             self._fit_window()
@@ -345,7 +344,7 @@ class LensControls(QObject):
             near = 10.0 ** round(math.log10(projection.lens.near))
             scale = Log(1e-2 * near, 1e2 * near)
             self._set_scales(dict.fromkeys(("window_right", "window_top"), scale))
-        if not projection.lens.parallel:
+        if projection.lens.central:
             width, height = projection.image_size
             focal = Log(1e-2 * max(width, height), 1e2 * max(width, height))
             self._set_scales(
@@ -369,7 +368,7 @@ class LensControls(QObject):
         None of them changes under the hand, nor as long as the window fills a fair part of them.
         """
         lens = self._projection.lens
-        if isinstance(lens, Perspective | FreeMatrix):
+        if lens.kind not in WINDOWED:
             return
         extent = max(abs(getattr(lens, side)) for side in SIDES)
         least = 2.0 * self._size if lens.parallel else 0.0
@@ -391,7 +390,7 @@ def _field(field: str) -> Read:
 
 def _with_field(field: str) -> Write:
     def write(projection: Projection, value: Any) -> Projection:
-        return replace(projection, lens=replace(projection.lens, **{field: value}))
+        return replace(projection, lens=projection.lens.but(**{field: value}))
 
     return write
 
@@ -446,7 +445,7 @@ def _half(key: str, projection: Projection) -> float:
 def _with_half(key: str, projection: Projection, half: float) -> Projection:
     top = half / projection.aspect if key == "window_right" else half
     try:
-        fov_y_deg = fov_y_from_window(top, projection.standard_lens.near)
+        fov_y_deg = fov_y_from_window(top, projection.lens.near)
     except ProjectionError as error:  # which speaks of top
         raise ProjectionError(key, half, error.bound, *error.limits) from None
     return _with_fov_y(projection, fov_y_deg)

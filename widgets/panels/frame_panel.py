@@ -46,7 +46,7 @@ from app.lecture.camera_frame import (
     view_matrix,
 )
 from app.lecture.highlight import NOTHING, Attention
-from app.model.projection import Camera, FreeMatrix, Projection, ProjectionError, format_value
+from app.model.projection import Camera, Projection, ProjectionError, format_value
 from widgets.parts.fields import Log, NumberRow
 from widgets.parts.focus import FocusRing
 from widgets.parts.highlight import paint_attention
@@ -448,7 +448,7 @@ class _Formula(QLabel):
 def _has_own_view(projection: Projection) -> bool:
     """Whether the scene is seen through a view matrix that is no camera's."""
     lens = projection.lens
-    return isinstance(lens, FreeMatrix) and lens.view_from_world is not None
+    return lens.own_view is not None
 
 
 def _numbers(step: str, camera: Camera) -> str:

@@ -46,7 +46,6 @@ from PySide6.QtWidgets import (
 from app.drawings.style import LIGHT, Style
 from app.lecture.highlight import NOTHING, Attention
 from app.lecture.notation import (
-    ARROW,
     Letters,
     Matrix,
     as_latex,
@@ -59,7 +58,8 @@ from app.lecture.notation import (
     written,
 )
 from app.lecture.typed_matrix import EDITABLE, properties, with_cell
-from app.model.projection import FreeMatrix, Projection, ProjectionError
+from app.model.formula import ARROW
+from app.model.projection import Projection, ProjectionError
 from widgets.panels.matrix_view import VIEW, MatrixView, is_a_cameras, rich
 from widgets.parts.fields import REFUSAL_SHEET, parse_number, refusal
 from widgets.parts.focus import FocusRing
@@ -528,7 +528,7 @@ class MatrixPanel(QWidget):
         projection = self._projection
         if projection is None:
             return ""
-        if isinstance(projection.lens, FreeMatrix):
+        if projection.lens.planes is None:
             found = [
                 translated(template).format(*figures)
                 for template, figures in properties(projection, matrix.name)
@@ -540,7 +540,7 @@ class MatrixPanel(QWidget):
             return ""
         if projection.depth != "opengl":
             return self.tr("with lecture 002's sign: w = z")
-        if projection.standard_lens.parallel:
+        if projection.lens.parallel:
             return self.tr("with lecture 002's sign: z runs from 1 at near to −1")
         return self.tr("with lecture 002's signs: w = z, and z runs from 1 at near to −1")
 

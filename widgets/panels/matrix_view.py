@@ -46,13 +46,13 @@ from PySide6.QtWidgets import (
 from app.drawings.style import LIGHT, Style
 from app.lecture.highlight import NOTHING, Attention, made_of
 from app.lecture.notation import (
-    ARROW,
     Letters,
     Matrix,
     cell_text,
     letters_in,
     written,
 )
+from app.model.formula import ARROW
 from widgets.parts.fields import short_text
 from widgets.parts.highlight import paint_attention
 

@@ -41,7 +41,6 @@ from app.model.projection import (
     FINITE_NUMBER,
     LARGEST,
     PLANES,
-    FreeMatrix,
     Projection,
     ProjectionError,
     Trace,
@@ -405,10 +404,10 @@ class ProbePanel(QWidget):
         """Name and formula of every line."""
         lens = projection.lens
         view, inside = "R (p − e)", "|x|, |y| ≤ w;  n ≤ −z_view ≤ f"
-        if isinstance(lens, FreeMatrix):
+        if lens.planes is None:
             low = "0" if min(projection.depth_range) == 0.0 else "−w"
             divide, inside = "w = (P p_view)_4", f"|x|, |y| ≤ w;  {low} ≤ z ≤ w"
-            if lens.view_from_world is not None:
+            if lens.own_view is not None:
                 view = "M p"
         else:
             divide = "w = 1" if lens.parallel else "w = −z_view"
@@ -460,7 +459,7 @@ class ProbePanel(QWidget):
 
     def _ray(self, projection: Projection, probe: Probe) -> str:
         """What of a pixel's ray is drawn in the world, or why there is none."""
-        if not isinstance(projection.lens, FreeMatrix) or projection.frustum_sign:
+        if projection.lens.planes is not None or projection.frustum_sign:
             return self.tr("the pixel's ray, from near to far")
         if projector(projection, probe, [0.0]) is not None:
             return self.tr("the pixel's ray, as far as it is in front of the eye")

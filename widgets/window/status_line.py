@@ -18,7 +18,6 @@ from PySide6.QtWidgets import QLabel, QMenu, QSizePolicy, QStatusBar, QToolButto
 from app.drawings.frame_budget import LARGEST_FRAME_MS
 from app.lecture.highlight import CORNERS, NOTHING, SIDES, Attention
 from app.model.projection import (
-    FreeMatrix,
     Perspective,
     Projection,
     focal_length_35mm,
@@ -246,10 +245,10 @@ class StatusLine(QStatusBar):
         self.labels["camera"].show_text(
             self.tr("eye to target {0}").format(f"{projection.camera.distance:.4g}")
         )
-        if isinstance(lens, FreeMatrix):
+        if lens.planes is None:
             self.labels["fov"].show_text(self.tr("free matrix"))
             self.labels["planes"].show_text("")
-            if lens.view_from_world is not None:
+            if lens.own_view is not None:
                 self.labels["camera"].show_text(self.tr("free view matrix"))
             return
         if isinstance(lens, Perspective):
@@ -266,7 +265,7 @@ class StatusLine(QStatusBar):
         if near == far:  # they never are
             near, far = format_value(lens.near), format_value(lens.far)
         planes = self.tr("near {0} : far {1}").format(near, far)
-        if not lens.parallel and lens.far != math.inf:
+        if lens.central and lens.far != math.inf:
             planes += self.tr("  (1 : {0})").format(f"{lens.far / lens.near:.4g}")
         self.labels["planes"].show_text(planes)
 

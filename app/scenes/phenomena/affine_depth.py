@@ -87,11 +87,11 @@ class Inside(NamedTuple):
 
 def inside(projection: Projection, segments_world: Array) -> Inside:
     """Cut segments (m, 2, 3) to the view volume."""
-    lens = projection.standard_lens
+    lens = projection.lens
     clip = projection.trace(segments_world).clip
     rows = np.arange(len(clip))
     cut: NDArray[np.bool_] = np.zeros(len(clip), dtype=bool)
-    if not lens.parallel:
+    if lens.central:
         # The near plane first: what is left before it has w > 0, of any size.
         rows = rows[(clip[..., 3] >= lens.near).any(axis=1)]
         clip = clip[rows]
@@ -105,7 +105,7 @@ def inside(projection: Projection, segments_world: Array) -> Inside:
     found = clip_segments(clip[:, 0], clip[:, 1], projection.depth)
     seen = found.visible & (found.points_clip[..., 3] > 0.0).all(axis=1)
     w = found.points_clip[seen, :, 3]
-    if not lens.parallel:  # a cut end's w may have lost digits
+    if lens.central:  # a cut end's w may have lost digits
         w = np.clip(w, lens.near, lens.far)
     ndc = np.clip(found.points_clip[seen, :, :3] / w[..., None], -1.0, 1.0)
     cut |= (found.planes != NOT_CUT).any(axis=1)
@@ -122,7 +122,7 @@ def slope(projection: Projection) -> float:
     Both planes' conditions give ``(z_far - z_near)/(f - n)``, 2/(f - n) in OpenGL's cube.
     """
     z_near, z_far = projection.depth_range
-    return (z_far - z_near) / (projection.standard_lens.far - projection.standard_lens.near)
+    return (z_far - z_near) / (projection.lens.far - projection.lens.near)
 
 
 def bow(projection: Projection, part: Inside, steps: Array) -> Array:
@@ -140,7 +140,7 @@ def bow(projection: Projection, part: Inside, steps: Array) -> Array:
     start, end = part.w[:, :1], part.w[:, 1:]
     points = part.ndc[:, :1] + steps[:, None] * (part.ndc[:, 1:] - part.ndc[:, :1])
     w = 1.0 / ((1.0 - steps) / start + steps / end)  # 1/w is linear along the image
-    points[..., 2] = z_near + slope(projection) * (w - projection.standard_lens.near)
+    points[..., 2] = z_near + slope(projection) * (w - projection.lens.near)
     return points
 
 
@@ -206,12 +206,12 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
     )
     grips = Grip("start", ends[0]), Grip("end", ends[1])
     mesh = subject.mesh
-    if projection.standard_lens.far == math.inf:
+    if projection.lens.far == math.inf:
         readings, why = _readings(None, None, Phrase(_INFINITE), mesh), Phrase(_INFINITE)
         return Exhibit(readings, world, warning=why, grips=grips)
     others = letter_f_edges()[0] if mesh is None else mesh.edges[:_MOST_EDGES]
     part = inside(projection, np.concatenate([ends[None], others]))
-    if projection.standard_lens.parallel:
+    if projection.lens.parallel:
         lines = [Line(pair, "muted") for pair in part.ndc[part.rows > 0]]
         lines += [Line(pair, "accent", 2.5) for pair in part.ndc[part.rows == 0]]
         straight = (0.0, 0.0)
@@ -242,7 +242,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
         on_chord = (1.0 - step) * curve[0] + step * curve[-1]
         on_bow = on_chord.copy()
         z_near, _ = projection.depth_range
-        on_bow[2] = z_near + slope(projection) * (float(found.w[0]) - projection.standard_lens.near)
+        on_bow[2] = z_near + slope(projection) * (float(found.w[0]) - projection.lens.near)
         lines.append(Line(np.array([on_chord, on_bow]), "ink", 1.5))
         dots.append(Dot(on_bow, "u", 1.2))
         texts += [

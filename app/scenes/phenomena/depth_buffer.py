@@ -86,14 +86,14 @@ def _geometry() -> tuple[Coloured, Coloured]:
 
 def buffer_of(projection: Projection, settings: Settings) -> DepthBuffer | Phrase:
     """The depth buffer that the settings describe, or why there is none."""
-    lens, chosen = projection.standard_lens, str(settings["range"])
+    lens, chosen = projection.lens, str(settings["range"])
     if chosen == "logarithmic" and (lens.parallel or lens.far == math.inf):
         return Phrase(_NO_LOG)
     if chosen == "infinite" and lens.parallel:
         return Phrase(_NO_INFINITE)
     far = math.inf if chosen == "infinite" else lens.far
     mapping = _MAPPINGS.get(chosen, chosen)
-    return DepthBuffer(str(settings["format"]), mapping, lens.near, far, lens.parallel)
+    return DepthBuffer.of(lens, str(settings["format"]), mapping, far)
 
 
 def moved_behind(projection: Projection, gap: float) -> Array:
@@ -120,7 +120,7 @@ def distances(projection: Projection, gap: float, subject: Subject) -> tuple[Arr
     (first, second) : (k,) arrays
         Between near and far; none where the picture does not show both.
     """
-    near, far = projection.standard_lens.near, projection.standard_lens.far
+    near, far = projection.lens.near, projection.lens.far
     if subject.mesh is not None:
         return seen_distances(projection, subject.mesh.surface, gap)
     corners = projection.trace(_CORNERS)
@@ -164,7 +164,7 @@ def _rays(projection: Projection, corners_clip: Array) -> tuple[Array, Array] | 
         return None
     places = _spread(ndc)
     left, right, bottom, top = projection.window
-    lens = projection.standard_lens
+    lens = projection.lens
     window = (0.5 * (places + 1.0)) * (right - left, top - bottom) + (left, bottom)
     starts, directions = np.zeros((len(places), 3)), np.full((len(places), 3), -1.0)
     if lens.parallel:

@@ -310,7 +310,7 @@ def _circle(angles: tuple[float, float] | None, in_front: bool) -> Diagram:
 def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhibit:
     a, b = np.array(point(settings, "start")), np.array(point(settings, "end"))
     mesh = subject.mesh
-    if projection.standard_lens.parallel:
+    if projection.lens.parallel:
         return Exhibit((), warning=Phrase(_PARALLEL))
     others = letter_f_edges()[0] if mesh is None else _edges_that_matter(projection.camera, mesh)
     segments = np.concatenate([[(a, b)], others])
@@ -426,7 +426,7 @@ def _world_marks(
 
 def _ndc_marks(projection: Projection, clip: Array) -> Marks:
     """What of the segment is between near and far; the cube's sides cut the rest."""
-    near, far = projection.standard_lens.near, projection.standard_lens.far
+    near, far = projection.lens.near, projection.lens.far
     (start, end), low, high = clip[:, 3].tolist(), 0.0, 1.0
     for at_start, at_end in ((start - near, end - near), (far - start, far - end)):
         if at_start < 0.0 and at_end < 0.0:

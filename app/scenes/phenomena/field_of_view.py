@@ -41,6 +41,7 @@ from app.scenes.phenomena.illustration import (
     Subject,
     Text,
     number,
+    of_parallel,
 )
 from app.scenes.phenomena.picture import cut_in_picture, seen_lines, seen_texts
 from app.scenes.shapes import Coloured, box_faces, edges_of, flat, ground_grid, joined
@@ -142,7 +143,7 @@ def dollied(projection: Projection, factor: float) -> Projection:
     ProjectionError
         Where the lens or the camera cannot follow.
     """
-    camera, lens = projection.camera, projection.standard_lens
+    camera, lens = projection.camera, projection.lens
     distance = factor * camera.distance
     moved = replace(projection, camera=_at(camera, distance))
     if isinstance(lens, Perspective):
@@ -165,7 +166,7 @@ def _at(camera: Camera, distance: float) -> Camera:
 
 def _from_preset(projection: Projection, settings: Settings, factor: float) -> Projection:
     view = preset_view(str(settings["preset"]), projection.aspect, bool(settings["enlarged"]))
-    lens = projection.with_lens("perspective").standard_lens
+    lens = projection.with_lens("perspective").lens
     at = Projection(
         _at(projection.camera, view.distance),
         Perspective(view.fov_y_deg, lens.near, lens.far),
@@ -188,17 +189,17 @@ def _follow(projection: Projection, before: Found, after: Settings) -> Projectio
 
 
 def _found(projection: Projection, settings: Settings) -> Found:
-    name, camera, lens = str(settings["preset"]), projection.camera, projection.standard_lens
+    name, camera, lens = str(settings["preset"]), projection.camera, projection.lens
     view = preset_view(name, projection.aspect, bool(settings["enlarged"]))
     held = view.distance / Perspective(view.fov_y_deg).cot_half_fov_y  # half the plane's height
     x, y = projection.aspect * held, held
     seen = [side / lens.near * camera.distance for side in projection.window]
-    holds = not lens.parallel and math.dist(seen, (-x, x, -y, y)) <= CLOSE * x
+    holds = lens.central and math.dist(seen, (-x, x, -y, y)) <= CLOSE * x
     return {"preset": name if holds else None, "distance": camera.distance / view.distance}
 
 
 def _angles(projection: Projection) -> tuple[Reading, ...]:
-    lens = projection.standard_lens
+    lens = projection.lens
     labels = (
         (QT_TRANSLATE_NOOP("phenomena", "vertical field of view"), "°"),
         (QT_TRANSLATE_NOOP("phenomena", "horizontal field of view"), "°"),
@@ -217,7 +218,7 @@ def _angles(projection: Projection) -> tuple[Reading, ...]:
         )
         focal_mm = _FILM_DIAGONAL_MM * (lens.near / math.hypot(x_extent, y_extent))
         values = [math.degrees(top - bottom), math.degrees(right - left), focal_mm]
-    note = Phrase(_PARALLEL) if lens.parallel else None
+    note = of_parallel(projection, _PARALLEL)
     return tuple(
         Reading(label, value, unit, note)
         for (label, unit), value in zip(labels, values, strict=True)
@@ -231,7 +232,7 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Exhi
     width = math.hypot(subject.upper[0] - subject.lower[0], subject.upper[2] - subject.lower[2])
     w = (np.array(camera.eye) - subject.points) @ camera.frame[2]
     w_near, w_far = float(w.min()), float(w.max())
-    ratio: float | None = 1.0 if projection.standard_lens.parallel else None
+    ratio: float | None = 1.0 if projection.lens.parallel else None
     if ratio is None and w_near > 0.0 and math.isfinite(w_far / w_near):
         ratio = w_far / w_near
 

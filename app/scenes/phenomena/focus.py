@@ -86,9 +86,7 @@ def focal_length_mm(projection: Projection) -> float:
     ``f/diagonal of the film = near/diagonal of the window``, also of a window off the axis.
     """
     left, right, bottom, top = projection.window
-    return _FILM_DIAGONAL_MM * (
-        projection.standard_lens.near / math.hypot(right - left, top - bottom)
-    )
+    return _FILM_DIAGONAL_MM * (projection.lens.near / math.hypot(right - left, top - bottom))
 
 
 class Sharpness(NamedTuple):
@@ -157,7 +155,7 @@ def _geometry() -> tuple[Coloured, Coloured]:
 
 def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhibit:
     n, focus, c_mm = (number(settings, name) for name in ("aperture", "focus", "confusion"))
-    if projection.standard_lens.parallel:
+    if projection.lens.parallel:
         note = Phrase(_PARALLEL)
         readings = (*_readings(None, None, None, note), _target_reading(None, note))
         return Exhibit(readings, warning=note)
@@ -229,7 +227,7 @@ def _target_reading(
 
 def _planes(projection: Projection, focus: float, sharp: Sharpness, subject: Subject) -> Marks:
     """Near limit, focus and far limit, each where it crosses the frustum."""
-    near, far = projection.standard_lens.near, projection.standard_lens.far
+    near, far = projection.lens.near, projection.lens.far
     eye, frame = np.array(projection.camera.eye), projection.camera.frame
     left, right, bottom, top = projection.window
     window = np.array([(left, bottom), (right, bottom), (right, top), (left, top)])

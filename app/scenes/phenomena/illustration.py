@@ -29,7 +29,6 @@ from app.model.projection import (
     FINITE_NUMBER,
     ONE_OF,
     Array,
-    FreeMatrix,
     Projection,
     ProjectionError,
     format_value,
@@ -630,7 +629,7 @@ class Phenomenon:
 
     def exhibit(self, projection: Projection, settings: Settings, subject: Subject) -> Exhibit:
         """What is shown; of a free matrix, that has no lens to show it with, only that."""
-        if isinstance(projection.lens, FreeMatrix):
+        if projection.lens.planes is None:
             hidden = Copy(np.zeros((4, 4)), panes=())
             copies = (hidden,) * self.copies
             return Exhibit((), copies=copies, warning=Phrase(_FREE), idle=True)
@@ -641,7 +640,7 @@ class Phenomenon:
 
         A free matrix has none, and leaves all as they were chosen.
         """
-        if isinstance(projection.lens, FreeMatrix):
+        if projection.lens.planes is None:
             return settings
         found = dict(self.found(projection, settings))
         for setting in self.settings:
@@ -699,6 +698,11 @@ class Phenomenon:
         )
         self.check(settings)
         return settings
+
+
+def of_parallel(projection: Projection, template: str) -> Phrase | None:
+    """What is to be said of a lens whose projectors do not meet in an eye, if it is one."""
+    return Phrase(template) if projection.lens.parallel else None
 
 
 def figure(value: float, digits: int) -> str:

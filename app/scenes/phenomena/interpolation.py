@@ -41,6 +41,7 @@ from app.scenes.phenomena.illustration import (
     Text,
     Texture,
     number,
+    of_parallel,
 )
 from app.scenes.phenomena.picture import seen, seen_lines
 from app.scenes.shapes import Coloured, flat, ground_grid
@@ -218,7 +219,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
         world=world,
         image=image,
         rendering=rendering,
-        warning=note or (Phrase(_PARALLEL) if projection.standard_lens.parallel else None),
+        warning=note or of_parallel(projection, _PARALLEL),
     )
 
 

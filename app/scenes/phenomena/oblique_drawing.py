@@ -158,7 +158,7 @@ def _follow(projection: Projection, before: Found, after: Settings) -> Projectio
 
 
 def _found(projection: Projection, settings: Settings) -> Found:
-    lens = projection.standard_lens
+    lens = projection.lens
     if not isinstance(lens, Oblique):
         return dict.fromkeys(settings)
     wanted, direction = _wanted(settings)
@@ -187,7 +187,7 @@ def _wanted(settings: Found) -> tuple[float, float]:
 
 
 def _show(projection: Projection, _settings: Settings, subject: Subject) -> Exhibit:
-    lens, camera = projection.standard_lens, projection.camera
+    lens, camera = projection.lens, projection.camera
     u, v, n = camera.frame
     # The lower right corner in front: with things receding to the upper right, its edge is seen.
     corner = np.array([subject.upper[0], subject.lower[1], subject.upper[2]])
@@ -270,7 +270,7 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Exhi
 def _projectors(projection: Projection, corners: Array, view: Array, marks: Marks) -> Marks:
     """Marks, and projectors from the subject's corners (8, 3), also in view, to the near plane."""
     cot_alpha, cot_beta = projection.shear
-    near = projection.standard_lens.near
+    near = projection.lens.near
     depth = view[:, 2] + near  # 0 on the near plane
     x, y = view[:, 0] + cot_alpha * depth, view[:, 1] + cot_beta * depth
     feet = world_from_view(projection, np.column_stack([x, y, np.full(len(view), -near)]))

@@ -36,6 +36,7 @@ from app.scenes.phenomena.illustration import (
     Subject,
     Text,
     number,
+    of_parallel,
 )
 from app.scenes.phenomena.picture import world_from_view
 from app.scenes.shapes import SIDE_RGB, Coloured, box_faces, edges_of, ground_grid, joined, letter_f
@@ -99,7 +100,7 @@ def halves(projection: Projection) -> tuple[Projection, Projection]:
         For a window or an image that is too narrow to be split.
     """
     width, height = projection.image_size
-    lens = projection.standard_lens
+    lens = projection.lens
     if isinstance(lens, Perspective):
         left, right, bottom, top = projection.window
         lens = Frustum(left, right, bottom, top, lens.near, lens.far)
@@ -108,7 +109,7 @@ def halves(projection: Projection) -> tuple[Projection, Projection]:
     middle = left + (right - left) * (columns / width)
     screens = []
     for low, high, across in ((left, middle, columns), (middle, right, width - columns)):
-        half = replace(lens, left=low, right=high, bottom=bottom, top=top, keep="stretch")
+        half = lens.but(left=low, right=high, bottom=bottom, top=top, keep="stretch")
         screens.append(replace(projection, lens=half, image_size=(across, height)))
     return screens[0], screens[1]
 
@@ -127,7 +128,7 @@ def join_error_px(screens: tuple[Projection, Projection]) -> float:
         The largest gap or overlap; exactly 0 if the halves join.
     """
     left, right = (screen.exact_lens for screen in screens)
-    parallel = screens[0].standard_lens.parallel
+    parallel = screens[0].lens.parallel
     edge = Fraction(screens[0].window[1])
     worst = Fraction(0)
     for depth in (1, 7):
@@ -203,7 +204,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
         world=_world_marks(screens, names),
         ndc=_ndc_marks(projection, screens),
         image=_image_marks(projection, screens, names),
-        warning=warning or (Phrase(_PARALLEL) if projection.standard_lens.parallel else None),
+        warning=warning or of_parallel(projection, _PARALLEL),
     )
 
 
@@ -241,14 +242,7 @@ def _join_readings(
 
 def _rectangle(screen: Projection, w: float) -> Array:
     """World corners of a screen's window at a distance from the eye plane, (4, 3)."""
-    left, right, bottom, top = screen.window
-    near = screen.standard_lens.near
-    if screen.standard_lens.parallel:
-        x, y = (cot * (w - near) for cot in screen.shear)
-        left, right, bottom, top = left + x, right + x, bottom + y, top + y
-    else:
-        # First to slopes: near may be so small that w/near overflows.
-        left, right, bottom, top = (side / near * w for side in (left, right, bottom, top))
+    left, right, bottom, top = screen.lens.window_at(screen.window, w)
     corners = [(left, bottom), (right, bottom), (right, top), (left, top)]
     return world_from_view(screen, [(x, y, -w) for x, y in corners])
 
@@ -262,8 +256,8 @@ def _world_marks(screens: tuple[Projection, ...], names: tuple[str, ...]) -> Mar
         closed = np.vstack([corners, corners[:1]])
         faces.append(Face(corners, colour, 0.16))
         lines.append(Line(closed, colour, 2.5))
-        starts = _rectangle(screen, screen.standard_lens.near)
-        if not screen.standard_lens.parallel:
+        starts = _rectangle(screen, screen.lens.near)
+        if screen.lens.central:
             starts = np.broadcast_to(np.array(screen.camera.eye), (4, 3))
         lines += [Line(np.array(ends), colour, 1.2) for ends in zip(starts, corners, strict=True)]
         texts.append(Text(name, (corners[2] + corners[3]) / 2.0, colour))
@@ -312,14 +306,9 @@ def _image_marks(
 
 def _found(projection: Projection, _settings: Settings) -> Found:
     """How far the eye is to the right of the window's middle."""
-    lens, distance = projection.standard_lens, projection.camera.distance
-    left, right, _, _ = projection.window
-    middle = left / 2.0 + right / 2.0
-    if lens.parallel:
-        middle += projection.shear[0] * (distance - lens.near)
-    else:
-        middle = middle / lens.near * distance
-    return {"shift": 0.0 - middle}
+    lens, distance = projection.lens, projection.camera.distance
+    left, right, _, _ = lens.window_at(projection.window, distance)
+    return {"shift": 0.0 - (left / 2.0 + right / 2.0)}
 
 
 def _follow(projection: Projection, before: Found, after: Settings) -> Projection:

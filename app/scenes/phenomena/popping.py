@@ -186,7 +186,7 @@ def popped_per_second(
         Driving on along -z: those that come into the picture, and those that go. All come where
         the camera looks the way it drives, and all go where it looks back.
     """
-    far, camera = projection.standard_lens.far, projection.camera
+    far, camera = projection.lens.far, projection.camera
     n = camera.frame[2]
     if far == math.inf or n[2] == 0.0:
         return 0.0, 0.0
@@ -255,7 +255,7 @@ def _found(projection: Projection, _settings: Settings) -> Found:
 
 
 def _show(projection: Projection, settings: Settings, _subject: Subject) -> Exhibit:
-    far = projection.standard_lens.far
+    far = projection.lens.far
     fog = fog_of(settings)
     until = (math.inf, math.inf)
     if settings["detail"]:

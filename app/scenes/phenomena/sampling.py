@@ -75,7 +75,7 @@ class _Corners:
     """
 
     def __init__(self, projection: Projection, view: Array) -> None:
-        lens = projection.standard_lens
+        lens = projection.lens
         self.near, self.far = lens.near, lens.far
         matrix = projection.clip_from_view[[0, 1, 3]]
         with np.errstate(all="ignore"):

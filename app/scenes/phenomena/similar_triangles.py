@@ -114,7 +114,7 @@ def onto_plane(projection: Projection, distance: float, slab: float = 0.0) -> Ar
 def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhibit:
     distance = number(settings, "distance")
     place = np.array(point(settings, "point"))
-    camera, lens = projection.camera, projection.standard_lens
+    camera, lens = projection.camera, projection.lens
     if lens.parallel:
         return Exhibit((), copies=(Copy(np.zeros((4, 4)), panes=()),), warning=Phrase(_PARALLEL))
     eye, frame = np.array(camera.eye), camera.frame

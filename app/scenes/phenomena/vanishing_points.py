@@ -34,6 +34,7 @@ from app.scenes.phenomena.illustration import (
     Subject,
     Text,
     number,
+    of_parallel,
 )
 from app.scenes.phenomena.picture import SIDES, box_edges, cut_in_picture, image_from_clip
 from app.scenes.shapes import (
@@ -119,7 +120,7 @@ def vanishing(projection: Projection) -> tuple[Vanishing, Vanishing, Vanishing]:
     for axis in range(3):
         x, y, z = projection.camera.frame[:, axis].tolist()
         sign = -1.0 if z > 0.0 else 1.0
-        if not projection.standard_lens.parallel and across(projection.camera, axis):
+        if projection.lens.central and across(projection.camera, axis):
             sign, z = 1.0, 0.0
         with np.errstate(over="ignore", invalid="ignore"):
             clip = lens_matrix @ (sign * np.array([x, y, z, 0.0])) + 0.0
@@ -157,7 +158,7 @@ def horizon(projection: Projection) -> tuple[float, float, float] | None:
         ``a x + b y = c`` for the line's pixels; None for a parallel lens, for a camera that looks
         straight up or down, and beyond float64's range.
     """
-    if projection.standard_lens.parallel:
+    if projection.lens.parallel:
         return None
     # Directions (X, Y, -1) of view space without a part along the world's y.
     a, b, c = projection.camera.frame[:, 1].tolist()
@@ -296,7 +297,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
         world=_world_marks(projection, points, subject, start, there),
         image=_image_marks(projection, points, trace.clip, from_corner[1], there),
         diagrams=_diagrams(projection, points, trace),
-        warning=Phrase(_PARALLEL) if projection.standard_lens.parallel else None,
+        warning=of_parallel(projection, _PARALLEL),
     )
 
 
@@ -394,7 +395,7 @@ def _world_marks(
         if point.clip[3] <= 0.0:
             continue
         direction = point.sign * np.eye(3)[axis]
-        length = projection.standard_lens.near / abs(float(projection.camera.frame[2, axis]))
+        length = projection.lens.near / abs(float(projection.camera.frame[2, axis]))
         reach = min(length, longest)
         hit = eye + reach * direction
         lines.append(Line(np.array([eye, hit]), colour, 2.0))
@@ -471,13 +472,13 @@ def _follow(projection: Projection, before: Found, after: Settings) -> Projectio
     camera = projection.camera
     turned = Camera.from_orbit(camera.target, Orbit(*view, camera.distance))
     seen = replace(projection, camera=turned)
-    return seen.with_lens("perspective") if seen.standard_lens.parallel else seen
+    return seen.with_lens("perspective") if seen.lens.parallel else seen
 
 
 def _found(projection: Projection, settings: Settings) -> Found:
     frame = _FRAMES.get(str(settings["points"]))
     turned = frame is None or float(np.abs(projection.camera.frame - frame).max()) > CLOSE
-    return {"points": "free" if turned or projection.standard_lens.parallel else settings["points"]}
+    return {"points": "free" if turned or projection.lens.parallel else settings["points"]}
 
 
 PHENOMENON = Phenomenon(

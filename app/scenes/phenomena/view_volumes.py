@@ -101,10 +101,10 @@ def cone_of(projection: Projection) -> tuple[float, float, float]:
         Middle and radius of its section at distance 1 from the eye: for a symmetric lens 0, 0 and
         the tangent of half the smaller field of view, which of a wide image is the vertical one.
     """
-    if isinstance(projection.standard_lens, Perspective):
-        up = 1.0 / projection.standard_lens.cot_half_fov_y
+    if isinstance(projection.lens, Perspective):
+        up = 1.0 / projection.lens.cot_half_fov_y
         return 0.0, 0.0, min(up, projection.aspect * up)
-    near = projection.standard_lens.near
+    near = projection.lens.near
     left, right, bottom, top = (side / near for side in projection.window)
     return (left + right) / 2.0, (bottom + top) / 2.0, min(right - left, top - bottom) / 2.0
 
@@ -125,7 +125,7 @@ def volume(projection: Projection, cone: bool) -> float | None:
         a cone, ``A (f - n)`` for a box, oblique or not; None where float64 has no such number,
         infinity included.
     """
-    lens = projection.standard_lens
+    lens = projection.lens
     if lens.far == math.inf:
         return None
     near, far = Fraction(lens.near), Fraction(lens.far)
@@ -165,7 +165,7 @@ def held(projection: Projection, cone: bool) -> NDArray[np.bool_]:
 def _cone_marks(projection: Projection) -> tuple[Marks, Marks, Marks]:
     """The cone in the world, in NDC and in the image."""
     x, y, radius = cone_of(projection)
-    lens = projection.standard_lens
+    lens = projection.lens
     # An infinite cone is drawn as far as things are.
     reach = max(3.0 * projection.camera.distance, 4.0 * lens.near)
     far = lens.far if lens.far < math.inf else reach
@@ -200,28 +200,28 @@ def _cone_marks(projection: Projection) -> tuple[Marks, Marks, Marks]:
 
 def _half_sides(projection: Projection) -> tuple[float, float]:
     """Half of the width and of the height of a perspective picture at distance 1."""
-    if isinstance(projection.standard_lens, Perspective):
-        up = 1.0 / projection.standard_lens.cot_half_fov_y
+    if isinstance(projection.lens, Perspective):
+        up = 1.0 / projection.lens.cot_half_fov_y
         return projection.aspect * up, up
-    left, right, bottom, top = (side / projection.standard_lens.near for side in projection.window)
+    left, right, bottom, top = (side / projection.lens.near for side in projection.window)
     return (right - left) / 2.0, (top - bottom) / 2.0
 
 
 def _show(projection: Projection, settings: Settings, _subject: Subject) -> Exhibit:
     asked = settings["volume"] == "cone"
-    parallel = projection.standard_lens.parallel
+    parallel = projection.lens.parallel
     cone = asked and not parallel
     size = volume(projection, cone)
     note = None
     if size is None:
-        note = Phrase(_INFINITE if projection.standard_lens.far == math.inf else _OUT_OF_RANGE)
+        note = Phrase(_INFINITE if projection.lens.far == math.inf else _OUT_OF_RANGE)
     inside = held(projection, cone)
     names = [name for name, here in zip(POINTS, inside, strict=True) if here]
     none = QT_TRANSLATE_NOOP("phenomena", "none")
     readings = (
         Reading(
             QT_TRANSLATE_NOOP("phenomena", "view volume"),
-            _SHAPES["cone" if cone else projection.standard_lens.kind],
+            _SHAPES["cone" if cone else projection.lens.kind],
             note=Phrase(_CONE) if cone else None,
         ),
         Reading(QT_TRANSLATE_NOOP("phenomena", "its volume, cubic units"), size, note=note),
@@ -252,13 +252,13 @@ def _follow(projection: Projection, before: Found, after: Settings) -> Projectio
     if before["volume"] == after["volume"]:
         return projection
     kind = _LENS.get(str(after["volume"]), "oblique")
-    if kind == "perspective" and not projection.standard_lens.parallel:
+    if kind == "perspective" and projection.lens.central:
         return projection  # an off-axis pyramid is one, too
     return projection.with_lens(kind)
 
 
 def _found(projection: Projection, settings: Settings) -> Found:
-    lens = projection.standard_lens
+    lens = projection.lens
     if lens.parallel:
         return {"volume": "oblique" if isinstance(lens, Oblique) else "box"}
     return {"volume": "cone" if settings["volume"] == "cone" else "pyramid"}

@@ -1,0 +1,612 @@
+"""Formulas: a small language in which a matrix is stated, evaluated, shown and asked about.
+
+A formula is text, parsed once into a tree::
+
+    sum      = product { ("+" | "-") product }
+    product  = signed { ("*" | "/") signed }
+    signed   = "-" signed | power
+    power    = atom [ "^" ["-"] whole number ]
+    atom     = number | letter | function "(" sum { "," sum } ")" | "(" sum ")"
+
+with the precedence of the textbooks (``-n^2`` is ``-(n^2)``, ``a/b*c`` is ``(a/b)*c``). A letter
+may have a subscript: ``n``, ``z_near``, ``alpha``. The tree says which letters it depends on, is
+written as text or LaTeX in whatever symbols a lecture uses, and has a value in any arithmetic:
+rationals, float64, `app.lecture.algebra`'s ratios of letters. Nothing is ever given to Python to
+evaluate, and what a stranger types is bounded: `LONGEST`, `DEEPEST`, `LARGEST_DEGREE`.
+"""
+
+from __future__ import annotations
+
+import operator
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property, lru_cache
+from typing import Any, ClassVar, NamedTuple, TypeAlias
+
+LONGEST = 400
+"""Characters of a formula."""
+DEEPEST = 30
+"""Brackets, signs and functions within each other."""
+LARGEST_DEGREE = 100
+"""Of the product that a formula is, all powers multiplied out."""
+
+TOO_LONG = "is longer than {0} characters"
+TOO_DEEP = "has more than {0} brackets within each other"
+TOO_LARGE = "has a power that comes to more than {0}"
+UNKNOWN = "has a character that no formula has, {0}"
+EXPECTED = "needs a number, a letter or a bracket instead of {0}"
+UNCLOSED = "needs a closing bracket instead of {0}"
+WHOLE_POWER = "needs a whole number as its power instead of {0}"
+LEFT_OVER = "needs a sign such as + or * in front of {0}"
+REFUSALS = (
+    TOO_LONG, TOO_DEEP, TOO_LARGE, UNKNOWN, EXPECTED, UNCLOSED, WHOLE_POWER, LEFT_OVER,
+)  # fmt: skip
+"""Every sentence a `FormulaError` can end with, for translators."""
+
+
+class FormulaError(ValueError):
+    """A text that is no formula.
+
+    Parameters
+    ----------
+    text : str
+        As it was typed.
+    position : int
+        Of the character, from 0, at which it stops being one.
+    refusal : str
+        One of `REFUSALS`, with ``{0}`` for the figure.
+    figure : object
+        The limit, or what stands there.
+    """
+
+    def __init__(self, text: str, position: int, refusal: str, figure: object) -> None:
+        self.text, self.position, self.refusal, self.figure = text, position, refusal, figure
+        super().__init__(f"The formula {refusal.format(figure)} (character {position + 1}).")
+
+
+class Arithmetic(NamedTuple):
+    """What a formula's numbers and functions become; its signs are Python's own.
+
+    Attributes
+    ----------
+    number : callable
+        From a `Fraction` to a number of the arithmetic.
+    call : callable
+        From a function's name and its arguments to its value.
+    """
+
+    number: Callable[[Fraction], Any]
+    call: Callable[[str, Sequence[Any]], Any]
+
+
+def _no_function(name: str, arguments: Sequence[Any]) -> Any:
+    raise LookupError(f"{name}: no such function here")
+
+
+Evaluator: TypeAlias = Callable[[Mapping[str, Any], Arithmetic], Any]
+
+EXACT = Arithmetic(Fraction, _no_function)
+"""Rationals."""
+FLOAT64 = Arithmetic(float, _no_function)
+
+
+# --------------------------------------------------------------------------- the tree
+
+
+@dataclass(frozen=True)
+class Formula:
+    """A formula, or a part of one.
+
+    Formulas are equal if their trees are. `app.lecture.algebra` tells whether their values are.
+    """
+
+    @cached_property
+    def text(self) -> str:
+        """In the language itself, without needless brackets: ``2*n/(r - l)``."""
+        return _SOURCE.write(self)
+
+    @property
+    def parts(self) -> tuple[Formula, ...]:
+        """What it is made of."""
+        return ()
+
+    def __iter__(self) -> Iterator[Formula]:
+        """The formula and every part of it, from the outside in."""
+        yield self
+        for part in self.parts:
+            yield from part
+
+    @property
+    def letters(self) -> tuple[str, ...]:
+        """The letters that it depends on, each once."""
+        return tuple(dict.fromkeys(part.name for part in self if isinstance(part, Letter)))
+
+    def value(self, known: Mapping[str, Any], arithmetic: Arithmetic = EXACT) -> Any:
+        """The formula's value.
+
+        Parameters
+        ----------
+        known : mapping from str
+            The value of every letter. A term may be known as a whole, by its text: ``r - l`` of
+            a window whose width is not the difference of its rounded sides, ``cot(fov/2)``.
+        arithmetic : Arithmetic
+
+        Raises
+        ------
+        KeyError
+            For a letter that is not known.
+        """
+        return self.evaluate(known, arithmetic)
+
+    @cached_property
+    def evaluate(self) -> Evaluator:
+        """`value`, ready to be called again and again: the tree is walked once."""
+        raise NotImplementedError
+
+    def where(self, terms: Mapping[str, Formula]) -> Formula:
+        """The same formula with other formulas in the place of letters or terms, by their text."""
+        found = terms.get(self.text)
+        return self._of(part.where(terms) for part in self.parts) if found is None else found
+
+    def _of(self, parts: Iterable[Formula]) -> Formula:
+        """The same of other parts."""
+        return type(self)(*parts) if self.parts else self
+
+
+@dataclass(frozen=True)
+class Number(Formula):
+    """A number as it is typed: whole, or a decimal fraction."""
+
+    number: Fraction
+
+    @cached_property
+    def evaluate(self) -> Evaluator:
+        made: dict[Arithmetic, Any] = {}
+
+        def number(known: Mapping[str, Any], arithmetic: Arithmetic) -> Any:
+            if arithmetic not in made:
+                made[arithmetic] = arithmetic.number(self.number)
+            return made[arithmetic]
+
+        return number
+
+
+@dataclass(frozen=True)
+class Letter(Formula):
+    """A quantity: ``n``, ``fov``, ``p_11``."""
+
+    name: str
+
+    @cached_property
+    def evaluate(self) -> Evaluator:
+        name = self.name
+        return lambda known, arithmetic: known[name]
+
+
+@dataclass(frozen=True)
+class Call(Formula):
+    """A function of formulas: ``cot(fov/2)``."""
+
+    name: str
+    arguments: tuple[Formula, ...]
+
+    @property
+    def parts(self) -> tuple[Formula, ...]:
+        return self.arguments
+
+    @cached_property
+    def evaluate(self) -> Evaluator:
+        text, name = self.text, self.name
+        arguments = [part.evaluate for part in self.arguments]
+
+        def call(known: Mapping[str, Any], arithmetic: Arithmetic) -> Any:
+            if text in known:
+                return known[text]
+            return arithmetic.call(name, [part(known, arithmetic) for part in arguments])
+
+        return call
+
+    def _of(self, parts: Iterable[Formula]) -> Formula:
+        return Call(self.name, tuple(parts))
+
+
+@dataclass(frozen=True)
+class Negative(Formula):
+    """``-operand``."""
+
+    operand: Formula
+
+    @property
+    def parts(self) -> tuple[Formula, ...]:
+        return (self.operand,)
+
+    @cached_property
+    def evaluate(self) -> Evaluator:
+        operand = self.operand.evaluate
+        return lambda known, arithmetic: -operand(known, arithmetic)
+
+
+@dataclass(frozen=True)
+class Power(Formula):
+    """``base^exponent`` with a whole exponent."""
+
+    base: Formula
+    exponent: int
+
+    @property
+    def parts(self) -> tuple[Formula, ...]:
+        return (self.base,)
+
+    @cached_property
+    def evaluate(self) -> Evaluator:
+        base, exponent = self.base.evaluate, self.exponent
+        return lambda known, arithmetic: base(known, arithmetic) ** exponent
+
+    def _of(self, parts: Iterable[Formula]) -> Formula:
+        (base,) = parts
+        return Power(base, self.exponent)
+
+
+@dataclass(frozen=True)
+class Pair(Formula):
+    """Two formulas with a sign between them."""
+
+    sign: ClassVar[Any]
+
+    left: Formula
+    right: Formula
+
+    @property
+    def parts(self) -> tuple[Formula, ...]:
+        return (self.left, self.right)
+
+    @cached_property
+    def evaluate(self) -> Evaluator:
+        text, sign, left, right = self.text, self.sign, self.left.evaluate, self.right.evaluate
+
+        def pair(known: Mapping[str, Any], arithmetic: Arithmetic) -> Any:
+            if text in known:
+                return known[text]
+            return sign(left(known, arithmetic), right(known, arithmetic))
+
+        return pair
+
+
+class Sum(Pair):
+    """``left + right``."""
+
+    sign = operator.add
+
+
+class Difference(Pair):
+    """``left - right``."""
+
+    sign = operator.sub
+
+
+class Product(Pair):
+    """``left*right``."""
+
+    sign = operator.mul
+
+
+class Quotient(Pair):
+    """``left/right``."""
+
+    sign = operator.truediv
+
+
+# --------------------------------------------------------------------------- reading
+
+
+@lru_cache(maxsize=4096)
+def parse(text: str) -> Formula:
+    """Read a formula.
+
+    Parameters
+    ----------
+    text : str
+        ``−``, ``·`` and ``×`` are read as ``-`` and ``*``.
+
+    Raises
+    ------
+    FormulaError
+        For a text that is no formula, or one beyond the limits.
+    """
+    return _Reader(text).whole()
+
+
+_TOKEN = re.compile(
+    r"\s*(?:(?P<number>[0-9]+(?:\.[0-9]*)?|\.[0-9]+)"
+    r"|(?P<name>[^\W\d_][^\W_]*(?:_[^\W_]+)*)"
+    r"|(?P<sign>[-+*/^(),−·×]))"
+)
+_ALIKE = {"−": "-", "·": "*", "×": "*"}
+_PAIRS: dict[str, type[Pair]] = {"+": Sum, "-": Difference, "*": Product, "/": Quotient}
+
+
+class _Token(NamedTuple):
+    kind: str
+    text: str
+    position: int
+
+
+class _Reader:
+    """Recursive descent, one method a line of the grammar."""
+
+    def __init__(self, text: str) -> None:
+        self._text = text
+        if len(text) > LONGEST:
+            raise FormulaError(text, LONGEST, TOO_LONG, LONGEST)
+        self._tokens = list(self._read())
+        self._next = 0
+        self._depth = 0
+
+    def _read(self) -> Iterator[_Token]:
+        at = 0
+        end = len(self._text.rstrip())
+        while at < end:
+            found = _TOKEN.match(self._text, at)
+            if found is None:
+                at += len(self._text[at:]) - len(self._text[at:].lstrip())
+                raise FormulaError(self._text, at, UNKNOWN, self._text[at])
+            assert found.lastgroup is not None
+            token = found[found.lastgroup]
+            yield _Token(found.lastgroup, _ALIKE.get(token, token), found.start(found.lastgroup))
+            at = found.end()
+        yield _Token("end", "the end", end)
+
+    def whole(self) -> Formula:
+        formula = self._sum()
+        if self._token.kind != "end":
+            raise self._refused(LEFT_OVER)
+        _degree(formula, self._text)
+        return formula
+
+    @property
+    def _token(self) -> _Token:
+        return self._tokens[self._next]
+
+    def _taken(self, *signs: str) -> str:
+        """The next token's text if it is one of these signs, and then it is read."""
+        token = self._token
+        if token.kind != "sign" or token.text not in signs:
+            return ""
+        self._next += 1
+        return token.text
+
+    def _refused(self, refusal: str) -> FormulaError:
+        return FormulaError(self._text, self._token.position, refusal, self._token.text)
+
+    def _sum(self) -> Formula:
+        self._depth += 1
+        if self._depth > DEEPEST:
+            raise FormulaError(self._text, self._token.position, TOO_DEEP, DEEPEST)
+        formula = self._product()
+        while sign := self._taken("+", "-"):
+            formula = _PAIRS[sign](formula, self._product())
+        self._depth -= 1
+        return formula
+
+    def _product(self) -> Formula:
+        formula = self._signed()
+        while sign := self._taken("*", "/"):
+            formula = _PAIRS[sign](formula, self._signed())
+        return formula
+
+    def _signed(self) -> Formula:
+        if not self._taken("-"):
+            return self._power()
+        self._depth += 1
+        if self._depth > DEEPEST:
+            raise FormulaError(self._text, self._token.position, TOO_DEEP, DEEPEST)
+        formula = Negative(self._signed())
+        self._depth -= 1
+        return formula
+
+    def _power(self) -> Formula:
+        base = self._atom()
+        if not self._taken("^"):
+            return base
+        sign = -1 if self._taken("-") else 1
+        if self._token.kind != "number" or not self._token.text.isdigit():
+            raise self._refused(WHOLE_POWER)
+        if len(self._token.text) > len(str(LARGEST_DEGREE)):
+            raise FormulaError(self._text, self._token.position, TOO_LARGE, LARGEST_DEGREE)
+        exponent = sign * int(self._token.text)
+        self._next += 1
+        return Power(base, exponent)
+
+    def _atom(self) -> Formula:
+        token = self._token
+        if token.kind == "number":
+            self._next += 1
+            return Number(Fraction(token.text))
+        if token.kind == "name":
+            self._next += 1
+            if not self._taken("("):
+                return Letter(token.text)
+            arguments = [self._sum()]
+            while self._taken(","):
+                arguments.append(self._sum())
+            self._close()
+            return Call(token.text, tuple(arguments))
+        if not self._taken("("):
+            raise self._refused(EXPECTED)
+        formula = self._sum()
+        self._close()
+        return formula
+
+    def _close(self) -> None:
+        if not self._taken(")"):
+            raise self._refused(UNCLOSED)
+
+
+def _degree(formula: Formula, text: str) -> int:
+    """How many factors the formula's largest product has when its powers are multiplied out.
+
+    Raises
+    ------
+    FormulaError
+        For more than `LARGEST_DEGREE`, naming the text: such a value could take for ever.
+    """
+    below = [_degree(part, text) for part in formula.parts]
+    if isinstance(formula, Power):
+        found = below[0] * max(1, abs(formula.exponent))
+    elif isinstance(formula, Pair):  # a sum of quotients is one quotient of their product
+        found = sum(below)
+    else:
+        found = 1
+    if found > LARGEST_DEGREE and any(isinstance(part, Power) for part in formula):
+        raise FormulaError(text, text.find("^"), TOO_LARGE, LARGEST_DEGREE)
+    return found
+
+
+# --------------------------------------------------------------------------- writing
+
+
+_IN_SUM, _IN_PRODUCT, _FACTOR, _BASE = 1, 2, 3, 4
+"""How tightly what stands outside binds: a sum's term, a product's first factor, another one."""
+
+ARROW = "\u20d7"
+"""After the letter of a vector, as the lectures write it above: n is near, and n\u20d7 an axis."""
+
+
+class _Source:
+    """The language itself; the other writers change what looks different with them."""
+
+    minus, minus_between, plus, space = "-", " - ", " + ", "*"
+
+    def __init__(self, symbols: Mapping[str, str]) -> None:
+        self._symbols = symbols
+
+    def write(self, formula: Formula, outer: int = 0) -> str:
+        """Write a formula inside one that binds as tightly as `outer`."""
+        if isinstance(formula, Number):
+            return _decimal(formula.number)
+        if isinstance(formula, Letter):
+            return self.symbol(self._symbols.get(formula.name, formula.name))
+        if isinstance(formula, Call):
+            return self.call(formula.name, [self.write(part) for part in formula.parts], outer)
+        if isinstance(formula, Power):
+            return self.power(self.write(formula.base, _BASE), formula.exponent, outer)
+        if isinstance(formula, Negative):
+            return _bracketed(f"{self.minus}{self.write(formula.operand, _IN_PRODUCT)}", outer > 1)
+        if isinstance(formula, Product):
+            left, right = self.first(formula.left), self.write(formula.right, _FACTOR)
+            return _bracketed(self.product(left, right), outer > _IN_PRODUCT)
+        if isinstance(formula, Quotient):
+            return self.quotient(formula.left, formula.right, outer)
+        assert isinstance(formula, Sum | Difference)
+        sign = self.plus if isinstance(formula, Sum) else self.minus_between
+        left, right = self.write(formula.left, _IN_SUM), self.write(formula.right, _IN_PRODUCT)
+        return _bracketed(f"{left}{sign}{right}", outer > _IN_SUM)
+
+    def first(self, formula: Formula) -> str:
+        """The first factor, whose sign needs no brackets."""
+        return self.write(formula, _IN_SUM if isinstance(formula, Negative) else _IN_PRODUCT)
+
+    def symbol(self, name: str) -> str:
+        return name
+
+    def call(self, name: str, inside: list[str], outer: int) -> str:
+        return f"{name}({', '.join(inside)})"
+
+    def power(self, base: str, exponent: int, outer: int) -> str:
+        return _bracketed(f"{base}^{exponent}", outer > _FACTOR)
+
+    def product(self, left: str, right: str) -> str:
+        return f"{left}{self.space}{right}"
+
+    def quotient(self, above: Formula, below: Formula, outer: int) -> str:
+        text = f"{self.first(above)}/{self.write(below, _FACTOR)}"
+        return _bracketed(text, outer > _IN_PRODUCT)
+
+
+class _Plain(_Source):
+    """For a reader, in one line."""
+
+    minus, minus_between, plus, space = "−", " − ", " + ", "\u2009"
+    times = "·"
+
+    def call(self, name: str, inside: list[str], outer: int) -> str:
+        if name == "dot":
+            return _bracketed(self.times.join(inside), outer > _IN_PRODUCT)
+        return super().call(name, inside, outer)
+
+    def product(self, left: str, right: str) -> str:
+        return (
+            f"{left}{'' if left[-1].isdigit() and not set('_^') & set(left) else self.space}{right}"
+        )
+
+
+_GREEK = {"\u03b1": r"\alpha", "β": r"\beta", "θ": r"\theta"}
+
+
+class _Latex(_Plain):
+    """For LaTeX's mathematics."""
+
+    minus, minus_between, plus, space = "-", " - ", " + ", r" \, "
+    times = r" \cdot "
+
+    def symbol(self, name: str) -> str:
+        if name.endswith(ARROW):
+            return rf"\vec{{{name.removesuffix(ARROW)}}}"
+        head, _, below = name.partition("_")
+        head = _GREEK.get(head, head if len(head) == 1 else rf"\mathrm{{{head}}}")
+        if not below:
+            return head
+        if len(below) > 1 and not below.isdigit():
+            below = rf"\mathrm{{{below}}}"
+        return f"{head}_{{{below}}}"
+
+    def call(self, name: str, inside: list[str], outer: int) -> str:
+        if name == "dot":
+            return super().call(name, inside, outer)
+        return rf"\{name}\left({', '.join(inside)}\right)"
+
+    def power(self, base: str, exponent: int, outer: int) -> str:
+        return _bracketed(f"{base}^{{{exponent}}}", outer > _FACTOR)
+
+    def quotient(self, above: Formula, below: Formula, outer: int) -> str:
+        minus = ""
+        if isinstance(above, Negative):
+            above, minus = above.operand, self.minus
+        text = rf"{minus}\frac{{{self.write(above)}}}{{{self.write(below)}}}"
+        return rf"\left({text}\right)" if minus and outer > _IN_SUM else text
+
+
+def _bracketed(text: str, needed: bool) -> str:
+    return f"({text})" if needed else text
+
+
+def _decimal(number: Fraction) -> str:
+    """A decimal fraction with all its digits."""
+    places = 0
+    while (number * 10**places).denominator != 1:
+        places += 1
+    digits = str((number * 10**places).numerator).rjust(places + 1, "0")
+    return f"{digits[:-places]}.{digits[-places:]}" if places else digits
+
+
+_SOURCE = _Source({})
+
+
+def written(formula: Formula, symbols: Mapping[str, str]) -> str:
+    """A formula for a reader, in one line: ``2n/(r − l)``.
+
+    Parameters
+    ----------
+    formula : Formula
+    symbols : mapping from str to str
+        What stands for a letter, if not the letter: ``_`` before a subscript, `ARROW` after a
+        vector's letter.
+    """
+    return _Plain(symbols).write(formula)
+
+
+def latex(formula: Formula, symbols: Mapping[str, str]) -> str:
+    """A formula for LaTeX's mathematics, ``\\frac{2 n}{r - l}``; symbols as of `written`."""
+    return _Latex(symbols).write(formula)

@@ -1,0 +1,88 @@
+"""A projection matrix that somebody typed: its cells are its table."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from typing import Any, ClassVar
+
+from app.model.lenses.lens import Lens, LensTable
+from app.model.lenses.perspective import Perspective
+from app.model.tables import matrix
+from app.model.values import SMALLEST_CELL, Cells, finite_matrix, keep_checked
+
+TABLE = LensTable(
+    (),
+    matrix("""
+        p_11  p_12  p_13  p_14
+        p_21  p_22  p_23  p_24
+        p_31  p_32  p_33  p_34
+        p_41  p_42  p_43  p_44
+    """),
+)
+
+
+@dataclass(frozen=True)
+class FreeMatrix(Lens):
+    """A projection that is none of the lenses: cells that somebody typed.
+
+    Parameters
+    ----------
+    clip_from_view : (4, 4) sequence of floats
+        For the depth range in hand.
+    view_from_world : (4, 4) sequence of floats, optional
+        In place of the camera's own, where that was edited and no camera has it.
+    former : Perspective, Frustum, Orthographic or Oblique
+        The lens that it was made of, to which a choice of a lens goes back.
+
+    Raises
+    ------
+    ProjectionError
+        Naming the cell, as ``clip_from_view[0, 2]``, that is not finite, beyond `LARGEST`, or
+        below `SMALLEST_CELL` in size and not 0.
+    """
+
+    kind: ClassVar[str] = "matrix"
+
+    clip_from_view: Cells
+    view_from_world: Cells | None = None
+    former: Lens = Perspective()  # noqa: RUF009
+
+    def __post_init__(self) -> None:
+        keep_checked(
+            self, clip_from_view=finite_matrix("clip_from_view", self.clip_from_view, SMALLEST_CELL)
+        )
+        if self.view_from_world is not None:
+            view_from_world = finite_matrix("view_from_world", self.view_from_world, SMALLEST_CELL)
+            keep_checked(self, view_from_world=view_from_world)
+
+    @property
+    def own_view(self) -> Cells | None:
+        return self.view_from_world
+
+    @property
+    def table(self) -> LensTable:
+        return TABLE
+
+    def exact_letters(self, aspect: Fraction) -> dict[str, Fraction]:
+        return {letter: Fraction(cell) for letter, cell in self.letters(aspect).items()}
+
+    def letters(self, aspect: Fraction) -> dict[str, float]:
+        return {
+            f"p_{i}{j}": cell
+            for i, row in enumerate(self.clip_from_view, 1)
+            for j, cell in enumerate(row, 1)
+        }
+
+    @property
+    def planes(self) -> None:
+        return None
+
+    def in_depth_range(self, old: tuple[float, float], new: tuple[float, float]) -> FreeMatrix:
+        old_near, old_far = map(Fraction, old)
+        new_near, new_far = map(Fraction, new)
+        scale = (new_far - new_near) / (old_far - old_near)
+        x, y, z, w = (tuple(map(Fraction, row)) for row in self.clip_from_view)
+        z = tuple(scale * a + (new_near - scale * old_near) * b for a, b in zip(z, w, strict=True))
+        cells: Any = tuple(tuple(map(float, row)) for row in (x, y, z, w))
+        return replace(self, clip_from_view=cells)

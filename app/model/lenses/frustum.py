@@ -1,0 +1,103 @@
+"""The perspective lens with a window of its own: glFrustum, lecture 002's H before the scale."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from typing import ClassVar
+
+from app.model.lenses.lens import Central, LensTable, Window, check_planes
+from app.model.lenses.perspective import pyramid_tables
+from app.model.lenses.window import Windowed
+from app.model.values import (
+    AT_LEAST,
+    AT_MOST,
+    SMALLEST_FIELD,
+    SMALLEST_OPENING,
+    Keep,
+    ProjectionError,
+    format_value,
+)
+
+SHEAR = """
+    1  0  (r + l)/(2*n)  0
+    0  1  (t + b)/(2*n)  0
+    0  0  1              0
+    0  0  0              1
+"""
+"""The window's middle comes to the axis."""
+SCALE = """
+    2*n/(d*(r - l))  0                0    0
+    0                2*n/(d*(t - b))  0    0
+    0                0                1/d  0
+    0                0                0    1
+"""
+"""To the canonical pyramid, as of `app.model.lenses.perspective`."""
+
+CLIP_FROM_VIEW = """
+    2*n/(r - l)  0            (r + l)/(r - l)  0
+    0            2*n/(t - b)  (t + b)/(t - b)  0
+    0            0            A                B
+    0            0            -1               0
+"""
+VIEW_FROM_CLIP = """
+    (r - l)/2/n  0            0  (r + l)/2/n
+    0            (t - b)/2/n  0  (t + b)/2/n
+    0            0            0  -1
+    0            0            C  D
+"""
+
+TABLE, TABLE_AT_INFINITY = pyramid_tables(
+    {"scale": SCALE, "shear": SHEAR}, CLIP_FROM_VIEW, VIEW_FROM_CLIP
+)
+
+
+@dataclass(frozen=True)
+class Frustum(Central, Windowed):
+    """The perspective lens with a window of its own (glFrustum), off the axis if you like.
+
+    Parameters
+    ----------
+    left, right, bottom, top : float
+        The picture's window on the near plane, ``left < right``, ``bottom < top``.
+    near, far : float
+        Distances of the clipping planes from the eye, ``0 < near < far``; far may be ``inf``.
+    keep : {"stretch", "x", "y"}
+        How the window follows the image's aspect: not at all, or by adjusting the y range
+        (``"x"`` is kept, lecture 000's variant X) or the x range (``"y"``, variant Y).
+    """
+
+    kind: ClassVar[str] = "frustum"
+
+    left: float = -0.7
+    right: float = 0.7
+    bottom: float = -0.4
+    top: float = 0.4
+
+    @property
+    def least_window(self) -> float:
+        """The least width and height of the window, in world units; near divided by it is left
+        room for."""
+        return max(1e-290, SMALLEST_OPENING * self.near)
+
+    def check_window(self, left: float, right: float, bottom: float, top: float) -> None:
+        """Refuse also a window so far off or so large that the far plane's is infinite."""
+        super().check_window(left, right, bottom, top)
+        limit = self.near / SMALLEST_FIELD
+        sides = {"left": left, "right": right, "bottom": bottom, "top": top}
+        for name, side in sides.items():
+            if abs(side) > limit:
+                bound, signed = (AT_MOST, limit) if side > 0.0 else (AT_LEAST, -limit)
+                raise ProjectionError(name, side, bound, format_value(signed))
+
+    @property
+    def table(self) -> LensTable:
+        return TABLE_AT_INFINITY if self.far == math.inf else TABLE
+
+    def cut(self, window: Window, near: float, far: float) -> Frustum:
+        near, far = check_planes(near, far, parallel=False)
+        return replace(self, near=near, far=far, **self.sides(self.window_at(window, near)))
+
+    @classmethod
+    def with_window(cls, window: Window, near: float, far: float, keep: Keep) -> Frustum:
+        return cls(*window, near, far, keep)

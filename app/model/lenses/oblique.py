@@ -1,0 +1,178 @@
+"""The oblique parallel lens: lecture 002's ``P_obl = P_ort H``."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from typing import ClassVar
+
+from app.arithmetic.double_double import cotangent_deg
+from app.model.lenses.lens import LensTable, Parallel, Window, check_planes
+from app.model.lenses.orthographic import SCALE, TRANSLATION, box_table
+from app.model.lenses.window import Windowed
+from app.model.values import (
+    AT_LEAST,
+    AT_MOST,
+    LARGEST_SHEAR,
+    SMALLEST_WINDOW,
+    ProjectionError,
+    between,
+    cos_sin_deg,
+    finite,
+    format_value,
+    keep_checked,
+)
+
+SHEAR = """
+    1  0  cot(alpha)  n*cot(alpha)
+    0  1  cot(beta)   n*cot(beta)
+    0  0  1           0
+    0  0  0           1
+"""
+"""H: what is not on the near plane is shifted along the projectors."""
+
+CLIP_FROM_VIEW = """
+    2/(r - l)  0          2/(r - l)*cot(alpha)  -(r + l)/(r - l) + 2/(r - l)*(cot(alpha)*n)
+    0          2/(t - b)  2/(t - b)*cot(beta)   -(t + b)/(t - b) + 2/(t - b)*(cot(beta)*n)
+    0          0          A                     B
+    0          0          0                     1
+"""
+VIEW_FROM_CLIP = """
+    (r - l)/2  0          -cot(alpha)*C  (r + l)/2 + cot(alpha)*C*z_n
+    0          (t - b)/2  -cot(beta)*C   (t + b)/2 + cot(beta)*C*z_n
+    0          0          C              D
+    0          0          0              1
+"""
+
+TABLE = box_table(
+    {"scale": SCALE, "translation": TRANSLATION, "shear": SHEAR}, CLIP_FROM_VIEW, VIEW_FROM_CLIP
+)
+
+
+@dataclass(frozen=True)
+class Oblique(Parallel, Windowed):
+    """The oblique parallel lens of lecture 002: the orthographic one after its matrix H.
+
+    ``x' = x + (z + near) cot(alpha)`` and ``y' = y + (z + near) cot(beta)`` in view space: the
+    projectors lean, and what lies on the near plane stays where it is.
+
+    Parameters
+    ----------
+    left, right, bottom, top : float
+        The picture's window on the near plane, ``left < right``, ``bottom < top``.
+    near, far : float
+        As `Orthographic`'s.
+    alpha_deg, beta_deg : float
+        Angles of the projectors with the x and the y axis, in the open interval (0, 180);
+        90 and 90 is the orthographic lens. See `oblique_angles` for cavalier and cabinet.
+    keep : {"stretch", "x", "y"}
+        As `Frustum`'s.
+    """
+
+    kind: ClassVar[str] = "oblique"
+
+    left: float = -4.0
+    right: float = 4.0
+    bottom: float = -4.0
+    top: float = 4.0
+    alpha_deg: float = 109.47122063449069  # cabinet, receding at 45 degrees
+    beta_deg: float = 109.47122063449069
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        for name in ("alpha_deg", "beta_deg"):
+            angle_deg = between(name, getattr(self, name), 0, 180)
+            least = math.degrees(1.0 / LARGEST_SHEAR)
+            if not least <= angle_deg <= 180.0 - least:
+                bound, limit = (AT_LEAST, least) if angle_deg < 90.0 else (AT_MOST, 180.0 - least)
+                raise ProjectionError(name, angle_deg, bound, format_value(limit))
+            keep_checked(self, **{name: angle_deg})
+
+    @property
+    def least_window(self) -> float:
+        """The least width and height of the window, in world units; the shear is left room for."""
+        return SMALLEST_WINDOW * LARGEST_SHEAR
+
+    @property
+    def shear(self) -> tuple[float, float]:
+        """``cot(alpha), cot(beta)``: the shift in x and y per unit of z."""
+        return _cot_deg(self.alpha_deg), _cot_deg(self.beta_deg)
+
+    @property
+    def table(self) -> LensTable:
+        return TABLE
+
+    def cut(self, window: Window, near: float, far: float) -> Oblique:
+        near, far = check_planes(near, far, parallel=True)
+        return replace(self, near=near, far=far, **self.sides(self.window_at(window, near)))
+
+    def exact_letters(self, aspect: Fraction) -> dict[str, Fraction]:
+        cots = (cotangent_deg(Fraction(angle)) for angle in (self.alpha_deg, self.beta_deg))
+        return super().exact_letters(aspect) | dict(zip(COTS, cots, strict=True))
+
+    def letters(self, aspect: Fraction) -> dict[str, float]:
+        return super().letters(aspect) | dict(zip(COTS, self.shear, strict=True))
+
+
+COTS = ("cot(alpha)", "cot(beta)")
+
+
+def _cot_deg(angle_deg: float) -> float:
+    """The cotangent of an angle in degrees, exact at 90, within 2 ulp elsewhere."""
+    cos, sin = cos_sin_deg(angle_deg)
+    return cos / sin
+
+
+def oblique_angles(receding: float, receding_deg: float) -> tuple[float, float]:
+    """The angles of an `Oblique` lens under which receding edges are drawn like this.
+
+    Parameters
+    ----------
+    receding : float
+        Drawn length of an edge along the view direction per true length: 1 is a cavalier,
+        1/2 a cabinet drawing.
+    receding_deg : float
+        Direction in the picture in which things recede, in degrees from the right, anticlockwise.
+
+    Returns
+    -------
+    alpha_deg, beta_deg : float
+
+    Raises
+    ------
+    ProjectionError
+        For a length below 0 or above `LARGEST_SHEAR`, or a number that is not finite.
+
+    Notes
+    -----
+    A unit into the picture moves a point by ``(-cot(alpha), -cot(beta))`` (lecture 002, H).
+    """
+    receding, receding_deg = finite("receding", receding), finite("receding_deg", receding_deg)
+    for wrong, bound, limit in (
+        (receding < 0.0, AT_LEAST, 0), (receding > LARGEST_SHEAR, AT_MOST, int(LARGEST_SHEAR)),
+    ):  # fmt: skip
+        if wrong:
+            raise ProjectionError("receding", receding, bound, limit)
+    cos, sin = cos_sin_deg(receding_deg)
+    return (
+        math.degrees(math.atan2(1.0, -receding * cos)),
+        math.degrees(math.atan2(1.0, -receding * sin)),
+    )
+
+
+def receding_of(lens: Oblique) -> tuple[float, float]:
+    """Drawn length per unit of depth, and its direction in degrees: of `oblique_angles`."""
+    cot_alpha, cot_beta = lens.shear
+    length = math.hypot(cot_alpha, cot_beta)
+    return length, math.degrees(math.atan2(-cot_beta, -cot_alpha)) if length else 0.0
+
+
+OBLIQUE_PRESETS: dict[str, tuple[float, float]] = {
+    f"{name}-{label}": oblique_angles(receding, receding_deg)
+    for name, receding in (("cavalier", 1.0), ("cabinet", 0.5))
+    for label, receding_deg in (
+        ("30", 30.0), ("45", 45.0), ("63.4", math.degrees(math.atan(2.0))),
+    )
+}  # fmt: skip
+"""`Oblique` angles of the drawings of the textbooks, by name and receding angle."""

@@ -1,0 +1,115 @@
+"""The orthographic lens: glOrtho, in lecture 001's steps."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import ClassVar
+
+from app.model.lenses.lens import LensTable, Parallel
+from app.model.lenses.window import Windowed
+from app.model.tables import DEPTH_RANGE, NO_M_PP, Step, matrix
+
+TRANSLATION = """
+    1  0  0  -(r + l)/2
+    0  1  0  -(t + b)/2
+    0  0  1  n
+    0  0  0  1
+"""
+SCALE = """
+    2/(r - l)  0          0          0
+    0          2/(t - b)  0          0
+    0          0          1/(f - n)  0
+    0          0          0          1
+"""
+"""To the canonical box, x and y from -1 to 1 and z from 0 at near to -1 at far."""
+
+W_IS_ONE = """
+    1  0  0  0
+    0  1  0  0
+    0  0  1  0
+    0  0  0  1
+"""
+"""Where a perspective lens makes w the distance again, a parallel one has nothing to do."""
+
+CLIP_FROM_VIEW = """
+    2/(r - l)  0          0  -(r + l)/(r - l)
+    0          2/(t - b)  0  -(t + b)/(t - b)
+    0          0          A  B
+    0          0          0  1
+"""
+VIEW_FROM_CLIP = """
+    (r - l)/2  0          0  (r + l)/2
+    0          (t - b)/2  0  (t + b)/2
+    0          0          C  D
+    0          0          0  1
+"""
+DEPTH = {
+    "A": "(z_n - z_f)/(f - n)",
+    "B": "(z_n*f - z_f*n)/(f - n)",
+    "C": "(f - n)/(z_n - z_f)",
+    "D": "-(z_n*f - z_f*n)/(z_n - z_f)",
+}
+"""Of ``z_clip = A z_view + B``, which is z_n at near and z_f at far, and back: ``C z + D``."""
+
+AS_002_WRITES = {
+    "1/(f - n)": "-1/(n - f)",
+    "-1/(f - n)": "1/(n - f)",
+    "-2/(f - n)": "2/(n - f)",
+    "(f + n)/(f - n)": "-(n + f)/(n - f)",
+}
+"""What lecture 002, whose n and f are the planes' own negative z, has in the place of ours."""
+
+
+def box_table(factors: Mapping[str, str], clip_from_view: str, view_from_clip: str) -> LensTable:
+    """The table of a parallel lens.
+
+    Parameters
+    ----------
+    factors : mapping from str to str
+        The step to the canonical box.
+    clip_from_view, view_from_clip : str
+        In closed form, with the letters of `DEPTH`.
+    """
+    to_box = tuple((name, matrix(text)) for name, text in factors.items())
+    return LensTable(
+        (
+            Step("canonical_parallel_from_view", to_box),
+            Step("canonical_parallel_from_canonical_perspective", note=NO_M_PP),
+            DEPTH_RANGE,
+            Step("clip_from_depth_range", (("scale", matrix(W_IS_ONE)),)),
+        ),
+        matrix(clip_from_view, **DEPTH),
+        matrix(view_from_clip, **DEPTH),
+        written={"002": AS_002_WRITES},
+    )
+
+
+TABLE = box_table({"scale": SCALE, "translation": TRANSLATION}, CLIP_FROM_VIEW, VIEW_FROM_CLIP)
+
+
+@dataclass(frozen=True)
+class Orthographic(Parallel, Windowed):
+    """The orthographic lens (glOrtho).
+
+    Parameters
+    ----------
+    left, right, bottom, top : float
+        The picture's window in view space, ``left < right``, ``bottom < top``.
+    near, far : float
+        Distances of the clipping planes from the eye plane, ``near < far``; near may be
+        negative (behind the eye), far must be finite.
+    keep : {"stretch", "x", "y"}
+        As `Frustum`'s.
+    """
+
+    kind: ClassVar[str] = "orthographic"
+
+    left: float = -4.0
+    right: float = 4.0
+    bottom: float = -4.0
+    top: float = 4.0
+
+    @property
+    def table(self) -> LensTable:
+        return TABLE

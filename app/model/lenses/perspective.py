@@ -1,0 +1,283 @@
+"""The symmetric perspective lens, and the canonical pyramid that every perspective lens has.
+
+The canonical volumes and M_pp are lecture 001's, the matrix is equation (13) of lecture 000.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from types import MappingProxyType
+from typing import ClassVar
+
+from app.arithmetic.double_double import cotangent_deg
+from app.model.lenses.lens import Central, LensTable, Window, check_planes, plane_letters
+from app.model.tables import DEPTH_RANGE, SCALED_BY_NEAR, Step, matrix
+from app.model.values import (
+    ABOVE,
+    AT_LEAST,
+    SMALLEST_FIELD,
+    Keep,
+    ProjectionError,
+    between,
+    finite,
+    keep_checked,
+)
+
+_FULL_FRAME_DIAGONAL_MM = math.hypot(36.0, 24.0)
+
+# --------------------------------------------------------------------------- the table
+
+SCALE = """
+    cot(fov/2)/(aspect*d)  0             0    0
+    0                      cot(fov/2)/d  0    0
+    0                      0             1/d  0
+    0                      0             0    1
+"""
+"""From view space to the pyramid with x, y from -1 to 1 at z = -1, which is the distance d."""
+
+M_PP = """
+    1  0  0          0
+    0  1  0          0
+    0  0  f/(f - n)  n/(f - n)
+    0  0  -1         0
+"""
+M_PP_AT_INFINITY = """
+    1  0  0   0
+    0  1  0   0
+    0  0  1   1
+    0  0  -1  0
+"""
+"""Lecture 001's step from the pyramid to the box, for d = f; its limit for d = n."""
+
+W_IS_THE_DISTANCE = """
+    d  0  0  0
+    0  d  0  0
+    0  0  d  0
+    0  0  0  d
+"""
+"""No picture shows it: w is the distance again, the last row 0 0 -1 0 as the field writes it."""
+
+CLIP_FROM_VIEW = """
+    cot(fov/2)/aspect  0           0   0
+    0                  cot(fov/2)  0   0
+    0                  0           A   B
+    0                  0           -1  0
+"""
+VIEW_FROM_CLIP = """
+    aspect/cot(fov/2)  0             0  0
+    0                  1/cot(fov/2)  0  0
+    0                  0             0  -1
+    0                  0             C  D
+"""
+DEPTH = {
+    "A": "-(z_f*f - z_n*n)/(f - n)",
+    "B": "(z_n - z_f)*n*(f/(f - n))",
+    "C": "(f - n)/f/n/(z_n - z_f)",
+    "D": "(z_n/f - z_f/n)/(z_n - z_f)",
+}
+DEPTH_AT_INFINITY = {
+    "A": "-z_f",
+    "B": "(z_n - z_f)*n",
+    "C": "1/n/(z_n - z_f)",
+    "D": "-z_f/n/(z_n - z_f)",
+}
+"""Of ``z_clip = A z_view + B``, which is z_n w at near and z_f w at far (lecture 000, before (12)).
+
+OpenGL's z_n = -1 and z_f = 1 make ``-(f + n)/(f - n)`` and ``-2 f n/(f - n)`` of A and B. On the
+way back 1/w is affine in z: ``1/w = C z + D`` is 1/n at near, 1/f at far.
+"""
+
+AS_002_WRITES = {"-1/(f - n)": "1/(n - f)", "2*f*n/(f - n)": "2*n*f/(f - n)"}
+"""What lecture 002, whose n and f are the planes' own negative z, has in the place of ours."""
+
+
+def pyramid_tables(
+    factors: Mapping[str, str],
+    clip_from_view: str,
+    view_from_clip: str,
+    fields: Mapping[str, tuple[str, ...]] = MappingProxyType({}),
+) -> tuple[LensTable, LensTable]:
+    """The table of a perspective lens, and the one with its far plane at infinity.
+
+    Parameters
+    ----------
+    factors : mapping from str to str
+        The step to the canonical pyramid.
+    clip_from_view, view_from_clip : str
+        In closed form, with the letters of `DEPTH`.
+    fields : mapping from str to (tuple of str), optional
+        As `LensTable`'s.
+    """
+
+    def table(
+        d: str,
+        m_pp: str,
+        depth: Mapping[str, str],
+        note: str = "",
+        otherwise: Mapping[str, LensTable] = MappingProxyType({}),
+    ) -> LensTable:
+        to_pyramid = tuple((name, matrix(text, d=d)) for name, text in factors.items())
+        to_box = (("M_pp", matrix(m_pp)),)
+        return LensTable(
+            (
+                Step("canonical_perspective_from_view", to_pyramid, note),
+                Step("canonical_parallel_from_canonical_perspective", to_box, note),
+                DEPTH_RANGE,
+                Step("clip_from_depth_range", (("scale", matrix(W_IS_THE_DISTANCE, d=d)),)),
+            ),
+            matrix(clip_from_view, **depth),
+            matrix(view_from_clip, **depth),
+            otherwise,
+            fields,
+            written={"002": AS_002_WRITES},
+        )
+
+    finite = table("f", M_PP, DEPTH)
+    limit = table("n", M_PP_AT_INFINITY, DEPTH_AT_INFINITY, SCALED_BY_NEAR, {"far": finite})
+    return finite, limit
+
+
+TABLE, TABLE_AT_INFINITY = pyramid_tables({"scale": SCALE}, CLIP_FROM_VIEW, VIEW_FROM_CLIP)
+
+
+# --------------------------------------------------------------------------- the lens
+
+
+@dataclass(frozen=True)
+class Perspective(Central):
+    """The symmetric perspective lens (gluPerspective); the aspect is the image's.
+
+    Parameters
+    ----------
+    fov_y_deg : float
+        Vertical field of view in degrees, anywhere in the open interval (0, 180).
+    near, far : float
+        Distances of the clipping planes from the eye, ``0 < near < far``; far may be ``inf``.
+    """
+
+    kind: ClassVar[str] = "perspective"
+
+    fov_y_deg: float = 45.0
+    near: float = 1.0
+    far: float = 30.0
+
+    def __post_init__(self) -> None:
+        fov_y_deg = between("fov_y_deg", self.fov_y_deg, 0, 180)
+        if fov_y_deg < SMALLEST_FIELD:
+            raise ProjectionError("fov_y_deg", fov_y_deg, AT_LEAST, SMALLEST_FIELD)
+        near, far = check_planes(self.near, self.far, parallel=False)
+        keep_checked(self, fov_y_deg=fov_y_deg, near=near, far=far)
+
+    @property
+    def cot_half_fov_y(self) -> float:
+        """``cot(fov_y/2)``, the picture's half-height in units of its distance, inverted.
+
+        Above 90 degrees it is taken as the tangent of the complement: ``180 - fov`` is exact
+        there, and the result stays within 2 ulp up to 180.
+        """
+        if self.fov_y_deg > 90.0:
+            return math.tan(math.radians(180.0 - self.fov_y_deg) / 2.0)
+        return 1.0 / math.tan(math.radians(self.fov_y_deg) / 2.0)
+
+    def exact_window(self, aspect: Fraction) -> tuple[Fraction, Fraction, Fraction, Fraction]:
+        top = Fraction(self.near / self.cot_half_fov_y)
+        right = Fraction(float(aspect) * float(top))
+        return -right, right, -top, top
+
+    @classmethod
+    def with_window(cls, window: Window, near: float, far: float, keep: Keep) -> Perspective:
+        _, _, bottom, top = window
+        return cls(fov_y_from_window((top - bottom) / 2.0, near), near, far)
+
+    @property
+    def table(self) -> LensTable:
+        return TABLE_AT_INFINITY if self.far == math.inf else TABLE
+
+    def exact_letters(self, aspect: Fraction) -> dict[str, Fraction]:
+        cot = cotangent_deg(Fraction(self.fov_y_deg) / 2)
+        return {**plane_letters(self), "cot(fov/2)": cot, "aspect": aspect}
+
+    def letters(self, aspect: Fraction) -> dict[str, float]:
+        cot = self.cot_half_fov_y
+        return {"n": self.near, "f": self.far, "cot(fov/2)": cot, "aspect": float(aspect)}
+
+
+# --------------------------------------------------------------------------- field of view
+
+
+def fov_x_from_fov_y(fov_y_deg: float, aspect: float) -> float:
+    """Horizontal field of view of a symmetric lens, degrees.
+
+    ``tan(fov_x/2) = aspect tan(fov_y/2)``; for the converse give ``1/aspect``.
+    """
+    complement_deg = (180.0 - fov_y_deg) / 2.0
+    sin_half = math.sin(math.radians(fov_y_deg / 2.0))
+    cos_half = math.sin(math.radians(complement_deg))
+    return math.degrees(2.0 * math.atan2(aspect * sin_half, cos_half))
+
+
+def fov_y_from_window(top: float, near: float) -> float:
+    """Vertical field of view in degrees of a symmetric window whose top edge is at `top`.
+
+    ``tan(fov_y/2) = top/near`` (lecture 003); the converse is `Perspective.window`.
+
+    Raises
+    ------
+    ProjectionError
+        If a number is not finite or not above 0.
+    """
+    top, near = finite("top", top), finite("near", near)
+    for name, value in (("top", top), ("near", near)):
+        if value <= 0.0:
+            raise ProjectionError(name, value, ABOVE, 0)
+    return math.degrees(2.0 * math.atan2(top, near))
+
+
+def focal_length_e(fov_y_deg: float, aspect: float) -> float:
+    """Lecture 003's focal length e: how far away a plane is seen from x = -1 to 1.
+
+    ``e = 1/tan(fov_x/2)``; its window on the near plane is n/e wide to each side.
+    """
+    return Perspective(fov_y_deg).cot_half_fov_y / aspect
+
+
+def fov_y_from_focal_length_e(e: float, aspect: float) -> float:
+    """Vertical field of view in degrees, the converse of `focal_length_e`.
+
+    Raises
+    ------
+    ProjectionError
+        If e is not a finite number above 0.
+    """
+    e = finite("e", e)
+    if e <= 0.0:
+        raise ProjectionError("e", e, ABOVE, 0)
+    return math.degrees(2.0 * math.atan2(1.0, e * aspect))
+
+
+def focal_length_35mm(fov_y_deg: float, aspect: float) -> float:
+    """Focal length in mm of the 36 x 24 mm camera with the same diagonal field of view.
+
+    The diagonal is what the 35-mm equivalent compares (CIPA DCG-001), since images need not
+    have the proportions of the film.
+    """
+    half_diagonal = math.hypot(aspect, 1.0)  # of a picture of half-height 1
+    return _FULL_FRAME_DIAGONAL_MM / 2.0 * Perspective(fov_y_deg).cot_half_fov_y / half_diagonal
+
+
+def fov_y_from_focal_length_35mm(focal_length_mm: float, aspect: float) -> float:
+    """Vertical field of view in degrees, the converse of `focal_length_35mm`.
+
+    Raises
+    ------
+    ProjectionError
+        If the focal length is not a finite number above 0.
+    """
+    focal_length_mm = finite("focal_length_mm", focal_length_mm)
+    if focal_length_mm <= 0.0:
+        raise ProjectionError("focal_length_mm", focal_length_mm, ABOVE, 0)
+    half_height = _FULL_FRAME_DIAGONAL_MM / 2.0 / math.hypot(aspect, 1.0)
+    return math.degrees(2.0 * math.atan2(half_height, focal_length_mm))

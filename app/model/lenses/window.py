@@ -1,0 +1,130 @@
+"""The window that three lenses are given by: left, right, bottom and top on the near plane."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from app.model.lenses.lens import Lens, Window, check_planes, plane_letters
+from app.model.values import (
+    BOTTOM_BEFORE_TOP,
+    DISTINCT,
+    LEFT_BEFORE_RIGHT,
+    ONE_OF,
+    SMALLEST_WINDOW,
+    WIDER,
+    Keep,
+    ProjectionError,
+    finite,
+    format_value,
+    keep_checked,
+)
+
+_ROUNDING = 1e-12
+"""What a window's proportions may differ from the image's, of themselves, by their rounding."""
+
+
+@dataclass(frozen=True)
+class Windowed(Lens):
+    """The six numbers that glFrustum and glOrtho share, and what follows from them."""
+
+    left: float
+    right: float
+    bottom: float
+    top: float
+    near: float = 1.0
+    far: float = 30.0
+    keep: Keep = "stretch"
+
+    def __post_init__(self) -> None:
+        names = ("left", "right", "bottom", "top")
+        left, right, bottom, top = (finite(n, getattr(self, n)) for n in names)
+        near, far = check_planes(self.near, self.far, parallel=self.parallel)
+        keep_checked(self, left=left, right=right, bottom=bottom, top=top, near=near, far=far)
+        for name, low, high, bound in (
+            ("left", left, right, LEFT_BEFORE_RIGHT),
+            ("bottom", bottom, top, BOTTOM_BEFORE_TOP),
+        ):
+            if low >= high:
+                raise ProjectionError(name, low, bound, format_value(high))
+        self.check_window(left, right, bottom, top)
+        if self.keep not in ("stretch", "x", "y"):
+            raise ProjectionError("keep", self.keep, ONE_OF, "stretch, x, y")
+
+    @property
+    def least_window(self) -> float:
+        """The least width and height of the window, in world units."""
+        return SMALLEST_WINDOW
+
+    def check_window(self, left: float, right: float, bottom: float, top: float) -> None:
+        """Refuse a window that is too small for this lens, as typed or after `keep`.
+
+        Raises
+        ------
+        ProjectionError
+            If a side is shorter than `least_window`.
+        """
+        for name, low, high in (("left", left, right), ("bottom", bottom, top)):
+            if high - low < self.least_window:
+                bound = DISTINCT if self.parallel else WIDER
+                raise ProjectionError(name, low, bound, format_value(high))
+
+    def exact_window(self, aspect: Fraction) -> tuple[Fraction, Fraction, Fraction, Fraction]:
+        """`window` without rounding, (left, right, bottom, top)."""
+        left, right, bottom, top = map(Fraction, (self.left, self.right, self.bottom, self.top))
+        if self.keep == "x":
+            k = ((right - left) / aspect - (top - bottom)) / 2
+            bottom, top = bottom - k, top + k
+        elif self.keep == "y":
+            k = (aspect * (top - bottom) - (right - left)) / 2
+            left, right = left - k, right + k
+        return left, right, bottom, top
+
+    def window(self, aspect: Fraction) -> Window:
+        """Left, right, bottom, top of the picture after `keep`, in world units.
+
+        Lecture 000, PerspektivnaProjekcijaX and Y, with the slip in Y's last line corrected.
+        """
+        if self.keep == "stretch":
+            return self.left, self.right, self.bottom, self.top
+        return super().window(aspect)
+
+    def check_image(self, aspect: Fraction) -> None:
+        """Refuse the image for which `keep` shrinks the window to nothing, far from the axis."""
+        left, right, bottom, top = self.exact_window(aspect)
+        window = self.window(aspect)
+        for name, exact, low, high in (
+            ("left", right - left, *window[:2]),
+            ("bottom", top - bottom, *window[2:]),
+        ):
+            extent = float(exact)
+            if abs(high - low - extent) > extent / 2.0:
+                raise ProjectionError(name, low, DISTINCT, format_value(high))
+        self.check_window(*window)
+
+    def fits(self, aspect: float) -> bool:
+        """Whether the window has the image's proportions as it is: then nothing is fitted."""
+        fitted = aspect * (self.top - self.bottom)
+        return math.isclose(self.right - self.left, fitted, rel_tol=_ROUNDING)
+
+    def sides(self, window: Window) -> dict[str, Any]:
+        """The fields that a window is, kept as it is whatever the image."""
+        names = ("left", "right", "bottom", "top")
+        return {**dict(zip(names, window, strict=True)), "keep": "stretch"}
+
+    def exact_letters(self, aspect: Fraction) -> dict[str, Fraction]:
+        sides = zip("lrbt", self.exact_window(aspect), strict=True)
+        return {**plane_letters(self), **dict(sides)}
+
+    def letters(self, aspect: Fraction) -> dict[str, float]:
+        left, right, bottom, top = self.exact_window(aspect)
+        return {
+            "n": self.near,
+            "f": self.far,
+            "r - l": float(right - left),
+            "r + l": float(right + left),
+            "t - b": float(top - bottom),
+            "t + b": float(top + bottom),
+        }

@@ -1,0 +1,116 @@
+"""Tables: the steps of a projection as matrices of formulas, and the steps that all lenses share.
+
+A step's matrix is written down once, as the lectures write it, and read in rationals (what is
+shown as numbers), in letters (what is shown as formulas) and in float64.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, NamedTuple, TypeAlias
+
+from app.model.formula import EXACT, Arithmetic, Formula, parse
+
+Table: TypeAlias = tuple[tuple[Formula, ...], ...]
+"""A (4, 4) matrix of formulas."""
+
+
+def matrix(text: str, **parts: str) -> Table:
+    """A matrix of formulas from the way in which it is written: a line a row.
+
+    Parameters
+    ----------
+    text : str
+        Four lines of four formulas, with two spaces or more between them.
+    **parts : str
+        Formulas that stand in the place of letters.
+    """
+    terms = {letter: parse(formula) for letter, formula in parts.items()}
+    rows = tuple(
+        tuple(parse(cell.strip()).where(terms) for cell in line.strip().split("  ") if cell.strip())
+        for line in text.strip().splitlines()
+    )
+    assert [len(row) for row in rows] == [4, 4, 4, 4], text
+    return rows
+
+
+def evaluated(table: Table, known: Mapping[str, Any], arithmetic: Arithmetic = EXACT) -> list[Any]:
+    """A matrix' value, 4 lists of 4 numbers of an arithmetic; `known` as of `Formula.value`."""
+    return [[cell.evaluate(known, arithmetic) for cell in row] for row in table]
+
+
+class Step(NamedTuple):
+    """One step of the pipeline as the lectures write it.
+
+    Attributes
+    ----------
+    name : str
+        ``target_from_source``.
+    factors : tuple of (str, Table)
+        Named matrices whose product, in this order, is the step; none for the identity.
+    note : str
+        What is special about it for this lens, one of `NOTES`; empty if nothing is.
+    """
+
+    name: str
+    factors: tuple[tuple[str, Table], ...] = ()
+    note: str = ""
+
+
+NO_OBJECT_TRANSFORM = "the scene's objects are given in world coordinates"
+NO_M_PP = "a parallel lens has no M_pp: this is the identity"
+SCALED_BY_NEAR = "far is infinite: the canonical pyramid is scaled by near, which is at z = -1"
+NOTES = (NO_OBJECT_TRANSFORM, NO_M_PP, SCALED_BY_NEAR)
+"""Every note of a step, for translators."""
+
+OBJECT = Step("world_from_object", note=NO_OBJECT_TRANSFORM)
+
+DEPTH_RANGE = Step(
+    "depth_range_from_canonical_parallel",  # lecture 001's M_z, for any range
+    (
+        (
+            "translation",
+            matrix("""
+                1  0  0  0
+                0  1  0  0
+                0  0  1  z_n
+                0  0  0  1
+            """),
+        ),
+        (
+            "scale",
+            matrix("""
+                1  0  0          0
+                0  1  0          0
+                0  0  z_n - z_f  0
+                0  0  0          1
+            """),
+        ),
+    ),
+)
+"""From z = 0 at near and -1 at far to the depth range's ends, z_n at near and z_f at far."""
+
+VIEWPORT = Step(
+    "image_from_ndc",  # lecture 002's
+    (
+        (
+            "scale",
+            matrix("""
+                W/2  0     0              0
+                0    -H/2  0              0
+                0    0     1/(1 - z_low)  0
+                0    0     0              1
+            """),
+        ),
+        (
+            "translation",
+            matrix("""
+                1  0  0  1
+                0  1  0  -1
+                0  0  1  -z_low
+                0  0  0  1
+            """),
+        ),
+    ),
+)
+"""To pixels of an image W wide and H high, and to a depth that is 0 at the lower of z's ends."""

@@ -1,0 +1,205 @@
+"""A lens that the program does not have, in one file: it is drawn, read, exported and kept.
+
+`Shift` is the architect's lens: a one-point perspective whose film is raised, so that a tower is
+seen to its top and its walls stay upright. Nothing outside this file knows it; a line of `LENSES`
+is all that it takes.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from dataclasses import dataclass, replace
+from fractions import Fraction
+from pathlib import Path
+from typing import Any, ClassVar
+
+import numpy as np
+import pytest
+
+from app.arithmetic.double_double import cotangent_deg
+from app.commands import cli
+from app.document import document
+from app.drawings.figures import PANES, render
+from app.lecture.notation import LETTERS, letters_in, matrices, written
+from app.model.lenses import LENSES
+from app.model.lenses.lens import Central, LensTable, Window, check_planes, plane_letters
+from app.model.lenses.perspective import SCALE, Perspective, fov_y_from_window, pyramid_tables
+from app.model.projection import Frustum, Projection, ProjectionError
+from app.model.values import Keep, between, finite, keep_checked
+from app.precision import levels as precision
+from app.scenes.scene import load
+
+TABLE, TABLE_AT_INFINITY = pyramid_tables(
+    {
+        "scale": SCALE,
+        "rise": """
+            1  0  0                0
+            0  1  rise/cot(fov/2)  0
+            0  0  1                0
+            0  0  0                1
+        """,
+    },
+    """
+    cot(fov/2)/aspect  0           0     0
+    0                  cot(fov/2)  rise  0
+    0                  0           A     B
+    0                  0           -1    0
+    """,
+    """
+    aspect/cot(fov/2)  0             0  0
+    0                  1/cot(fov/2)  0  rise/cot(fov/2)
+    0                  0             0  -1
+    0                  0             C  D
+    """,
+    {"rise": ("rise",)},
+)
+
+
+@dataclass(frozen=True)
+class Shift(Central):
+    """A symmetric lens whose window is raised by `rise` of its half-height."""
+
+    kind: ClassVar[str] = "shift"
+
+    fov_y_deg: float = 45.0
+    rise: float = 0.5
+    near: float = 1.0
+    far: float = 30.0
+
+    def __post_init__(self) -> None:
+        near, far = check_planes(self.near, self.far, parallel=False)
+        fov_y_deg = between("fov_y_deg", self.fov_y_deg, 0, 180)
+        keep_checked(self, fov_y_deg=fov_y_deg, rise=finite("rise", self.rise), near=near, far=far)
+
+    @property
+    def table(self) -> LensTable:
+        return TABLE_AT_INFINITY if self.far == math.inf else TABLE
+
+    def exact_letters(self, aspect: Fraction) -> dict[str, Fraction]:
+        cot = cotangent_deg(Fraction(self.fov_y_deg) / 2)
+        rise = Fraction(self.rise)
+        return {**plane_letters(self), "cot(fov/2)": cot, "aspect": aspect, "rise": rise}
+
+    def letters(self, aspect: Fraction) -> dict[str, float]:
+        cot = Perspective(self.fov_y_deg).cot_half_fov_y
+        planes = {"n": self.near, "f": self.far}
+        return {**planes, "cot(fov/2)": cot, "aspect": float(aspect), "rise": self.rise}
+
+    def exact_window(self, aspect: Fraction) -> tuple[Fraction, Fraction, Fraction, Fraction]:
+        half = Fraction(self.near) / cotangent_deg(Fraction(self.fov_y_deg) / 2)
+        rise = Fraction(self.rise)
+        return -aspect * half, aspect * half, (rise - 1) * half, (rise + 1) * half
+
+    @classmethod
+    def with_window(cls, window: Window, near: float, far: float, keep: Keep) -> Shift:
+        _, _, bottom, top = window
+        fov_y_deg = fov_y_from_window((top - bottom) / 2.0, near)
+        return cls(fov_y_deg, (top + bottom) / (top - bottom), near, far)
+
+
+SHIFT = Shift(50.0, 0.4, 1.0, 40.0)
+POINTS = np.array([[0.5, 1.0, 0.25], [-1.0, 3.0, 1.0], [0.0, 0.0, 0.0], [30.0, 2.0, 60.0]])
+
+
+@pytest.fixture(autouse=True)
+def _listed(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(LENSES, "shift", Shift)
+
+
+def same(projection: Projection) -> Projection:
+    """The same picture with glFrustum."""
+    lens = Frustum(*projection.window, projection.lens.near, projection.lens.far)
+    return replace(projection, lens=lens)
+
+
+@pytest.mark.parametrize("far", [40.0, math.inf])
+@pytest.mark.parametrize("depth", ["opengl", "direct3d", "reversed"])
+def test_it_projects(depth: Any, far: float) -> None:
+    projection = Projection(lens=replace(SHIFT, far=far), depth=depth)
+    other = same(projection)
+    for name in ("clip_from_view", "view_from_clip", "world_from_clip", "frustum_corners_world"):
+        assert np.allclose(getattr(projection, name), getattr(other, name), rtol=1e-13, atol=1e-13)
+    for rung in precision.RUNGS:
+        mine, its = (precision.trace(p, POINTS, rung) for p in (projection, other))
+        assert np.allclose(
+            mine.image, its.image, rtol=1e-3 if rung == "float32" else 1e-12, equal_nan=True
+        )
+        assert (mine.outside == its.outside).all() and mine.in_front.any()
+    pixels = np.column_stack([mine.image, mine.depth])[mine.in_front]
+    back = projection.world_from_image(pixels)
+    assert np.allclose(back, POINTS[mine.in_front], atol=1e-9)
+
+
+def test_other_lenses_become_it_and_it_becomes_others() -> None:
+    start = Projection(lens=Frustum(-0.8, 0.8, -0.2, 0.7, 1.0, 40.0), image_size=(1600, 900))
+    shift = start.with_lens("shift")
+    assert isinstance(shift.lens, Shift) and shift.lens.rise == pytest.approx(5 / 9)
+    assert shift.window == pytest.approx(start.window)
+    assert shift.with_lens("frustum").window == pytest.approx(start.window)
+    assert shift.with_lens("orthographic").lens.kind == "orthographic"
+    typed = shift.with_lens("matrix")
+    assert np.allclose(typed.clip_from_view, shift.clip_from_view)
+    assert typed.with_lens("shift") == shift
+    cut = shift.between(2.0, 10.0)
+    assert (cut.lens.near, cut.lens.far, cut.lens.kind) == (2.0, 10.0, "shift")
+    assert cut.trace(POINTS).image == pytest.approx(shift.trace(POINTS).image, nan_ok=True)
+    with pytest.raises(ProjectionError, match="near"):
+        replace(SHIFT, near=50.0)
+
+
+@pytest.mark.parametrize("letters", LETTERS)
+def test_it_is_read(letters: Any) -> None:
+    shown = {m.name: m for m in matrices(Projection(lens=SHIFT), letters, running=True)}
+    clip = shown["clip_from_view"]
+    assert written(clip.formulas[1][2], letters) == ("−rise" if letters == "002" else "rise")
+    assert clip.fields[1][2] == ("rise",) and clip.fields[1][1] == ("fov_y_deg",)
+    assert letters_in(clip, 1, 2) == frozenset({"rise"})
+    first = shown["canonical_perspective_from_view"]
+    assert [factor.name for factor in first.factors] == ["scale", "rise"]
+    assert first.values[1][2] == pytest.approx(0.4 / 40.0)
+
+
+def test_it_is_documented() -> None:
+    made = document.Document(projection=Projection(lens=SHIFT))
+    text = document.to_json(made)
+    assert '"kind": "shift", "fov_y_deg": 50, "rise": 0.4, "near": 1, "far": 40' in text
+    assert document.parse(text) == made
+    with pytest.raises(document.DocumentError, match="rise"):
+        document.parse(text.replace('"rise": 0.4, ', ""))
+    typed = document.Document(projection=made.projection.with_lens("matrix"))
+    assert document.parse(document.to_json(typed)) == typed
+
+
+def test_the_commands_know_it(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = tmp_path / "shift.json"
+    file.write_text(document.to_json(document.Document(projection=Projection(lens=SHIFT))))
+    assert cli.main(["matrices", str(file), "--format", "json"]) == 0
+    told = json.loads(capsys.readouterr().out)
+    assert told["clip_from_view"][1][2] == 0.4
+    points = tmp_path / "points.csv"
+    points.write_text("0.5,1,0.25\n")
+    assert cli.main(["project", str(file), str(points), "--format", "json"]) == 0
+    (point,) = json.loads(capsys.readouterr().out)["points"]
+    assert point["image"] == pytest.approx(Projection(lens=SHIFT).trace(POINTS[0]).image.tolist())
+
+
+def test_it_is_drawn() -> None:
+    """All three panes, and the same picture as glFrustum's; without the rise it is another one."""
+    projection = Projection(lens=SHIFT, image_size=(320, 180))
+    flat = replace(projection, lens=replace(SHIFT, rise=0.0))
+    scene = load("letter-f")
+    pictures = [
+        render(scene, each, PANES, (480, 160)).astype(int)
+        for each in (projection, same(projection), flat)
+    ]
+    apart = [np.abs(pictures[0] - picture).max(axis=-1) > 8 for picture in pictures[1:]]
+    panes = [[pane.mean() for pane in np.split(part, 3, axis=1)] for part in apart]
+    assert max(panes[0]) < 1e-3 and min(panes[1]) > 1e-2
+
+
+def test_it_is_exported(tmp_path: Path) -> None:
+    file, out = tmp_path / "shift.json", tmp_path / "shift.png"
+    file.write_text(document.to_json(document.Document(projection=Projection(lens=SHIFT))))
+    assert cli.main(["export", str(out), str(file), "--panes=image", "--size=160x90"]) == 0
+    assert document.read(out).projection.lens == SHIFT
