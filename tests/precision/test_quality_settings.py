@@ -456,9 +456,7 @@ def triangles(window: MainWindow) -> dict[str, int]:
     return counts
 
 
-@pytest.mark.parametrize(
-    ("subject", "rung"), [("itself", "float32"), ("planar-shadow", "float64")]
-)
+@pytest.mark.parametrize(("subject", "rung"), [("itself", "float32"), ("planar-shadow", "float64")])
 def test_quality_gives_way_while_one_drags_and_comes_back_whole(
     make_window: Callable[..., MainWindow], mesh: str, rung: str, subject: str
 ) -> None:
