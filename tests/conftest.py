@@ -59,6 +59,8 @@ def pytest_runtest_makereport(
 def homes(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
     """Names of folders that are not there yet; `mktemp` looks through all there are, each time."""
     folder = tmp_path_factory.mktemp("homes")
+    # Or Mesa compiles its shaders in every home anew, and matplotlib looks for every font.
+    os.environ["MESA_SHADER_CACHE_DIR"] = os.environ["MPLCONFIGDIR"] = str(folder)
     return (folder / str(number) for number in itertools.count())
 
 

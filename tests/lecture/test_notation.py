@@ -29,6 +29,7 @@ from app.model.projection import (
     focal_length_e,
     fov_x_from_fov_y,
 )
+from tests.support.samples import pairwise
 
 BOX = (-3.0, 4.5, -2.0, 3.25)
 LENSES: dict[str, Lens] = {
@@ -43,6 +44,8 @@ LENSES: dict[str, Lens] = {
     "oblique": Oblique(*BOX, 1.5, 40.0, keep="stretch", alpha_deg=60.0, beta_deg=115.0),
 }
 DEPTHS: tuple[Any, ...] = ("opengl", "direct3d", "reversed")
+SAMPLE = pairwise(product(LENSES, DEPTHS, LETTERS, (False, True)))
+"""Each lens, depth range and lecture's letters with each other, as columns and as rows."""
 CAMERA = Camera((6.0, 5.0, 9.0), (0.5, 2.0, -0.25), (0.1, 1.0, 0.2))
 
 
@@ -107,10 +110,7 @@ def test_a_letter_stands_for_one_thing(lens: str, letters: Letters) -> None:
     assert "w" not in written.values() and {written["W"], written["H"]} == {"W", "H"}
 
 
-@pytest.mark.parametrize("lens", LENSES)
-@pytest.mark.parametrize("depth", DEPTHS)
-@pytest.mark.parametrize("letters", LETTERS)
-@pytest.mark.parametrize("rows", [False, True])
+@pytest.mark.parametrize(("lens", "depth", "letters", "rows"), SAMPLE)
 def test_every_formula_is_its_number(lens: str, depth: str, letters: Letters, rows: bool) -> None:
     projection = projection_of(lens, depth)
     shown = matrices(projection, letters, rows=rows, running=True)
@@ -125,11 +125,8 @@ def test_every_formula_is_its_number(lens: str, depth: str, letters: Letters, ro
             assert np.allclose(evaluated(part, values), part.values, rtol=1e-12, atol=1e-14 * size)
 
 
-@pytest.mark.parametrize("lens", LENSES)
-@pytest.mark.parametrize("letters", LETTERS)
-@pytest.mark.parametrize("rows", [False, True])
-@pytest.mark.parametrize("depth", DEPTHS)
-def test_products_are_products(lens: str, letters: Letters, rows: bool, depth: str) -> None:
+@pytest.mark.parametrize(("lens", "depth", "letters", "rows"), SAMPLE)
+def test_products_are_products(lens: str, depth: str, letters: Letters, rows: bool) -> None:
     shown = matrices(projection_of(lens, depth), letters, rows=rows, running=True)
     by_name = {matrix.name: np.array(matrix.values) for matrix in shown}
     checked = 0

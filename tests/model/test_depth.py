@@ -22,6 +22,7 @@ from app.model.projection import (
     Projection,
     ProjectionError,
 )
+from tests.support.samples import pairwise
 
 EPS = float(np.finfo(np.float64).eps)
 FIXED = [name for name, kind in FORMATS.items() if kind.float_type is None]
@@ -41,17 +42,18 @@ RANGES = [
 PARALLEL = [(1.0, 30.0), (-7.0, 5.0), (0.0, 1e-6), (-1e100, 1e100)]
 
 
-def buffers(formats: list[str] | None = None) -> list[DepthBuffer]:
-    """Every format, mapping and range that there is."""
-    found = []
-    for name in formats or list(FORMATS):
-        for mapping in MAPPINGS:
-            for near, far in RANGES:
-                if mapping != "logarithmic" or far != math.inf:
-                    found.append(DepthBuffer(name, mapping, near, far))
-            if mapping != "logarithmic":
-                found += [DepthBuffer(name, mapping, *ends, True) for ends in PARALLEL]
-    return found
+RANGES_OF = [(mapping, *ends, False) for mapping in MAPPINGS for ends in RANGES
+             if mapping != "logarithmic" or ends[1] != math.inf]  # fmt: skip
+RANGES_OF += [(mapping, *ends, True) for mapping in DEPTH_RANGES for ends in PARALLEL]
+BUFFERS = [DepthBuffer(name, *rest) for name in FORMATS for rest in RANGES_OF]
+"""Every format, mapping and range that there is."""
+SAMPLE = [
+    DepthBuffer(name, mapping, *ends)
+    for name, mapping, ends in pairwise(
+        (f, m, tuple(ends)) for f in FORMATS for m, *ends in RANGES_OF
+    )
+]
+"""Each format and each mapping with each range, and each format with each mapping."""
 
 
 def label(buffer: DepthBuffer) -> str:
@@ -123,10 +125,7 @@ def many_digits() -> object:
         yield
 
 
-ONE_FORMAT = buffers(["fixed24"])
-
-
-@pytest.mark.parametrize("buffer", ONE_FORMAT, ids=label)
+@pytest.mark.parametrize("buffer", BUFFERS[: len(RANGES_OF)], ids=label)
 def test_depth_is_right_at_the_extremes(buffer: DepthBuffer) -> None:
     """4 ulp relative, whatever the digits that A + B/w would lose."""
     for distance in distances(buffer, 30):
@@ -149,7 +148,7 @@ def test_depth_is_the_projections_own(mapping: str, far: float) -> None:
         assert np.allclose(buffer.depth(w), trace.depth, rtol=4 * EPS, atol=0.0)
 
 
-@pytest.mark.parametrize("buffer", buffers(), ids=label)
+@pytest.mark.parametrize("buffer", SAMPLE, ids=label)
 def test_the_nearest_code_is_stored(buffer: DepthBuffer) -> None:
     """No neighbour of the code is nearer to the true depth by more than float64 can see."""
     kind = FORMATS[buffer.format]
@@ -166,7 +165,7 @@ def test_the_nearest_code_is_stored(buffer: DepthBuffer) -> None:
                 assert error <= abs(value_of(buffer, other) - true) + 2 * slack
 
 
-@pytest.mark.parametrize("buffer", buffers(), ids=label)
+@pytest.mark.parametrize("buffer", SAMPLE, ids=label)
 def test_a_code_stands_for_its_own_distance(buffer: DepthBuffer) -> None:
     """Right to 8 ulp of the distance, or of its logarithm's span, from the code's exact depth."""
     kind = FORMATS[buffer.format]
@@ -184,7 +183,7 @@ def test_a_code_stands_for_its_own_distance(buffer: DepthBuffer) -> None:
         assert abs(mpmath.mpf(float(got)) - true) <= 8 * EPS * size, code
 
 
-@pytest.mark.parametrize("buffer", buffers(), ids=label)
+@pytest.mark.parametrize("buffer", SAMPLE, ids=label)
 def test_decoding_and_encoding_gives_the_code_back(buffer: DepthBuffer) -> None:
     """Wherever the codes lie farther apart than the distances that float64 has."""
     kind = FORMATS[buffer.format]
@@ -204,7 +203,7 @@ def test_decoding_and_encoding_gives_the_code_back(buffer: DepthBuffer) -> None:
 
 
 def test_the_ends_are_the_first_and_the_last_code() -> None:
-    for buffer in buffers():
+    for buffer in BUFFERS:
         largest = FORMATS[buffer.format].largest
         ends = (largest, 0) if buffer.mapping == "reversed" else (0, largest)
         assert buffer.encode([buffer.near, buffer.far]).tolist() == list(ends), label(buffer)
@@ -259,7 +258,7 @@ def test_what_is_farther_is_never_stored_as_nearer(
 # --------------------------------------------------------------------------- the gap
 
 
-@pytest.mark.parametrize("buffer", buffers(), ids=label)
+@pytest.mark.parametrize("buffer", SAMPLE, ids=label)
 def test_the_gap_is_one_step_of_the_depth(buffer: DepthBuffer) -> None:
     """Surfaces that far apart are a step of the format apart in depth, at 400 digits."""
     kind = FORMATS[buffer.format]

@@ -208,25 +208,21 @@ def test_a_hovered_row_is_seen_in_every_pane_that_has_it(make_window: MakeWindow
     assert changed(before, pictures(window)) == {"world", "ndc"}
 
 
-@pytest.mark.parametrize(
-    ("row", "panes", "rows"),
-    [
+def test_rows_show_what_they_are_about(make_window: MakeWindow) -> None:
+    window = opened(make_window)
+    for row, panes, rows in [
         ("far", {"world", "ndc"}, {"far"}),
         ("fov_y_deg", {"world", "image"}, {"fov_y_deg", "fov_x_deg", "focal_length_mm", "e"}),
         ("window_right", {"world", "ndc", "image"}, {"fov_x_deg", "focal_length_mm", "e"}),
         ("azimuth_deg", {"world"}, {"azimuth_deg", "elevation_deg", "distance"}),
         ("roll_deg", {"world", "ndc", "image"}, {"roll_deg", "azimuth_deg", "elevation_deg"}),
-    ],
-)
-def test_rows_show_what_they_are_about(
-    make_window: MakeWindow, row: str, panes: set[str], rows: set[str]
-) -> None:
-    window = opened(make_window)
-    before = pictures(window)
-    window.controls.ensureWidgetVisible(window.controls.rows[row])
-    hover(window, window.controls.rows[row])
-    assert changed(before, pictures(window)) == panes
-    assert marked(window) == rows | {row}
+    ]:
+        leave(window)
+        before = pictures(window)
+        window.controls.ensureWidgetVisible(window.controls.rows[row])
+        hover(window, window.controls.rows[row])
+        assert changed(before, pictures(window)) == panes
+        assert marked(window) == rows | {row}
 
 
 def test_the_keyboard_in_a_row_counts_too(make_window: MakeWindow) -> None:
@@ -288,45 +284,43 @@ def test_the_world_knows_what_is_under_the_mouse(make_window: MakeWindow) -> Non
     assert made_of(window.attention.now) <= PLANES
 
 
-@pytest.mark.parametrize("text", ["near", "far"])
-def test_a_label_can_be_pointed_at(make_window: MakeWindow, text: str) -> None:
+def test_a_label_can_be_pointed_at(make_window: MakeWindow) -> None:
     window = opened(make_window)
-    drawing: Any = window.panes["world"].drawing
-    label = drawing._labels.named[text]
-    x_px, y_px, _ = label._place.GetValue()
-    point_at(window, "world", x_px, window.panes["world"].canvas.height() - y_px)
-    assert window.attention.now == {text} and text in marked(window)
+    for text in ["near", "far"]:
+        drawing: Any = window.panes["world"].drawing
+        label = drawing._labels.named[text]
+        x_px, y_px, _ = label._place.GetValue()
+        point_at(window, "world", x_px, window.panes["world"].canvas.height() - y_px)
+        assert window.attention.now == {text} and text in marked(window)
 
 
-@pytest.mark.parametrize("depth", sorted(DEPTH_RANGES))
-def test_the_cube_knows_what_is_under_the_mouse(make_window: MakeWindow, depth: str) -> None:
+def test_the_cube_knows_what_is_under_the_mouse(make_window: MakeWindow) -> None:
     window = opened(make_window)
-    window.store.set_projection(replace(window.store.document.projection, depth=depth))
-    settle()
-    drawing = window.panes["ndc"].drawing
-    assert drawing is not None
-    corners = window.store.document.projection.frustum_corners_world[:, :3]
-    before = pictures(window)
+    drawing: Any = window.panes["ndc"].drawing
 
     def at(ndc: Any) -> frozenset[str]:
         """Where the model's point is seen, by its place between the corners' pictures."""
         x, y, z = ((part + 1.0) / 2.0 for part in ndc)
-        seen = drawing.sight.seen(corners)
-        weights = [(1 - x, x)[cx] * (1 - y, y)[cy] * (1 - z, z)[i // 4]
-                   for i, (cx, cy) in enumerate([(0, 0), (1, 0), (1, 1), (0, 1)] * 2)]  # fmt: skip
+        seen = drawing.sight.seen(window.store.document.projection.frustum_corners_world[:, :3])
+        ends = enumerate([(0, 0), (1, 0), (1, 1), (0, 1)] * 2)
+        weights = [(1 - x, x)[cx] * (1 - y, y)[cy] * (1 - z, z)[i // 4] for i, (cx, cy) in ends]
         x_px, y_px = np.array(weights) @ seen
         point_at(window, "ndc", x_px, y_px)
         return window.attention.now
 
-    assert at((1, -1, -1)) == {"near_right_bottom"}
-    assert at((-1, 1, 1)) == {"far_left_top"} or at((1, 1, 1)) == {"far_right_top"}
-    assert at((0.5, 1, -1)) == {"near"}
-    assert at((1, -1, 0.3)) == {"right", "bottom"}
-    assert at((0.3, -0.4, -1)) == {"near"}
-    assert at((1, 0.4, 0.1)) == {"right"}
-    assert changed(before, pictures(window)) == {"world", "ndc", "image"}
-    leave(window)
-    assert changed(before, pictures(window)) == set()
+    for depth in sorted(DEPTH_RANGES):
+        window.store.set_projection(replace(window.store.document.projection, depth=depth))
+        settle()
+        before = pictures(window)
+        assert at((1, -1, -1)) == {"near_right_bottom"}
+        assert at((-1, 1, 1)) == {"far_left_top"} or at((1, 1, 1)) == {"far_right_top"}
+        assert at((0.5, 1, -1)) == {"near"}
+        assert at((1, -1, 0.3)) == {"right", "bottom"}
+        assert at((0.3, -0.4, -1)) == {"near"}
+        assert at((1, 0.4, 0.1)) == {"right"}
+        assert changed(before, pictures(window)) == {"world", "ndc", "image"}
+        leave(window)
+        assert changed(before, pictures(window)) == set()
 
 
 def test_the_image_knows_its_sides_and_corners(make_window: MakeWindow) -> None:
@@ -465,42 +459,41 @@ def test_the_words_of_a_probe_that_is_outside(make_window: MakeWindow) -> None:
     assert model.data(inside, Qt.ItemDataRole.BackgroundRole) is None
 
 
-@pytest.mark.parametrize("kind", ["perspective", "frustum", "orthographic"])
-def test_a_corner_marks_the_figure_that_its_drag_changes(
-    make_window: MakeWindow, kind: str
-) -> None:
+def test_a_corner_marks_the_figure_that_its_drag_changes(make_window: MakeWindow) -> None:
     window = opened(make_window)
-    window.store.set_projection(START.with_lens(kind))
-    settle()
-    drawing, canvas = window.panes["world"].drawing, window.panes["world"].canvas
-    marks = drawing._handles.shown  # type: ignore[union-attr]
-    x_px, y_px = next(spot for handle, spot in marks if handle.name == "corner")
-    labels = window.status.labels
-    before = {name: label.text() for name, label in labels.items()}
-    point_at(window, "world", x_px / canvas.pixel_ratio, y_px / canvas.pixel_ratio)
-    assert window.attention.now < set(CORNERS)
-    assert {name for name, label in labels.items() if label.is_marked} == {"fov"}
-    start = QPoint(math.floor(x_px), math.floor(y_px))
-    QTest.mousePress(canvas, Qt.MouseButton.LeftButton, pos=start)
-    QTest.mouseMove(canvas, start + QPoint(20, -30))
-    QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=start + QPoint(20, -30))
-    settle()
-    assert {name for name, label in labels.items() if label.text() != before[name]} == {"fov"}
+    for kind in ["perspective", "frustum", "orthographic"]:
+        window.store.set_projection(START.with_lens(kind))
+        settle()
+        drawing, canvas = window.panes["world"].drawing, window.panes["world"].canvas
+        marks = drawing._handles.shown  # type: ignore[union-attr]
+        x_px, y_px = next(spot for handle, spot in marks if handle.name == "corner")
+        labels = window.status.labels
+        before = {name: label.text() for name, label in labels.items()}
+        point_at(window, "world", x_px / canvas.pixel_ratio, y_px / canvas.pixel_ratio)
+        assert window.attention.now < set(CORNERS)
+        assert {name for name, label in labels.items() if label.is_marked} == {"fov"}
+        start = QPoint(math.floor(x_px), math.floor(y_px))
+        QTest.mousePress(canvas, Qt.MouseButton.LeftButton, pos=start)
+        QTest.mouseMove(canvas, start + QPoint(20, -30))
+        QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=start + QPoint(20, -30))
+        settle()
+        assert {name for name, label in labels.items() if label.text() != before[name]} == {"fov"}
 
 
-@pytest.mark.parametrize(
-    ("figure", "named"),
-    [("fov", {"fov"}), ("planes", {"near", "far"}), ("camera", {"eye", "target"})],
-)
-def test_a_figure_of_the_status_line(make_window: MakeWindow, figure: str, named: set[str]) -> None:
+def test_a_figure_of_the_status_line(make_window: MakeWindow) -> None:
     window = opened(make_window)
-    label = window.status.labels[figure]
-    before = label.grab().toImage()
-    hover(window, label)
-    assert window.attention.now == named and label.is_marked
-    assert label.grab().toImage() != before
-    leave(window)
-    assert window.attention.now == NOTHING and label.grab().toImage() == before
+    for figure, named in [
+        ("fov", {"fov"}),
+        ("planes", {"near", "far"}),
+        ("camera", {"eye", "target"}),
+    ]:
+        label = window.status.labels[figure]
+        before = label.grab().toImage()
+        hover(window, label)
+        assert window.attention.now == named and label.is_marked
+        assert label.grab().toImage() != before
+        leave(window)
+        assert window.attention.now == NOTHING and label.grab().toImage() == before
 
 
 # -- what it costs

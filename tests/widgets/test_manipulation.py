@@ -150,16 +150,16 @@ def opened(make_window: Callable[..., MainWindow]) -> MainWindow:
 # -- the world pane
 
 
-@pytest.mark.parametrize("lens", LENSES.values(), ids=LENSES)
 def test_a_handle_goes_with_the_hand_and_the_view_stays(
-    make_window: Callable[..., MainWindow], lens: Lens
+    make_window: Callable[..., MainWindow],
 ) -> None:
     window = opened(make_window)
-    window.store.set_projection(replace(model(window), lens=lens))
-    window.panes["world"].reset_view()
-    settle()
-    for name in ("eye", "target", "near", "far", "corner"):
-        drag_a_handle(window, lens, name)
+    for lens in LENSES.values():
+        window.store.set_projection(replace(model(window), lens=lens))
+        window.panes["world"].reset_view()
+        settle()
+        for name in ("eye", "target", "near", "far", "corner"):
+            drag_a_handle(window, lens, name)
 
 
 def drag_a_handle(window: MainWindow, lens: Lens, name: str) -> None:
@@ -531,25 +531,23 @@ def test_a_step_adds_and_removes_nothing_and_a_figure_has_no_marks() -> None:
     assert counts[1] == counts[0] + 1
 
 
-@pytest.mark.parametrize("theme", ["light", "dark"])
-@pytest.mark.parametrize("projector", [False, True], ids=["desk", "projector"])
-def test_marks_are_seen_in_every_style(
-    make_window: Callable[..., MainWindow], theme: str, projector: bool
-) -> None:
+def test_marks_are_seen_in_every_style(make_window: Callable[..., MainWindow]) -> None:
     """A rim of ink round a fill: in dark and light, and larger for the back row."""
     window = opened(make_window)
-    window.set_theme(theme)
-    window.set_projector(projector)
-    settle()
-    style = DARK if theme == "dark" else LIGHT
-    picture = pixels(window, "world").astype(float)
-    for name, fill in (("far", style.far), ("target", style.target)):
-        (x, y) = mark(window, name)[1]
-        around = picture[round(y) - 12 : round(y) + 13, round(x) - 12 : round(x) + 13]
-        size = 1 if not projector else 2
-        for colour, least in ((style.ink, 12 * size), (fill, 12 * size)):
-            off = np.abs(around - 255.0 * np.array(rgb(colour))).max(axis=2)
-            assert (off <= 6.0).sum() >= least, (name, colour)
+    for projector in [False, True]:
+        for theme in ["light", "dark"]:
+            window.set_theme(theme)
+            window.set_projector(projector)
+            settle()
+            style = DARK if theme == "dark" else LIGHT
+            picture = pixels(window, "world").astype(float)
+            for name, fill in (("far", style.far), ("target", style.target)):
+                (x, y) = mark(window, name)[1]
+                around = picture[round(y) - 12 : round(y) + 13, round(x) - 12 : round(x) + 13]
+                size = 1 if not projector else 2
+                for colour, least in ((style.ink, 12 * size), (fill, 12 * size)):
+                    off = np.abs(around - 255.0 * np.array(rgb(colour))).max(axis=2)
+                    assert (off <= 6.0).sum() >= least, (name, colour)
 
 
 def test_the_marks_of_a_moved_view_are_where_the_view_shows_them(
@@ -583,24 +581,24 @@ def target_px(window: MainWindow) -> np.ndarray:
     return np.array([left + x * width / 1280, top + y * height / 720])
 
 
-@pytest.mark.parametrize("lens", LENSES.values(), ids=LENSES)
 def test_the_picture_is_dragged_with_what_is_as_far_as_the_target(
-    make_window: Callable[..., MainWindow], lens: Lens
+    make_window: Callable[..., MainWindow],
 ) -> None:
     window = opened(make_window)
-    window.store.set_projection(replace(model(window), lens=lens))
-    window.store.mark_saved()
-    settle()
-    start, before = model(window), target_px(window)
-    left, top, width, height = picture(window).picture_rectangle_px
-    middle = QPoint(left + width // 3, top + height // 4)
-    assert window.probe_panel.probes == ()
-    drag(window, "image", middle, (12, 9), (-31, 17))
-    assert target_px(window) - before == pytest.approx([-31.0, 17.0], abs=0.5)
-    assert model(window).camera.frame == pytest.approx(start.camera.frame, abs=1e-12)
-    assert model(window).lens == start.lens and window.probe_panel.probes == ()
-    window.store.undo()
-    assert model(window) == start and not window.store.modified
+    for lens in LENSES.values():
+        window.store.set_projection(replace(model(window), lens=lens))
+        window.store.mark_saved()
+        settle()
+        start, before = model(window), target_px(window)
+        left, top, width, height = picture(window).picture_rectangle_px
+        middle = QPoint(left + width // 3, top + height // 4)
+        assert window.probe_panel.probes == ()
+        drag(window, "image", middle, (12, 9), (-31, 17))
+        assert target_px(window) - before == pytest.approx([-31.0, 17.0], abs=0.5)
+        assert model(window).camera.frame == pytest.approx(start.camera.frame, abs=1e-12)
+        assert model(window).lens == start.lens and window.probe_panel.probes == ()
+        window.store.undo()
+        assert model(window) == start and not window.store.modified
 
 
 def test_a_drag_beside_the_picture_and_one_on_a_probe_leave_the_camera(

@@ -708,30 +708,30 @@ FREE_CELLS = (
 )  # fmt: skip
 
 
-@pytest.mark.parametrize("cell", FREE_CELLS)
 def test_every_pane_probe_and_stop_takes_any_matrix(
-    make_window: Callable[..., Any], qtbot: QtBot, display: Any, cell: Any
+    make_window: Callable[..., Any], qtbot: QtBot, display: Any
 ) -> None:
     window = make_window()
     window.resize(940, 560)  # quickly drawn
     window.panels.open(window.probe_panel)
     start = window.store.document.projection
     probes = [Probe(1, (0.5, 2.0, 0.0)), Probe(2, pixel=(300.0, 200.0))]
-    for depth in ("opengl", "reversed"):
-        window.store.set_projection(with_cell(start.with_depth(depth), *cell))
-        for position in (0.0, 0.5, 1.0, 1.9, 2.0, 2.6, 3.0, 3.7, 4.0, 4.5, 5.0):
-            window.strip.go_to(position)
-            display.processEvents()
-            for pane in window.panes.values():
-                pane.drawing.show_probes(probes)
-                sight = pane.drawing.sight
-                assert np.isfinite(sight.rows).all() and np.isfinite(sight.limits).all()
-        window.strip.go_to(2.5)
-        if not isinstance(window.store.document.projection.lens, FreeMatrix):
-            assert cell[:4] == ("clip_from_view", 2, 2, 0.0)  # reversed, far = inf has it
-            continue
-        assert window.panes["ndc"].title.text() == "View → NDC"
-        assert window.strip.words.text() == "no canonical volumes"
+    for cell in FREE_CELLS:
+        for depth in ("opengl", "reversed"):
+            window.store.set_projection(with_cell(start.with_depth(depth), *cell))
+            for position in (0.0, 0.5, 1.0, 1.9, 2.0, 2.6, 3.0, 3.7, 4.0, 4.5, 5.0):
+                window.strip.go_to(position)
+                display.processEvents()
+                for pane in window.panes.values():
+                    pane.drawing.show_probes(probes)
+                    sight = pane.drawing.sight
+                    assert np.isfinite(sight.rows).all() and np.isfinite(sight.limits).all()
+            window.strip.go_to(2.5)
+            if not isinstance(window.store.document.projection.lens, FreeMatrix):
+                assert cell[:4] == ("clip_from_view", 2, 2, 0.0)  # reversed, far = inf has it
+                continue
+            assert window.panes["ndc"].title.text() == "View → NDC"
+            assert window.strip.words.text() == "no canonical volumes"
 
 
 def test_what_is_said_of_a_cell_is_of_its_value_now(panel: MatrixPanel, qtbot: QtBot) -> None:

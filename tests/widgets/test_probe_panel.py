@@ -403,29 +403,26 @@ def test_a_click_on_empty_image_space_shows_the_ray(make_window: Callable[..., M
     assert marked(window, "ndc", place_in(window, "ndc", half_way))
 
 
-@pytest.mark.parametrize(
-    ("last", "words", "is_drawn"),
-    [
+def test_a_ray_without_a_frustum_is_drawn_or_it_is_said_why_not(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window()
+    for last, words, is_drawn in [
         ((0.1, 0.0, -1.0, 0.3), "the pixel's ray, as far as it is in front of the eye", True),
         ((0.0, 0.0, -1.0, 2.2 / 1.1), "no ray in the world: the matrix has no inverse", False),
         ((-0.1, 0.0, 1.0, -0.3), "no ray in the world: all of it is behind the eye", False),
-    ],
-)
-def test_a_ray_without_a_frustum_is_drawn_or_it_is_said_why_not(
-    make_window: Callable[..., MainWindow], last: tuple[float, ...], words: str, is_drawn: bool
-) -> None:
-    window = make_window()
-    rows = ((1.2, 0.1, 0.3, 0.0), (0.0, 1.5, 0.1, 0.2), (0.0, 0.0, -1.1, -2.2))
-    if not is_drawn and last[0] == 0.0:
-        rows = (*rows[:2], (0.0, 0.0, -1.1, 2.2))  # 1.1 times the last
-    matrix: Any = FreeMatrix((*rows, last))  # type: ignore[arg-type]
-    window.store.set_projection(replace(start(), lens=matrix))
-    assert window.store.document.projection.frustum_sign == 0
-    window.panels.open(window.probe_panel)
-    window.probe_panel.follow(pixel=(1200.0, 30.0))
-    QApplication.processEvents()
-    assert cells(window.probe_panel, 0, 0) == [words]
-    assert any_mark(window, "world") == is_drawn
+    ]:
+        rows = ((1.2, 0.1, 0.3, 0.0), (0.0, 1.5, 0.1, 0.2), (0.0, 0.0, -1.1, -2.2))
+        if not is_drawn and last[0] == 0.0:
+            rows = (*rows[:2], (0.0, 0.0, -1.1, 2.2))  # 1.1 times the last
+        matrix: Any = FreeMatrix((*rows, last))  # type: ignore[arg-type]
+        window.store.set_projection(replace(start(), lens=matrix))
+        assert window.store.document.projection.frustum_sign == 0
+        window.panels.open(window.probe_panel)
+        window.probe_panel.follow(pixel=(1200.0, 30.0))
+        QApplication.processEvents()
+        assert cells(window.probe_panel, 0, 0) == [words]
+        assert any_mark(window, "world") == is_drawn
 
 
 def test_inside_a_free_matrix_cube_is_said_without_ones(panel: ProbePanel) -> None:
@@ -484,22 +481,22 @@ def test_the_projector_runs_from_the_eye_and_along_z(
     assert marked(window, "ndc", (place_x, height - place_y))
 
 
-@pytest.mark.parametrize("along", [0.0, -1.0])
 def test_no_mirrored_mark_anywhere_at_or_behind_the_eye(
-    make_window: Callable[..., MainWindow], along: float
+    make_window: Callable[..., MainWindow],
 ) -> None:
     window = make_window()
-    camera = start().camera
-    # Beside the eye, or behind it and a little aside; mirrored, that would be in the picture.
-    point = np.array(camera.eye) + 0.5 * camera.frame[0] - 3.0 * along * camera.frame[2]
-    window.probe_panel.follow(point=tuple(point.tolist()))
-    QApplication.processEvents()
-    for name in ("ndc", "image"):
-        assert not any_mark(window, name), name
-    window.probe_panel.follow(point=CORNER)
-    QApplication.processEvents()
-    for name in ("ndc", "image"):
-        assert any_mark(window, name), name
+    for along in [0.0, -1.0]:
+        camera = start().camera
+        # Beside the eye, or behind it and a little aside; mirrored, that would be in the picture.
+        point = np.array(camera.eye) + 0.5 * camera.frame[0] - 3.0 * along * camera.frame[2]
+        window.probe_panel.follow(point=tuple(point.tolist()))
+        QApplication.processEvents()
+        for name in ("ndc", "image"):
+            assert not any_mark(window, name), name
+        window.probe_panel.follow(point=CORNER)
+        QApplication.processEvents()
+        for name in ("ndc", "image"):
+            assert any_mark(window, name), name
 
 
 def test_a_probe_costs_one_repaint_and_a_hidden_pane_none(

@@ -290,27 +290,27 @@ def test_the_image_pane_shows_what_the_model_computes(
 # -- the panes' own views
 
 
-@pytest.mark.parametrize("name", ["world", "ndc"])
 def test_the_mouse_turns_the_view_and_never_the_model(
-    make_window: Callable[..., MainWindow], name: str
+    make_window: Callable[..., MainWindow],
 ) -> None:
     window = make_window()
     settle(window)
-    before = window.store.document
-    canvas = window.panes[name].canvas
-    place = canvas.own_camera.GetPosition()
-    QTest.mousePress(canvas, Qt.MouseButton.LeftButton, pos=QPoint(100, 100))
-    QTest.mouseMove(canvas, QPoint(160, 130))
-    QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=QPoint(160, 130))
-    moved = canvas.own_camera.GetPosition()
-    assert math.dist(place, moved) > 0.1
-    assert math.dist(canvas.own_camera.GetFocalPoint(), moved) == pytest.approx(
-        math.dist(canvas.own_camera.GetFocalPoint(), place)
-    )
-    canvas.zoom(1.5)
-    QTest.mouseDClick(canvas, Qt.MouseButton.LeftButton, pos=QPoint(100, 100))
-    assert math.dist(place, canvas.own_camera.GetPosition()) < 1e-9
-    assert window.store.document == before
+    for name in ["world", "ndc"]:
+        before = window.store.document
+        canvas = window.panes[name].canvas
+        place = canvas.own_camera.GetPosition()
+        QTest.mousePress(canvas, Qt.MouseButton.LeftButton, pos=QPoint(100, 100))
+        QTest.mouseMove(canvas, QPoint(160, 130))
+        QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=QPoint(160, 130))
+        moved = canvas.own_camera.GetPosition()
+        assert math.dist(place, moved) > 0.1
+        assert math.dist(canvas.own_camera.GetFocalPoint(), moved) == pytest.approx(
+            math.dist(canvas.own_camera.GetFocalPoint(), place)
+        )
+        canvas.zoom(1.5)
+        QTest.mouseDClick(canvas, Qt.MouseButton.LeftButton, pos=QPoint(100, 100))
+        assert math.dist(place, canvas.own_camera.GetPosition()) < 1e-9
+        assert window.store.document == before
 
 
 def test_the_world_stands_still_during_a_drag_and_fits_itself_after_it(
@@ -428,14 +428,14 @@ def test_a_floating_pane_still_draws_and_docks_again(
 # -- room
 
 
-@pytest.mark.parametrize("size", [(1366, 768), (1920, 1080)])
-def test_the_panes_have_room(make_window: Callable[..., MainWindow], size: tuple[int, int]) -> None:
+def test_the_panes_have_room(make_window: Callable[..., MainWindow]) -> None:
     window = make_window()
-    window.resize(*size)
-    settle(window)
-    assert window.size().width() == size[0] and window.size().height() == size[1]
-    for pane in window.panes.values():
-        assert pane.width() >= 300 and pane.height() >= 400
+    for size in [(1366, 768), (1920, 1080)]:
+        window.resize(*size)
+        settle(window)
+        assert window.size().width() == size[0] and window.size().height() == size[1]
+        for pane in window.panes.values():
+            assert pane.width() >= 300 and pane.height() >= 400
 
 
 def test_the_strip_plays_on_while_its_pane_goes_to_a_window_and_back(
@@ -452,21 +452,19 @@ def test_the_strip_plays_on_while_its_pane_goes_to_a_window_and_back(
     assert not window.strip.playing
 
 
-@pytest.mark.parametrize("theme", ["light", "dark"])
-def test_themes_and_projector_mode_dress_every_pane(
-    make_window: Callable[..., MainWindow], theme: str
-) -> None:
+def test_themes_and_projector_mode_dress_every_pane(make_window: Callable[..., MainWindow]) -> None:
     window = make_window()
-    window.set_theme(theme)
-    size = window.font().pointSizeF()
-    window.set_projector(True)
-    settle(window)
-    assert QApplication.font().pointSizeF() > 1.2 * size
-    background = np.median(pixels(window, "world").reshape(-1, 3), axis=0).mean()
-    assert (background < 128) == (theme == "dark")
-    window.set_projector(False)
-    window.set_theme("light")
-    assert QApplication.font().pointSizeF() == pytest.approx(size)
+    for theme in ["light", "dark"]:
+        window.set_theme(theme)
+        size = window.font().pointSizeF()
+        window.set_projector(True)
+        settle(window)
+        assert QApplication.font().pointSizeF() > 1.2 * size
+        background = np.median(pixels(window, "world").reshape(-1, 3), axis=0).mean()
+        assert (background < 128) == (theme == "dark")
+        window.set_projector(False)
+        window.set_theme("light")
+        assert QApplication.font().pointSizeF() == pytest.approx(size)
 
 
 def test_a_window_that_starts_in_projector_mode_is_large_all_over(
@@ -519,9 +517,11 @@ def test_save_open_and_the_unsaved_mark(
     assert texts[:2] == [str(tmp_path / "R&&D.json"), str(path)]  # as Qt writes an &
 
 
-@pytest.mark.parametrize(
-    ("name", "content"),
-    [
+def test_a_bad_file_gives_one_sentence_and_leaves_the_window_as_it_was(
+    make_window: Callable[..., MainWindow], tmp_path: Path
+) -> None:
+    window = make_window(shown=False)
+    for name, content in [
         ("empty.json", b""),
         ("cut.json", b'{"format": "frustum-lab", "version": 1, "sce'),
         ("future.json", b'{"format": "frustum-lab", "version": 99}'),
@@ -531,20 +531,16 @@ def test_save_open_and_the_unsaved_mark(
         ("empty.obj", b""),
         ("plain.png", b"\x89PNG\r\n\x1a\nnot really"),
         ("notes.txt", b"hello"),
-    ],
-)
-def test_a_bad_file_gives_one_sentence_and_leaves_the_window_as_it_was(
-    make_window: Callable[..., MainWindow], tmp_path: Path, name: str, content: bytes
-) -> None:
-    window = make_window(shown=False)
-    before = window.store.document
-    path = tmp_path / name
-    path.write_bytes(content)
-    assert not window.files.open(path)
-    assert name in window.messages.text
-    assert "\n" not in window.messages.text and window.messages.text.endswith((".", "?"))
-    assert window.store.document == before
-    assert window.files.recent == []
+    ]:
+        window.messages.hide()
+        before = window.store.document
+        path = tmp_path / name
+        path.write_bytes(content)
+        assert not window.files.open(path)
+        assert name in window.messages.text
+        assert "\n" not in window.messages.text and window.messages.text.endswith((".", "?"))
+        assert window.store.document == before
+        assert window.files.recent == []
 
 
 def test_a_missing_file_and_a_folder(
@@ -1221,20 +1217,17 @@ def test_status_line_in_figures(make_window: Callable[..., MainWindow]) -> None:
     assert "far ∞" in " ".join(label.text() for label in window.statusBar().findChildren(QLabel))
 
 
-@pytest.mark.parametrize(
-    ("fov_y_deg", "text"),
-    [
+def test_the_status_line_shows_no_fov_that_no_lens_has(
+    make_window: Callable[..., MainWindow],
+) -> None:
+    window = make_window(shown=False)
+    for fov_y_deg, text in [
         (180.0 - 3e-12, "fov 180-3e-12° × 180-2e-12°"),
         (179.97, "fov 179.97° × 179.983°"),
         (1e-12, "fov 1e-12° × 1.778e-12°"),
-    ],
-)
-def test_the_status_line_shows_no_fov_that_no_lens_has(
-    make_window: Callable[..., MainWindow], fov_y_deg: float, text: str
-) -> None:
-    window = make_window(shown=False)
-    window.store.set_projection(seen(window, lens=Perspective(fov_y_deg, 1.0, 30.0)))
-    assert text in " ".join(label.text() for label in window.statusBar().findChildren(QLabel))
+    ]:
+        window.store.set_projection(seen(window, lens=Perspective(fov_y_deg, 1.0, 30.0)))
+        assert text in " ".join(label.text() for label in window.statusBar().findChildren(QLabel))
 
 
 # -- memory
@@ -1348,19 +1341,17 @@ def test_choosing_a_phenomenon_opens_its_panel_and_leaving_it_folds_it(
     assert window.store.document.scene == "letter-f" and window.panels.open_panel is None
 
 
-@pytest.mark.parametrize("size", [(1366, 768), (1920, 1080)])
-def test_the_panes_have_room_above_a_phenomenon(
-    make_window: Callable[..., MainWindow], size: tuple[int, int]
-) -> None:
+def test_the_panes_have_room_above_a_phenomenon(make_window: Callable[..., MainWindow]) -> None:
     window = make_window(on_triangles())
-    window.resize(*size)
-    settle(window)
-    assert window.scene_panel.isVisible()
-    assert (window.width(), window.height()) == size
-    for pane in window.panes.values():
-        assert pane.width() >= 300 and pane.height() >= 400
-    bar = window.scene_panel._readout_column.verticalScrollBar()
-    assert not bar.isVisible(), "every reading is seen without scrolling"
+    for size in [(1366, 768), (1920, 1080)]:
+        window.resize(*size)
+        settle(window)
+        assert window.scene_panel.isVisible()
+        assert (window.width(), window.height()) == size
+        for pane in window.panes.values():
+            assert pane.width() >= 300 and pane.height() >= 400
+        bar = window.scene_panel._readout_column.verticalScrollBar()
+        assert not bar.isVisible(), "every reading is seen without scrolling"
 
 
 def test_scenes_are_listed_in_the_order_of_the_lectures_by_their_titles(
@@ -1654,16 +1645,17 @@ def test_a_mesh_that_is_used_again_is_read_again(
     assert window.store.document == on_triangles()
 
 
-@pytest.mark.parametrize("name", ["missing.obj", "empty.obj", "notes.txt"])
 def test_a_mesh_that_cannot_be_used_is_a_sentence_and_nothing_else(
-    make_window: Callable[..., MainWindow], tmp_path: Path, name: str
+    make_window: Callable[..., MainWindow], tmp_path: Path
 ) -> None:
     window = make_window(on_triangles())
     for empty in ("empty.obj", "notes.txt"):
         (tmp_path / empty).write_text("")
-    assert not window.files.use_mesh(str(tmp_path / name))
-    assert name in window.messages.text and "\n" not in window.messages.text
-    assert window.store.document == on_triangles() and not window.store.can_undo
+    for name in ["missing.obj", "empty.obj", "notes.txt"]:
+        window.messages.hide()
+        assert not window.files.use_mesh(str(tmp_path / name))
+        assert name in window.messages.text and "\n" not in window.messages.text
+        assert window.store.document == on_triangles() and not window.store.can_undo
 
 
 def test_an_exported_phenomenon_brings_its_settings_back(
@@ -1779,18 +1771,18 @@ def share_of(window: MainWindow, colour: Any) -> float:
     return float(same.all(axis=2).mean())
 
 
-@pytest.mark.parametrize("image_size", [(16384, 1), (4000, 100)])
 def test_edges_that_run_far_behind_the_pane_are_lines(
-    make_window: Callable[..., MainWindow], image_size: tuple[int, int]
+    make_window: Callable[..., MainWindow],
 ) -> None:
     """Only a window draws lines by VTK's shader; off the screen OpenGL makes them wide."""
     window = make_window()
     window.enlarge("world")
-    start = window.store.document.projection
-    window.store.set_projection(replace(start, image_size=image_size))
-    QApplication.processEvents()
-    for colour in (LIGHT.near, LIGHT.far):
-        assert 0.001 < share_of(window, rgb(colour)) < 0.008
+    for image_size in [(16384, 1), (4000, 100)]:
+        start = window.store.document.projection
+        window.store.set_projection(replace(start, image_size=image_size))
+        QApplication.processEvents()
+        for colour in (LIGHT.near, LIGHT.far):
+            assert 0.001 < share_of(window, rgb(colour)) < 0.008
 
 
 def test_a_grid_that_runs_behind_the_pane_is_lines(make_window: Callable[..., MainWindow]) -> None:
@@ -1887,39 +1879,38 @@ def test_both_panes_share_what_float64_has_projected(
     assert not len(rungs._projected)
 
 
-@pytest.mark.parametrize("key", ["fov_x_deg", "far", "azimuth_deg"])
-def test_esc_puts_back_what_a_slider_has_dragged(
-    make_window: Callable[..., MainWindow], key: str
-) -> None:
+def test_esc_puts_back_what_a_slider_has_dragged(make_window: Callable[..., MainWindow]) -> None:
     window = make_window()
-    window.probe_panel.follow(point=(0.0, 0.0, 0.0))  # which Esc would remove otherwise
-    before, could_undo = window.store.document, window.store.can_undo
-    row = window.controls.rows[key]
-    window.controls.ensureWidgetVisible(row)
-    slider, text = row.slider, row.field.text()
-    option = QStyleOptionSlider()
-    slider.initStyleOption(option)
-    place = slider.style().subControlRect(
-        QStyle.ComplexControl.CC_Slider, option, QStyle.SubControl.SC_SliderHandle, slider
-    ).center()  # fmt: skip
-    left = Qt.MouseButton.LeftButton
-    QTest.mousePress(slider, left, pos=place)
-    QTest.mouseMove(slider, place + QPoint(15, 0))
-    settle(window)
-    assert window.store.document != before
-    QTest.keyClick(slider, Qt.Key.Key_Escape)
-    settle(window)
-    assert window.store.document == before and not window.store.in_gesture
-    assert (row.field.text(), window.store.can_undo) == (text, could_undo)
-    assert len(window.probe_panel.probes) == 1
-    QTest.mouseMove(slider, place + QPoint(30, 0))  # the hand has let go of it
-    QTest.mouseRelease(slider, left, pos=place + QPoint(30, 0))
-    settle(window)
-    assert window.store.document == before
-    QTest.mousePress(slider, left, pos=place)
-    QTest.mouseMove(slider, place + QPoint(15, 0))
-    QTest.mouseRelease(slider, left, pos=place + QPoint(15, 0))
-    assert window.store.document != before and window.store.can_undo
+    for key in ["fov_x_deg", "far", "azimuth_deg"]:
+        window.probe_panel.follow(point=(0.0, 0.0, 0.0))  # which Esc would remove otherwise
+        before, could_undo = window.store.document, window.store.can_undo
+        row = window.controls.rows[key]
+        window.controls.ensureWidgetVisible(row)
+        slider, text = row.slider, row.field.text()
+        option = QStyleOptionSlider()
+        slider.initStyleOption(option)
+        place = slider.style().subControlRect(
+            QStyle.ComplexControl.CC_Slider, option, QStyle.SubControl.SC_SliderHandle, slider
+        ).center()  # fmt: skip
+        left = Qt.MouseButton.LeftButton
+        QTest.mousePress(slider, left, pos=place)
+        QTest.mouseMove(slider, place + QPoint(15, 0))
+        settle(window)
+        assert window.store.document != before
+        QTest.keyClick(slider, Qt.Key.Key_Escape)
+        settle(window)
+        assert window.store.document == before and not window.store.in_gesture
+        assert (row.field.text(), window.store.can_undo) == (text, could_undo)
+        assert len(window.probe_panel.probes) == 1
+        QTest.mouseMove(slider, place + QPoint(30, 0))  # the hand has let go of it
+        QTest.mouseRelease(slider, left, pos=place + QPoint(30, 0))
+        settle(window)
+        assert window.store.document == before
+        QTest.mousePress(slider, left, pos=place)
+        QTest.mouseMove(slider, place + QPoint(15, 0))
+        QTest.mouseRelease(slider, left, pos=place + QPoint(15, 0))
+        assert window.store.document != before and window.store.can_undo
+        window.store.undo()
 
 
 _EDGES = """

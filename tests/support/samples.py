@@ -1,0 +1,31 @@
+"""Samples that find what a full product would."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterable
+from typing import Any, TypeVar
+
+Row = TypeVar("Row", bound=tuple[Any, ...])
+
+
+def pairwise(rows: Iterable[Row]) -> list[Row]:
+    """Some of the rows, in which every two values that stand together in a row still do.
+
+    What a mistake takes is nearly always one value or two that meet (Kuhn, Wallace and Gallo,
+    "Software Fault Interactions and Implications for Software Testing", 2004).
+    """
+    left = {
+        row: {
+            (one, other, row[one], row[other])
+            for one, other in itertools.combinations(range(len(row)), 2)
+        }
+        for row in rows
+    }
+    wanted = set().union(*left.values())
+    chosen = []
+    while wanted:
+        best = max(left, key=lambda row: len(left[row] & wanted))
+        wanted -= left.pop(best)
+        chosen.append(best)
+    return chosen
