@@ -659,7 +659,7 @@ def open_and_close(scale: float) -> dict[str, Any]:
 
 def random_changes(scale: float) -> dict[str, Any]:
     """Random slider changes, drawn; memory after the first fifth and at the end."""
-    from app.model.projection import ProjectionError
+    from app.model.refusal import Refusal
 
     window = open_window()
     app = application()
@@ -676,7 +676,7 @@ def random_changes(scale: float) -> dict[str, Any]:
         slider = rng.choice([row for row in rows if row.isVisible()]).slider
         try:
             slider.setValue(rng.randint(slider.minimum(), slider.maximum()))
-        except ProjectionError as error:
+        except Refusal as error:
             raise AssertionError("a slider let an error through") from error
         app.processEvents()
         app.sendPostedEvents(None, 52)  # what the real event loop deletes as it goes

@@ -7,20 +7,18 @@ from __future__ import annotations
 
 import functools
 import os
-from collections.abc import Container, Iterable, Sequence
+from collections.abc import Callable, Container, Iterable, Sequence
 from typing import TYPE_CHECKING
 
 from app import bootstrap
 from app.commands.options import CANNOT_DRAW, CliError, check_file
-from app.document.document import Document, DocumentError, is_mesh, read, set_values
+from app.document.document import Document, is_mesh, read, set_values
+from app.model.limits import NOT_THE_TARGET
 from app.model.projection import (
-    BOTTOM_BEFORE_TOP,
-    LEFT_BEFORE_RIGHT,
-    NEAR_BEFORE_FAR,
     NOT_THE_EYE,
     Projection,
-    format_value,
 )
+from app.model.refusal import Refusal
 from app.scenes.phenomena import PHENOMENA
 
 if TYPE_CHECKING:
@@ -51,40 +49,24 @@ def with_values(document: Document, assignments: Sequence[str]) -> Document:
     texts = _texts(assignments)
     try:
         return set_values(document, assignments)
-    except DocumentError as error:
+    except Refusal as error:
         raise _seen_from(texts, error) from error
 
 
-_OTHER_SIDE = {
-    ("lens.near", NEAR_BEFORE_FAR): ("lens.far", "must be greater than near, which is {0}"),
-    ("lens.left", LEFT_BEFORE_RIGHT): ("lens.right", "must be greater than left, which is {0}"),
-    ("lens.bottom", BOTTOM_BEFORE_TOP): ("lens.top", "must be greater than bottom, which is {0}"),
-}
-
-
-def _seen_from(texts: Container[str], error: DocumentError) -> DocumentError:
+def _seen_from(texts: Container[str], error: Refusal) -> Refusal:
     """Turn a complaint so that it speaks of what was set.
 
-    The model says "near must be less than far" whichever of the two was set.
+    The model says "target must differ from the eye" whichever of the two was set.
 
     Parameters
     ----------
     texts : container of str
         The paths that were set.
-    error : DocumentError
+    error : Refusal
         What the document answered.
     """
-    if error.field in texts:
-        return error
-    if error.bound == NOT_THE_EYE and "camera.eye" in texts:
-        bound = "must differ from the target, or the camera looks nowhere"
-        return DocumentError(bound, field="camera.eye", value=error.value)
-    other, bound = _OTHER_SIDE.get((error.field, error.bound), ("", ""))
-    if other in texts:
-        (refused,) = error.limits
-        return DocumentError(
-            bound, format_value(error.value), field=other, value=float(str(refused))
-        )
+    if error.bound == NOT_THE_EYE and "camera.eye" in texts and error.field not in texts:
+        return Refusal.in_document(NOT_THE_TARGET, field="camera.eye", value=error.value)
     return error
 
 
@@ -163,20 +145,18 @@ def load_scene(scene: str, mesh: str = "", file: str | None = None) -> Scene:
     """
     try:
         with bootstrap.for_good():
-            from app.scenes.scene import SceneError
+            from app.scenes.scene import load
     except ImportError as error:
         raise cannot_import(error) from error
     try:
-        return _load_once(scene, mesh)
-    except SceneError as error:
+        return _load_once(load, scene, mesh)
+    except Refusal as error:
         asked = "" if file is None or is_mesh(file) else f"{file}: "
         raise CliError(f"{asked}{error}") from error
 
 
 @functools.cache
-def _load_once(scene: str, mesh: str) -> Scene:
-    from app.scenes.scene import load
-
+def _load_once(load: Callable[..., Scene], scene: str, mesh: str) -> Scene:
     return load(scene, mesh=mesh)
 
 

@@ -45,12 +45,7 @@ from app.commands.options import (
     parser_of,
     write_out,
 )
-from app.document.document import (
-    MESH_ENDINGS,
-    DocumentError,
-    is_mesh,
-    picture_json,
-)
+from app.document.document import MESH_ENDINGS, is_mesh, picture_json
 from app.lecture.notation import latex_name, latex_number
 from app.lecture.typed_matrix import properties
 from app.model.projection import (
@@ -62,11 +57,10 @@ from app.model.projection import (
     Array,
     FreeMatrix,
     Projection,
-    ProjectionError,
     Stage,
     Trace,
-    format_value,
 )
+from app.model.refusal import Refusal, format_value
 from app.precision.levels import Prediction, Rung, predict, rung_for_reading, trace
 
 LARGEST_INPUT = 2**30
@@ -98,7 +92,7 @@ def _run(arguments: Sequence[str]) -> int:
         if arguments:
             check_file(arguments[0])  # first: what follows a mistyped command is not the window's
         return _window(arguments)
-    except (DocumentError, ProjectionError) as error:
+    except Refusal as error:
         raise CliError(str(error)) from error
 
 
@@ -120,7 +114,6 @@ def _window(arguments: Sequence[str]) -> int:
     try:
         with bootstrap.for_good():
             from widgets.program import application
-            from widgets.program.opengl import OpenGLError
             from widgets.window.settings import delete_settings
     except ImportError as error:
         raise cannot_import(error) from error
@@ -134,10 +127,8 @@ def _window(arguments: Sequence[str]) -> int:
     options = application.Options(found.theme, found.size, screenshot)
     try:
         return application.run_window(document, saved, path, options, scene)
-    except (application.DisplayError, OpenGLError) as error:
+    except application.DisplayError as error:
         raise CliError(str(error), CANNOT_DRAW) from error
-    except application.WindowError as error:
-        raise CliError(str(error)) from error
 
 
 def _check_png(name: str, out: str) -> None:
@@ -161,8 +152,9 @@ def _export(arguments: Sequence[str]) -> int:
         raise CliError(str(error), CANNOT_DRAW) from error
     try:
         with bootstrap.for_good():
-            from app.drawings.figures import FigureError, render, write_png
+            from app.drawings.figures import render, write_png
             from app.drawings.style import DARK, LIGHT
+            from app.model.refusal import Refusal
     except ImportError as error:
         raise cannot_import(error) from error
     try:
@@ -179,8 +171,8 @@ def _export(arguments: Sequence[str]) -> int:
             quality=document.quality,
         )
         write_png(out, pixels, picture_json(document))
-    except FigureError as error:
-        of_size = found.size is not None and str(error).startswith(("width", "height"))
+    except Refusal as error:
+        of_size = found.size and error.file is None and str(error).startswith(("width", "height"))
         raise CliError(f"{'--size ' if of_size else ''}{error}") from error
     if scene.phenomenon is not None:
         settings = scene.phenomenon.checked(document.settings)

@@ -27,8 +27,8 @@ from app.measure import chart
 from app.measure.arithmetic import SWEEPS
 from app.measure.meaning import meaning
 from app.measure.results import Results, table, to_csv, to_json
-from app.measure.run import Cancelled
 from app.model.projection import LENSES
+from app.model.refusal import Cancelled
 
 
 def run(arguments: Sequence[str]) -> int:

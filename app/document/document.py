@@ -2,7 +2,7 @@
 
 It is JSON, described in `to_json`. Everything that comes from outside (files, PNG pictures that
 carry a document, the ``--set`` language of the command line) enters here and is checked here;
-what is wrong is refused with one sentence, a `DocumentError`. Files are written whole or not at
+what is wrong is refused with one sentence, a `Refusal`. Files are written whole or not at
 all. The numbers themselves are checked by `app.model.projection`, once for the whole program.
 """
 
@@ -40,10 +40,8 @@ from app.model.projection import (
     FreeMatrix,
     Lens,
     Projection,
-    ProjectionError,
-    format_value,
-    shown_limits,
 )
+from app.model.refusal import QT_TRANSLATE_NOOP, Bound, Refusal, format_value, shown_name
 from app.precision.quality import AUTOMATIC, Quality
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.phenomena.illustration import Setting, Settings
@@ -73,92 +71,46 @@ MOST_VALUES = 200_000
 DEEPEST = 50
 """Most levels of brackets in a document, far below what Python's recursion can write again."""
 
-MISSING = "is missing"
-EMPTY = "is empty"
-BROKEN = "is broken or cut short: from line {0}, column {1} on it is not JSON"
-NOT_TEXT = "is not a Frustum Lab document: it is not UTF-8 text"
-FOREIGN = "is not a Frustum Lab document"
-NEWER = "was written by a newer Frustum Lab: its version is {0}, this program reads up to {1}"
-VERSION_NUMBER = "must be a whole number from 1 on"
-TWICE = "is given twice"
-FINITE_OR_INF = "must be a finite number or inf"
-TOO_DEEP = "has more than {0} levels of brackets"
-TOO_MANY = "has more than {0} values"
-TOO_LARGE = "is larger than {0} MiB"
-OBJECT = "must be an object with named values in braces"
-SCENE_NAME = "must be the name of a scene or of a mesh file"
-NO_FILE = "does not exist"
-FOLDER = "is a folder, not a file"
-WRITE_PROTECTED = "cannot be written: it is write-protected"
-UNREADABLE = "cannot be read: {0}"
-UNWRITABLE = "cannot be written: {0}"
-BAD_NAME = "is not a name that a file can have"
-BROKEN_PICTURE = "is not a whole PNG picture: it is broken or cut short"
-NEITHER = "is neither a document (.json), an exported picture (.png) nor a mesh ({0})"
-PLAIN_PICTURE = "is a picture without a Frustum Lab document in it"
-UNKNOWN = "is not known; the nearest name is {0}"
-OTHER_LENS = "belongs to another lens: set lens.kind as well ({0})"
-OTHER_SCENE = "belongs to another scene: set scene as well ({0})"
-MESH_NAME = "must be the path of a mesh file ({0}), or empty for none"
-NO_MESH_HERE = "cannot be shown in the scene {0}, which needs its own objects"
-NO_EQUALS = "must be written as NAME=VALUE"
-THE_DOCUMENT = "The document"
-BOUNDS = (
-    MISSING, EMPTY, BROKEN, NOT_TEXT, FOREIGN, NEWER, VERSION_NUMBER, TWICE, FINITE_OR_INF,
-    TOO_DEEP, TOO_MANY, TOO_LARGE, OBJECT, SCENE_NAME, NO_FILE, FOLDER, WRITE_PROTECTED, UNREADABLE,
-    UNWRITABLE, BAD_NAME, BROKEN_PICTURE, NEITHER, PLAIN_PICTURE, UNKNOWN, OTHER_LENS, OTHER_SCENE,
-    MESH_NAME, NO_MESH_HERE, NO_EQUALS, THE_DOCUMENT,
-)  # fmt: skip
-"""Every part of a `DocumentError` beyond `app.model.projection.BOUNDS`, for translators."""
-
-
-class DocumentError(ValueError):
-    """A document, or a file, that cannot be used.
-
-    Parameters
-    ----------
-    bound : str
-        What is wrong or what the value must be, with ``{0}``, ``{1}`` for the limits, so that
-        it can be translated before they are filled in. One of `BOUNDS` or
-        `app.model.projection.BOUNDS`.
-    *limits : object
-        The limits themselves.
-    field : str
-        Path of the refused value in the document (``"lens.near"``); empty if it is the whole.
-    value : object
-        The value that was refused; `Ellipsis` if there is none to show.
-    file : str
-        Name of the file; empty if there is none.
-    """
-
-    def __init__(
-        self, bound: str, *limits: object, field: str = "", value: object = ..., file: str = ""
-    ) -> None:
-        super().__init__(bound, *limits)
-        self.bound, self.limits = bound, limits
-        self.field, self.value, self.file = field, value, file
-
-    def __str__(self) -> str:
-        return self.sentence()
-
-    def sentence(self, translate: Callable[[str], str] = str) -> str:
-        """The one sentence that tells what is wrong: file, field, value and bound.
-
-        Parameters
-        ----------
-        translate : callable
-            Turns one of `BOUNDS` into another language.
-        """
-        bound = translate(self.bound).format(*shown_limits(self.limits, self.value))
-        file = _printable(self.file)
-        if len(file) > _LONGEST_FILE:
-            file = "..." + file[3 - _LONGEST_FILE :]
-        if not self.field:
-            return f"{file or translate(THE_DOCUMENT)} {bound}."
-        place = f"{file}: " if file else ""
-        if self.value is ...:
-            return f"{place}{self.field} {bound}."
-        return f"{place}{self.field} = {_as_written(self.value)}: {bound}."
+MISSING = QT_TRANSLATE_NOOP("Refusal", "is missing")
+EMPTY = QT_TRANSLATE_NOOP("Refusal", "is empty")
+BROKEN = QT_TRANSLATE_NOOP(
+    "Refusal", "is broken or cut short: from line {0}, column {1} on it is not JSON"
+)
+NOT_TEXT = QT_TRANSLATE_NOOP("Refusal", "is not a Frustum Lab document: it is not UTF-8 text")
+FOREIGN = QT_TRANSLATE_NOOP("Refusal", "is not a Frustum Lab document")
+NEWER = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "was written by a newer Frustum Lab: its version is {0}, this program reads up to {1}",
+)
+VERSION_NUMBER = QT_TRANSLATE_NOOP("Refusal", "must be a whole number from 1 on")
+TWICE = QT_TRANSLATE_NOOP("Refusal", "is given twice")
+FINITE_OR_INF = QT_TRANSLATE_NOOP("Refusal", "must be a finite number or inf")
+TOO_DEEP = QT_TRANSLATE_NOOP("Refusal", "has more than {0} levels of brackets")
+TOO_MANY = QT_TRANSLATE_NOOP("Refusal", "has more than {0} values")
+TOO_LARGE = QT_TRANSLATE_NOOP("Refusal", "is larger than {0} MiB")
+OBJECT = QT_TRANSLATE_NOOP("Refusal", "must be an object with named values in braces")
+SCENE_NAME = QT_TRANSLATE_NOOP("Refusal", "must be the name of a scene or of a mesh file")
+NO_FILE = QT_TRANSLATE_NOOP("Refusal", "does not exist")
+FOLDER = QT_TRANSLATE_NOOP("Refusal", "is a folder, not a file")
+WRITE_PROTECTED = QT_TRANSLATE_NOOP("Refusal", "cannot be written: it is write-protected")
+UNREADABLE = QT_TRANSLATE_NOOP("Refusal", "cannot be read: {0}")
+UNWRITABLE = QT_TRANSLATE_NOOP("Refusal", "cannot be written: {0}")
+BAD_NAME = QT_TRANSLATE_NOOP("Refusal", "is not a name that a file can have")
+BROKEN_PICTURE = QT_TRANSLATE_NOOP(
+    "Refusal", "is not a whole PNG picture: it is broken or cut short"
+)
+NEITHER = QT_TRANSLATE_NOOP(
+    "Refusal", "is neither a document (.json), an exported picture (.png) nor a mesh ({0})"
+)
+PLAIN_PICTURE = QT_TRANSLATE_NOOP("Refusal", "is a picture without a Frustum Lab document in it")
+UNKNOWN = QT_TRANSLATE_NOOP("Refusal", "is not known; the nearest name is {0}")
+OTHER_LENS = QT_TRANSLATE_NOOP("Refusal", "belongs to another lens: set lens.kind as well ({0})")
+OTHER_SCENE = QT_TRANSLATE_NOOP("Refusal", "belongs to another scene: set scene as well ({0})")
+MESH_NAME = QT_TRANSLATE_NOOP("Refusal", "must be the path of a mesh file ({0}), or empty for none")
+NO_MESH_HERE = QT_TRANSLATE_NOOP(
+    "Refusal", "cannot be shown in the scene {0}, which needs its own objects"
+)
+NO_EQUALS = QT_TRANSLATE_NOOP("Refusal", "must be written as NAME=VALUE")
 
 
 @dataclass(frozen=True)
@@ -187,10 +139,9 @@ class Document:
 
     Raises
     ------
-    DocumentError
-        If the scene is not a name, or the mesh not one that it can show.
-    ProjectionError
-        If the scene cannot have these settings.
+    Refusal
+        If the scene is not a name, the mesh not one that it can show, or the scene cannot have
+        these settings.
     """
 
     scene: str = "letter-f"
@@ -203,16 +154,16 @@ class Document:
 
     def __post_init__(self) -> None:
         if not isinstance(self.scene, str) or not self.scene or "\0" in self.scene:
-            raise DocumentError(SCENE_NAME, field="scene", value=self.scene)
+            raise Refusal.in_document(SCENE_NAME, field="scene", value=self.scene)
         phenomenon = PHENOMENA.get(self.scene)
         settings = phenomenon.checked(self.settings) if phenomenon else MappingProxyType({})
         object.__setattr__(self, "settings", settings)
         if self.mesh != "":
             if not isinstance(self.mesh, str) or "\0" in self.mesh or not is_mesh(self.mesh):
                 bound = MESH_NAME, ", ".join(MESH_ENDINGS)
-                raise DocumentError(*bound, field="mesh", value=self.mesh)
+                raise Refusal.in_document(*bound, field="mesh", value=self.mesh)
             if phenomenon is None or not phenomenon.own_mesh:
-                raise DocumentError(NO_MESH_HERE, self.scene, field="mesh", value=self.mesh)
+                raise Refusal.in_document(NO_MESH_HERE, self.scene, field="mesh", value=self.mesh)
         # A key that the lens before did not know may be a field of the one it was changed to.
         object.__setattr__(
             self, "extra", _unknown(self.extra, self.scene, self.projection.lens.kind, self.views)
@@ -233,7 +184,7 @@ class Document:
 
         Raises
         ------
-        ProjectionError
+        Refusal
             If the scene cannot have them, or no projection goes with them.
         """
         phenomenon = PHENOMENA.get(self.scene)
@@ -269,7 +220,6 @@ _PATHS = (
 # What float() takes and no document would: 1_000, nan, infinity, digits of other scripts.
 _NUMBER = re.compile(r"[+-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?")
 _LONGEST_SHOWN = 60
-_LONGEST_FILE = 200
 
 
 _SECTIONS = ("settings", "camera", "lens", "image", "quality")
@@ -318,26 +268,6 @@ class _Literal(str):
         return str(self)
 
 
-def _as_written(value: object) -> str:
-    """A refused value as a document writes it, cut to what a sentence can hold."""
-    if value is None or isinstance(value, bool):
-        return json.dumps(value)
-    if isinstance(value, (list, tuple)):
-        text = "[" + ", ".join(map(_as_written, value[:_LONGEST_SHOWN])) + "]"
-    elif isinstance(value, dict):
-        keys = list(value)[:_LONGEST_SHOWN]
-        text = "{" + ", ".join(f"{_printable(key)}: ..." for key in keys) + "}"
-    elif isinstance(value, str):
-        text = repr(type(value)(value[: _LONGEST_SHOWN + 1]))
-    else:
-        text = format_value(value)
-    return text if len(text) <= _LONGEST_SHOWN else text[: _LONGEST_SHOWN - 3] + "..."
-
-
-def _printable(name: str) -> str:
-    return name if name.isprintable() else repr(name)
-
-
 def _number(text: str) -> float | None:
     """A number in the C locale, or None: what is not one, or is too large for float64."""
     number = float(text) if _NUMBER.fullmatch(text) else math.inf
@@ -359,7 +289,7 @@ def _plain(number: float) -> float | str:
 class _Refused(NamedTuple):
     """Stands in a tree for what must not be there, until its path is known."""
 
-    bound: str
+    bound: Bound
     key: str = ""
     value: object = ...
 
@@ -393,10 +323,10 @@ def _check_tree(value: Any, path: str, depth: int) -> None:
     if isinstance(value, _Refused):
         path = _join(path, value.key) if value.key else path
         if not path:
-            raise DocumentError(FOREIGN)
-        raise DocumentError(value.bound, field=path, value=value.value)
+            raise Refusal.in_document(FOREIGN)
+        raise Refusal.in_document(value.bound, field=path, value=value.value)
     if depth > DEEPEST:
-        raise DocumentError(TOO_DEEP, DEEPEST)
+        raise Refusal.in_document(TOO_DEEP, DEEPEST)
     if isinstance(value, dict):
         for key, part in value.items():
             if key == "far" and isinstance(part, _Refused) and part.bound == FINITE_NUMBER:
@@ -409,14 +339,14 @@ def _check_tree(value: Any, path: str, depth: int) -> None:
                 _check_tree(part, f"{path}[{place}]", depth + 1)
 
 
-def _bound_of_far(kind: object) -> str:
+def _bound_of_far(kind: object) -> Bound:
     """What a far that is no number must be: of some lenses it may be infinite."""
     lens = LENSES.get(kind) if isinstance(kind, str) else None
     return FINITE_OR_INF if lens is not None and lens.central else FINITE_NUMBER
 
 
 def _join(path: str, key: str) -> str:
-    shown = _printable(key[:_LONGEST_SHOWN])
+    shown = shown_name(key[:_LONGEST_SHOWN])
     return f"{path}.{shown}" if path else shown
 
 
@@ -432,14 +362,14 @@ def parse(text: str, folder: Path | None = None) -> Document:
 
     Raises
     ------
-    DocumentError
+    Refusal
         For anything but a valid document.
     """
     text = text.removeprefix("\ufeff")  # some editors' mark that the text is UTF-8
     if not text.strip():
-        raise DocumentError(EMPTY)
+        raise Refusal.in_document(EMPTY)
     if text.count(",") >= MOST_VALUES:
-        raise DocumentError(TOO_MANY, MOST_VALUES)
+        raise Refusal.in_document(TOO_MANY, MOST_VALUES)
     try:
         tree = json.loads(
             text,
@@ -449,17 +379,17 @@ def parse(text: str, folder: Path | None = None) -> Document:
             parse_constant=_not_finite,
         )
     except json.JSONDecodeError as error:
-        raise DocumentError(BROKEN, error.lineno, error.colno) from error
+        raise Refusal.in_document(BROKEN, error.lineno, error.colno) from error
     except RecursionError as error:
-        raise DocumentError(TOO_DEEP, DEEPEST) from error
+        raise Refusal.in_document(TOO_DEEP, DEEPEST) from error
     _check_tree(tree, "", 0)
     if not isinstance(tree, dict) or tree.get("format") != FORMAT:
-        raise DocumentError(FOREIGN)
+        raise Refusal.in_document(FOREIGN)
     version = _whole(_required(tree, "version", "version"))
     if isinstance(version, bool) or not isinstance(version, int) or version < 1:
-        raise DocumentError(VERSION_NUMBER, field="version", value=version)
+        raise Refusal.in_document(VERSION_NUMBER, field="version", value=version)
     if version > VERSION:
-        raise DocumentError(NEWER, format_value(version), VERSION)
+        raise Refusal.in_document(NEWER, format_value(version), VERSION)
     for step in MIGRATIONS[version - 1 :]:
         tree = step(tree)
     return _document(tree, folder)
@@ -472,26 +402,30 @@ def _whole(number: Any) -> Any:
 
 def _required(tree: Tree, key: str, path: str) -> Any:
     if key not in tree:
-        raise DocumentError(MISSING, field=path)
+        raise Refusal.in_document(MISSING, field=path)
     return tree[key]
 
 
 def _section(tree: Tree, name: str) -> Tree:
     section = _required(tree, name, name)
     if not isinstance(section, dict):
-        raise DocumentError(OBJECT, field=name, value=section)
+        raise Refusal.in_document(OBJECT, field=name, value=section)
     return section
 
 
 @contextlib.contextmanager
-def _paths() -> Iterator[None]:
+def _paths(section: str = "") -> Iterator[None]:
     """Give the model's complaints their paths in the document."""
     try:
         yield
-    except ProjectionError as error:
+    except Refusal as error:
+        if error.file is not None:  # which has its path
+            raise
         name, bracket, cell = error.field.partition("[")
-        path = _PATHS.get(name, name) + bracket + cell
-        raise DocumentError(error.bound, *error.limits, field=path, value=error.value) from error
+        path = f"{section}.{name}" if section else _PATHS.get(name, name)
+        raise Refusal.in_document(
+            error.bound, *error.limits, field=path + bracket + cell, value=error.value
+        ) from error
 
 
 @_paths()
@@ -499,7 +433,7 @@ def _document(tree: Tree, folder: Path | None = None) -> Document:
     """Make a document of the current version from its JSON tree."""
     scene = _required(tree, "scene", "scene")
     if not isinstance(scene, str):
-        raise DocumentError(SCENE_NAME, field="scene", value=scene)
+        raise Refusal.in_document(SCENE_NAME, field="scene", value=scene)
     mesh = tree.get("mesh", "")
     if folder is not None:
         if is_mesh(scene):
@@ -536,11 +470,11 @@ def _document(tree: Tree, folder: Path | None = None) -> Document:
 def _lens(values: Any, path: str) -> Lens:
     """A lens that has fields; of a free matrix it is the former one, with a path of its own."""
     if not isinstance(values, dict):
-        raise DocumentError(OBJECT, field=path, value=values)
+        raise Refusal.in_document(OBJECT, field=path, value=values)
     kind = _required(values, "kind", f"{path}.kind")
     if not isinstance(kind, str) or kind not in LENSES:
         kinds = KINDS if path == "lens" else LENSES
-        raise DocumentError(ONE_OF, ", ".join(kinds), field=f"{path}.kind", value=kind)
+        raise Refusal.in_document(ONE_OF, ", ".join(kinds), field=f"{path}.kind", value=kind)
     for key in lens_fields(kind):
         if key not in _OPTIONAL:
             _required(values, key, f"{path}.{key}")
@@ -550,11 +484,11 @@ def _lens(values: Any, path: str) -> Lens:
     try:
         lens: Lens = LENSES[kind](**values)
         return lens
-    except ProjectionError as error:
+    except Refusal as error:
         refused, bound = error.field, error.bound
         if refused == "far" and bound == FINITE_NUMBER:
             bound = _bound_of_far(kind)
-        raise DocumentError(
+        raise Refusal.in_document(
             bound, *error.limits, field=f"{path}.{refused}", value=error.value
         ) from error
 
@@ -562,13 +496,9 @@ def _lens(values: Any, path: str) -> Lens:
 def _view(views: Tree, name: str) -> Camera:
     path = _join("views", name)
     if not isinstance(views[name], dict):
-        raise DocumentError(OBJECT, field=path, value=views[name])
-    try:
+        raise Refusal.in_document(OBJECT, field=path, value=views[name])
+    with _paths(path):
         return Camera(*(_required(views[name], key, f"{path}.{key}") for key in _CAMERA))
-    except ProjectionError as error:
-        raise DocumentError(
-            error.bound, *error.limits, field=f"{path}.{error.field}", value=error.value
-        ) from error
 
 
 # --------------------------------------------------------------------------- document to text
@@ -738,7 +668,7 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
 
     Raises
     ------
-    DocumentError
+    Refusal
         For an unknown path (naming the nearest known one), a text that is no value, or an
         outcome that is not valid.
     """
@@ -747,7 +677,7 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
         path, equals, text = (part.strip() for part in assignment.partition("="))
         if not equals or not path:
             written = assignment.strip()
-            raise DocumentError(NO_EQUALS, field=_printable(written) or repr(written))
+            raise Refusal.in_document(NO_EQUALS, field=shown_name(written) or repr(written))
         texts[path] = text
     scene = texts.pop("scene", document.scene)
     if scene != document.scene:
@@ -771,13 +701,13 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
             (tree.setdefault(section, {}) if section else tree)[key] = _read_text(path, text)
     try:
         return _document(tree)
-    except DocumentError as error:
-        side, bound = OTHER_SIDE.get(error.bound, ("", ""))
+    except Refusal as error:
+        side, bound = OTHER_SIDE.get(error.bound, ("", error.bound))
         if f"lens.{side}" not in texts or error.field in texts:
             raise
         # What was set is the other of the two.
         limit, value = format_value(error.value), tree["lens"][side]
-        raise DocumentError(bound, limit, field=f"lens.{side}", value=value) from error
+        raise Refusal.in_document(bound, limit, field=f"lens.{side}", value=value) from error
 
 
 def _with_lens(document: Document, kind: str) -> Document:
@@ -808,7 +738,7 @@ def _read_setting(setting: Setting, text: str) -> Any:
         return _read_vector(setting.path, text)
     number = _number(text)
     if number is None:
-        raise DocumentError(FINITE_NUMBER, field=setting.path, value=text)
+        raise Refusal.in_document(FINITE_NUMBER, field=setting.path, value=text)
     return number
 
 
@@ -816,7 +746,7 @@ def _read_vector(path: str, text: str) -> list[float]:
     vector = [_number(part.strip()) for part in text.split(",")]
     numbers = [part for part in vector if part is not None]
     if len(vector) != 3 or len(numbers) != 3:
-        raise DocumentError(THREE_NUMBERS, field=path, value=text)
+        raise Refusal.in_document(THREE_NUMBERS, field=path, value=text)
     return numbers
 
 
@@ -828,26 +758,26 @@ def _read_text(path: str, text: str) -> Any:
     if path in _MATRICES:
         cells = [_number(part.strip()) for part in text.split(",")]
         if len(cells) != 16 or None in cells:
-            raise DocumentError(FOUR_BY_FOUR, field=path, value=text)
+            raise Refusal.in_document(FOUR_BY_FOUR, field=path, value=text)
         return [cells[i : i + 4] for i in range(0, 16, 4)]
     number = _number(text)
     if number is None:
         whole = path.startswith("image.")
         bound = (WHOLE_PIXELS, LARGEST_IMAGE_PX) if whole else (FINITE_NUMBER,)
-        raise DocumentError(*bound, field=path, value=text)
+        raise Refusal.in_document(*bound, field=path, value=text)
     return number
 
 
-def _unknown_path(path: str, paths: list[str]) -> DocumentError:
-    shown = _printable(path[:_LONGEST_SHOWN])
+def _unknown_path(path: str, paths: list[str]) -> Refusal:
+    shown = shown_name(path[:_LONGEST_SHOWN])
     section, _, key = path.rpartition(".")
     kinds = [kind for kind in KINDS if key in lens_fields(kind)]
     if section in ("lens", "") and kinds and f"lens.{key}" not in paths:
-        return DocumentError(OTHER_LENS, ", ".join(kinds), field=shown)
+        return Refusal.in_document(OTHER_LENS, ", ".join(kinds), field=shown)
     if section == "settings" and not any(known.startswith("settings.") for known in paths):
         scenes = [name for name in PHENOMENA if key in _known(name, None)["settings"]]
         if scenes:
-            return DocumentError(OTHER_SCENE, ", ".join(scenes), field=shown)
+            return Refusal.in_document(OTHER_SCENE, ", ".join(scenes), field=shown)
 
     def likeness(known: str) -> float:
         whole = difflib.SequenceMatcher(None, shown, known).ratio()
@@ -857,7 +787,7 @@ def _unknown_path(path: str, paths: list[str]) -> DocumentError:
         begun = known.rpartition(".")[2].startswith(shown.rpartition(".")[2])
         return max(whole, last) + whole / 100.0 + begun
 
-    return DocumentError(UNKNOWN, max(paths, key=likeness), field=shown)
+    return Refusal.in_document(UNKNOWN, max(paths, key=likeness), field=shown)
 
 
 # --------------------------------------------------------------------------- PNG pictures
@@ -871,20 +801,20 @@ def _chunks(png: bytes) -> Iterator[tuple[bytes, int, int]]:
 
     Raises
     ------
-    DocumentError
+    Refusal
         If the picture is not whole.
     """
     begin, kind = len(_PNG), b""
     if not png.startswith(b"IHDR", begin + 4) or not png.startswith(_PNG):
-        raise DocumentError(BROKEN_PICTURE)
+        raise Refusal.in_document(BROKEN_PICTURE)
     view = memoryview(png)
     while kind != b"IEND":
         if begin + 12 > len(png):
-            raise DocumentError(BROKEN_PICTURE)
+            raise Refusal.in_document(BROKEN_PICTURE)
         length, kind = struct.unpack_from(">I4s", png, begin)
         end = begin + 12 + length
         if end > len(png) or zlib.crc32(view[begin + 4 : end - 4]) != _crc(png, end):
-            raise DocumentError(BROKEN_PICTURE)
+            raise Refusal.in_document(BROKEN_PICTURE)
         yield kind, begin, end
         begin = end
 
@@ -910,7 +840,7 @@ def embed(png: bytes, text: str) -> bytes:
 
     Raises
     ------
-    DocumentError
+    Refusal
         If `png` is not a whole PNG picture.
     """
     # Not compressed, no language, no translated keyword (PNG specification, 11.3.3.4).
@@ -930,7 +860,7 @@ def extract(png: bytes) -> str | None:
 
     Raises
     ------
-    DocumentError
+    Refusal
         If `png` is not a whole PNG picture, or the text in it is broken.
     """
     text = None
@@ -950,10 +880,10 @@ def _itxt(body: bytes) -> str:
             unpacked = zlib.decompressobj()
             rest = unpacked.decompress(rest, LARGEST_DOCUMENT)
             if not unpacked.eof:
-                raise DocumentError(BROKEN_PICTURE)
+                raise Refusal.in_document(BROKEN_PICTURE)
         return rest.decode()
     except (zlib.error, UnicodeDecodeError) as error:
-        raise DocumentError(BROKEN_PICTURE) from error
+        raise Refusal.in_document(BROKEN_PICTURE) from error
 
 
 # --------------------------------------------------------------------------- files
@@ -969,7 +899,7 @@ def read(path: Path) -> Document:
 
     Raises
     ------
-    DocumentError
+    Refusal
         If there is no such file, it cannot be read, or it is not a valid document.
     """
     with _blamed_on(path, UNREADABLE):
@@ -977,17 +907,17 @@ def read(path: Path) -> Document:
         if content.startswith(_PNG):
             text = extract(content)
             if text is None:
-                raise DocumentError(PLAIN_PICTURE)
+                raise Refusal.in_document(PLAIN_PICTURE)
             return parse(text, os.path.dirname(os.path.realpath(path)))
         ending = os.path.splitext(path)[1].lower()
         try:
             return parse(_decode(content), os.path.dirname(os.path.realpath(path)))
-        except DocumentError as error:
+        except Refusal as error:
             if ending == ".json" or error.bound not in (BROKEN, EMPTY, FOREIGN, NOT_TEXT):
                 raise
             if ending == ".png":
-                raise DocumentError(BROKEN_PICTURE) from error
-            raise DocumentError(NEITHER, ", ".join(MESH_ENDINGS)) from error
+                raise Refusal.in_document(BROKEN_PICTURE) from error
+            raise Refusal.in_document(NEITHER, ", ".join(MESH_ENDINGS)) from error
 
 
 def holds_document(path: Path) -> bool:
@@ -999,42 +929,42 @@ def holds_document(path: Path) -> bool:
 
 
 @contextlib.contextmanager
-def _blamed_on(path: Path, bound: str) -> Iterator[None]:
+def _blamed_on(path: Path, bound: Bound) -> Iterator[None]:
     """Name the file in what is raised, and turn the system's complaints into a sentence."""
     file = os.fspath(path)
     if "\0" in file:
-        raise DocumentError(BAD_NAME, file=file)
+        raise Refusal.in_document(BAD_NAME, file=file)
     try:
         yield
-    except DocumentError as error:
+    except Refusal as error:
         error.file = file
         raise
     except FileNotFoundError as error:
         if bound == UNREADABLE:
-            raise DocumentError(NO_FILE, file=file) from error
-        raise DocumentError(bound, error.strerror or error, file=file) from error
+            raise Refusal.in_document(NO_FILE, file=file) from error
+        raise Refusal.in_document(bound, error.strerror or error, file=file) from error
     except OSError as error:
-        raise DocumentError(bound, error.strerror or error, file=file) from error
+        raise Refusal.in_document(bound, error.strerror or error, file=file) from error
     except UnicodeEncodeError as error:  # a half of a surrogate pair
-        raise DocumentError(BAD_NAME, file=file) from error
+        raise Refusal.in_document(BAD_NAME, file=file) from error
 
 
 def _decode(content: bytes) -> str:
     try:
         return content.decode()
     except UnicodeDecodeError as error:
-        raise DocumentError(NOT_TEXT) from error
+        raise Refusal.in_document(NOT_TEXT) from error
 
 
 def _read_bytes(path: Path) -> bytes:
     if os.path.isdir(path):
-        raise DocumentError(FOLDER)
+        raise Refusal.in_document(FOLDER)
     with open_regular(path) as file:
         content = file.read(len(_PNG))
         limit = LARGEST_PICTURE if content == _PNG else LARGEST_DOCUMENT
         content += file.read(limit - len(content) + 1)
     if len(content) > limit:
-        raise DocumentError(TOO_LARGE, limit // 2**20)
+        raise Refusal.in_document(TOO_LARGE, limit // 2**20)
     return content
 
 
@@ -1049,7 +979,7 @@ def write(document: Document, path: Path) -> None:
 
     Raises
     ------
-    DocumentError
+    Refusal
         If it cannot be written; the file that was there is as it was.
     """
     with _blamed_on(path, UNWRITABLE):
@@ -1068,7 +998,7 @@ def write_bytes_atomically(path: Path, content: bytes) -> None:
 
     Raises
     ------
-    DocumentError
+    Refusal
         If it cannot be written; the file that was there is as it was.
 
     Notes
@@ -1093,9 +1023,9 @@ def _mode_to_keep(target: str) -> int | None:
     except FileNotFoundError:
         return None
     if stat.S_ISDIR(mode):
-        raise DocumentError(FOLDER)
+        raise Refusal.in_document(FOLDER)
     if not os.access(target, os.W_OK):  # replacing it would get round its owner's wish
-        raise DocumentError(WRITE_PROTECTED)
+        raise Refusal.in_document(WRITE_PROTECTED)
     return mode
 
 

@@ -125,7 +125,7 @@ class Store(QObject):
 
         Raises
         ------
-        ProjectionError
+        Refusal
             If the scene cannot have them; the document stays as it was.
         """
         self._edit(self._document.with_settings(settings))

@@ -31,11 +31,11 @@ from app.drawings.image import ImageDrawing
 from app.drawings.ndc import NdcDrawing
 from app.drawings.style import LIGHT, Style
 from app.drawings.world import WorldDrawing
-from app.model.projection import LARGEST_IMAGE_PX, Camera, Projection, format_value
+from app.model.projection import LARGEST_IMAGE_PX, Camera, Projection
+from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal, format_value
 from app.precision.levels import DRAWING_TOLERANCE_PX
 from app.precision.quality import AUTOMATIC, Quality
 from app.scenes.fewer_triangles import reduced
-from app.scenes.mesh_files import Refusal
 from app.scenes.phenomena.illustration import Exhibit
 from app.scenes.scene import Scene
 
@@ -59,24 +59,22 @@ _LARGEST_DRAWN_PX = 8192  # side of what is averaged; every driver can draw it
 _MOST_DRAWN_PX = 40_000_000  # of one pane before averaging: about 0.5 GB with depth and copies
 _WINDOW_CHOICE = "VTK_DEFAULT_OPENGL_WINDOW"
 
-NO_PANES = "panes = {0}: must name at least one of {1}."
-UNKNOWN_PANE = "pane = {0}: must be one of {1}."
-SCALE = "scale = {0}: must lie between 0, excluded, and {1}."
-WIDTH = "width = {0}: must be a whole number of pixels from {1} to {2}."
-HEIGHT = "height = {0}: must be a whole number of pixels from {1} to {2}."
-SCALED_WIDTH = "width = {0} times scale {3}: must be from {1} to {2} pixels."
-SCALED_HEIGHT = "height = {0} times scale {3}: must be from {1} to {2} pixels."
-SENTENCES = (NO_PANES, UNKNOWN_PANE, SCALE, WIDTH, HEIGHT, SCALED_WIDTH, SCALED_HEIGHT)
-"""Every sentence of a `FigureError`, for translators."""
+NO_PANES = QT_TRANSLATE_NOOP("Refusal", "panes = {0}: must name at least one of {1}.")
+UNKNOWN_PANE = QT_TRANSLATE_NOOP("Refusal", "pane = {0}: must be one of {1}.")
+SCALE = QT_TRANSLATE_NOOP("Refusal", "scale = {0}: must lie between 0, excluded, and {1}.")
+WIDTH = QT_TRANSLATE_NOOP(
+    "Refusal", "width = {0}: must be a whole number of pixels from {1} to {2}."
+)
+HEIGHT = QT_TRANSLATE_NOOP(
+    "Refusal", "height = {0}: must be a whole number of pixels from {1} to {2}."
+)
+SCALED_WIDTH = QT_TRANSLATE_NOOP(
+    "Refusal", "width = {0} times scale {3}: must be from {1} to {2} pixels."
+)
+SCALED_HEIGHT = QT_TRANSLATE_NOOP(
+    "Refusal", "height = {0} times scale {3}: must be from {1} to {2} pixels."
+)
 _SIDES = {"width": (WIDTH, SCALED_WIDTH), "height": (HEIGHT, SCALED_HEIGHT)}
-
-
-class FigureError(Refusal):
-    """A figure that cannot be made, with the value and its bound."""
-
-
-class FigureCancelled(Exception):
-    """The progress callback of `render` answered False."""
 
 
 def render(
@@ -127,11 +125,10 @@ def render(
 
     Raises
     ------
-    FigureError
-        For an unknown pane, or a size or scale that no figure can have.
-    ProjectionError
-        For a setting that the phenomenon cannot have.
-    FigureCancelled
+    Refusal
+        For an unknown pane, a size or scale that no figure can have, or a setting that the
+        phenomenon cannot have.
+    Cancelled
         When `progress` returned False.
 
     Notes
@@ -150,7 +147,7 @@ def render(
     parts: list[Pixels] = []
     for pane, left, right in zip(panes, edges[:-1], edges[1:], strict=True):
         if progress is not None and not progress(len(parts) / len(panes)):
-            raise FigureCancelled
+            raise Cancelled
         parts.append(
             _render_pane(
                 pane,
@@ -213,19 +210,19 @@ def checked_size(
 
     Raises
     ------
-    FigureError
+    Refusal
         For an unknown pane, or a size or scale that no figure can have.
     """
     if isinstance(panes, str) or not panes:
-        raise FigureError(NO_PANES, repr(panes), ", ".join(PANES))
+        raise Refusal.saying(NO_PANES, repr(panes), ", ".join(PANES))
     for pane in panes:
         if pane not in _DRAWINGS:
-            raise FigureError(UNKNOWN_PANE, repr(pane), ", ".join(PANES))
+            raise Refusal.saying(UNKNOWN_PANE, repr(pane), ", ".join(PANES))
     lone_image = tuple(panes) == ("image",)
     if size is None:
         size = image_size if lone_image else (PANE_PX * len(panes), PANE_PX)
     if not 0.0 < scale <= LARGEST_PX:  # NaN fails too
-        raise FigureError(SCALE, f"{scale:g}", LARGEST_PX)
+        raise Refusal.saying(SCALE, f"{scale:g}", LARGEST_PX)
     asked = dict(zip(("width", "height"), size, strict=True))
     for name, side in asked.items():
         smallest = 1 if lone_image else SMALLEST_PANE_PX * (len(panes) if name == "width" else 1)
@@ -233,7 +230,7 @@ def checked_size(
         if not (side <= sys.float_info.max and smallest <= side * scale <= LARGEST_PX):
             plain, scaled = _SIDES[name]
             template = plain if scale == 1.0 else scaled
-            raise FigureError(template, format_value(side), smallest, LARGEST_PX, f"{scale:g}")
+            raise Refusal.saying(template, format_value(side), smallest, LARGEST_PX, f"{scale:g}")
     return round(asked["width"] * scale), round(asked["height"] * scale)
 
 

@@ -25,7 +25,8 @@ from app.drawings.probes import Mark, Probes
 from app.drawings.rasterising import RASTERISED, Rasteriser
 from app.drawings.style import Style, rgb
 from app.lecture.highlight import SIDES, Attention, corner_at
-from app.model.projection import Array, Camera, Projection, ProjectionError
+from app.model.projection import Array, Camera, Projection
+from app.model.refusal import Refusal
 from app.picking.picking import Probe, Sight
 from app.precision.levels import DRAWING_TOLERANCE_PX, Rung
 from app.precision.quality import AUTOMATIC, Quality
@@ -96,7 +97,7 @@ class ImageDrawing:
         self._rasteriser: Rasteriser | None = None
         self._rendering = Rendering()
         self._quality = quality
-        self.refused_depth: ProjectionError | None = None
+        self.refused_depth: Refusal | None = None
         """Why the picture does not have the depth buffer that was chosen, if it has not."""
         self._own_camera = self._canvas.renderer.GetActiveCamera()
         self._canvas.renderer.SetActiveCamera(identity_camera())
@@ -234,7 +235,7 @@ class ImageDrawing:
             try:
                 buffer = self._quality.depth_buffer(self._projection)
                 rendering = replace(rendering, buffer=buffer)
-            except ProjectionError as error:
+            except Refusal as error:
                 self.refused_depth = error
         self._rasteriser.show(rendering, self._seen)
 

@@ -41,15 +41,9 @@ from app.drawings.actors import Canvas, Space, identity_camera, unlit_actor
 from app.drawings.style import LIGHT, Style, rgb
 from app.model.depth import FORMATS, DepthBuffer
 from app.model.projection import Array, Lens, Projection
+from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.depth_buffer import FINEST
-from app.scenes.phenomena.illustration import (
-    QT_TRANSLATE_NOOP,
-    Fog,
-    Level,
-    Phrase,
-    Rendering,
-    Texture,
-)
+from app.scenes.phenomena.illustration import Fog, Level, Phrase, Rendering, Texture
 from app.scenes.scene import Scene
 
 REFUSED = QT_TRANSLATE_NOOP(

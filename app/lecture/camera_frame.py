@@ -18,8 +18,8 @@ from typing import NamedTuple
 import numpy as np
 
 from app.arithmetic import double_double as dd
+from app.model.limits import cos_sin_deg
 from app.model.projection import Camera, Vector
-from app.model.values import cos_sin_deg
 
 STEPS = ("eye", "look", "up", "n", "u", "v", "view")
 """What is built in each step: the camera's three vectors, the three axes, the view matrix."""
@@ -93,7 +93,7 @@ def turned_up(camera: Camera, angle_deg: float) -> Camera:
 
     Raises
     ------
-    ProjectionError
+    Refusal
         If up is then parallel to the view direction, or not a finite number.
     """
     _, v, n = camera.frame

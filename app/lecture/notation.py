@@ -23,14 +23,8 @@ from app.lecture.highlight import Attention
 from app.model import formula
 from app.model.formula import ARROW, Difference, Formula, Pair, Quotient, Sum, parse
 from app.model.lenses.lens import LensTable
-from app.model.projection import (
-    DEPTH_RANGES,
-    Array,
-    Projection,
-    Rationals,
-    Stage,
-    format_value,
-)
+from app.model.projection import DEPTH_RANGES, Array, Projection, Rationals, Stage
+from app.model.refusal import format_value
 from app.model.tables import VIEWPORT, evaluated
 
 Letters: TypeAlias = Literal["uvn", "000", "001", "002", "003"]

@@ -33,11 +33,10 @@ from app.model.projection import (
     Orthographic,
     Perspective,
     Projection,
-    ProjectionError,
     Vector,
     finite_matrix,
-    format_value,
 )
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value
 
 EDITABLE = ("view_from_world", "clip_from_view")
 """The matrices whose cells can be typed."""
@@ -68,7 +67,7 @@ def shown(projection: Projection, name: str) -> Cells:
 
     Raises
     ------
-    ProjectionError
+    Refusal
         For another name.
     """
     stages = {
@@ -76,7 +75,7 @@ def shown(projection: Projection, name: str) -> Cells:
         "clip_from_view": projection.direct_stages[0],
     }
     if name not in stages:
-        raise ProjectionError("matrix", name, ONE_OF, ", ".join(EDITABLE))
+        raise Refusal("matrix", name, ONE_OF, ", ".join(EDITABLE))
     return finite_matrix(name, (stages[name].matrix + 0.0).tolist())
 
 
@@ -106,7 +105,7 @@ def with_matrix(projection: Projection, name: str, matrix: Sequence[Sequence[flo
 
     Raises
     ------
-    ProjectionError
+    Refusal
         For a cell that is not finite or beyond `LARGEST`, or another name.
     """
     cells = finite_matrix(name, matrix)
@@ -206,7 +205,7 @@ def _candidates(kind: str, exact: Rationals, projection: Projection) -> Iterator
             *_ends(scales[1], shift[1], unit),
         ]
         yield lens(*sides, near, far, **leaning)
-    except (ProjectionError, ZeroDivisionError, OverflowError):
+    except (Refusal, ZeroDivisionError, OverflowError):
         return
 
 
@@ -319,7 +318,7 @@ def _has(lens: Lens, exact: Rationals, projection: Projection) -> bool:
     """Whether a lens has the matrix, cell by cell, but for the rounding of its fields."""
     try:
         own = replace(projection, lens=lens).direct_stages[0].exact
-    except ProjectionError:  # a window that its image makes nothing of
+    except Refusal:  # a window that its image makes nothing of
         return False
     near = abs(Fraction(lens.near))
     for i, (mine, typed) in enumerate(zip(own, exact, strict=True)):
@@ -370,7 +369,7 @@ def recognised_camera(cells: Cells, in_hand: Camera) -> Camera | None:
     for up in (in_hand.up, typed_up):
         try:
             camera = Camera(eye, target, up)  # type: ignore[arg-type]
-        except ProjectionError:
+        except Refusal:
             continue
         turned = max(
             abs(a - b)
@@ -415,25 +414,32 @@ def _determinant(rows: Rationals) -> Fraction:
 
 # --------------------------------------------------------------------------- properties
 
-AFFINE = "affine: w is {0} everywhere"
-NOT_AFFINE = "not affine: w depends on {0}"
-SINGULAR = "singular (rank {0}): the frustum cannot be drawn"
-MIRRORED_VIEW = "mirrored: it turns right-handed space into left-handed (determinant {0})"
-MIRRORED_CLIP = "mirrored: as if left and right, top and bottom, or near and far were exchanged"
-NOT_RIGID = "not rigid: it changes lengths or angles, so that no camera has it"
-W_VANISHES = "w vanishes where {0} = 0: the divide sends these points to infinity"
-W_IS_NOT_POSITIVE = "w is {0} everywhere: there is no picture"
-ALL_BEHIND = "w is negative all over the view volume: there is no picture"
-THROUGH_INFINITY = "the view volume reaches infinity: the frustum cannot be drawn"
-PROPERTIES = (
-    AFFINE, NOT_AFFINE, SINGULAR, MIRRORED_VIEW, MIRRORED_CLIP, NOT_RIGID, W_VANISHES,
-    W_IS_NOT_POSITIVE, ALL_BEHIND, THROUGH_INFINITY,
-)  # fmt: skip
-"""Every sentence of a `Property`, for translators."""
+AFFINE = QT_TRANSLATE_NOOP("Matrix", "affine: w is {0} everywhere")
+NOT_AFFINE = QT_TRANSLATE_NOOP("Matrix", "not affine: w depends on {0}")
+SINGULAR = QT_TRANSLATE_NOOP("Matrix", "singular (rank {0}): the frustum cannot be drawn")
+MIRRORED_VIEW = QT_TRANSLATE_NOOP(
+    "Matrix", "mirrored: it turns right-handed space into left-handed (determinant {0})"
+)
+MIRRORED_CLIP = QT_TRANSLATE_NOOP(
+    "Matrix", "mirrored: as if left and right, top and bottom, or near and far were exchanged"
+)
+NOT_RIGID = QT_TRANSLATE_NOOP(
+    "Matrix", "not rigid: it changes lengths or angles, so that no camera has it"
+)
+W_VANISHES = QT_TRANSLATE_NOOP(
+    "Matrix", "w vanishes where {0} = 0: the divide sends these points to infinity"
+)
+W_IS_NOT_POSITIVE = QT_TRANSLATE_NOOP("Matrix", "w is {0} everywhere: there is no picture")
+ALL_BEHIND = QT_TRANSLATE_NOOP(
+    "Matrix", "w is negative all over the view volume: there is no picture"
+)
+THROUGH_INFINITY = QT_TRANSLATE_NOOP(
+    "Matrix", "the view volume reaches infinity: the frustum cannot be drawn"
+)
 
 
 class Property(NamedTuple):
-    """One thing that is true of a matrix: a template of `PROPERTIES` and the figures in it."""
+    """One thing that is true of a matrix: a template and the figures in it."""
 
     template: str
     figures: tuple[str, ...] = ()

@@ -22,8 +22,9 @@ from app import __version__
 from app.document.document import Document, to_json
 from app.measure import arithmetic, depth, detail, interpolation, smoothing
 from app.measure.results import Results, Sweep, Trade
-from app.measure.run import Cancelled, Watch, part_of, unwatched
+from app.measure.run import Watch, part_of, unwatched
 from app.model.projection import Projection
+from app.model.refusal import Cancelled
 from app.scenes.scene import Scene
 
 TRADES: dict[str, Callable[[Scene, Projection, float, Watch], Trade]] = {

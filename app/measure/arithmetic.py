@@ -24,16 +24,9 @@ from vtkmodules.vtkRenderingCore import vtkCamera
 
 from app.measure.reference import SAMPLE, Truth, sample, truth
 from app.measure.results import Choice, Curve, Sweep, Trade
-from app.measure.run import Cancelled, Watch, in_turns, unwatched
-from app.model.projection import (
-    Array,
-    Camera,
-    Frustum,
-    Perspective,
-    Projection,
-    ProjectionError,
-    Vector,
-)
+from app.measure.run import Watch, in_turns, unwatched
+from app.model.projection import Array, Camera, Frustum, Perspective, Projection, Vector
+from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal
 from app.precision.levels import Prediction, Rung, predict, trace
 
 Rows: TypeAlias = NDArray[Any]
@@ -49,10 +42,12 @@ _RUNGS: dict[str, Rung] = {
 }
 """Which ways are rungs of the model, that it predicts and can draw or read with."""
 
-NO_POINTS = "no vertex is in front of the eye, so that there is nothing to measure"
-NOT_INSTALLED = "not installed"
-NOT_A_NUMBER = "answers NaN"
-INFINITE = "overflows"
+NO_POINTS = QT_TRANSLATE_NOOP(
+    "Measure", "no vertex is in front of the eye, so that there is nothing to measure"
+)
+NOT_INSTALLED = QT_TRANSLATE_NOOP("Measure", "not installed")
+NOT_A_NUMBER = QT_TRANSLATE_NOOP("Measure", "answers NaN")
+INFINITE = QT_TRANSLATE_NOOP("Measure", "overflows")
 
 
 class Way(NamedTuple):
@@ -490,7 +485,7 @@ def _at(
     """What each choice answers at one value."""
     try:
         there, moved = SWEEPS[parameter].set(projection, value)
-    except ProjectionError as error:
+    except Refusal as error:
         return {name: (None, None, str(error)) for name in (*_RUNGS, "VTK's camera")}
     world = in_view(there, points_world + moved)
     reference = truth(there, world)

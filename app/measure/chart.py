@@ -22,6 +22,7 @@ from app.drawings.label_placement import beside
 from app.drawings.style import LIGHT
 from app.measure.meaning import meaning
 from app.measure.results import MEASURED_ONLY, Choice, Results, Sweep, Trade, named, plain
+from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.illustration import Curve, Diagram, Spot
 
 if TYPE_CHECKING:
@@ -29,54 +30,44 @@ if TYPE_CHECKING:
 
 ENDINGS = (".png", ".pdf")
 TITLES = {
-    "arithmetic": "Arithmetic",
-    "interpolation": "Interpolation",
-    "depth": "Depth buffer",
-    "smoothing": "Antialiasing and resolution",
-    "detail": "Detail",
-    "near": "Sweep of near",
-    "far": "Sweep of far",
-    "fov": "Sweep of the field of view",
-    "distance": "Sweep of the distance from the origin",
-    "up": "Sweep of up",
-    "aspect": "Sweep of the aspect",
+    "arithmetic": QT_TRANSLATE_NOOP("Measure", "Arithmetic"),
+    "interpolation": QT_TRANSLATE_NOOP("Measure", "Interpolation"),
+    "depth": QT_TRANSLATE_NOOP("Measure", "Depth buffer"),
+    "smoothing": QT_TRANSLATE_NOOP("Measure", "Antialiasing and resolution"),
+    "detail": QT_TRANSLATE_NOOP("Measure", "Detail"),
+    "near": QT_TRANSLATE_NOOP("Measure", "Sweep of near"),
+    "far": QT_TRANSLATE_NOOP("Measure", "Sweep of far"),
+    "fov": QT_TRANSLATE_NOOP("Measure", "Sweep of the field of view"),
+    "distance": QT_TRANSLATE_NOOP("Measure", "Sweep of the distance from the origin"),
+    "up": QT_TRANSLATE_NOOP("Measure", "Sweep of up"),
+    "aspect": QT_TRANSLATE_NOOP("Measure", "Sweep of the aspect"),
 }
 """Of every trade and every sweep."""
 _ACROSS = {
-    "arithmetic": "ns a point",
-    "interpolation": "ns a pixel",
-    "depth": "bytes a pixel",
-    "smoothing": "ms a frame",
-    "detail": "ms a frame",
-    "near": "near",
-    "far": "far",
-    "fov": "vertical fov, degrees",
-    "distance": "distance from the origin",
-    "up": "angle of up and view direction, degrees",
-    "aspect": "aspect of the window",
+    "arithmetic": QT_TRANSLATE_NOOP("Measure", "ns a point"),
+    "interpolation": QT_TRANSLATE_NOOP("Measure", "ns a pixel"),
+    "depth": QT_TRANSLATE_NOOP("Measure", "bytes a pixel"),
+    "smoothing": QT_TRANSLATE_NOOP("Measure", "ms a frame"),
+    "detail": QT_TRANSLATE_NOOP("Measure", "ms a frame"),
+    "near": QT_TRANSLATE_NOOP("Measure", "near"),
+    "far": QT_TRANSLATE_NOOP("Measure", "far"),
+    "fov": QT_TRANSLATE_NOOP("Measure", "vertical fov, degrees"),
+    "distance": QT_TRANSLATE_NOOP("Measure", "distance from the origin"),
+    "up": QT_TRANSLATE_NOOP("Measure", "angle of up and view direction, degrees"),
+    "aspect": QT_TRANSLATE_NOOP("Measure", "aspect of the window"),
 }
-FROM_180 = "180 − vertical fov, degrees"
+FROM_180 = QT_TRANSLATE_NOOP("Measure", "180 − vertical fov, degrees")
 _UP = {
-    "arithmetic": "error, px",
-    "interpolation": "error, texels",
-    "depth": "gap, world units",
-    "smoothing": "error, levels of 255",
-    "detail": "silhouette, px",
+    "arithmetic": QT_TRANSLATE_NOOP("Measure", "error, px"),
+    "interpolation": QT_TRANSLATE_NOOP("Measure", "error, texels"),
+    "depth": QT_TRANSLATE_NOOP("Measure", "gap, world units"),
+    "smoothing": QT_TRANSLATE_NOOP("Measure", "error, levels of 255"),
+    "detail": QT_TRANSLATE_NOOP("Measure", "silhouette, px"),
 }
-ERROR_PX = "largest error, px"
-CANCELLED_TITLE = "{0} (cancelled)"
-CURRENT = "{0} (now)"
-SEEN = "{0}; eye {1}, target {2}, {3}"
-TEXTS = tuple(
-    dict.fromkeys(
-        [
-            *(*TITLES.values(), *_ACROSS.values(), FROM_180, *_UP.values()),
-            *(ERROR_PX, CANCELLED_TITLE, CURRENT, SEEN),
-        ]
-    )
-)
-"""Everything that is written, for translators."""
-
+ERROR_PX = QT_TRANSLATE_NOOP("Measure", "largest error, px")
+CANCELLED_TITLE = QT_TRANSLATE_NOOP("Measure", "{0} (cancelled)")
+CURRENT = QT_TRANSLATE_NOOP("Measure", "{0} (now)")
+SEEN = QT_TRANSLATE_NOOP("Measure", "{0}; eye {1}, target {2}, {3}")
 _COLOURS = ("u", "n", "v", "accent", "near", "far")
 _WIDEST = 1e6
 """Errors in px above which a sweep's curve leaves the chart: nothing is where it should be."""
@@ -150,7 +141,7 @@ def diagrams(
     other_name : str
         Which one that is.
     translate : callable
-        Texts of `TEXTS` into another language.
+        The texts above into another language.
 
     Returns
     -------

@@ -13,9 +13,10 @@ from dataclasses import replace
 import numpy as np
 
 from app.measure.results import Choice, Trade
-from app.measure.run import Cancelled, Watch, unwatched
+from app.measure.run import Watch, unwatched
 from app.model.depth import FORMATS, MAPPINGS, DepthBuffer
-from app.model.projection import Projection, ProjectionError
+from app.model.projection import Projection
+from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal
 
 PAIRS = 10_000
 """Neighbours among evenly spaced distances from near to far, as N. Reed compares them (2015)."""
@@ -24,7 +25,7 @@ FARTHEST = 1e4
 _EDGES = 4
 """Of the code that a surface has and the next two, as codes may be wide and narrow by turns."""
 
-BEYOND = "the target lies outside of near and far"
+BEYOND = QT_TRANSLATE_NOOP("Measure", "the target lies outside of near and far")
 
 
 def measure(projection: Projection, watch: Watch = unwatched) -> Trade:
@@ -60,7 +61,7 @@ def measure(projection: Projection, watch: Watch = unwatched) -> Trade:
         memory = FORMATS[format_].bits / 8.0
         try:
             buffer = DepthBuffer.of(lens, format_, mapping)
-        except ProjectionError as error:
+        except Refusal as error:
             choices.append(Choice(name, memory, memory, None, note=str(error)))
             continue
         values = _shares(buffer)

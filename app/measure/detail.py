@@ -16,17 +16,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.measure.results import Choice, Trade
-from app.measure.run import Cancelled, Watch, in_turns, part_of, unwatched
+from app.measure.run import Watch, in_turns, part_of, unwatched
 from app.measure.smoothing import SMOOTHINGS, pane, picture_size
 from app.model.projection import Projection
+from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled
 from app.scenes.fewer_triangles import SHARES, can_be_reduced, reduced
 from app.scenes.scene import Scene
 
 FINER = 3.0
 """Pixels for which an outline is found, along each side of one that is shown."""
 
-TOO_FEW = "the scene has too few triangles to leave any out"
-NOT_SEEN = "nothing of the scene is in the picture"
+TOO_FEW = QT_TRANSLATE_NOOP("Measure", "the scene has too few triangles to leave any out")
+NOT_SEEN = QT_TRANSLATE_NOOP("Measure", "nothing of the scene is in the picture")
 
 _BLOCK = 2048
 

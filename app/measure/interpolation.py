@@ -22,9 +22,10 @@ from typing import NamedTuple
 import numpy as np
 
 from app.measure.results import Choice, Trade
-from app.measure.run import Cancelled, Watch, in_turns, unwatched
+from app.measure.run import Watch, in_turns, unwatched
 from app.model.clipping import clip_segments
 from app.model.projection import Array, Projection
+from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled
 
 SPLITS = (1, 2, 4, 8, 16, 32, 64)
 TEXELS = 256
@@ -32,8 +33,8 @@ TEXELS = 256
 SAMPLES_A_PIXEL = 16
 """So densely the edge is looked at: the largest error is between pixels' middles too."""
 
-NOTHING = "no edge of the scene's box is in the picture"
-PARALLEL = "all of the edge is equally far away: nothing is wrong"
+NOTHING = QT_TRANSLATE_NOOP("Measure", "no edge of the scene's box is in the picture")
+PARALLEL = QT_TRANSLATE_NOOP("Measure", "all of the edge is equally far away: nothing is wrong")
 
 
 class Edge(NamedTuple):

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from app.measure.results import Choice, Trade, named, plain
+from app.model.refusal import QT_TRANSLATE_NOOP
 
 GOOD_ENOUGH = {
     "arithmetic": 0.01,
@@ -15,27 +16,30 @@ GOOD_ENOUGH = {
 }
 """Error that nobody sees, in the trade's unit: a hundredth of a pixel, half a texel, ..."""
 
-FASTEST_IS_BEST = "{0} is the fastest ({1}) and the most exact ({2}): there is nothing to trade."
-TRADE_OFF = (
+FASTEST_IS_BEST = QT_TRANSLATE_NOOP(
+    "Measure", "{0} is the fastest ({1}) and the most exact ({2}): there is nothing to trade."
+)
+TRADE_OFF = QT_TRANSLATE_NOOP(
+    "Measure",
     "{0} is the fastest ({1}, off by {2}), {3} the most exact ({4}, off by {5}); the cheapest"
-    " that is off by less than {6} is {7}."
+    " that is off by less than {6} is {7}.",
 )
-NONE_GOOD = (
+NONE_GOOD = QT_TRANSLATE_NOOP(
+    "Measure",
     "{0} is the fastest ({1}, off by {2}), {3} the most exact ({4}, off by {5}); none is off by"
-    " less than {6}."
+    " less than {6}.",
 )
-DEPTH = (
+DEPTH = QT_TRANSLATE_NOOP(
+    "Measure",
     "At the target, {0} tells surfaces apart from {1} world units on with {2}; the finest,"
-    " {3} with {4}, from {5} on."
+    " {3} with {4}, from {5} on.",
 )
-NOTHING = "Nothing could be measured: {0}."
-SENTENCES = (FASTEST_IS_BEST, TRADE_OFF, NONE_GOOD, DEPTH, NOTHING)
-"""Every template of `meaning`, for translators."""
+NOTHING = QT_TRANSLATE_NOOP("Measure", "Nothing could be measured: {0}.")
 
 
 @dataclass(frozen=True)
 class Meaning:
-    """A sentence: its template, one of `SENTENCES`, and what stands in it."""
+    """A sentence: its template, and what stands in it."""
 
     template: str
     values: tuple[str, ...]

@@ -52,7 +52,7 @@ def truth(projection: Projection, points_world: Array) -> Truth:
 
     Raises
     ------
-    ProjectionError
+    Refusal
         For a free matrix, which has no definition but its cells.
     """
     from mpmath import mp

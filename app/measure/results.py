@@ -36,62 +36,75 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, fields
 from typing import Any
 
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+
 FORMAT = "frustum-lab-measurements"
 VERSION = 1
 
-NOT_RESULTS = "{0}: is not a file of measurements."
-NEWER_RESULTS = "{0}: was measured by another Frustum Lab: its version is {1}, this one reads {2}."
-DAMAGED = "{0}: is damaged: {1}."
-MEASURED_ONLY = "{0} is measured only: the panes are not drawn with it."
-SENTENCES = (NOT_RESULTS, NEWER_RESULTS, DAMAGED, MEASURED_ONLY)
-"""Every sentence of a `ResultsError`, and on choices that cannot be used, for translators."""
+NOT_RESULTS = QT_TRANSLATE_NOOP("Refusal", "{0}: is not a file of measurements.")
+NEWER_RESULTS = QT_TRANSLATE_NOOP(
+    "Refusal", "{0}: was measured by another Frustum Lab: its version is {1}, this one reads {2}."
+)
+DAMAGED = QT_TRANSLATE_NOOP("Refusal", "{0}: is damaged: {1}.")
+MEASURED_ONLY = QT_TRANSLATE_NOOP(
+    "Measure", "{0} is measured only: the panes are not drawn with it."
+)
 COLUMNS = {
-    "error_depth": "depth error (of 1)",
-    "predicted_depth": "predicted depth error (of 1)",
-    "collapsed": "pairs collapsed (of 1)",
-    "collapsed_predicted": "predicted to collapse (of 1)",
-    "memory_mb": "memory (MiB)",
-    "first_frame_ms": "first frame (ms)",
-    "reduce_ms": "reducing (ms)",
+    "error_depth": QT_TRANSLATE_NOOP("Measure", "depth error (of 1)"),
+    "predicted_depth": QT_TRANSLATE_NOOP("Measure", "predicted depth error (of 1)"),
+    "collapsed": QT_TRANSLATE_NOOP("Measure", "pairs collapsed (of 1)"),
+    "collapsed_predicted": QT_TRANSLATE_NOOP("Measure", "predicted to collapse (of 1)"),
+    "memory_mb": QT_TRANSLATE_NOOP("Measure", "memory (MiB)"),
+    "first_frame_ms": QT_TRANSLATE_NOOP("Measure", "first frame (ms)"),
+    "reduce_ms": QT_TRANSLATE_NOOP("Measure", "reducing (ms)"),
 }
 """What a reader is told of further columns, if their names are not words already."""
 SWEEP_NOTES = {
-    "near": "far is 4 near at least",
-    "far": "near is far / 4 at most",
+    "near": QT_TRANSLATE_NOOP("Measure", "far is 4 near at least"),
+    "far": QT_TRANSLATE_NOOP("Measure", "near is far / 4 at most"),
 }
 """What a sweep moves besides its parameter: near must be less than far."""
-JUDGED = "the largest of up to 64 points against 200 digits of mpmath"
+_JUDGED = QT_TRANSLATE_NOOP(
+    "Measure", "the largest of up to {0} points against 200 digits of mpmath"
+)
+JUDGED = _JUDGED.format(64)
 """Which errors those of trade 1 and of the sweeps are."""
 WORDS = (
-    "eye first", "every stage", "exact", "numpy's hstack", "VTK's transform",
-    "matplotlib's proj3d", "perspective-correct", "affine", "{0} pieces", "opengl", "direct3d",
-    "reversed", "logarithmic", "none", "half resolution", "supersampling {0} x {0}",
-    "this OpenGL gives {0} samples", "the same picture",
-    "p95", "predicted", "world units", "texels", "levels RMS", *COLUMNS.values(), "triangles",
-    "near", "far", "fov", "distance", "up", "aspect", *SWEEP_NOTES.values(),
-    JUDGED.replace("64", "{0}"),
-)  # fmt: skip
-"""What names of choices and of columns are put together from, for translators."""
-
-
-class ResultsError(ValueError):
-    """A file of measurements that cannot be used.
-
-    Parameters
-    ----------
-    template : str
-        One of `SENTENCES`.
-    *values : object
-        What stands for ``{0}``, ``{1}``.
-    """
-
-    def __init__(self, template: str, *values: object) -> None:
-        self.template, self.values = template, values
-        super().__init__(template.format(*values))
-
-    def sentence(self, translate: Callable[[str], str] = str) -> str:
-        """The sentence in another language."""
-        return translate(self.template).format(*self.values)
+    QT_TRANSLATE_NOOP("Measure", "eye first"),
+    QT_TRANSLATE_NOOP("Measure", "every stage"),
+    QT_TRANSLATE_NOOP("Measure", "exact"),
+    QT_TRANSLATE_NOOP("Measure", "numpy's hstack"),
+    QT_TRANSLATE_NOOP("Measure", "VTK's transform"),
+    QT_TRANSLATE_NOOP("Measure", "matplotlib's proj3d"),
+    QT_TRANSLATE_NOOP("Measure", "perspective-correct"),
+    QT_TRANSLATE_NOOP("Measure", "affine"),
+    QT_TRANSLATE_NOOP("Measure", "{0} pieces"),
+    QT_TRANSLATE_NOOP("Measure", "opengl"),
+    QT_TRANSLATE_NOOP("Measure", "direct3d"),
+    QT_TRANSLATE_NOOP("Measure", "reversed"),
+    QT_TRANSLATE_NOOP("Measure", "logarithmic"),
+    QT_TRANSLATE_NOOP("Measure", "none"),
+    QT_TRANSLATE_NOOP("Measure", "half resolution"),
+    QT_TRANSLATE_NOOP("Measure", "supersampling {0} x {0}"),
+    QT_TRANSLATE_NOOP("Measure", "this OpenGL gives {0} samples"),
+    QT_TRANSLATE_NOOP("Measure", "the same picture"),
+    QT_TRANSLATE_NOOP("Measure", "p95"),
+    QT_TRANSLATE_NOOP("Measure", "predicted"),
+    QT_TRANSLATE_NOOP("Measure", "world units"),
+    QT_TRANSLATE_NOOP("Measure", "texels"),
+    QT_TRANSLATE_NOOP("Measure", "levels RMS"),
+    *COLUMNS.values(),
+    QT_TRANSLATE_NOOP("Measure", "triangles"),
+    QT_TRANSLATE_NOOP("Measure", "near"),
+    QT_TRANSLATE_NOOP("Measure", "far"),
+    QT_TRANSLATE_NOOP("Measure", "fov"),
+    QT_TRANSLATE_NOOP("Measure", "distance"),
+    QT_TRANSLATE_NOOP("Measure", "up"),
+    QT_TRANSLATE_NOOP("Measure", "aspect"),
+    *SWEEP_NOTES.values(),
+    _JUDGED,
+)
+"""What names of choices and of columns are put together from."""
 
 
 @dataclass(frozen=True)
@@ -303,13 +316,13 @@ class _Reader:
 
     def expect(self, good: bool, what: str) -> None:
         if not good:
-            raise ResultsError(DAMAGED, self._file, f"{self._path or 'it'} must be {what}")
+            raise Refusal.saying(DAMAGED, self._file, f"{self._path or 'it'} must be {what}")
 
     def __getitem__(self, key: str) -> _Reader:
         self.expect(isinstance(self.value, dict), "an object")
         path = f"{self._path}.{key}" if self._path else key
         if key not in self.value:
-            raise ResultsError(DAMAGED, self._file, f"{path} is missing")
+            raise Refusal.saying(DAMAGED, self._file, f"{path} is missing")
         return _Reader(self.value[key], path, self._file)
 
     def items(self) -> list[tuple[str, _Reader]]:
@@ -357,17 +370,17 @@ def from_json(text: str, file: str = "The file") -> Results:
 
     Raises
     ------
-    ResultsError
+    Refusal
         If it is no file of measurements, of another version, or damaged.
     """
     try:
         tree = json.loads(text)
     except (ValueError, RecursionError) as error:
-        raise ResultsError(NOT_RESULTS, file) from error
+        raise Refusal.saying(NOT_RESULTS, file) from error
     if not isinstance(tree, dict) or tree.get("format") != FORMAT:
-        raise ResultsError(NOT_RESULTS, file)
+        raise Refusal.saying(NOT_RESULTS, file)
     if tree.get("version") != VERSION:
-        raise ResultsError(NEWER_RESULTS, file, tree.get("version"), VERSION)
+        raise Refusal.saying(NEWER_RESULTS, file, tree.get("version"), VERSION)
     root = _Reader(tree, "", file)
     document = root["document"]
     document.items()
@@ -449,7 +462,7 @@ def to_csv(part: Trade | Sweep) -> str:
     return text.getvalue()
 
 
-CANCELLED = "cancelled"
+CANCELLED = QT_TRANSLATE_NOOP("Measure", "cancelled")
 """The note of a choice whose turn did not come."""
 
 

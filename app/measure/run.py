@@ -11,23 +11,11 @@ import time
 from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple, TypeAlias
 
+from app.model.refusal import Cancelled
+
 _SHORTEST = 1e-3
 """Seconds that a timing takes at least: shorter runs are repeated, and divided."""
 _LEAST_ROUNDS = 5
-
-
-class Cancelled(Exception):
-    """Whoever waits for the measurement does not want it any more.
-
-    Parameters
-    ----------
-    partial : object, optional
-        What was measured until then, of the kind that would have been returned.
-    """
-
-    def __init__(self, partial: Any = None) -> None:
-        super().__init__()
-        self.partial = partial
 
 
 Watch: TypeAlias = Callable[[float], None]

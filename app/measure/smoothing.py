@@ -19,8 +19,9 @@ from app.drawings.figures import Pixels, off_screen, pixels_of
 from app.drawings.image import ImageDrawing
 from app.drawings.style import LIGHT
 from app.measure.results import Choice, Trade
-from app.measure.run import Cancelled, Watch, in_turns, unwatched
+from app.measure.run import Watch, in_turns, unwatched
 from app.model.projection import Projection
+from app.model.refusal import Cancelled
 from app.scenes.scene import Scene
 
 REFERENCE = 4

@@ -14,7 +14,7 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 
 from app.arithmetic import double_double as dd
-from app.model.values import (
+from app.model.limits import (
     ABOVE,
     AT_LEAST,
     AT_MOST,
@@ -24,13 +24,13 @@ from app.model.values import (
     NOT_ZERO,
     SMALLEST_UP_ANGLE,
     Array,
-    ProjectionError,
     Vector,
     cos_sin_deg,
     finite,
     finite_vector,
     read_only,
 )
+from app.model.refusal import Refusal
 
 Whole: TypeAlias = tuple[int, int, int]
 
@@ -101,7 +101,7 @@ class Camera:
 
     Raises
     ------
-    ProjectionError
+    Refusal
         For a coordinate that is not finite or larger than `LARGEST`, ``eye = target``,
         ``up = 0``, or up within `SMALLEST_UP_ANGLE` of the view direction.
     """
@@ -114,14 +114,14 @@ class Camera:
         for field in ("eye", "target", "up"):
             object.__setattr__(self, field, finite_vector(field, getattr(self, field)))
         if self.eye == self.target:
-            raise ProjectionError("target", self.target, NOT_THE_EYE)
+            raise Refusal("target", self.target, NOT_THE_EYE)
         if self.up == (0.0, 0.0, 0.0):
-            raise ProjectionError("up", self.up, NOT_ZERO)
+            raise Refusal("up", self.up, NOT_ZERO)
         backward, right = self._exact_axes
         up = _whole(self.up)[0]
         sin_squared = Fraction(_dot(right, right), _dot(backward, backward) * _dot(up, up))
         if sin_squared < Fraction(SMALLEST_UP_ANGLE) ** 2:
-            raise ProjectionError("up", self.up, NOT_PARALLEL)
+            raise Refusal("up", self.up, NOT_PARALLEL)
 
     @cached_property
     def _exact_axes(self) -> tuple[Whole, Whole]:
@@ -196,7 +196,7 @@ class Camera:
 
         Raises
         ------
-        ProjectionError
+        Refusal
             For ``distance <= 0``, an elevation outside -90..90, numbers that are not finite, and a
             distance so small that float64 cannot place the eye there beside the target.
         """
@@ -205,16 +205,16 @@ class Camera:
             finite(field, value) for field, value in zip(Orbit._fields, orbit, strict=True)
         )
         if distance <= 0.0:
-            raise ProjectionError("distance", distance, ABOVE, 0)
+            raise Refusal("distance", distance, ABOVE, 0)
         if abs(elevation_deg) > 90.0:
             bound, limit = (AT_MOST, 90) if elevation_deg > 0 else (AT_LEAST, -90)
-            raise ProjectionError("elevation_deg", elevation_deg, bound, limit)
+            raise Refusal("elevation_deg", elevation_deg, bound, limit)
         right, upward, backward = _orbit_axes(azimuth_deg, elevation_deg)
         offset = [distance * b for b in backward]
         eye = tuple(t + o for t, o in zip(target, offset, strict=True))
         held = [e - t for e, t in zip(eye, target, strict=True)]
         if math.dist(held, offset) > 1e-6 * distance:
-            raise ProjectionError("distance", distance, DISTINCT, 0)
+            raise Refusal("distance", distance, DISTINCT, 0)
         if roll_deg == 0.0 and abs(elevation_deg) < 89.9999:
             up: tuple[float, ...] = (0.0, 1.0, 0.0)
         else:

@@ -38,8 +38,8 @@ from app.model.projection import (
     ONE_OF,
     PLANES,
     Array,
-    ProjectionError,
 )
+from app.model.refusal import Refusal
 
 LARGEST_CLIP = 1e307
 """Largest clip coordinate: sums and differences of four of them stay finite."""
@@ -127,32 +127,32 @@ def _points(field: str, value: ArrayLike, size: int) -> Array:
     try:
         given = np.asarray(value)
     except ValueError:  # rows of different lengths
-        raise ProjectionError(field, value, FINITE_NUMBER) from None
+        raise Refusal(field, value, FINITE_NUMBER) from None
     if given.dtype.kind not in "iuf" or given.shape[-1:] != (size,):
-        raise ProjectionError(field, value, FINITE_NUMBER)
+        raise Refusal(field, value, FINITE_NUMBER)
     points = given.astype(np.float64)
     wrong = ~(np.abs(points) <= LARGEST_CLIP)
     if wrong.any():
         number = float(points[wrong][0])
         if not math.isfinite(number):
-            raise ProjectionError(field, number, FINITE_NUMBER)
+            raise Refusal(field, number, FINITE_NUMBER)
         bound, limit = (AT_MOST, LARGEST_CLIP) if number > 0 else (AT_LEAST, -LARGEST_CLIP)
-        raise ProjectionError(field, number, bound, limit)
+        raise Refusal(field, number, bound, limit)
     if size == 4:
         zero = ~points.any(axis=-1)
         if zero.any():
-            raise ProjectionError(field, tuple(points[zero][0].tolist()), NOT_ZERO)
+            raise Refusal(field, tuple(points[zero][0].tolist()), NOT_ZERO)
     return points
 
 
 def _chosen(planes: Iterable[str], depth: str) -> NDArray[np.bool_]:
     """Which of `PLANES` are asked for, after checking their names and the depth range's."""
     if not isinstance(depth, str) or depth not in DEPTH_RANGES:
-        raise ProjectionError("depth", depth, ONE_OF, ", ".join(DEPTH_RANGES))
+        raise Refusal("depth", depth, ONE_OF, ", ".join(DEPTH_RANGES))
     names = [planes] if isinstance(planes, str) else list(planes)
     for name in names:
         if name not in PLANES:
-            raise ProjectionError("planes", name, ONE_OF, ", ".join(PLANES))
+            raise Refusal("planes", name, ONE_OF, ", ".join(PLANES))
     return np.array([plane in names for plane in PLANES])
 
 
@@ -168,7 +168,7 @@ def _refuse_opposite(field: str, starts: Array, ends: Array) -> None:
     wrong = opposite.all(axis=-1)
     if wrong.any():
         end = tuple(ends[wrong][0].tolist())
-        raise ProjectionError(field, end, DISTINCT, "the opposite of the segment's other end")
+        raise Refusal(field, end, DISTINCT, "the opposite of the segment's other end")
 
 
 # --------------------------------------------------------------------------- the six planes
@@ -228,7 +228,7 @@ def clip_segments(
 
     Raises
     ------
-    ProjectionError
+    Refusal
         For another depth range or plane, a coordinate that is not finite or larger than
         `LARGEST_CLIP`, an end of four zeros, or ends that are negative multiples of each other.
 
@@ -330,13 +330,13 @@ def clip_polygon(
 
     Raises
     ------
-    ProjectionError
+    Refusal
         As `clip_segments`, and for fewer than 3 corners.
     """
     chosen = _chosen(planes, depth)
     points = _points("points_clip", points_clip, 4)
     if points.ndim != 2 or len(points) < 3:
-        raise ProjectionError("points_clip", len(np.atleast_2d(points)), AT_LEAST, 3)
+        raise Refusal("points_clip", len(np.atleast_2d(points)), AT_LEAST, 3)
     _refuse_opposite("points_clip", points, np.roll(points, -1, axis=0))
     edges: list[str | None] = [None] * len(points)
     for index in np.flatnonzero(chosen):
@@ -387,13 +387,13 @@ def cut_at_eye(starts_view: ArrayLike, ends_view: ArrayLike, z_cut: float = EYE_
 
     Raises
     ------
-    ProjectionError
+    Refusal
         For a coordinate or `z_cut` that is not finite, or ``z_cut > 0``.
     """
     if isinstance(z_cut, bool) or not isinstance(z_cut, numbers.Real) or not np.isfinite(z_cut):
-        raise ProjectionError("z_cut", z_cut, FINITE_NUMBER)
+        raise Refusal("z_cut", z_cut, FINITE_NUMBER)
     if z_cut > 0.0:
-        raise ProjectionError("z_cut", z_cut, AT_MOST, 0)
+        raise Refusal("z_cut", z_cut, AT_MOST, 0)
     starts, ends = np.broadcast_arrays(
         _points("starts_view", starts_view, 3), _points("ends_view", ends_view, 3)
     )
@@ -436,7 +436,7 @@ def naive_ndc(points_clip: ArrayLike) -> Array:
 
     Raises
     ------
-    ProjectionError
+    Refusal
         For a coordinate that is not finite or larger than `LARGEST_CLIP`, or four zeros.
     """
     points = _points("points_clip", points_clip, 4)

@@ -40,8 +40,8 @@ from app.model.projection import (
     Orthographic,
     Perspective,
     Projection,
-    ProjectionError,
 )
+from app.model.refusal import Refusal
 
 Arithmetic: TypeAlias = Literal["float64", "float32"]
 Codes: TypeAlias = NDArray[np.uint8] | NDArray[np.uint16] | NDArray[np.uint32]
@@ -101,7 +101,7 @@ class DepthBuffer:
 
     Raises
     ------
-    ProjectionError
+    Refusal
         For an unknown name, or what the lens refuses as near and far; for a logarithmic mapping
         with far = inf or a parallel lens.
 
@@ -123,15 +123,15 @@ class DepthBuffer:
             ("mapping", self.mapping, MAPPINGS),
         ):
             if not isinstance(value, str) or value not in known:
-                raise ProjectionError(field, value, ONE_OF, ", ".join(known))
+                raise Refusal(field, value, ONE_OF, ", ".join(known))
         if not isinstance(self.parallel, bool):
-            raise ProjectionError("parallel", self.parallel, ONE_OF, "True, False")
+            raise Refusal("parallel", self.parallel, ONE_OF, "True, False")
         lens = self._lens
         if self.mapping == "logarithmic":
             if self.parallel:
-                raise ProjectionError("mapping", self.mapping, ONE_OF, ", ".join(DEPTH_RANGES))
+                raise Refusal("mapping", self.mapping, ONE_OF, ", ".join(DEPTH_RANGES))
             if lens.far == math.inf:
-                raise ProjectionError("far", lens.far, FINITE_NUMBER)
+                raise Refusal("far", lens.far, FINITE_NUMBER)
         object.__setattr__(self, "near", lens.near)
         object.__setattr__(self, "far", lens.far)
 
@@ -141,7 +141,7 @@ class DepthBuffer:
 
         Raises
         ------
-        ProjectionError
+        Refusal
             As the class, and for a typed matrix.
         """
         return cls(format_, mapping, lens.near, lens.far if far is None else far, lens.parallel)
@@ -173,7 +173,7 @@ class DepthBuffer:
 
         Raises
         ------
-        ProjectionError
+        Refusal
             For a distance that is not a number between near and far; for another arithmetic, or
             ``"float32"`` where it overflows.
         """
@@ -182,7 +182,7 @@ class DepthBuffer:
             return self._depth(w)
         if arithmetic == "float32":
             return self._depth_float32(w)
-        raise ProjectionError("arithmetic", arithmetic, ONE_OF, ", ".join(ARITHMETICS))
+        raise Refusal("arithmetic", arithmetic, ONE_OF, ", ".join(ARITHMETICS))
 
     def encode(self, distance: ArrayLike, arithmetic: Arithmetic = "float64") -> Codes:
         """The code that is stored for a distance.
@@ -201,7 +201,7 @@ class DepthBuffer:
 
         Raises
         ------
-        ProjectionError
+        Refusal
             As `depth`.
         """
         kind = FORMATS[self.format]
@@ -227,7 +227,7 @@ class DepthBuffer:
 
         Raises
         ------
-        ProjectionError
+        Refusal
             For what is not a code of depths 0 to 1 in this format.
         """
         kind = FORMATS[self.format]
@@ -239,7 +239,7 @@ class DepthBuffer:
         )
         if wrong.any():
             allowed = f"the whole numbers from 0 to {kind.largest}"
-            raise ProjectionError("code", codes[wrong][0].tolist(), ONE_OF, allowed)
+            raise Refusal("code", codes[wrong][0].tolist(), ONE_OF, allowed)
         if kind.float_type is None:
             depth = codes / kind.largest
             rest = (kind.largest - codes.astype(np.int64)) / kind.largest
@@ -282,7 +282,7 @@ class DepthBuffer:
 
         Raises
         ------
-        ProjectionError
+        Refusal
             For a distance that is not a number between near and far.
 
         Notes
@@ -327,7 +327,7 @@ class DepthBuffer:
 
         Raises
         ------
-        ProjectionError
+        Refusal
             As `depth`.
         """
         same = self.encode(first, arithmetic) == self.encode(second, arithmetic)
@@ -351,7 +351,7 @@ class DepthBuffer:
 
         Raises
         ------
-        ProjectionError
+        Refusal
             As `depth`.
         """
         one = self._depth(self._distances("distance", first))
@@ -376,17 +376,17 @@ class DepthBuffer:
         try:
             given = np.asarray(value)
         except ValueError:  # rows of different lengths
-            raise ProjectionError(field, value, FINITE_NUMBER) from None
+            raise Refusal(field, value, FINITE_NUMBER) from None
         if given.dtype.kind not in "iuf":
-            raise ProjectionError(field, value, FINITE_NUMBER)
+            raise Refusal(field, value, FINITE_NUMBER)
         distances = given.astype(np.float64)
         inside = (distances >= self.near) & (distances <= self.far)
         if not inside.all():
             wrong = float(distances[~inside][0])
             if math.isnan(wrong):
-                raise ProjectionError(field, wrong, FINITE_NUMBER)
+                raise Refusal(field, wrong, FINITE_NUMBER)
             bound, limit = (AT_LEAST, self.near) if wrong < self.near else (AT_MOST, self.far)
-            raise ProjectionError(field, wrong, bound, limit)
+            raise Refusal(field, wrong, bound, limit)
         return distances
 
     def _depth(self, w: Array) -> Array:
@@ -421,7 +421,7 @@ class DepthBuffer:
                     z = z * single(0.5) + single(0.5)
         depth = np.where(w == math.inf, 0.0 if self._is_reversed else 1.0, z)
         if not np.isfinite(depth).all():
-            raise ProjectionError("arithmetic", "float32", ONE_OF, "float64")
+            raise Refusal("arithmetic", "float32", ONE_OF, "float64")
         return np.asarray(np.clip(depth, 0.0, 1.0), dtype=np.float64)
 
     def _entries(self) -> tuple[float, float]:

@@ -25,6 +25,8 @@ from fractions import Fraction
 from functools import cached_property, lru_cache
 from typing import Any, ClassVar, NamedTuple, TypeAlias
 
+from app.model.refusal import QT_TRANSLATE_NOOP, Bound
+
 LONGEST = 400
 """Characters of a formula."""
 DEEPEST = 30
@@ -32,18 +34,14 @@ DEEPEST = 30
 LARGEST_DEGREE = 100
 """Of the product that a formula is, all powers multiplied out."""
 
-TOO_LONG = "is longer than {0} characters"
-TOO_DEEP = "has more than {0} brackets within each other"
-TOO_LARGE = "has a power that comes to more than {0}"
-UNKNOWN = "has a character that no formula has, {0}"
-EXPECTED = "needs a number, a letter or a bracket instead of {0}"
-UNCLOSED = "needs a closing bracket instead of {0}"
-WHOLE_POWER = "needs a whole number as its power instead of {0}"
-LEFT_OVER = "needs a sign such as + or * in front of {0}"
-REFUSALS = (
-    TOO_LONG, TOO_DEEP, TOO_LARGE, UNKNOWN, EXPECTED, UNCLOSED, WHOLE_POWER, LEFT_OVER,
-)  # fmt: skip
-"""Every sentence a `FormulaError` can end with, for translators."""
+TOO_LONG = QT_TRANSLATE_NOOP("Refusal", "is longer than {0} characters")
+TOO_DEEP = QT_TRANSLATE_NOOP("Refusal", "has more than {0} brackets within each other")
+TOO_LARGE = QT_TRANSLATE_NOOP("Refusal", "has a power that comes to more than {0}")
+UNKNOWN = QT_TRANSLATE_NOOP("Refusal", "has a character that no formula has, {0}")
+EXPECTED = QT_TRANSLATE_NOOP("Refusal", "needs a number, a letter or a bracket instead of {0}")
+UNCLOSED = QT_TRANSLATE_NOOP("Refusal", "needs a closing bracket instead of {0}")
+WHOLE_POWER = QT_TRANSLATE_NOOP("Refusal", "needs a whole number as its power instead of {0}")
+LEFT_OVER = QT_TRANSLATE_NOOP("Refusal", "needs a sign such as + or * in front of {0}")
 
 
 class FormulaError(ValueError):
@@ -55,13 +53,13 @@ class FormulaError(ValueError):
         As it was typed.
     position : int
         Of the character, from 0, at which it stops being one.
-    refusal : str
-        One of `REFUSALS`, with ``{0}`` for the figure.
+    refusal : Bound
+        What is wrong, with ``{0}`` for the figure.
     figure : object
         The limit, or what stands there.
     """
 
-    def __init__(self, text: str, position: int, refusal: str, figure: object) -> None:
+    def __init__(self, text: str, position: int, refusal: Bound, figure: object) -> None:
         self.text, self.position, self.refusal, self.figure = text, position, refusal, figure
         super().__init__(f"The formula {refusal.format(figure)} (character {position + 1}).")
 
@@ -377,7 +375,7 @@ class _Reader:
         self._next += 1
         return token.text
 
-    def _refused(self, refusal: str) -> FormulaError:
+    def _refused(self, refusal: Bound) -> FormulaError:
         return FormulaError(self._text, self._token.position, refusal, self._token.text)
 
     def _sum(self) -> Formula:

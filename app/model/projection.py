@@ -67,23 +67,12 @@ from app.model.lenses.perspective import (
     fov_y_from_focal_length_e,
     fov_y_from_window,
 )
-from app.model.tables import (
-    NO_M_PP,
-    NO_OBJECT_TRANSFORM,
-    NOTES,
-    OBJECT,
-    SCALED_BY_NEAR,
-    VIEWPORT,
-    Step,
-    evaluated,
-)
-from app.model.values import (
+from app.model.limits import (
     ABOVE,
     AT_LEAST,
     AT_MOST,
     BETWEEN,
     BOTTOM_BEFORE_TOP,
-    BOUNDS,
     DEPTH_RANGES,
     DISTINCT,
     FAR_BEYOND_NEAR,
@@ -118,15 +107,21 @@ from app.model.values import (
     Cells,
     DepthRange,
     Keep,
-    ProjectionError,
     Vector,
     finite,
     finite_matrix,
-    format_value,
     keep_checked,
     read_only,
-    shown_limits,
-    six_digits,
+)
+from app.model.refusal import Refusal, format_value
+from app.model.tables import (
+    NO_M_PP,
+    NO_OBJECT_TRANSFORM,
+    OBJECT,
+    SCALED_BY_NEAR,
+    VIEWPORT,
+    Step,
+    evaluated,
 )
 
 __all__ = [  # the model's one door: what its other rooms hold can be had here
@@ -135,7 +130,6 @@ __all__ = [  # the model's one door: what its other rooms hold can be had here
     "AT_MOST",
     "BETWEEN",
     "BOTTOM_BEFORE_TOP",
-    "BOUNDS",
     "DEPTH_RANGES",
     "DISTINCT",
     "FAR_BEYOND_NEAR",
@@ -149,7 +143,6 @@ __all__ = [  # the model's one door: what its other rooms hold can be had here
     "LEFT_BEFORE_RIGHT",
     "LENSES",
     "NEAR_BEFORE_FAR",
-    "NOTES",
     "NOT_PARALLEL",
     "NOT_THE_EYE",
     "NOT_ZERO",
@@ -186,7 +179,6 @@ __all__ = [  # the model's one door: what its other rooms hold can be had here
     "Orthographic",
     "Perspective",
     "Projection",
-    "ProjectionError",
     "Rationals",
     "Stage",
     "Trace",
@@ -195,15 +187,12 @@ __all__ = [  # the model's one door: what its other rooms hold can be had here
     "finite_matrix",
     "focal_length_35mm",
     "focal_length_e",
-    "format_value",
     "fov_x_from_fov_y",
     "fov_y_from_focal_length_35mm",
     "fov_y_from_focal_length_e",
     "fov_y_from_window",
     "oblique_angles",
     "receding_of",
-    "shown_limits",
-    "six_digits",
 ]
 
 _LARGE_STRETCH = 2.0**24  # `Projection.stretch` up to which dot products of 75 bits will do
@@ -273,7 +262,7 @@ class Stage(NamedTuple):
     factors : tuple of (str, (4, 4) array)
         Named factors whose product, in this order, is the matrix; empty for the identity.
     note : str
-        What is special about it for this lens, one of `NOTES`; empty if nothing is.
+        What is special about it for this lens; empty if nothing is.
     """
 
     name: str
@@ -364,7 +353,7 @@ def _inverse(field: str, matrix: Rationals) -> Rationals:
     rank, _, inverse = eliminate(matrix)
     if inverse is None:
         cells = tuple(map(tuple, _rounded(matrix).tolist()))
-        raise ProjectionError(field, cells, INVERTIBLE, rank)
+        raise Refusal(field, cells, INVERTIBLE, rank)
     return inverse
 
 
@@ -396,7 +385,7 @@ class Projection:
 
     Raises
     ------
-    ProjectionError
+    Refusal
         For an image side outside 1..`LARGEST_IMAGE_PX` or an unknown depth range.
     """
 
@@ -411,15 +400,13 @@ class Projection:
             if len(size) != 2:
                 raise TypeError
         except TypeError:
-            raise ProjectionError(
-                "image", self.image_size, WHOLE_PIXELS, LARGEST_IMAGE_PX
-            ) from None
+            raise Refusal("image", self.image_size, WHOLE_PIXELS, LARGEST_IMAGE_PX) from None
         for name, side in zip(("width", "height"), size, strict=True):
             whole = isinstance(side, numbers.Integral) and not isinstance(side, bool)
             if not whole or not 1 <= side <= LARGEST_IMAGE_PX:
-                raise ProjectionError(name, side, WHOLE_PIXELS, LARGEST_IMAGE_PX)
+                raise Refusal(name, side, WHOLE_PIXELS, LARGEST_IMAGE_PX)
         if not isinstance(self.depth, str) or self.depth not in DEPTH_RANGES:
-            raise ProjectionError("depth", self.depth, ONE_OF, ", ".join(DEPTH_RANGES))
+            raise Refusal("depth", self.depth, ONE_OF, ", ".join(DEPTH_RANGES))
         keep_checked(self, image_size=(int(size[0]), int(size[1])))
         self.lens.check_image(Fraction(*self.image_size))
 
@@ -452,11 +439,11 @@ class Projection:
 
         Raises
         ------
-        ProjectionError
+        Refusal
             For a parallel lens and for a free matrix, which have none.
         """
         if not self.lens.central:
-            raise ProjectionError("kind", self.lens.kind, ONE_OF, "perspective, frustum")
+            raise Refusal("kind", self.lens.kind, ONE_OF, "perspective, frustum")
         width, height = self.image_size
         if isinstance(self.lens, Perspective):  # square pixels, and the axis in the middle
             focal = height / 2.0 * self.lens.cot_half_fov_y
@@ -524,7 +511,7 @@ class Projection:
 
         Raises
         ------
-        ProjectionError
+        Refusal
             For a free matrix without an inverse.
         """
         table = self.lens.table.view_from_clip
@@ -603,12 +590,12 @@ class Projection:
 
     @cached_property
     def _eye_from_clip(self) -> Rationals:
-        """The inverse of `exact_from_eye`'s clip matrix, or a `ProjectionError`."""
+        """The inverse of `exact_from_eye`'s clip matrix, or a `Refusal`."""
         view_from_clip = _inverse("clip_from_view", self.direct_stages[0].exact)
         inverse = product(_inverse("view_from_world", self.exact_from_eye[0]), view_from_clip)
         if max(abs(part) for row in inverse for part in row) > LARGEST_INVERSE:
             cells = self.clip_from_view.tolist()
-            raise ProjectionError("clip_from_view", cells, SMALL_INVERSE)
+            raise Refusal("clip_from_view", cells, SMALL_INVERSE)
         return inverse
 
     @cached_property
@@ -623,7 +610,7 @@ class Projection:
             return 1
         try:
             x, y, z, w = self._eye_from_clip[3]
-        except ProjectionError:
+        except Refusal:
             return 0
         ends = [w + z * Fraction(z_ndc) for z_ndc in self.depth_range]
         reach = abs(x) + abs(y)
@@ -647,7 +634,7 @@ class Projection:
 
         Raises
         ------
-        ProjectionError
+        Refusal
             For a free matrix without an inverse, or one that float64 cannot hold.
         """
         shift = _translation(self.camera.eye - np.asarray(origin, dtype=np.float64))
@@ -730,7 +717,7 @@ class Projection:
 
         Raises
         ------
-        ProjectionError
+        Refusal
             For a free matrix without an inverse.
         """
         if self.lens.planes is None:
@@ -766,7 +753,7 @@ class Projection:
 
         Raises
         ------
-        ProjectionError
+        Refusal
             If a coordinate is not a finite number.
 
         Notes
@@ -997,7 +984,7 @@ class Projection:
 
         Raises
         ------
-        ProjectionError
+        Refusal
             If a number is not finite, a depth is outside [0, 1], or one is that of a far plane
             at infinity (or farther than 1e250), where a pixel has a direction but no point. And
             for a free matrix without an inverse.
@@ -1006,7 +993,7 @@ class Projection:
         depth = points[..., 2]
         for wrong, bound, limit in ((depth < 0.0, AT_LEAST, 0), (depth > 1.0, AT_MOST, 1)):
             if wrong.any():
-                raise ProjectionError("depth", float(depth[wrong][0]), bound, limit)
+                raise Refusal("depth", float(depth[wrong][0]), bound, limit)
         if self.lens.planes is None:
             return self._world_from_image_free(points)
         # From 0 at the near plane to 1 at the far one, and what is left of it, without a
@@ -1022,7 +1009,7 @@ class Projection:
             x, y = self.lens.outwards(x, y, distance)
         nowhere = ~(np.abs(x) + np.abs(y) + np.abs(distance) < _BEYOND)
         if nowhere.any():
-            raise ProjectionError("depth", float(depth[nowhere][0]), NO_POINT)
+            raise Refusal("depth", float(depth[nowhere][0]), NO_POINT)
         # With twice the digits, so that there and back together stay within 1e-15 of w.
         view = [DoubleDouble(part, np.zeros_like(part)) for part in (x, y, -distance)]
         world = np.empty_like(points)
@@ -1051,7 +1038,7 @@ class Projection:
             world = offsets[..., :3] / offsets[..., 3:] + self.camera.eye
         nowhere = ~(np.abs(world).max(axis=-1) < _BEYOND)
         if nowhere.any():
-            raise ProjectionError("depth", float(points[..., 2][nowhere][0]), NO_POINT)
+            raise Refusal("depth", float(points[..., 2][nowhere][0]), NO_POINT)
         return np.asarray(world)
 
     # -- the same picture with another lens
@@ -1065,7 +1052,7 @@ class Projection:
 
         Raises
         ------
-        ProjectionError
+        Refusal
             For another depth range.
         """
         if depth == self.depth:
@@ -1088,12 +1075,12 @@ class Projection:
 
         Raises
         ------
-        ProjectionError
+        Refusal
             For another kind.
         """
         kinds = (*LENSES, FreeMatrix.kind)
         if kind not in kinds:
-            raise ProjectionError("kind", kind, ONE_OF, ", ".join(kinds))
+            raise Refusal("kind", kind, ONE_OF, ", ".join(kinds))
         if kind == self.lens.kind:
             return self
         if self.lens.former is not self.lens:
@@ -1114,7 +1101,7 @@ class Projection:
 
         Raises
         ------
-        ProjectionError
+        Refusal
             For planes that the lens cannot have, and for a free matrix.
         """
         return replace(self, lens=self.lens.cut(self.window, near, far))
@@ -1135,7 +1122,7 @@ class Projection:
 
         Raises
         ------
-        ProjectionError
+        Refusal
             For a focal length that is not above 0 or a number that is not finite, and for a
             window that a `Frustum` refuses.
         """
@@ -1144,15 +1131,15 @@ class Projection:
         )
         for name, value in (("fx", fx), ("fy", fy)):
             if value <= 0.0:
-                raise ProjectionError(name, value, ABOVE, 0)
+                raise Refusal(name, value, ABOVE, 0)
         width, height = self.image_size
         for name, value, side, centre in (("fx", fx, width, cx), ("fy", fy, height, cy)):
             least = (abs(centre) + side + 1.0) * SMALLEST_FIELD
             if value < least:
-                raise ProjectionError(name, value, AT_LEAST, format_value(least))
+                raise Refusal(name, value, AT_LEAST, format_value(least))
             if value > side / (2.0 * SMALLEST_OPENING):
                 most = format_value(side / (2.0 * SMALLEST_OPENING))
-                raise ProjectionError(name, value, AT_MOST, most)
+                raise Refusal(name, value, AT_MOST, most)
         lens = self.with_lens("frustum").lens
         near, far = lens.near, lens.far
         if fx == fy and cx == (width - 1) / 2.0 and cy == (height - 1) / 2.0:
@@ -1168,19 +1155,19 @@ def checked_points(points: ArrayLike) -> Array:
 
     Raises
     ------
-    ProjectionError
+    Refusal
         If they are not rows of three finite numbers up to `LARGEST`.
     """
     try:
         given = np.asarray(points)
     except ValueError:  # rows of different lengths
-        raise ProjectionError("points", points, THREE_NUMBERS) from None
+        raise Refusal("points", points, THREE_NUMBERS) from None
     if given.dtype.kind not in "iuf" or given.shape[-1:] != (3,):
-        raise ProjectionError("points", points, THREE_NUMBERS)
+        raise Refusal("points", points, THREE_NUMBERS)
     checked = given.astype(np.float64)
     if not checked.size or (checked.max() <= LARGEST and checked.min() >= -LARGEST):
         return checked
     wrong = ~np.isfinite(checked).all(axis=-1) | (np.abs(checked) > LARGEST).any(axis=-1)
     if wrong.any():
-        raise ProjectionError("points", tuple(checked[wrong][0].tolist()), THREE_NUMBERS)
+        raise Refusal("points", tuple(checked[wrong][0].tolist()), THREE_NUMBERS)
     return checked

@@ -10,6 +10,7 @@ from collections.abc import Mapping
 from typing import Any, NamedTuple, TypeAlias
 
 from app.model.formula import EXACT, Arithmetic, Formula, parse
+from app.model.refusal import QT_TRANSLATE_NOOP
 
 Table: TypeAlias = tuple[tuple[Formula, ...], ...]
 """A (4, 4) matrix of formulas."""
@@ -49,7 +50,7 @@ class Step(NamedTuple):
     factors : tuple of (str, Table)
         Named matrices whose product, in this order, is the step; none for the identity.
     note : str
-        What is special about it for this lens, one of `NOTES`; empty if nothing is.
+        What is special about it for this lens, marked for translation; empty if nothing is.
     """
 
     name: str
@@ -57,11 +58,13 @@ class Step(NamedTuple):
     note: str = ""
 
 
-NO_OBJECT_TRANSFORM = "the scene's objects are given in world coordinates"
-NO_M_PP = "a parallel lens has no M_pp: this is the identity"
-SCALED_BY_NEAR = "far is infinite: the canonical pyramid is scaled by near, which is at z = -1"
-NOTES = (NO_OBJECT_TRANSFORM, NO_M_PP, SCALED_BY_NEAR)
-"""Every note of a step, for translators."""
+NO_OBJECT_TRANSFORM = QT_TRANSLATE_NOOP(
+    "Stage", "the scene's objects are given in world coordinates"
+)
+NO_M_PP = QT_TRANSLATE_NOOP("Stage", "a parallel lens has no M_pp: this is the identity")
+SCALED_BY_NEAR = QT_TRANSLATE_NOOP(
+    "Stage", "far is infinite: the canonical pyramid is scaled by near, which is at z = -1"
+)
 
 OBJECT = Step("world_from_object", note=NO_OBJECT_TRANSFORM)
 

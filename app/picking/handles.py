@@ -20,15 +20,8 @@ from typing import Literal, NamedTuple, TypeAlias
 
 import numpy as np
 
-from app.model.projection import (
-    LENSES,
-    ONE_OF,
-    Array,
-    Perspective,
-    Projection,
-    ProjectionError,
-    Vector,
-)
+from app.model.projection import LENSES, ONE_OF, Array, Perspective, Projection, Vector
+from app.model.refusal import Refusal
 from app.picking.picking import Sight
 
 Change: TypeAlias = dict[str, "float | Vector"]
@@ -248,11 +241,11 @@ def dollied(projection: Projection, factor: float) -> Change:
 
     Raises
     ------
-    ProjectionError
+    Refusal
         Where a typed view matrix has taken the camera's place.
     """
     if not has_camera(projection):
-        raise ProjectionError("kind", projection.lens.kind, ONE_OF, ", ".join(LENSES))
+        raise Refusal("kind", projection.lens.kind, ONE_OF, ", ".join(LENSES))
     eye, target = np.array(projection.camera.eye), np.array(projection.camera.target)
     return {"eye": _vector(target + factor * (eye - target))}
 
@@ -268,7 +261,7 @@ def changed(projection: Projection, change: Mapping[str, float | Vector]) -> Pro
 
     Raises
     ------
-    ProjectionError
+    Refusal
         If there is no such camera or lens.
     """
     camera = {name: value for name, value in change.items() if name in _CAMERA}

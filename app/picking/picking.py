@@ -21,7 +21,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from app.model.projection import LARGEST, Array, Projection, ProjectionError, Vector
+from app.model.projection import LARGEST, Array, Projection, Vector
+from app.model.refusal import Refusal
 
 VERTEX_WITHIN_PX = 6.0
 """A vertex that is seen so close to the pixel is what was meant, not the face beside it."""
@@ -194,7 +195,7 @@ def _line_of_cube(projection: Projection, probe: Probe, shares: ArrayLike) -> Ar
         return _line_in_front(projection, ends, shares)
     try:
         start, end = projection.world_from_image(ends[:, :3])
-    except ProjectionError:  # a pixel beside the picture may meet infinity
+    except Refusal:  # a pixel beside the picture may meet infinity
         return None
     line: Array = start + np.asarray(shares, dtype=np.float64)[:, None] * (end - start)
     return line
@@ -209,7 +210,7 @@ def _line_in_front(projection: Projection, ends: Array, shares: ArrayLike) -> Ar
     eye = projection.camera.eye
     try:
         unprojected = projection.world_from_clip_at(eye)
-    except ProjectionError:  # no inverse
+    except Refusal:  # no inverse
         return None
     ndc = np.linalg.solve(projection.image_from_ndc, ends.T)
     near, far = (unprojected @ ndc).T
@@ -267,7 +268,7 @@ def dragged(
             x_px, y_px = x_px + right_px, y_px + down_px
         try:
             return _vector(projection.world_from_image((x_px, y_px, depth)))
-        except ProjectionError:  # no inverse, beyond the depth range, or at infinity
+        except Refusal:  # no inverse, beyond the depth range, or at infinity
             return None
     distance = -float(trace.view[2])
     held = Probe(0, point)

@@ -33,11 +33,11 @@ from app.model.projection import (
     ExactLens,
     Oblique,
     Projection,
-    ProjectionError,
     Trace,
     Vector,
     checked_points,
 )
+from app.model.refusal import Refusal
 
 Rung: TypeAlias = Literal["float32", "float64", "exact"]
 RUNGS: tuple[Rung, ...] = ("float32", "float64", "exact")
@@ -454,11 +454,11 @@ def trace(
 
     Raises
     ------
-    ProjectionError
+    Refusal
         For coordinates that are not finite numbers, or another rung.
     """
     if rung not in RUNGS:
-        raise ProjectionError("rung", rung, ONE_OF, ", ".join(RUNGS))
+        raise Refusal("rung", rung, ONE_OF, ", ".join(RUNGS))
     if rung == "float64":
         return projection.trace(points_world)
     world = checked_points(points_world)

@@ -11,15 +11,8 @@ import math
 from dataclasses import dataclass, fields
 
 from app.model.depth import FORMATS, MAPPINGS, DepthBuffer
-from app.model.projection import (
-    AT_LEAST,
-    AT_MOST,
-    FINITE_NUMBER,
-    LENSES,
-    ONE_OF,
-    Projection,
-    ProjectionError,
-)
+from app.model.projection import AT_LEAST, AT_MOST, FINITE_NUMBER, LENSES, ONE_OF, Projection
+from app.model.refusal import Refusal
 
 AUTO = "auto"
 RUNGS = (AUTO, "float32", "float64")
@@ -57,7 +50,7 @@ class Quality:
 
     Raises
     ------
-    ProjectionError
+    Refusal
         For a name that is not known, or a share that cannot be drawn.
     """
 
@@ -72,16 +65,16 @@ class Quality:
             value = getattr(self, field)
             if not isinstance(value, str) or value not in known:
                 names = ", ".join(name or "''" for name in known)
-                raise ProjectionError(f"quality.{field}", value, ONE_OF, names)
+                raise Refusal(f"quality.{field}", value, ONE_OF, names)
         detail = self.detail
         if isinstance(detail, bool) or not isinstance(detail, (int, float)):
-            raise ProjectionError("quality.detail", detail, FINITE_NUMBER)
+            raise Refusal("quality.detail", detail, FINITE_NUMBER)
         if not math.isfinite(detail):
-            raise ProjectionError("quality.detail", detail, FINITE_NUMBER)
+            raise Refusal("quality.detail", detail, FINITE_NUMBER)
         if detail < LEAST_DETAIL:
-            raise ProjectionError("quality.detail", detail, AT_LEAST, LEAST_DETAIL)
+            raise Refusal("quality.detail", detail, AT_LEAST, LEAST_DETAIL)
         if detail > 1.0:
-            raise ProjectionError("quality.detail", detail, AT_MOST, 1)
+            raise Refusal("quality.detail", detail, AT_MOST, 1)
         object.__setattr__(self, "detail", float(detail))
 
     @property
@@ -104,19 +97,19 @@ class Quality:
 
         Raises
         ------
-        ProjectionError
+        Refusal
             If the lens cannot have it.
         """
         lens = projection.lens
         if lens.planes is None:
-            raise ProjectionError("lens.kind", lens.kind, ONE_OF, ", ".join(LENSES))
+            raise Refusal("lens.kind", lens.kind, ONE_OF, ", ".join(LENSES))
         try:
             return DepthBuffer.of(
                 lens, self.depth_format or "fixed24", self.depth_mapping or projection.depth
             )
-        except ProjectionError as error:
+        except Refusal as error:
             path = {"mapping": "quality.depth_mapping"}.get(error.field, error.field)
-            raise ProjectionError(path, error.value, error.bound, *error.limits) from error
+            raise Refusal(path, error.value, error.bound, *error.limits) from error
 
 
 AUTOMATIC = Quality()

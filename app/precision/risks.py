@@ -11,35 +11,42 @@ from itertools import product
 from typing import NamedTuple
 
 from app.model.depth import DepthBuffer
-from app.model.projection import (
-    INVERTIBLE,
-    PLANES,
-    Perspective,
-    Projection,
-    ProjectionError,
-    Vector,
-)
+from app.model.projection import INVERTIBLE, PLANES, Perspective, Projection, Vector
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.precision.levels import Prediction, Rung, rung_for_reading
 
-NO_GAP = "At the target, a 24-bit depth buffer cannot tell any two surfaces apart"
-WIDE_GAP = "At the target, a 24-bit depth buffer tells surfaces apart only from {0} on"
-FEW_DIGITS = (
-    "In float64 only {0} decimals of a pixel and {1} of the depth would be certain: the numbers "
-    "are computed exactly"
+NO_GAP = QT_TRANSLATE_NOOP(
+    "Health", "At the target, a 24-bit depth buffer cannot tell any two surfaces apart"
 )
-NO_PICTURE = "None of the scene's objects is in the picture: all lie beyond the {0} plane"
-NO_FLOAT32 = "A GPU's float32 cannot hold this picture: it is computed in float64"
-ROUGH_DRAWING = "A GPU's float32 would draw up to {0} px off: the picture is computed in float64"
-NO_INVERSE = "The free matrix has no inverse: no frustum is drawn"
-LARGE_INVERSE = "The free matrix is too nearly singular: no frustum is drawn"
-REACHES_INFINITY = "The free matrix' view volume reaches infinity: no frustum is drawn"
-VTK_CLAMPS = "VTK's own camera would clamp the field of view to {0}°"
-VTK_DROPS = "The scene is {0} times as large as near: VTK by itself drops what is near from 1e7 on"
-SENTENCES = (
-    NO_PICTURE, NO_GAP, WIDE_GAP, FEW_DIGITS, NO_FLOAT32, ROUGH_DRAWING, NO_INVERSE,
-    LARGE_INVERSE, REACHES_INFINITY, VTK_CLAMPS, VTK_DROPS,
-)  # fmt: skip
-"""Every sentence of a `Risk`, for translators."""
+WIDE_GAP = QT_TRANSLATE_NOOP(
+    "Health", "At the target, a 24-bit depth buffer tells surfaces apart only from {0} on"
+)
+FEW_DIGITS = QT_TRANSLATE_NOOP(
+    "Health",
+    "In float64 only {0} decimals of a pixel and {1} of the depth would be certain: the numbers "
+    "are computed exactly",
+)
+NO_PICTURE = QT_TRANSLATE_NOOP(
+    "Health", "None of the scene's objects is in the picture: all lie beyond the {0} plane"
+)
+NO_FLOAT32 = QT_TRANSLATE_NOOP(
+    "Health", "A GPU's float32 cannot hold this picture: it is computed in float64"
+)
+ROUGH_DRAWING = QT_TRANSLATE_NOOP(
+    "Health", "A GPU's float32 would draw up to {0} px off: the picture is computed in float64"
+)
+NO_INVERSE = QT_TRANSLATE_NOOP("Health", "The free matrix has no inverse: no frustum is drawn")
+LARGE_INVERSE = QT_TRANSLATE_NOOP(
+    "Health", "The free matrix is too nearly singular: no frustum is drawn"
+)
+REACHES_INFINITY = QT_TRANSLATE_NOOP(
+    "Health", "The free matrix' view volume reaches infinity: no frustum is drawn"
+)
+VTK_CLAMPS = QT_TRANSLATE_NOOP("Health", "VTK's own camera would clamp the field of view to {0}°")
+VTK_DROPS = QT_TRANSLATE_NOOP(
+    "Health",
+    "The scene is {0} times as large as near: VTK by itself drops what is near from 1e7 on",
+)
 
 _GAP = 1e-3  # of the scene's size: surfaces nearer to each other than this are drawn
 _SEEN_PX = 0.5  # an error that lights another pixel
@@ -48,7 +55,7 @@ _VTK_DROPS_FROM = 1e6  # of extent over near: told before it happens
 
 
 class Risk(NamedTuple):
-    """One sentence: a template of `SENTENCES` and the figures in it."""
+    """One sentence: a template and the figures in it."""
 
     template: str
     figures: tuple[str, ...] = ()
@@ -60,7 +67,7 @@ class Risk(NamedTuple):
 def _why_no_frustum(projection: Projection) -> str:
     try:
         projection.world_from_clip_at(projection.camera.eye)
-    except ProjectionError as error:
+    except Refusal as error:
         return NO_INVERSE if error.bound == INVERTIBLE else LARGE_INVERSE
     return REACHES_INFINITY
 

@@ -26,7 +26,8 @@ from urllib.parse import unquote
 import numpy as np
 from numpy.typing import NDArray
 
-from app.strangers import LARGEST_FILE, open_regular, printable
+from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal
+from app.strangers import LARGEST_FILE, open_regular
 
 Floats: TypeAlias = NDArray[np.float64]
 Ints: TypeAlias = NDArray[np.int64]
@@ -40,168 +41,167 @@ PAINT_RGB = (184, 194, 208)
 """Colour of a surface that brings none."""
 
 # What can be wrong with a file: whole sentences, so that they can be translated.
-NO_FILE = "{0}: there is no such file; check its name and folder."
-FOLDER = "{0}: this is a folder; choose a mesh file inside it."
-NO_PERMISSION = "{0}: no permission to read it; change its permissions."
-UNREADABLE = "{0}: cannot be read ({1})."
-BAD_NAME = "{0}: not a possible file name; rename the file."
-EMPTY = "{0}: the file is empty; save or download it again."
-NO_VERTICES = (
+NO_FILE = QT_TRANSLATE_NOOP("Refusal", "{0}: there is no such file; check its name and folder.")
+FOLDER = QT_TRANSLATE_NOOP("Refusal", "{0}: this is a folder; choose a mesh file inside it.")
+NO_PERMISSION = QT_TRANSLATE_NOOP(
+    "Refusal", "{0}: no permission to read it; change its permissions."
+)
+UNREADABLE = QT_TRANSLATE_NOOP("Refusal", "{0}: cannot be read ({1}).")
+BAD_NAME = QT_TRANSLATE_NOOP("Refusal", "{0}: not a possible file name; rename the file.")
+EMPTY = QT_TRANSLATE_NOOP("Refusal", "{0}: the file is empty; save or download it again.")
+NO_VERTICES = QT_TRANSLATE_NOOP(
+    "Refusal",
     "{0}: the file holds no faces (and no vertices), so that there is no surface to draw; "
-    "export the mesh with faces."
+    "export the mesh with faces.",
 )
-ONE_VERTEX = (
+ONE_VERTEX = QT_TRANSLATE_NOOP(
+    "Refusal",
     "{0}: the file holds no faces (one vertex), so that there is no surface to draw; "
-    "export the mesh with faces."
+    "export the mesh with faces.",
 )
-ONLY_VERTICES = (
+ONLY_VERTICES = QT_TRANSLATE_NOOP(
+    "Refusal",
     "{0}: the file holds no faces ({1} vertices), so that there is no surface to draw; "
-    "export the mesh with faces."
+    "export the mesh with faces.",
 )
-SMALL_FACE = (
+SMALL_FACE = QT_TRANSLATE_NOOP(
+    "Refusal",
     "{0}: {1} face of {2} has fewer than three corners; "
-    "the file is damaged or cut off, save or download it again."
+    "the file is damaged or cut off, save or download it again.",
 )
-SMALL_FACES = (
+SMALL_FACES = QT_TRANSLATE_NOOP(
+    "Refusal",
     "{0}: {1} faces of {2} have fewer than three corners; "
-    "the file is damaged or cut off, save or download it again."
+    "the file is damaged or cut off, save or download it again.",
 )
-NO_SUCH_VERTEX = (
+NO_SUCH_VERTEX = QT_TRANSLATE_NOOP(
+    "Refusal",
     "{0}: a face names a vertex that does not exist (there are {1}); "
-    "the file is damaged or cut off, save or download it again."
+    "the file is damaged or cut off, save or download it again.",
 )
-VERTEX_NOT_FINITE = (
-    "{0}: {1} vertex of {2} is not finite (nan or inf); repair the mesh and export it again."
+VERTEX_NOT_FINITE = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "{0}: {1} vertex of {2} is not finite (nan or inf); repair the mesh and export it again.",
 )
-VERTICES_NOT_FINITE = (
-    "{0}: {1} vertices of {2} are not finite (nan or inf); repair the mesh and export it again."
+VERTICES_NOT_FINITE = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "{0}: {1} vertices of {2} are not finite (nan or inf); repair the mesh and export it again.",
 )
-TOO_MUCH = (
+TOO_MUCH = QT_TRANSLATE_NOOP(
+    "Refusal",
     "{0}: it would grow to {1} triangles and {2} MiB, and at most {3} triangles and {4} MiB "
-    "are shown; make it smaller."
+    "are shown; make it smaller.",
 )
-NO_MEMORY = "{0}: there is not enough memory to read it; make it smaller, or close other programs."
-FAILED = "{0}: it cannot be read ({1}); export or download the file again."
-NOT_OBJ = "{0}: line {1} cannot be read as OBJ; export or download the file again."
-NOT_STL = (
+NO_MEMORY = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "{0}: there is not enough memory to read it; make it smaller, or close other programs.",
+)
+FAILED = QT_TRANSLATE_NOOP(
+    "Refusal", "{0}: it cannot be read ({1}); export or download the file again."
+)
+NOT_OBJ = QT_TRANSLATE_NOOP(
+    "Refusal", "{0}: line {1} cannot be read as OBJ; export or download the file again."
+)
+NOT_STL = QT_TRANSLATE_NOOP(
+    "Refusal",
     "{0}: this is not an STL file, neither text (which begins with “solid”) nor binary; "
-    "check what kind of file it is."
+    "check what kind of file it is.",
 )
-STL_CUT_OFF = (
-    "{0}: the file is cut off after {1} of {2} triangles; export or download the file again."
+STL_CUT_OFF = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "{0}: the file is cut off after {1} of {2} triangles; export or download the file again.",
 )
-STL_NUMBERS = (
-    "{0}: a facet has not three vertices of three numbers; export or download the file again."
+STL_NUMBERS = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "{0}: a facet has not three vertices of three numbers; export or download the file again.",
 )
-STL_FACET_CUT_OFF = (
-    "{0}: the file is cut off in the middle of a facet; export or download the file again."
+STL_FACET_CUT_OFF = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "{0}: the file is cut off in the middle of a facet; export or download the file again.",
 )
-NOT_PLY = (
+NOT_PLY = QT_TRANSLATE_NOOP(
+    "Refusal",
     "{0}: this is not a PLY file, which begins with “ply” and has a line “end_header”; "
-    "check what kind of file it is."
+    "check what kind of file it is.",
 )
-PLY_HEADER = "{0}: its PLY header does not describe a mesh; export or download the file again."
-PLY_NUMBERS = (
+PLY_HEADER = QT_TRANSLATE_NOOP(
+    "Refusal", "{0}: its PLY header does not describe a mesh; export or download the file again."
+)
+PLY_NUMBERS = QT_TRANSLATE_NOOP(
+    "Refusal",
     "{0}: there is something between its numbers that is not a number; "
-    "export or download the file again."
+    "export or download the file again.",
 )
-PLY_NO_XYZ = "{0}: its vertices have no x, y, z; export or download the file again."
-PLY_NO_CORNERS = "{0}: its faces have no list vertex_indices; export or download the file again."
-PLY_CUT_OFF = (
+PLY_NO_XYZ = QT_TRANSLATE_NOOP(
+    "Refusal", "{0}: its vertices have no x, y, z; export or download the file again."
+)
+PLY_NO_CORNERS = QT_TRANSLATE_NOOP(
+    "Refusal", "{0}: its faces have no list vertex_indices; export or download the file again."
+)
+PLY_CUT_OFF = QT_TRANSLATE_NOOP(
+    "Refusal",
     "{0}: the file is cut off before the last of its {1} {2} rows; "
-    "export or download the file again."
+    "export or download the file again.",
 )
-NOT_GLB = "{0}: this is not a GLB file, which begins with “glTF”; check what kind of file it is."
-GLTF_COMPRESSED = "{0}: its mesh is compressed ({1}); export it without compression."
-GLTF_PART = "{0}: its part {1} cannot be read ({2}); keep the files of a glTF mesh together."
-GLTF_OUTSIDE = (
+NOT_GLB = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "{0}: this is not a GLB file, which begins with “glTF”; check what kind of file it is.",
+)
+GLTF_COMPRESSED = QT_TRANSLATE_NOOP(
+    "Refusal", "{0}: its mesh is compressed ({1}); export it without compression."
+)
+GLTF_PART = QT_TRANSLATE_NOOP(
+    "Refusal", "{0}: its part {1} cannot be read ({2}); keep the files of a glTF mesh together."
+)
+GLTF_OUTSIDE = QT_TRANSLATE_NOOP(
+    "Refusal",
     "{0}: its part {1} is not a file in the folder of the mesh, and nothing else is read; "
-    "keep the files of a glTF mesh together."
+    "keep the files of a glTF mesh together.",
 )
-GLTF_CUT_OFF = (
-    "{0}: the file is cut off after {1} of {2} bytes of data; export or download the file again."
+GLTF_CUT_OFF = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "{0}: the file is cut off after {1} of {2} bytes of data; export or download the file again.",
 )
-GLTF_DAMAGED_LINE = (
+GLTF_DAMAGED_LINE = QT_TRANSLATE_NOOP(
+    "Refusal",
     "{0}: its JSON part, which describes the mesh, is damaged in line {1}; "
-    "export or download the file again."
+    "export or download the file again.",
 )
-GLTF_DAMAGED = (
-    "{0}: its JSON part, which describes the mesh, is damaged; export or download the file again."
+GLTF_DAMAGED = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "{0}: its JSON part, which describes the mesh, is damaged; export or download the file again.",
 )
-GLTF_BRACKETS = (
+GLTF_BRACKETS = QT_TRANSLATE_NOOP(
+    "Refusal",
     "{0}: its JSON part, which describes the mesh, has more than {1} lists and objects; "
-    "export it in fewer parts."
+    "export it in fewer parts.",
 )
-GLTF_LACKS = "{0}: its glTF description lacks “{1}”; export or download the file again."
-GLTF_VERSION = (
+GLTF_LACKS = QT_TRANSLATE_NOOP(
+    "Refusal", "{0}: its glTF description lacks “{1}”; export or download the file again."
+)
+GLTF_VERSION = QT_TRANSLATE_NOOP(
+    "Refusal",
     "{0}: its glTF description is not valid (version {1}, not 2); "
-    "export or download the file again."
+    "export or download the file again.",
 )
-GLTF_CIRCLE = (
+GLTF_CIRCLE = QT_TRANSLATE_NOOP(
+    "Refusal",
     "{0}: its glTF description is not valid (a node is below itself); "
-    "export or download the file again."
+    "export or download the file again.",
 )
-GLTF_SPARSE = (
+GLTF_SPARSE = QT_TRANSLATE_NOOP(
+    "Refusal",
     "{0}: its glTF description is not valid (sparse accessors are not read); "
-    "export or download the file again."
+    "export or download the file again.",
 )
-GLTF_ACCESSOR = (
+GLTF_ACCESSOR = QT_TRANSLATE_NOOP(
+    "Refusal",
     "{0}: its glTF description is not valid (accessor {1} asks for more data than there are); "
-    "export or download the file again."
+    "export or download the file again.",
 )
-NOT_GLTF = "{0}: its glTF description is not valid; export or download the file again."
-SENTENCES = (
-    NO_FILE, FOLDER, NO_PERMISSION, UNREADABLE, BAD_NAME, EMPTY, NO_VERTICES, ONE_VERTEX,
-    ONLY_VERTICES, SMALL_FACE, SMALL_FACES, NO_SUCH_VERTEX, VERTEX_NOT_FINITE,
-    VERTICES_NOT_FINITE, TOO_MUCH, NO_MEMORY, FAILED, NOT_OBJ, NOT_STL, STL_CUT_OFF,
-    STL_NUMBERS, STL_FACET_CUT_OFF, NOT_PLY, PLY_HEADER, PLY_NUMBERS, PLY_NO_XYZ,
-    PLY_NO_CORNERS, PLY_CUT_OFF, NOT_GLB, GLTF_COMPRESSED, GLTF_PART, GLTF_OUTSIDE,
-    GLTF_CUT_OFF, GLTF_DAMAGED_LINE, GLTF_DAMAGED, GLTF_BRACKETS, GLTF_LACKS, GLTF_VERSION,
-    GLTF_CIRCLE, GLTF_SPARSE, GLTF_ACCESSOR, NOT_GLTF,
-)  # fmt: skip
-"""Every sentence of a `SceneError` about a file, for translators."""
-
-
-class Refusal(ValueError):
-    """One sentence that names what was refused, what is wrong with it, and what to do.
-
-    Parameters
-    ----------
-    template : str
-        The sentence, with ``{0}``, ``{1}`` for its parts, so that it can be translated before
-        they are filled in. One of the room's `SENTENCES`.
-    *parts : object
-        The parts themselves: names and numbers.
-    """
-
-    def __init__(self, template: str, *parts: object) -> None:
-        super().__init__(template, *parts)
-        self.template, self.parts = template, parts
-
-    def __str__(self) -> str:
-        return self.sentence()
-
-    def sentence(self, translate: Callable[[str], str] = str) -> str:
-        """The sentence.
-
-        Parameters
-        ----------
-        translate : callable
-            Turns one of `SENTENCES` into another language.
-        """
-        return translate(self.template).format(*(printable(str(part)) for part in self.parts))
-
-
-class SceneError(Refusal):
-    """A scene or a mesh file that cannot be shown."""
-
-
-class TooMuch(SceneError):
-    """A mesh that would take more memory than it may."""
-
-
-class SceneCancelled(Exception):
-    """The progress callback of `load` answered False."""
+NOT_GLTF = QT_TRANSLATE_NOOP(
+    "Refusal", "{0}: its glTF description is not valid; export or download the file again."
+)
 
 
 @dataclass(eq=False)
@@ -250,9 +250,9 @@ def read(path: Path, progress: Progress | None = None, largest: tuple[int, int] 
 
     Raises
     ------
-    SceneError
-        For a file that cannot be read or holds no surface; `TooMuch` if it is too large.
-    SceneCancelled
+    Refusal
+        For a file that cannot be read or holds no surface.
+    Cancelled
         When `progress` returned False.
     """
     with open_mesh(path) as file:
@@ -262,18 +262,18 @@ def read(path: Path, progress: Progress | None = None, largest: tuple[int, int] 
                 mesh = _READERS[path.suffix.lower()](_Source(path, file, progress, largest))
             _check_mesh(path, mesh)
         except MemoryError:
-            raise SceneError(NO_MEMORY, path) from None
-        except (SceneError, SceneCancelled):
+            raise Refusal.saying(NO_MEMORY, path) from None
+        except (Refusal, Cancelled):
             raise
         except Exception as error:  # whatever a reader did not foresee, of a file that anyone made
-            raise SceneError(FAILED, path, type(error).__name__) from error
+            raise Refusal.saying(FAILED, path, type(error).__name__) from error
     _drop_unused_points(mesh)
     return mesh
 
 
 def report(progress: Progress | None, fraction: float) -> None:
     if progress is not None and not progress(fraction):
-        raise SceneCancelled
+        raise Cancelled
 
 
 def open_mesh(path: Path) -> BinaryIO:
@@ -281,18 +281,18 @@ def open_mesh(path: Path) -> BinaryIO:
     try:
         file = open_regular(path)
     except FileNotFoundError:
-        raise SceneError(NO_FILE, path) from None
+        raise Refusal.saying(NO_FILE, path) from None
     except IsADirectoryError:
-        raise SceneError(FOLDER, path) from None
+        raise Refusal.saying(FOLDER, path) from None
     except PermissionError:
-        raise SceneError(NO_PERMISSION, path) from None
+        raise Refusal.saying(NO_PERMISSION, path) from None
     except OSError as error:
-        raise SceneError(UNREADABLE, path, error.strerror) from None
+        raise Refusal.saying(UNREADABLE, path, error.strerror) from None
     except ValueError:  # a zero byte, or a name that no file of this system can have
-        raise SceneError(BAD_NAME, repr(str(path))) from None
+        raise Refusal.saying(BAD_NAME, repr(str(path))) from None
     if os.fstat(file.fileno()).st_size == 0:
         file.close()
-        raise SceneError(EMPTY, path)
+        raise Refusal.saying(EMPTY, path)
     return file
 
 
@@ -319,7 +319,7 @@ class _Source:
         needed = 2 * (24 * vertices + 8 * corners) + (8 + 8) * faces
         if triangles > self.largest[0] or needed > self.largest[1]:
             sizes = triangles, needed >> 20, self.largest[0], self.largest[1] >> 20
-            raise TooMuch(TOO_MUCH, self.path, *sizes)
+            raise Refusal.saying(TOO_MUCH, self.path, *sizes)
 
 
 def _check_mesh(path: Path, mesh: Mesh) -> None:
@@ -327,16 +327,16 @@ def _check_mesh(path: Path, mesh: Mesh) -> None:
     vertices = len(mesh.points)
     if faces < 1:
         few = {0: NO_VERTICES, 1: ONE_VERTEX}
-        raise SceneError(few.get(vertices, ONLY_VERTICES), path, vertices)
+        raise Refusal.saying(few.get(vertices, ONLY_VERTICES), path, vertices)
     too_small = int(np.count_nonzero(np.diff(mesh.offsets) < 3))
     if too_small:
-        raise SceneError(SMALL_FACE if too_small == 1 else SMALL_FACES, path, too_small, faces)
+        raise Refusal.saying(SMALL_FACE if too_small == 1 else SMALL_FACES, path, too_small, faces)
     if mesh.corners.min() < 0 or mesh.corners.max() >= vertices:
-        raise SceneError(NO_SUCH_VERTEX, path, vertices)
+        raise Refusal.saying(NO_SUCH_VERTEX, path, vertices)
     not_finite = int(np.count_nonzero(~np.isfinite(mesh.points).all(axis=1)))
     if not_finite:
         template = VERTEX_NOT_FINITE if not_finite == 1 else VERTICES_NOT_FINITE
-        raise SceneError(template, path, not_finite, vertices)
+        raise Refusal.saying(template, path, not_finite, vertices)
 
 
 def _drop_unused_points(mesh: Mesh) -> None:
@@ -416,7 +416,7 @@ def _read_obj(source: _Source) -> Mesh:
         indices, sizes, face_line = _obj_faces(lines, is_face)
         wrong = min((n for n in (line, face_line) if n is not None), default=None)
         if wrong is not None:
-            raise SceneError(NOT_OBJ, source.path, lines_before + wrong + 1)
+            raise Refusal.saying(NOT_OBJ, source.path, lines_before + wrong + 1)
         if (indices < 0).any():  # counted back from the vertices so far
             so_far = vertices + np.cumsum(is_vertex)[is_face]
             indices = np.where(indices < 0, np.repeat(so_far, sizes) + indices, indices - 1)
@@ -557,10 +557,10 @@ def _read_stl(source: _Source) -> Mesh:
     elif head.lstrip()[:5].lower() == b"solid":
         corners = _stl_text(source)
     elif len(head) < 84 or b"\0" not in head:
-        raise SceneError(NOT_STL, source.path)
+        raise Refusal.saying(NOT_STL, source.path)
     elif length < binary_length:
         there = (length - 84) // _STL_TRIANGLE.itemsize
-        raise SceneError(STL_CUT_OFF, source.path, there, count)
+        raise Refusal.saying(STL_CUT_OFF, source.path, there, count)
     else:  # some programs append data of their own
         corners = _stl_binary(source, count)
     source.report(0.3)
@@ -597,13 +597,13 @@ def _stl_text(source: _Source) -> Floats:
         loops = text.split(b"loop")[1::2]
         numbers = _numbers(b" ".join(loops).replace(b"vertex", b"").replace(b"end", b""))
         if numbers is None or len(numbers) != 9 * len(loops):
-            raise SceneError(STL_NUMBERS, source.path)
+            raise Refusal.saying(STL_NUMBERS, source.path)
         triangles += len(loops)
         source.check_size(3 * triangles, triangles, 3 * triangles)
         blocks.append(numbers)
         source.report(min(0.3, 0.3 * source.file.tell() / source.size))
     if b"vertex" in _without_stl_names(rest):
-        raise SceneError(STL_FACET_CUT_OFF, source.path)
+        raise Refusal.saying(STL_FACET_CUT_OFF, source.path)
     return np.concatenate(blocks).reshape(-1, 3)
 
 
@@ -658,13 +658,13 @@ def _read_ply(source: _Source) -> Mesh:
         ]
         if element == "vertex":
             if not scale.keys() >= {"x", "y", "z"}:
-                raise SceneError(PLY_NO_XYZ, path)
+                raise Refusal.saying(PLY_NO_XYZ, path)
             mesh.points = np.stack([columns[axis] for axis in "xyz"], axis=1).astype(np.float64)
             vertex_rgb = rgb
         elif element == "face":
             name = next((n for n in ("vertex_indices", "vertex_index") if n in lengths), None)
             if name is None:
-                raise SceneError(PLY_NO_CORNERS, path)
+                raise Refusal.saying(PLY_NO_CORNERS, path)
             mesh.offsets = np.concatenate([[0], np.cumsum(lengths[name])])
             mesh.corners = columns[name].astype(np.int64)  # what is no index, is out of range too
             source.check_size(len(mesh.points), rows, len(mesh.corners))
@@ -687,7 +687,7 @@ def _ply_header_and_body(
     path, data = source.path, source.file.read()
     header = re.match(rb"ply\s.*?end_header[^\S\n]*\r?\n?", data[:1_000_000], re.DOTALL)
     if header is None:
-        raise SceneError(NOT_PLY, path)
+        raise Refusal.saying(NOT_PLY, path)
     encoding = ""
     elements: list[tuple[str, int, list[_PlyProperty]]] = []
     try:
@@ -717,7 +717,7 @@ def _ply_header_and_body(
             if len({p.name for p in properties}) < len(properties):
                 raise ValueError
     except (IndexError, KeyError, ValueError, UnboundLocalError):
-        raise SceneError(PLY_HEADER, path) from None
+        raise Refusal.saying(PLY_HEADER, path) from None
     needed = 1 + max(names.index(name) for name in ("vertex", "face") if name in names)
     rows_of = {name: rows for name, rows, _ in elements}
     source.check_size(rows_of["vertex"], rows_of.get("face", 0), 3 * rows_of.get("face", 0))
@@ -725,7 +725,7 @@ def _ply_header_and_body(
     if encoding == "ascii":
         numbers = _numbers(body)
         if numbers is None:
-            raise SceneError(PLY_NUMBERS, path)
+            raise Refusal.saying(PLY_NUMBERS, path)
         body = numbers.tobytes()
     return elements[:needed], body
 
@@ -735,7 +735,7 @@ def _ply_columns(
 ) -> tuple[dict[str, NDArray[Any]], dict[str, Ints], int]:
     """Columns of one element, the lengths of its lists (whose items are joined), and its end."""
     lists = [p for p in properties if p.count is not None]
-    cut_off = SceneError(PLY_CUT_OFF, path, rows, element)
+    cut_off = Refusal.saying(PLY_CUT_OFF, path, rows, element)
     if rows == 0:
         empty = {p.name: np.empty(0, dtype=p.kind) for p in properties}
         return empty, {p.name: np.empty(0, dtype=np.int64) for p in lists}, at
@@ -807,41 +807,41 @@ def _read_gltf(source: _Source) -> Mesh:
     path, data, body = source.path, source.file.read(), b""
     if path.suffix.lower() == ".glb":
         if data[:4] != b"glTF":
-            raise SceneError(NOT_GLB, path)
+            raise Refusal.saying(NOT_GLB, path)
         text_end = 20 + int.from_bytes(data[12:16], "little")
         data, body = data[20:text_end], data[text_end + 8 :]
     try:
         return _gltf_mesh(source, _gltf_content(path, data), body)
-    except SceneError:
+    except Refusal:
         raise
     except (LookupError, AttributeError, TypeError, ValueError, ArithmeticError) as error:
         lacking = str(error.args[0]) if isinstance(error, KeyError) else ""
         if lacking.isidentifier():  # a name of the format's, not one made up by the file
-            raise SceneError(GLTF_LACKS, path, lacking) from None
-        raise SceneError(NOT_GLTF, path) from None
+            raise Refusal.saying(GLTF_LACKS, path, lacking) from None
+        raise Refusal.saying(NOT_GLTF, path) from None
 
 
 def _gltf_content(path: Path, text: bytes) -> Any:
     if text.count(b"[") + text.count(b"{") > _MOST_BRACKETS:
-        raise SceneError(GLTF_BRACKETS, path, _MOST_BRACKETS)
+        raise Refusal.saying(GLTF_BRACKETS, path, _MOST_BRACKETS)
     try:
         return json.loads(text)
     except json.JSONDecodeError as error:
         if path.suffix.lower() == ".glb":  # nobody counts lines between bytes
-            raise SceneError(GLTF_DAMAGED, path) from None
-        raise SceneError(GLTF_DAMAGED_LINE, path, error.lineno) from None
+            raise Refusal.saying(GLTF_DAMAGED, path) from None
+        raise Refusal.saying(GLTF_DAMAGED_LINE, path, error.lineno) from None
     except (UnicodeDecodeError, RecursionError):
-        raise SceneError(GLTF_DAMAGED, path) from None
+        raise Refusal.saying(GLTF_DAMAGED, path) from None
 
 
 def _gltf_mesh(source: _Source, content: dict[str, Any], body: bytes) -> Mesh:
     """All triangles of the scene, each mesh read once, however many nodes have it."""
     version = str(content["asset"]["version"])
     if not version.startswith("2."):
-        raise SceneError(GLTF_VERSION, source.path, version)
+        raise Refusal.saying(GLTF_VERSION, source.path, version)
     packed = _GLTF_PACKED.intersection(content.get("extensionsRequired", ()))
     if packed:
-        raise SceneError(GLTF_COMPRESSED, source.path, ", ".join(sorted(packed)))
+        raise Refusal.saying(GLTF_COMPRESSED, source.path, ", ".join(sorted(packed)))
     nodes = _gltf_nodes(source.path, content)
     sizes = {index: _gltf_size(content, index) for index in {index for index, _ in nodes}}
     vertices, triangles = (sum(sizes[index][part] for index, _ in nodes) for part in (0, 1))
@@ -903,16 +903,16 @@ def _gltf_buffers(source: _Source, buffers: Any, body: bytes) -> list[bytes]:
             part = path.parent / name
             try:
                 if not _is_beside(path, name):
-                    raise SceneError(GLTF_OUTSIDE, path, name)
+                    raise Refusal.saying(GLTF_OUTSIDE, path, name)
                 with open_regular(part) as file:
                     total += os.fstat(file.fileno()).st_size
                     if total > LARGEST_FILE:
-                        raise SceneError(NO_MEMORY, path)
+                        raise Refusal.saying(NO_MEMORY, path)
                     data = file.read()
             except OSError as error:
-                raise SceneError(GLTF_PART, path, part, error.strerror) from None
+                raise Refusal.saying(GLTF_PART, path, part, error.strerror) from None
         if len(data) < buffer["byteLength"]:
-            raise SceneError(GLTF_CUT_OFF, path, len(data), buffer["byteLength"])
+            raise Refusal.saying(GLTF_CUT_OFF, path, len(data), buffer["byteLength"])
         found.append(data)
     return found
 
@@ -943,7 +943,7 @@ def _gltf_nodes(path: Path, content: dict[str, Any]) -> list[tuple[int, Floats]]
             found.append((node["mesh"], world_from_node))
         waiting += [(child, world_from_node) for child in node.get("children", ())]
         if len(waiting) > len(nodes):
-            raise SceneError(GLTF_CIRCLE, path)
+            raise Refusal.saying(GLTF_CIRCLE, path)
     return found
 
 
@@ -1025,7 +1025,7 @@ def _gltf_primitive(
     if mesh.points.shape[1] != 3:
         raise ValueError
     if len(triangles) and triangles.max() >= len(points):  # before one is taken for another mesh's
-        raise SceneError(NO_SUCH_VERTEX, source.path, len(points))
+        raise Refusal.saying(NO_SUCH_VERTEX, source.path, len(points))
     if colours is not None:
         _paint_with_vertex_colours(mesh, colours)
     if mesh.rgb is None:
@@ -1053,21 +1053,21 @@ def _gltf_values(
     """The values of an accessor, one row for each element."""
     accessor = _item(content, "accessors", index)
     if "sparse" in accessor or "bufferView" not in accessor:
-        raise SceneError(GLTF_SPARSE, path)
+        raise Refusal.saying(GLTF_SPARSE, path)
     view = _item(content, "bufferViews", accessor["bufferView"])
     first, buffer = view.get("byteOffset", 0), view["buffer"]
     if buffer not in range(len(buffers)) or first < 0:
         raise IndexError
     data = memoryview(buffers[buffer])[first : first + view["byteLength"]]
     if accessor["componentType"] not in _GLTF_TYPES or accessor["type"] not in _GLTF_PARTS:
-        raise SceneError(NOT_GLTF, path)
+        raise Refusal.saying(NOT_GLTF, path)
     kind = np.dtype(_GLTF_TYPES[accessor["componentType"]])
     parts, count = _GLTF_PARTS[accessor["type"]], _gltf_count(content, index)
     stride = view.get("byteStride", kind.itemsize * parts)
     start = accessor.get("byteOffset", 0)
     end = start + (count - 1) * stride + kind.itemsize * parts
     if start < 0 or stride < 1 or end > len(data):
-        raise SceneError(GLTF_ACCESSOR, path, index)
+        raise Refusal.saying(GLTF_ACCESSOR, path, index)
     return np.ndarray((count, parts), kind, data, start, (stride, kind.itemsize))
 
 

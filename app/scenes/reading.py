@@ -20,8 +20,9 @@ from typing import Any, BinaryIO
 
 import numpy as np
 
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes import mesh_files as meshes
-from app.scenes.mesh_files import Mesh, Progress, SceneError, TooMuch, open_mesh, report
+from app.scenes.mesh_files import TOO_MUCH, Mesh, Progress, open_mesh, report
 
 SMALL = 4 * 2**20
 """Most bytes of a file that is read at once: within 0.2 s, which a process takes to begin."""
@@ -29,12 +30,11 @@ SMALL_MESH = 500_000, 128 * 2**20
 """Most triangles of such a file, and most bytes of them: a few bytes of glTF may grow to many."""
 MEMORY = 6 * 2**30
 """Most bytes that a process which reads may take: `meshes.LARGEST` and the text that it is in."""
-ENDED = (
+ENDED = QT_TRANSLATE_NOOP(
+    "Refusal",
     "{0}: the program that reads it ended before it was done; make it smaller, or export or "
-    "download the file again."
+    "download the file again.",
 )
-SENTENCES = (ENDED,)
-"""Every further sentence of a `SceneError`, for translators; see also `mesh_files.SENTENCES`."""
 _POLL_S = 0.05
 
 
@@ -53,8 +53,9 @@ def read(path: Path, progress: Progress | None = None) -> Mesh:
     if size <= SMALL:
         try:
             return meshes.read(path, progress, SMALL_MESH)
-        except TooMuch:  # for here
-            pass
+        except Refusal as error:
+            if error.bound != TOO_MUCH:  # for here
+                raise
     return _read_apart(path, progress)
 
 
@@ -85,10 +86,10 @@ def _read_apart(path: Path, progress: Progress | None) -> Mesh:
             if isinstance(answer, Mesh):
                 return answer
             if answer is None:
-                raise SceneError(ENDED, path)
+                raise Refusal.saying(ENDED, path)
             if "refused" in answer:
                 template, *parts = answer["refused"]
-                raise SceneError(template, path, *parts[1:])
+                raise Refusal.saying(template, path, *parts[1:])
             done = answer["done"]
     finally:
         child.kill()
@@ -158,9 +159,9 @@ def _main(path: Path) -> None:
             if values is not None:
                 out.write(np.ascontiguousarray(values).data.cast("B"))
         out.flush()
-    except SceneError as error:
-        parts = [part if isinstance(part, int) else str(part) for part in error.parts]
-        say({"refused": [error.template, *parts]})
+    except Refusal as error:
+        parts = [part if isinstance(part, int) else str(part) for part in error.limits]
+        say({"refused": [error.bound, *parts]})
 
 
 def _limit_memory() -> None:

@@ -30,6 +30,7 @@ from vtkmodules.vtkCommonCore import vtkDataArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray
 
 from app.model.projection import Array, Camera, Perspective, Projection
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes.mesh_files import ENDINGS as ENDINGS
 from app.scenes.mesh_files import (
     PAINT_RGB,
@@ -42,8 +43,6 @@ from app.scenes.mesh_files import (
     open_mesh,
     report,
 )
-from app.scenes.mesh_files import SceneCancelled as SceneCancelled  # `load` raises both
-from app.scenes.mesh_files import SceneError as SceneError
 from app.scenes.phenomena import PHENOMENA, Phenomenon
 from app.scenes.phenomena.illustration import OwnMesh, Subject
 from app.scenes.reading import read
@@ -66,18 +65,29 @@ from app.scenes.shapes import (
 
 Vector: TypeAlias = tuple[float, float, float]
 
-WRONG_ENDING = "{0}: a mesh file must end in {1} or {2}; convert it to one of these."
-NOT_A_SCENE = "There is no scene “{0}”, only {1} or {2}; a mesh file needs its ending."
-NEARLY_A_SCENE = "There is no scene “{0}”, only {1} or {2}; did you mean “{3}”?"
-ONE_POINT = "{0}: all vertices are at one point, so that there is nothing to see; check the export."
-ONE_LINE = "{0}: all vertices are on one line, so that there is nothing to see; check the export."
-WRONG_SIZE = "{0}: the mesh is {1} units large, but must be between 1e-30 and 1e30; scale it."
-NO_OWN_MESH = "mesh = {1}: the scene “{0}” has a subject of its own, no mesh can take its place."
-SENTENCES = (
-    WRONG_ENDING, NOT_A_SCENE, NEARLY_A_SCENE, ONE_POINT, ONE_LINE, WRONG_SIZE, NO_OWN_MESH,
-)  # fmt: skip
-"""Every further sentence of a `SceneError`, for translators; see also `mesh_files.SENTENCES`."""
-
+WRONG_ENDING = QT_TRANSLATE_NOOP(
+    "Refusal", "{0}: a mesh file must end in {1} or {2}; convert it to one of these."
+)
+NOT_A_SCENE = QT_TRANSLATE_NOOP(
+    "Refusal", "There is no scene “{0}”, only {1} or {2}; a mesh file needs its ending."
+)
+NEARLY_A_SCENE = QT_TRANSLATE_NOOP(
+    "Refusal", "There is no scene “{0}”, only {1} or {2}; did you mean “{3}”?"
+)
+ONE_POINT = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "{0}: all vertices are at one point, so that there is nothing to see; check the export.",
+)
+ONE_LINE = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "{0}: all vertices are on one line, so that there is nothing to see; check the export.",
+)
+WRONG_SIZE = QT_TRANSLATE_NOOP(
+    "Refusal", "{0}: the mesh is {1} units large, but must be between 1e-30 and 1e30; scale it."
+)
+NO_OWN_MESH = QT_TRANSLATE_NOOP(
+    "Refusal", "mesh = {1}: the scene “{0}” has a subject of its own, no mesh can take its place."
+)
 FACES_WITH_EDGES = 5_000
 """Meshes of more faces get no edge lines: they would be denser than the pixels."""
 SAMPLE = 100_000
@@ -199,15 +209,15 @@ def load(name_or_path: str, progress: Progress | None = None, mesh: str = "") ->
 
     Raises
     ------
-    SceneError
+    Refusal
         For an unknown name, for a file that cannot be read or holds nothing to draw, and for a
         mesh with a scene whose subject it cannot be.
-    SceneCancelled
+    Cancelled
         When `progress` returned False.
     """
     phenomenon = PHENOMENA.get(name_or_path)
     if mesh and not (phenomenon is not None and phenomenon.own_mesh):
-        raise SceneError(NO_OWN_MESH, name_or_path, mesh)
+        raise Refusal.saying(NO_OWN_MESH, name_or_path, mesh)
     if phenomenon is not None:
         return _scene_of_phenomenon(phenomenon, mesh, progress)
     build = _BUILDERS.get(name_or_path)
@@ -219,10 +229,10 @@ def load(name_or_path: str, progress: Progress | None = None, mesh: str = "") ->
     is_file_name = path.name != name_or_path or path.suffix != ""
     if name_or_path and (is_file_name or _exists(path)):
         open_mesh(path).close()
-        raise SceneError(WRONG_ENDING, path, *_but_last(ENDINGS))
+        raise Refusal.saying(WRONG_ENDING, path, *_but_last(ENDINGS))
     likely = difflib.get_close_matches(name_or_path.lower(), BUILT_IN, n=1, cutoff=0.5)
     template = NEARLY_A_SCENE if likely else NOT_A_SCENE
-    raise SceneError(template, name_or_path, *_but_last(BUILT_IN), *likely)
+    raise Refusal.saying(template, name_or_path, *_but_last(BUILT_IN), *likely)
 
 
 def frame_camera(
@@ -444,17 +454,17 @@ def _read_mesh(path: Path, progress: Progress | None) -> tuple[Mesh, Vector, Vec
     """A mesh that has a size, and its bounds."""
     if path.suffix.lower() not in ENDINGS:
         open_mesh(path).close()
-        raise SceneError(WRONG_ENDING, path, *_but_last(ENDINGS))
+        raise Refusal.saying(WRONG_ENDING, path, *_but_last(ENDINGS))
     mesh = read(path, progress)
     report(progress, 0.5)
     lower, upper = _vector(mesh.points.min(axis=0)), _vector(mesh.points.max(axis=0))
     size = math.dist(lower, upper)
     if size == 0.0:
-        raise SceneError(ONE_POINT, path)
+        raise Refusal.saying(ONE_POINT, path)
     if not 1e-30 < size < 1e30:  # the GPU's float32 ends near 1e-38 and 1e38
-        raise SceneError(WRONG_SIZE, path, f"{size:.2g}")
+        raise Refusal.saying(WRONG_SIZE, path, f"{size:.2g}")
     if _is_on_a_line((mesh.points - lower) / size):
-        raise SceneError(ONE_LINE, path)
+        raise Refusal.saying(ONE_LINE, path)
     return mesh, lower, upper
 
 

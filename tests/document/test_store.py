@@ -9,7 +9,8 @@ import pytest
 
 from app.document.document import Document
 from app.document.store import UNDO_LIMIT, Store
-from app.model.projection import Perspective, Projection, ProjectionError
+from app.model.projection import Perspective, Projection
+from app.model.refusal import Refusal
 from app.scenes.phenomena import PHENOMENA
 
 
@@ -203,7 +204,7 @@ def test_settings_are_edits_like_all_others() -> None:
     store.changed.connect(lambda document: heard.append(document.settings["distance"]))
     store.set_settings({"distance": 5.0})
     store.set_settings({"distance": 5.0})
-    with pytest.raises(ProjectionError):
+    with pytest.raises(Refusal):
         store.set_settings({"distance": 0.0})
     assert heard == [5.0] and store.modified
     store.undo()

@@ -30,8 +30,8 @@ from app.model.projection import (
     Orthographic,
     Perspective,
     Projection,
-    ProjectionError,
 )
+from app.model.refusal import Refusal
 from app.scenes.scene import BUILT_IN, Scene, load
 
 Pixels = NDArray[np.uint8]
@@ -137,7 +137,7 @@ def random_projection(
                 lens = Oblique(*box, keep, *random.uniform(20.0, 160.0, 2))
         try:
             return Projection(Camera(tuple(eye), tuple(target), tuple(up)), lens, size, depth)
-        except ProjectionError:  # up happened to be parallel: draw another one
+        except Refusal:  # up happened to be parallel: draw another one
             continue
 
 

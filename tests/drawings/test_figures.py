@@ -23,10 +23,11 @@ from vtkmodules.vtkRenderingCore import vtkRenderWindow
 from app.bootstrap import ROOT
 from app.document.document import Document, parse, read, to_json
 from app.drawings import WORDS
-from app.drawings.figures import PANES, FigureError, png_bytes, render, write_png
+from app.drawings.figures import PANES, png_bytes, render, write_png
 from app.drawings.ndc import NdcDrawing
 from app.drawings.style import DARK, LIGHT, rgb
-from app.model.projection import Camera, Perspective, ProjectionError
+from app.model.projection import Camera, Perspective
+from app.model.refusal import Refusal
 from app.scenes.scene import load
 from tests import PATIENCE_S
 
@@ -133,7 +134,7 @@ def test_a_phenomenon_is_drawn_with_its_settings() -> None:
     assert (render(scene, scene.start, PANES, size, settings=defaults) == opened).all()
     behind = render(scene, scene.start, PANES, size, settings={"distance": -3.0})
     assert (behind[:, :160] != opened[:, :160]).any()
-    with pytest.raises(ProjectionError) as caught:
+    with pytest.raises(Refusal) as caught:
         render(scene, scene.start, PANES, size, settings={"distance": 0.0})
     assert str(caught.value).startswith("settings.distance = 0")
 
@@ -209,7 +210,7 @@ def test_a_figure_that_cannot_be_is_refused_in_one_sentence(
     changes: dict[str, Any], names: str
 ) -> None:
     scene = load("cube")
-    with pytest.raises(FigureError) as caught:
+    with pytest.raises(Refusal) as caught:
         render(scene, scene.start, **changes)
     assert str(caught.value).startswith(names)
     assert "must" in str(caught.value) and str(caught.value).endswith(".")

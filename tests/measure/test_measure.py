@@ -43,7 +43,6 @@ from app.measure.results import (
     JUDGED,
     Choice,
     Results,
-    ResultsError,
     Sweep,
     Trade,
     from_json,
@@ -51,11 +50,12 @@ from app.measure.results import (
     to_csv,
     to_json,
 )
-from app.measure.run import Cancelled, in_turns, part_of, percentile95
+from app.measure.run import in_turns, part_of, percentile95
 from app.measure.smoothing import SMOOTHINGS, pictures, samples_given, shown
 from app.measure.smoothing import measure as measure_smoothing
 from app.model.depth import FORMATS, MAPPINGS, DepthBuffer
 from app.model.projection import DEPTH_RANGES, Camera, Orthographic, Perspective, Projection
+from app.model.refusal import Cancelled, Refusal
 from app.precision.levels import trace
 from app.scenes.fewer_triangles import QUADRIC_TRIANGLES, SHARES, reduced
 from app.scenes.scene import Scene, load
@@ -496,14 +496,14 @@ def test_a_table_can_be_read_by_a_spreadsheet() -> None:
 def test_another_file_is_refused_in_a_sentence(change: object, sentence: str) -> None:
     tree = json.loads(to_json(results_of()))
     change(tree)  # type: ignore[operator]
-    with pytest.raises(ResultsError) as caught:
+    with pytest.raises(Refusal) as caught:
         from_json(json.dumps(tree), "results.json")
     assert sentence in str(caught.value) and str(caught.value).startswith("results.json: ")
 
 
 @pytest.mark.parametrize("text", ["", "[1]", "{", "nonsense", "[" * 100_000])
 def test_what_is_no_json_is_refused(text: str) -> None:
-    with pytest.raises(ResultsError, match="is not a file of measurements"):
+    with pytest.raises(Refusal, match="is not a file of measurements"):
         from_json(text)
 
 
@@ -511,7 +511,7 @@ def test_a_sweep_with_too_few_errors_is_refused() -> None:
     swept = sweep("near", START, POINTS, (1.0, 2.0))
     tree = json.loads(to_json(replace(results_of(), sweeps=(swept,))))
     tree["sweeps"][0]["choices"]["exact"]["error"].pop()
-    with pytest.raises(ResultsError, match="as long as the sweep's values"):
+    with pytest.raises(Refusal, match="as long as the sweep's values"):
         from_json(json.dumps(tree))
 
 

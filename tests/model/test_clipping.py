@@ -28,8 +28,8 @@ from app.model.projection import (
     Orthographic,
     Perspective,
     Projection,
-    ProjectionError,
 )
+from app.model.refusal import Refusal
 
 EPS = float(np.finfo(np.float64).eps)
 Rational = tuple[Fraction, ...]
@@ -337,18 +337,18 @@ def test_a_segment_that_touches_a_corner_is_one_point() -> None:
     ],
 )
 def test_an_impossible_end_is_named(start: object, end: object, field: str) -> None:
-    with pytest.raises(ProjectionError) as error:
+    with pytest.raises(Refusal) as error:
         clip_segments(start, end)  # type: ignore[arg-type]
     assert error.value.field == field
 
 
 def test_an_unknown_plane_or_depth_range_is_named() -> None:
     point = (0.0, 0.0, 0.0, 1.0)
-    with pytest.raises(ProjectionError, match=r"planes = 'front': must be one of near, far"):
+    with pytest.raises(Refusal, match=r"planes = 'front': must be one of near, far"):
         clip_segments(point, point, planes=("front",))
-    with pytest.raises(ProjectionError, match=r"depth = 'vulkan': must be one of opengl"):
+    with pytest.raises(Refusal, match=r"depth = 'vulkan': must be one of opengl"):
         clip_segments(point, point, "vulkan")
-    with pytest.raises(ProjectionError, match="depth"):
+    with pytest.raises(Refusal, match="depth"):
         clip_polygon([point, point, point], depth=None)  # type: ignore[arg-type]
 
 
@@ -529,7 +529,7 @@ def test_a_polygon_through_a_corner_of_its_own_gets_no_point_twice() -> None:
     ],
 )
 def test_an_impossible_polygon_is_named(polygon: object) -> None:
-    with pytest.raises(ProjectionError) as error:
+    with pytest.raises(Refusal) as error:
         clip_polygon(polygon)  # type: ignore[arg-type]
     assert error.value.field == "points_clip"
 
@@ -584,7 +584,7 @@ def test_lecture_004_cut_draws_what_clipping_draws() -> None:
 
 @pytest.mark.parametrize("z_cut", [0.01, math.nan, -math.inf, "near", True])
 def test_lecture_004_a_cut_behind_the_eye_is_refused(z_cut: object) -> None:
-    with pytest.raises(ProjectionError, match="z_cut"):
+    with pytest.raises(Refusal, match="z_cut"):
         cut_at_eye((0.0, 0.0, 1.0), (0.0, 0.0, -1.0), z_cut)  # type: ignore[arg-type]
 
 

@@ -13,15 +13,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from app.model.depth import FORMATS, MAPPINGS, DepthBuffer
-from app.model.projection import (
-    DEPTH_RANGES,
-    Array,
-    Camera,
-    Orthographic,
-    Perspective,
-    Projection,
-    ProjectionError,
-)
+from app.model.projection import DEPTH_RANGES, Array, Camera, Orthographic, Perspective, Projection
+from app.model.refusal import Refusal
 from tests.support.samples import pairwise
 
 EPS = float(np.finfo(np.float64).eps)
@@ -458,9 +451,9 @@ def test_float32_arithmetic_at_infinity_and_past_its_range() -> None:
             [depth, depth], abs=1e-30
         )
         assert buffer.depth(math.inf) == depth
-        with pytest.raises(ProjectionError, match=r"arithmetic = 'float32': must be one of"):
+        with pytest.raises(Refusal, match=r"arithmetic = 'float32': must be one of"):
             buffer.depth(1e60, "float32")
-    with pytest.raises(ProjectionError, match="arithmetic"):
+    with pytest.raises(Refusal, match="arithmetic"):
         DepthBuffer("float32", "logarithmic", 1e-60, 1.0).encode(0.5, "float32")
 
 
@@ -489,7 +482,7 @@ def test_float32_arithmetic_at_infinity_and_past_its_range() -> None:
     ],
 )
 def test_an_impossible_buffer_is_named(change: dict[str, object], field: str) -> None:
-    with pytest.raises(ProjectionError) as error:
+    with pytest.raises(Refusal) as error:
         replace(DepthBuffer(), **change)  # type: ignore[arg-type]
     assert error.value.field == field
 
@@ -509,9 +502,9 @@ def test_an_impossible_buffer_is_named(change: dict[str, object], field: str) ->
 def test_a_distance_that_no_buffer_holds_is_named(distance: object, message: str) -> None:
     buffer = DepthBuffer()
     for ask in (buffer.depth, buffer.encode, buffer.gap):
-        with pytest.raises(ProjectionError, match=message):
+        with pytest.raises(Refusal, match=message):
             ask(distance)  # type: ignore[operator]
-    with pytest.raises(ProjectionError, match=message):
+    with pytest.raises(Refusal, match=message):
         buffer.predicted_collapsed_share(2.0, distance)  # type: ignore[arg-type]
 
 
@@ -520,12 +513,12 @@ def test_a_code_that_is_none_is_named(name: str) -> None:
     buffer = DepthBuffer(name)
     largest = FORMATS[name].largest
     for code in (-1, largest + 1, 0.5, True):
-        with pytest.raises(ProjectionError, match=rf"one of the whole numbers from 0 to {largest}"):
+        with pytest.raises(Refusal, match=rf"one of the whole numbers from 0 to {largest}"):
             buffer.decode(code)
 
 
 def test_an_unknown_arithmetic_is_named() -> None:
-    with pytest.raises(ProjectionError, match="must be one of float64, float32"):
+    with pytest.raises(Refusal, match="must be one of float64, float32"):
         DepthBuffer().encode(2.0, "float16")  # type: ignore[arg-type]
 
 

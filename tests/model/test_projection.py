@@ -21,13 +21,14 @@ from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkRenderingCore import vtkCamera
 
 import app.model.projection
+from app.model import limits
+from app.model.limits import NOT_THE_TARGET, SMALL_INVERSE, ZERO_OR_AT_LEAST
 from app.model.projection import (
     ABOVE,
     AT_LEAST,
     AT_MOST,
     BETWEEN,
     BOTTOM_BEFORE_TOP,
-    BOUNDS,
     DEPTH_RANGES,
     DISTINCT,
     FINITE_NUMBER,
@@ -41,7 +42,6 @@ from app.model.projection import (
     NOT_PARALLEL,
     NOT_THE_EYE,
     NOT_ZERO,
-    NOTES,
     OBLIQUE_PRESETS,
     ONE_OF,
     OTHER_SIDE,
@@ -61,7 +61,6 @@ from app.model.projection import (
     Orthographic,
     Perspective,
     Projection,
-    ProjectionError,
     focal_length_35mm,
     fov_x_from_fov_y,
     fov_y_from_focal_length_35mm,
@@ -69,12 +68,10 @@ from app.model.projection import (
     fov_y_from_window,
     oblique_angles,
     receding_of,
-    shown_limits,
-    six_digits,
 )
-from app.model.values import SMALL_INVERSE, ZERO_OR_AT_LEAST
+from app.model.refusal import Refusal, shown_limits, six_digits
 from tests.oracles import exact
-from widgets.parts import messages
+from tests.support.marked import marked
 
 EPS = float(np.finfo(np.float64).eps)
 QUICK = settings(max_examples=60)
@@ -729,7 +726,7 @@ def test_with_lens_gives_a_lens_or_a_reason(projection: Projection, kind: str) -
     """Only at the ends of what is allowed is there none; then the field is named."""
     try:
         changed = projection.with_lens(kind)
-    except ProjectionError as error:
+    except Refusal as error:
         assert projection.camera == AXIS, error  # never in an everyday world
     else:
         assert changed.lens.kind == kind
@@ -748,7 +745,7 @@ def test_between_other_planes_the_picture_is_the_same(
         near, far = factor * lens.near, ratio * factor * lens.near
     try:
         other = projection.between(near, far)
-    except ProjectionError:  # sheared so far off that its window is lost in the digits there
+    except Refusal:  # sheared so far off that its window is lost in the digits there
         assert rounding_ndc(projection) > 1e-3
         return
     assert (other.lens.near, other.lens.far, other.lens.kind) == (near, far, lens.kind)
@@ -775,7 +772,7 @@ def test_intrinsics_are_k_of_opencv(projection: Projection, parts: list) -> None
     # Typed in again, it is the same lens.
     try:
         again = projection.with_intrinsics(intrinsics)
-    except ProjectionError:
+    except Refusal:
         assert projection.camera == AXIS
         return
     assert again.lens.near == projection.lens.near
@@ -1653,7 +1650,7 @@ REFUSED: list[tuple[Callable[[], object], str, str, str]] = [
     ("make", "field", "bound", "sentence"), REFUSED, ids=[sentence for *_, sentence in REFUSED]
 )
 def test_refused(make: Callable[[], object], field: str, bound: str, sentence: str) -> None:
-    with pytest.raises(ProjectionError) as caught:
+    with pytest.raises(Refusal) as caught:
         make()
     assert str(caught.value) == sentence
     assert (caught.value.field, caught.value.bound) == (field, bound)
@@ -1686,7 +1683,7 @@ def test_a_bound_has_six_digits_unless_that_would_tell_another_story(
 ) -> None:
     (found,) = shown_limits((limit,), value)
     assert str(found) == shown
-    error = ProjectionError("near", value, "must be less than far, which is {0}", limit)
+    error = Refusal("near", value, "must be less than far, which is {0}", limit)
     assert str(error).endswith(f" {shown}.")
 
 
@@ -1703,19 +1700,17 @@ def test_a_bound_has_six_digits_unless_that_would_tell_another_story(
 def test_what_a_hand_has_dragged_has_six_digits(
     value: object, limit: object, sentence: str
 ) -> None:
-    assert str(six_digits(ProjectionError("near", value, AT_LEAST, limit))) == sentence
+    assert str(six_digits(Refusal("near", value, AT_LEAST, limit))) == sentence
 
 
-def test_every_bound_is_known_to_translators_and_to_the_table_above() -> None:
+def test_every_bound_is_marked_for_translators_and_in_the_table_above() -> None:
     # What an upper bound says of a lower one is said by `document.set_values` and the controls.
-    other_side = {bound for _, bound in OTHER_SIDE.values()}
-    assert {bound for _, _, bound, _ in REFUSED} | other_side == set(BOUNDS)
-    assert set(messages.PROJECTION_BOUNDS) == set(BOUNDS)
-    assert set(messages.STAGE_NOTES) == set(NOTES)
+    other_side = {bound for _, bound in OTHER_SIDE.values()} | {NOT_THE_TARGET}
+    assert {bound for _, _, bound, _ in REFUSED} | other_side == marked(limits)
 
 
 def test_the_refused_value_is_kept_and_its_sentence_stays_short() -> None:
-    with pytest.raises(ProjectionError) as caught:
+    with pytest.raises(Refusal) as caught:
         Perspective(near=-1)
     assert caught.value.value == -1.0
     for make in (
@@ -1724,7 +1719,7 @@ def test_the_refused_value_is_kept_and_its_sentence_stays_short() -> None:
         tracing(np.full((100_000, 2), 1.5)),
         projection_with(depth="two\nlines\n" * 100),
     ):
-        with pytest.raises(ProjectionError) as caught:
+        with pytest.raises(Refusal) as caught:
             make()
         assert len(str(caught.value)) < 300
         assert "\n" not in str(caught.value)
@@ -1746,7 +1741,7 @@ def test_the_limits_themselves_are_allowed() -> None:
 # --------------------------------------------------------------------------- the module's own rules
 
 
-MODEL = ("app.model.projection", "app.model.camera", "app.model.lenses", "app.model.values")
+MODEL = ("app.model.projection", "app.model.camera", "app.model.lenses", "app.model.limits")
 
 
 def public_members() -> dict[str, object]:

@@ -25,8 +25,9 @@ from app.lecture.notation import LETTERS, letters_in, matrices, written
 from app.model.lenses import LENSES
 from app.model.lenses.lens import Central, LensTable, Window, check_planes, plane_letters
 from app.model.lenses.perspective import SCALE, Perspective, fov_y_from_window, pyramid_tables
-from app.model.projection import Frustum, Projection, ProjectionError
-from app.model.values import Keep, between, finite, keep_checked
+from app.model.limits import Keep, between, finite, keep_checked
+from app.model.projection import Frustum, Projection
+from app.model.refusal import Refusal
 from app.precision import levels as precision
 from app.scenes.scene import load
 
@@ -144,7 +145,7 @@ def test_other_lenses_become_it_and_it_becomes_others() -> None:
     cut = shift.between(2.0, 10.0)
     assert (cut.lens.near, cut.lens.far, cut.lens.kind) == (2.0, 10.0, "shift")
     assert cut.trace(POINTS).image == pytest.approx(shift.trace(POINTS).image, nan_ok=True)
-    with pytest.raises(ProjectionError, match="near"):
+    with pytest.raises(Refusal, match="near"):
         replace(SHIFT, near=50.0)
 
 
@@ -165,7 +166,7 @@ def test_it_is_documented() -> None:
     text = document.to_json(made)
     assert '"kind": "shift", "fov_y_deg": 50, "rise": 0.4, "near": 1, "far": 40' in text
     assert document.parse(text) == made
-    with pytest.raises(document.DocumentError, match="rise"):
+    with pytest.raises(document.Refusal, match="rise"):
         document.parse(text.replace('"rise": 0.4, ', ""))
     typed = document.Document(projection=made.projection.with_lens("matrix"))
     assert document.parse(document.to_json(typed)) == typed

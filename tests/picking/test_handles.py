@@ -18,8 +18,8 @@ from app.model.projection import (
     Orthographic,
     Perspective,
     Projection,
-    ProjectionError,
 )
+from app.model.refusal import Refusal
 from app.picking.handles import (
     EYE,
     TARGET,
@@ -184,7 +184,7 @@ def test_what_no_model_can_have_is_refused_and_never_nan() -> None:
     corner = Handle("corner", "near", (1.0, 1.0))
 
     def refused(handle: Handle, pixel: tuple[float, float]) -> str:
-        with pytest.raises(ProjectionError) as caught:
+        with pytest.raises(Refusal) as caught:
             changed(projection, dragged(projection, handle, drawn, sight, pixel))
         return str(caught.value)
 
@@ -203,7 +203,7 @@ def test_what_no_model_can_have_is_refused_and_never_nan() -> None:
     middle = at(projection, Handle("near", "near"), drawn, sight)
     beyond = 3.0 * middle - 2.0 * at(projection, corner, drawn, sight)
     assert "fov_y_deg = 0: must lie between 0 and 180" in refused(corner, tuple(beyond.tolist()))
-    with pytest.raises(ProjectionError, match="must differ from the eye"):
+    with pytest.raises(Refusal, match="must differ from the eye"):
         changed(projection, {"eye": projection.camera.target})
 
 
@@ -222,7 +222,7 @@ def test_far_goes_to_infinity_at_its_vanishing_point_and_a_box_cannot() -> None:
     projection = Projection(Camera(), LENSES["orthographic"])
     start, other = (at(projection, handle, (1.0, far), sight) for far in (40.0, 1e9))
     x, y = (start + 1.01 * (other - start)).tolist()
-    with pytest.raises(ProjectionError, match="far = inf: must be a finite number"):
+    with pytest.raises(Refusal, match="far = inf: must be a finite number"):
         changed(projection, dragged(projection, handle, (1.0, 40.0), sight, (x, y)))
 
 
@@ -266,11 +266,11 @@ def test_the_wheel_never_reaches_the_target() -> None:
     assert nearer.camera.distance == pytest.approx(projection.camera.distance / 2.0)
     assert nearer.camera.frame == pytest.approx(projection.camera.frame, abs=1e-15)
     assert nearer.camera.target == projection.camera.target
-    with pytest.raises(ProjectionError, match="must differ from the eye"):
+    with pytest.raises(Refusal, match="must differ from the eye"):
         for _ in range(100):
             nearer = changed(nearer, dollied(nearer, 0.5))
     assert nearer.camera.distance > 0.0
-    with pytest.raises(ProjectionError, match=r"eye = .*e\+100: must be at most 1e\+100"):
+    with pytest.raises(Refusal, match=r"eye = .*e\+100: must be at most 1e\+100"):
         changed(projection, dollied(projection, LARGEST))
 
 

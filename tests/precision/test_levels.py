@@ -33,10 +33,10 @@ from app.model.projection import (
     Orthographic,
     Perspective,
     Projection,
-    ProjectionError,
     Trace,
     Vector,
 )
+from app.model.refusal import Refusal
 from app.precision import levels as precision
 from app.precision.levels import (
     READING_TOLERANCE_DEPTH,
@@ -226,7 +226,7 @@ def wild(rng: np.random.Generator) -> Projection:
                 lens = Oblique(*window, near, far, alpha_deg=angles[0], beta_deg=angles[1])
             size_px = (int(rng.integers(1, 16385)), int(rng.integers(1, 16385)))
             return Projection(camera, lens, size_px, str(rng.choice([*DEPTH_RANGES])))
-        except ProjectionError:
+        except Refusal:
             continue
 
 
@@ -446,10 +446,10 @@ def test_every_rung_keeps_the_shape_of_the_points_and_takes_none() -> None:
 
 
 def test_a_rung_that_is_none_and_points_that_are_none_are_refused() -> None:
-    with pytest.raises(ProjectionError, match="rung = 'float16': must be one of float32, float64"):
+    with pytest.raises(Refusal, match="rung = 'float16': must be one of float32, float64"):
         trace(Projection(), [(0.0, 0.0, 0.0)], "float16")  # type: ignore[arg-type]
     for rung in RUNGS:
-        with pytest.raises(ProjectionError, match=r"points = .*: must be three finite numbers"):
+        with pytest.raises(Refusal, match=r"points = .*: must be three finite numbers"):
             trace(Projection(), [(0.0, math.nan, 0.0)], rung)
 
 

@@ -15,11 +15,12 @@ from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QProgressDialog
 
-from app.document.document import Document, DocumentError, parse, set_values, to_json
+from app.document.document import Document, parse, set_values, to_json
 from app.drawings.figures import render
 from app.drawings.frame_budget import Level, Pace
 from app.measure import smoothing
-from app.model.projection import FreeMatrix, Orthographic, Perspective, ProjectionError
+from app.model.projection import FreeMatrix, Orthographic, Perspective
+from app.model.refusal import Refusal
 from app.precision.quality import AUTOMATIC, SMOOTHINGS, Quality
 from app.scenes.fewer_triangles import SHARES, is_made, reduced, shares_for_dragging
 from app.scenes.scene import Scene, load
@@ -81,14 +82,14 @@ ALL_SAME = dict.fromkeys(PANES, True)
     ],
 )
 def test_what_cannot_be_is_refused_in_one_sentence(text: str, sentence: str) -> None:
-    with pytest.raises(DocumentError) as refused:
+    with pytest.raises(Refusal) as refused:
         set_values(Document(), [f"quality.{text}"])
     assert str(refused.value) == sentence
 
 
 @pytest.mark.parametrize("detail", [math.nan, math.inf, True, "1", None])
 def test_a_share_is_a_number(detail: Any) -> None:
-    with pytest.raises(ProjectionError):
+    with pytest.raises(Refusal):
         Quality(detail=detail)
 
 

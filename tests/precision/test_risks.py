@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from app.model.projection import Camera, FreeMatrix, Lens, Orthographic, Perspective, Projection
+from app.precision import risks as health
 from app.precision.levels import drawing_bound_px, predict, rung_for_drawing
 from app.precision.risks import (
     FEW_DIGITS,
@@ -20,7 +21,6 @@ from app.precision.risks import (
     NO_PICTURE,
     REACHES_INFINITY,
     ROUGH_DRAWING,
-    SENTENCES,
     VTK_CLAMPS,
     VTK_DROPS,
     WIDE_GAP,
@@ -28,6 +28,7 @@ from app.precision.risks import (
     risks,
 )
 from app.scenes.scene import BUILT_IN, load
+from tests.support.marked import marked
 
 EVERYDAY = Projection(Camera(), Perspective(45.0, 1.0, 30.0))
 
@@ -41,7 +42,7 @@ def found(projection: Projection, size: float = 5.0) -> dict[str, tuple[str, ...
     lower, upper = ((sign * half, 2.2 + sign * half, sign * half) for sign in (-1.0, 1.0))
     drawing_px = drawing_bound_px(projection, scene.corners, scene.origin)
     told = risks(projection, lower, upper, drawn, drawing_px, predictions)
-    assert {risk.template for risk in told} <= set(SENTENCES)
+    assert {risk.template for risk in told} <= marked(health, context="Health")
     return {risk.template: risk.figures for risk in told}
 
 
@@ -145,5 +146,5 @@ def test_a_risk_is_a_sentence() -> None:
     assert str(Risk(VTK_CLAMPS, ("179",))) == (
         "VTK's own camera would clamp the field of view to 179°."
     )
-    for template in SENTENCES:
+    for template in marked(health, context="Health"):
         assert str(Risk(template, ("1", "2"))).count("{") == 0

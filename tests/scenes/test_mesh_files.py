@@ -15,10 +15,11 @@ import pytest
 
 from app.bootstrap import ROOT
 from app.document import document
-from app.document.document import Document, DocumentError
+from app.document.document import Document
+from app.model.refusal import Cancelled, Refusal
 from app.scenes import mesh_files as meshes
 from app.scenes import reading
-from app.scenes.mesh_files import Mesh, SceneCancelled, SceneError
+from app.scenes.mesh_files import Mesh
 from tests.scenes.test_scene import PYRAMID, gltf_parts, obj_file, ply_file, write_gltf
 
 THREE = "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
@@ -32,7 +33,7 @@ def obj(folder: Path, text: str) -> Mesh:
 
 
 def refused(path: Path) -> str:
-    with pytest.raises(SceneError) as caught:
+    with pytest.raises(Refusal) as caught:
         reading.read(path)
     return str(caught.value)
 
@@ -100,7 +101,7 @@ def test_pipes_and_devices_are_not_opened(tmp_path: Path) -> None:
         (tmp_path / f"zero{ending}").symlink_to("/dev/zero")
     for name in ("pipe", "link", "zero"):
         assert "not a regular file" in refused(tmp_path / f"{name}.obj")
-        with pytest.raises(DocumentError, match="not a regular file"):
+        with pytest.raises(Refusal, match="not a regular file"):
             document.read(tmp_path / f"{name}.json")
 
 
@@ -153,7 +154,7 @@ def test_nothing_of_a_file_commands_the_terminal(tmp_path: Path) -> None:
 def test_a_document_of_millions_of_brackets_is_answered_at_once() -> None:
     text = '{"format": "frustum-lab", "version": 1, "more": [' + "[]," * 5_000_000 + "[]]}"
     started = time.process_time()
-    with pytest.raises(DocumentError, match="more than 200000 values"):
+    with pytest.raises(Refusal, match="more than 200000 values"):
         document.parse(text)
     assert time.process_time() - started < 2.0
 
@@ -239,7 +240,7 @@ def test_cancel_ends_the_other_process(tmp_path: Path, monkeypatch: pytest.Monke
 
     monkeypatch.setattr(subprocess, "Popen", kept)
     answers = iter([True, True, False])
-    with pytest.raises(SceneCancelled):
+    with pytest.raises(Cancelled):
         reading.read(tmp_path / "m.obj", lambda _: next(answers))
     assert started[0].returncode is not None
 

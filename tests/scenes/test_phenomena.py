@@ -12,14 +12,8 @@ import numpy as np
 import pytest
 
 from app.bootstrap import ROOT
-from app.model.projection import (
-    LENSES,
-    Camera,
-    Orthographic,
-    Perspective,
-    Projection,
-    ProjectionError,
-)
+from app.model.projection import LENSES, Camera, Orthographic, Perspective, Projection
+from app.model.refusal import Refusal
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.phenomena.illustration import (
     Copy,
@@ -95,7 +89,7 @@ def wild_settings(phenomenon: Phenomenon) -> list[Settings]:
         for value in values:
             try:
                 found.append(phenomenon.checked({**phenomenon.defaults, setting.name: value}))
-            except ProjectionError as error:
+            except Refusal as error:
                 assert error.field.startswith("settings."), error
     return found
 
@@ -203,7 +197,7 @@ def test_settings_that_move_the_camera_give_a_projection_or_one_sentence(
         for settings in wild_settings(phenomenon):
             try:
                 followed = phenomenon.follow(projection, defaults, settings)
-            except ProjectionError:
+            except Refusal:
                 continue
             except Exception as error:
                 error.add_note(f"{name}: {dict(settings)}")
@@ -215,7 +209,7 @@ def test_settings_that_move_the_camera_give_a_projection_or_one_sentence(
 def test_bad_settings_are_refused_by_name(phenomenon: Phenomenon) -> None:
     for setting in phenomenon.settings:
         for value in ("nonsense", math.nan, None, (1.0, 2.0), math.inf):
-            with pytest.raises(ProjectionError) as caught:
+            with pytest.raises(Refusal) as caught:
                 phenomenon.checked({setting.name: value})
             assert caught.value.field == setting.path
 
@@ -225,7 +219,7 @@ SETTING = Setting("size", "Size", "How large it is", 2.0, low=1.0, high=5.0, who
 
 @pytest.mark.parametrize("value", [0.5, 6.0, 2.5, True, "2", math.nan])
 def test_a_number_has_bounds(value: object) -> None:
-    with pytest.raises(ProjectionError, match=r"^settings\.size = "):
+    with pytest.raises(Refusal, match=r"^settings\.size = "):
         SETTING.checked(value)
 
 
@@ -257,7 +251,7 @@ def marked_texts() -> set[str]:
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "QT_TRANSLATE_NOOP":
                 context, text = (ast.literal_eval(part) for part in node.args)
-                assert context in ("phenomena", "ProjectionError"), text
+                assert context in ("phenomena", "Refusal"), text
                 found.add(text)
     return found
 

@@ -15,14 +15,8 @@ import pyvista as pv
 from app.drawings.figures import off_screen
 from app.drawings.rasterising import counted_wrong_share
 from app.model.depth import DepthBuffer
-from app.model.projection import (
-    Array,
-    Camera,
-    Orthographic,
-    Perspective,
-    Projection,
-    ProjectionError,
-)
+from app.model.projection import Array, Camera, Orthographic, Perspective, Projection
+from app.model.refusal import Refusal
 from app.scenes.phenomena.depth_buffer import PHENOMENON, RANGES, buffer_of, distances, moved_behind
 from app.scenes.phenomena.illustration import Exhibit, Phrase, Subject
 from app.scenes.phenomena.sampling import seen_distances
@@ -298,6 +292,6 @@ def test_the_explanations_figures_are_the_readings() -> None:
     ("name", "value"), [("gap", 0.0), ("gap", -1.0), ("format", "fixed12"), ("range", "linear")]
 )
 def test_a_setting_out_of_bounds_is_named(name: str, value: object) -> None:
-    with pytest.raises(ProjectionError) as error:
+    with pytest.raises(Refusal) as error:
         PHENOMENON.checked({name: value})
     assert error.value.field == f"settings.{name}"

@@ -6,7 +6,7 @@ import itertools
 
 import pytest
 
-from app.model.projection import ProjectionError
+from app.model.refusal import Refusal
 from app.scenes.phenomena import (
     field_of_view,
     oblique_drawing,
@@ -59,7 +59,7 @@ def test_every_setting_is_followed_or_refused_in_a_sentence(phenomenon: Phenomen
             settings = phenomenon.checked(values)
             try:
                 seen = phenomenon.follow(projection, phenomenon.defaults, settings)
-            except ProjectionError as error:
+            except Refusal as error:
                 assert str(error).endswith(".")
                 continue
             followed += 1

@@ -21,8 +21,8 @@ from app.model.projection import (
     Orthographic,
     Perspective,
     Projection,
-    ProjectionError,
 )
+from app.model.refusal import Refusal
 from app.scenes.phenomena.eye_plane import (
     CASES,
     PHENOMENON,
@@ -368,9 +368,9 @@ def test_the_image_pane_shows_both_images() -> None:
 
 
 def test_settings_are_checked() -> None:
-    with pytest.raises(ProjectionError, match=r"settings\.end"):
+    with pytest.raises(Refusal, match=r"settings\.end"):
         PHENOMENON.checked({"end": (math.nan, 0.0, 0.0)})
-    with pytest.raises(ProjectionError, match=r"settings\.start"):
+    with pytest.raises(Refusal, match=r"settings\.start"):
         PHENOMENON.checked({"start": (0.0, 1e101, 0.0)})
 
 

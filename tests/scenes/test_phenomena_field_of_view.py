@@ -9,7 +9,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.model.projection import Camera, Perspective, Projection, ProjectionError
+from app.model.projection import Camera, Perspective, Projection
+from app.model.refusal import Refusal
 from app.scenes.phenomena.field_of_view import PHENOMENON, preset_view
 from app.scenes.phenomena.illustration import Exhibit
 from tests.oracles.exact import Exact, dot, minus, mp, vector
@@ -204,5 +205,5 @@ def test_the_two_squares_on_the_image_have_the_ratio() -> None:
     [("distance", 0.0), ("distance", -1.0), ("distance", math.nan), ("preset", "cat")],
 )
 def test_wrong_settings_are_refused_by_name(name: str, wrong: object) -> None:
-    with pytest.raises(ProjectionError, match=f"settings.{name}"):
+    with pytest.raises(Refusal, match=f"settings.{name}"):
         PHENOMENON.checked({name: wrong})

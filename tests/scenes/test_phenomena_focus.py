@@ -17,9 +17,9 @@ from app.model.projection import (
     Orthographic,
     Perspective,
     Projection,
-    ProjectionError,
     focal_length_35mm,
 )
+from app.model.refusal import Refusal
 from app.scenes.phenomena.focus import PHENOMENON, blur_mm
 from app.scenes.phenomena.illustration import Exhibit, Subject
 
@@ -208,7 +208,7 @@ def test_the_planes_stand_where_the_limits_are() -> None:
     ],
 )
 def test_bad_input_is_refused_in_one_sentence(settings: dict[str, Any], said: str) -> None:
-    with pytest.raises(ProjectionError, match=said):
+    with pytest.raises(Refusal, match=said):
         PHENOMENON.checked(settings)
 
 

@@ -9,7 +9,8 @@ import mpmath
 import numpy as np
 import pytest
 
-from app.model.projection import Array, Camera, Perspective, Projection, ProjectionError
+from app.model.projection import Array, Camera, Perspective, Projection
+from app.model.refusal import Refusal
 from app.scenes.phenomena.illustration import Exhibit, OwnMesh, Subject
 from app.scenes.phenomena.interpolation import (
     PHENOMENON,
@@ -168,7 +169,7 @@ def test_a_mesh_has_its_texture_over_its_two_largest_extents() -> None:
     [("subdivision", 0.0), ("subdivision", 65.0), ("subdivision", 2.5), ("pattern", "stripes")],
 )
 def test_a_setting_out_of_bounds_is_named(name: str, value: object) -> None:
-    with pytest.raises(ProjectionError) as error:
+    with pytest.raises(Refusal) as error:
         PHENOMENON.checked({name: value})
     assert error.value.field == f"settings.{name}"
 

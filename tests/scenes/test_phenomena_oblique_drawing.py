@@ -9,7 +9,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.model.projection import Camera, Oblique, Orbit, Projection, ProjectionError
+from app.model.projection import Camera, Oblique, Orbit, Projection
+from app.model.refusal import Refusal
 from app.scenes.phenomena.illustration import Exhibit
 from app.scenes.phenomena.oblique_drawing import PHENOMENON, oblique
 from tests.oracles.exact import cotangent_deg, mp
@@ -178,7 +179,7 @@ def test_a_perspective_lens_has_no_receding_scale() -> None:
     [("receding", -0.1), ("receding", math.inf), ("morph", 1.5), ("angle_deg", 1e9)],
 )
 def test_wrong_settings_are_refused_by_name(name: str, wrong: float) -> None:
-    with pytest.raises(ProjectionError, match=f"settings.{name}"):
+    with pytest.raises(Refusal, match=f"settings.{name}"):
         PHENOMENON.checked({name: wrong})
 
 

@@ -20,8 +20,8 @@ from app.model.projection import (
     Orthographic,
     Perspective,
     Projection,
-    ProjectionError,
 )
+from app.model.refusal import Refusal
 from app.scenes.phenomena.illustration import Exhibit, Subject
 from app.scenes.phenomena.planar_shadow import PHENOMENON, cast, shadow_matrix
 from app.scenes.shapes import letter_f
@@ -204,7 +204,7 @@ def test_the_gpu_cuts_the_anti_shadow_off_and_minus_s_lets_it_through(
     ],
 )
 def test_bad_input_is_refused_in_one_sentence(settings: dict[str, Any], said: str) -> None:
-    with pytest.raises(ProjectionError, match=said):
+    with pytest.raises(Refusal, match=said):
         PHENOMENON.checked(settings)
 
 

@@ -8,7 +8,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.model.projection import Camera, Perspective, Projection, ProjectionError
+from app.model.projection import Camera, Perspective, Projection
+from app.model.refusal import Refusal
 from app.scenes.phenomena.illustration import Exhibit, Subject
 from app.scenes.phenomena.popping import (
     HEIGHT,
@@ -219,6 +220,6 @@ def test_the_diagram_of_the_fog_has_far_where_it_is() -> None:
     ],
 )
 def test_settings_that_cannot_be_are_named(settings: dict[str, object], field: str) -> None:
-    with pytest.raises(ProjectionError) as error:
+    with pytest.raises(Refusal) as error:
         PHENOMENON.checked(settings)
     assert error.value.field == field

@@ -18,8 +18,8 @@ from app.model.projection import (
     Orthographic,
     Perspective,
     Projection,
-    ProjectionError,
 )
+from app.model.refusal import Refusal
 from app.scenes.phenomena.illustration import Exhibit, Marks, Subject
 from app.scenes.phenomena.similar_triangles import PHENOMENON, onto_plane
 
@@ -187,14 +187,14 @@ def test_a_point_behind_the_eye_has_no_image_and_says_why() -> None:
 
 def test_a_plane_through_the_eye_is_refused() -> None:
     for zero in (0.0, -0.0, 0):
-        with pytest.raises(ProjectionError) as caught:
+        with pytest.raises(Refusal) as caught:
             PHENOMENON.checked({"distance": zero})
         assert str(caught.value) == (
             "settings.distance = 0: must not be 0: the plane would go through the eye, where"
             " nothing is cut."
         )
     for wrong in (math.nan, math.inf, 2e6, True, "4"):
-        with pytest.raises(ProjectionError, match=r"settings\.distance"):
+        with pytest.raises(Refusal, match=r"settings\.distance"):
             PHENOMENON.checked({"distance": wrong})
 
 

@@ -19,18 +19,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from app.model.projection import Camera, Perspective, Projection
+from app.model.refusal import Cancelled, Refusal
 from app.scenes import scene as scene_module
 from app.scenes.phenomena import PHENOMENA
-from app.scenes.scene import (
-    BUILT_IN,
-    ENDINGS,
-    SUBJECT_TRIANGLES,
-    Scene,
-    SceneCancelled,
-    SceneError,
-    frame_camera,
-    load,
-)
+from app.scenes.scene import BUILT_IN, ENDINGS, SUBJECT_TRIANGLES, Scene, frame_camera, load
 
 SIDES = ("+x", "-x", "+y", "-y", "+z", "-z")
 
@@ -527,21 +519,21 @@ def test_a_flat_mesh_and_one_of_another_scale_stand_there_too(tmp_path: Path) ->
 
 def test_a_mesh_that_no_scene_can_take_is_refused(tmp_path: Path) -> None:
     path = str(pyramid_file(tmp_path, "obj"))
-    with pytest.raises(SceneError) as caught:
+    with pytest.raises(Refusal) as caught:
         load("cube", mesh=path)
     assert str(caught.value) == (
         f"mesh = {path}: the scene “cube” has a subject of its own, no mesh can take its place."
     )
     for wrong in (str(tmp_path / "m.xyz"), str(tmp_path / "none.obj")):
-        with pytest.raises(SceneError, match="no such file"):
+        with pytest.raises(Refusal, match="no such file"):
             load("similar-triangles", mesh=wrong)
     (tmp_path / "m.txt").write_text("hello")
-    with pytest.raises(SceneError, match="must end in"):
+    with pytest.raises(Refusal, match="must end in"):
         load("similar-triangles", mesh=str(tmp_path / "m.txt"))
     fractions: list[float] = []
     load("similar-triangles", lambda f: fractions.append(f) is None, mesh=path)
     assert fractions == sorted(fractions) and fractions[-1] == 1.0
-    with pytest.raises(SceneCancelled):
+    with pytest.raises(Cancelled):
         load("similar-triangles", lambda _: False, mesh=path)
 
 
@@ -884,7 +876,7 @@ def test_progress_rises_from_0_to_1(kind: str, tmp_path: Path) -> None:
     assert len(set(seen)) >= 4
     for stop_at in range(len(seen)):
         answers = iter([True] * stop_at + [False])
-        with pytest.raises(SceneCancelled):
+        with pytest.raises(Cancelled):
             load(path, lambda fraction, answers=answers: next(answers))
 
 
@@ -1043,7 +1035,7 @@ def bad_files(folder: Path) -> Iterator[tuple[str, str]]:
 
 
 def refusal(name: str) -> str:
-    with pytest.raises(SceneError) as caught:
+    with pytest.raises(Refusal) as caught:
         load(name)
     sentence = str(caught.value)
     assert "\n" not in sentence

@@ -6,7 +6,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from app.model.projection import Camera, Projection, ProjectionError
+from app.model.projection import Camera, Projection
+from app.model.refusal import Refusal
 from app.scenes.phenomena.illustration import (
     Curve,
     Diagram,
@@ -60,7 +61,7 @@ def _follow(projection: Projection, _before: Settings, after: Settings) -> Proje
 def _check(settings: Settings) -> None:
     count = number(settings, "count")
     if number(settings, "gap") / 10.0 >= count:
-        raise ProjectionError("settings.gap", settings["gap"], BELOW_COUNT, count)
+        raise Refusal("settings.gap", settings["gap"], BELOW_COUNT, count)
 
 
 EVERYTHING = Phenomenon(

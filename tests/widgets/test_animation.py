@@ -15,7 +15,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from app.model.projection import Camera, Projection, ProjectionError
+from app.model.projection import Camera, Projection
+from app.model.refusal import Refusal
 from app.scenes.scene import load
 from widgets.controls.animation import PERIOD_S, STEP_S, AnimationBar, Motion, camera_at
 from widgets.controls.controls import Controls
@@ -127,7 +128,7 @@ def test_up_walks_along() -> None:
 
 def test_from_straight_above_there_is_no_level_view() -> None:
     start = Camera((0.0, 9.0, 0.0), (0.0, 2.0, 0.0), (0.0, 0.0, -1.0))
-    with pytest.raises(ProjectionError):
+    with pytest.raises(Refusal):
         camera_at(start, 1.0, Motion(look="level"))
 
 

@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-import ast
-import inspect
 import math
 import re
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
-from types import ModuleType
 from typing import Any
 
 import pytest
@@ -26,10 +23,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.document import document
-from app.document.document import DocumentError
 from app.drawings import figures
-from app.drawings.figures import FigureError
-from app.lecture import typed_matrix as free_matrix
 from app.model import projection
 from app.model.projection import (
     AT_LEAST,
@@ -45,14 +39,11 @@ from app.model.projection import (
     Orthographic,
     Perspective,
     Projection,
-    ProjectionError,
     fov_x_from_fov_y,
 )
-from app.precision import risks as health
+from app.model.refusal import Refusal
 from app.scenes import mesh_files as meshes
-from app.scenes import reading, scene
-from app.scenes.phenomena import illustration as exhibit
-from app.scenes.scene import SceneError
+from app.scenes import scene
 from widgets.controls.controls import Controls
 from widgets.parts import messages
 from widgets.parts.fields import ChoiceRow, Linear, Log, NumberRow, parse_number, short_text
@@ -1228,7 +1219,7 @@ def test_a_fraction_is_read_as_precisely_as_a_number(controls: Controls) -> None
         ("1e-300/1e300", DISTINCT),
         ("1/1e-400", DISTINCT),
     ):
-        with pytest.raises(ProjectionError) as caught:
+        with pytest.raises(Refusal) as caught:
             parse_number("Near", text)
         assert caught.value.bound == bound, text
     row = number(controls, "azimuth_deg")
@@ -1239,7 +1230,7 @@ def test_a_fraction_is_read_as_precisely_as_a_number(controls: Controls) -> None
 def test_parsing_tells_nothing_of_the_locale() -> None:
     assert parse_number("Near", "−1,5e−3") == -1.5e-3
     for text in ("1.000,5", "1'000", "½", "\uff11"):
-        with pytest.raises(ProjectionError):
+        with pytest.raises(Refusal):
             parse_number("Near", text)
 
 
@@ -1548,54 +1539,6 @@ def test_a_slider_stays_long_enough_to_use_and_the_column_narrow(enlarged: Contr
 # -- sentences
 
 
-@pytest.mark.parametrize(
-    ("listed", "core", "context"),
-    [
-        (messages.PROJECTION_BOUNDS, projection.BOUNDS, "ProjectionError"),
-        (messages.SETTING_BOUNDS, (exhibit.WHOLE, exhibit.YES_OR_NO), "ProjectionError"),
-        (messages.DOCUMENT_BOUNDS, document.BOUNDS, "DocumentError"),
-        (
-            messages.SCENE_SENTENCES,
-            meshes.SENTENCES + reading.SENTENCES + scene.SENTENCES,
-            "SceneError",
-        ),
-        (messages.FIGURE_SENTENCES, figures.SENTENCES, "FigureError"),
-        (messages.HEALTH_SENTENCES, health.SENTENCES, "Health"),
-        (messages.PROPERTY_SENTENCES, free_matrix.PROPERTIES, "Matrix"),
-        (messages.PLANE_NAMES, projection.PLANES, "Plane"),
-    ],
-    ids=["projection", "setting", "document", "scene", "figure", "health", "matrix", "plane"],
-)
-def test_translators_are_given_every_bound(
-    listed: tuple[str, ...], core: tuple[str, ...], context: str
-) -> None:
-    assert set(listed) == set(core)
-    marked = {
-        ast.literal_eval(call.args[1])
-        for call in ast.walk(ast.parse(inspect.getsource(messages)))
-        if isinstance(call, ast.Call)
-        and getattr(call.func, "id", "") == "QT_TRANSLATE_NOOP"
-        and ast.literal_eval(call.args[0]) == context
-    }
-    assert marked >= set(core)  # literal, or lupdate would not see them
-
-
-@pytest.mark.parametrize("room", [meshes, scene, figures])
-def test_a_room_says_only_what_translators_know(room: ModuleType) -> None:
-    errors = [
-        call
-        for call in ast.walk(ast.parse(inspect.getsource(room)))
-        if isinstance(call, ast.Call) and ast.unparse(call.func) in ("SceneError", "FigureError")
-    ]
-    assert len(errors) >= 4
-    for error in errors:  # constants, never text made on the spot
-        assert isinstance(error.args[0], ast.Name | ast.IfExp | ast.Call), ast.unparse(error)
-    constants = [value for name, value in vars(room).items() if name.isupper()]
-    templates = {text for text in constants if isinstance(text, str) and "{0}" in text}
-    assert templates == set(room.SENTENCES)
-    assert all(text.endswith((".", "?")) for text in templates)
-
-
 def test_sentences_are_translated_before_they_are_filled_in(qapp: QApplication) -> None:
     from PySide6.QtCore import QTranslator
 
@@ -1619,21 +1562,21 @@ def test_sentences_are_translated_before_they_are_filled_in(qapp: QApplication) 
     translator = Croatian()
     qapp.installTranslator(translator)
     try:
-        with pytest.raises(ProjectionError) as caught:
+        with pytest.raises(Refusal) as caught:
             Perspective(45.0, 3.0, 2.5)
         assert sentence(caught.value) == "Bliža ravnina = 3: mora biti manja od dalje, koja je 2.5."
-        missing = DocumentError(document.NO_FILE, file="a.json")
+        missing = Refusal.in_document(document.NO_FILE, file="a.json")
         assert sentence(missing) == "a.json ne postoji."
-        wrong = DocumentError(projection.ABOVE, 0, field="lens.near", value=-1)
+        wrong = Refusal.in_document(projection.ABOVE, 0, field="lens.near", value=-1)
         assert sentence(wrong) == "lens.near = -1: mora biti veće od 0."
-        with pytest.raises(SceneError) as unknown:
+        with pytest.raises(Refusal) as unknown:
             scene.load("kube")
         *others, last = scene.BUILT_IN
         said = f"Nema scene „kube”, možda „cube”? Ima {', '.join(others)} i {last}."
         assert sentence(unknown.value) == said
-        assert sentence(SceneError(meshes.EMPTY, "{1}.obj")) == "{1}.obj: datoteka je prazna."
+        assert sentence(Refusal.saying(meshes.EMPTY, "{1}.obj")) == "{1}.obj: datoteka je prazna."
         cube = scene.load("cube")
-        with pytest.raises(FigureError) as large:
+        with pytest.raises(Refusal) as large:
             figures.render(cube, cube.start, size=(9000, 600), scale=2.0)
         said = "širina = 9000 puta 2: mora biti od 96 do 16384 piksela."
         assert sentence(large.value) == said

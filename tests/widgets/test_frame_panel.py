@@ -28,7 +28,8 @@ from app.lecture.camera_frame import (
     view_matrix,
 )
 from app.lecture.typed_matrix import with_cell
-from app.model.projection import Camera, Perspective, Projection, ProjectionError, format_value
+from app.model.projection import Camera, Perspective, Projection
+from app.model.refusal import Refusal, format_value
 from app.scenes.scene import load
 from tests import PATIENCE_MS
 from widgets.panels.frame_panel import FramePanel
@@ -76,7 +77,7 @@ directions = st.tuples(*[st.floats(-10.0, 10.0).map(lambda x: round(x, 3))] * 3)
 def test_up_and_view_are_what_80_digits_say(eye: Any, up: Any) -> None:
     try:
         camera = Camera(eye, (0.0, 0.0, 0.0), up)
-    except ProjectionError:
+    except Refusal:
         return
     with mpmath.workdps(80):
         e, w = mpmath.matrix(eye), mpmath.matrix(up)
@@ -118,7 +119,7 @@ def test_up_on_the_view_direction_is_refused_by_the_model() -> None:
                       tuple(random.normal(size=3))) for _ in range(100)]  # fmt: skip
     for camera in (START.camera, *cameras):
         for angle_deg in (0.0, 1e-14, 180.0):
-            with pytest.raises(ProjectionError, match="up"):
+            with pytest.raises(Refusal, match="up"):
                 turned_up(camera, angle_deg)
     assert up_and_view(turned_up(START.camera, 1e-12)).angle_deg == pytest.approx(1e-12, rel=1e-2)
 

@@ -21,8 +21,7 @@ from pytestqt.qtbot import QtBot
 
 from app.document.document import Document
 from app.drawings.style import LIGHT
-from app.measure import arithmetic, chart, depth, detail, interpolation, smoothing
-from app.measure import meaning as meanings
+from app.measure import arithmetic, chart, depth, interpolation, smoothing
 from app.measure import results as kept
 from app.measure.meaning import meaning
 from app.measure.results import Choice, Results, Trade, from_json, table, to_csv, to_json
@@ -33,7 +32,7 @@ from widgets.panels import measuring
 from widgets.panels.measure_panel import MeasurePanel
 from widgets.panels.measuring import Measuring
 from widgets.panes.pane import SMOOTHINGS
-from widgets.parts import messages, palette
+from widgets.parts import palette
 from widgets.window.main_window import MainWindow
 
 IN_USE = {"depth_format": "fixed24", "depth_mapping": "reversed", "rung": "good"}
@@ -471,21 +470,6 @@ def test_everything_has_a_name_and_a_tip(panel: MeasurePanel) -> None:
     for widget in (panel.list, panel.how, panel.table):
         assert widget.accessibleName() and widget.toolTip()
     assert panel.progress.accessibleName() and panel.where.accessibleName()
-
-
-def test_translators_are_given_every_text() -> None:
-    assert set(messages.MEASURE_SENTENCES) == {*meanings.SENTENCES, *kept.SENTENCES}
-    assert set(messages.CHART_TEXTS) == set(chart.TEXTS)
-    notes = {
-        *(arithmetic.NO_POINTS, arithmetic.NOT_INSTALLED, arithmetic.NOT_A_NUMBER),
-        *(arithmetic.INFINITE, interpolation.NOTHING, interpolation.PARALLEL, depth.BEYOND),
-        *(detail.TOO_FEW, detail.NOT_SEEN, kept.CANCELLED),
-    }
-    assert set(messages.MEASURE_NOTES) == notes
-    assert messages.MEASURE_WORDS == kept.WORDS
-    everything = messages.MEASURE_SENTENCES + messages.MEASURE_NOTES + messages.CHART_TEXTS
-    everything += messages.MEASURE_WORDS
-    assert {messages._CONTEXTS[text] for text in everything} == {"Measure"}
 
 
 def test_every_name_of_a_choice_is_put_together_from_translated_parts(

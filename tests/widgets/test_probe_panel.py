@@ -34,8 +34,8 @@ from app.model.projection import (
     Orthographic,
     Perspective,
     Projection,
-    format_value,
 )
+from app.model.refusal import format_value
 from app.picking.picking import Probe, Sight, Surface
 from app.scenes.scene import load
 from widgets.panels.probe_panel import MOST_PROBES, ProbePanel

@@ -27,7 +27,8 @@ from pytestqt.qtbot import QtBot
 
 from app.document.document import Document, extract, read
 from app.drawings.style import LIGHT
-from app.model.projection import Camera, FreeMatrix, Frustum, Oblique, ProjectionError, receding_of
+from app.model.projection import Camera, FreeMatrix, Frustum, Oblique, receding_of
+from app.model.refusal import Refusal
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.phenomena.illustration import Exhibit, Phrase, Reading, Setting, Settings, Subject
 from app.scenes.scene import load
@@ -58,7 +59,7 @@ class Owner:
         self.edits.append(values)
         try:
             self.settings = EVERYTHING.checked({**self.settings, **values})
-        except ProjectionError as error:
+        except Refusal as error:
             self.panel.refuse(error)
         else:
             self.show()

@@ -43,29 +43,14 @@ from vtkmodules.vtkRenderingCore import vtkTextActor
 import app.document.document
 import app.scenes.scene
 from app.bootstrap import ROOT
-from app.document.document import (
-    UNWRITABLE,
-    Document,
-    DocumentError,
-    extract,
-    picture_json,
-    read,
-    to_json,
-    write,
-)
+from app.document.document import UNWRITABLE, Document, extract, picture_json, read, to_json, write
 from app.drawings import actors
 from app.drawings import precision as rungs
 from app.drawings.figures import png_bytes, render
 from app.drawings.image import ImageDrawing
 from app.drawings.style import LIGHT, rgb
-from app.model.projection import (
-    Camera,
-    Orbit,
-    Orthographic,
-    Perspective,
-    Projection,
-    ProjectionError,
-)
+from app.model.projection import Camera, Orbit, Orthographic, Perspective, Projection
+from app.model.refusal import Refusal
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.scene import load
 from app.scenes.shapes import GRID_RGB
@@ -813,7 +798,7 @@ def test_the_export_dialog_refuses_what_cannot_be_drawn(
 
 def test_a_number_of_400_digits_is_refused_in_a_sentence() -> None:
     """As a document may hold it; float64 has no such number, and infinity is another."""
-    with pytest.raises(ProjectionError) as refused:
+    with pytest.raises(Refusal) as refused:
         Perspective(45.0, 10**399, math.inf)
     assert "1e399" in sentence(refused.value)
     assert number_text(-(10**399)) == "-1e399"
@@ -1094,7 +1079,7 @@ def test_recovered_work_is_in_a_copy_at_every_moment(
     write(Document("posts"), lost)
 
     def full(_document: Document, path: Path) -> None:
-        raise DocumentError(UNWRITABLE, "No space left on device", file=str(path))
+        raise Refusal.in_document(UNWRITABLE, "No space left on device", file=str(path))
 
     window._offer_recovery()
     with monkeypatch.context() as disk:
@@ -1172,7 +1157,7 @@ def test_that_no_copy_can_be_kept_is_said_in_the_window(
     window = make_window(shown=False)
 
     def full(_document: Document, path: Path) -> None:
-        raise DocumentError(UNWRITABLE, "No space left on device", file=str(path))
+        raise Refusal.in_document(UNWRITABLE, "No space left on device", file=str(path))
 
     start = window.store.document.projection
     window.store.set_projection(replace(start, depth="direct3d"))

@@ -21,9 +21,9 @@ from app.model.projection import (
     NOT_PARALLEL,
     NOT_THE_EYE,
     Camera,
-    ProjectionError,
     Vector,
 )
+from app.model.refusal import Refusal
 from widgets.parts.clock import Clock
 from widgets.parts.fields import Choice, ChoiceRow, Linear, NumberRow, Row
 from widgets.parts.messages import sentence, translated
@@ -124,7 +124,7 @@ def camera_at(start: Camera, elapsed_s: float, motion: Motion) -> Camera:
 
     Raises
     ------
-    ProjectionError
+    Refusal
         If there is no such camera: one straight above its target cannot look level.
     """
     turn = math.radians(math.remainder(motion.speed_deg_s * elapsed_s, 360.0))
@@ -359,7 +359,7 @@ class AnimationBar(QWidget):
         self._elapsed_s += seconds
         try:
             camera = camera_at(self._start, self._elapsed_s, self._motion)
-        except ProjectionError as error:
+        except Refusal as error:
             self.pause()
             self._say(self._why(error))
             return
@@ -367,7 +367,7 @@ class AnimationBar(QWidget):
             self._shown = camera
             self.edited.emit(camera)
 
-    def _why(self, error: ProjectionError) -> str:
+    def _why(self, error: Refusal) -> str:
         """What stopped the walk, without the numbers of a camera that nobody made."""
         if error.bound == NOT_THE_EYE and self._motion.look == "level":
             if self._start is not None and self._start.eye[1] < self._start.target[1]:
@@ -398,13 +398,13 @@ class AnimationBar(QWidget):
         x, _, z = camera.target
         try:
             self._start = replace(camera, target=(x, aim_y, z))
-        except ProjectionError:  # the aim is where the eye is now, or straight up from it
+        except Refusal:  # the aim is where the eye is now, or straight up from it
             self._start = camera
 
     def _number_edited(self, row: NumberRow, largest: float, value: float) -> None:
         if abs(value) > largest:
             bound, limit = (AT_MOST, largest) if value > 0.0 else (AT_LEAST, -largest)
-            row.show_error(sentence(ProjectionError(row.name, value, bound, limit)))
+            row.show_error(sentence(Refusal(row.name, value, bound, limit)))
         else:
             self._settings_edited()
 

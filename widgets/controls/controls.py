@@ -1,7 +1,7 @@
 """The control column: every value of the projection, as a slider and as a number.
 
     user -> row.edited(value) -> write(current, value) -> a new Projection -> controls.edited
-                                 ProjectionError       -> a sentence at the row, nothing else
+                                 Refusal       -> a sentence at the row, nothing else
 
 Each row is bound to the model by a `Binding` of its section. What is folded is neither read nor
 written until it is opened.
@@ -15,7 +15,7 @@ from dataclasses import replace
 from functools import partial
 from typing import Any
 
-from PySide6.QtCore import QCoreApplication, QEvent, QObject, QPoint, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QObject, QPoint, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QApplication,
@@ -27,14 +27,8 @@ from PySide6.QtWidgets import (
 )
 
 from app.lecture.highlight import NOTHING, Attention, made_of
-from app.model.projection import (
-    FINITE_NUMBER,
-    LARGEST,
-    Camera,
-    Orbit,
-    Projection,
-    ProjectionError,
-)
+from app.model.projection import FINITE_NUMBER, LARGEST, Camera, Orbit, Projection
+from app.model.refusal import Refusal
 from widgets.controls.animation import AnimationBar
 from widgets.controls.lens_controls import LensControls
 from widgets.parts.fields import (
@@ -50,7 +44,7 @@ from widgets.parts.fields import (
     short_text,
 )
 from widgets.parts.focus import FocusRing
-from widgets.parts.messages import field_name, seen_from, sentence
+from widgets.parts.messages import field_name, seen_from, sentence, translated
 from widgets.parts.section import PARTS, Binding, Section, Typed
 
 RIGHT_MARGIN_PX = 4
@@ -405,7 +399,7 @@ class Controls(QScrollArea):
         before = self._projection
         try:
             projection = binding.write(before, value)
-        except ProjectionError as error:
+        except Refusal as error:
             seen = seen_from(binding.field, binding.row.name, value, error)
             general = seen.bound == FINITE_NUMBER or seen.limits in ((LARGEST,), (-LARGEST,))
             if isinstance(value, float) and abs(value) > LARGEST and general:
@@ -429,21 +423,21 @@ class Controls(QScrollArea):
             bar = self.verticalScrollBar()
             bar.setValue(bar.value() + moved.y())
 
-    def _limit(self, binding: Binding, value: float) -> ProjectionError | None:
+    def _limit(self, binding: Binding, value: float) -> Refusal | None:
         """The model's own limit on the side of a value beyond all, if it has one there."""
         probe = math.copysign(LARGEST, value)
         try:
             binding.write(self._projection, probe)
-        except ProjectionError as error:
+        except Refusal as error:
             seen = seen_from(binding.field, binding.row.name, probe, error)
             if seen.field == binding.field and seen.value == probe:
-                return ProjectionError(seen.field, value, seen.bound, *seen.limits)
+                return Refusal(seen.field, value, seen.bound, *seen.limits)
         return None
 
     def _accepts(self, binding: Binding, value: float) -> bool:
         try:
             binding.write(self._projection, value)
-        except ProjectionError:
+        except Refusal:
             return False
         return True
 
@@ -453,7 +447,7 @@ class Controls(QScrollArea):
         for value in (-math.inf, math.inf):
             error = self._limit(binding, value)
             if error is not None:
-                bound = QCoreApplication.translate("ProjectionError", error.bound)
+                bound = translated(error.bound)
                 clauses.append(bound.format(*_as_shown(error, value).limits))
         return "; ".join(dict.fromkeys(clauses))
 
@@ -579,13 +573,13 @@ def _lay_out() -> None:
         QApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest)
 
 
-def _as_shown(error: ProjectionError, value: Any) -> ProjectionError:
+def _as_shown(error: Refusal, value: Any) -> Refusal:
     """An error whose numbers are as short as the fields show them, but for the edited one."""
     refused = error.value
     if isinstance(refused, tuple):
         refused = tuple(part if part == value else float(f"{part:.6g}") for part in refused)
     limits = (_short_limit(limit, value) for limit in error.limits)
-    return ProjectionError(error.field, refused, error.bound, *limits)
+    return Refusal(error.field, refused, error.bound, *limits)
 
 
 def _short_limit(limit: Any, value: Any) -> Any:

@@ -25,7 +25,6 @@ from app.model.projection import (
     Oblique,
     Perspective,
     Projection,
-    ProjectionError,
     focal_length_35mm,
     focal_length_e,
     fov_x_from_fov_y,
@@ -35,6 +34,7 @@ from app.model.projection import (
     oblique_angles,
     receding_of,
 )
+from app.model.refusal import Refusal
 from widgets.parts.fields import Choice, Linear, Log, NumberRow, Scale
 from widgets.parts.section import Binding, Read, Section, Typed, Write, tidy
 
@@ -431,9 +431,9 @@ def _fov_x(projection: Projection) -> float:
 
 def _with_fov_x(projection: Projection, fov_x_deg: float) -> Projection:
     if not math.isfinite(fov_x_deg):
-        raise ProjectionError("fov_x_deg", fov_x_deg, FINITE_NUMBER)
+        raise Refusal("fov_x_deg", fov_x_deg, FINITE_NUMBER)
     if not 0.0 < fov_x_deg < 180.0:
-        raise ProjectionError("fov_x_deg", fov_x_deg, BETWEEN, 0, 180)
+        raise Refusal("fov_x_deg", fov_x_deg, BETWEEN, 0, 180)
     return _with_fov_y(projection, fov_x_from_fov_y(fov_x_deg, 1.0 / projection.aspect))
 
 
@@ -446,8 +446,8 @@ def _with_half(key: str, projection: Projection, half: float) -> Projection:
     top = half / projection.aspect if key == "window_right" else half
     try:
         fov_y_deg = fov_y_from_window(top, projection.lens.near)
-    except ProjectionError as error:  # which speaks of top
-        raise ProjectionError(key, half, error.bound, *error.limits) from None
+    except Refusal as error:  # which speaks of top
+        raise Refusal(key, half, error.bound, *error.limits) from None
     return _with_fov_y(projection, fov_y_deg)
 
 
@@ -474,7 +474,7 @@ def _with_receding(projection: Projection, receding: Receding) -> Projection:
         bound, limit = (
             (AT_MOST, LARGEST_SHEAR) if receding.receding > 0.0 else (AT_LEAST, -LARGEST_SHEAR)
         )
-        raise ProjectionError("receding", receding.receding, bound, limit)
+        raise Refusal("receding", receding.receding, bound, limit)
     return _leaning(projection, *oblique_angles(*receding))
 
 

@@ -46,7 +46,8 @@ from app.lecture.camera_frame import (
     view_matrix,
 )
 from app.lecture.highlight import NOTHING, Attention
-from app.model.projection import Camera, Projection, ProjectionError, format_value
+from app.model.projection import Camera, Projection
+from app.model.refusal import Refusal, format_value
 from widgets.parts.fields import Log, NumberRow
 from widgets.parts.focus import FocusRing
 from widgets.parts.highlight import paint_attention
@@ -380,7 +381,7 @@ class FramePanel(QWidget):
     def _offer(self, change: Callable[[Camera], Camera]) -> None:
         try:
             camera = change(self._projection.camera)
-        except ProjectionError as error:
+        except Refusal as error:
             self.angle.show_error(sentence(error))
         else:
             self.edited.emit(replace(self._projection, camera=camera))

@@ -59,7 +59,8 @@ from app.lecture.notation import (
 )
 from app.lecture.typed_matrix import EDITABLE, properties, with_cell
 from app.model.formula import ARROW
-from app.model.projection import Projection, ProjectionError
+from app.model.projection import Projection
+from app.model.refusal import Refusal
 from widgets.panels.matrix_view import VIEW, MatrixView, is_a_cameras, rich
 from widgets.parts.fields import REFUSAL_SHEET, parse_number, refusal
 from widgets.parts.focus import FocusRing
@@ -294,10 +295,10 @@ class MatrixPanel(QWidget):
             value = parse_number(cell, text)
             sign = cell_sign(self._projection, self._letters, name, into, of)
             projection = with_cell(self._projection, name, into, of, sign * value)
-        except ProjectionError as error:
+        except Refusal as error:
             view.refuse()
             if error.field == f"{name}[{into}, {of}]":  # the core's word for it
-                error = ProjectionError(cell, error.value, error.bound, *error.limits)
+                error = Refusal(cell, error.value, error.bound, *error.limits)
             self._explain(refusal(sentence(error)), REFUSAL_SHEET)
             return
         if "/" in text:
@@ -522,7 +523,7 @@ class MatrixPanel(QWidget):
 
     def _note(self, matrix: Matrix) -> str:
         if matrix.note:
-            return translated(matrix.note)
+            return translated(matrix.note, "Stage")
         if matrix.name == "clip_from_world":
             return self.tr("then x, y and z are divided by w")
         projection = self._projection
@@ -530,7 +531,7 @@ class MatrixPanel(QWidget):
             return ""
         if projection.lens.planes is None:
             found = [
-                translated(template).format(*figures)
+                translated(template, "Matrix").format(*figures)
                 for template, figures in properties(projection, matrix.name)
             ]
             return "\n".join(found)

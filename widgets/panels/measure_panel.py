@@ -35,7 +35,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.document.document import Document, DocumentError, write_bytes_atomically
+from app.document.document import Document, write_bytes_atomically
 from app.drawings.style import LIGHT, Style
 from app.measure import chart
 from app.measure.meaning import meaning
@@ -46,7 +46,6 @@ from app.measure.results import (
     NOT_RESULTS,
     Choice,
     Results,
-    ResultsError,
     Sweep,
     Trade,
     from_json,
@@ -55,11 +54,12 @@ from app.measure.results import (
     to_csv,
     to_json,
 )
+from app.model.refusal import Refusal
 from app.scenes.phenomena.illustration import Diagram
 from widgets.panels.measuring import Measuring
 from widgets.parts.diagram import DiagramView
 from widgets.parts.focus import FocusRing
-from widgets.parts.messages import sentence, translated
+from widgets.parts.messages import of_measurements, sentence
 from widgets.parts.note import Note
 
 HEIGHT_PX = 225
@@ -139,7 +139,7 @@ class MeasurePanel(QWidget):
             self.tr("What to measure and to show; Ctrl or Shift to choose several to measure")
         )
         for name in chart.TITLES:
-            item = QListWidgetItem(translated(chart.TITLES[name]))
+            item = QListWidgetItem(of_measurements(chart.TITLES[name]))
             item.setData(Qt.ItemDataRole.UserRole, name)
             self.list.addItem(item)
         self.list.setCurrentRow(0)
@@ -326,7 +326,7 @@ class MeasurePanel(QWidget):
             self.words.pop(name, None)
         self.measured |= found
         if results is not None and not results.complete:
-            said = translated(CANCELLED)
+            said = of_measurements(CANCELLED)
         for name in missing:
             self.words[name] = said
             if results is None or results.complete:  # or an older one is better than nothing
@@ -382,9 +382,9 @@ class MeasurePanel(QWidget):
             elif ending == ".json":
                 content = to_json(shown).encode()
             else:
-                content = chart.picture(shown, path.name, self._current(), other, translated)
+                content = chart.picture(shown, path.name, self._current(), other, of_measurements)
             write_bytes_atomically(path, content)
-        except DocumentError as error:
+        except Refusal as error:
             self._refuse(sentence(error))
             return False
         finally:
@@ -409,7 +409,7 @@ class MeasurePanel(QWidget):
             text = self.tr("{0}: cannot be read: {1}.")
             self._refuse(text.format(path.name, error.strerror or error))
             return False
-        except ResultsError as error:
+        except Refusal as error:
             self._refuse(sentence(error))
             return False
         self.loaded = _split(results)
@@ -447,7 +447,7 @@ class MeasurePanel(QWidget):
         for row, name in enumerate(chart.TITLES):
             found = (self.measured.get(name), self.loaded.get(name))
             sign = "✓ " if any(each and _says_something(each) for each in found) else ""
-            self.list.item(row).setText(sign + translated(chart.TITLES[name]))
+            self.list.item(row).setText(sign + of_measurements(chart.TITLES[name]))
         self.forget_button.setEnabled(bool(self.loaded))
         self.export_button.setEnabled(shown is not None)
         self._show_chart(shown, other)
@@ -459,22 +459,22 @@ class MeasurePanel(QWidget):
             self.sentence.show()
             return
         part = _part(shown)
-        said = meaning(part).sentence(translated) if isinstance(part, Trade) else ""
+        said = meaning(part).sentence(of_measurements) if isinstance(part, Trade) else ""
         if not part.complete:
-            said = f"{chart.title(part, translated)}. {said}"
+            said = f"{chart.title(part, of_measurements)}. {said}"
         if self.name in self.words:
             said = f"{self.words[self.name]} {said}"
         self.sentence.setText(said)
         self.sentence.setVisible(bool(said))
         self.where.setText(chart.where(shown))
-        self.seen.setText(chart.seen(shown, translated))
+        self.seen.setText(chart.seen(shown, of_measurements))
 
     def _show_chart(self, shown: Results | None, other: Results | None) -> None:
         diagrams: tuple[Diagram, ...] = ()
         if shown is not None:
             over = _part(other) if other is not None else None
             name = chart.machine(other) if other is not None else ""
-            diagrams = chart.diagrams(_part(shown), self._current(), over, name, translated)
+            diagrams = chart.diagrams(_part(shown), self._current(), over, name, of_measurements)
         while len(self.diagrams) < max(1, len(diagrams)):
             view = DiagramView()
             view.set_style(self._style)
@@ -516,18 +516,18 @@ class MeasurePanel(QWidget):
         grey = self.palette().brush(QPalette.ColorRole.PlaceholderText)
         self.table.setRowCount(len(rows))
         self.table.setColumnCount(len(heads))
-        self.table.setHorizontalHeaderLabels([named(head, translated) for head in heads])
+        self.table.setHorizontalHeaderLabels([named(head, of_measurements) for head in heads])
         for y, row in enumerate(rows):
             why = self._why_not(choices[y]) if y < len(choices) else ""
             for x, text in enumerate(row):
-                cell = QTableWidgetItem(named(text, translated))
+                cell = QTableWidgetItem(named(text, of_measurements))
                 if why:
                     cell.setFont(slanted)
                     if x == 0 and choices[y].cost is not None:
                         cell.setText(self.tr("{0} (measured only)").format(cell.text()))
                 if y < len(beaten) and beaten[y]:
                     cell.setForeground(grey)
-                cell.setToolTip("\n".join(filter(None, (named(row[-1], translated), why))))
+                cell.setToolTip("\n".join(filter(None, (named(row[-1], of_measurements), why))))
                 if 0 < x < len(row) - 1:
                     cell.setTextAlignment(
                         Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
@@ -593,7 +593,7 @@ class MeasurePanel(QWidget):
         """Why the panes cannot be drawn with a choice; empty if they can."""
         if choice.use and choice.use.get("smoothing", "none") in self._smoothings:
             return ""
-        return translated(MEASURED_ONLY).format(named(choice.name, translated))
+        return of_measurements(MEASURED_ONLY).format(named(choice.name, of_measurements))
 
     def _use(self, choice: Choice) -> None:
         why = self._why_not(choice)
@@ -635,10 +635,10 @@ def _read(path: Path) -> Results:
     try:
         results = from_json(path.read_text(encoding="utf-8"), path.name)
     except UnicodeDecodeError as error:
-        raise ResultsError(NOT_RESULTS, path.name) from error
+        raise Refusal.saying(NOT_RESULTS, path.name) from error
     for name in _split(results):
         if name not in chart.TITLES:
-            raise ResultsError(
+            raise Refusal.saying(
                 DAMAGED, path.name, f"{json.dumps(name)} is nothing that is measured"
             )
     return results

@@ -21,8 +21,9 @@ from dataclasses import replace
 from PySide6.QtCore import QObject, QProcess, Signal
 
 from app.bootstrap import ROOT
-from app.document.document import Document, DocumentError, is_mesh, to_json, write_bytes_atomically
-from app.measure.results import ResultsError, from_json
+from app.document.document import Document, is_mesh, to_json, write_bytes_atomically
+from app.measure.results import from_json
+from app.model.refusal import Refusal
 from widgets.parts.messages import sentence
 
 PAUSE, RESUME, CANCEL = b"pause\n", b"resume\n", b"cancel\n"
@@ -60,7 +61,7 @@ class Measuring(QObject):
         assert not self.running
         try:
             self._file = _written(document)
-        except (DocumentError, OSError) as error:
+        except (Refusal, OSError) as error:
             self.finished.emit(None, sentence(error))
             return
         process = self._process = QProcess(self)
@@ -133,7 +134,7 @@ class Measuring(QObject):
         self._clear()
         try:
             results = from_json(out.decode(), self.tr("The measurement"))
-        except (ResultsError, UnicodeDecodeError):  # it said why, or was ended from outside
+        except (Refusal, UnicodeDecodeError):  # it said why, or was ended from outside
             self.finished.emit(None, said or self.tr("The measurement ended unexpectedly."))
         else:
             self.finished.emit(results, said)

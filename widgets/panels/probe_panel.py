@@ -42,11 +42,10 @@ from app.model.projection import (
     LARGEST,
     PLANES,
     Projection,
-    ProjectionError,
     Trace,
     Vector,
-    format_value,
 )
+from app.model.refusal import Refusal, format_value
 from app.picking.picking import Probe, projector
 from app.precision.levels import predict, rung_for_reading, trace
 from widgets.parts.fields import REFUSAL_SHEET, parse_number, refusal
@@ -271,7 +270,7 @@ class ProbePanel(QWidget):
                 continue
             try:
                 point[axis] = _coordinate(name, field.text())
-            except ProjectionError as error:
+            except Refusal as error:
                 self.error.setText(refusal(sentence(error)))
                 self.error.show()
                 field.setAccessibleDescription(self.error.text())
@@ -465,7 +464,7 @@ class ProbePanel(QWidget):
             return self.tr("the pixel's ray, as far as it is in front of the eye")
         try:
             projection.world_from_clip_at(projection.camera.eye)
-        except ProjectionError:
+        except Refusal:
             return self.tr("no ray in the world: the matrix has no inverse")
         return self.tr("no ray in the world: all of it is behind the eye")
 
@@ -483,10 +482,10 @@ def _texts(values: Any) -> list[str]:
 def _coordinate(name: str, text: str) -> float:
     value = parse_number(name, text)
     if math.isinf(value):
-        raise ProjectionError(name, value, FINITE_NUMBER)
+        raise Refusal(name, value, FINITE_NUMBER)
     if abs(value) > LARGEST:
         bound, limit = (AT_MOST, LARGEST) if value > 0.0 else (AT_LEAST, -LARGEST)
-        raise ProjectionError(name, value, bound, limit)
+        raise Refusal(name, value, bound, limit)
     return value
 
 

@@ -37,7 +37,8 @@ from PySide6.QtWidgets import (
 )
 
 from app.drawings.style import LIGHT, Style
-from app.model.projection import AT_LEAST, AT_MOST, Projection, ProjectionError
+from app.model.projection import AT_LEAST, AT_MOST, Projection
+from app.model.refusal import Refusal
 from app.scenes.phenomena.illustration import (
     Diagram,
     Exhibit,
@@ -326,20 +327,20 @@ class ScenePanel(QWidget):
         for diagram in self.diagrams:
             diagram.set_style(style)
 
-    def refuse(self, error: ProjectionError) -> None:
+    def refuse(self, error: Refusal) -> None:
         """Say at the row that was just edited why that cannot be; the last value stays."""
         row = self.rows[self._edits or next(iter(self.rows))]
         self._readable.settle()  # or what was accepted before would take the sentence back
         row.show_error(sentence(self.named(error)))
 
-    def named(self, error: ProjectionError) -> ProjectionError:
+    def named(self, error: Refusal) -> Refusal:
         """A refusal under the label of the setting that it is about."""
         assert self._phenomenon is not None
         labels = {setting.path: setting.label for setting in self._phenomenon.settings}
         if error.field not in labels:
             return error
         name = of_phenomena(labels[error.field])
-        return ProjectionError(name, error.value, error.bound, *error.limits)
+        return Refusal(name, error.value, error.bound, *error.limits)
 
     def pause(self) -> None:
         """Let all that is played stand still."""
@@ -656,7 +657,7 @@ def make_row(setting: Setting, none: str = "") -> Row:
 def _accepts(setting: Setting, value: float) -> bool:
     try:
         setting.checked(value)
-    except ProjectionError:
+    except Refusal:
         return False
     return True
 

@@ -4,7 +4,7 @@
 
     canvas.drag_started, dragged --> app.picking.handles: what it makes of a field --> edited
                                                   or of the scene's setting --> setting_edited
-                                                             ProjectionError --> a sentence over
+                                                             Refusal --> a sentence over
                                                                                  the pane
 
 A drag is a gesture, and so is a burst of wheel steps. The panes must stand still under the hand,
@@ -25,14 +25,8 @@ from PySide6.QtWidgets import QLabel
 
 from app.drawings.image import ImageDrawing
 from app.drawings.world import WorldDrawing
-from app.model.projection import (
-    NOT_THE_EYE,
-    OTHER_SIDE,
-    Projection,
-    ProjectionError,
-    Vector,
-    six_digits,
-)
+from app.model.projection import NOT_THE_EYE, OTHER_SIDE, Projection, Vector
+from app.model.refusal import Refusal, six_digits
 from app.picking.handles import (
     Change,
     Handle,
@@ -283,7 +277,7 @@ class Manipulation(QObject):
             moved = replace(held, point=np.array(point))
             self.setting_edited.emit({held.setting: _value(moved)})
 
-    def refuse(self, error: ProjectionError) -> None:
+    def refuse(self, error: Refusal) -> None:
         """Say over the pane why a setting cannot be what the hand made of it."""
         self._refuse(self._world, error)
 
@@ -341,13 +335,13 @@ class Manipulation(QObject):
             if self._drag is not None:
                 self._drag.names.update(change)
             projection = changed(self._projection, change)
-        except ProjectionError as error:
+        except Refusal as error:
             self._refuse(pane, _seen_from(change, error))
         else:
             self.message.hide()
             self.edited.emit(projection)
 
-    def _refuse(self, pane: Pane, error: ProjectionError) -> None:
+    def _refuse(self, pane: Pane, error: Refusal) -> None:
         bar, width = self.message, pane.width()
         self._line.hide()
         bar.setParent(pane)
@@ -388,7 +382,7 @@ class _Drag:
         self.names: set[str] = set()
 
 
-def _seen_from(change: Change, error: ProjectionError) -> ProjectionError:
+def _seen_from(change: Change, error: Refusal) -> Refusal:
     """A refusal as it looks from what was dragged."""
     side, _ = OTHER_SIDE.get(error.bound, ("", ""))
     value = change.get(side)

@@ -61,14 +61,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.model.projection import (
-    AT_LEAST,
-    AT_MOST,
-    DISTINCT,
-    FINITE_NUMBER,
-    LARGEST,
-    ProjectionError,
-)
+from app.model.projection import AT_LEAST, AT_MOST, DISTINCT, FINITE_NUMBER, LARGEST
+from app.model.refusal import Refusal
 from widgets.parts.escape import HeldSlider
 from widgets.parts.highlight import paint_attention
 from widgets.parts.messages import (
@@ -123,7 +117,7 @@ def parse_number(name: str, text: str, unit: str = "", *, infinite: bool = False
 
     Raises
     ------
-    ProjectionError
+    Refusal
         For any other text, and for digits that float64 can only keep as infinity or as 0.
     """
     typed = text.strip()
@@ -136,19 +130,19 @@ def parse_number(name: str, text: str, unit: str = "", *, infinite: bool = False
     for part in bare.split("/"):
         match = _NUMBER.fullmatch(part.strip())
         if not match:
-            raise ProjectionError(name, typed, not_a_number)
+            raise Refusal(name, typed, not_a_number)
         number = float(match[0].replace(",", "."))
         if number == 0.0 and re.search("[1-9]", match[1]):
-            raise ProjectionError(name, typed, DISTINCT, 0)
+            raise Refusal(name, typed, DISTINCT, 0)
         parts.append(number)
     if len(parts) > 2 or parts[1:] == [0.0]:
-        raise ProjectionError(name, typed, not_a_number)
+        raise Refusal(name, typed, not_a_number)
     number = parts[0] / parts[1] if len(parts) == 2 else parts[0]
     if any(map(math.isinf, parts)) or math.isinf(number):
         bound, limit = (AT_LEAST, -LARGEST) if number < 0.0 else (AT_MOST, LARGEST)
-        raise ProjectionError(name, typed, bound, limit)
+        raise Refusal(name, typed, bound, limit)
     if number == 0.0 and parts[0] != 0.0:
-        raise ProjectionError(name, typed, DISTINCT, 0)
+        raise Refusal(name, typed, DISTINCT, 0)
     return number
 
 
@@ -824,11 +818,11 @@ class NumberRow(Row):
         self.finish_gesture()
         try:
             value = parse_number(self.name, text, self._unit, infinite=self._scale.infinite)
-        except ProjectionError as error:
+        except Refusal as error:
             limits = self.limits() if error.bound in (A_NUMBER, A_NUMBER_OR_INFINITY) else ""
             if error.bound == A_NUMBER and not all(map(self.accepts, EXAMPLES)):
                 example = short_text(self._value)
-                error = ProjectionError(self.name, text.strip(), A_NUMBER_LIKE, example)
+                error = Refusal(self.name, text.strip(), A_NUMBER_LIKE, example)
             said = sentence(error)
             self._refuse(text, f"{said.removesuffix('.')}; {limits}." if limits else said)
             return
@@ -1102,8 +1096,8 @@ class VectorRow(Row):
         try:
             number = parse_number(component, text)
             if math.isinf(number):
-                raise ProjectionError(component, number, FINITE_NUMBER)
-        except ProjectionError as error:
+                raise Refusal(component, number, FINITE_NUMBER)
+        except Refusal as error:
             self._refuse(field, text, sentence(error))
             return
         self.clear_error()

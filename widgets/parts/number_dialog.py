@@ -9,7 +9,8 @@ from __future__ import annotations
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QLabel, QLineEdit, QVBoxLayout, QWidget
 
-from app.model.projection import AT_LEAST, AT_MOST, ProjectionError
+from app.model.projection import AT_LEAST, AT_MOST
+from app.model.refusal import Refusal
 from widgets.parts.fields import REFUSAL_SHEET, parse_number, refusal
 from widgets.parts.messages import number_text, sentence
 
@@ -67,7 +68,7 @@ class NumberDialog(QDialog):
         """Take the number and close; or say what is wrong with it, and stay."""
         try:
             self.number = self._read()
-        except ProjectionError as error:
+        except Refusal as error:
             said = refusal(sentence(error))
             self.problem.setText(said)
             self.problem.show()
@@ -85,5 +86,5 @@ class NumberDialog(QDialog):
             (value > self._high, AT_MOST, self._high),
         ):
             if wrong:
-                raise ProjectionError(self._name, value, bound, limit)
+                raise Refusal(self._name, value, bound, limit)
         return value

@@ -60,7 +60,9 @@ from PySide6.QtWidgets import (
 
 from app import __version__, bootstrap
 from app.document.document import Document, write_bytes_atomically
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from widgets.program import opengl
+from widgets.program.opengl import DisplayError as DisplayError  # what `run_window` raises
 from widgets.window.settings import Settings, log_path, name_application, settings_path
 
 if TYPE_CHECKING:
@@ -78,12 +80,9 @@ FIRST_PICTURE_S = 60.0
 """Longest wait for the window of a screenshot to be on the screen."""
 
 
-class DisplayError(RuntimeError):
-    """There is no screen to open a window on: why, and what to do."""
-
-
-class WindowError(RuntimeError):
-    """The window cannot show or save what was asked for; one sentence."""
+IN_FILE = QT_TRANSLATE_NOOP("Refusal", "{0}: {1}")
+NOT_WHOLE = QT_TRANSLATE_NOOP("Refusal", "{0}: the window could not be shown whole.")
+NO_WINDOW = QT_TRANSLATE_NOOP("Refusal", "{0}: the window did not appear on the screen.")
 
 
 @dataclass(frozen=True)
@@ -427,7 +426,7 @@ def make_application() -> QApplication:
 
     Raises
     ------
-    DisplayError, OpenGLError
+    DisplayError
         If no window can be opened here.
     """
     with display():
@@ -527,12 +526,11 @@ def run_window(
 
     Raises
     ------
-    DisplayError, OpenGLError
+    DisplayError
         If no window can be opened here.
-    WindowError
-        If the document's scene cannot be loaded, or there is no whole window to take a picture of.
-    DocumentError
-        If the screenshot cannot be written.
+    Refusal
+        If the document's scene cannot be loaded, there is no whole window to take a picture of, or
+        the screenshot cannot be written.
     """
     application = make_application()
     found = opengl.probe()
@@ -553,7 +551,6 @@ def run_window(
         translate(application, settings.language)
 
         with bootstrap.for_good():
-            from app.scenes.scene import SceneError  # VTK comes with it: only where it can draw
             from widgets.window.main_window import MainWindow
 
         log_vtk()
@@ -566,8 +563,10 @@ def run_window(
                 path=path,
                 scene=scene,
             )
-        except SceneError as error:
-            raise WindowError(f"{path}: {error}" if path else str(error)) from error
+        except Refusal as error:
+            if path is None or error.file is not None:
+                raise
+            raise Refusal.saying(IN_FILE, path, error) from error
         if options.size:
             window.resize(*options.size)
         show_window(window)
@@ -575,7 +574,7 @@ def run_window(
         if options.screenshot:
             if failed:
                 window.close()
-                raise WindowError(f"{options.screenshot}: the window could not be shown whole.")
+                raise Refusal.saying(NOT_WHOLE, options.screenshot)
             _take_screenshot(application, window, options.screenshot)
         else:
             application.exec()
@@ -614,7 +613,7 @@ def _take_screenshot(application: QApplication, window: Any, path: Path) -> None
     while not window.windowHandle().isExposed():
         application.processEvents()
         if time.monotonic() > limit:
-            raise WindowError(f"{path}: the window did not appear on the screen.")
+            raise Refusal.saying(NO_WINDOW, path)
     application.processEvents()
     window.messages.hide()  # an offer to recover work is no part of the picture
     application.processEvents()

@@ -33,8 +33,8 @@ ADVICE = (
 )
 
 
-class OpenGLError(RuntimeError):
-    """OpenGL is missing or too old: what was found, and what to do."""
+class DisplayError(RuntimeError):
+    """No window can be drawn here, for want of a screen or of OpenGL: why, and what to do."""
 
 
 @dataclass(frozen=True)
@@ -77,14 +77,14 @@ def probe() -> OpenGL:
 
     Raises
     ------
-    OpenGLError
+    DisplayError
         If there is none, or less than 3.2.
     """
     surface = QOffscreenSurface()
     surface.create()
     context = QOpenGLContext()
     if not surface.isValid() or not context.create() or not context.makeCurrent(surface):
-        raise OpenGLError(f"No OpenGL could be started, and 3.2 is needed. {ADVICE}")
+        raise DisplayError(f"No OpenGL could be started, and 3.2 is needed. {ADVICE}")
     try:
         functions = context.functions()
         version, renderer, vendor = (
@@ -94,9 +94,9 @@ def probe() -> OpenGL:
     finally:
         context.doneCurrent()
     if context.isOpenGLES():
-        raise OpenGLError(f"Only OpenGL ES is offered here ({renderer}), not OpenGL 3.2. {ADVICE}")
+        raise DisplayError(f"Only OpenGL ES is offered here ({renderer}), not OpenGL 3.2. {ADVICE}")
     if tuple(found) < NEEDED:
-        raise OpenGLError(
+        raise DisplayError(
             f"OpenGL {found[0]}.{found[1]} is too old ({renderer}): 3.2 is needed. {ADVICE}"
         )
     return OpenGL(version, renderer, vendor, is_software(renderer))
@@ -116,7 +116,7 @@ def main() -> int:
     }  # fmt: skip
     try:
         answer |= asdict(probe())
-    except OpenGLError as error:
+    except DisplayError as error:
         answer["error"] = str(error)
     print(json.dumps(answer))
     return 0

@@ -10,7 +10,8 @@ from pathlib import Path
 
 from PySide6.QtCore import QLockFile, QObject, QTimer, Signal
 
-from app.document.document import Document, DocumentError, read, write
+from app.document.document import Document, read, write
+from app.model.refusal import Refusal
 
 log = logging.getLogger(__name__)
 
@@ -79,7 +80,7 @@ class Autosave(QObject):
                 self._path.unlink(missing_ok=True)
             else:
                 write(document, self._path)
-        except (DocumentError, OSError) as error:
+        except (Refusal, OSError) as error:
             log.warning("autosave failed: %s", error)
             return self._fail()
         self._has_failed = False
@@ -110,7 +111,7 @@ class Autosave(QObject):
 
         Raises
         ------
-        DocumentError
+        Refusal
             If the copy is not a valid document.
         """
         return read(path)

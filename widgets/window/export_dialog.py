@@ -18,7 +18,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.drawings.figures import PANES, FigureError, checked_size
+from app.drawings.figures import PANES, checked_size
+from app.model.refusal import Refusal
 from widgets.parts.messages import sentence
 
 
@@ -127,7 +128,7 @@ class ExportDialog(QDialog):
             else:
                 try:
                     checked_size(self._image_size, choice.panes, choice.size, choice.scale)
-                except FigureError as error:
+                except Refusal as error:
                     problem = sentence(error)
         self._problem.setText("⚠ " + problem if problem else "")
         self._buttons.button(QDialogButtonBox.StandardButton.Save).setEnabled(not problem)

@@ -11,17 +11,10 @@ from typing import TypeVar
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QProgressDialog, QWidget
 
-from app.document.document import (
-    MESH_ENDINGS,
-    Document,
-    DocumentError,
-    holds_document,
-    is_mesh,
-    read,
-    write,
-)
+from app.document.document import MESH_ENDINGS, Document, holds_document, is_mesh, read, write
 from app.document.store import Store
-from app.scenes.scene import Scene, SceneCancelled, SceneError, load
+from app.model.refusal import Cancelled, Refusal
+from app.scenes.scene import Scene, load
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import sentence
 
@@ -79,8 +72,8 @@ class Files(QObject):
 
         Raises
         ------
-        SceneError
-            If it cannot be loaded; `SceneCancelled` if the user stopped it.
+        Refusal
+            If it cannot be loaded; `Cancelled` if the user stopped it.
         """
         if (name, mesh) not in self._scenes:
             self._scenes[name, mesh] = self._load(name, mesh)
@@ -318,13 +311,11 @@ class Files(QObject):
         """
         try:
             done = act()
-        except SceneCancelled:
+        except Cancelled:
             return None
-        except DocumentError as error:
-            self._messages.say(sentence(error))
-            return None
-        except SceneError as error:
-            self._messages.say(f"{document}: {sentence(error)}" if document else sentence(error))
+        except Refusal as error:
+            of_scene = document and error.file is None
+            self._messages.say(f"{document}: {sentence(error)}" if of_scene else sentence(error))
             return None
         self._messages.done()
         return done

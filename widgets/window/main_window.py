@@ -48,14 +48,15 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.document.document import Document, DocumentError, set_values
+from app.document.document import Document, set_values
 from app.document.store import Store
 from app.drawings import WORDS
 from app.drawings.image import ImageDrawing
 from app.drawings.ndc import NdcDrawing
 from app.drawings.probes import pick_in, sort_ahead
 from app.drawings.world import WorldDrawing
-from app.model.projection import Camera, Projection, ProjectionError
+from app.model.projection import Camera, Projection
+from app.model.refusal import Refusal
 from app.picking.picking import Probe, dragged
 from app.precision.levels import rung_for_drawing
 from app.precision.quality import AUTO, AUTOMATIC
@@ -118,7 +119,7 @@ class MainWindow(QMainWindow):
 
     Raises
     ------
-    SceneError
+    Refusal
         If the document's scene cannot be loaded.
     """
 
@@ -556,7 +557,7 @@ class MainWindow(QMainWindow):
         ]
         try:
             document = set_values(document, texts)
-        except DocumentError as error:
+        except Refusal as error:
             self.messages.say(sentence(error))
             return
         self.manipulation.let_go()
@@ -734,13 +735,13 @@ class MainWindow(QMainWindow):
     def _set_settings(self, settings: Mapping[str, Value]) -> None:
         try:
             self.store.set_settings(settings)
-        except ProjectionError as error:
+        except Refusal as error:
             self.scene_panel.refuse(error)
 
     def _set_by_hand(self, settings: Mapping[str, Value]) -> None:
         try:
             self.store.set_settings(settings)
-        except ProjectionError as error:
+        except Refusal as error:
             self.manipulation.refuse(self.scene_panel.named(error))
 
     def _build_drawings(self, views: dict[str, Camera]) -> None:
@@ -990,7 +991,7 @@ class MainWindow(QMainWindow):
     def _recover(self, path: Path) -> None:
         try:
             document = self.autosave.recover(path)
-        except DocumentError as error:
+        except Refusal as error:
             ways = self._ways_with(path) if path.exists() else ()  # or another window has it
             self.messages.say(sentence(error), *ways)
             return

@@ -10,16 +10,9 @@ from PySide6.QtCore import QByteArray, QMimeData, QObject, Qt
 from PySide6.QtGui import QGuiApplication, QImage, QOpenGLContext
 from PySide6.QtWidgets import QFileDialog, QMainWindow, QProgressDialog
 
-from app.document.document import Document, DocumentError, picture_json
-from app.drawings.figures import (
-    PANES,
-    FigureCancelled,
-    FigureError,
-    Pixels,
-    png_bytes,
-    render,
-    write_png,
-)
+from app.document.document import Document, picture_json
+from app.drawings.figures import PANES, Pixels, png_bytes, render, write_png
+from app.model.refusal import Cancelled, Refusal
 from app.scenes.scene import Scene
 from widgets.parts import palette
 from widgets.parts.message_bar import MessageBar
@@ -119,9 +112,9 @@ class Pictures(QObject):
         """Do it and say so, or say in one sentence why not."""
         try:
             act()
-        except FigureCancelled:
+        except Cancelled:
             return False
-        except (FigureError, DocumentError) as error:
+        except Refusal as error:
             self._messages.say(sentence(error))
             return False
         self._messages.done()

@@ -17,13 +17,8 @@ from PySide6.QtWidgets import QLabel, QMenu, QSizePolicy, QStatusBar, QToolButto
 
 from app.drawings.frame_budget import LARGEST_FRAME_MS
 from app.lecture.highlight import CORNERS, NOTHING, SIDES, Attention
-from app.model.projection import (
-    Perspective,
-    Projection,
-    focal_length_35mm,
-    format_value,
-    fov_x_from_fov_y,
-)
+from app.model.projection import Perspective, Projection, focal_length_35mm, fov_x_from_fov_y
+from app.model.refusal import format_value
 from app.precision.levels import (
     DRAWING_TOLERANCE_PX,
     LARGEST_TOLERANCE_PX,
@@ -282,7 +277,7 @@ class StatusLine(QStatusBar):
         drawing_px = drawing_bound_px(projection, scene.corners, scene.origin)
         self._show_rungs(self._drawn, drawing_px, self._predictions)
         self._risks = [
-            translated(risk.template).format(*map(plane_name, risk.figures))
+            translated(risk.template, "Health").format(*map(plane_name, risk.figures))
             for risk in risks(
                 projection, scene.lower, scene.upper, self._drawn, drawing_px, self._predictions
             )

@@ -8,8 +8,8 @@ from typing import Any, ClassVar
 
 from app.model.lenses.lens import Lens, LensTable
 from app.model.lenses.perspective import Perspective
+from app.model.limits import SMALLEST_CELL, Cells, finite_matrix, keep_checked
 from app.model.tables import matrix
-from app.model.values import SMALLEST_CELL, Cells, finite_matrix, keep_checked
 
 TABLE = LensTable(
     (),
@@ -37,7 +37,7 @@ class FreeMatrix(Lens):
 
     Raises
     ------
-    ProjectionError
+    Refusal
         Naming the cell, as ``clip_from_view[0, 2]``, that is not finite, beyond `LARGEST`, or
         below `SMALLEST_CELL` in size and not 0.
     """

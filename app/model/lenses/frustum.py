@@ -9,15 +9,8 @@ from typing import ClassVar
 from app.model.lenses.lens import Central, LensTable, Window, check_planes
 from app.model.lenses.perspective import pyramid_tables
 from app.model.lenses.window import Windowed
-from app.model.values import (
-    AT_LEAST,
-    AT_MOST,
-    SMALLEST_FIELD,
-    SMALLEST_OPENING,
-    Keep,
-    ProjectionError,
-    format_value,
-)
+from app.model.limits import AT_LEAST, AT_MOST, SMALLEST_FIELD, SMALLEST_OPENING, Keep
+from app.model.refusal import Refusal, format_value
 
 SHEAR = """
     1  0  (r + l)/(2*n)  0
@@ -88,7 +81,7 @@ class Frustum(Central, Windowed):
         for name, side in sides.items():
             if abs(side) > limit:
                 bound, signed = (AT_MOST, limit) if side > 0.0 else (AT_LEAST, -limit)
-                raise ProjectionError(name, side, bound, format_value(signed))
+                raise Refusal(name, side, bound, format_value(signed))
 
     @property
     def table(self) -> LensTable:

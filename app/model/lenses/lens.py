@@ -13,8 +13,7 @@ from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Any, ClassVar, NamedTuple, TypeAlias, cast
 
-from app.model.tables import Step, Table
-from app.model.values import (
+from app.model.limits import (
     ABOVE,
     AT_LEAST,
     DISTINCT,
@@ -24,11 +23,11 @@ from app.model.values import (
     Array,
     Cells,
     Keep,
-    ProjectionError,
     finite,
-    format_value,
     real,
 )
+from app.model.refusal import Refusal, format_value
+from app.model.tables import Step, Table
 
 
 @dataclass(frozen=True, eq=False)
@@ -96,7 +95,7 @@ class Lens:
 
     Raises
     ------
-    ProjectionError
+    Refusal
         For what a lens is asked for and does not have: a typed matrix has no planes, no window.
     """
 
@@ -147,7 +146,7 @@ class Lens:
 
         Raises
         ------
-        ProjectionError
+        Refusal
         """
 
     def fits(self, aspect: float) -> bool:
@@ -241,10 +240,10 @@ class Lens:
         """A view matrix in place of the camera's, if it brings one."""
         return None
 
-    def _refusal(self) -> ProjectionError:
+    def _refusal(self) -> Refusal:
         from app.model.lenses import LENSES
 
-        return ProjectionError("kind", self.kind, ONE_OF, ", ".join(LENSES))
+        return Refusal("kind", self.kind, ONE_OF, ", ".join(LENSES))
 
 
 @dataclass(frozen=True)
@@ -354,20 +353,20 @@ def plane_letters(lens: Lens) -> dict[str, Fraction]:
 
 
 def check_planes(near: Any, far: Any, *, parallel: bool) -> tuple[float, float]:
-    """Near and far of a lens as floats, or a `ProjectionError`."""
+    """Near and far of a lens as floats, or a `Refusal`."""
     near = real("near", near)
     if near != math.inf or far == math.inf:  # a drag past the horizon asks for ∞ beyond far
         near = finite("near", near)
     if not parallel:
         if near <= 0.0:
-            raise ProjectionError("near", near, ABOVE, 0)
+            raise Refusal("near", near, ABOVE, 0)
         if near < SMALLEST:
-            raise ProjectionError("near", near, AT_LEAST, SMALLEST)
+            raise Refusal("near", near, AT_LEAST, SMALLEST)
     far = real("far", far)
     if parallel or far != math.inf:
         far = finite("far", far)
     if near >= far:
-        raise ProjectionError("near", near, NEAR_BEFORE_FAR, format_value(far))
+        raise Refusal("near", near, NEAR_BEFORE_FAR, format_value(far))
     if parallel and far - near < SMALLEST:  # where only their ratio counts, it may be less
-        raise ProjectionError("near", near, DISTINCT, format_value(far))
+        raise Refusal("near", near, DISTINCT, format_value(far))
     return near, far

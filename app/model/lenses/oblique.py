@@ -11,18 +11,17 @@ from app.arithmetic.double_double import cotangent_deg
 from app.model.lenses.lens import LensTable, Parallel, Window, check_planes
 from app.model.lenses.orthographic import SCALE, TRANSLATION, box_table
 from app.model.lenses.window import Windowed
-from app.model.values import (
+from app.model.limits import (
     AT_LEAST,
     AT_MOST,
     LARGEST_SHEAR,
     SMALLEST_WINDOW,
-    ProjectionError,
     between,
     cos_sin_deg,
     finite,
-    format_value,
     keep_checked,
 )
+from app.model.refusal import Refusal, format_value
 
 SHEAR = """
     1  0  cot(alpha)  n*cot(alpha)
@@ -86,7 +85,7 @@ class Oblique(Parallel, Windowed):
             least = math.degrees(1.0 / LARGEST_SHEAR)
             if not least <= angle_deg <= 180.0 - least:
                 bound, limit = (AT_LEAST, least) if angle_deg < 90.0 else (AT_MOST, 180.0 - least)
-                raise ProjectionError(name, angle_deg, bound, format_value(limit))
+                raise Refusal(name, angle_deg, bound, format_value(limit))
             keep_checked(self, **{name: angle_deg})
 
     @property
@@ -141,7 +140,7 @@ def oblique_angles(receding: float, receding_deg: float) -> tuple[float, float]:
 
     Raises
     ------
-    ProjectionError
+    Refusal
         For a length below 0 or above `LARGEST_SHEAR`, or a number that is not finite.
 
     Notes
@@ -153,7 +152,7 @@ def oblique_angles(receding: float, receding_deg: float) -> tuple[float, float]:
         (receding < 0.0, AT_LEAST, 0), (receding > LARGEST_SHEAR, AT_MOST, int(LARGEST_SHEAR)),
     ):  # fmt: skip
         if wrong:
-            raise ProjectionError("receding", receding, bound, limit)
+            raise Refusal("receding", receding, bound, limit)
     cos, sin = cos_sin_deg(receding_deg)
     return (
         math.degrees(math.atan2(1.0, -receding * cos)),

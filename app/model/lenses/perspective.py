@@ -14,17 +14,9 @@ from typing import ClassVar
 
 from app.arithmetic.double_double import cotangent_deg
 from app.model.lenses.lens import Central, LensTable, Window, check_planes, plane_letters
+from app.model.limits import ABOVE, AT_LEAST, SMALLEST_FIELD, Keep, between, finite, keep_checked
+from app.model.refusal import Refusal
 from app.model.tables import DEPTH_RANGE, SCALED_BY_NEAR, Step, matrix
-from app.model.values import (
-    ABOVE,
-    AT_LEAST,
-    SMALLEST_FIELD,
-    Keep,
-    ProjectionError,
-    between,
-    finite,
-    keep_checked,
-)
 
 _FULL_FRAME_DIAGONAL_MM = math.hypot(36.0, 24.0)
 
@@ -167,7 +159,7 @@ class Perspective(Central):
     def __post_init__(self) -> None:
         fov_y_deg = between("fov_y_deg", self.fov_y_deg, 0, 180)
         if fov_y_deg < SMALLEST_FIELD:
-            raise ProjectionError("fov_y_deg", fov_y_deg, AT_LEAST, SMALLEST_FIELD)
+            raise Refusal("fov_y_deg", fov_y_deg, AT_LEAST, SMALLEST_FIELD)
         near, far = check_planes(self.near, self.far, parallel=False)
         keep_checked(self, fov_y_deg=fov_y_deg, near=near, far=far)
 
@@ -226,13 +218,13 @@ def fov_y_from_window(top: float, near: float) -> float:
 
     Raises
     ------
-    ProjectionError
+    Refusal
         If a number is not finite or not above 0.
     """
     top, near = finite("top", top), finite("near", near)
     for name, value in (("top", top), ("near", near)):
         if value <= 0.0:
-            raise ProjectionError(name, value, ABOVE, 0)
+            raise Refusal(name, value, ABOVE, 0)
     return math.degrees(2.0 * math.atan2(top, near))
 
 
@@ -249,12 +241,12 @@ def fov_y_from_focal_length_e(e: float, aspect: float) -> float:
 
     Raises
     ------
-    ProjectionError
+    Refusal
         If e is not a finite number above 0.
     """
     e = finite("e", e)
     if e <= 0.0:
-        raise ProjectionError("e", e, ABOVE, 0)
+        raise Refusal("e", e, ABOVE, 0)
     return math.degrees(2.0 * math.atan2(1.0, e * aspect))
 
 
@@ -273,11 +265,11 @@ def fov_y_from_focal_length_35mm(focal_length_mm: float, aspect: float) -> float
 
     Raises
     ------
-    ProjectionError
+    Refusal
         If the focal length is not a finite number above 0.
     """
     focal_length_mm = finite("focal_length_mm", focal_length_mm)
     if focal_length_mm <= 0.0:
-        raise ProjectionError("focal_length_mm", focal_length_mm, ABOVE, 0)
+        raise Refusal("focal_length_mm", focal_length_mm, ABOVE, 0)
     half_height = _FULL_FRAME_DIAGONAL_MM / 2.0 / math.hypot(aspect, 1.0)
     return math.degrees(2.0 * math.atan2(half_height, focal_length_mm))

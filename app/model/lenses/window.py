@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import Any
 
 from app.model.lenses.lens import Lens, Window, check_planes, plane_letters
-from app.model.values import (
+from app.model.limits import (
     BOTTOM_BEFORE_TOP,
     DISTINCT,
     LEFT_BEFORE_RIGHT,
@@ -16,11 +16,10 @@ from app.model.values import (
     SMALLEST_WINDOW,
     WIDER,
     Keep,
-    ProjectionError,
     finite,
-    format_value,
     keep_checked,
 )
+from app.model.refusal import Refusal, format_value
 
 _ROUNDING = 1e-12
 """What a window's proportions may differ from the image's, of themselves, by their rounding."""
@@ -48,10 +47,10 @@ class Windowed(Lens):
             ("bottom", bottom, top, BOTTOM_BEFORE_TOP),
         ):
             if low >= high:
-                raise ProjectionError(name, low, bound, format_value(high))
+                raise Refusal(name, low, bound, format_value(high))
         self.check_window(left, right, bottom, top)
         if self.keep not in ("stretch", "x", "y"):
-            raise ProjectionError("keep", self.keep, ONE_OF, "stretch, x, y")
+            raise Refusal("keep", self.keep, ONE_OF, "stretch, x, y")
 
     @property
     def least_window(self) -> float:
@@ -63,13 +62,13 @@ class Windowed(Lens):
 
         Raises
         ------
-        ProjectionError
+        Refusal
             If a side is shorter than `least_window`.
         """
         for name, low, high in (("left", left, right), ("bottom", bottom, top)):
             if high - low < self.least_window:
                 bound = DISTINCT if self.parallel else WIDER
-                raise ProjectionError(name, low, bound, format_value(high))
+                raise Refusal(name, low, bound, format_value(high))
 
     def exact_window(self, aspect: Fraction) -> tuple[Fraction, Fraction, Fraction, Fraction]:
         """`window` without rounding, (left, right, bottom, top)."""
@@ -101,7 +100,7 @@ class Windowed(Lens):
         ):
             extent = float(exact)
             if abs(high - low - extent) > extent / 2.0:
-                raise ProjectionError(name, low, DISTINCT, format_value(high))
+                raise Refusal(name, low, DISTINCT, format_value(high))
         self.check_window(*window)
 
     def fits(self, aspect: float) -> bool:

@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 
 from app.model.clipping import NOT_CUT, clip_segments
 from app.model.projection import Array, Camera, Perspective, Projection
+from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.illustration import (
-    QT_TRANSLATE_NOOP,
     Dot,
     Exhibit,
     Grip,

@@ -19,8 +19,8 @@ from numpy.typing import NDArray
 from app.model.clipping import clip_polygon
 from app.model.depth import FORMATS, DepthBuffer
 from app.model.projection import Array, Camera, Perspective, Projection
+from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.illustration import (
-    QT_TRANSLATE_NOOP,
     Copy,
     Curve,
     Diagram,

@@ -19,8 +19,8 @@ from numpy.typing import NDArray
 
 from app.model.clipping import LARGEST_CLIP, clip_segments, cut_at_eye, naive_ndc
 from app.model.projection import Array, Camera, Perspective, Projection
+from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.illustration import (
-    QT_TRANSLATE_NOOP,
     Curve,
     Diagram,
     Dot,

@@ -26,9 +26,9 @@ from app.model.projection import (
     fov_x_from_fov_y,
     fov_y_from_focal_length_35mm,
 )
+from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.illustration import (
     CLOSE,
-    QT_TRANSLATE_NOOP,
     Exhibit,
     Found,
     Line,
@@ -140,7 +140,7 @@ def dollied(projection: Projection, factor: float) -> Projection:
 
     Raises
     ------
-    ProjectionError
+    Refusal
         Where the lens or the camera cannot follow.
     """
     camera, lens = projection.camera, projection.lens

@@ -23,8 +23,8 @@ from typing import NamedTuple
 import numpy as np
 
 from app.model.projection import Array, Camera, Perspective, Projection
+from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.illustration import (
-    QT_TRANSLATE_NOOP,
     Curve,
     Diagram,
     Exhibit,

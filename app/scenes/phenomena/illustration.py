@@ -23,17 +23,9 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from app.model.depth import DepthBuffer
-from app.model.projection import (
-    AT_LEAST,
-    AT_MOST,
-    FINITE_NUMBER,
-    ONE_OF,
-    Array,
-    Projection,
-    ProjectionError,
-    format_value,
-)
-from app.model.values import finite, finite_vector
+from app.model.limits import finite, finite_vector
+from app.model.projection import AT_LEAST, AT_MOST, FINITE_NUMBER, ONE_OF, Array, Projection
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value
 from app.scenes.shapes import Coloured, Vector
 
 Value: TypeAlias = float | bool | str | Vector
@@ -45,13 +37,8 @@ Found: TypeAlias = Mapping[str, Value | None]
 CLOSE = 1e-7
 """Of a number, or of its slider's length: nearer to the one that was chosen, it is that one."""
 
-WHOLE = "must be a whole number"
-YES_OR_NO = "must be true or false"
-
-
-def QT_TRANSLATE_NOOP(_context: str, text: str) -> str:
-    """Mark a text for translation where it stands; the widgets translate it when it is shown."""
-    return text
+WHOLE = QT_TRANSLATE_NOOP("Refusal", "must be a whole number")
+YES_OR_NO = QT_TRANSLATE_NOOP("Refusal", "must be true or false")
 
 
 _FREE = QT_TRANSLATE_NOOP(
@@ -134,17 +121,17 @@ class Setting:
 
         Raises
         ------
-        ProjectionError
+        Refusal
             If it is of another kind, or out of bounds.
         """
         if isinstance(self.default, bool):
             if not isinstance(value, bool):
-                raise ProjectionError(self.path, value, YES_OR_NO)
+                raise Refusal(self.path, value, YES_OR_NO)
             return value
         if isinstance(self.default, str):
             known = [name for name, _ in self.choices]
             if value not in known:
-                raise ProjectionError(self.path, value, ONE_OF, ", ".join(known))
+                raise Refusal(self.path, value, ONE_OF, ", ".join(known))
             return str(value)
         if isinstance(self.default, tuple):
             point = finite_vector(self.path, value)
@@ -154,14 +141,14 @@ class Setting:
         number = finite(self.path, value)
         self._check_bounds(number, number)
         if self.whole and not number.is_integer():
-            raise ProjectionError(self.path, number, WHOLE)
+            raise Refusal(self.path, number, WHOLE)
         return number
 
     def can_be(self, value: Value | None) -> bool:
         """Whether this is a value for it."""
         try:
             self.checked(value)
-        except ProjectionError:
+        except Refusal:
             return False
         return True
 
@@ -177,9 +164,9 @@ class Setting:
 
     def _check_bounds(self, part: float, value: object) -> None:
         if part < self.low:
-            raise ProjectionError(self.path, value, AT_LEAST, format_value(self.low))
+            raise Refusal(self.path, value, AT_LEAST, format_value(self.low))
         if part > self.high:
-            raise ProjectionError(self.path, value, AT_MOST, format_value(self.high))
+            raise Refusal(self.path, value, AT_MOST, format_value(self.high))
 
 
 # --------------------------------------------------------------------------- what is shown
@@ -592,7 +579,7 @@ class Phenomenon:
         have them, which may be moved without the settings. Of several values with one outcome
         those in `settings`; None, or no number, where it is no value's outcome.
     check : callable
-        Raises a `ProjectionError` for settings that do not go together.
+        Raises a `Refusal` for settings that do not go together.
     copies : int
         How many `Copy` every exhibit has.
     requires : frozenset of str
@@ -659,7 +646,7 @@ class Phenomenon:
 
         Raises
         ------
-        ProjectionError
+        Refusal
             If the scene cannot have them, or no projection goes with them.
         """
         found = self.at_hand(projection, settings)
@@ -687,7 +674,7 @@ class Phenomenon:
 
         Raises
         ------
-        ProjectionError
+        Refusal
             For a value that one of them cannot have, and for values that do not go together.
         """
         settings = MappingProxyType(
@@ -728,7 +715,6 @@ def point(settings: Settings, name: str) -> Vector:
 
 __all__ = [
     "FINITE_NUMBER",
-    "QT_TRANSLATE_NOOP",
     "Copy",
     "Curve",
     "Diagram",

@@ -25,8 +25,8 @@ from functools import cache
 import numpy as np
 
 from app.model.projection import Array, Camera, Perspective, Projection
+from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.illustration import (
-    QT_TRANSLATE_NOOP,
     Dot,
     Exhibit,
     Line,

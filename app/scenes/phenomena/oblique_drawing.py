@@ -22,9 +22,9 @@ from app.model.projection import (
     oblique_angles,
     receding_of,
 )
+from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.illustration import (
     CLOSE,
-    QT_TRANSLATE_NOOP,
     Dot,
     Exhibit,
     Found,

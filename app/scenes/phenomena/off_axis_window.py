@@ -13,16 +13,9 @@ from fractions import Fraction
 
 import numpy as np
 
-from app.model.projection import (
-    Array,
-    Camera,
-    Frustum,
-    Perspective,
-    Projection,
-    ProjectionError,
-)
+from app.model.projection import Array, Camera, Frustum, Perspective, Projection
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes.phenomena.illustration import (
-    QT_TRANSLATE_NOOP,
     Exhibit,
     Face,
     Found,
@@ -96,7 +89,7 @@ def halves(projection: Projection) -> tuple[Projection, Projection]:
 
     Raises
     ------
-    ProjectionError
+    Refusal
         For a window or an image that is too narrow to be split.
     """
     width, height = projection.image_size
@@ -184,7 +177,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
     if two:
         try:
             screens = halves(projection)
-        except ProjectionError:  # said in the exhibit, where it belongs to the camera
+        except Refusal:  # said in the exhibit, where it belongs to the camera
             warning = Phrase(_TOO_NARROW)
     names = (_LEFT, _RIGHT) if len(screens) == 2 else (_WINDOW,)
     readings = _join_readings(projection, screens, subject, warning or Phrase(_ONE_SCREEN))

@@ -20,10 +20,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from app.model.projection import NOT_ZERO, Array, Camera, Perspective, Projection, ProjectionError
-from app.model.values import format_value
+from app.model.projection import NOT_ZERO, Array, Camera, Perspective, Projection
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value
 from app.scenes.phenomena.illustration import (
-    QT_TRANSLATE_NOOP,
     Copy,
     Dot,
     Exhibit,
@@ -46,11 +45,11 @@ from app.scenes.phenomena.picture import seen
 from app.scenes.shapes import Coloured, edges_of, ground_grid, joined, letter_f
 
 ABOVE_THE_PLANE = QT_TRANSLATE_NOOP(
-    "ProjectionError",
+    "Refusal",
     "must lie above the plane y = {0}: on the plane or under it, it casts no shadow on it",
 )
 FROM_ABOVE = QT_TRANSLATE_NOOP(
-    "ProjectionError",
+    "Refusal",
     "must point upward, to the sun: parallel to the plane or from under it, its rays never meet it",
 )
 
@@ -153,11 +152,11 @@ def _check(settings: Settings) -> None:
     light, height = point(settings, "light"), number(settings, "height")
     if settings["kind"] == "sun":
         if not any(light):
-            raise ProjectionError("settings.light", light, NOT_ZERO)
+            raise Refusal("settings.light", light, NOT_ZERO)
         if light[1] <= 0.0:
-            raise ProjectionError("settings.light", light, FROM_ABOVE)
+            raise Refusal("settings.light", light, FROM_ABOVE)
     elif light[1] <= height:
-        raise ProjectionError("settings.light", light, ABOVE_THE_PLANE, format_value(height))
+        raise Refusal("settings.light", light, ABOVE_THE_PLANE, format_value(height))
 
 
 def _geometry() -> tuple[Coloured, Coloured]:

@@ -20,17 +20,9 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from app.model.projection import (
-    ABOVE,
-    LARGEST,
-    Array,
-    Camera,
-    Perspective,
-    Projection,
-    ProjectionError,
-)
+from app.model.projection import ABOVE, LARGEST, Array, Camera, Perspective, Projection
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes.phenomena.illustration import (
-    QT_TRANSLATE_NOOP,
     Curve,
     Diagram,
     Exhibit,
@@ -133,7 +125,7 @@ def _check(settings: Settings) -> None:
     for low, high in (("fog_start", "fog_end"), ("detail_1", "detail_2")):
         first, second = number(settings, low), number(settings, high)
         if second <= first:
-            raise ProjectionError(f"settings.{high}", second, ABOVE, first)
+            raise Refusal(f"settings.{high}", second, ABOVE, first)
 
 
 def fog_of(settings: Settings) -> Fog | None:

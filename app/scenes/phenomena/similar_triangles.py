@@ -12,9 +12,9 @@ import math
 
 import numpy as np
 
-from app.model.projection import Array, Camera, Perspective, Projection, ProjectionError
+from app.model.projection import Array, Camera, Perspective, Projection
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes.phenomena.illustration import (
-    QT_TRANSLATE_NOOP,
     Copy,
     Dot,
     Exhibit,
@@ -37,7 +37,7 @@ from app.scenes.phenomena.picture import seen
 from app.scenes.shapes import Coloured, edges_of, ground_grid, joined, letter_f
 
 NOT_THE_EYE_PLANE = QT_TRANSLATE_NOOP(
-    "ProjectionError", "must not be 0: the plane would go through the eye, where nothing is cut"
+    "Refusal", "must not be 0: the plane would go through the eye, where nothing is cut"
 )
 _BEHIND = QT_TRANSLATE_NOOP(
     "phenomena", "the point is behind the eye or beside it: its projector meets no plane in front"
@@ -59,7 +59,7 @@ def _geometry() -> tuple[Coloured, Coloured]:
 
 def _check(settings: Settings) -> None:
     if number(settings, "distance") == 0.0:
-        raise ProjectionError("settings.distance", 0.0, NOT_THE_EYE_PLANE)
+        raise Refusal("settings.distance", 0.0, NOT_THE_EYE_PLANE)
 
 
 def projected(projection: Projection, distance: float, place: Array) -> tuple[float, float] | None:

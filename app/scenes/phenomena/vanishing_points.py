@@ -16,9 +16,9 @@ from typing import NamedTuple
 import numpy as np
 
 from app.model.projection import Array, Camera, Orbit, Perspective, Projection, Trace
+from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.illustration import (
     CLOSE,
-    QT_TRANSLATE_NOOP,
     Curve,
     Diagram,
     Dot,

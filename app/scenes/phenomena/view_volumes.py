@@ -15,8 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.model.projection import Camera, Oblique, Perspective, Projection
+from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.illustration import (
-    QT_TRANSLATE_NOOP,
     Dot,
     Exhibit,
     Face,

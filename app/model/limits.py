@@ -1,0 +1,203 @@
+"""What the model's numbers may be: types, limits, what they are called, and checks."""
+
+from __future__ import annotations
+
+import math
+import numbers
+from typing import Any, Literal, TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+
+Vector: TypeAlias = tuple[float, float, float]
+Row: TypeAlias = tuple[float, float, float, float]
+Cells: TypeAlias = tuple[Row, Row, Row, Row]
+Array: TypeAlias = NDArray[np.float64]
+DepthRange: TypeAlias = Literal["opengl", "direct3d", "reversed"]
+Keep: TypeAlias = Literal["stretch", "x", "y"]
+
+DEPTH_RANGES: dict[str, tuple[float, float]] = {
+    "opengl": (-1.0, 1.0),
+    "direct3d": (0.0, 1.0),
+    "reversed": (1.0, 0.0),
+}
+"""NDC z of the near and of the far plane."""
+
+PLANES = (
+    QT_TRANSLATE_NOOP("Plane", "near"),
+    QT_TRANSLATE_NOOP("Plane", "far"),
+    QT_TRANSLATE_NOOP("Plane", "left"),
+    QT_TRANSLATE_NOOP("Plane", "right"),
+    QT_TRANSLATE_NOOP("Plane", "bottom"),
+    QT_TRANSLATE_NOOP("Plane", "top"),
+)
+"""The six planes of the view volume, in the order of `Trace.outside`."""
+
+LARGEST = 1e100
+"""Largest coordinate or distance; with `SMALLEST`, no matrix overflows float64 (2e205 * 1e100)."""
+SMALLEST = 1e-205
+"""Smallest near distance, and smallest depth range of a parallel lens."""
+SMALLEST_WINDOW = 1e-200
+"""Smallest side of a parallel lens' window: a point beside it has pixels below 1e305."""
+LARGEST_IMAGE_PX = 16384
+"""Largest image side, the texture limit that every current OpenGL driver offers."""
+SMALLEST_FIELD = 1e-90
+"""Smallest field of view in degrees; its inverse is the steepest ray to a window's edge."""
+SMALLEST_OPENING = 1e-98
+"""Smallest side of a frustum's window in units of near: that of the smallest field, and less."""
+SMALLEST_CELL = 1e-75
+"""Smallest cell of a free matrix but 0: its square, and a product of two, is far from underflow."""
+LARGEST_INVERSE = 10**150
+"""Largest cell of a free matrix' inverse, for the same reason."""
+LARGEST_SHEAR = 1e6
+"""Largest cotangent of an oblique lens' angles; theirs start at 5.8e-5 degrees."""
+SMALLEST_UP_ANGLE = 1e-15
+"""Least angle in radians between up and the view direction.
+
+Coordinates typed in decimal are off by up to half an ulp, so that nearer to parallel than this
+the frame would be made of their rounding errors.
+"""
+
+FINITE_NUMBER = QT_TRANSLATE_NOOP("Refusal", "must be a finite number")
+ABOVE = QT_TRANSLATE_NOOP("Refusal", "must be greater than {0}")
+AT_LEAST = QT_TRANSLATE_NOOP("Refusal", "must be at least {0}")
+AT_MOST = QT_TRANSLATE_NOOP("Refusal", "must be at most {0}")
+BETWEEN = QT_TRANSLATE_NOOP("Refusal", "must lie between {0} and {1}, both excluded")
+NEAR_BEFORE_FAR = QT_TRANSLATE_NOOP("Refusal", "must be less than far, which is {0}")
+LEFT_BEFORE_RIGHT = QT_TRANSLATE_NOOP("Refusal", "must be less than right, which is {0}")
+BOTTOM_BEFORE_TOP = QT_TRANSLATE_NOOP("Refusal", "must be less than top, which is {0}")
+THREE_NUMBERS = QT_TRANSLATE_NOOP("Refusal", "must be three finite numbers x, y, z")
+NOT_THE_EYE = QT_TRANSLATE_NOOP("Refusal", "must differ from the eye, or the camera looks nowhere")
+NOT_THE_TARGET = QT_TRANSLATE_NOOP(
+    "Refusal", "must differ from the target, or the camera looks nowhere"
+)
+NOT_ZERO = QT_TRANSLATE_NOOP("Refusal", "must not be the zero vector")
+NOT_PARALLEL = QT_TRANSLATE_NOOP("Refusal", "must not be parallel to the view direction")
+WHOLE_PIXELS = QT_TRANSLATE_NOOP("Refusal", "must be a whole number of pixels from 1 to {0}")
+ONE_OF = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}")
+FAR_BEYOND_NEAR = QT_TRANSLATE_NOOP("Refusal", "must be greater than near, which is {0}")
+RIGHT_OF_LEFT = QT_TRANSLATE_NOOP("Refusal", "must be greater than left, which is {0}")
+TOP_ABOVE_BOTTOM = QT_TRANSLATE_NOOP("Refusal", "must be greater than bottom, which is {0}")
+DISTINCT = QT_TRANSLATE_NOOP("Refusal", "is too close to {0} for float64 to tell apart")
+WIDER = QT_TRANSLATE_NOOP(
+    "Refusal", "is too close to {0} for a plane as far from the eye as near is"
+)
+NO_POINT = QT_TRANSLATE_NOOP("Refusal", "is at infinity, where there is no point but a direction")
+INVERTIBLE = QT_TRANSLATE_NOOP("Refusal", "must have an inverse, but its rank is {0}")
+FOUR_BY_FOUR = QT_TRANSLATE_NOOP("Refusal", "must be four rows of four finite numbers")
+ZERO_OR_AT_LEAST = QT_TRANSLATE_NOOP("Refusal", "must be 0 or at least {0} in size")
+SMALL_INVERSE = QT_TRANSLATE_NOOP(
+    "Refusal", "must have an inverse that float64 can hold, and multiply"
+)
+OTHER_SIDE = {
+    NEAR_BEFORE_FAR: ("far", FAR_BEYOND_NEAR),
+    LEFT_BEFORE_RIGHT: ("right", RIGHT_OF_LEFT),
+    BOTTOM_BEFORE_TOP: ("top", TOP_ABOVE_BOTTOM),
+}
+"""The field on the other side of a bound, and the bound as seen from there.
+
+A lens cannot know which of the two was changed; who knows it says it with these.
+"""
+
+
+# --------------------------------------------------------------------------- checks
+
+
+def keep_checked(frozen: object, **values: object) -> None:
+    """Store checked values in a frozen dataclass while it is being made."""
+    for name, value in values.items():
+        object.__setattr__(frozen, name, value)
+
+
+def real(field: str, value: Any) -> float:
+    """A real number as a float, infinite ones too, or a `Refusal`."""
+    if isinstance(value, bool) or not isinstance(value, numbers.Real):
+        raise Refusal(field, value, FINITE_NUMBER)
+    try:
+        return float(value)
+    except OverflowError:  # an int of more than 308 digits
+        large: Any = value
+        bound, limit = (AT_MOST, LARGEST) if large > 0 else (AT_LEAST, -LARGEST)
+        raise Refusal(field, value, bound, limit) from None
+
+
+def finite(field: str, value: Any) -> float:
+    """A finite number up to `LARGEST` as a float, or a `Refusal`."""
+    number = real(field, value)
+    if not math.isfinite(number):
+        raise Refusal(field, number, FINITE_NUMBER)
+    if abs(number) > LARGEST:
+        bound, limit = (AT_MOST, LARGEST) if number > 0 else (AT_LEAST, -LARGEST)
+        raise Refusal(field, number, bound, limit)
+    return number
+
+
+def between(field: str, value: Any, low: int, high: int) -> float:
+    """A number inside an open interval as a float, or a `Refusal` that names its ends."""
+    try:
+        number = finite(field, value)
+    except Refusal as error:
+        if error.bound == FINITE_NUMBER:
+            raise
+        # Beyond all numbers, and so beyond these.
+        raise Refusal(field, error.value, BETWEEN, low, high) from None
+    if not low < number < high:
+        raise Refusal(field, number, BETWEEN, low, high)
+    return number
+
+
+def finite_vector(field: str, value: Any) -> Vector:
+    """Three finite numbers as a tuple of floats, or a `Refusal`."""
+    try:
+        parts = tuple(value)
+        if isinstance(value, (str, bytes)) or len(parts) != 3:
+            raise TypeError
+    except TypeError:
+        raise Refusal(field, value, THREE_NUMBERS) from None
+    for part in parts:
+        if isinstance(part, bool) or not isinstance(part, numbers.Real):
+            raise Refusal(field, value, THREE_NUMBERS)
+        if not math.isfinite(real(field, part)):
+            raise Refusal(field, parts, THREE_NUMBERS)
+    x, y, z = (finite(field, part) for part in parts)
+    return x, y, z
+
+
+def finite_matrix(field: str, value: Any, smallest: float = 0.0) -> Cells:
+    """Four rows of four finite numbers, 0 or at least as large, or an error that names the cell."""
+    try:
+        rows = [tuple(row) for row in value]
+        if len(rows) != 4 or any(len(row) != 4 for row in rows):
+            raise TypeError
+    except TypeError:
+        raise Refusal(field, value, FOUR_BY_FOUR) from None
+    checked = tuple(
+        tuple(_cell(f"{field}[{i}, {j}]", part, smallest) for j, part in enumerate(row))
+        for i, row in enumerate(rows)
+    )
+    return checked  # type: ignore[return-value]
+
+
+def _cell(field: str, value: Any, smallest: float) -> float:
+    number = finite(field, value)
+    if number != 0.0 and abs(number) < smallest:
+        raise Refusal(field, number, ZERO_OR_AT_LEAST, smallest)
+    return number + 0.0  # minus zero is a zero here: 0 typed is what is kept
+
+
+def cos_sin_deg(angle_deg: float) -> tuple[float, float]:
+    """Cosine and sine of an angle in degrees, exact at the multiples of 90."""
+    angle_deg = math.remainder(angle_deg, 360.0)  # exact, and the quarter below too, then
+    quarter = round(angle_deg / 90.0)
+    rest = math.radians(math.remainder(angle_deg, 90.0))
+    cos, sin = math.cos(rest), math.sin(rest)
+    return ((cos, sin), (-sin, cos), (-cos, -sin), (sin, -cos))[quarter % 4]
+
+
+def read_only(values: ArrayLike) -> Array:
+    """A float64 copy that cannot be written into."""
+    array = np.array(values, dtype=np.float64)
+    array.setflags(write=False)
+    return array

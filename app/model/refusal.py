@@ -1,0 +1,229 @@
+"""What is refused, in one sentence: field, value, bound; each marked for translation where it is.
+
+The core knows no Qt. It marks its sentences with `QT_TRANSLATE_NOOP`, which lupdate finds; the
+widgets translate a template first and fill it in then.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import numbers
+from collections.abc import Callable, Iterable
+from typing import Any, Literal, NewType, overload
+
+from app.strangers import printable
+
+Bound = NewType("Bound", str)
+"""The template of a refusal: only `QT_TRANSLATE_NOOP` makes one, so that each can be translated."""
+
+
+@overload
+def QT_TRANSLATE_NOOP(_context: Literal["Refusal"], text: str) -> Bound: ...
+@overload
+def QT_TRANSLATE_NOOP(_context: str, text: str) -> str: ...
+def QT_TRANSLATE_NOOP(_context: str, text: str) -> str:
+    """Mark a text for translation where it stands; the widgets translate it when it is shown."""
+    return text
+
+
+THE_DOCUMENT = QT_TRANSLATE_NOOP("Refusal", "The document")
+SHOWN_DIGITS = 6
+"""Of a bound, and of a value that a hand has dragged."""
+_SHOWN = 100
+_LONGEST_WRITTEN = 60
+_LONGEST_FILE = 200
+
+
+class Refusal(ValueError):
+    """What cannot be: of the model a value, or of a document, a file or a scene what is wrong.
+
+    Parameters
+    ----------
+    field : str
+        Name of the refused parameter (``"near"``, ``"up"``); of a document its path in there
+        (``"lens.near"``), or empty for the whole.
+    value : object
+        The value that was refused; `Ellipsis` if there is none to show.
+    bound : Bound
+        What the value must be, with ``{0}``, ``{1}`` for the limits, so that it can be
+        translated before they are filled in.
+    *limits : object
+        The limits themselves.
+    file : str, optional
+        What the document was read from, empty for none; None for what is no document's.
+
+    See Also
+    --------
+    in_document : With everything but the bound optional.
+    saying : A template that is the whole sentence.
+    """
+
+    def __init__(
+        self, field: str, value: object, bound: Bound, *limits: object, file: str | None = None
+    ) -> None:
+        super().__init__(field, value, bound, *limits)
+        self.field, self.value, self.bound, self.limits = field, value, bound, limits
+        self.file = file
+
+    @classmethod
+    def in_document(
+        cls, bound: Bound, *limits: object, field: str = "", value: object = ..., file: str = ""
+    ) -> Refusal:
+        """What is wrong with a document, or with a file: its value is shown as it is written."""
+        return cls(field, value, bound, *limits, file=file)
+
+    @classmethod
+    def saying(cls, template: Bound, *parts: object) -> Refusal:
+        """A sentence with names and numbers in it, which says what to do as well."""
+        return cls("", ..., template, *parts)
+
+    def __str__(self) -> str:
+        return self.sentence()
+
+    def sentence(
+        self,
+        translate: Callable[[str], str] = str,
+        field_name: Callable[[str], str] = str,
+        written: Callable[[object], str] | None = None,
+    ) -> str:
+        """The one sentence that tells what is wrong: file, field, value and bound.
+
+        Parameters
+        ----------
+        translate : callable
+            Turns a template into another language.
+        field_name : callable
+            Likewise the name of a parameter of the model; a document's paths stay.
+        written : callable
+            How a value of the model is shown, if not by `format_value`.
+        """
+        bound = translate(self.bound)
+        if self.file is None:
+            if not self.field and self.value is ...:  # a whole sentence
+                return bound.format(*(printable(str(part)) for part in self.limits))
+            shown = bound.format(*shown_limits(self.limits, self.value))
+            return f"{field_name(self.field)} = {(written or format_value)(self.value)}: {shown}."
+        bound = bound.format(*shown_limits(self.limits, self.value))
+        file = shown_name(self.file)
+        if len(file) > _LONGEST_FILE:
+            file = "..." + file[3 - _LONGEST_FILE :]
+        if not self.field:
+            return f"{file or translate(THE_DOCUMENT)} {bound}."
+        place = f"{file}: " if file else ""
+        if self.value is ...:
+            return f"{place}{self.field} {bound}."
+        return f"{place}{self.field} = {_as_written(self.value)}: {bound}."
+
+
+class Cancelled(Exception):
+    """Whoever waits does not want it any more.
+
+    Parameters
+    ----------
+    partial : object, optional
+        What was done until then, of the kind that would have been returned.
+    """
+
+    def __init__(self, partial: Any = None) -> None:
+        super().__init__()
+        self.partial = partial
+
+
+# --------------------------------------------------------------------------- values in a sentence
+
+
+def format_value(value: object) -> str:
+    """Write a value as a person would type it: ``1``, ``0.1``, ``inf``, ``(0, 1, 0)``."""
+    if isinstance(value, (tuple, list)):
+        return _cut("(" + ", ".join(format_value(part) for part in value[:_SHOWN]) + ")")
+    if isinstance(value, bool) or not isinstance(value, numbers.Real):
+        return _cut(" ".join(repr(value).split()))
+    try:
+        number = float(value)
+    except OverflowError:
+        whole: Any = value
+        return f"{'-' if whole < 0 else ''}1e{int(math.log10(abs(whole)))}"
+    return str(int(number)) if number.is_integer() and abs(number) < 1e15 else repr(number)
+
+
+def shown_limits(limits: Iterable[object], value: object) -> tuple[object, ...]:
+    """Limits to be read: with six digits, unless the refused value lies beyond what is shown.
+
+    Parameters
+    ----------
+    limits : iterable of object
+        Numbers, their texts, and words, which stay; so does a text beside what is no number.
+    value : object
+        What was refused; a number, or any other thing.
+    """
+    return tuple(_shown_limit(limit, value) for limit in limits)
+
+
+def _shown_limit(limit: object, value: object) -> object:
+    number = _limit_number(limit)
+    shown, sides = _six_digits(number), _sides(value, number)
+    is_word = isinstance(limit, str) and not sides
+    if shown == number or is_word or _sides(value, shown) != sides:
+        return limit if isinstance(limit, str) else format_value(limit)  # 20, not 20.0
+    return format_value(shown)
+
+
+def six_digits(error: Refusal) -> Refusal:
+    """A refusal of what a hand has made, and nobody typed: its value too is shown with six digits.
+
+    It keeps them all where fewer would put it on the other side of a limit.
+    """
+    value, limits = error.value, shown_limits(error.limits, error.value)
+    short = tuple(map(_six_digits, value)) if isinstance(value, tuple) else _six_digits(value)
+    numbers_shown = [_limit_number(limit) for limit in limits]
+    if any(_sides(short, limit) != _sides(value, limit) for limit in numbers_shown):
+        return error
+    return Refusal(error.field, short, error.bound, *limits)
+
+
+def _six_digits(value: Any) -> Any:
+    return float(f"{value:.{SHOWN_DIGITS}g}") if isinstance(value, float) else value
+
+
+def _limit_number(limit: Any) -> Any:
+    """The number that a limit is or is the text of; a word has none, and stays."""
+    try:
+        return float(limit) if isinstance(limit, (float, str)) else limit
+    except ValueError:
+        return limit
+
+
+def _sides(value: object, limit: Any) -> list[tuple[bool, bool]]:
+    """On which side of a limit each number of a value is."""
+    if not isinstance(limit, float):
+        return []
+    parts = value if isinstance(value, (tuple, list)) else (value,)
+    real_parts = [part for part in parts if isinstance(part, (int, float))]
+    return [(part > limit, part < limit) for part in real_parts]
+
+
+def _cut(text: str) -> str:
+    """As much of a text as a sentence can hold."""
+    return text if len(text) <= _SHOWN else text[: _SHOWN - 3] + "..."
+
+
+def _as_written(value: object) -> str:
+    """A refused value as a document writes it, cut to what a sentence can hold."""
+    if value is None or isinstance(value, bool):
+        return json.dumps(value)
+    if isinstance(value, (list, tuple)):
+        text = "[" + ", ".join(map(_as_written, value[:_LONGEST_WRITTEN])) + "]"
+    elif isinstance(value, dict):
+        keys = list(value)[:_LONGEST_WRITTEN]
+        text = "{" + ", ".join(f"{shown_name(key)}: ..." for key in keys) + "}"
+    elif isinstance(value, str):
+        text = repr(type(value)(value[: _LONGEST_WRITTEN + 1]))
+    else:
+        text = format_value(value)
+    return text if len(text) <= _LONGEST_WRITTEN else text[: _LONGEST_WRITTEN - 3] + "..."
+
+
+def shown_name(name: str) -> str:
+    """A name as it is, or in quotes where a terminal would obey it."""
+    return name if name.isprintable() else repr(name)
