@@ -197,7 +197,7 @@ def test_the_timer_makes_one_frame_after_another(
 
 def test_no_frame_is_asked_for_while_one_is_handled(bar: AnimationBar, qtbot: Any) -> None:
     waiting = []
-    bar.edited.connect(lambda _camera: waiting.append(bar._timer.isActive()))
+    bar.edited.connect(lambda _camera: waiting.append(bar._clock._timer.isActive()))
     bar.play()
     qtbot.waitUntil(lambda: len(waiting) >= 2)
     assert waiting[:2] == [False, False]
@@ -212,8 +212,8 @@ def test_a_stalled_window_does_not_jump(bar: AnimationBar, record: Record) -> No
             return 0
 
     bar.play()
-    bar._watch = Watch()  # type: ignore[assignment]
-    bar._frame()
+    bar._clock._watch = Watch()  # type: ignore[assignment]
+    bar._clock._frame()
     assert record.cameras == [camera_at(START, 0.25, bar.motion)]
 
 
