@@ -908,6 +908,10 @@ def read(path: Path) -> Document:
             text = extract(content)
             if text is None:
                 raise Refusal.in_document(PLAIN_PICTURE)
+            # It has its mesh's name alone: beside the link that it may be, or beside itself.
+            document = parse(text, os.path.dirname(os.path.abspath(path)))
+            if os.path.exists(document.scene if is_mesh(document.scene) else document.mesh):
+                return document
             return parse(text, os.path.dirname(os.path.realpath(path)))
         ending = os.path.splitext(path)[1].lower()
         try:
