@@ -498,7 +498,8 @@ class MatrixPanel(QWidget):
             self._row.removeWidget(box)
             box.hide()
             for view in box.views:
-                view.blockSignals(True)  # a mouse button held on it still tells it of moves
+                view.pointed.disconnect()  # a mouse button held on it still tells it of moves
+                view.attended.disconnect()
             box.deleteLater()
         if self._speaker is not None:  # perhaps only now, when the keyboard left what was hidden
             self._speaker = None
