@@ -629,3 +629,10 @@ def lifted(
     matrix = clip_from_local.copy()
     matrix[2, 3] += nearer
     return matrix
+
+
+def applied(matrix: NDArray[np.float64], points: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Points, (n, 3), under a projective matrix."""
+    homogeneous = np.column_stack([points, np.ones(len(points))]) @ matrix.T
+    result: NDArray[np.float64] = homogeneous[:, :3] / homogeneous[:, 3:]
+    return result

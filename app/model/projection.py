@@ -33,7 +33,7 @@ import numbers
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -57,7 +57,7 @@ from app.model.lenses import (
     Orthographic,
     Perspective,
 )
-from app.model.lenses.lens import Seen
+from app.model.lenses.lens import LensTable, Seen
 from app.model.lenses.oblique import COTS, OBLIQUE_PRESETS, oblique_angles, receding_of
 from app.model.lenses.perspective import (
     focal_length_35mm,
@@ -1106,6 +1106,41 @@ class Projection:
         """
         return replace(self, lens=self.lens.cut(self.window, near, far))
 
+    def matrices_between(self, near: float, far: float) -> tuple[Array, Array]:
+        """`clip_from_view` and `view_from_clip` of `between`, in the reversed depth range.
+
+        Only what belongs to depth is exchanged. So these are had also where no lens can be: its
+        window would overflow there, or vanish beside its shift.
+
+        Parameters
+        ----------
+        near, far : float
+            Distances from the eye plane, in world units; far may be infinite for a central lens.
+
+        Returns
+        -------
+        clip_from_view, view_from_clip : (4, 4) float64 arrays
+
+        Raises
+        ------
+        Refusal
+            For a free matrix, which has no planes.
+        """
+        lens = self.lens
+        depth_row, depth_rows_back = _depth_rows(lens.table_to(far), near, far)
+        clip_from_view, view_from_clip = self.clip_from_view.copy(), self.view_from_clip.copy()
+        clip_from_view[2] = depth_row
+        if lens.central:
+            view_from_clip[3] = depth_rows_back[1]
+            return clip_from_view, view_from_clip
+        view_from_clip[2:] = depth_rows_back
+        left, right, bottom, top = self.window
+        for row, (low, high) in enumerate(((left, right), (bottom, top))):
+            cot = self.shear[row]
+            view_from_clip[row, 2] = -cot * (far - near)
+            view_from_clip[row, 3] = (low + high) / 2.0 + cot * (far - lens.near)
+        return clip_from_view, view_from_clip
+
     def with_intrinsics(self, intrinsics: Intrinsics) -> Projection:
         """The same camera with the lens of a calibrated one.
 
@@ -1148,6 +1183,17 @@ class Projection:
         left, right = near * (-0.5 - cx) / fx, near * (width - 0.5 - cx) / fx
         top, bottom = near * (cy + 0.5) / fy, near * (cy + 0.5 - height) / fy
         return replace(self, lens=Frustum(left, right, bottom, top, near, far))
+
+
+@lru_cache(maxsize=16)  # the parts that are drawn of one volume, which most edits leave alone
+def _depth_rows(table: LensTable, near: float, far: float) -> tuple[Array, Array]:
+    """Row z of `clip_from_view`, (4,), and rows z and w of its inverse, (2, 4), reversed range."""
+    assert table.view_from_clip is not None
+    z_near, z_far = DEPTH_RANGES["reversed"]
+    letters = {"n": near, "f": far, "z_n": z_near, "z_f": z_far}
+    rows = evaluated((table.clip_from_view[2], *table.view_from_clip[2:]), letters, FLOAT64)
+    depth, *back = rows
+    return read_only(depth), read_only(back)
 
 
 def checked_points(points: ArrayLike) -> Array:

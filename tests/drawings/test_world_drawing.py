@@ -20,9 +20,12 @@ from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkTextActor
 
 from app.drawings import WORDS
+from app.drawings.camera import view_matrices
+from app.drawings.frustum import matrices_between
 from app.drawings.labels import _SAMPLES
+from app.drawings.near_picture import SLAB, flatten, flatten_free
 from app.drawings.style import DARK, LIGHT, Style, rgb
-from app.drawings.world import SLAB, WorldDrawing, _flattened_free, _part, _view, flatten
+from app.drawings.world import WorldDrawing
 from app.lecture.typed_matrix import with_cell
 from app.model.projection import (
     DEPTH_RANGES,
@@ -211,8 +214,8 @@ def test_the_frustum_is_the_unprojected_cube(make_view: MakeView) -> None:
     whole = cut = 0
     for projection in random_projections(120):
         drawing.show_projection(projection)
-        matrix = to_array(drawing._frustum_space.matrix)
-        reach = drawing._reach
+        matrix = to_array(drawing.frustum.space.matrix)
+        reach = drawing.frustum.reach
         if reach.near_break is not None:
             continue
         if reach.far_break is not None:  # what is drawn is the frustum of a nearer far plane
@@ -232,10 +235,10 @@ def test_the_eye_lines_run_from_the_eye_to_the_near_corners(make_view: MakeView)
     view = make_view()
     for projection in random_projections(20):
         view.drawing.show_projection(projection)
-        assert view.drawing._apex.GetVisibility() == (not projection.lens.parallel)
+        assert view.drawing.frustum.apex.GetVisibility() == (not projection.lens.parallel)
         if projection.lens.parallel:
             continue
-        matrix = to_array(view.drawing._apex_space.matrix)
+        matrix = to_array(view.drawing.frustum.apex_space.matrix)
         ends = applied(matrix, np.array([(0.0, 0.0, 0.0), *CUBE[:4]]))
         expected = [projection.camera.eye, *projection.frustum_corners_world[:4, :3]]
         assert np.allclose(ends, expected, rtol=0, atol=1e-9)
@@ -247,7 +250,7 @@ def test_a_part_of_the_view_volume_is_what_the_model_says() -> None:
         near = max(projection.lens.near, 0.01) * random.uniform(0.5, 3.0)
         far = near + 10.0 ** random.uniform(-1.0, 3.0)
         part = replace(projection.between(near, far), depth="reversed")
-        clip_from_view, view_from_clip = _part(projection, near, far)
+        clip_from_view, view_from_clip = matrices_between(projection, near, far)
         for found, expected in (
             (applied(view_from_clip, CUBE), applied(part.view_from_clip, CUBE)),
             (clip_from_view, part.clip_from_view),
@@ -270,7 +273,7 @@ def test_flattened_points_keep_their_ray_and_their_order(toward_eye: bool) -> No
         if inside.sum() < 2:
             continue
         checked += 1
-        view = _view(camera, np.zeros(3))
+        view = view_matrices(camera, np.zeros(3))
         film = flatten(projection, view, (depths.min(), depths.max()), 10.0, toward_eye=toward_eye)
         flat = applied(film.surface, points[inside])
         again = projection.trace(flat)
@@ -299,7 +302,7 @@ def test_the_windows_planes_cut_what_the_model_says_is_outside() -> None:
         if not (depths.max() > near and depths.min() < far):
             continue
         bounds = depths.min(), depths.max()
-        view = _view(projection.camera, np.zeros(3))
+        view = view_matrices(projection.camera, np.zeros(3))
         film = flatten(projection, view, bounds, 10.0, toward_eye=True)
         flat = points @ film.surface[:, :3].T + film.surface[:, 3]
         cut = ((flat @ film.planes.T) < 0.0).any(axis=1)
@@ -345,7 +348,7 @@ def test_what_lies_beyond_is_broken_and_says_its_distance(
     view.drawing.reset_view()
     assert broken_planes(view) == broken
     assert labels <= set(view.labels())
-    corners = applied(to_array(view.drawing._frustum_space.matrix), CUBE)
+    corners = applied(to_array(view.drawing.frustum.space.matrix), CUBE)
     away = np.linalg.norm(corners - view.scene.centre, axis=1)
     assert away.max() < 10.0 * view.scene.size
 
@@ -361,12 +364,12 @@ def test_the_break_reads_from_everywhere(make_view: MakeView, style: Style, azim
     view.drawing.reset_clipping_range()
     view.hide_labels()
     for actor in view.plotter.renderer.GetActors():
-        if all(actor is not edge for _, edge in view.drawing._breaks["far"]):
+        if all(actor is not edge for _, edge in view.drawing.frustum.breaks["far"]):
             actor.VisibilityOff()
     image = view.pixels()
     painted = (image == np.array(to_bytes(style.frustum))).all(axis=-1)
     seen = 0
-    for space, edge in view.drawing._breaks["far"]:
+    for space, edge in view.drawing.frustum.breaks["far"]:
         lines = np.array(edge.GetMapper().GetInput().GetPoints().GetData()).reshape(-1, 2, 3)
         spots = view.pixel_of(applied(to_array(space.matrix), lines))
         middle = spots[1:3].mean(axis=(0, 1))
@@ -390,7 +393,7 @@ def test_the_break_reads_from_everywhere(make_view: MakeView, style: Style, azim
 def broken_planes(view: View) -> set[str]:
     return {
         name
-        for name, edges in view.drawing._breaks.items()
+        for name, edges in view.drawing.frustum.breaks.items()
         if all(edge.GetVisibility() for _, edge in edges)
     }
 
@@ -406,7 +409,7 @@ def test_the_reach_is_continuous_and_the_pane_stands_still(make_view: MakeView) 
         near = 10.0 ** (step / 40.0 - 4.0)
         lens = Perspective(45.0, near, 2e7)
         view.drawing.show_projection(Projection(Camera(eye, (0.0, 2.0, 0.0)), lens))
-        reach = view.drawing._reach
+        reach = view.drawing.frustum.reach
         now = np.array([reach.high, min(reach.near, 100.0), reach.far])
         if last is not None:
             assert (np.abs(now - last) < 0.07 * np.abs(last) + 0.05).all(), step
@@ -450,7 +453,7 @@ def test_axes_are_seen_before_the_body(make_view: MakeView) -> None:
         image = view.pixels()
         for name, axis, length in zip("uvn", frame, (1.7, 1.7, 2.5), strict=True):
             for part in (0.4, 0.7, 0.9):
-                tip = eye + part * length * view.drawing._body_size * axis
+                tip = eye + part * length * view.drawing.camera.body_size * axis
                 column, row = np.floor(view.pixel_of(tip)).astype(int)
                 around = image[row - 1 : row + 2, column - 1 : column + 2]
                 painted = (around == to_bytes(getattr(LIGHT, name))).all(axis=-1)
@@ -471,7 +474,7 @@ def test_planes_light_their_pixels_and_near_is_nearer(make_view: MakeView) -> No
             column, row = np.floor(pixel).astype(int)
             around = image[row - 2 : row + 3, column - 2 : column + 3].astype(int)
             assert (np.abs(around - to_bytes(colour)).max(axis=-1) < 12).any()
-    drawn = applied(to_array(view.drawing._frustum_space.matrix), CUBE)
+    drawn = applied(to_array(view.drawing.frustum.space.matrix), CUBE)
     depths = (np.array(projection.camera.eye) - drawn) @ projection.camera.frame[2]
     assert np.allclose(depths, [5.0] * 4 + [15.0] * 4)
 
@@ -559,7 +562,7 @@ def test_the_picture_on_the_near_plane_is_the_image(
     view.hide_labels()
     if projection.lens.kind == "oblique":  # the box, the scene and the target are in the way
         for actor in view.plotter.renderer.GetActors():
-            actor.SetVisibility(actor in view.drawing._picture)
+            actor.SetVisibility(actor in view.drawing.picture.actors)
     image = view.pixels()
     spots = view.pixel_of(points)
     hits = 0
@@ -587,7 +590,7 @@ def test_nothing_of_the_picture_is_outside_its_window(
     view.stand(middle - 0.5 * n + 0.1 * u, middle, 100.0)
     view.hide_labels()
     for actor in view.plotter.renderer.GetActors():  # the scene stands beside and behind
-        if actor not in view.drawing._picture:
+        if actor not in view.drawing.picture.actors:
             actor.VisibilityOff()
     painted = (view.pixels() != np.array(to_bytes(LIGHT.background))).any(axis=-1)
     corners = view.pixel_of(projection.frustum_corners_world[:4, :3])
@@ -650,14 +653,14 @@ def test_a_planes_label_is_at_its_plane_or_joined_to_it(
     view.drawing.reset_view()
     view.pixels()
     boxes = {text.split()[0]: box for text, box in view.label_boxes().items()}
-    corners = applied(to_array(view.drawing._frustum_space.matrix), CUBE)
+    corners = applied(to_array(view.drawing.frustum.space.matrix), CUBE)
     spots = view.pixel_of(corners) * (1, -1) + (0, size[1])
     planes = {"near": spots[:4], "far": spots[4:]}
     for name, other in (("near", "far"), ("far", "near")):
         face, box = planes[name], boxes[name]
         assert min(from_box(spot, box) for spot in planes[other]) > 2.0 * em, name
         anchors = [*face, *((face + np.roll(face, -1, axis=0)) / 2.0)]
-        leader = view.drawing._labels._leaders[name].actor
+        leader = view.drawing.labels._leaders[name].actor
         if min(from_box(spot, box) for spot in anchors) > 1.8 * em:  # diagonally, and roughly
             assert leader.GetVisibility(), name
         if leader.GetVisibility():
@@ -669,7 +672,7 @@ def test_a_planes_label_is_at_its_plane_or_joined_to_it(
 
 def test_a_leader_lights_its_pixels_and_goes_when_it_is_not_needed(make_view: MakeView) -> None:
     view = make_view("letter-f", 412, 670)
-    line = view.drawing._labels._leaders["near"].actor
+    line = view.drawing.labels._leaders["near"].actor
     for projection in (CROWDED[8], with_lens(near=1.0, far=1.0 + 1e-12)):
         view.drawing.show_projection(projection)
         view.drawing.reset_view()
@@ -703,7 +706,7 @@ def history() -> Iterator[Projection]:
 def test_labels_stay_on_their_sides_while_something_moves(make_view: MakeView) -> None:
     """They change sides more seldom than when each step is laid out afresh."""
     view = make_view("letter-f", 430, 620)
-    labels = view.drawing._labels
+    labels = view.drawing.labels
     changes = {True: 0, False: 0}
     for afresh in changes:
         view.drawing.reset_view()
@@ -749,7 +752,7 @@ def test_no_label_lies_on_another_in_any_scene_of_a_lecture(
 def test_in_a_crowd_an_axis_is_named_from_afar_or_not_at_all(make_view: MakeView) -> None:
     """A letter lies on no other label; without room by its arrow, a line joins it to the arrow."""
     view = make_view("letter-f", 300, 340, replace(LIGHT, font_size=22.0))
-    labels, letters = view.drawing._labels, {"u", "v", "n"}
+    labels, letters = view.drawing.labels, {"u", "v", "n"}
     hidden = joined = 0
     for projection in list(history())[::3]:
         view.drawing.show_projection(projection)
@@ -831,7 +834,10 @@ def test_a_plane_that_covers_the_pane_does_not_flood_it(make_view: MakeView, sty
         assert left >= 0 and bottom >= 0 and right <= 412 and top <= 670
     view.drawing.show_projection(with_lens(near=8.0, far=15.0))
     view.drawing.reset_view()
-    assert [tint.GetProperty().GetOpacity() for tint, _ in view.drawing._tints] == [0.3, 0.16]
+    assert [tint.GetProperty().GetOpacity() for tint, _ in view.drawing.frustum.tints] == [
+        0.3,
+        0.16,
+    ]
 
 
 def test_what_a_plane_covers_of_the_pane_is_what_is_painted(make_view: MakeView) -> None:
@@ -841,12 +847,12 @@ def test_what_a_plane_covers_of_the_pane_is_what_is_painted(make_view: MakeView)
         view.drawing.show_projection(projection)
         view.drawing.reset_view()
         view.hide_labels()
-        pane = view.drawing._pane
+        pane = view.drawing.own.pane
         turned_away = pane._replace(axes=pane.axes * [[-1.0], [1.0], [-1.0]])
-        for corners in np.split(view.drawing._corners, 2):
+        for corners in np.split(view.drawing.frustum.corners, 2):
             assert turned_away.covered(corners) == []
         for tint, corners in zip(
-            view.drawing._tints, np.split(view.drawing._corners, 2), strict=True
+            view.drawing.frustum.tints, np.split(view.drawing.frustum.corners, 2), strict=True
         ):
             for actor in view.plotter.renderer.GetActors():
                 actor.SetVisibility(actor is tint[0])
@@ -865,7 +871,7 @@ def test_what_a_plane_covers_of_the_pane_is_what_is_painted(make_view: MakeView)
 def test_what_is_covered_does_not_depend_on_the_unit(make_view: MakeView) -> None:
     view = make_view("letter-f", 400, 300)
     view.drawing.show_projection(with_lens(fov_y_deg=170.0))
-    pane, corners = view.drawing._pane, view.drawing._corners[4:]
+    pane, corners = view.drawing.own.pane, view.drawing.frustum.corners[4:]
     near = np.array(pane.covered(corners))
     far = np.array(pane._replace(eye=pane.eye * 1e99).covered(corners * 1e99))
     assert len(near) > 3
@@ -900,11 +906,11 @@ def test_a_step_sets_matrices_and_nothing_else(make_view: MakeView) -> None:
 def test_the_scene_and_its_picture_share_their_points(make_view: MakeView) -> None:
     """Or a large mesh would be on the GPU twice."""
     view = make_view()
-    inputs = [a.GetMapper().GetInput() for a in view.drawing._picture]
+    inputs = [a.GetMapper().GetInput() for a in view.drawing.picture.actors]
     others = [
         a.GetMapper().GetInput()
         for a in view.plotter.renderer.GetActors()
-        if a not in view.drawing._picture
+        if a not in view.drawing.picture.actors
     ]
     assert len(inputs) == 2
     for mesh in inputs:
@@ -919,7 +925,7 @@ def test_the_view_has_everything_in_it_from_beside(
     view = make_view(scene, *size)
     view.pixels()
     start = view.scene.start
-    corners = applied(to_array(view.drawing._frustum_space.matrix), CUBE)
+    corners = applied(to_array(view.drawing.frustum.space.matrix), CUBE)
     points = np.array([start.camera.eye, start.camera.target, view.scene.centre, *corners])
     spots = view.pixel_of(points)
     assert ((spots > 0) & (spots < size)).all()
@@ -935,7 +941,7 @@ def test_a_resized_pane_fits_again_unless_its_view_was_moved(make_view: MakeView
     view.window.SetSize(900, 300)
     view.pixels()
     assert view.camera.GetPosition() != first
-    spots = view.pixel_of(applied(to_array(view.drawing._frustum_space.matrix), CUBE))
+    spots = view.pixel_of(applied(to_array(view.drawing.frustum.space.matrix), CUBE))
     assert ((spots > 0) & (spots < (900, 300))).all()
     view.camera.Azimuth(20.0)
     view.drawing.reset_clipping_range()
@@ -984,7 +990,7 @@ def test_refit_brings_back_what_has_left_the_picture(
     assert view.drawing.refit() and view.drawing.view is None
     assert np.allclose(toward(view.camera), direction, atol=1e-9)
     view.pixels()
-    corners = applied(to_array(view.drawing._frustum_space.matrix), CUBE)
+    corners = applied(to_array(view.drawing.frustum.space.matrix), CUBE)
     points = [projection.camera.eye, projection.camera.target, view.scene.centre, *corners]
     spots = view.pixel_of(np.array(points))
     assert ((spots > 0) & (spots < (412, 670))).all()
@@ -1047,7 +1053,7 @@ def test_a_frustum_up_to_100_degrees_is_framed_whole(make_view: MakeView, fov_y_
     view.drawing.show_projection(with_lens(fov_y_deg=fov_y_deg))
     view.drawing.reset_view()
     view.pixels()
-    spots = view.pixel_of(applied(to_array(view.drawing._frustum_space.matrix), CUBE))
+    spots = view.pixel_of(applied(to_array(view.drawing.frustum.space.matrix), CUBE))
     assert ((spots > 0) & (spots < (412, 670))).all()
 
 
@@ -1147,10 +1153,10 @@ def test_extremes_draw_the_scene_and_the_camera(
     first = view.pixels()
     view.drawing.reset_view()
     second = view.pixels()
-    for space in (view.drawing._frustum_space, view.drawing._picture_space):
+    for space in (view.drawing.frustum.space, view.drawing.picture.space):
         matrix = to_array(space.matrix)
         assert np.isfinite(matrix.astype(np.float32)).all()
-    on_the_gpu = to_array(view.drawing._frustum_space.matrix).astype(np.float32)
+    on_the_gpu = to_array(view.drawing.frustum.space.matrix).astype(np.float32)
     with np.errstate(divide="raise", invalid="raise"):
         drawn = applied(on_the_gpu, CUBE.astype(np.float32))
     assert np.isfinite(drawn).all()
@@ -1212,7 +1218,7 @@ def test_the_volume_of_a_free_matrix_is_the_cube_unprojected(
     view.drawing.show_projection(free)
     assert {"near", "far"} <= set(view.labels())
     drawing = view.drawing
-    corners = drawing._corners + view.scene.origin
+    corners = drawing.frustum.corners + view.scene.origin
     assert np.allclose(corners, free.frustum_corners_world[:, :3], rtol=1e-9, atol=1e-9)
     clip = applied(free.clip_from_world, corners)
     z_near, z_far = free.depth_range
@@ -1253,7 +1259,7 @@ def test_the_picture_of_a_free_matrix_lies_on_its_near_face() -> None:
     points = np.array([[0.5, 2.0, 0.5], [-1.0, 1.0, -0.5], [1.0, 3.0, 0.0]])
     clip = free.with_depth("reversed").clip_from_world
     for eye in (np.array(free.camera.eye), np.array([-4.0, 2.0, -9.0])):
-        film = _flattened_free(free, origin, eye)
+        film = flatten_free(free, origin, eye)
         flat = applied(film.surface, points)
         pressed, before = applied(clip, flat), applied(clip, points)
         assert np.allclose(pressed[:, :2], before[:, :2], atol=1e-9)

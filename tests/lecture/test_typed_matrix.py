@@ -494,6 +494,7 @@ def test_what_only_a_lens_has_is_refused_with_a_sentence(projection: Projection)
         lambda: projection.intrinsics,
         lambda: projection.exact_lens,
         lambda: projection.between(1.0, 2.0),
+        lambda: projection.matrices_between(1.0, 2.0),
     ):
         with pytest.raises(Refusal, match="kind = 'matrix': must be one of perspective"):
             ask()

@@ -755,6 +755,43 @@ def test_between_other_planes_the_picture_is_the_same(
     np.testing.assert_allclose(after, before, rtol=0.0, atol=tolerance)
 
 
+@given(projections(), st.floats(0.1, 3.0), logarithmic(1.1, 100.0))
+@QUICK
+def test_the_matrices_between_other_planes_are_those_of_the_lens_there(
+    projection: Projection, factor: float, ratio: float
+) -> None:
+    lens = projection.lens
+    if lens.parallel:
+        near = lens.near + (factor - 1.0) * (lens.far - lens.near)
+        far = near + ratio * (lens.far - lens.near)
+    else:
+        near, far = factor * lens.near, ratio * factor * lens.near
+    try:
+        other = replace(projection.between(near, far), depth="reversed")
+    except Refusal:
+        return
+    tolerance = 1e-12 + 1e3 * (rounding_ndc(projection) + rounding_ndc(other))
+    found = projection.matrices_between(near, far)
+    for matrix, expected in zip(found, (other.clip_from_view, other.view_from_clip), strict=True):
+        size = np.abs(expected).max(axis=1, keepdims=True)
+        np.testing.assert_allclose(matrix / size, expected / size, rtol=0.0, atol=tolerance)
+
+
+def test_the_matrices_between_reach_infinity_and_come_back() -> None:
+    """By hand: a lens of 90 degrees, cut at 2 and 8, and at 2 and infinity."""
+    for whole in (Perspective(90.0, 1.0, 4.0), Perspective(90.0, 1.0, math.inf)):
+        projection = Projection(Camera(), whole, (100, 100))
+        for far, (a, b), (c, d) in (
+            (8.0, (1 / 3, 8 / 3), (3 / 8, 1 / 8)),
+            (math.inf, (0.0, 2.0), (0.5, 0.0)),
+        ):
+            clip_from_view, view_from_clip = projection.matrices_between(2.0, far)
+            expected = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, a, b], [0, 0, -1, 0]]
+            np.testing.assert_allclose(clip_from_view, expected, rtol=0, atol=1e-15)
+            expected = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 0, -1], [0, 0, c, d]]
+            np.testing.assert_allclose(view_from_clip, expected, rtol=0, atol=1e-15)
+
+
 # --------------------------------------------------------------------------- intrinsics, presets
 
 

@@ -424,7 +424,7 @@ def test_up_is_drawn_where_it_is(make_window: MakeWindow) -> None:
     drawing: Any = window.panes["world"].drawing
     up = np.array(camera.up) / np.linalg.norm(camera.up)
     eye = np.array(camera.eye)
-    spot = drawing.sight.seen([eye + 1.2 * drawing._axes_size * up])[0]
+    spot = drawing.sight.seen([eye + 1.2 * drawing.camera.axes_size * up])[0]
     picture = pixels(window).astype(int)
     x, y = (math.floor(part) for part in spot)
     accent = np.array([0xC4, 0x6F, 0x9D])
@@ -478,7 +478,7 @@ def test_the_row_and_the_arrow_of_up_are_linked(make_window: MakeWindow) -> None
     drawing: Any = window.panes["world"].drawing
     camera = window.store.document.projection.camera
     up = np.array(camera.up)  # of length 1
-    ((x_px, y_px),) = drawing.sight.seen([camera.eye + 1.5 * drawing._axes_size * up])
+    ((x_px, y_px),) = drawing.sight.seen([camera.eye + 1.5 * drawing.camera.axes_size * up])
     canvas = window.panes["world"].canvas
     place = canvas.mapTo(window, QPoint(math.floor(x_px), math.floor(y_px)))
     QTest.mouseMove(window.windowHandle(), place)

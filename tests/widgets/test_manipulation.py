@@ -57,7 +57,7 @@ def world(window: MainWindow) -> WorldDrawing:
 def marks(window: MainWindow) -> dict[Handle, tuple[float, float]]:
     """The handles in the world pane, and where they are."""
     drawing: Any = world(window)
-    return dict(drawing._handles.shown)
+    return dict(drawing.handles.shown)
 
 
 def mark(window: MainWindow, name: str) -> tuple[Handle, tuple[float, float]]:

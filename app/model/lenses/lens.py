@@ -118,6 +118,10 @@ class Lens:
         """The lens as the lectures write it."""
         raise self._refusal()
 
+    def table_to(self, far: float) -> LensTable:
+        """The table of the same lens with its far plane at another distance, perhaps infinite."""
+        raise self._refusal()
+
     def exact_letters(self, aspect: Fraction) -> dict[str, Fraction]:
         """What the table's letters stand for, irrational ones to `double_double.BITS` bits.
 
@@ -252,6 +256,11 @@ class Central(Lens):
 
     central: ClassVar[bool] = True
 
+    def table_to(self, far: float) -> LensTable:
+        if far == math.inf:
+            return self.but(far=far).table
+        return self.table.otherwise.get("far", self.table)
+
     def enlarged(self, distance: Any) -> Any:
         return distance / self.near
 
@@ -301,6 +310,9 @@ class Parallel(Lens):
     """A lens whose projectors are parallel: pictures are as large wherever things are."""
 
     parallel: ClassVar[bool] = True
+
+    def table_to(self, far: float) -> LensTable:
+        return self.table
 
     def enlarged(self, distance: Any) -> Any:
         return 1.0

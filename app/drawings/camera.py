@@ -1,0 +1,253 @@
+"""The model's camera in the world pane: its body, eye, target, line of sight and axes.
+
+Eye, target and axes are shrunk towards the pane's own camera, so that they stay on their pixels
+but come before what would hide them.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from vtkmodules.vtkRenderingCore import vtkActor
+
+from app.drawings import actors
+from app.drawings.actors import Canvas, Space, applied
+from app.drawings.frame import LARGER, TIPS, FrameSteps, arrow, arrow_tips, is_built
+from app.drawings.labels import AXES, PaneView
+from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE
+from app.lecture.highlight import SIDES
+from app.model.projection import Array, Camera
+
+_BODY = 0.065  # size of the camera's body, of the scene's size and distance
+_SIX_WAYS = np.vstack([np.eye(3), -np.eye(3)])
+
+# The corners of a box round the camera's body, in view space and sizes of the body.
+_BODY_BOX = actors.CUBE_CORNERS * (0.6, 0.58, 0.7) + (0.0, 0.16, 0.7)
+
+_WALLS = tuple(FACES[side] for side in SIDES)
+
+# The axes' letters stand beyond their tips, best first.
+_BEYOND_TIP = (1.2, 1.5, 1.9)
+
+
+class Standing(NamedTuple):
+    """How the model's camera stands in a scene; scene-local, world units.
+
+    Attributes
+    ----------
+    camera : Camera
+    origin : (3,) array
+        World point that scene-local coordinates are relative to.
+    eye, target : (3,) array
+    view_from_local, local_from_view : (4, 4) array
+    depths : (float, float)
+        Least and largest distance of anything in the scene from the eye plane.
+    objects_depth : float
+        The largest one of the scene's objects.
+    extent : float
+        The scene's size, and how far away it is.
+    """
+
+    camera: Camera
+    origin: Array
+    eye: Array
+    target: Array
+    view_from_local: Array
+    local_from_view: Array
+    depths: tuple[float, float]
+    objects_depth: float
+    extent: float
+
+
+class CameraDrawing:
+    """The camera, as a thing among things.
+
+    Parameters
+    ----------
+    canvas : Canvas
+
+    Attributes
+    ----------
+    solid : tuple of vtkActor
+        The body.
+    shafts : mapping from str to vtkActor
+        Of the axes, by their names.
+    discs : mapping from str to vtkActor
+        Of the eye and of the target.
+    steps : FrameSteps or None
+        What else is drawn while the camera's frame is built step by step; None before that.
+    body_size : float
+        World units.
+    """
+
+    def __init__(self, canvas: Canvas) -> None:
+        self._canvas = canvas
+        style, add = canvas.style, canvas.add
+        width = style.line_width
+        self._body_space, self._sight_space, self._axes_space = Space(), Space(), Space()
+        self._eye_space, self._target_space, self._rim_space = Space(), Space(), Space()
+
+        self._sight = actors.line_actor([(0, 0, 0), (0, 0, -1)], [(0, 1)], style.muted, width)
+        self._sight_space.add(self._sight)
+        points, faces, edges = _camera_body()
+        body = actors.face_actor(points, faces, style.muted)
+        wire = actors.line_actor(points, edges, style.eye, width)
+        self.solid = body, wire
+        self._body_space.add(body, wire)
+        eye = actors.point_actor([(0, 0, 0)], style.eye, 5.0 * width)
+        target = actors.point_actor([(0, 0, 0)], style.target, 6.0 * width)
+        rim = actors.point_actor([(0, 0, 0)], style.ink, 8.0 * width)
+        self.discs = {"eye": eye, "target": target}
+        self._eye_space.add(eye)
+        self._target_space.add(target)
+        self._rim_space.add(rim)
+        add(self._sight, body, wire, eye, rim, target)
+
+        self.shafts: dict[str, vtkActor] = {}
+        self._heads: dict[str, vtkActor] = {}
+        for axis, tip in TIPS.items():
+            shaft, head = arrow(np.array(tip), getattr(style, axis), 2.0 * width)
+            self._axes_space.add(shaft, head)
+            self.shafts[axis], self._heads[axis] = shaft, head
+            add(shaft, head)
+        self.steps: FrameSteps | None = None
+        self.step: int | None = None
+
+    def show(self, standing: Standing) -> None:
+        """Stand there."""
+        self._standing = standing
+        self.body_size = _BODY * standing.extent
+        self._local_from_body = _scaled(standing.local_from_view, self.body_size)
+        self._body_space.set(self._local_from_body)
+        self._sight_space.set(_scaled(standing.local_from_view, standing.camera.distance))
+
+    def show_step(self, step: int | None) -> None:
+        """Build the frame up to a step of `app.lecture.camera_frame.STEPS`; None for all of it."""
+        self.step = step
+        if self.steps is None:
+            self.steps = FrameSteps(self._canvas, self._canvas.style)
+        self.steps.show(step)
+        for axis, shaft in self.shafts.items():
+            for actor in (shaft, self._heads[axis]):
+                actor.SetVisibility(step is None or is_built(axis, step))
+        self._sight.SetVisibility(step is None or is_built("look", step))
+
+    @property
+    def arrows(self) -> tuple[tuple[str, ...], Array]:
+        """The arrows that are drawn at the camera, and from the eye to their tips, world units."""
+        camera = self._standing.camera
+        tips = {a: TIPS[a] for a in AXES} if self.step is None else arrow_tips(self.step, camera)
+        directions = np.array(list(tips.values())).reshape(-1, 3)
+        return tuple(tips), self.axes_size * directions @ camera.frame
+
+    @property
+    def axes_size(self) -> float:
+        """The unit of the axes, world units."""
+        return self.body_size * (1.0 if self.step is None else LARGER)
+
+    @property
+    def names(self) -> tuple[tuple[str, ...], Array]:
+        """The arrows that are drawn, and where their names can be, (k n, 3), best first."""
+        arrows, directions = self.arrows
+        return arrows, np.concatenate([self._standing.eye + k * directions for k in _BEYOND_TIP])
+
+    @property
+    def box(self) -> Array:
+        """The corners of a box round the body, (8, 3)."""
+        return applied(self._local_from_body, _BODY_BOX)
+
+    @property
+    def around(self) -> Array:
+        """What the body and its axes lie between, (6, 3)."""
+        return self._standing.eye + 3.0 * self.body_size * _SIX_WAYS
+
+    def depths(self, pane: PaneView) -> tuple[float, float, float]:
+        """How far from the pane's camera eye, target and axes are."""
+        eye, target = self._standing.eye, self._standing.target
+        toward = pane.axes[2]
+        eye_depth, target_depth = (float((p - pane.eye) @ toward) for p in (eye, target))
+        # The axes are brought before the body, see `come_before`.
+        return eye_depth, target_depth, eye_depth - 4.6 * self.axes_size
+
+    def come_before(self, pane: PaneView, depths: tuple[float, float, float], near: float) -> None:
+        """Bring eye, target and axes before what would hide them.
+
+        Parameters
+        ----------
+        pane : PaneView
+        depths : (float, float, float)
+            As of `depths`.
+        near : float
+            From which depth on the pane's camera sees.
+        """
+        standing = self._standing
+        eye, target = standing.eye, standing.target
+        eye_depth, target_depth, _ = depths
+        for space, point, depth, on_top in (
+            (self._eye_space, eye, eye_depth, 1.01),
+            (self._target_space, target, target_depth, 1.02),
+            (self._rim_space, target, target_depth, 1.03),
+        ):
+            k = _shrinking(depth, on_top * near)
+            space.place(k, (1.0 - k) * pane.eye + k * point)
+        k = _shrinking(eye_depth, max(near, eye_depth - 2.0 * self.axes_size))
+        pane_from_axes = _scaled(standing.local_from_view, k * self.axes_size)
+        pane_from_axes[:3, 3] = (1.0 - k) * pane.eye + k * eye
+        self._axes_space.set(pane_from_axes)
+        if self.step is not None and self.steps is not None:
+            self.steps.place(pane_from_axes, standing.camera)
+
+
+def view_matrices(camera: Camera, origin: Array) -> tuple[Array, Array]:
+    """View from scene-local coordinates and back, both (4, 4); the eye is subtracted first."""
+    eye = np.array(camera.eye) - origin
+    view_from_local, local_from_view = np.identity(4), np.identity(4)
+    view_from_local[:3, :3], view_from_local[:3, 3] = camera.frame, camera.frame @ -eye
+    local_from_view[:3, :3], local_from_view[:3, 3] = camera.frame.T, eye
+    return view_from_local, local_from_view
+
+
+def _camera_body() -> tuple[Array, list[tuple[int, ...]], list[tuple[int, ...]]]:
+    """A box with a lens hood and a viewfinder, in view space: the eye in the hood's mouth.
+
+    Returns
+    -------
+    points : (n, 3) array
+    faces, edges : lists of tuples of int
+    """
+    points: list[tuple[float, float, float]] = []
+    faces: list[tuple[int, ...]] = []
+    edges: list[tuple[int, ...]] = []
+    sections = (
+        ((0.4, 0.3, 0.0), (0.2, 0.15, 0.5)),  # hood: half width, half height, distance behind
+        ((0.6, 0.42, 0.5), (0.6, 0.42, 1.4)),  # box
+    )
+    for front, back in sections:
+        first = len(points)
+        for half_width, half_height, z in (front, back):
+            points += [
+                (sx * half_width, sy * half_height, z)
+                for sx, sy in ((-1, -1), (1, -1), (1, 1), (-1, 1))
+            ]
+        quads = [*_WALLS, FAR_FACE] if not faces else [NEAR_FACE, *_WALLS, FAR_FACE]
+        faces += [tuple(first + i for i in quad) for quad in quads]
+        edges += [tuple(first + i for i in line) for line in actors.CUBE_EDGES]
+    first = len(points)
+    for z in (0.65, 1.25):
+        points += [(-0.3, 0.42, z), (0.3, 0.42, z), (0.0, 0.75, z)]
+    prism = [(0, 1, 2), (3, 4, 5), (0, 2, 5, 3), (1, 2, 5, 4)]
+    faces += [tuple(first + i for i in face) for face in prism]
+    edges += [tuple(first + i for i in line) for line in ((0, 1, 2, 0), (3, 4, 5, 3), (2, 5))]
+    return np.array(points), faces, edges
+
+
+def _shrinking(away: float, depth: float) -> float:
+    """How much all is to be shrunk towards the pane's camera to bring what is away to a depth."""
+    return depth / away if away > depth else 1.0
+
+
+def _scaled(local_from_view: Array, size: float) -> Array:
+    matrix = local_from_view.copy()
+    matrix[:3, :3] *= size
+    return matrix

@@ -1,0 +1,211 @@
+"""The picture on the near plane: the scene once more in the world pane, under
+
+    local_from_film . flatten . clip_from_local
+
+where flatten squeezes all depths into a thin slab at the near face, on the side from which it is
+looked at, so that what is in front stays in front.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from vtkmodules.vtkCommonDataModel import vtkPlane
+
+from app.drawings import actors
+from app.drawings.actors import Canvas, Space
+from app.drawings.camera import Standing
+from app.drawings.frustum import FrustumDrawing, matrices_between, normalised
+from app.drawings.labels import PaneView
+from app.model.projection import Array, Projection
+from app.scenes.scene import Scene
+
+SLAB = 0.005
+"""Thickness of the picture on the near plane, relative to near (parallel lens: the reach)."""
+
+_MARGIN = 0.02  # of the scene's depth, kept free at both ends of the slab
+_LINES_IN_FRONT = 0.01  # of the slab: a face must not eat its own edges
+_LEAST_PX = 1.5
+
+
+class NearPicture:
+    """The scene, flattened onto the near plane and cut by the picture's window.
+
+    Parameters
+    ----------
+    canvas : Canvas
+    scene : Scene
+
+    Attributes
+    ----------
+    faces : vtkActor or None
+    space : Space
+        What they stand under.
+    actors : list of vtkActor
+        Faces and lines.
+    """
+
+    def __init__(self, canvas: Canvas, scene: Scene) -> None:
+        self._planes = [vtkPlane() for _ in range(6)]
+        self.faces, lines = actors.scene_actors(scene, canvas.style, self._planes)
+        self.space, self._lines_space = Space(), Space()
+        if self.faces is not None:
+            self.space.add(self.faces)
+        if lines is not None:
+            self._lines_space.add(lines)
+        self.actors = [actor for actor in (self.faces, lines) if actor is not None]
+        canvas.add(*self.actors)
+
+    def show(
+        self, projection: Projection, standing: Standing, frustum: FrustumDrawing, pane: PaneView
+    ) -> None:
+        """Lay the scene onto the near plane of a frustum, as the pane's camera sees it."""
+        lens, reach, depths = projection.lens, frustum.reach, standing.depths
+        left_bottom, right_top = frustum.corners[0], frustum.corners[2]
+        px = math.dist(pane.eye, left_bottom) * 2.0 * pane.slope / pane.size_px[1]
+        seen = math.dist(left_bottom, right_top) > _LEAST_PX * px
+        if reach is None:
+            seen = seen and projection.frustum_sign > 0
+        else:
+            seen = (
+                seen and reach.near_break is None and depths[1] > lens.near and depths[0] < lens.far
+            )
+        for actor in self.actors:
+            actor.SetVisibility(seen)
+        if not seen:
+            return
+        if reach is None:
+            film = flatten_free(projection, standing.origin, pane.eye)
+        else:
+            away = pane.eye - standing.eye
+            from_eye_side = float(away @ standing.camera.frame[2]) > -reach.near
+            view = standing.view_from_local, standing.local_from_view
+            film = flatten(projection, view, depths, reach.high, toward_eye=from_eye_side)
+        self.space.set(film.surface)
+        self._lines_space.set(film.lines)
+        for plane, (*normal, offset) in zip(self._planes, film.planes.tolist(), strict=True):
+            plane.SetNormal(normal)
+            plane.SetOrigin([-offset * part for part in normal])
+
+
+class Film(NamedTuple):
+    """The picture on the near plane.
+
+    Attributes
+    ----------
+    surface, lines : (4, 4) float64 array
+        Local from local: from the scene to its picture; that of the lines lies a little in front.
+    planes : (6, 4) float64 array
+        Half-spaces ``a x + b y + c z + d >= 0`` of the pane's world, normals of length 1: left,
+        right, bottom, top, near, far. What is outside one of them is not in the picture.
+    """
+
+    surface: Array
+    lines: Array
+    planes: Array
+
+
+def flatten(
+    projection: Projection,
+    view: tuple[Array, Array],
+    depths: tuple[float, float],
+    reach: float,
+    *,
+    toward_eye: bool,
+) -> Film:
+    """Squeeze the scene into a thin slab at the near face, every point along its ray to the eye.
+
+    Parameters
+    ----------
+    projection : Projection
+    view : (4, 4) float64 arrays
+        View from scene-local coordinates, and back.
+    depths : (float, float)
+        Least and largest distance of anything in the scene from the eye plane, in front (+) or
+        behind (-), in world units. The slab's thickness is spent on them.
+    reach : float
+        A length in world units to which a parallel lens' slab is proportioned.
+    toward_eye : bool
+        On which side of the near plane the slab lies. On the eye's, the nearest is on top, as
+        seen from there; on the other, the nearest is again on top as seen from *there*: a
+        picture looked at from behind is its mirror image, not the things' back sides.
+
+    Returns
+    -------
+    Film
+
+    Notes
+    -----
+    In homogeneous coordinates, with depth 1 at the near and 0 at the far end of what is in the
+    picture: ``flatten: z' = w +- slab z``; x, y and w stay, so that each point keeps its ray.
+    """
+    lens = projection.lens
+    near, far = lens.near, lens.far
+    free = max(_MARGIN * (depths[1] - depths[0]), 1e-6 * reach)  # flat scenes have no depth
+    start = max(near, depths[0] - free)
+    end = max(min(far, depths[1] + free), start + 1e-6 * reach)
+    view_from_local, local_from_view = view
+    clip_from_local = matrices_between(projection, start, end)[0] @ view_from_local
+    film = matrices_between(projection, near, near + reach if lens.parallel else math.inf)
+    film_from_local, local_from_film = film[0] @ view_from_local, local_from_view @ film[1]
+    side_planes = _side_planes(projection) @ view_from_local
+    side = 1.0 if toward_eye else -1.0
+    return _film(clip_from_local, film_from_local, local_from_film, side_planes, side)
+
+
+def flatten_free(projection: Projection, origin: Array, pane_eye: Array) -> Film:
+    """`flatten` under a free matrix: onto the cube's near face, on the side that is looked at."""
+    reversed_range = projection.with_depth("reversed")
+    clip_from_local = reversed_range.clip_from_world_at(origin)
+    local_from_clip = reversed_range.world_from_clip_at(origin)
+    z, w = clip_from_local[2:] @ (*pane_eye, 1.0)
+    side = 1.0 if w <= 0.0 or z > w else -1.0
+    x, y, _, w = clip_from_local
+    side_planes = np.array([w + x, w - x, w + y, w - y])
+    return _film(clip_from_local, clip_from_local, local_from_clip, side_planes, side)
+
+
+def _film(
+    clip_from_local: Array,
+    film_from_local: Array,
+    local_from_film: Array,
+    side_planes: Array,
+    side: float,
+) -> Film:
+    """The slab on one side of the near face, 1 toward the eye, between four planes, (4, 4)."""
+    squeeze = np.eye(4)
+    squeeze[2] = 0.0, 0.0, side * SLAB, 1.0
+    lifted = squeeze.copy()
+    lifted[2, 3] += side * SLAB * _LINES_IN_FRONT
+    z, w = film_from_local[2:]
+    planes = np.vstack([side_planes, SLAB * w - side * (z - w), side * (z - w)])
+    planes /= np.abs(planes).max(axis=1, keepdims=True)  # or the squares may overflow
+    planes /= np.linalg.norm(planes[:, :3], axis=1, keepdims=True)
+    return Film(
+        normalised(local_from_film @ squeeze @ clip_from_local),
+        normalised(local_from_film @ lifted @ clip_from_local),
+        planes,
+    )
+
+
+def _side_planes(projection: Projection) -> Array:
+    """Left, right, bottom and top of the view volume in view space, positive inside, (4, 4).
+
+    Clip space has them as w + x and so on, which cancel for a window far off the axis.
+    """
+    left, right, bottom, top = projection.window
+    lens = projection.lens
+    near = lens.near
+    planes = np.zeros((4, 4))
+    for row, (axis, edge, sign) in enumerate(
+        ((0, left, 1.0), (0, right, -1.0), (1, bottom, 1.0), (1, top, -1.0))
+    ):
+        planes[row, axis] = sign
+        if lens.parallel:
+            cot = projection.shear[axis]
+            planes[row, 2:] = sign * cot, sign * (cot * near - edge)
+        else:
+            planes[row, 2] = sign * (edge / near)
+    return planes
