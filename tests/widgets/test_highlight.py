@@ -286,20 +286,12 @@ def test_the_world_knows_what_is_under_the_mouse(make_window: MakeWindow) -> Non
 
 def test_a_label_can_be_pointed_at(make_window: MakeWindow) -> None:
     window = opened(make_window)
-<<<<<<< HEAD
     for text in ["near", "far"]:
         drawing: Any = window.panes["world"].drawing
-        label = drawing._labels.named[text]
+        label = drawing.labels.named[text]
         x_px, y_px, _ = label._place.GetValue()
         point_at(window, "world", x_px, window.panes["world"].canvas.height() - y_px)
         assert window.attention.now == {text} and text in marked(window)
-=======
-    drawing: Any = window.panes["world"].drawing
-    label = drawing.labels.named[text]
-    x_px, y_px, _ = label._place.GetValue()
-    point_at(window, "world", x_px, window.panes["world"].canvas.height() - y_px)
-    assert window.attention.now == {text} and text in marked(window)
->>>>>>> c1e5a5b (refactor: the world pane is camera, frustum, near-plane picture and own view)
 
 
 def test_the_cube_knows_what_is_under_the_mouse(make_window: MakeWindow) -> None:
@@ -469,12 +461,11 @@ def test_the_words_of_a_probe_that_is_outside(make_window: MakeWindow) -> None:
 
 def test_a_corner_marks_the_figure_that_its_drag_changes(make_window: MakeWindow) -> None:
     window = opened(make_window)
-<<<<<<< HEAD
     for kind in ["perspective", "frustum", "orthographic"]:
         window.store.set_projection(START.with_lens(kind))
         settle()
         drawing, canvas = window.panes["world"].drawing, window.panes["world"].canvas
-        marks = drawing._handles.shown  # type: ignore[union-attr]
+        marks = drawing.handles.shown  # type: ignore[union-attr]
         x_px, y_px = next(spot for handle, spot in marks if handle.name == "corner")
         labels = window.status.labels
         before = {name: label.text() for name, label in labels.items()}
@@ -487,24 +478,6 @@ def test_a_corner_marks_the_figure_that_its_drag_changes(make_window: MakeWindow
         QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=start + QPoint(20, -30))
         settle()
         assert {name for name, label in labels.items() if label.text() != before[name]} == {"fov"}
-=======
-    window.store.set_projection(START.with_lens(kind))
-    settle()
-    drawing, canvas = window.panes["world"].drawing, window.panes["world"].canvas
-    marks = drawing.handles.shown  # type: ignore[union-attr]
-    x_px, y_px = next(spot for handle, spot in marks if handle.name == "corner")
-    labels = window.status.labels
-    before = {name: label.text() for name, label in labels.items()}
-    point_at(window, "world", x_px / canvas.pixel_ratio, y_px / canvas.pixel_ratio)
-    assert window.attention.now < set(CORNERS)
-    assert {name for name, label in labels.items() if label.is_marked} == {"fov"}
-    start = QPoint(math.floor(x_px), math.floor(y_px))
-    QTest.mousePress(canvas, Qt.MouseButton.LeftButton, pos=start)
-    QTest.mouseMove(canvas, start + QPoint(20, -30))
-    QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=start + QPoint(20, -30))
-    settle()
-    assert {name for name, label in labels.items() if label.text() != before[name]} == {"fov"}
->>>>>>> c1e5a5b (refactor: the world pane is camera, frustum, near-plane picture and own view)
 
 
 def test_a_figure_of_the_status_line(make_window: MakeWindow) -> None:
