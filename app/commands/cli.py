@@ -114,6 +114,7 @@ def _window(arguments: Sequence[str]) -> int:
     try:
         with bootstrap.for_good():
             from widgets.program import application
+            from widgets.program.opengl import DisplayError
             from widgets.window.settings import delete_settings
     except ImportError as error:
         raise cannot_import(error) from error
@@ -127,7 +128,7 @@ def _window(arguments: Sequence[str]) -> int:
     options = application.Options(found.theme, found.size, screenshot)
     try:
         return application.run_window(document, saved, path, options, scene)
-    except application.DisplayError as error:
+    except DisplayError as error:
         raise CliError(str(error), CANNOT_DRAW) from error
 
 

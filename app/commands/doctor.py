@@ -139,15 +139,17 @@ def _folders() -> Iterator[Finding]:
 
 def _display() -> Iterator[Finding]:
     try:
-        from widgets.program import application
+        import widgets.program.application  # noqa: F401 -- with all that a window needs
+        from widgets.program.display import display
+        from widgets.program.opengl import DisplayError
     except ImportError:
         return  # said already
     try:
-        with application.display():
+        with display():
             answer, problem = _try(
                 [sys.executable, "-m", "widgets.program.opengl"], dict(os.environ)
             )
-    except application.DisplayError as error:
+    except DisplayError as error:
         yield Finding("Display", "none", str(error))
         return
     if answer is None:

@@ -70,7 +70,7 @@ def test_a_screen_reader_hears_what_is_shown(make_window: Callable[..., Any]) ->
     said_of_panes = [said(b) for p in window.panes.values() for b in p.findChildren(QToolButton)]
     assert len(said_of_panes) == len(set(said_of_panes))
     assert "World: Enlarge this pane, and back" in said_of_panes
-    box = QAccessible.queryAccessibleInterface(window._scene_box)
+    box = QAccessible.queryAccessibleInterface(window.menus.scene_box)
     assert "Scene" in [label.text(SAID.Name) for label, _ in box.relations(LABEL)]
     letters = list(mnemonics(window.menuBar().actions()))
     assert len(letters) > 5 and all(len(menu) == len(set(menu)) for menu in letters), letters

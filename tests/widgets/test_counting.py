@@ -57,6 +57,19 @@ def test_nothing_is_counted_while_the_hand_moves(make_depth: MakeWindow, qtbot: 
     qtbot.waitUntil(lambda: shown(window)[1] != "–")
 
 
+def test_what_was_counted_for_a_folded_panel_stands_there_when_it_is_opened(
+    make_depth: MakeWindow, qtbot: Any
+) -> None:
+    window = make_depth()
+    qtbot.waitUntil(lambda: shown(window)[1] != "–")
+    window.panels.open(None)
+    with qtbot.waitSignal(window.counting.counted):
+        window.store.set_settings({"format": "fixed24"})
+    with qtbot.assertNotEmitted(window.counting.counted, wait=400):
+        window.panels.open(window.scene_panel)
+        assert shown(window)[:2] == ["0", "0"]
+
+
 def test_a_large_mesh_is_not_counted(
     make_depth: MakeWindow, qtbot: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -91,5 +104,5 @@ def test_a_refused_shader_is_told_and_the_picture_drawn_the_ordinary_way(
 
     qtbot.waitUntil(lambda: orange() > 500)
     assert "this is no GLSL" in unheard.GetOutput()
-    window._choose_scene("similar-triangles")
+    window.choose_scene("similar-triangles")
     assert panel.warning.isHidden()

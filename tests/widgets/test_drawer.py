@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -12,8 +13,57 @@ from PySide6.QtWidgets import QApplication, QLabel, QToolButton
 from pytestqt.qtbot import QtBot
 
 from app.document.document import Document
+from app.model.projection import Perspective
 from app.scenes.scene import load
+from widgets.parts.panel import EVERYTHING, Changed, Panel, Shown
 from widgets.window.drawer import Panels
+
+
+class Toy(Panel):
+    """Notes what it is told, and whether it was to be seen then."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.heard: list[tuple[Shown, Changed, bool]] = []
+
+    def take(self, shown: Shown, changed: Changed) -> None:
+        self.heard.append((shown, changed, self.isVisible()))
+
+
+def test_a_folded_panel_hears_of_nothing_until_it_is_opened(qtbot: QtBot) -> None:
+    panels, first, second = Panels(), Toy(), Toy()
+    panels.add("One", first, "")
+    panels.add("Two", second, "")
+    qtbot.addWidget(panels)
+    panels.show()
+    qtbot.waitExposed(panels)
+    document, scene = Document("cube"), load("cube")
+
+    def tell(document: Document) -> Shown:
+        shown = Shown(document, scene, None)
+        panels.keep(shown)
+        panels.tell()
+        return shown
+
+    start = tell(document)
+    panels.open(first)
+    assert first.heard == [(start, EVERYTHING, False)], "before it appears"
+    tell(document)
+    assert len(first.heard) == 1, "nothing has changed"
+    document = replace(
+        document, projection=replace(document.projection, lens=Perspective(near=0.5))
+    )
+    near = tell(document)
+    assert first.heard[1:] == [(near, frozenset({"lens"}), True)]
+    panels.open(None)
+    tell(replace(document, quality=replace(document.quality, detail=0.5)))
+    document = replace(document, projection=replace(document.projection, image_size=(640, 480)))
+    last = tell(document)
+    assert len(first.heard) == 2 and not second.heard
+    panels.open(first)
+    assert first.heard[2:] == [(last, frozenset({"image_size"}), False)], "what has gone back, has"
+    panels.open(second)
+    assert second.heard == [(last, EVERYTHING, False)]
 
 
 def test_one_panel_is_open_at_a_time(qtbot: QtBot) -> None:
@@ -85,7 +135,7 @@ def test_an_open_panel_has_its_part_of_a_window_that_grows(
     window.resize(1920, 1080)
     QApplication.processEvents()
     assert window.panels.height() > 0.28 * 1080 > 1.1 * low
-    window._column.moveSplitter(window._column.sizes()[0] - 100, 1)
+    window.column.moveSplitter(window.column.sizes()[0] - 100, 1)
     chosen = window.panels.height()
     window.resize(1920, 1079)  # by a hair, as when it is moved from screen to screen
     window.resize(1920, 1100)
@@ -97,7 +147,7 @@ def test_a_height_that_the_hand_has_chosen_stays(make_window: Callable[..., Any]
     window = make_window()
     window.panels.open(window.matrices)
     QApplication.processEvents()
-    handle = window._column.handle(1)
+    handle = window.column.handle(1)
     for away in (40, -60):
         place = handle.rect().center()
         before = window.panels.height()
@@ -120,7 +170,7 @@ def test_a_chosen_height_is_not_that_of_a_lower_window(make_window: Callable[...
     window.resize(1600, 1050)
     window.panels.open(window.matrices)
     QApplication.processEvents()
-    window._column.moveSplitter(350, 1)
+    window.column.moveSplitter(350, 1)
     assert window.panels.height() > 500
     window.resize(1366, 768)
     window.panels.open(window.probe_panel)

@@ -339,7 +339,7 @@ def test_each_step_is_seen_and_all_comes_back(make_window: MakeWindow) -> None:
     before = {name: pixels(window, name) for name in window.panes}
     window.panels.open(window.frame_panel)
     settle()
-    window.enlarge("world")
+    window.pane_row.enlarge("world")
     settle()
     seen = [pixels(window)]
     for _ in STEPS[1:]:
@@ -348,7 +348,7 @@ def test_each_step_is_seen_and_all_comes_back(make_window: MakeWindow) -> None:
     for one, other in pairwise(seen):
         assert not np.array_equal(one, other)
     window.panels.open(None)
-    window.show_all_panes()
+    window.pane_row.show_all()
     settle()
     for name, picture in before.items():
         assert np.array_equal(pixels(window, name), picture), name
@@ -401,10 +401,10 @@ def test_another_theme_keeps_the_step_and_a_hidden_pane_catches_up(make_window: 
     window.set_theme("light")
     settle()
     assert np.array_equal(pixels(window), stepped)
-    window.enlarge("image")
+    window.pane_row.enlarge("image")
     window.frame_panel.go_to(2)
     settle()
-    window.enlarge("image")
+    window.pane_row.enlarge("image")
     settle()
     third = pixels(window)
     assert not np.array_equal(third, stepped)
@@ -416,7 +416,7 @@ def test_another_theme_keeps_the_step_and_a_hidden_pane_catches_up(make_window: 
 def test_up_is_drawn_where_it_is(make_window: MakeWindow) -> None:
     """The arrow's shaft has its colour half-way along up, seen from the eye."""
     window = opened(make_window)
-    window.enlarge("world")
+    window.pane_row.enlarge("world")
     camera = Camera(START.camera.eye, START.camera.target, (0.3, 1.0, -0.4))
     window.store.set_projection(replace(START, camera=camera))
     window.frame_panel.go_to(2)

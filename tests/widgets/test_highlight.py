@@ -259,7 +259,7 @@ def test_the_world_knows_what_is_under_the_mouse(make_window: MakeWindow) -> Non
     """By the pane's own sight, which is tested against VTK's camera."""
     window = opened(make_window)
     projection = window.store.document.projection
-    window.enlarge("world")
+    window.pane_row.enlarge("world")
     settle()
     drawing = window.panes["world"].drawing
     assert drawing is not None
@@ -520,7 +520,7 @@ def test_a_hidden_pane_is_told_when_it_appears(
 ) -> None:
     window = opened(make_window)
     before = pictures(window)
-    window.enlarge("image")
+    window.pane_row.enlarge("image")
     settle()
     told: list[object] = []
     drawing = window.panes["world"].drawing
@@ -528,7 +528,7 @@ def test_a_hidden_pane_is_told_when_it_appears(
     monkeypatch.setattr(drawing, "show_attention", lambda a: (told.append(a), real(a))[1])
     hover(window, window.controls.rows["near"])
     assert told == []
-    window.enlarge("image")
+    window.pane_row.enlarge("image")
     settle()
     assert told and changed(before, pictures(window)) >= {"world"}
 

@@ -140,8 +140,8 @@ def opened(make_window: Callable[..., MainWindow]) -> MainWindow:
     """The world pane alone, where the near face is large enough for its corners."""
     window = make_window()
     window.store.set_projection(replace(model(window), lens=LENSES["perspective"]))
-    window.enlarge("world")
-    window.reset_views()
+    window.pane_row.enlarge("world")
+    window.pane_row.reset_views()
     window.panes["image"].show()
     settle()
     return window
@@ -335,7 +335,7 @@ def test_what_is_said_of_a_handle_goes_with_the_drawing_that_it_was_in(
     move(window, "world", point(mark(window, "eye")[1]), button=Qt.MouseButton.NoButton)
     assert hand.said and hand._line.isVisible()
     if change == "scene":
-        window._choose_scene("cube")
+        window.choose_scene("cube")
     else:
         window.set_projector(True)
     assert world(window).held is None
@@ -767,7 +767,7 @@ def test_a_light_that_is_dragged_under_the_plane_is_refused_over_the_pane(
 def test_a_scene_without_points_has_no_grips(make_scene: Callable[[str], MainWindow]) -> None:
     window = make_scene("planar-shadow")
     assert any(handle.name == "grip" for handle in marks(window))
-    window._choose_scene("letter-f")
+    window.choose_scene("letter-f")
     settle()
     assert not any(handle.name == "grip" for handle in marks(window))
 
@@ -789,7 +789,7 @@ def test_another_scene_under_the_hand_ends_the_drag(
         move(window, name, at + QPoint(way, 5))
     dragged = model(window)
     assert window.store.in_gesture
-    window._choose_scene("cube")
+    window.choose_scene("cube")
     start = model(window)
     for way in (60, 80):
         move(window, name, at + QPoint(way, 5))

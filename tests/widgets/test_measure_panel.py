@@ -717,7 +717,7 @@ def test_the_cost_of_a_step_is_shown_for_every_pane_that_is_seen(
     window.store.set_projection(replace(projection, lens=Perspective(30.0, 1.0, 30.0)))
     settle(window)
     assert [spy.count() for spy in spies] == [0, 0, 0] and window._costs == {}
-    window._show_cost.trigger()
+    window.menus.show_cost.trigger()
     assert window.status.cost.isVisible()
     with qtbot.waitSignals([each.timed for each in window.panes.values()]):
         window.store.set_projection(replace(projection, lens=Perspective(40.0, 1.0, 30.0)))
@@ -729,7 +729,7 @@ def test_the_cost_of_a_step_is_shown_for_every_pane_that_is_seen(
     with qtbot.waitSignal(window.panes["world"].timed):
         window.store.set_projection(replace(projection, lens=Perspective(50.0, 1.0, 30.0)))
     assert "Image" not in window.status.cost.toolTip()
-    window._show_cost.trigger()
+    window.menus.show_cost.trigger()
     counts = [spy.count() for spy in spies]
     window.store.set_projection(projection)
     settle(window)

@@ -220,7 +220,7 @@ def test_a_click_on_a_face_in_any_pane_follows_its_point(
 ) -> None:
     window = make_window()
     window.panes["image"].show()
-    window.enlarge(name)  # the cubes are small: no vertex may be within 6 pixels
+    window.pane_row.enlarge(name)  # the cubes are small: no vertex may be within 6 pixels
     QApplication.processEvents()
     on_face = (0.0, 2.5, 0.5)
     x, y = (math.floor(part) + 0.5 for part in place_in(window, name, on_face))
@@ -235,7 +235,7 @@ def test_a_click_on_a_line_of_the_ground_follows_its_nearest_point(
     make_window: Callable[..., MainWindow], name: str
 ) -> None:
     window = make_window()
-    window.enlarge(name)
+    window.pane_row.enlarge(name)
     QApplication.processEvents()
     x, y = (math.floor(part) + 0.5 for part in place_in(window, name, (3.0, 0.0, 1.4)))
     click(window, name, (x, y))
@@ -638,7 +638,7 @@ def test_an_open_panel_is_whole_in_projector_mode_and_back(
         assert widest + 6 <= table.columnWidth(0)
         assert table.viewport().height() >= 9 * table.rowHeight(0)
         room.append((window.panels.height(), *map(table.columnWidth, range(5))))
-        window._projector.trigger()
+        window.menus.projector.trigger()
     assert room[0][1:] == room[2][1:] and room[1][0] > room[2][0]
 
 

@@ -28,7 +28,8 @@ from app.model.projection import Projection
 from app.scenes.scene import load as load_scene
 from tests import PATIENCE_S
 from tests.commands.test_cli import ROOT, comma_locale, refused, refused_by_a_process, run
-from widgets.program import application, opengl
+from widgets.program import application, logs, opengl, report
+from widgets.program import display as screen
 from widgets.window.files import Files
 from widgets.window.main_window import MainWindow
 from widgets.window.settings import Settings, data_folder, log_path, settings_path
@@ -118,10 +119,10 @@ def test_a_missing_system_library_is_named(monkeypatch: pytest.MonkeyPatch) -> N
     def missing(name: str) -> None:
         raise OSError("libxcb-cursor.so.0: cannot open shared object file")
 
-    monkeypatch.setattr(application.ctypes, "CDLL", missing)
+    monkeypatch.setattr(screen.ctypes, "CDLL", missing)
     with (
-        pytest.raises(application.DisplayError, match=r"libxcb-cursor\.so\.0.*doctor"),
-        application.display(),
+        pytest.raises(opengl.DisplayError, match=r"libxcb-cursor\.so\.0.*doctor"),
+        screen.display(),
     ):
         pytest.fail("a screen was promised")
 
@@ -153,7 +154,7 @@ def test_an_x_server_never_loses_its_only_client_before_qt_comes(
 ) -> None:
     # Without any client it starts anew, and Qt, refused in that moment, would end the process.
     calls: list[str] = []
-    monkeypatch.setattr(application.ctypes, "CDLL", lambda name: FakeXcb(0, calls))
+    monkeypatch.setattr(screen.ctypes, "CDLL", lambda name: FakeXcb(0, calls))
     monkeypatch.setattr(application.opengl, "prepare", lambda: None)
     monkeypatch.setattr(application, "QApplication", lambda _: calls.append("Qt") or display)
     application.make_application()
@@ -162,9 +163,9 @@ def test_an_x_server_never_loses_its_only_client_before_qt_comes(
 
 def test_an_x_server_that_is_starting_anew_is_asked_again(monkeypatch: pytest.MonkeyPatch) -> None:
     calls: list[str] = []
-    monkeypatch.setattr(application.ctypes, "CDLL", lambda name: FakeXcb(1, calls))
-    monkeypatch.setattr(application, "X_RETRIES_S", (0.0, 0.0))
-    with application.display():
+    monkeypatch.setattr(screen.ctypes, "CDLL", lambda name: FakeXcb(1, calls))
+    monkeypatch.setattr(screen, "X_RETRIES_S", (0.0, 0.0))
+    with screen.display():
         assert calls == ["connect", "ask", "disconnect", "connect", "ask"]
 
 
@@ -439,7 +440,7 @@ def own_logging() -> Iterator[logging.Logger]:
 
 
 def test_the_log_is_in_the_users_data_folder(own_home: Path, own_logging: logging.Logger) -> None:
-    assert application.start_log() is not None
+    assert logs.start_log() is not None
     own_logging.warning("hello \udcff")
     text = log_path().read_text(encoding="utf-8")
     assert log_path().is_relative_to(own_home)
@@ -462,8 +463,8 @@ def test_the_folders_of_xdg_hold_everywhere(
 def test_the_log_does_not_grow_for_ever(
     own_logging: logging.Logger, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(application, "LARGEST_LOG", 10_000)
-    application.start_log()
+    monkeypatch.setattr(logs, "LARGEST_LOG", 10_000)
+    logs.start_log()
     for number in range(2_000):
         own_logging.info("line %d of many", number)
     files = sorted(log_path().parent.iterdir())
@@ -477,8 +478,8 @@ def test_a_log_on_a_full_disk_ends_with_one_line(
     monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
 ) -> None:
-    monkeypatch.setattr(application, "log_path", lambda: Path("/dev/full"))
-    assert application.start_log() is not None
+    monkeypatch.setattr(logs, "log_path", lambda: Path("/dev/full"))
+    assert logs.start_log() is not None
     for _ in range(3):
         own_logging.warning("hello")
     said = capsys.readouterr().err
@@ -490,15 +491,15 @@ def test_a_log_that_cannot_be_written_is_done_without(
 ) -> None:
     (own_home / "file").write_text("in the way")
     monkeypatch.setenv("XDG_DATA_HOME", str(own_home / "file"))
-    assert application.start_log() is None
+    assert logs.start_log() is None
 
 
 @pytest.fixture
-def watch(display: Any, monkeypatch: pytest.MonkeyPatch) -> Iterator[application.ExceptionWatch]:
+def watch(display: Any, monkeypatch: pytest.MonkeyPatch) -> Iterator[report.ExceptionWatch]:
     # monkeypatch puts pytest's own hooks back.
     monkeypatch.setattr(sys, "excepthook", sys.excepthook)
     monkeypatch.setattr(threading, "excepthook", threading.excepthook)
-    watch = application.ExceptionWatch(Path("the.log"))
+    watch = report.ExceptionWatch(Path("the.log"))
     watch.install()
     yield watch
     if watch.report is not None:
@@ -519,7 +520,7 @@ def fail(display: Any, error: Exception) -> None:
 
 
 def test_an_exception_in_a_slot_is_logged_and_reported(
-    watch: application.ExceptionWatch, display: Any, caplog: pytest.LogCaptureFixture
+    watch: report.ExceptionWatch, display: Any, caplog: pytest.LogCaptureFixture
 ) -> None:
     fail(display, ValueError("the moon\nis new"))
     report = watch.report
@@ -531,7 +532,7 @@ def test_an_exception_in_a_slot_is_logged_and_reported(
 
 @pytest.mark.parametrize("when", ["first shown", "opened"])
 def test_what_fails_in_a_panel_while_it_is_shown_is_reported_and_the_window_stays(
-    watch: application.ExceptionWatch, display: Any, qtbot: Any, when: str
+    watch: report.ExceptionWatch, display: Any, qtbot: Any, when: str
 ) -> None:
     from PySide6.QtCore import Qt
     from PySide6.QtWidgets import QLabel, QToolButton, QWidget
@@ -562,7 +563,7 @@ def test_what_fails_in_a_panel_while_it_is_shown_is_reported_and_the_window_stay
 
 
 def test_repeated_exceptions_do_not_pile_up_windows(
-    watch: application.ExceptionWatch, display: Any
+    watch: report.ExceptionWatch, display: Any
 ) -> None:
     before = len(display.topLevelWidgets())
     for number in range(5):
@@ -577,7 +578,7 @@ def test_repeated_exceptions_do_not_pile_up_windows(
 
 
 def test_an_exception_in_a_thread_is_reported_too(
-    watch: application.ExceptionWatch, display: Any
+    watch: report.ExceptionWatch, display: Any
 ) -> None:
     thread = threading.Thread(target=lambda: 1 // 0)
     thread.start()
@@ -588,7 +589,7 @@ def test_an_exception_in_a_thread_is_reported_too(
 
 
 def test_copy_details_puts_the_traceback_on_the_clipboard(
-    watch: application.ExceptionWatch, display: Any
+    watch: report.ExceptionWatch, display: Any
 ) -> None:
     from PySide6.QtWidgets import QPushButton
 
@@ -604,7 +605,7 @@ def test_copy_details_puts_the_traceback_on_the_clipboard(
 
 
 def test_a_report_that_fails_is_only_logged(
-    watch: application.ExceptionWatch,
+    watch: report.ExceptionWatch,
     display: Any,
     monkeypatch: pytest.MonkeyPatch,
     caplog: pytest.LogCaptureFixture,
@@ -612,7 +613,7 @@ def test_a_report_that_fails_is_only_logged(
     def broken(_report: object, _summary: str, _details: str) -> None:
         raise RuntimeError("no ink")
 
-    monkeypatch.setattr(application.Report, "tell", broken)
+    monkeypatch.setattr(report.Report, "tell", broken)
     fail(display, ValueError("the moon"))
     assert [m for m in caplog.messages if "report" in m] == ["the report itself failed"]
 
@@ -817,8 +818,8 @@ def test_a_window_keeps_what_the_command_line_changed(tmp_path: Path) -> None:
     done = drive(
         """
 print(window.isWindowModified(), window.store.modified)
-window.autosave.save_now()
-print(len(list(window.autosave._folder.glob("autosave-*.json"))))
+window.recovery.autosave.save_now()
+print(len(list(window.recovery.autosave._folder.glob("autosave-*.json"))))
 window.store.undo()
 print(window.store.modified, window.store.document.projection.lens.far)
 window.store.redo()

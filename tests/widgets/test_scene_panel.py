@@ -50,7 +50,7 @@ class Owner:
         self.projection = EVERYTHING.start
         self.edits: list[dict[str, Any]] = []
         self.gestures: list[str] = []
-        panel.edited.connect(self.edited)
+        panel.settings_edited.connect(self.edited)
         panel.gesture_started.connect(lambda: self.gestures.append("started"))
         panel.gesture_finished.connect(lambda: self.gestures.append("finished"))
         self.show()
@@ -739,7 +739,7 @@ def test_a_camera_that_was_turned_is_free_and_can_be_turned_back(
     assert shown(window, "points") == ["2"]
     store.set_projection(replace(start, camera=replace(start.camera, eye=(3.0, 5.0, 5.0))))
     assert shown(window, "points") == ["free"]
-    window.scene_panel.edited.emit({"t": 0.25})
+    window.scene_panel.settings_edited.emit({"t": 0.25})
     assert store.document.projection.camera.eye == (3.0, 5.0, 5.0)
     choose(window, "points", "2")
     assert shown(window, "points") == ["2"]
@@ -802,18 +802,18 @@ def test_a_photograph_is_none_any_more_when_the_camera_has_been_moved(
     assert shown(window, "preset", "distance") == ["wide", 1.0]
     assert store.document.settings["distance"] == 1.0
     # From the control itself the photograph stays what it is: the size is held.
-    window.scene_panel.edited.emit({"distance": 2.0})
+    window.scene_panel.settings_edited.emit({"distance": 2.0})
     assert shown(window, "preset", "distance") == ["wide", 2.0]
     # Away from it, the distance moves the eye on from where it is.
     store.set_projection(replace(start, camera=away))
-    window.scene_panel.edited.emit({"distance": 1.5})
+    window.scene_panel.settings_edited.emit({"distance": 1.5})
     assert store.document.projection.camera.distance == pytest.approx(4.5)
     assert shown(window, "distance") == [1.5] and in_words(window, "preset") == "none of these"
     # What is farther than can be chosen is shown, too, and stays when something else is.
     far = Camera.from_orbit(target, orbit._replace(distance=300.0))
     store.set_projection(replace(start, camera=far))
     assert shown(window, "distance") == [pytest.approx(100.0)]
-    window.scene_panel.edited.emit({"enlarged": False})
+    window.scene_panel.settings_edited.emit({"enlarged": False})
     assert store.document.projection.camera == far
 
 
@@ -847,7 +847,7 @@ def test_the_drive_is_as_far_as_the_camera_is(
         there = replace(start.camera, eye=(0.5, 2.2, z), target=(0.0, 2.0, z - 50.0))
         store.set_projection(replace(start, camera=there))
         assert shown(window, "position") == [position]
-        window.scene_panel.edited.emit({"detail": z == -20.0})
+        window.scene_panel.settings_edited.emit({"detail": z == -20.0})
         assert store.document.projection.camera == there  # nobody has asked for another place
     number_row(window.scene_panel, "position").edited.emit(0.0)
     assert store.document.projection.camera.eye == pytest.approx(start.camera.eye)

@@ -424,11 +424,11 @@ def test_a_hidden_pane_takes_the_stage_when_it_appears(
     drawing = window.panes["ndc"].drawing
     assert isinstance(drawing, NdcDrawing)
     monkeypatch.setattr(drawing, "show_stage", shown.append)
-    window.enlarge("image")
+    window.pane_row.enlarge("image")
     assert not window.strip.isVisible()
     window.strip.go_to(2.0)
     assert shown == []
-    window.show_all_panes()
+    window.pane_row.show_all()
     settle()
     assert shown == [2.0]
 
@@ -498,7 +498,7 @@ def test_play_moves_by_itself_and_a_hand_or_a_hidden_pane_stops_it(
     assert not strip.playing
     assert strip.position == 3.0
     strip.play()
-    window.enlarge("world")
+    window.pane_row.enlarge("world")
     assert not strip.playing
 
 

@@ -172,7 +172,7 @@ def test_a_hidden_pane_neither_computes_nor_draws_and_catches_up(
     make_window: Callable[..., MainWindow],
 ) -> None:
     window = make_window()
-    window.enlarge("world")
+    window.pane_row.enlarge("world")
     settle(window)
     asked: list[Projection] = []
     drawing = window.panes["image"].drawing
@@ -187,7 +187,7 @@ def test_a_hidden_pane_neither_computes_nor_draws_and_catches_up(
             settle(window)
     assert asked == []
     assert counts == {"world": 3, "ndc": 0, "image": 0}
-    window.enlarge("world")
+    window.pane_row.enlarge("world")
     settle(window)
     assert asked == [window.store.document.projection]
 
@@ -200,15 +200,15 @@ def test_a_pane_that_appears_again_is_as_if_it_had_been_there(
     start = window.store.document.projection
     for hidden in (False, True):
         window.store.set_projection(start)
-        window.reset_views()
+        window.pane_row.reset_views()
         settle(window)
         if hidden:
-            window.enlarge("image")
+            window.pane_row.enlarge("image")
             settle(window)
         window.store.set_projection(seen(window, lens=Perspective(100.0, 1.0, 30.0)))
         settle(window)
         if hidden:
-            window.enlarge("image")
+            window.pane_row.enlarge("image")
             settle(window)
         pictures.append(pixels(window, "world"))
     assert pictures[0].shape == pictures[1].shape and (pictures[0] == pictures[1]).all()
@@ -382,7 +382,7 @@ def test_enlarging_and_back(make_window: Callable[..., MainWindow]) -> None:
     header = window.panes["ndc"].header
     QTest.mouseDClick(header, Qt.MouseButton.LeftButton, pos=header.rect().center())
     assert [pane.isVisible() for pane in window.panes.values()] == [False, True, False]
-    window.enlarge("ndc")
+    window.pane_row.enlarge("ndc")
     assert all(pane.isVisible() for pane in window.panes.values())
 
 
@@ -391,7 +391,7 @@ def test_a_floating_pane_still_draws_and_docks_again(
 ) -> None:
     window = make_window()
     pane = window.panes["ndc"]
-    window.toggle_float("ndc")
+    window.pane_row.toggle_float("ndc")
     qtbot.waitExposed(pane)
     assert pane.isWindow()
     before = pixels(window, "ndc")
@@ -404,7 +404,7 @@ def test_a_floating_pane_still_draws_and_docks_again(
     said = [record.message for record in qtlog.records]
     assert not [message for message in said if "QRhi" in message], "of the window it has left"
     assert not pane.isWindow() and pane.isVisible()
-    assert window._pane_row.indexOf(pane) == 1
+    assert window.pane_row.indexOf(pane) == 1
     window.store.set_projection(seen(window, camera=Camera((7.0, 3.0, 6.0))))
     settle(window)
     assert len(np.unique(pixels(window, "ndc").reshape(-1, 3), axis=0)) > 10
@@ -429,11 +429,11 @@ def test_the_strip_plays_on_while_its_pane_goes_to_a_window_and_back(
     window = make_window()
     window.strip.play()
     for floats in (True, False):
-        window.toggle_float("ndc")
+        window.pane_row.toggle_float("ndc")
         settle(window)
         assert window.panes["ndc"].isWindow() == floats and window.strip.playing
     window.strip.pause()
-    window.toggle_float("ndc")
+    window.pane_row.toggle_float("ndc")
     assert not window.strip.playing
 
 
@@ -498,7 +498,7 @@ def test_save_open_and_the_unsaved_mark(
     assert window.files.open(other)
     assert window.store.document.scene == "cube"
     assert window.files.recent[:2] == [str(other), str(path)]
-    texts = [action.text() for action in window._recent_menu.actions()]
+    texts = [action.text() for action in window.menus.recent.actions()]
     assert texts[:2] == [str(tmp_path / "R&&D.json"), str(path)]  # as Qt writes an &
 
 
@@ -656,7 +656,7 @@ def test_a_picture_shows_the_panes_as_they_were_turned_and_so_does_its_document(
     )
     assert (again == picture).all()
 
-    window.reset_views()
+    window.pane_row.reset_views()
     settle(window)
     assert any((pixels(window, name) != before[name]).any() for name in before)
     drop(window, turned)
@@ -675,7 +675,7 @@ def test_the_views_of_panes_that_this_program_does_not_have_are_kept(
     path = tmp_path / "lesson.json"
     path.write_text(json.dumps(tree | {"views": {"second-screen": other, "world": tree["camera"]}}))
     assert window.files.open(path)
-    window.reset_views()
+    window.pane_row.reset_views()
     window.store.set_projection(seen(window, lens=Perspective(60.0, 2.0, 20.0)))
     assert window.files.save()
     assert json.loads(path.read_text())["views"] == {"second-screen": other}
@@ -901,7 +901,7 @@ def test_what_is_typed_and_not_entered_is_saved(
     window = make_window()
     window.files.path = tmp_path / "kept.json"
     being_typed(window, qtbot, "67")
-    window._save.trigger()
+    window.menus.save.trigger()
     assert fov_deg(read(tmp_path / "kept.json")) == 67.0
     assert not window.store.modified
 
@@ -923,7 +923,7 @@ def test_shortcuts_work_in_the_window_of_a_floated_pane(
     window = make_window()
     start = window.store.document
     pane = window.panes["world"]
-    window.toggle_float("world")
+    window.pane_row.toggle_float("world")
     pane.activateWindow()
     qtbot.waitUntil(pane.isActiveWindow)
     window.store.set_projection(seen(window, lens=Perspective(60.0, 2.0, 20.0)))
@@ -946,7 +946,7 @@ def test_the_title_names_what_is_shown(
     assert "Untitled" in window.windowTitle()
     assert window.files.open(mesh)
     assert mesh.name in window.windowTitle()
-    window._choose_scene("cube")
+    window.choose_scene("cube")
     assert "Untitled" in window.windowTitle()
     window.undo()
     assert mesh.name in window.windowTitle()
@@ -972,19 +972,19 @@ def test_unsaved_work_is_offered_after_a_crash_and_never_opened_by_itself(
 ) -> None:
     crashed = make_window(shown=False)
     crashed.store.set_projection(seen(crashed, lens=Perspective(61.0, 2.0, 20.0)))
-    crashed.autosave.save_now()
+    crashed.recovery.autosave.save_now()
     lost = crashed.store.document
     window = make_window(shown=False)
     settle(window)
     assert window.messages.text == "", "the work of a window that lives is not offered"
-    crashed.autosave._lock.unlock()  # what the system does when a process dies
-    window._offer_recovery()
+    crashed.recovery.autosave._lock.unlock()  # what the system does when a process dies
+    window.recovery.offer()
     assert window.messages.text
     assert window.store.document != lost
     window.messages.choices[0].click()
     assert window.store.document == lost
     assert window.store.modified
-    assert window.autosave.orphans() == []
+    assert window.recovery.autosave.orphans() == []
 
 
 DIES = """
@@ -1011,33 +1011,35 @@ def test_a_killed_process_leaves_its_work_to_the_next(
     make_window: Callable[..., MainWindow],
 ) -> None:
     window = make_window(shown=False)
-    folder = window.autosave._folder
+    folder = window.recovery.autosave._folder
     killed = subprocess.run([sys.executable, "-c", DIES, str(folder)], cwd=ROOT, check=False)
     assert killed.returncode != 0
-    window._offer_recovery()
+    window.recovery.offer()
     window.messages.choices[0].click()
     assert window.store.document.scene == "posts"
     assert window.store.document.projection.lens == Perspective(61.0, 2.0, 20.0)
-    assert window.autosave.orphans() == []
+    assert window.recovery.autosave.orphans() == []
 
 
 def test_the_lock_of_a_killed_window_without_unsaved_work_is_removed(
     make_window: Callable[..., MainWindow],
 ) -> None:
     window = make_window(shown=False)
-    folder = window.autosave._folder
+    folder = window.recovery.autosave._folder
     dies = DIES.replace("autosave.save_now()", "")
     subprocess.run([sys.executable, "-c", dies, str(folder)], cwd=ROOT, check=False)
     assert len(list(folder.iterdir())) == 2
-    assert window.autosave.orphans() == []
-    assert list(folder.iterdir()) == [window.autosave._lock_path(window.autosave._path)]
+    assert window.recovery.autosave.orphans() == []
+    assert list(folder.iterdir()) == [
+        window.recovery.autosave._lock_path(window.recovery.autosave._path)
+    ]
 
 
 def test_a_good_close_leaves_no_autosave(make_window: Callable[..., MainWindow]) -> None:
     window = make_window()
     window.store.set_projection(seen(window, lens=Perspective(61.0, 2.0, 20.0)))
-    window.autosave.save_now()
-    folder = window.autosave._folder
+    window.recovery.autosave.save_now()
+    folder = window.recovery.autosave._folder
     assert list(folder.glob("autosave-*.json"))
     window.store.mark_saved()
     window.close()
@@ -1048,15 +1050,15 @@ def test_a_broken_autosave_is_one_sentence(
     make_window: Callable[..., MainWindow],
 ) -> None:
     window = make_window(shown=False)
-    broken = window.autosave._folder / "autosave-1-aaaa.json"
+    broken = window.recovery.autosave._folder / "autosave-1-aaaa.json"
     broken.write_text("{")
-    window._offer_recovery()
+    window.recovery.offer()
     window.messages.choices[0].click()
     assert "autosave-1-aaaa.json" in window.messages.text
     assert not window.store.modified
-    other = window.autosave._folder / "autosave-3-aaaa.json"
+    other = window.recovery.autosave._folder / "autosave-3-aaaa.json"
     write(Document("cube"), other)
-    whole = window.autosave._folder / "autosave-2-aaaa.json"
+    whole = window.recovery.autosave._folder / "autosave-2-aaaa.json"
     write(Document("posts"), whole)
     os.utime(whole, (1.0, 1.0))  # older
     window.messages.choices[1].click()
@@ -1064,7 +1066,7 @@ def test_a_broken_autosave_is_one_sentence(
     other.unlink()  # recovered in another window
     window.messages.choices[0].click()
     assert other.name in window.messages.text and not window.messages.choices
-    window._offer_recovery()
+    window.recovery.offer()
     window.messages.choices[0].click()
     assert window.store.document.scene == "posts"
 
@@ -1075,13 +1077,13 @@ def test_recovered_work_is_in_a_copy_at_every_moment(
     caplog: pytest.LogCaptureFixture,
 ) -> None:
     window = make_window(shown=False)
-    lost = window.autosave._folder / "autosave-1-aaaa.json"
+    lost = window.recovery.autosave._folder / "autosave-1-aaaa.json"
     write(Document("posts"), lost)
 
     def full(_document: Document, path: Path) -> None:
         raise Refusal.in_document(UNWRITABLE, "No space left on device", file=str(path))
 
-    window._offer_recovery()
+    window.recovery.offer()
     with monkeypatch.context() as disk:
         disk.setattr("widgets.window.autosave.write", full)
         window.messages.choices[0].click()
@@ -1089,9 +1091,9 @@ def test_recovered_work_is_in_a_copy_at_every_moment(
     assert lost.exists() and "save it soon" in window.messages.text
     caplog.clear()  # the error holds the window
     window.store.mark_saved()
-    window._offer_recovery()
+    window.recovery.offer()
     window.messages.choices[0].click()
-    (copy,) = window.autosave._folder.glob("autosave-*.json")
+    (copy,) = window.recovery.autosave._folder.glob("autosave-*.json")
     assert copy != lost and read(copy).scene == "posts"
 
 
@@ -1100,10 +1102,10 @@ def test_work_whose_mesh_is_not_there_can_be_recovered_when_it_is(
 ) -> None:
     window = make_window(shown=False)
     mesh = tetrahedron(tmp_path)
-    copy = window.autosave._folder / "autosave-1-aaaa.json"
+    copy = window.recovery.autosave._folder / "autosave-1-aaaa.json"
     write(on_triangles(mesh=str(mesh)), copy)
     mesh.unlink()
-    window._offer_recovery()
+    window.recovery.offer()
     window.messages.choices[0].click()
     assert mesh.name in window.messages.text and copy.exists()
     tetrahedron(tmp_path)
@@ -1130,11 +1132,11 @@ def test_a_copy_that_cannot_be_removed_keeps_no_window_open(
     caplog: pytest.LogCaptureFixture,
 ) -> None:
     window = make_window(shown=False)
-    other = window.autosave._folder / "autosave-1-aaaa.json"
+    other = window.recovery.autosave._folder / "autosave-1-aaaa.json"
     write(Document("posts"), other)
-    window._offer_recovery()
+    window.recovery.offer()
     window.store.set_projection(replace(window.store.document.projection, depth="direct3d"))
-    assert window.autosave.save_now()
+    assert window.recovery.autosave.save_now()
 
     def refuse(path: Path, missing_ok: bool = False) -> None:
         raise PermissionError(13, "Permission denied", str(path))
@@ -1163,8 +1165,10 @@ def test_that_no_copy_can_be_kept_is_said_in_the_window(
     window.store.set_projection(replace(start, depth="direct3d"))
     with monkeypatch.context() as disk:
         disk.setattr("widgets.window.autosave.write", full)
-        window.autosave.save_now()
-    said = f"No copy of unsaved work can be kept in {window.autosave._folder}: save it soon."
+        window.recovery.autosave.save_now()
+    said = (
+        f"No copy of unsaved work can be kept in {window.recovery.autosave._folder}: save it soon."
+    )
     assert window.messages.text == said
     window.store.mark_saved()
     caplog.clear()  # the error holds the window
@@ -1178,15 +1182,15 @@ def test_the_scene_menu_changes_the_scene_and_undo_brings_it_back(
 ) -> None:
     window = make_window()
     before = pixels(window, "image")
-    window._choose_scene("posts")
+    window.choose_scene("posts")
     settle(window)
     assert window.store.document.scene == "posts"
-    assert window._scene_box.currentData() == "posts"
+    assert window.menus.scene_box.currentData() == "posts"
     assert (pixels(window, "image") != before).any()
     window.store.undo()
     settle(window)
     assert window.store.document.scene == "letter-f"
-    assert window._scene_box.currentData() == "letter-f"
+    assert window.menus.scene_box.currentData() == "letter-f"
     assert (pixels(window, "image") == before).all()
 
 
@@ -1307,7 +1311,7 @@ def test_choosing_a_phenomenon_opens_its_panel_and_leaving_it_folds_it(
 ) -> None:
     window = make_window()
     assert window.panels.open_panel is None
-    window._choose_scene("similar-triangles")
+    window.choose_scene("similar-triangles")
     settle(window)
     assert window.panels.open_panel is window.scene_panel
     assert window.scene_panel.title.text() == "Similar triangles"
@@ -1317,7 +1321,7 @@ def test_choosing_a_phenomenon_opens_its_panel_and_leaving_it_folds_it(
     window.store.set_settings({"distance": 5.0})
     window.set_theme("dark")
     assert window.panels.open_panel is None, "it is opened once, and stays folded"
-    window._choose_scene("cube")
+    window.choose_scene("cube")
     assert window.scene_panel.rows == {}
     window.store.undo()
     assert window.panels.open_panel is window.scene_panel
@@ -1343,17 +1347,17 @@ def test_scenes_are_listed_in_the_order_of_the_lectures_by_their_titles(
     make_window: Callable[..., MainWindow],
 ) -> None:
     window = make_window(shown=False)
-    names = [action.data() for action in window._scene_group.actions()]
+    names = [action.data() for action in window.menus.scene_group.actions()]
     assert names[:2] == ["letter-f", "cube"]
     assert [name for name in names if name in PHENOMENA] == list(PHENOMENA)
-    titles = {action.data(): action.text() for action in window._scene_group.actions()}
+    titles = {action.data(): action.text() for action in window.menus.scene_group.actions()}
     assert titles["similar-triangles"] == "Similar triangles"
-    box = window._scene_box
+    box = window.menus.scene_box
     listed = [box.itemData(index) for index in range(box.count())]
     assert [name for name in listed if name] == names
     first = names.index(next(iter(PHENOMENA)))
     assert listed[first] is None, "a separator before the first phenomenon"
-    window._choose_scene("similar-triangles")
+    window.choose_scene("similar-triangles")
     assert box.currentText() == "Similar triangles"
 
 
@@ -1398,9 +1402,9 @@ def test_no_exhibit_of_one_scene_is_shown_in_another(
 ) -> None:
     window = make_window(on_triangles())
     given = exhibits_of(window)
-    window._choose_scene("posts")
+    window.choose_scene("posts")
     assert all(shown == [None] for shown in given.values())
-    window._choose_scene("similar-triangles")
+    window.choose_scene("similar-triangles")
     for shown in given.values():
         assert shown[0] is None and shown[1] is not None and len(shown) == 2
 
@@ -1469,13 +1473,13 @@ def test_undo_while_the_camera_walks_takes_back_what_was_done_last(
     QTest.keyClicks(row.field, "70")
     QTest.keyClick(row.field, Qt.Key.Key_Return)
     walk.advance(0.2)
-    window._undo.trigger()
+    window.menus.undo.trigger()
     assert window.store.document.projection == walked != start
     assert not walk.playing and window.store.can_redo  # playing on would leave nothing to redo
-    window._undo.trigger()
+    window.menus.undo.trigger()
     assert window.store.document.projection == start and not window.store.can_undo
-    window._redo.trigger()
-    window._redo.trigger()
+    window.menus.redo.trigger()
+    window.menus.redo.trigger()
     assert window.store.document.projection.lens == replace(start.lens, fov_y_deg=70.0)
 
 
@@ -1490,7 +1494,7 @@ def test_reset_while_the_camera_walks_puts_all_back(
     window.reset()
     settle(window)
     assert window.store.document == start and not window.controls.animation.playing
-    window._undo.trigger()
+    window.menus.undo.trigger()
     assert window.store.document == walked
 
 
@@ -1507,7 +1511,7 @@ def test_a_play_is_one_step_of_undo_and_ends_with_the_scene(
     window.store.undo()
     assert window.store.document == everything and not window.store.can_undo
     player.play()
-    window._choose_scene("cube")
+    window.choose_scene("cube")
     assert not player.playing and not window.store.in_gesture
 
 
@@ -1600,19 +1604,19 @@ def test_a_file_that_is_opened_again_is_read_again(
     if as_document:
         path = tmp_path / "lesson.json"
         assert window.files.save_to(path)
-    size = window._scene.size
+    size = window.shown.scene.size
     mesh.write_text(mesh.read_text().replace("v 1 0 0", "v 7 0 0"))
     assert window.files.open(path)
-    assert window._scene.size > 4.0 * size
+    assert window.shown.scene.size > 4.0 * size
     for text in ("no mesh at all", None):
         if text is None:
             mesh.unlink()
         else:
             mesh.write_text(text)
-        shown = window._scene
+        shown = window.shown.scene
         assert not window.files.open(path)
         assert "tetra.obj" in window.messages.text
-        assert window._scene is shown
+        assert window.shown.scene is shown
 
 
 def test_a_mesh_that_is_used_again_is_read_again(
@@ -1651,7 +1655,7 @@ def test_an_exported_phenomenon_brings_its_settings_back(
     wanted = window.store.document
     path = tmp_path / "figure.png"
     assert window.pictures.export(path, ExportChoice(("world", "image"), (600, 300), 1.0, False))
-    window._choose_scene("cube")
+    window.choose_scene("cube")
     window.store.mark_saved()
     drop(window, path)
     assert window.store.document == wanted
@@ -1685,7 +1689,7 @@ def test_a_long_name_leaves_window_and_panel_as_wide(
     assert window.files.open(path)
     window.panels.open(window.scene_panel)
     settle(window)
-    assert window._scene_box.currentText() == path.name.replace("\n", " ")
+    assert window.menus.scene_box.currentText() == path.name.replace("\n", " ")
     assert window.scene_panel._text_column.horizontalScrollBar().maximum() == 0
     assert window.scene_panel.height() < 130, "for a name and a sentence"
     window.files.choose_scene("depth-buffer")
@@ -1715,7 +1719,7 @@ def test_on_a_small_projector_no_number_and_no_text_of_a_scene_is_hidden(
     window.set_projector(True)
     seen = 0
     for name in PHENOMENA:
-        window._choose_scene(name)
+        window.choose_scene(name)
         settle(window)
         panel = window.scene_panel
         for column in (panel._settings_column, panel._readout_column):
@@ -1737,7 +1741,7 @@ def test_full_hd_at_a_screen_scale_of_two_holds_the_window_of_a_projector(
     window = make_window()
     window.set_projector(True)
     for name in ("letter-f", *PHENOMENA):
-        window._choose_scene(name)
+        window.choose_scene(name)
         settle(window)
         window.resize(960, 540)
         settle(window)
@@ -1761,7 +1765,7 @@ def test_edges_that_run_far_behind_the_pane_are_lines(
 ) -> None:
     """Only a window draws lines by VTK's shader; off the screen OpenGL makes them wide."""
     window = make_window()
-    window.enlarge("world")
+    window.pane_row.enlarge("world")
     for image_size in [(16384, 1), (4000, 100)]:
         start = window.store.document.projection
         window.store.set_projection(replace(start, image_size=image_size))
@@ -1772,7 +1776,7 @@ def test_edges_that_run_far_behind_the_pane_are_lines(
 
 def test_a_grid_that_runs_behind_the_pane_is_lines(make_window: Callable[..., MainWindow]) -> None:
     window = make_window()
-    window.enlarge("world")
+    window.pane_row.enlarge("world")
     QApplication.processEvents()
     canvas = window.panes["world"].canvas
     canvas.own_camera.SetPosition(0.3, 0.4, 3.2)
@@ -1915,9 +1919,10 @@ window = MainWindow(document, settings=Settings(None), software_rendering=True)
 window.resize(1000, 600)
 window.show()
 assert QTest.qWaitForWindowExposed(window, int(sys.argv[1]))
-for change in (None, lambda: window._pane_row.setSizes([301, 302, 303]),
-               lambda: window.messages.say("Something."), lambda: window.toggle_float("ndc"),
-               lambda: window.toggle_float("ndc")):
+for change in (None, lambda: window.pane_row.setSizes([301, 302, 303]),
+               lambda: window.messages.say("Something."),
+               lambda: window.pane_row.toggle_float("ndc"),
+               lambda: window.pane_row.toggle_float("ndc")):
     if change is not None:
         change()
     QTest.qWait(1)

@@ -52,6 +52,7 @@ from widgets.parts.fields import Log, NumberRow
 from widgets.parts.focus import FocusRing
 from widgets.parts.highlight import paint_attention
 from widgets.parts.messages import sentence
+from widgets.parts.panel import PROJECTION, Changed, Panel, Shown
 from widgets.parts.section import tidy
 
 STEP_MS = 2500
@@ -74,7 +75,7 @@ class _Step(NamedTuple):
     sentence: str
 
 
-class FramePanel(QWidget):
+class FramePanel(Panel):
     """Builds u, v and n in front of the reader.
 
     Attributes
@@ -85,13 +86,6 @@ class FramePanel(QWidget):
 
     step_changed = Signal(object)
     """The step that is to be drawn; None while the panel is folded."""
-    edited = Signal(object)
-    """The user made this `Projection`."""
-    attended = Signal(object)
-    """The `Attention` that the formula under the mouse draws."""
-    gesture_started = Signal()
-    gesture_finished = Signal()
-    gesture_abandoned = Signal()
 
     def __init__(self) -> None:
         super().__init__()
@@ -316,6 +310,10 @@ class FramePanel(QWidget):
     def sizeHint(self) -> QSize:
         """High enough for the four rows of the last step's matrix."""
         return super().sizeHint() + QSize(0, 3 * self.fontMetrics().height())
+
+    def take(self, shown: Shown, changed: Changed) -> None:
+        if changed & PROJECTION:
+            self.show_projection(shown.projection)
 
     def show_projection(self, projection: Projection) -> None:
         """Show this camera's numbers: now if visible, else on appearing.

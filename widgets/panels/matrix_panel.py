@@ -24,7 +24,6 @@ from PySide6.QtCore import (
     QPoint,
     QSize,
     Qt,
-    Signal,
 )
 from PySide6.QtGui import (
     QGuiApplication,
@@ -65,6 +64,7 @@ from widgets.panels.matrix_view import VIEW, MatrixView, is_a_cameras, rich
 from widgets.parts.fields import REFUSAL_SHEET, parse_number, refusal
 from widgets.parts.focus import FocusRing
 from widgets.parts.messages import field_name, sentence, stage_title, translated
+from widgets.parts.panel import PROJECTION, Changed, Panel, Shown
 from widgets.parts.readable import Readable
 
 _NOTE_CHARACTERS = 36
@@ -133,22 +133,8 @@ class _Box(QWidget):
         return (self.view, *self.factor_views)
 
 
-class MatrixPanel(QWidget):
-    """Every matrix between the object and its picture.
-
-    Attributes
-    ----------
-    edited : Signal(Projection)
-        The user typed a cell, and this is the projection with it.
-    """
-
-    attended = Signal(object)
-    """The `Attention` that the cell under the mouse or the cursor draws."""
-    edited = Signal(object)
-    outgrown = Signal()
-    """The matrices and what is said below them want more height than ever before."""
-    told = Signal(str)
-    """What was made of a text that is not the number itself: a sentence."""
+class MatrixPanel(Panel):
+    """Every matrix between the object and its picture."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -349,6 +335,10 @@ class MatrixPanel(QWidget):
     def end_gesture(self) -> None:
         """End the gesture that `begin_gesture` began."""
         self._readable.end_gesture()
+
+    def take(self, shown: Shown, changed: Changed) -> None:
+        if changed & PROJECTION:
+            self.show_projection(shown.projection)
 
     def show_projection(self, projection: Projection) -> None:
         """Take over the model.

@@ -15,7 +15,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, QObject, QSize, Qt, Signal
-from PySide6.QtGui import QFont, QGuiApplication, QImage, QPalette, QShowEvent
+from PySide6.QtGui import QFont, QGuiApplication, QPalette, QShowEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QComboBox,
@@ -61,6 +61,7 @@ from widgets.parts.diagram import DiagramView
 from widgets.parts.focus import FocusRing
 from widgets.parts.messages import of_measurements, sentence
 from widgets.parts.note import Note
+from widgets.parts.panel import Changed, Panel, Shown
 
 HEIGHT_PX = 225
 """Of the panel where it opens, at the ordinary font, in a window of 768; more in a higher one."""
@@ -74,7 +75,7 @@ NOTE_LETTERS = 24
 SWEPT = ("near", "far", "fov", "distance", "up", "aspect")
 
 
-class MeasurePanel(QWidget):
+class MeasurePanel(Panel):
     """Runs measurements, and shows each as a chart, a table and a sentence.
 
     Parameters
@@ -89,15 +90,10 @@ class MeasurePanel(QWidget):
 
     used = Signal(object)
     """The `use` of a choice that was clicked: a dict of str."""
-    refused = Signal(str)
-    """What went wrong, in one sentence."""
     went_on = Signal(str)
     """That sentence, when the panel is used again and nobody has to read it any more."""
     succeeded = Signal()
     """A file was read or written after all."""
-    copy_wanted = Signal(QImage)
-    export_wanted = Signal(QImage)
-    """This picture of a diagram shall go to the clipboard, or into a file."""
 
     def __init__(
         self,
@@ -263,6 +259,9 @@ class MeasurePanel(QWidget):
         """End what `begin_gesture` began; go on when the last one has ended."""
         self._gestures = max(0, self._gestures - 1)
         self._show_paused()
+
+    def take(self, shown: Shown, changed: Changed) -> None:
+        self.show_current()
 
     def show_current(self) -> None:
         """Mark another choice as the present one: at once if visible, else on appearing."""

@@ -50,6 +50,7 @@ from app.picking.picking import Probe, projector
 from app.precision.levels import predict, rung_for_reading, trace
 from widgets.parts.fields import REFUSAL_SHEET, parse_number, refusal
 from widgets.parts.messages import number_text, plane_name, sentence
+from widgets.parts.panel import PROJECTION, Changed, Panel, Shown
 from widgets.parts.readable import Readable
 
 MOST_PROBES = 6
@@ -67,7 +68,7 @@ _PARTS = 4  # columns of a probe: x, y, z, w
 _ROOT = QModelIndex()
 
 
-class ProbePanel(QWidget):
+class ProbePanel(Panel):
     """The probes, what can be done to them, and the table of their numbers.
 
     Attributes
@@ -78,10 +79,6 @@ class ProbePanel(QWidget):
 
     changed = Signal()
     """There are other probes now."""
-    attended = Signal(object)
-    """The `Attention` that the words under the mouse draw: which planes a probe is outside of."""
-    refused = Signal(str)
-    """A probe could not be made; the sentence says why."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -92,8 +89,6 @@ class ProbePanel(QWidget):
         self._spans: list[tuple[int, int]] = []
         self._font_is_new = False
         self._readable = Readable(self, self._fill)
-        self.begin_gesture = self._readable.begin_gesture
-        self.end_gesture = self._readable.end_gesture
 
         self.choice = QComboBox()
         self.choice.setAccessibleName(self.tr("Probe"))
@@ -325,6 +320,16 @@ class ProbePanel(QWidget):
             self._fit_rows()
             self._font_is_new = True
             self._readable.changed()
+
+    def take(self, shown: Shown, changed: Changed) -> None:
+        if changed & PROJECTION:
+            self.show_projection(shown.projection)
+
+    def begin_gesture(self) -> None:
+        self._readable.begin_gesture()
+
+    def end_gesture(self) -> None:
+        self._readable.end_gesture()
 
     def show_projection(self, projection: Projection) -> None:
         """Show the numbers under the model's new value."""

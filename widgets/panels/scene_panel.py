@@ -19,7 +19,7 @@ from functools import partial
 from typing import Any
 
 from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer, Signal
-from PySide6.QtGui import QHelpEvent, QHideEvent, QImage, QPalette, QShowEvent
+from PySide6.QtGui import QHelpEvent, QHideEvent, QPalette, QShowEvent
 from PySide6.QtWidgets import (
     QBoxLayout,
     QFrame,
@@ -74,6 +74,7 @@ from widgets.parts.messages import (
     sentence,
     translated,
 )
+from widgets.parts.panel import Changed, Panel, Shown
 from widgets.parts.readable import Readable
 
 HEIGHT_PX = 225
@@ -106,7 +107,7 @@ NONE = "–"
 """Stands for a reading that there is not."""
 
 
-class ScenePanel(QWidget):
+class ScenePanel(Panel):
     """Explanation, settings, readout and diagrams of the scene at hand, side by side.
 
     Attributes
@@ -117,20 +118,12 @@ class ScenePanel(QWidget):
         Of the settings that can be played, by their names.
     """
 
-    edited = Signal(object)
+    settings_edited = Signal(object)
     """The user chose, or a player reached, these settings: a dict of values by name."""
-    gesture_started = Signal()
-    gesture_finished = Signal()
-    gesture_abandoned = Signal()
     mesh_wanted = Signal()
     """The user wants to choose a mesh for the place of the scene's own objects."""
     mesh_removed = Signal()
     """The user wants the scene's own objects back."""
-    copy_wanted = Signal(QImage)
-    export_wanted = Signal(QImage)
-    """This picture of a diagram shall go to the clipboard, or into a file."""
-    outgrown = Signal()
-    """It needs more height than it has, for text or readout."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -138,12 +131,10 @@ class ScenePanel(QWidget):
         self._phenomenon: Phenomenon | None = None
         self._settings: Settings = {}
         self._exhibit: Exhibit | None = None
-        self._counted: float | None = None
+        self._counted: tuple[Exhibit, float] | None = None
         self._problem: Phrase | None = None
         self._style = LIGHT
         self._readable = Readable(self, self._fill)
-        self.begin_gesture = self._readable.begin_gesture
-        self.end_gesture = self._readable.end_gesture
         self._projection: Projection | None = None
         self._why_not: dict[QWidget, str] = {}
         self._lines: dict[str, QWidget] = {}
@@ -281,6 +272,16 @@ class ScenePanel(QWidget):
         self._readout_column.setVisible(phenomenon is not None)
         self._show_diagrams(())
 
+    def take(self, shown: Shown, changed: Changed) -> None:
+        if changed & {"exhibit", "settings"}:
+            self.show_exhibit(shown.exhibit, shown.document.settings, shown.projection)
+
+    def begin_gesture(self) -> None:
+        self._readable.begin_gesture()
+
+    def end_gesture(self) -> None:
+        self._readable.end_gesture()
+
     def show_exhibit(
         self, exhibit: Exhibit | None, settings: Settings, projection: Projection
     ) -> None:
@@ -297,7 +298,7 @@ class ScenePanel(QWidget):
         if exhibit is self._exhibit and settings == self._settings:
             return
         anew = self._exhibit is None
-        self._exhibit, self._settings, self._counted = exhibit, settings, None
+        self._exhibit, self._settings = exhibit, settings
         self._projection = projection
         for name, player in self.players.items():
             player.show_value(float(settings[name]))  # type: ignore[arg-type]
@@ -308,9 +309,9 @@ class ScenePanel(QWidget):
             self._readable.settle()
 
     def show_count(self, exhibit: Exhibit, share: float) -> None:
-        """Show what was counted in the picture of an exhibit, unless that is shown no more."""
+        """Show what was counted in the picture of an exhibit, as long as that is shown."""
+        self._counted = exhibit, 100.0 * share
         if exhibit is self._exhibit:
-            self._counted = 100.0 * share
             self._readable.changed()
 
     def show_problem(self, problem: Phrase | None) -> bool:
@@ -400,7 +401,7 @@ class ScenePanel(QWidget):
 
     def _edit(self, name: str, value: Value) -> None:
         self._edits = name
-        self.edited.emit({name: value})
+        self.settings_edited.emit({name: value})
         self._edits = ""
 
     def _gesture_started(self, row: Row) -> None:
@@ -443,7 +444,9 @@ class ScenePanel(QWidget):
 
     def _with_count(self, reading: Reading) -> Reading:
         """A counted reading with its value, or with its note if there was nothing to count."""
-        share = self._counted
+        share = None
+        if self._counted is not None and self._counted[0] is self._exhibit:
+            share = self._counted[1]
         if share is not None and math.isnan(share):
             return reading
         return replace(reading, value=share, note=None)

@@ -12,24 +12,18 @@ unexpected exception also in one `Report` on the screen.
 
 from __future__ import annotations
 
-import ctypes
 import locale
 import logging
 import logging.handlers
-import os
 import platform
 import signal
 import socket
 import sys
-import threading
 import time
-import traceback
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager, suppress
+from collections.abc import Callable
 from dataclasses import dataclass
-from functools import partial
 from pathlib import Path
-from types import FrameType, TracebackType
+from types import FrameType
 from typing import TYPE_CHECKING, Any
 
 from PySide6 import __version__ as pyside_version
@@ -37,24 +31,13 @@ from PySide6.QtCore import (
     QBuffer,
     QEvent,
     QIODevice,
-    QLibraryInfo,
     QLocale,
-    QMessageLogContext,
-    QObject,
     QSocketNotifier,
-    Qt,
-    QtMsgType,
     QTranslator,
-    Signal,
     qInstallMessageHandler,
 )
-from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import (
     QApplication,
-    QDialog,
-    QDialogButtonBox,
-    QLabel,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -62,7 +45,9 @@ from app import __version__, bootstrap
 from app.document.document import Document, write_bytes_atomically
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from widgets.program import opengl
-from widgets.program.opengl import DisplayError as DisplayError  # what `run_window` raises
+from widgets.program.display import display
+from widgets.program.logs import log_qt, log_vtk, start_log
+from widgets.program.report import ExceptionWatch
 from widgets.window.settings import Settings, log_path, name_application, settings_path
 
 if TYPE_CHECKING:
@@ -71,11 +56,6 @@ if TYPE_CHECKING:
 log = logging.getLogger(__name__)
 
 TRANSLATIONS = Path(__file__).parent / "translations"
-WITHOUT_DISPLAY = "“export”, “project” and “matrices” need none."
-LARGEST_LOG = 1_000_000
-"""Bytes after which a new log file is begun; two old ones are kept."""
-X_RETRIES_S = (0.1, 0.4, 0.0)
-"""Pauses after each try to reach an X server, which may be starting anew."""
 FIRST_PICTURE_S = 60.0
 """Longest wait for the window of a screenshot to be on the screen."""
 
@@ -103,322 +83,6 @@ class Options:
     theme: str | None = None
     size: tuple[int, int] | None = None
     screenshot: Path | None = None
-
-
-# --------------------------------------------------------------------------- log
-
-
-def start_log() -> logging.Handler | None:
-    """Send all log records to the log file, those of crashes to standard error as well.
-
-    Returns
-    -------
-    logging.Handler or None
-        That of the file; None if it cannot be written.
-    """
-    root = logging.getLogger()
-    root.setLevel(logging.INFO)
-    logging.captureWarnings(True)
-    form = logging.Formatter("%(asctime)s %(levelname)s %(name)s: %(message)s")
-    if sys.stderr is not None:
-        terminal = logging.StreamHandler(sys.stderr)
-        terminal.setLevel(logging.CRITICAL)
-        terminal.setFormatter(form)
-        root.addHandler(terminal)
-    path = log_path()
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        file = _LogFile(
-            path, maxBytes=LARGEST_LOG, backupCount=2, encoding="utf-8", errors="backslashreplace"
-        )
-    except OSError as error:
-        log.warning("there is no log: %s", error)
-        return None
-    file.setFormatter(form)
-    root.addHandler(file)
-    return file
-
-
-class _LogFile(logging.handlers.RotatingFileHandler):
-    """A log that ends, with a line on the terminal, where the disk takes no more."""
-
-    def handleError(self, record: logging.LogRecord) -> None:
-        error = sys.exc_info()[1]
-        if not isinstance(error, OSError):
-            super().handleError(record)
-            return
-        logging.getLogger().removeHandler(self)
-        with suppress(OSError):  # the same again, of what it still held
-            self.close()
-        log.critical("the log ends: %s", error)
-
-
-_QT_LEVELS = {
-    QtMsgType.QtDebugMsg: logging.DEBUG,
-    QtMsgType.QtInfoMsg: logging.INFO,
-    QtMsgType.QtWarningMsg: logging.WARNING,
-    QtMsgType.QtCriticalMsg: logging.ERROR,
-    QtMsgType.QtFatalMsg: logging.CRITICAL,
-}
-
-
-def _log_qt(kind: QtMsgType, _context: QMessageLogContext, message: str) -> None:
-    logging.getLogger("qt").log(_QT_LEVELS[kind], "%s", message)
-
-
-def log_vtk() -> None:
-    """Send what VTK says to the log, instead of a window of its own or the terminal."""
-    from vtkmodules.util.misc import calldata_type
-    from vtkmodules.vtkCommonCore import VTK_STRING, vtkLogger, vtkOutputWindow
-
-    logger = logging.getLogger("vtk")
-    levels = {
-        "ErrorEvent": logging.ERROR,
-        "WarningEvent": logging.WARNING,
-        "TextEvent": logging.INFO,
-    }
-
-    @calldata_type(VTK_STRING)  # type: ignore[no-untyped-call, untyped-decorator]
-    def receive(_window: object, event: str, message: str) -> None:
-        logger.log(levels[event], "%s", message.strip())
-
-    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
-    window: Any = vtkOutputWindow()
-    window.SetDisplayModeToNever()
-    for event in levels:
-        window.AddObserver(event, receive)
-    vtkOutputWindow.SetInstance(window)
-
-
-# --------------------------------------------------------------------------- exceptions
-
-
-class Report(QDialog):
-    """Says that something unexpected happened; not modal, and never more than one at a time.
-
-    Parameters
-    ----------
-    log_file : Path or None
-        Where the details are; None if there is no log.
-    """
-
-    def __init__(self, log_file: Path | None, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setWindowTitle(self.tr("Something went wrong"))
-        self._log_file = log_file
-        self._count = 0
-        self._details = ""
-        self._sentence = QLabel()
-        self._place = QLabel()
-        for label in (self._sentence, self._place):
-            label.setTextFormat(Qt.TextFormat.PlainText)
-            label.setWordWrap(True)
-            label.setMinimumWidth(420)
-            label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
-        copy = buttons.addButton(self.tr("Copy details"), QDialogButtonBox.ButtonRole.ActionRole)
-        copy.setToolTip(self.tr("Copies what a person who can repair it needs to know"))
-        copy.clicked.connect(self._copy)
-        buttons.rejected.connect(self.reject)
-        layout = QVBoxLayout(self)
-        layout.addWidget(self._sentence)
-        layout.addWidget(self._place)
-        layout.addWidget(buttons)
-
-    @property
-    def text(self) -> str:
-        """What it says now."""
-        return f"{self._sentence.text()}\n{self._place.text()}"
-
-    def tell(self, summary: str, details: str) -> None:
-        """Show an exception; while it is shown, further ones are only counted.
-
-        Parameters
-        ----------
-        summary : str
-            The exception in one line.
-        details : str
-            Its traceback.
-        """
-        if self.isHidden():
-            self._count = 0
-        self._count += 1
-        if self._count == 1:
-            self._details = details
-            self._summary = summary
-        text = self.tr("An error in the program: {0}. Your work is still there.").format(
-            self._summary.rstrip(".")
-        )
-        if self._count > 1:
-            text += " " + self.tr("It or others came {0} more times.").format(self._count - 1)
-        self._sentence.setText(text)
-        self._place.setText(
-            self.tr("The log: {0}").format(self._log_file)
-            if self._log_file
-            else self.tr("There is no log, because it could not be written.")
-        )
-        self.show()
-
-    def _copy(self) -> None:
-        QGuiApplication.clipboard().setText(
-            f"Frustum Lab {__version__}, Python {platform.python_version()}, "
-            f"PySide6 {pyside_version}, {platform.platform()}\n{self._details}"
-        )
-
-
-class ExceptionWatch(QObject):
-    """Logs exceptions that nobody caught, from slots and from threads, and shows the report.
-
-    Parameters
-    ----------
-    log_file : Path or None
-        For the report.
-
-    Attributes
-    ----------
-    caught : int
-        How many exceptions there were.
-    """
-
-    _seen = Signal(str, str)
-
-    def __init__(self, log_file: Path | None) -> None:
-        super().__init__()
-        self._log_file = log_file
-        self.report: Report | None = None
-        self.caught = 0
-        # Queued: a thread may not touch widgets, and a slot may be in the middle of a paint.
-        self._seen.connect(self._show, Qt.ConnectionType.QueuedConnection)
-
-    def install(self) -> None:
-        """Take over Python's two hooks."""
-        sys.excepthook = self._caught
-        threading.excepthook = self._caught_in_thread
-
-    @staticmethod
-    def remove() -> None:
-        """Give the hooks back."""
-        sys.excepthook = sys.__excepthook__
-        threading.excepthook = threading.__excepthook__
-
-    def _caught(
-        self, kind: type[BaseException], error: BaseException, trace: TracebackType | None
-    ) -> None:
-        if issubclass(kind, KeyboardInterrupt):
-            QApplication.closeAllWindows()
-            return
-        self.caught += 1
-        log.critical("unexpected %s", kind.__name__, exc_info=(kind, error, trace))
-        last_line = traceback.format_exception_only(kind, error)[-1].strip()
-        details = "".join(traceback.format_exception(kind, error, trace))
-        self._seen.emit(" ".join(last_line.split()), details)
-
-    def _caught_in_thread(self, args: threading.ExceptHookArgs) -> None:
-        if args.exc_type is not SystemExit and args.exc_value is not None:
-            self._caught(args.exc_type, args.exc_value, args.exc_traceback)
-
-    def _show(self, summary: str, details: str) -> None:
-        try:
-            if self.report is None:
-                self.report = Report(self._log_file)
-            self.report.tell(summary, details)
-        except Exception:  # it would come here again, for ever
-            log.critical("the report itself failed", exc_info=True)
-
-
-# --------------------------------------------------------------------------- display
-
-
-@contextmanager
-def display() -> Iterator[None]:
-    """Make sure that Qt will find a screen inside: without one it ends the process.
-
-    The connection to an X server is held until Qt has its own: a server without any starts anew
-    (under xvfb-run, for one) and is deaf meanwhile.
-
-    Raises
-    ------
-    DisplayError
-        If there is none.
-    """
-    leave = _reach_display() if sys.platform.startswith("linux") else None
-    try:
-        yield
-    finally:
-        if leave is not None:
-            leave()
-
-
-def _reach_display() -> Callable[[], object] | None:
-    """Connect to Wayland or X; return what ends the connection, if it has to be held."""
-    wanted = os.environ.get("QT_QPA_PLATFORM", "")
-    names = [part.partition(":")[0] for part in wanted.split(";")] if wanted else []
-    wayland = not names or any(name.startswith("wayland") for name in names)
-    x11 = not names or "xcb" in names
-    if not wayland and not x11:
-        raise DisplayError(
-            f"QT_QPA_PLATFORM = {wanted}: must be xcb or wayland, because no other shows OpenGL "
-            "windows here; unset it."
-        )
-    if wayland and _wayland_answers():
-        return None
-    display = os.environ.get("DISPLAY", "")
-    if not x11 or not display:
-        name = "DISPLAY" if x11 else "WAYLAND_DISPLAY"
-        raise DisplayError(
-            f"There is no screen to open a window on ({name} leads to none): start it in a desktop "
-            "session, over ssh with -X, or with xvfb-run -s '+extension GLX' in front; "
-            + WITHOUT_DISPLAY
-        )
-    return _reach_x11(display)
-
-
-def _wayland_answers() -> bool:
-    if not os.environ.get("XDG_RUNTIME_DIR") or not (
-        os.environ.get("WAYLAND_DISPLAY") or os.environ.get("XDG_SESSION_TYPE") == "wayland"
-    ):
-        return False
-    try:
-        client = ctypes.CDLL("libwayland-client.so.0")
-    except OSError:
-        return False
-    client.wl_display_connect.restype = ctypes.c_void_p
-    client.wl_display_disconnect.argtypes = [ctypes.c_void_p]
-    connection = client.wl_display_connect(None)
-    if connection:
-        client.wl_display_disconnect(connection)
-    return bool(connection)
-
-
-def _reach_x11(display: str) -> Callable[[], object]:
-    plugins = QLibraryInfo.path(QLibraryInfo.LibraryPath.PluginsPath)
-    try:
-        # Qt's own way to the X server, with all the system libraries that it needs.
-        ctypes.CDLL(os.path.join(plugins, "platforms", "libqxcb.so"))
-        xcb = ctypes.CDLL("libxcb.so.1")
-    except OSError as error:
-        raise DisplayError(
-            f"Qt cannot reach the X server, because a system library is missing ({error}); "
-            "python3 -m app doctor says which package brings it."
-        ) from error
-    xcb.xcb_connect.restype = ctypes.c_void_p
-    xcb.xcb_connect.argtypes = [ctypes.c_char_p, ctypes.c_void_p]
-    xcb.xcb_connection_has_error.argtypes = [ctypes.c_void_p]
-    xcb.xcb_disconnect.argtypes = [ctypes.c_void_p]
-    for pause_s in X_RETRIES_S:
-        connection = xcb.xcb_connect(os.fsencode(display), None)
-        if not xcb.xcb_connection_has_error(connection):
-            return partial(xcb.xcb_disconnect, connection)
-        xcb.xcb_disconnect(connection)
-        time.sleep(pause_s)
-    raise DisplayError(
-        f"The X server DISPLAY = {display} does not answer or does not let this user in: start "
-        "it in a desktop session, over ssh with -X, or with xvfb-run -s '+extension GLX' in "
-        f"front; {WITHOUT_DISPLAY}"
-    )
-
-
-# --------------------------------------------------------------------------- running
 
 
 def make_application() -> QApplication:
@@ -535,7 +199,7 @@ def run_window(
     application = make_application()
     found = opengl.probe()
     file_log = start_log()
-    qInstallMessageHandler(_log_qt)
+    qInstallMessageHandler(log_qt)
     watch = ExceptionWatch(log_path() if file_log else None)
     watch.install()
     undo_interrupt = close_on_interrupt(application)

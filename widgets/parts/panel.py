@@ -1,0 +1,126 @@
+"""What is shown, as one frozen snapshot per change, and the panels that are told what changed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TypeAlias
+
+from PySide6.QtCore import Signal
+from PySide6.QtGui import QImage
+from PySide6.QtWidgets import QWidget
+
+from app.document.document import Document
+from app.drawings.style import Style
+from app.lecture.highlight import Attention
+from app.model.projection import Projection
+from app.scenes.phenomena.illustration import Exhibit
+from app.scenes.scene import Scene
+
+Changed: TypeAlias = frozenset[str]
+"""Some of `EVERYTHING`."""
+PROJECTION: Changed = frozenset({"lens", "camera", "image_size", "depth"})
+"""The fields of a `Projection`."""
+EVERYTHING: Changed = PROJECTION | {"scene", "exhibit", "settings", "quality", "views"}
+
+
+@dataclass(frozen=True, eq=False)
+class Shown:
+    """What all panes and panels show, made once per change of the document.
+
+    Parameters
+    ----------
+    document : Document
+    scene : Scene
+        The loaded one of the document.
+    exhibit : Exhibit or None
+        What the scene's phenomenon shows for this projection; None for a scene that is none.
+    """
+
+    document: Document
+    scene: Scene
+    exhibit: Exhibit | None
+
+    @property
+    def projection(self) -> Projection:
+        """That of the document."""
+        return self.document.projection
+
+    def changed_since(self, before: Shown | None) -> Changed:
+        """What is another one than in an earlier snapshot.
+
+        Parameters
+        ----------
+        before : Shown or None
+            None if nothing was shown before.
+
+        Returns
+        -------
+        frozenset of str
+        """
+        if before is None:
+            return EVERYTHING
+        new, old = self.document, before.document
+        changed = {
+            part
+            for part in PROJECTION
+            if getattr(new.projection, part) != getattr(old.projection, part)
+        }
+        # An edit shares its views with the document before; another document brings its own.
+        for part, is_new in (
+            ("scene", self.scene is not before.scene),
+            ("exhibit", self.exhibit is not before.exhibit),
+            ("settings", new.settings != old.settings),
+            ("quality", new.quality != old.quality),
+            ("views", new.views is not old.views),
+        ):
+            if is_new:
+                changed.add(part)
+        return frozenset(changed)
+
+
+class Panel(QWidget):
+    """A panel of the drawer under the panes.
+
+    It is told of a change while it is open; a folded one is told of all changes at once when it is
+    opened, before it appears. The window wires its signals, whichever of them it has a use for.
+    """
+
+    edited = Signal(object)
+    """The user made this `Projection`."""
+    gesture_started = Signal()
+    gesture_finished = Signal()
+    gesture_abandoned = Signal()
+    attended = Signal(object)
+    """The `Attention` that what is under the mouse or the cursor draws."""
+    outgrown = Signal()
+    """It needs more height than it has."""
+    told = Signal(str)
+    """What was done otherwise than it was asked for, in one sentence."""
+    refused = Signal(str)
+    """What cannot be, in one sentence."""
+    copy_wanted = Signal(QImage)
+    export_wanted = Signal(QImage)
+    """This picture of a diagram shall go to the clipboard, or into a file."""
+
+    def take(self, shown: Shown, changed: Changed) -> None:
+        """Show another snapshot.
+
+        Parameters
+        ----------
+        shown : Shown
+        changed : frozenset of str
+            What of it is new since this panel was told last; never empty.
+        """
+        raise NotImplementedError
+
+    def begin_gesture(self) -> None:
+        """Until `end_gesture`, values run: a control is dragged, or something plays."""
+
+    def end_gesture(self) -> None:
+        """End the gesture that `begin_gesture` began."""
+
+    def show_attention(self, attended: Attention) -> None:
+        """Mark what is attended to."""
+
+    def set_style(self, style: Style) -> None:
+        """Take over colours and sizes of the drawings."""

@@ -1,0 +1,108 @@
+"""Whether there is a screen: asked before Qt is, which ends the process without one."""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import sys
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from functools import partial
+
+from PySide6.QtCore import QLibraryInfo
+
+from widgets.program.opengl import DisplayError
+
+WITHOUT_DISPLAY = "“export”, “project” and “matrices” need none."
+X_RETRIES_S = (0.1, 0.4, 0.0)
+"""Pauses after each try to reach an X server, which may be starting anew."""
+
+
+@contextmanager
+def display() -> Iterator[None]:
+    """Make sure that Qt will find a screen inside: without one it ends the process.
+
+    The connection to an X server is held until Qt has its own: a server without any starts anew
+    (under xvfb-run, for one) and is deaf meanwhile.
+
+    Raises
+    ------
+    DisplayError
+        If there is none.
+    """
+    leave = _reach_display() if sys.platform.startswith("linux") else None
+    try:
+        yield
+    finally:
+        if leave is not None:
+            leave()
+
+
+def _reach_display() -> Callable[[], object] | None:
+    """Connect to Wayland or X; return what ends the connection, if it has to be held."""
+    wanted = os.environ.get("QT_QPA_PLATFORM", "")
+    names = [part.partition(":")[0] for part in wanted.split(";")] if wanted else []
+    wayland = not names or any(name.startswith("wayland") for name in names)
+    x11 = not names or "xcb" in names
+    if not wayland and not x11:
+        raise DisplayError(
+            f"QT_QPA_PLATFORM = {wanted}: must be xcb or wayland, because no other shows OpenGL "
+            "windows here; unset it."
+        )
+    if wayland and _wayland_answers():
+        return None
+    display = os.environ.get("DISPLAY", "")
+    if not x11 or not display:
+        name = "DISPLAY" if x11 else "WAYLAND_DISPLAY"
+        raise DisplayError(
+            f"There is no screen to open a window on ({name} leads to none): start it in a desktop "
+            "session, over ssh with -X, or with xvfb-run -s '+extension GLX' in front; "
+            + WITHOUT_DISPLAY
+        )
+    return _reach_x11(display)
+
+
+def _wayland_answers() -> bool:
+    if not os.environ.get("XDG_RUNTIME_DIR") or not (
+        os.environ.get("WAYLAND_DISPLAY") or os.environ.get("XDG_SESSION_TYPE") == "wayland"
+    ):
+        return False
+    try:
+        client = ctypes.CDLL("libwayland-client.so.0")
+    except OSError:
+        return False
+    client.wl_display_connect.restype = ctypes.c_void_p
+    client.wl_display_disconnect.argtypes = [ctypes.c_void_p]
+    connection = client.wl_display_connect(None)
+    if connection:
+        client.wl_display_disconnect(connection)
+    return bool(connection)
+
+
+def _reach_x11(display: str) -> Callable[[], object]:
+    plugins = QLibraryInfo.path(QLibraryInfo.LibraryPath.PluginsPath)
+    try:
+        # Qt's own way to the X server, with all the system libraries that it needs.
+        ctypes.CDLL(os.path.join(plugins, "platforms", "libqxcb.so"))
+        xcb = ctypes.CDLL("libxcb.so.1")
+    except OSError as error:
+        raise DisplayError(
+            f"Qt cannot reach the X server, because a system library is missing ({error}); "
+            "python3 -m app doctor says which package brings it."
+        ) from error
+    xcb.xcb_connect.restype = ctypes.c_void_p
+    xcb.xcb_connect.argtypes = [ctypes.c_char_p, ctypes.c_void_p]
+    xcb.xcb_connection_has_error.argtypes = [ctypes.c_void_p]
+    xcb.xcb_disconnect.argtypes = [ctypes.c_void_p]
+    for pause_s in X_RETRIES_S:
+        connection = xcb.xcb_connect(os.fsencode(display), None)
+        if not xcb.xcb_connection_has_error(connection):
+            return partial(xcb.xcb_disconnect, connection)
+        xcb.xcb_disconnect(connection)
+        time.sleep(pause_s)
+    raise DisplayError(
+        f"The X server DISPLAY = {display} does not answer or does not let this user in: start "
+        "it in a desktop session, over ssh with -X, or with xvfb-run -s '+extension GLX' in "
+        f"front; {WITHOUT_DISPLAY}"
+    )

@@ -1,0 +1,160 @@
+"""Exceptions that nobody caught: logged, and told in one report on the screen."""
+
+from __future__ import annotations
+
+import logging
+import platform
+import sys
+import threading
+import traceback
+from pathlib import Path
+from types import TracebackType
+
+from PySide6 import __version__ as pyside_version
+from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import (
+    QApplication,
+    QDialog,
+    QDialogButtonBox,
+    QLabel,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app import __version__
+
+log = logging.getLogger(__name__)
+
+
+class Report(QDialog):
+    """Says that something unexpected happened; not modal, and never more than one at a time.
+
+    Parameters
+    ----------
+    log_file : Path or None
+        Where the details are; None if there is no log.
+    """
+
+    def __init__(self, log_file: Path | None, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setWindowTitle(self.tr("Something went wrong"))
+        self._log_file = log_file
+        self._count = 0
+        self._details = ""
+        self._sentence = QLabel()
+        self._place = QLabel()
+        for label in (self._sentence, self._place):
+            label.setTextFormat(Qt.TextFormat.PlainText)
+            label.setWordWrap(True)
+            label.setMinimumWidth(420)
+            label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+        copy = buttons.addButton(self.tr("Copy details"), QDialogButtonBox.ButtonRole.ActionRole)
+        copy.setToolTip(self.tr("Copies what a person who can repair it needs to know"))
+        copy.clicked.connect(self._copy)
+        buttons.rejected.connect(self.reject)
+        layout = QVBoxLayout(self)
+        layout.addWidget(self._sentence)
+        layout.addWidget(self._place)
+        layout.addWidget(buttons)
+
+    @property
+    def text(self) -> str:
+        """What it says now."""
+        return f"{self._sentence.text()}\n{self._place.text()}"
+
+    def tell(self, summary: str, details: str) -> None:
+        """Show an exception; while it is shown, further ones are only counted.
+
+        Parameters
+        ----------
+        summary : str
+            The exception in one line.
+        details : str
+            Its traceback.
+        """
+        if self.isHidden():
+            self._count = 0
+        self._count += 1
+        if self._count == 1:
+            self._details = details
+            self._summary = summary
+        text = self.tr("An error in the program: {0}. Your work is still there.").format(
+            self._summary.rstrip(".")
+        )
+        if self._count > 1:
+            text += " " + self.tr("It or others came {0} more times.").format(self._count - 1)
+        self._sentence.setText(text)
+        self._place.setText(
+            self.tr("The log: {0}").format(self._log_file)
+            if self._log_file
+            else self.tr("There is no log, because it could not be written.")
+        )
+        self.show()
+
+    def _copy(self) -> None:
+        QGuiApplication.clipboard().setText(
+            f"Frustum Lab {__version__}, Python {platform.python_version()}, "
+            f"PySide6 {pyside_version}, {platform.platform()}\n{self._details}"
+        )
+
+
+class ExceptionWatch(QObject):
+    """Logs exceptions that nobody caught, from slots and from threads, and shows the report.
+
+    Parameters
+    ----------
+    log_file : Path or None
+        For the report.
+
+    Attributes
+    ----------
+    caught : int
+        How many exceptions there were.
+    """
+
+    _seen = Signal(str, str)
+
+    def __init__(self, log_file: Path | None) -> None:
+        super().__init__()
+        self._log_file = log_file
+        self.report: Report | None = None
+        self.caught = 0
+        # Queued: a thread may not touch widgets, and a slot may be in the middle of a paint.
+        self._seen.connect(self._show, Qt.ConnectionType.QueuedConnection)
+
+    def install(self) -> None:
+        """Take over Python's two hooks."""
+        sys.excepthook = self._caught
+        threading.excepthook = self._caught_in_thread
+
+    @staticmethod
+    def remove() -> None:
+        """Give the hooks back."""
+        sys.excepthook = sys.__excepthook__
+        threading.excepthook = threading.__excepthook__
+
+    def _caught(
+        self, kind: type[BaseException], error: BaseException, trace: TracebackType | None
+    ) -> None:
+        if issubclass(kind, KeyboardInterrupt):
+            QApplication.closeAllWindows()
+            return
+        self.caught += 1
+        log.critical("unexpected %s", kind.__name__, exc_info=(kind, error, trace))
+        last_line = traceback.format_exception_only(kind, error)[-1].strip()
+        details = "".join(traceback.format_exception(kind, error, trace))
+        self._seen.emit(" ".join(last_line.split()), details)
+
+    def _caught_in_thread(self, args: threading.ExceptHookArgs) -> None:
+        if args.exc_type is not SystemExit and args.exc_value is not None:
+            self._caught(args.exc_type, args.exc_value, args.exc_traceback)
+
+    def _show(self, summary: str, details: str) -> None:
+        try:
+            if self.report is None:
+                self.report = Report(self._log_file)
+            self.report.tell(summary, details)
+        except Exception:  # it would come here again, for ever
+            log.critical("the report itself failed", exc_info=True)

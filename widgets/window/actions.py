@@ -1,0 +1,307 @@
+"""What can be done: menus, tool bar and shortcuts.
+
+::
+
+    Actions --scene_chosen, undo.triggered, ...--> window
+    window  --show_scene, show_recent, show_playing--> Actions
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from functools import partial
+
+from PySide6.QtCore import QObject, Qt, Signal, SignalInstance
+from PySide6.QtGui import QAction, QActionGroup, QKeySequence
+from PySide6.QtWidgets import QComboBox, QLabel, QLineEdit, QMainWindow, QToolBar
+
+from app.scenes.phenomena import PHENOMENA
+from app.scenes.scene import BUILT_IN
+from widgets.panes.pane import Pane
+from widgets.parts.messages import file_title
+from widgets.window.files import Files
+from widgets.window.help import FULL_SCREEN_KEY, PLAY_KEY, Help
+from widgets.window.pane_row import PaneRow
+from widgets.window.pictures import Pictures
+
+
+def take_typed(window: QMainWindow) -> None:
+    """Enter what is typed, as leaving its field would."""
+    field = window.focusWidget()
+    if isinstance(field, QLineEdit) and field.isModified():
+        field.clearFocus()
+        if not window.isActiveWindow():  # whose field has no keyboard to lose
+            field.editingFinished.emit()
+
+
+class Actions(QObject):
+    """The actions of one window, in its menus and its tool bar.
+
+    Those that a part of the window carries out alone are wired to it here; of the others the window
+    is told by their `triggered`, or by a signal where there is something to be said.
+
+    Parameters
+    ----------
+    window : QMainWindow
+        Gets the menus and the tool bar.
+    files, pictures, help_, row
+        The parts of the window that carry out what is asked for.
+    panes : mapping of str to Pane
+    titles, scene_titles : mapping of str to str
+        Translated names of the panes and of the built-in scenes.
+    theme : str
+    projector : bool
+        How the window looks at first.
+    """
+
+    scene_chosen = Signal(str)
+    theme_chosen = Signal(str)
+    controls_shown = Signal(bool)
+    projector_set = Signal(bool)
+    cost_shown = Signal(bool)
+
+    def __init__(
+        self,
+        window: QMainWindow,
+        *,
+        files: Files,
+        pictures: Pictures,
+        help_: Help,
+        row: PaneRow,
+        panes: Mapping[str, Pane],
+        titles: Mapping[str, str],
+        scene_titles: Mapping[str, str],
+        theme: str,
+        projector: bool,
+    ) -> None:
+        super().__init__(window)
+        self._window, self._files, self._pictures, self._help = window, files, pictures, help_
+        self._row, self._panes, self._titles, self._scene_titles = row, panes, titles, scene_titles
+        keys = QKeySequence.StandardKey
+        self.open = self._action(
+            self.tr("&Open…"), self._with_typed(files.open_dialog), keys.Open,
+            self.tr("Open a document, a mesh or an exported picture"),
+        )  # fmt: skip
+        self.save = self._action(self.tr("&Save"), self._with_typed(files.save), keys.Save)
+        self._save_as = self._action(
+            self.tr("Save &as…"), self._with_typed(files.save_as), "Ctrl+Shift+S"
+        )
+        self.copy = self._action(
+            self.tr("&Copy picture"), self._with_typed(pictures.copy), "Ctrl+Shift+C",
+            self.tr("Copy the three panes to the clipboard, with the document inside"),
+        )  # fmt: skip
+        self.export = self._action(
+            self.tr("&Export picture…"), self._with_typed(pictures.export_dialog), "Ctrl+E",
+            self.tr("Export panes as a PNG picture that carries the document"),
+        )  # fmt: skip
+        self._make_file_menu()
+        self.undo = self._action(self.tr("&Undo"), None, keys.Undo)
+        self.redo = self._action(self.tr("&Redo"), None, keys.Redo)
+        self.reset = self._action(
+            self.tr("Reset &all"), None, "Ctrl+R",
+            self.tr("Put camera, lens, image and settings back to how the scene opens"),
+        )  # fmt: skip
+        self.remove_probe = self._action(
+            self.tr("Remove the &probe"), None, "Esc",
+            self.tr("Remove the chosen probe from the panes"),
+        )  # fmt: skip
+        self.remove_probe.setEnabled(False)
+        self._make_edit_menu()
+        self.scene_group = QActionGroup(window)
+        self._make_scenes_menu()
+        self.projector = self._toggle(
+            self.tr("&Projector mode"), self.projector_set, projector, "Ctrl+P"
+        )
+        self.projector.setToolTip(
+            self.tr("Larger text and thicker lines, for the back row (Ctrl+P)")
+        )
+        self.show_cost = self._toggle(self.tr("Show c&ost"), self.cost_shown, False)
+        self.show_cost.setToolTip(
+            self.tr("Measure what every step takes: the model, each pane's matrices and repaint")
+        )
+        self._make_view_menu(theme)
+        self.help = self._action(self.tr("&Keys and mouse"), help_.show_keys, keys.HelpContents)
+        self._make_help_menu()
+        self.play = self._action(
+            self.tr("Play"), None, PLAY_KEY, self.tr("Play or pause the camera's orbit")
+        )
+        self.scene_box = QComboBox()
+        self._make_tool_bar()
+        keyed = [a for a in window.findChildren(QAction) if not a.shortcut().isEmpty()]
+        for pane in panes.values():
+            pane.addActions(keyed)  # which it takes along into a window of its own
+
+    # -- making
+
+    def _action(
+        self,
+        text: str,
+        act: Callable[[], object] | None = None,
+        shortcut: str | QKeySequence.StandardKey | None = None,
+        tip: str = "",
+    ) -> QAction:
+        action = QAction(text, self._window)
+        if act is not None:
+            action.triggered.connect(lambda _checked=False: act())
+        if shortcut is not None:
+            action.setShortcut(QKeySequence(shortcut))
+        plain = (tip or text).replace("&", "").rstrip("…")
+        keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
+        action.setToolTip(f"{plain} ({keys})" if keys else plain)
+        return action
+
+    def _toggle(
+        self, text: str, told: SignalInstance, on: bool, shortcut: str | None = None
+    ) -> QAction:
+        action = self._action(text, lambda: told.emit(action.isChecked()), shortcut)
+        action.setCheckable(True)
+        action.setChecked(on)
+        return action
+
+    def _with_typed(self, act: Callable[[], object]) -> Callable[[], object]:
+        """An act on the document with what is typed and not yet entered."""
+
+        def acted() -> None:
+            take_typed(self._window)
+            act()
+
+        return acted
+
+    def _make_file_menu(self) -> None:
+        menu = self._window.menuBar().addMenu(self.tr("&File"))
+        menu.addAction(self.open)
+        self.recent = menu.addMenu(self.tr("Open &recent"))
+        menu.addSeparator()
+        menu.addActions([self.save, self._save_as])
+        menu.addSeparator()
+        menu.addActions([self.export, self.copy])
+        menu.addSeparator()
+        menu.addAction(
+            self._action(self.tr("&Quit"), self._window.close, QKeySequence.StandardKey.Quit)
+        )
+
+    def _make_edit_menu(self) -> None:
+        menu = self._window.menuBar().addMenu(self.tr("&Edit"))
+        menu.addActions([self.undo, self.redo])
+        menu.addSeparator()
+        menu.addAction(self.reset)
+        menu.addSeparator()
+        menu.addAction(self.remove_probe)
+
+    def _make_scenes_menu(self) -> None:
+        menu = self._window.menuBar().addMenu(self.tr("&Scenes"))
+        for name in BUILT_IN:
+            if name == next(iter(PHENOMENA)):
+                menu.addSeparator()
+            action = self._action(self._scene_titles[name], partial(self.scene_chosen.emit, name))
+            action.setCheckable(True)
+            action.setData(name)
+            self.scene_group.addAction(action)
+            menu.addAction(action)
+        menu.addSeparator()
+        menu.addAction(self._action(self.tr("Open a &mesh…"), self._files.open_dialog))
+
+    def _make_view_menu(self, theme: str) -> None:
+        menu = self._window.menuBar().addMenu(self.tr("&View"))
+        row = self._row
+        for number, (name, title) in enumerate(self._titles.items(), start=1):
+            text = self.tr("Enlarge {0}").format(title)
+            menu.addAction(self._action(text, partial(row.enlarge, name), f"F{number + 5}"))
+        menu.addAction(self._action(self.tr("Show &all panes"), row.show_all, "F9"))
+        menu.addAction(
+            self._action(self.tr("&Reset the panes' own views"), row.reset_views, "Ctrl+0")
+        )
+        menu.addSeparator()
+        controls = self._toggle(self.tr("&Controls"), self.controls_shown, True, "F4")
+        menu.addActions([controls, self.show_cost, self.projector])
+        themes = menu.addMenu(self.tr("&Theme"))
+        group = QActionGroup(self._window)
+        for value, text in (
+            ("system", self.tr("As the system")),
+            ("light", self.tr("Light")),
+            ("dark", self.tr("Dark")),
+        ):
+            action = self._action(text, partial(self.theme_chosen.emit, value))
+            action.setCheckable(True)
+            action.setChecked(value == theme)
+            group.addAction(action)
+            themes.addAction(action)
+        menu.addAction(
+            self._action(self.tr("&Full screen"), self._toggle_full_screen, FULL_SCREEN_KEY)
+        )
+
+    def _make_help_menu(self) -> None:
+        menu = self._window.menuBar().addMenu(self.tr("&Help"))
+        menu.addAction(self.help)
+        menu.addAction(self._action(self.tr("&Conventions"), self._help.show_conventions))
+        menu.addAction(self._action(self.tr("&About Frustum Lab"), self._help.show_about))
+
+    def _make_tool_bar(self) -> None:
+        tools = QToolBar(self.tr("Tools"))
+        tools.setObjectName("tools")
+        tools.setMovable(False)
+        self.scene_box.setAccessibleName(self.tr("Scene"))
+        self.scene_box.setToolTip(self.tr("The scene in front of the camera"))
+        self.scene_box.activated.connect(
+            lambda index: self.scene_chosen.emit(self.scene_box.itemData(index))
+        )
+        tools.addWidget(self.scene_box)
+        label = QLabel(self.tr("Scene"), tools)  # on Linux a box is named by its label, seen or not
+        label.setBuddy(self.scene_box)
+        label.hide()
+        for group in (
+            (self.open, self.save),
+            (self.undo, self.redo, self.reset),
+            (self.play,),
+            (self.copy, self.export),
+            (self.projector,),
+            (self.help,),
+        ):
+            tools.addSeparator()
+            tools.addActions(group)
+        self._window.addToolBar(tools)
+        for action, text in (
+            (self.open, self.tr("Open")),
+            (self.save, self.tr("Save")),
+            (self.reset, self.tr("Reset")),
+            (self.copy, self.tr("Copy")),
+            (self.export, self.tr("Export")),
+            (self.projector, self.tr("Projector")),
+            (self.help, self.tr("Help")),
+        ):
+            action.setIconText(text)
+
+    def _toggle_full_screen(self) -> None:
+        self._window.setWindowState(self._window.windowState() ^ Qt.WindowState.WindowFullScreen)
+
+    # -- what the owner says
+
+    def show_scene(self, name: str) -> None:
+        """List the scenes, with a file's, and mark this one."""
+        self.scene_box.clear()
+        for built_in in BUILT_IN:
+            if built_in == next(iter(PHENOMENA)):
+                self.scene_box.insertSeparator(self.scene_box.count())
+            self.scene_box.addItem(self._scene_titles[built_in], built_in)
+        if name not in BUILT_IN:
+            self.scene_box.addItem(file_title(name), name)
+        self.scene_box.setCurrentIndex(self.scene_box.findData(name))
+        for action in self.scene_group.actions():
+            action.setChecked(action.data() == name)
+
+    def show_recent(self) -> None:
+        """List the files that were open last."""
+        self.recent.clear()
+        for path in self._files.recent:
+            action = self.recent.addAction(path.replace("&", "&&"))  # no key of the menu
+            action.triggered.connect(lambda _checked=False, path=path: self._files.open(path))
+        self.recent.setEnabled(bool(self._files.recent))
+
+    def show_history(self, *, can_undo: bool, can_redo: bool) -> None:
+        """Offer what can be undone and redone."""
+        self.undo.setEnabled(can_undo)
+        self.redo.setEnabled(can_redo)
+
+    def show_playing(self, playing: bool) -> None:
+        """Name the action that plays after what it would do now."""
+        self.play.setText(self.tr("Pause") if playing else self.tr("Play"))

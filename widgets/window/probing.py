@@ -1,0 +1,132 @@
+"""Probes by hand: a click in a pane follows a point, a drag in the image moves it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from functools import partial
+
+from PySide6.QtCore import QObject, QPointF
+from PySide6.QtWidgets import QWidget
+
+from app.drawings.image import ImageDrawing
+from app.drawings.probes import pick_in
+from app.model.projection import Projection
+from app.picking.picking import Probe, dragged
+from app.scenes.scene import Scene
+from widgets.panels.probe_panel import ProbePanel
+from widgets.panes.manipulation import HOLD_WITHIN_PX, Manipulation
+from widgets.panes.pane import Pane
+from widgets.parts.escape import EscapeKey
+
+
+class Probing(QObject):
+    """Turns clicks in the panes and drags in the image into probes.
+
+    Parameters
+    ----------
+    panes : mapping of str to Pane
+    panel : ProbePanel
+        Holds the probes.
+    manipulation : Manipulation
+        Takes a drag in the image that starts on no probe.
+    scene, projection : callable
+        What is looked at, and how, just now.
+    window : QWidget
+    """
+
+    def __init__(
+        self,
+        panes: Mapping[str, Pane],
+        panel: ProbePanel,
+        manipulation: Manipulation,
+        scene: Callable[[], Scene],
+        projection: Callable[[], Projection],
+        window: QWidget,
+    ) -> None:
+        super().__init__(window)
+        self._window = window
+        self._panes, self._panel, self._manipulation = panes, panel, manipulation
+        self._scene, self._projection = scene, projection
+        self._held: Probe | None = None
+        """The probe that is being dragged in the image, as it was before."""
+        self._escape = EscapeKey(self)
+        self._escape.pressed.connect(self._put_back)
+        self._before_click: tuple[tuple[Probe, ...], int] = ((), 0)
+        for name, pane in panes.items():
+            pane.clicked.connect(partial(self._follow, name))
+            pane.double_clicked.connect(self._unfollow)
+        canvas = panes["image"].canvas
+        canvas.drag_started.connect(self._hold)
+        canvas.dragged.connect(self._drag)
+        canvas.drag_ended.connect(self._let_go)
+
+    def clear(self) -> None:
+        """Forget every probe, also the held one: their scene is gone."""
+        self._held = None
+        self._panel.clear()
+
+    def _follow(self, name: str, place: QPointF) -> None:
+        """Follow what was clicked in a pane: a point, or a pixel's ray where there is none."""
+        chosen = self._panel.chosen
+        self._before_click = self._panel.probes, chosen.number if chosen else 0
+        drawing = self._panes[name].drawing
+        assert drawing is not None
+        x_px, y_px = place.x(), place.y()
+        pixel = None
+        if isinstance(drawing, ImageDrawing):
+            pixel = drawing.image_pixel(x_px, y_px)
+            if pixel is None:  # beside the picture
+                return
+        pixel_ratio = self._panes[name].canvas.pixel_ratio
+        hit = pick_in(self._scene(), drawing.sight, (x_px, y_px), pixel_ratio)
+        if hit is not None:
+            self._panel.follow(point=hit.point)
+        elif pixel is not None:
+            self._panel.follow(pixel=pixel)
+
+    def _unfollow(self) -> None:
+        """Forget the click that was the first half of a double-click."""
+        self._panel.restore(*self._before_click)
+
+    def _hold(self, place: QPointF) -> None:
+        """Take hold of the mark in the image that a drag starts on, or of the picture."""
+        drawing = self._panes["image"].drawing
+        if drawing is None:
+            return
+        nearest = HOLD_WITHIN_PX * self._panes["image"].canvas.pixel_ratio
+        for probe in self._panel.probes:
+            if probe.point is None:
+                continue
+            ((x_px, y_px),) = drawing.sight.seen([list(probe.point)]).tolist()
+            away = math.hypot(x_px - place.x(), y_px - place.y())
+            if away <= nearest:  # never for NaN, which has no picture
+                nearest, self._held = away, probe
+        if self._held is not None:
+            self._panel.choose(self._held.number)
+            self._panel.begin_gesture()
+            self._escape.watch(self._window)
+        else:
+            self._manipulation.take_picture(place)
+
+    def _drag(self, away: QPointF, along_ray: bool) -> None:
+        drawing = self._panes["image"].drawing
+        if self._held is None or self._held.point is None or not isinstance(drawing, ImageDrawing):
+            return
+        projection = self._projection()
+        shift_px = drawing.image_shift(away.x(), away.y())
+        point = dragged(projection, self._held.point, shift_px, along_ray=along_ray)
+        if point is not None:
+            self._panel.put(self._held.number, point)
+
+    def _let_go(self) -> None:
+        if self._escape.is_watched:
+            self._escape.leave()
+            self._held = None
+            self._panel.end_gesture()
+
+    def _put_back(self) -> None:
+        """Give up the drag; whatever the hand does until it lets go is none."""
+        if self._held is not None and self._held.point is not None:
+            self._panel.put(self._held.number, self._held.point)
+        self._held = None
