@@ -672,7 +672,7 @@ def test_no_point_of_a_cloud_is_off_by_more_than_predicted(
     camera = camera_at(rng, 1e7) if far_away else SLANTED
     projection = Projection(camera, lens, HD, depth)
     origin: Vector = tuple(np.round(camera.target).tolist()) if far_away else (0.0, 0.0, 0.0)
-    count = 20_000 if depth == "opengl" else 5_000
+    count = 100_000 if depth == "opengl" else 5_000
     points, kinds = camera.target + rng.normal(size=(count, 3)), np.zeros(count, dtype=int)
     kind_of = {kind: number for number, kind in enumerate(outliers(projection), start=1)}
     for kind, some in outliers(projection).items():
