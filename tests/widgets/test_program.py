@@ -369,7 +369,7 @@ def test_two_windows_do_not_lose_each_others_recent_files(
     assert Settings(ini).recent == newest_first
     make_window(settings=Settings(ini), shown=False)
     assert Settings(ini).recent == newest_first
-    assert [action.text() for action in other._recent_menu.actions()] == newest_first[1:]
+    assert [action.text() for action in other.menus.recent.actions()] == newest_first[1:]
 
 
 def test_the_recent_files_of_another_process_are_kept(ini: Path) -> None:
