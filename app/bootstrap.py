@@ -112,12 +112,30 @@ class _Fonts(System):
         # FcFontSet begins with the number of its fonts. Qt takes the list over, read as it is.
         of_system = fontconfig.FcConfigGetFonts
         of_system.restype = ctypes.POINTER(ctypes.c_int)
-        for _ in range(2):
-            fonts = of_system(None, 0)
-            if fonts and fonts[0] > 0:
-                return True
-            fontconfig.FcInitReinitialize()  # some may just have been installed
+        with _in_a_folder():
+            for _ in range(2):
+                fonts = of_system(None, 0)
+                if fonts and fonts[0] > 0:
+                    return True
+                fontconfig.FcInitReinitialize()  # some may just have been installed
         return False
+
+
+@contextlib.contextmanager
+def _in_a_folder() -> Iterator[None]:
+    """Be in a folder: where the current one was deleted, fontconfig cannot read what it needs."""
+    try:
+        os.getcwd()
+    except FileNotFoundError:
+        deleted = os.open(".", os.O_RDONLY)
+        os.chdir("/")
+        try:
+            yield
+        finally:
+            os.fchdir(deleted)
+            os.close(deleted)
+    else:
+        yield
 
 
 #: Where the loader's libGL and libEGL lead (Mesa or a vendor's driver) is the machine's own choice,

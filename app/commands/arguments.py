@@ -5,6 +5,7 @@ Numbers only: a scene is loaded, and VTK with it, when it is asked for.
 
 from __future__ import annotations
 
+import atexit
 import functools
 import os
 from collections.abc import Callable, Container, Iterable, Sequence
@@ -158,6 +159,10 @@ def load_scene(scene: str, mesh: str = "", file: str | None = None) -> Scene:
 @functools.cache
 def _load_once(load: Callable[..., Scene], scene: str, mesh: str) -> Scene:
     return load(scene, mesh=mesh)
+
+
+# pyvista's meshes, as they go, need its modules, which the end of the interpreter takes apart.
+atexit.register(_load_once.cache_clear)
 
 
 def cannot_import(error: ImportError) -> CliError:

@@ -1286,6 +1286,25 @@ def test_export_with_an_unreachable_display_draws_all_the_same(
     assert np.array_equal(pixels, export(tmp_path / "b.png", by_hand, *size, DISPLAY=":9999"))
 
 
+_COUNTED_LAST = """
+import atexit, gc, sys
+@atexit.register
+def count():
+    import pyvista
+    gc.unfreeze()
+    gc.collect()
+    print(sum(isinstance(each, pyvista.DataObject) for each in gc.get_objects()))
+from app.commands.cli import main
+sys.exit(main(sys.argv[1:]))
+"""
+
+
+def test_no_mesh_outlives_the_modules_that_it_needs_to_go(tmp_path: Path) -> None:
+    command = [sys.executable, "-c", _COUNTED_LAST, "export", tmp_path / "a.png", "--size", "96x32"]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, timeout=PATIENCE_S)
+    assert (done.returncode, done.stdout, done.stderr) == (0, "0\n", "")
+
+
 def test_export_carries_the_document_with_what_was_set(tmp_path: Path, by_hand: Path) -> None:
     out = tmp_path / "figure.png"
     export(out, by_hand, "--size=96x32", "--set", "lens.near=0.5")
