@@ -23,7 +23,8 @@ from app.document import document
 from app.drawings.figures import PANES, render
 from app.lecture.notation import LETTERS, letters_in, matrices, written
 from app.model.lenses import LENSES
-from app.model.lenses.lens import Central, LensTable, Window, check_planes, plane_letters
+from app.model.lenses.closed_form import Central
+from app.model.lenses.lens import LensTable, Window, check_planes, plane_letters
 from app.model.lenses.perspective import SCALE, Perspective, fov_y_from_window, pyramid_tables
 from app.model.limits import Keep, between, finite, keep_checked
 from app.model.projection import Frustum, Projection

@@ -6,7 +6,8 @@ import math
 from dataclasses import dataclass, replace
 from typing import ClassVar
 
-from app.model.lenses.lens import Central, LensTable, Window, check_planes
+from app.model.lenses.closed_form import Central
+from app.model.lenses.lens import LensTable, Window, check_planes
 from app.model.lenses.perspective import pyramid_tables
 from app.model.lenses.window import Windowed
 from app.model.limits import AT_LEAST, AT_MOST, SMALLEST_FIELD, SMALLEST_OPENING, Keep

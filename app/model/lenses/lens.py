@@ -1,18 +1,25 @@
-"""What every lens is: a table of formulas, the numbers of its letters, and a window on space.
+"""What every lens is: a table of formulas, the numbers of its letters, and how points pass it.
 
 A lens is a frozen dataclass of its own file. It is `Central` or `Parallel`, which says how its
-window grows with the distance, or it is none of them, a matrix that somebody typed; and perhaps
-`app.model.lenses.window.Windowed`, given by the sides of its window.
+window grows with the distance (`app.model.lenses.closed_form`), or it is none of them, a matrix
+that somebody typed; and perhaps `app.model.lenses.window.Windowed`, given by the sides of its
+window. Nobody outside asks which it is: what differs between lenses is a number or a method here.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from typing import Any, ClassVar, NamedTuple, TypeAlias, cast
+from typing import Any, ClassVar, NamedTuple, Protocol, TypeAlias, cast
 
+import numpy as np
+from numpy.typing import NDArray
+
+from app.arithmetic.double_double import DoubleDouble
+from app.arithmetic.rationals import Rationals
+from app.model.camera import Camera
 from app.model.limits import (
     ABOVE,
     AT_LEAST,
@@ -22,7 +29,7 @@ from app.model.limits import (
     SMALLEST,
     Array,
     Cells,
-    Keep,
+    DepthRange,
     finite,
     real,
 )
@@ -63,6 +70,119 @@ Window: TypeAlias = tuple[float, float, float, float]
 """Left, right, bottom, top, in world units."""
 
 
+class Axis(NamedTuple):
+    """One side of the picture: its middle and its extent, on the near plane."""
+
+    middle: float
+    extent: float
+
+    @classmethod
+    def between(cls, low: Fraction, high: Fraction) -> Axis:
+        """Of a window's two sides, without its rounding."""
+        return cls(float((low + high) / 2), float(high - low))
+
+    @property
+    def skew(self) -> float:
+        """How far the middle is from 0, in halves of the extent: ``(r + l)/(r - l)``."""
+        return self.middle / (self.extent / 2.0)
+
+    def across(self, value: Array) -> Array:
+        """From -1 at the low end to 1 at the high one; the difference is rounded where small."""
+        across: Array = (value - self.middle) / (self.extent / 2.0)
+        return across
+
+
+class ExactLens(NamedTuple):
+    """A lens in rationals, irrational numbers to `double_double.BITS` bits.
+
+    Attributes
+    ----------
+    scale, shift : (Fraction, Fraction)
+        ``x_clip = scale x + shift w``, x that of the picture on the near plane times w.
+    shear : (Fraction, Fraction)
+        ``cot(alpha), cot(beta)`` of an oblique lens.
+    near : Fraction
+    far : Fraction or None
+        None at infinity.
+    """
+
+    scale: tuple[Fraction, Fraction]
+    shift: tuple[Fraction, Fraction]
+    shear: tuple[Fraction, Fraction]
+    near: Fraction
+    far: Fraction | None
+
+
+class Intrinsics(NamedTuple):
+    """A perspective camera as photogrammetry and OpenCV write it, all in pixels.
+
+    Attributes
+    ----------
+    fx, fy : float
+        Focal length in pixel widths and in pixel heights.
+    cx, cy : float
+        Principal point, counted from the *centre* of the first pixel as OpenCV does: an image
+        640 wide with the axis in its middle has ``cx = 319.5``, which is 320 in our pixels.
+
+    Notes
+    -----
+    ``K = [[fx, 0, cx], [0, fy, cy], [0, 0, 1]]`` maps x right, y down, z forward to pixels
+    (Hartley and Zisserman, Multiple View Geometry, 6.1).
+    """
+
+    fx: float
+    fy: float
+    cx: float
+    cy: float
+
+
+class Angles(NamedTuple):
+    """How much a lens sees.
+
+    Attributes
+    ----------
+    fov_x_deg, fov_y_deg : float
+    focal_mm : float
+        Focal length of the 36 x 24 mm camera with the same diagonal field of view.
+    """
+
+    fov_x_deg: float
+    fov_y_deg: float
+    focal_mm: float
+
+
+class Trace(NamedTuple):
+    """Points followed through every stage; ``...`` is the shape of the points without the 3.
+
+    Attributes
+    ----------
+    world, view : (..., 3) float64
+    clip : (..., 4) float64
+        Homogeneous, before the divide; w is the distance from the eye plane (1 for a parallel
+        lens).
+    ndc : (..., 3) float64
+        After the divide; NaN where w <= 0: a point behind the eye has no picture. Nor has one so
+        close to the eye plane that its picture is beyond float64's 1e308.
+    image : (..., 2) float64
+        Pixels, origin top-left; NaN where `ndc` is.
+    depth : (...) float64
+        What a depth buffer in [0, 1] would hold before quantising; NaN where `ndc` is.
+    in_front : (...) bool
+        Where there is a picture: w > 0.
+    outside : (..., 6) bool
+        Which of `PLANES` the point lies beyond.
+    """
+
+    world: Array
+    view: Array
+    clip: Array
+    ndc: Array
+    image: Array
+    depth: Array
+    in_front: NDArray[np.bool_]
+    outside: NDArray[np.bool_]
+
+
 class Seen(NamedTuple):
     """What another lens shows, for one that shall show it too; see `Lens.showing`.
 
@@ -80,6 +200,51 @@ class Seen(NamedTuple):
     distance: float
 
 
+class Setup(Protocol):
+    """What a lens is used with, and asked about: a `Projection`, which documents all of it."""
+
+    @property
+    def camera(self) -> Camera: ...
+    @property
+    def image_size(self) -> tuple[int, int]: ...
+    @property
+    def aspect(self) -> float: ...
+    @property
+    def depth(self) -> DepthRange: ...
+    @property
+    def depth_range(self) -> tuple[float, float]: ...
+    @property
+    def axes(self) -> tuple[Axis, Axis]: ...
+    @property
+    def view_error(self) -> float: ...
+    @property
+    def view_rotation(self) -> Array: ...
+    @property
+    def clip_from_view(self) -> Array: ...
+    @property
+    def view_from_clip(self) -> Array: ...
+    @property
+    def clip_from_eye(self) -> Array: ...
+    @property
+    def image_from_ndc(self) -> Array: ...
+    @property
+    def exact_lens(self) -> ExactLens: ...
+    @property
+    def exact_from_eye(self) -> tuple[Rationals, Rationals]: ...
+    @property
+    def eye_from_clip(self) -> Rationals: ...
+    @property
+    def frame_double_double(self) -> list[list[DoubleDouble]]: ...
+
+    def with_depth(self, depth: DepthRange) -> Setup: ...
+    def view(self, world: Array) -> tuple[Array, Array]: ...
+    def view_double_double(self, points_world: Array) -> tuple[DoubleDouble, ...]: ...
+
+
+HalfSpaces: TypeAlias = list[tuple[tuple[float, float, float, float], float]]
+"""Normals and offsets: what is inside has ``normal . (x, y, z, w) + offset >= 0`` for all."""
+
+
 @dataclass(frozen=True)
 class Lens:
     """What a projection asks of a lens.
@@ -92,6 +257,9 @@ class Lens:
         Whether its projectors meet in the eye, so that w is the distance from the eye plane.
     parallel : bool
         Whether they are parallel, so that w is 1. A typed matrix is neither.
+    far_may_be_infinite : bool
+    roundings : (float, float, float, float)
+        Of x, y, depth and w before the divide, as `trace` computes them.
 
     Raises
     ------
@@ -102,6 +270,10 @@ class Lens:
     kind: ClassVar[str]
     central: ClassVar[bool] = False
     parallel: ClassVar[bool] = False
+    far_may_be_infinite: ClassVar[bool] = False
+    roundings: ClassVar[tuple[float, float, float, float]]
+
+    # -- its fields, its table and its window
 
     @property
     def near(self) -> float:
@@ -112,6 +284,15 @@ class Lens:
     def far(self) -> float:
         """Distance of the far plane from the eye plane; may be infinite for a `Central` lens."""
         raise self._refusal()
+
+    @property
+    def planes(self) -> tuple[float, float] | None:
+        """Near and far; None for a typed matrix, which need not have them."""
+        return self.near, self.far
+
+    def holds(self, distance: float) -> bool:
+        """Whether what is at a distance from the eye plane lies between near and far."""
+        return self.near <= distance <= self.far
 
     @property
     def table(self) -> LensTable:
@@ -175,15 +356,41 @@ class Lens:
         """x and y on the near plane, of the projectors through these at a distance."""
         raise self._refusal()
 
-    def distance(self, gone: Array, left_over: Array) -> Array:
-        """The distance of a depth in the buffer.
+    def rays(self, on_near: Array) -> tuple[Array, Array]:
+        """x and y of view space where projectors begin, and per unit of distance.
 
         Parameters
         ----------
-        gone, left_over : (...) array
-            0 and 1 at the near plane, 1 and 0 at the far one.
+        on_near : (n, 2) array
+            Where they pass the near plane.
         """
         raise self._refusal()
+
+    @property
+    def shear(self) -> tuple[float, float]:
+        """``cot(alpha), cot(beta)``, by which projectors lean; 0 and 0 if they do not."""
+        return 0.0, 0.0
+
+    @property
+    def fov_y_deg(self) -> float | None:
+        """The vertical field of view that it is given by; None if by anything else."""
+        return None
+
+    def angles(self, aspect: Fraction) -> Angles | None:
+        """How much it sees; None where that is no angle."""
+        return None
+
+    def intrinsics(self, image_size: tuple[int, int]) -> Intrinsics:
+        """The perspective camera's K, in pixels of an image.
+
+        Raises
+        ------
+        Refusal
+            For a lens whose projectors do not meet.
+        """
+        raise Refusal("kind", self.kind, ONE_OF, "perspective, frustum")
+
+    # -- other lenses
 
     def cut(self, window: Window, near: float, far: float) -> Lens:
         """The lens with the same view volume between other planes.
@@ -194,10 +401,7 @@ class Lens:
             Of the image, on the present near plane.
         near, far : float
         """
-        if self.planes is None:
-            raise self._refusal()
-        near, far = check_planes(near, far, parallel=self.parallel)
-        return self.but(near=near, far=far)
+        raise self._refusal()
 
     def but(self, **fields: Any) -> Lens:
         """The same lens but for some fields."""
@@ -207,25 +411,6 @@ class Lens:
     def showing(cls, seen: Seen) -> Lens:
         """A lens of this kind that shows what another does, as alike as it can."""
         raise NotImplementedError
-
-    @property
-    def shear(self) -> tuple[float, float]:
-        """``cot(alpha), cot(beta)``, by which projectors lean; 0 and 0 if they do not."""
-        return 0.0, 0.0
-
-    def stretch(self, window: Window) -> float:
-        """By how much it enlarges the rounding of view coordinates; see `Projection.stretch`."""
-        raise self._refusal()
-
-    @property
-    def planes(self) -> tuple[float, float] | None:
-        """Near and far; None for a typed matrix, which need not have them."""
-        return self.near, self.far
-
-    @property
-    def has_steps(self) -> bool:
-        """Whether it goes through the canonical volumes; a typed matrix is one step."""
-        return bool(self.table.steps)
 
     @property
     def former(self) -> Lens:
@@ -244,118 +429,197 @@ class Lens:
         """A view matrix in place of the camera's, if it brings one."""
         return None
 
+    @property
+    def has_steps(self) -> bool:
+        """Whether it goes through the canonical volumes; a typed matrix is one step."""
+        return bool(self.table.steps)
+
+    # -- distances and depths
+
+    def w(self, distance: Any) -> Any:
+        """What x, y and z are divided by, at a distance from the eye plane."""
+        raise self._refusal()
+
+    def depth(self, distance: Array, *, reverse: bool) -> Array:
+        """The depth of a distance, from 0 at the near plane to 1 at the far one, or reversed."""
+        raise self._refusal()
+
+    def distance(self, gone: Any, left_over: Any) -> Any:
+        """The distance of a depth in the buffer, floats or arrays.
+
+        Parameters
+        ----------
+        gone, left_over : (...) array
+            0 and 1 at the near plane, 1 and 0 at the far one.
+        """
+        raise self._refusal()
+
+    def gap(self, distance: Array, step: Array) -> Array:
+        """By how much a distance grows with a step of its depth; infinite beyond the far plane."""
+        raise self._refusal()
+
+    @property
+    def depth_slope(self) -> float:
+        """a of the depth's ``constant - a/w``; 0 where it is even in the distance."""
+        return 0.0
+
+    @property
+    def even_extent(self) -> float:
+        """From near to far where depth is even in the distance; 0 where it is not."""
+        return 0.0
+
+    @property
+    def eye_room(self) -> float:
+        """How close to the eye it can draw: near, or infinite where no eye is come close to."""
+        return math.inf
+
+    # -- points
+
+    def trace(self, setup: Setup, world: Array) -> Trace:
+        """Points (..., 3) through every stage; see `Projection.trace`."""
+        raise NotImplementedError
+
+    def world_from_image(self, setup: Setup, points: Array) -> Array:
+        """Pixels with a depth, (..., 3), back to the world; see `Projection.world_from_image`."""
+        raise NotImplementedError
+
+    def clipped(self, setup: Setup, x: Any, y: Any, z: Any) -> list[Any]:
+        """View and clip coordinates, and what is negative beyond each of `PLANES`, 3 + 4 + 6.
+
+        In whatever arithmetic a point's `coordinates` are.
+        """
+        raise NotImplementedError
+
+    def coordinates(self, setup: Setup, points: Array) -> tuple[Sequence[DoubleDouble], Array]:
+        """What `clipped` starts from, of points (n, 3) with twice the digits, and its error."""
+        raise NotImplementedError
+
+    def exact_coordinates(self, setup: Setup, point: Sequence[float]) -> tuple[Fraction, ...]:
+        """The same of one point without any error."""
+        raise NotImplementedError
+
+    def view_of(self, setup: Setup, offsets: Any) -> Any:
+        """View coordinates of offsets from the eye, (n, 3), in these offsets' own precision."""
+        raise NotImplementedError
+
+    def beyond(self, setup: Setup, view: Any, clip: Any) -> tuple[Any, Any]:
+        """Where points, (n, 3) and (n, 4), are before the near plane, and beyond the far one."""
+        raise NotImplementedError
+
+    def line(
+        self, setup: Setup, pixel: Sequence[float] | None, point: Any, shares: Any
+    ) -> Array | None:
+        """Points on a projector; see `app.picking.picking.projector`."""
+        raise NotImplementedError
+
+    # -- its matrices, beyond the table's
+
+    def stated_in(self, setup: Setup) -> tuple[Array, Array]:
+        """Clip from the axes that the lens is stated in, and these from the eye, (4, 4) each."""
+        raise NotImplementedError
+
+    def clip_from_eye(self, setup: Setup) -> Array:
+        """Clip from world axes with their origin in the eye, (4, 4)."""
+        raise NotImplementedError
+
+    def eye_from_clip(self, setup: Setup) -> tuple[Array, ...]:
+        """The inverse of `clip_from_eye`, as factors in their order."""
+        raise NotImplementedError
+
+    def view_from_clip(self, setup: Setup, letters: Mapping[str, float]) -> Array:
+        """The inverse of its matrix; see `Projection.view_from_clip`."""
+        raise NotImplementedError
+
+    def corners_world(self, setup: Setup) -> Array:
+        """The cube's eight corners un-projected; see `Projection.frustum_corners_world`."""
+        raise NotImplementedError
+
+    def frustum_sign(self, setup: Setup) -> int:
+        """The sign of w at the view volume's corners; see `Projection.frustum_sign`."""
+        return 1
+
+    def least_w(self, setup: Setup) -> float:
+        """The least w of what is in the view volume, or less."""
+        raise NotImplementedError
+
+    def exact(self, letters: Mapping[str, Fraction]) -> ExactLens:
+        """The numbers that it is made of, without their rounding."""
+        raise self._refusal()
+
+    def between(
+        self, setup: Setup, rows: tuple[Array, Array], window: Window, near: float, far: float
+    ) -> tuple[Array, Array]:
+        """Its matrix and the inverse between other planes; see `Projection.matrices_between`."""
+        raise self._refusal()
+
+    # -- what its roundings cost
+
+    def stretch(self, window: Window) -> float:
+        """By how much it enlarges the rounding of view coordinates; see `Projection.stretch`."""
+        raise self._refusal()
+
+    def view_error(self, setup: Setup) -> float:
+        """What `trace` lacks of view coordinates; see `Projection.view_error`."""
+        raise NotImplementedError
+
+    def cell_sizes(self, cells: Array) -> Array:
+        """The sizes of the terms that the matrix' cells are summed from, (4, 4)."""
+        sizes: Array = abs(cells)
+        return sizes
+
+    def depth_terms(self, setup: Setup) -> tuple[Array, Array]:
+        """The depth times w from the axes it is stated in, (4,), and the sizes of its terms."""
+        raise NotImplementedError
+
+    # -- for what is drawn and pointed at
+
+    def order(self, setup: Setup) -> tuple[Array, Array]:
+        """What is in front of what, and what is between near and far.
+
+        Returns
+        -------
+        order : (4,) array
+            Of the axes it is stated in: a number that is smaller for what is in front, times w.
+        limits : (k, 4) array
+            Half-spaces of these axes: ``limit . (x, y, z, 1) >= 0`` inside.
+        """
+        raise NotImplementedError
+
+    def half_spaces(self, least_w: float) -> HalfSpaces:
+        """Of clip space in OpenGL's range: between near and far, and w at least positive."""
+        raise NotImplementedError
+
+    def w_of_z(self, a: float, b: float) -> tuple[float, float]:
+        """w from z of clip space, of a lens with ``z_clip = a z_view + b``: per z, and constant.
+
+        A constant alone for points that are divided already.
+        """
+        return 0.0, 1.0
+
+    def nearer(
+        self, a: float, b: float, share: float, length: float, least: float
+    ) -> tuple[float, float]:
+        """What z of clip space grows by when things come nearer, constant and per w.
+
+        Parameters
+        ----------
+        a, b : float
+            As of `w_of_z`.
+        share, length : float
+            Of their distance where the eye has one, in world units where it has none.
+        least : float
+            Of the depth range, where there is no eye.
+        """
+        raise NotImplementedError
+
+    def side(self, edge: float, axis: int) -> tuple[float, float]:
+        """The plane through an edge of the window and the projectors: ``x + a z + b = 0``."""
+        raise self._refusal()
+
     def _refusal(self) -> Refusal:
         from app.model.lenses import LENSES
 
         return Refusal("kind", self.kind, ONE_OF, ", ".join(LENSES))
-
-
-@dataclass(frozen=True)
-class Central(Lens):
-    """A lens whose projectors meet in the eye: pictures are larger the nearer things are."""
-
-    central: ClassVar[bool] = True
-
-    def table_to(self, far: float) -> LensTable:
-        if far == math.inf:
-            return self.but(far=far).table
-        return self.table.otherwise.get("far", self.table)
-
-    def enlarged(self, distance: Any) -> Any:
-        return distance / self.near
-
-    def outwards(self, x: Any, y: Any, distance: Any) -> tuple[Any, Any]:
-        k = self.enlarged(distance)
-        return x * k, y * k
-
-    def inwards(self, x: Any, y: Any, distance: Any) -> tuple[Any, Any]:
-        return x / distance * self.near, y / distance * self.near
-
-    def distance(self, gone: Array, left_over: Array) -> Array:
-        if self.far == math.inf:
-            return self.near / left_over
-        return self.near / (left_over + self.near / self.far * gone)
-
-    @classmethod
-    def showing(cls, seen: Seen) -> Lens:
-        """With the same window on the near plane, or of a parallel lens the one at the target."""
-        lens, distance = seen.lens, seen.distance
-        near, far = lens.near, lens.far
-        if near < SMALLEST:
-            near = (min(distance, far) if far > 0.0 else distance) / 1000.0
-        if far <= near:  # the volume is behind the eye; the target shall be in the new one
-            far = 2.0 * distance
-        window = seen.window
-        if not lens.central:
-            left, right, bottom, top = lens.window_at(window, distance)
-            k = near / distance
-            window = k * left, k * right, k * bottom, k * top
-        return cls.with_window(window, near, far, getattr(lens, "keep", "y"))
-
-    @classmethod
-    def with_window(cls, window: Window, near: float, far: float, keep: Keep) -> Lens:
-        """The lens with this window on its near plane, or as much of it as it can have."""
-        raise NotImplementedError
-
-    def stretch(self, window: Window) -> float:
-        left, right, bottom, top = window
-        across, up = max(abs(left), abs(right)), max(abs(bottom), abs(top))
-        half_width, half_height = (right - left) / 2.0, (top - bottom) / 2.0
-        slant = math.hypot(across, up, self.near) / self.near
-        return slant * max((self.near + across) / half_width, (self.near + up) / half_height)
-
-
-@dataclass(frozen=True)
-class Parallel(Lens):
-    """A lens whose projectors are parallel: pictures are as large wherever things are."""
-
-    parallel: ClassVar[bool] = True
-
-    def table_to(self, far: float) -> LensTable:
-        return self.table
-
-    def enlarged(self, distance: Any) -> Any:
-        return 1.0
-
-    def outwards(self, x: Any, y: Any, distance: Any) -> tuple[Any, Any]:
-        cot_alpha, cot_beta = self.shear
-        return x + cot_alpha * (distance - self.near), y + cot_beta * (distance - self.near)
-
-    def inwards(self, x: Any, y: Any, distance: Any) -> tuple[Any, Any]:
-        cot_alpha, cot_beta = self.shear
-        return x - cot_alpha * (distance - self.near), y - cot_beta * (distance - self.near)
-
-    def distance(self, gone: Array, left_over: Array) -> Array:
-        return self.near * left_over + self.far * gone
-
-    @classmethod
-    def showing(cls, seen: Seen) -> Lens:
-        """With the same window in the plane of the target."""
-        lens, distance = seen.lens, seen.distance
-        far = max(4.0 * distance, 2.0 * lens.near) if lens.far == math.inf else lens.far
-        window = lens.window_at(seen.window, distance)
-        return cls.with_window_at(distance, window, lens.near, far, getattr(lens, "keep", "y"))
-
-    @classmethod
-    def with_window_at(
-        cls, distance: float, window: Window, near: float, far: float, keep: Keep
-    ) -> Lens:
-        """The lens with this window at a distance."""
-        lens = cast(Any, cls)(*window, near, far, keep)
-        left, right, bottom, top = window
-        x, y = (cot * (distance - near) for cot in lens.shear)
-        moved = {"left": left - x, "right": right - x, "bottom": bottom - y, "top": top - y}
-        return cast(Lens, replace(lens, **moved))
-
-    def stretch(self, window: Window) -> float:
-        left, right, bottom, top = window
-        across, up = max(abs(left), abs(right)), max(abs(bottom), abs(top))
-        half_width, half_height = (right - left) / 2.0, (top - bottom) / 2.0
-        depth = max(abs(self.near), abs(self.far))
-        shear_x, shear_y = (abs(cot) for cot in self.shear)
-        extent = self.far - self.near
-        distance = math.hypot(across + shear_x * extent, up + shear_y * extent, depth)
-        return distance * max((1.0 + shear_x) / half_width, (1.0 + shear_y) / half_height)
 
 
 def plane_letters(lens: Lens) -> dict[str, Fraction]:

@@ -8,7 +8,8 @@ from fractions import Fraction
 from typing import ClassVar
 
 from app.arithmetic.double_double import cotangent_deg
-from app.model.lenses.lens import LensTable, Parallel, Window, check_planes
+from app.model.lenses.closed_form import COTS, Parallel
+from app.model.lenses.lens import LensTable, Window, check_planes
 from app.model.lenses.orthographic import SCALE, TRANSLATION, box_table
 from app.model.lenses.window import Windowed
 from app.model.limits import (
@@ -112,9 +113,6 @@ class Oblique(Parallel, Windowed):
 
     def letters(self, aspect: Fraction) -> dict[str, float]:
         return super().letters(aspect) | dict(zip(COTS, self.shear, strict=True))
-
-
-COTS = ("cot(alpha)", "cot(beta)")
 
 
 def _cot_deg(angle_deg: float) -> float:

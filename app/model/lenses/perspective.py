@@ -13,12 +13,28 @@ from types import MappingProxyType
 from typing import ClassVar
 
 from app.arithmetic.double_double import cotangent_deg
-from app.model.lenses.lens import Central, LensTable, Window, check_planes, plane_letters
-from app.model.limits import ABOVE, AT_LEAST, SMALLEST_FIELD, Keep, between, finite, keep_checked
+from app.model.lenses.closed_form import FULL_FRAME_DIAGONAL_MM, Central
+from app.model.lenses.lens import (
+    Angles,
+    Intrinsics,
+    LensTable,
+    Setup,
+    Window,
+    check_planes,
+    plane_letters,
+)
+from app.model.limits import (
+    ABOVE,
+    AT_LEAST,
+    SMALLEST_FIELD,
+    Array,
+    Keep,
+    between,
+    finite,
+    keep_checked,
+)
 from app.model.refusal import Refusal
 from app.model.tables import DEPTH_RANGE, SCALED_BY_NEAR, Step, matrix
-
-_FULL_FRAME_DIAGONAL_MM = math.hypot(36.0, 24.0)
 
 # --------------------------------------------------------------------------- the table
 
@@ -184,6 +200,22 @@ class Perspective(Central):
         _, _, bottom, top = window
         return cls(fov_y_from_window((top - bottom) / 2.0, near), near, far)
 
+    def angles(self, aspect: Fraction) -> Angles:
+        fov_x_deg = fov_x_from_fov_y(self.fov_y_deg, float(aspect))
+        return Angles(fov_x_deg, self.fov_y_deg, focal_length_35mm(self.fov_y_deg, float(aspect)))
+
+    def intrinsics(self, image_size: tuple[int, int]) -> Intrinsics:
+        width, height = image_size  # square pixels, and the axis in the middle
+        focal = height / 2.0 * self.cot_half_fov_y
+        return Intrinsics(focal, focal, (width - 1) / 2.0, (height - 1) / 2.0)
+
+    def _pictured(
+        self, setup: Setup, x: Array, y: Array, z: Array
+    ) -> tuple[tuple[Array, Array], Array, tuple[Array, Array]]:
+        w, scale_y = -z, self.cot_half_fov_y
+        scale_x = scale_y / setup.aspect
+        return (scale_x * x, scale_y * y), w, (scale_x * (x / w), scale_y * (y / w))
+
     @property
     def table(self) -> LensTable:
         return TABLE_AT_INFINITY if self.far == math.inf else TABLE
@@ -257,7 +289,7 @@ def focal_length_35mm(fov_y_deg: float, aspect: float) -> float:
     have the proportions of the film.
     """
     half_diagonal = math.hypot(aspect, 1.0)  # of a picture of half-height 1
-    return _FULL_FRAME_DIAGONAL_MM / 2.0 * Perspective(fov_y_deg).cot_half_fov_y / half_diagonal
+    return FULL_FRAME_DIAGONAL_MM / 2.0 * Perspective(fov_y_deg).cot_half_fov_y / half_diagonal
 
 
 def fov_y_from_focal_length_35mm(focal_length_mm: float, aspect: float) -> float:
@@ -271,5 +303,5 @@ def fov_y_from_focal_length_35mm(focal_length_mm: float, aspect: float) -> float
     focal_length_mm = finite("focal_length_mm", focal_length_mm)
     if focal_length_mm <= 0.0:
         raise Refusal("focal_length_mm", focal_length_mm, ABOVE, 0)
-    half_height = _FULL_FRAME_DIAGONAL_MM / 2.0 / math.hypot(aspect, 1.0)
+    half_height = FULL_FRAME_DIAGONAL_MM / 2.0 / math.hypot(aspect, 1.0)
     return math.degrees(2.0 * math.atan2(half_height, focal_length_mm))
