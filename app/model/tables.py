@@ -88,6 +88,9 @@ SCALED_BY_NEAR = QT_TRANSLATE_NOOP(
     "Stage", "far is infinite: the canonical pyramid is scaled by near, which is at z = -1"
 )
 
+TO_PYRAMID = "canonical_perspective_from_view"
+"""The first step of what meets in an eye."""
+
 OBJECT = Step("world_from_object", note=NO_OBJECT_TRANSFORM)
 
 DEPTH_RANGE = Step(

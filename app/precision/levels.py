@@ -335,8 +335,7 @@ def drawing_bound_px(
     if not np.isfinite(lost).all():
         return math.inf
     least_w = 1.0
-    lens = projection.lens
-    if lens.planes is None or lens.central:
+    if clip_from_local[3].tolist() != [0.0, 0.0, 0.0, 1.0]:
         near = projection.least_w
         clip = local @ clip_from_local[:, :3].T + clip_from_local[:, 3]
         least_w = max(near, _least_w_seen(clip, lost[:, 0] / _UNIT_32))

@@ -8,7 +8,7 @@ picture grows with the distance, and how the depth does.
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
@@ -33,7 +33,17 @@ from app.model.lenses.lens import (
     Window,
     check_planes,
 )
-from app.model.limits import BEYOND, CUBE_FACE, NO_POINT, SMALLEST, Array, Keep, read_only
+from app.model.limits import (
+    BEYOND,
+    CUBE_FACE,
+    LARGEST,
+    NO_POINT,
+    SMALLEST,
+    Array,
+    Keep,
+    Vector,
+    read_only,
+)
 from app.model.refusal import Refusal
 from app.model.tables import evaluated
 
@@ -186,6 +196,41 @@ class ClosedForm(Lens):
             world[..., column] = total.hi
         return world
 
+    def line(
+        self, setup: Setup, pixel: tuple[float, float] | None, point: Vector | None, at: Array
+    ) -> Array | None:
+        # Where (x w - x_px w) = (y w - y_px w) = 0 at the distance -n (q - e): three equations.
+        frame, eye = setup.camera.frame, np.array(setup.camera.eye)
+        rows = setup.image_from_ndc @ setup.clip_from_view @ setup.view_rotation
+        if pixel is None:
+            x, y, _, w = rows[:, :3] @ (np.array(point) - eye) + rows[:, 3]
+            pixel = x / w, y / w
+        across, down = (row - at_px * rows[3] for row, at_px in zip(rows[:2], pixel, strict=True))
+        system = np.array([across[:3], down[:3], -frame[2]])
+        fixed = np.full(len(at), -across[3]), np.full(len(at), -down[3]), at
+        points: Array = eye + np.linalg.solve(system, np.array(fixed)).T
+        return points
+
+    def dragged(
+        self, setup: Setup, trace: Trace, shift_px: tuple[float, float], *, along_ray: bool
+    ) -> Array | None:
+        (x_px, y_px), (right_px, down_px) = trace.image.tolist(), shift_px
+        distance = -float(trace.view[2])
+        if along_ray:
+            _, _, bottom, top = setup.window
+            distance = self._nearer_by(distance, top - bottom, down_px, setup.image_size[1])
+            if not -LARGEST < distance < LARGEST:
+                return None
+            line = self.line(setup, None, tuple(trace.world.tolist()), np.array([distance]))
+        else:
+            at_px = x_px + right_px, y_px + down_px
+            line = self.line(setup, at_px, None, np.array([distance]))
+        return None if line is None else line[0]
+
+    def _nearer_by(self, distance: float, height: float, down_px: float, height_px: int) -> float:
+        """A distance less by what a hand has moved, in the picture's height."""
+        raise NotImplementedError
+
     # -- points in other arithmetics
 
     def clipped(self, setup: Setup, x: Any, y: Any, z: Any) -> list[Any]:
@@ -281,6 +326,35 @@ class Central(ClosedForm):
             (height - 1) / 2.0 + height / 2.0 * y_axis.skew,
         )
 
+    # -- the canonical volumes
+
+    @property
+    def canonical_unit(self) -> float:
+        return self.near if self.far == math.inf else self.far
+
+    @property
+    def _ratio(self) -> float:
+        """z of the near plane in the canonical pyramid, mirrored: near/far, 1 for far = inf."""
+        return 1.0 if self.far == math.inf else self.near / self.far
+
+    @property
+    def canonical_from_box(self) -> Array:
+        # near/far M_pp^-1, without the difference of 1 and near/far.
+        near, far, ratio = self.near, self.far, self._ratio
+        matrix = np.diag([ratio, ratio, 0.0, 0.0])
+        if far == math.inf:
+            matrix[2:, 2:] = (0.0, -1.0), (1.0, 0.0)
+        else:
+            matrix[2:, 2:] = (0.0, -ratio), ((far - near) / far, ratio)
+        return matrix
+
+    def edges(self, at: Callable[[float], Array]) -> tuple[Array, Array]:
+        # The far corners, or the near ones of an infinite frustum, are rays times a length.
+        near, far, rays = self.near, self.far, at(-1.0)
+        along = rays * ((far - near) / far if far < math.inf else math.inf)
+        along[np.isnan(along)] = 0.0  # 0 times infinity, on an axis
+        return rays * self._ratio, along
+
     # -- distances and depths
 
     def w(self, distance: Any) -> Any:
@@ -375,6 +449,24 @@ class Central(ClosedForm):
     def inwards(self, x: Any, y: Any, distance: Any) -> tuple[Any, Any]:
         return x / distance * self.near, y / distance * self.near
 
+    def line(
+        self, setup: Setup, pixel: tuple[float, float] | None, point: Vector | None, at: Array
+    ) -> Array | None:
+        if point is None:
+            return super().line(setup, pixel, point, at)
+        eye = np.array(setup.camera.eye)
+        offset = np.array(point) - eye
+        away = -float(setup.camera.frame[2] @ offset)
+        return eye + at[:, None] * (offset / away) if away > 0.0 else None
+
+    def _nearer_by(self, distance: float, height: float, down_px: float, height_px: int) -> float:
+        with np.errstate(over="ignore", under="ignore"):
+            nearer = distance * float(np.exp2(-4.0 * down_px / height_px))
+        return nearer if nearer > 0.0 else math.inf  # it never reaches the eye
+
+    def along(self, x: Any, y: Any, distance: Any) -> tuple[Any, Any]:
+        return x / distance, y / distance
+
     def rays(self, on_near: Array) -> tuple[Array, Array]:
         return np.zeros_like(on_near), on_near / self.near
 
@@ -463,6 +555,20 @@ class Parallel(ClosedForm):
     def table_to(self, far: float) -> LensTable:
         return self.table
 
+    # -- the canonical volumes
+
+    @property
+    def canonical_unit(self) -> float:
+        return 1.0
+
+    @property
+    def canonical_from_box(self) -> Array:
+        return np.array([[1.0, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, -1], [0, 0, 0, 1]])
+
+    def edges(self, at: Callable[[float], Array]) -> tuple[Array, Array]:
+        first = at(0.0)
+        return first, at(-1.0) - first
+
     # -- distances and depths
 
     def w(self, distance: Any) -> Any:
@@ -524,6 +630,12 @@ class Parallel(ClosedForm):
     def inwards(self, x: Any, y: Any, distance: Any) -> tuple[Any, Any]:
         cot_alpha, cot_beta = self.shear
         return x - cot_alpha * (distance - self.near), y - cot_beta * (distance - self.near)
+
+    def _nearer_by(self, distance: float, height: float, down_px: float, height_px: int) -> float:
+        return distance - height * down_px / height_px
+
+    def along(self, x: Any, y: Any, distance: Any) -> tuple[Any, Any]:
+        return self.shear
 
     def rays(self, on_near: Array) -> tuple[Array, Array]:
         shear = np.array(self.shear)

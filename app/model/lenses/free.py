@@ -22,16 +22,21 @@ from app.model.lenses.perspective import Perspective
 from app.model.limits import (
     BEYOND,
     CUBE_FACE,
+    LARGEST,
     NO_POINT,
     SMALLEST_CELL,
     Array,
     Cells,
+    Vector,
     finite_matrix,
     keep_checked,
     read_only,
 )
 from app.model.refusal import Refusal
 from app.model.tables import inverse, matrix, rounded
+
+RAY_REACH = 10.0
+"""A ray to infinity is drawn so many times as far as the target is."""
 
 TABLE = LensTable(
     (),
@@ -208,6 +213,64 @@ class FreeMatrix(Lens):
         if nowhere.any():
             raise Refusal("depth", float(points[..., 2][nowhere][0]), NO_POINT)
         return np.asarray(world)
+
+    def line(
+        self, setup: Setup, pixel: tuple[float, float] | None, point: Vector | None, at: Array
+    ) -> Array | None:
+        if pixel is None:
+            trace = setup.trace(point or ())
+            if not trace.in_front:
+                return None
+            pixel = float(trace.image[0]), float(trace.image[1])
+        ends = np.array([setup.image_from_ndc @ (0.0, 0.0, z, 1.0) for z in setup.depth_range])
+        ends[:, :2] = pixel
+        if not self.frustum_sign(setup):
+            return self._line_in_front(setup, ends, at)
+        try:
+            start, end = setup.world_from_image(ends[:, :3])
+        except Refusal:  # a pixel beside the picture may meet infinity
+            return None
+        line: Array = start + at[:, None] * (end - start)
+        return line
+
+    def _line_in_front(self, setup: Setup, ends: Array, shares: Array) -> Array | None:
+        """What a line of the cube has in front of the eye plane, where others may reach infinity.
+
+        w of a point un-projected is the inverse of the point's own: it passes 0 where the line
+        passes infinity, and the direction there is that of what is left.
+        """
+        try:
+            (unprojected,) = self.eye_from_clip(setup)
+        except Refusal:  # no inverse
+            return None
+        ndc = np.linalg.solve(setup.image_from_ndc, ends.T)
+        near, far = (unprojected @ ndc).T
+        if near[3] <= 0.0:
+            near, far = far, near
+        if near[3] <= 0.0:
+            return None
+        start = near[:3] / near[3]
+        if far[3] > 0.0:
+            along = far[:3] / far[3] - start
+        else:
+            along = near[:3] * -far[3] + far[:3] * near[3]
+            along *= RAY_REACH * setup.camera.distance / np.linalg.norm(along)
+        line: Array = setup.camera.eye + start + shares[:, None] * along
+        return line if np.abs(line).max() <= LARGEST else None
+
+    def dragged(
+        self, setup: Setup, trace: Trace, shift_px: tuple[float, float], *, along_ray: bool
+    ) -> Array | None:
+        (x_px, y_px), depth, (right_px, down_px) = trace.image, float(trace.depth), shift_px
+        if along_ray:
+            away = -1.0 if setup.depth == "reversed" else 1.0
+            depth -= away * down_px / setup.image_size[1]
+        else:
+            x_px, y_px = x_px + right_px, y_px + down_px
+        try:
+            return setup.world_from_image((x_px, y_px, depth))
+        except Refusal:  # no inverse, beyond the depth range, or at infinity
+            return None
 
     def clipped(self, setup: Setup, x: Any, y: Any, z: Any) -> list[Any]:
         view, clip = (

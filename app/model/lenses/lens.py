@@ -9,13 +9,13 @@ window. Nobody outside asks which it is: what differs between lenses is a number
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Any, ClassVar, NamedTuple, Protocol, TypeAlias, cast
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from app.arithmetic.double_double import DoubleDouble
 from app.arithmetic.rationals import Rationals
@@ -30,11 +30,12 @@ from app.model.limits import (
     Array,
     Cells,
     DepthRange,
+    Vector,
     finite,
     real,
 )
 from app.model.refusal import Refusal, format_value
-from app.model.tables import Step, Table
+from app.model.tables import TO_PYRAMID, Step, Table
 
 
 @dataclass(frozen=True, eq=False)
@@ -214,6 +215,8 @@ class Setup(Protocol):
     @property
     def depth_range(self) -> tuple[float, float]: ...
     @property
+    def window(self) -> Window: ...
+    @property
     def axes(self) -> tuple[Axis, Axis]: ...
     @property
     def view_error(self) -> float: ...
@@ -238,6 +241,8 @@ class Setup(Protocol):
 
     def with_depth(self, depth: DepthRange) -> Setup: ...
     def view(self, world: Array) -> tuple[Array, Array]: ...
+    def trace(self, points_world: ArrayLike) -> Trace: ...
+    def world_from_image(self, points_image: ArrayLike) -> Array: ...
     def view_double_double(self, points_world: Array) -> tuple[DoubleDouble, ...]: ...
 
 
@@ -258,6 +263,8 @@ class Lens:
     parallel : bool
         Whether they are parallel, so that w is 1. A typed matrix is neither.
     far_may_be_infinite : bool
+    window_stays : bool
+        Whether its window is given in numbers, which stay when near moves.
     roundings : (float, float, float, float)
         Of x, y, depth and w before the divide, as `trace` computes them.
 
@@ -271,6 +278,7 @@ class Lens:
     central: ClassVar[bool] = False
     parallel: ClassVar[bool] = False
     far_may_be_infinite: ClassVar[bool] = False
+    window_stays: ClassVar[bool] = False
     roundings: ClassVar[tuple[float, float, float, float]]
 
     # -- its fields, its table and its window
@@ -356,6 +364,10 @@ class Lens:
         """x and y on the near plane, of the projectors through these at a distance."""
         raise self._refusal()
 
+    def along(self, x: Any, y: Any, distance: Any) -> tuple[Any, Any]:
+        """How x and y of a projector grow with the distance, at which they are these."""
+        raise self._refusal()
+
     def rays(self, on_near: Array) -> tuple[Array, Array]:
         """x and y of view space where projectors begin, and per unit of distance.
 
@@ -434,6 +446,31 @@ class Lens:
         """Whether it goes through the canonical volumes; a typed matrix is one step."""
         return bool(self.table.steps)
 
+    @property
+    def has_pyramid(self) -> bool:
+        """Whether the first of them is the pyramid, so that M_pp is to come."""
+        return bool(self.table.steps) and self.table.steps[0].name == TO_PYRAMID
+
+    @property
+    def canonical_unit(self) -> float:
+        """w in front of the box of the canonical parallel volume, times this is w of clip space."""
+        raise self._refusal()
+
+    @property
+    def canonical_from_box(self) -> Array:
+        """The first canonical volume from a box with z = 1 at near and 0 at far, (4, 4)."""
+        raise self._refusal()
+
+    def edges(self, at: Callable[[float], Array]) -> tuple[Array, Array]:
+        """The near corners of the view volume and the edges from there, (4, 3) each.
+
+        Parameters
+        ----------
+        at : callable
+            From a z of the first canonical volume to its four corners there, in view space.
+        """
+        raise self._refusal()
+
     # -- distances and depths
 
     def w(self, distance: Any) -> Any:
@@ -507,9 +544,19 @@ class Lens:
         raise NotImplementedError
 
     def line(
-        self, setup: Setup, pixel: Sequence[float] | None, point: Any, shares: Any
+        self, setup: Setup, pixel: tuple[float, float] | None, point: Vector | None, at: Array
     ) -> Array | None:
-        """Points on a projector; see `app.picking.picking.projector`."""
+        """Points on the projector of a pixel, or of a point: (k, 3), world coordinates.
+
+        `at` are distances from the eye plane; without one, shares of the way from near to far.
+        None where there is no projector.
+        """
+        raise NotImplementedError
+
+    def dragged(
+        self, setup: Setup, trace: Trace, shift_px: tuple[float, float], *, along_ray: bool
+    ) -> Array | None:
+        """Where a point goes whose picture is dragged; see `app.picking.picking.dragged`."""
         raise NotImplementedError
 
     # -- its matrices, beyond the table's

@@ -34,7 +34,7 @@ from app.model.limits import (
     keep_checked,
 )
 from app.model.refusal import Refusal
-from app.model.tables import DEPTH_RANGE, SCALED_BY_NEAR, Step, matrix
+from app.model.tables import DEPTH_RANGE, SCALED_BY_NEAR, TO_PYRAMID, Step, matrix
 
 # --------------------------------------------------------------------------- the table
 
@@ -131,7 +131,7 @@ def pyramid_tables(
         to_box = (("M_pp", matrix(m_pp)),)
         return LensTable(
             (
-                Step("canonical_perspective_from_view", to_pyramid, note),
+                Step(TO_PYRAMID, to_pyramid, note),
                 Step("canonical_parallel_from_canonical_perspective", to_box, note),
                 DEPTH_RANGE,
                 Step("clip_from_depth_range", (("scale", matrix(W_IS_THE_DISTANCE, d=d)),)),

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
+from typing import Any, ClassVar
 
 from app.model.lenses.lens import Lens, Window, check_planes, plane_letters
 from app.model.limits import (
@@ -28,6 +28,8 @@ _ROUNDING = 1e-12
 @dataclass(frozen=True)
 class Windowed(Lens):
     """The six numbers that glFrustum and glOrtho share, and what follows from them."""
+
+    window_stays: ClassVar[bool] = True
 
     left: float
     right: float
