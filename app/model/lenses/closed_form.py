@@ -44,7 +44,7 @@ from app.model.limits import (
     Vector,
     read_only,
 )
-from app.model.refusal import Refusal
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.model.tables import evaluated
 
 FULL_FRAME_DIAGONAL_MM = math.hypot(36.0, 24.0)
@@ -300,6 +300,7 @@ class Central(ClosedForm):
 
     central: ClassVar[bool] = True
     far_may_be_infinite: ClassVar[bool] = True
+    shape: ClassVar[str] = QT_TRANSLATE_NOOP("phenomena", "truncated pyramid")
     # View 1, cotangent 4, aspect and its quotient, x/w, product; w 1.
     roundings: ClassVar[tuple[float, float, float, float]] = (8.0, 8.0, 8.0, 1.0)
 
@@ -325,6 +326,23 @@ class Central(ClosedForm):
             (width - 1) / 2.0 - width / 2.0 * x_axis.skew,
             (height - 1) / 2.0 + height / 2.0 * y_axis.skew,
         )
+
+    def slopes(self, aspect: Fraction) -> Window:
+        left, right, bottom, top = (side / self.near for side in self.window(aspect))
+        return left, right, bottom, top
+
+    def section(self, aspect: Fraction) -> Fraction:
+        left, right, bottom, top = map(Fraction, self.window(aspect))
+        return (right - left) * (top - bottom) / Fraction(self.near) ** 2
+
+    def volume(self, section: Fraction) -> Fraction:
+        near, far = Fraction(self.near), Fraction(self.far)
+        return section * (far - near) * (far * far + far * near + near * near) / 3
+
+    def ridden(self, window: Window, factor: float) -> Lens:
+        left, right, bottom, top = (side / factor for side in window)
+        keep: Keep = getattr(self, "keep", "y")
+        return self.with_window((left, right, bottom, top), self.near, self.far, keep)
 
     # -- the canonical volumes
 
@@ -549,11 +567,19 @@ class Parallel(ClosedForm):
     """A lens whose projectors are parallel: pictures are as large wherever things are."""
 
     parallel: ClassVar[bool] = True
+    shape: ClassVar[str] = QT_TRANSLATE_NOOP("phenomena", "box")
     # View and near - w, cotangent 4, product, sum, and middle, extent, quotient; w is 1.
     roundings: ClassVar[tuple[float, float, float, float]] = (12.0, 12.0, 12.0, 0.0)
 
     def table_to(self, far: float) -> LensTable:
         return self.table
+
+    def section(self, aspect: Fraction) -> Fraction:
+        left, right, bottom, top = map(Fraction, self.window(aspect))
+        return (right - left) * (top - bottom)
+
+    def volume(self, section: Fraction) -> Fraction:
+        return section * (Fraction(self.far) - Fraction(self.near))
 
     # -- the canonical volumes
 

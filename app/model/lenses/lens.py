@@ -265,6 +265,8 @@ class Lens:
     far_may_be_infinite : bool
     window_stays : bool
         Whether its window is given in numbers, which stay when near moves.
+    shape : str
+        What its view volume is, marked for translation.
     roundings : (float, float, float, float)
         Of x, y, depth and w before the divide, as `trace` computes them.
 
@@ -279,6 +281,7 @@ class Lens:
     parallel: ClassVar[bool] = False
     far_may_be_infinite: ClassVar[bool] = False
     window_stays: ClassVar[bool] = False
+    shape: ClassVar[str] = ""
     roundings: ClassVar[tuple[float, float, float, float]]
 
     # -- its fields, its table and its window
@@ -402,7 +405,23 @@ class Lens:
         """
         raise Refusal("kind", self.kind, ONE_OF, "perspective, frustum")
 
+    def slopes(self, aspect: Fraction) -> Window:
+        """Left, right, bottom, top of the picture at distance 1 from the eye."""
+        raise self._refusal()
+
+    def section(self, aspect: Fraction) -> Fraction:
+        """The area of the picture: at distance 1 from the eye, or anywhere if that is the same."""
+        raise self._refusal()
+
+    def volume(self, section: Fraction) -> Fraction:
+        """What lies between near and far, with such a `section`; far is finite."""
+        raise self._refusal()
+
     # -- other lenses
+
+    def ridden(self, window: Window, factor: float) -> Lens:
+        """The lens that shows the target as large from `factor` times the distance."""
+        return self
 
     def cut(self, window: Window, near: float, far: float) -> Lens:
         """The lens with the same view volume between other planes.

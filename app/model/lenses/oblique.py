@@ -9,7 +9,7 @@ from typing import ClassVar
 
 from app.arithmetic.double_double import cotangent_deg
 from app.model.lenses.closed_form import COTS, Parallel
-from app.model.lenses.lens import LensTable, Window, check_planes
+from app.model.lenses.lens import Lens, LensTable, Window, check_planes
 from app.model.lenses.orthographic import SCALE, TRANSLATION, box_table
 from app.model.lenses.window import Windowed
 from app.model.limits import (
@@ -22,7 +22,7 @@ from app.model.limits import (
     finite,
     keep_checked,
 )
-from app.model.refusal import Refusal, format_value
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value
 
 SHEAR = """
     1  0  cot(alpha)  n*cot(alpha)
@@ -71,6 +71,7 @@ class Oblique(Parallel, Windowed):
     """
 
     kind: ClassVar[str] = "oblique"
+    shape: ClassVar[str] = QT_TRANSLATE_NOOP("phenomena", "oblique box")
 
     left: float = -4.0
     right: float = 4.0
@@ -158,7 +159,7 @@ def oblique_angles(receding: float, receding_deg: float) -> tuple[float, float]:
     )
 
 
-def receding_of(lens: Oblique) -> tuple[float, float]:
+def receding_of(lens: Lens) -> tuple[float, float]:
     """Drawn length per unit of depth, and its direction in degrees: of `oblique_angles`."""
     cot_alpha, cot_beta = lens.shear
     length = math.hypot(cot_alpha, cot_beta)

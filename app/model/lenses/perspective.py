@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from types import MappingProxyType
 from typing import ClassVar
@@ -203,6 +203,17 @@ class Perspective(Central):
     def angles(self, aspect: Fraction) -> Angles:
         fov_x_deg = fov_x_from_fov_y(self.fov_y_deg, float(aspect))
         return Angles(fov_x_deg, self.fov_y_deg, focal_length_35mm(self.fov_y_deg, float(aspect)))
+
+    def slopes(self, aspect: Fraction) -> Window:
+        up = 1.0 / self.cot_half_fov_y
+        return -float(aspect) * up, float(aspect) * up, -up, up
+
+    def section(self, aspect: Fraction) -> Fraction:
+        return 4 * Fraction(float(aspect)) / Fraction(self.cot_half_fov_y) ** 2
+
+    def ridden(self, window: Window, factor: float) -> Perspective:
+        fov_y_deg = math.degrees(2.0 * math.atan2(1.0, factor * self.cot_half_fov_y))
+        return replace(self, fov_y_deg=fov_y_deg)
 
     def intrinsics(self, image_size: tuple[int, int]) -> Intrinsics:
         width, height = image_size  # square pixels, and the axis in the middle

@@ -31,6 +31,7 @@ from app.scenes.phenomena.illustration import (
     Settings,
     Subject,
     Text,
+    of_parallel,
     point,
 )
 from app.scenes.shapes import Coloured, ground_grid, joined, letter_f, letter_f_edges
@@ -211,16 +212,17 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
         return Exhibit(readings, world, warning=why, grips=grips)
     others = letter_f_edges()[0] if mesh is None else mesh.edges[:_MOST_EDGES]
     part = inside(projection, np.concatenate([ends[None], others]))
-    if projection.lens.parallel:
+    parallel = of_parallel(projection, _PARALLEL)
+    if parallel is not None:
         lines = [Line(pair, "muted") for pair in part.ndc[part.rows > 0]]
         lines += [Line(pair, "accent", 2.5) for pair in part.ndc[part.rows == 0]]
         straight = (0.0, 0.0)
         return Exhibit(
-            _readings(straight, 0.0, Phrase(_PARALLEL), mesh),
+            _readings(straight, 0.0, parallel, mesh),
             world,
             Marks(tuple(lines)),
             _in_picture(projection, part.ndc[part.rows == 0]),
-            warning=Phrase(_PARALLEL),
+            warning=parallel,
             grips=grips,
         )
     found = deviation(projection, part)
