@@ -24,7 +24,7 @@ from app.drawings.figures import PANES, render
 from app.lecture.notation import LETTERS, letters_in, matrices, written
 from app.model.lenses import LENSES
 from app.model.lenses.closed_form import Central
-from app.model.lenses.lens import LensTable, Window, check_planes, plane_letters
+from app.model.lenses.lens import LensTable, Window, plane_letters
 from app.model.lenses.perspective import SCALE, Perspective, fov_y_from_window, pyramid_tables
 from app.model.limits import Keep, between, finite, keep_checked
 from app.model.projection import Frustum, Projection
@@ -70,7 +70,7 @@ class Shift(Central):
     far: float = 30.0
 
     def __post_init__(self) -> None:
-        near, far = check_planes(self.near, self.far, parallel=False)
+        near, far = self.checked_planes(self.near, self.far)
         fov_y_deg = between("fov_y_deg", self.fov_y_deg, 0, 180)
         keep_checked(self, fov_y_deg=fov_y_deg, rise=finite("rise", self.rise), near=near, far=far)
 
@@ -81,7 +81,12 @@ class Shift(Central):
     def exact_letters(self, aspect: Fraction) -> dict[str, Fraction]:
         cot = cotangent_deg(Fraction(self.fov_y_deg) / 2)
         rise = Fraction(self.rise)
-        return {**plane_letters(self), "cot(fov/2)": cot, "aspect": aspect, "rise": rise}
+        return {
+            **plane_letters(self.near, self.far),
+            "cot(fov/2)": cot,
+            "aspect": aspect,
+            "rise": rise,
+        }
 
     def letters(self, aspect: Fraction) -> dict[str, float]:
         cot = Perspective(self.fov_y_deg).cot_half_fov_y

@@ -65,7 +65,7 @@ QPushButton:checked {
 """Fusion hardly shows whether a dark button is down."""
 
 _PARTS = 4  # columns of a probe: x, y, z, w
-_W = {("0", "0", "-1", "0"): "−z_view", ("0", "0", "0", "1"): "1"}
+_W: dict[tuple[str, ...], str] = {("0", "0", "-1", "0"): "−z_view", ("0", "0", "0", "1"): "1"}
 """What the lens' table says that w is, by the cells of its last row."""
 _ROOT = QModelIndex()
 

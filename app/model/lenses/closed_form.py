@@ -8,7 +8,7 @@ picture grows with the distance, and how the depth does.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cached_property
@@ -18,6 +18,7 @@ import numpy as np
 
 from app.arithmetic import double_double as dd
 from app.arithmetic.double_double import DoubleDouble
+from app.arithmetic.rationals import Rationals
 from app.model.formula import FLOAT64
 from app.model.lenses.lens import (
     Angles,
@@ -33,6 +34,7 @@ from app.model.lenses.lens import (
     Window,
     check_planes,
 )
+from app.model.lenses.solving import ends
 from app.model.limits import (
     BEYOND,
     CUBE_FACE,
@@ -51,6 +53,7 @@ FULL_FRAME_DIAGONAL_MM = math.hypot(36.0, 24.0)
 COTS = ("cot(alpha)", "cot(beta)")
 """The letters of what leans."""
 
+_NOTHING, _ONE = Fraction(0), Fraction(1)
 _CHUNK = 16384  # larger blocks wake OpenBLAS's second thread, which fights a software renderer
 
 
@@ -59,8 +62,12 @@ class ClosedForm(Lens):
     """A lens with an eye plane, from which near, far and all depths are measured."""
 
     def cut(self, window: Window, near: float, far: float) -> Lens:
-        near, far = check_planes(near, far, parallel=self.parallel)
+        near, far = self.checked_planes(near, far)
         return self.but(near=near, far=far)
+
+    @classmethod
+    def checked_planes(cls, near: Any, far: Any) -> tuple[float, float]:
+        return check_planes(near, far, parallel=cls.parallel)
 
     # -- its matrices
 
@@ -507,6 +514,23 @@ class Central(ClosedForm):
         return cls.with_window(window, near, far, getattr(lens, "keep", "y"))
 
     @classmethod
+    def having(cls, cells: Rationals, near: float, far: float, in_hand: Lens) -> Iterator[Lens]:
+        if in_hand.kind == cls.kind:
+            yield in_hand.but(near=near, far=far)
+        yield cls.solved(cells, near, far)
+
+    @classmethod
+    def solved(cls, cells: Rationals, near: float, far: float) -> Lens:
+        """The lens with these rows of x and y."""
+        (x_scale, _, x_skew, _), (_, y_scale, y_skew, _) = cells[:2]
+        unit = Fraction(near)
+        window = *ends(x_scale, x_skew, unit), *ends(y_scale, y_skew, unit)
+        return cls.with_window(window, near, far, "stretch")
+
+    def least_terms(self, row: Sequence[Fraction], number: int) -> tuple[Fraction, ...]:
+        return _NOTHING, _NOTHING, _ONE, _NOTHING
+
+    @classmethod
     def with_window(cls, window: Window, near: float, far: float, keep: Keep) -> Lens:
         """The lens with this window on its near plane, or as much of it as it can have."""
         raise NotImplementedError
@@ -676,6 +700,29 @@ class Parallel(ClosedForm):
         far = max(4.0 * distance, 2.0 * lens.near) if lens.far == math.inf else lens.far
         window = lens.window_at(seen.window, distance)
         return cls.with_window_at(distance, window, lens.near, far, getattr(lens, "keep", "y"))
+
+    @classmethod
+    def having(cls, cells: Rationals, near: float, far: float, in_hand: Lens) -> Iterator[Lens]:
+        leaning, cots = cls._leaning(cells, in_hand)
+        if in_hand.kind == cls.kind:
+            yield in_hand.but(near=near, far=far, **leaning)
+        sides: list[float] = []
+        for i, (row, cot) in enumerate(zip(cells[:2], cots, strict=True)):
+            sides += ends(row[i], row[i] * cot * Fraction(near) - row[3], Fraction(1))
+        yield cast(Any, cls)(*sides, near, far, **leaning)
+
+    @classmethod
+    def _leaning(
+        cls, cells: Rationals, in_hand: Lens
+    ) -> tuple[dict[str, float], Sequence[Fraction]]:
+        """The fields by which projectors lean, and their `shear` in rationals."""
+        return {}, (Fraction(0), Fraction(0))
+
+    def least_terms(self, row: Sequence[Fraction], number: int) -> tuple[Fraction, ...]:
+        if number > 1:
+            return _NOTHING, _NOTHING, _ONE, _ONE
+        shift = max(_ONE, abs(row[2] * Fraction(self.near)))
+        return _NOTHING, _NOTHING, abs(row[number]), shift
 
     @classmethod
     def with_window_at(

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import ClassVar
 
 from app.model.lenses.closed_form import Central
-from app.model.lenses.lens import LensTable, Window, check_planes
+from app.model.lenses.lens import LensTable, Window
 from app.model.lenses.perspective import pyramid_tables
 from app.model.lenses.window import Windowed
 from app.model.limits import AT_LEAST, AT_MOST, SMALLEST_FIELD, SMALLEST_OPENING, Keep
@@ -89,7 +89,7 @@ class Frustum(Central, Windowed):
         return TABLE_AT_INFINITY if self.far == math.inf else TABLE
 
     def cut(self, window: Window, near: float, far: float) -> Frustum:
-        near, far = check_planes(near, far, parallel=False)
+        near, far = self.checked_planes(near, far)
         return replace(self, near=near, far=far, **self.sides(self.window_at(window, near)))
 
     @classmethod

@@ -9,7 +9,7 @@ window. Nobody outside asks which it is: what differs between lenses is a number
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from typing import Any, ClassVar, NamedTuple, Protocol, TypeAlias, cast
@@ -443,6 +443,34 @@ class Lens:
         """A lens of this kind that shows what another does, as alike as it can."""
         raise NotImplementedError
 
+    @classmethod
+    def having(cls, cells: Rationals, near: float, far: float, in_hand: Lens) -> Iterator[Lens]:
+        """Lenses of this kind that may have a matrix, those with the fields in hand first.
+
+        Parameters
+        ----------
+        cells : 4 lists of 4 Fraction
+            With the last row of the kind's table.
+        near, far : float
+            Whose row makes z.
+        in_hand : Lens
+        """
+        yield from ()
+
+    def least_terms(self, row: Sequence[Fraction], number: int) -> tuple[Fraction, ...]:
+        """The least sizes of the terms that a row's cells are sums of, for their rounding."""
+        raise self._refusal()
+
+    @classmethod
+    def checked_planes(cls, near: Any, far: Any) -> tuple[float, float]:
+        """Near and far as this lens can have them, as floats.
+
+        Raises
+        ------
+        Refusal
+        """
+        raise NotImplementedError
+
     @property
     def former(self) -> Lens:
         """The lens that another kind is chosen from: itself, or what a typed matrix was."""
@@ -688,9 +716,9 @@ class Lens:
         return Refusal("kind", self.kind, ONE_OF, ", ".join(LENSES))
 
 
-def plane_letters(lens: Lens) -> dict[str, Fraction]:
+def plane_letters(near: float, far: float) -> dict[str, Fraction]:
     """n, f of a lens without rounding; no f where far is infinite."""
-    planes = {"n": lens.near, "f": lens.far}
+    planes = {"n": near, "f": far}
     return {letter: Fraction(plane) for letter, plane in planes.items() if plane != math.inf}
 
 

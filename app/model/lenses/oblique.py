@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from itertools import chain
 from typing import ClassVar
 
 from app.arithmetic.double_double import cotangent_deg
+from app.arithmetic.rationals import Rationals
 from app.model.lenses.closed_form import COTS, Parallel
-from app.model.lenses.lens import Lens, LensTable, Window, check_planes
+from app.model.lenses.lens import Lens, LensTable, Window
 from app.model.lenses.orthographic import SCALE, TRANSLATION, box_table
+from app.model.lenses.solving import same, shortest
 from app.model.lenses.window import Windowed
 from app.model.limits import (
     AT_LEAST,
@@ -105,8 +109,23 @@ class Oblique(Parallel, Windowed):
         return TABLE
 
     def cut(self, window: Window, near: float, far: float) -> Oblique:
-        near, far = check_planes(near, far, parallel=True)
+        near, far = self.checked_planes(near, far)
         return replace(self, near=near, far=far, **self.sides(self.window_at(window, near)))
+
+    @classmethod
+    def _leaning(
+        cls, cells: Rationals, in_hand: Lens
+    ) -> tuple[dict[str, float], Sequence[Fraction]]:
+        solved = [row[2] / row[i] for i, row in enumerate(cells[:2])]
+        angles = list(map(_angle_deg, solved))
+        if isinstance(in_hand, Oblique):
+            was = in_hand.alpha_deg, in_hand.beta_deg
+            angles = [
+                a if same(cotangent_deg(Fraction(a)), cot, Fraction(1)) else b
+                for a, b, cot in zip(was, angles, solved, strict=True)
+            ]
+        fields = dict(zip(("alpha_deg", "beta_deg"), angles, strict=True))
+        return fields, [cotangent_deg(Fraction(angle)) for angle in angles]
 
     def exact_letters(self, aspect: Fraction) -> dict[str, Fraction]:
         cots = (cotangent_deg(Fraction(angle)) for angle in (self.alpha_deg, self.beta_deg))
@@ -114,6 +133,19 @@ class Oblique(Parallel, Windowed):
 
     def letters(self, aspect: Fraction) -> dict[str, float]:
         return super().letters(aspect) | dict(zip(COTS, self.shear, strict=True))
+
+
+def _angle_deg(cot: Fraction) -> float:
+    """The angle between 0 and 180 degrees that has this cotangent."""
+
+    def cell(angle_deg: float) -> tuple[float, ...]:
+        return (float(cotangent_deg(Fraction(angle_deg))),)
+
+    solved = math.degrees(math.atan2(1.0, float(cot)))
+    for preset_deg in chain.from_iterable(OBLIQUE_PRESETS.values()):
+        if abs(preset_deg - solved) <= 2.0 * math.ulp(solved):
+            return preset_deg
+    return shortest(cell, (Fraction(solved),), (float(cot),), (1.0,))[0]
 
 
 def _cot_deg(angle_deg: float) -> float:

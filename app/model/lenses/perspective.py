@@ -13,6 +13,7 @@ from types import MappingProxyType
 from typing import ClassVar
 
 from app.arithmetic.double_double import cotangent_deg
+from app.arithmetic.rationals import Rationals
 from app.model.lenses.closed_form import FULL_FRAME_DIAGONAL_MM, Central
 from app.model.lenses.lens import (
     Angles,
@@ -20,9 +21,9 @@ from app.model.lenses.lens import (
     LensTable,
     Setup,
     Window,
-    check_planes,
     plane_letters,
 )
+from app.model.lenses.solving import shortest
 from app.model.limits import (
     ABOVE,
     AT_LEAST,
@@ -176,7 +177,7 @@ class Perspective(Central):
         fov_y_deg = between("fov_y_deg", self.fov_y_deg, 0, 180)
         if fov_y_deg < SMALLEST_FIELD:
             raise Refusal("fov_y_deg", fov_y_deg, AT_LEAST, SMALLEST_FIELD)
-        near, far = check_planes(self.near, self.far, parallel=False)
+        near, far = self.checked_planes(self.near, self.far)
         keep_checked(self, fov_y_deg=fov_y_deg, near=near, far=far)
 
     @property
@@ -227,13 +228,17 @@ class Perspective(Central):
         scale_x = scale_y / setup.aspect
         return (scale_x * x, scale_y * y), w, (scale_x * (x / w), scale_y * (y / w))
 
+    @classmethod
+    def solved(cls, cells: Rationals, near: float, far: float) -> Perspective:
+        return cls(_fov_y_deg(cells[1][1]), near, far)
+
     @property
     def table(self) -> LensTable:
         return TABLE_AT_INFINITY if self.far == math.inf else TABLE
 
     def exact_letters(self, aspect: Fraction) -> dict[str, Fraction]:
         cot = cotangent_deg(Fraction(self.fov_y_deg) / 2)
-        return {**plane_letters(self), "cot(fov/2)": cot, "aspect": aspect}
+        return {**plane_letters(self.near, self.far), "cot(fov/2)": cot, "aspect": aspect}
 
     def letters(self, aspect: Fraction) -> dict[str, float]:
         cot = self.cot_half_fov_y
@@ -241,6 +246,18 @@ class Perspective(Central):
 
 
 # --------------------------------------------------------------------------- field of view
+
+
+def _fov_y_deg(cot: Fraction) -> float:
+    """The field of view whose half has this cotangent."""
+    if cot <= 0:
+        raise ZeroDivisionError
+
+    def cell(fov_y_deg: float) -> tuple[float, ...]:
+        return (float(cotangent_deg(Fraction(fov_y_deg) / 2)),)
+
+    solved = math.degrees(2.0 * math.atan2(1.0, float(cot)))
+    return shortest(cell, (Fraction(solved),), (float(cot),), (0.0,))[0]
 
 
 def fov_x_from_fov_y(fov_y_deg: float, aspect: float) -> float:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, ClassVar
 
-from app.model.lenses.lens import Lens, Window, check_planes, plane_letters
+from app.model.lenses.lens import Lens, Window, plane_letters
 from app.model.limits import (
     BOTTOM_BEFORE_TOP,
     DISTINCT,
@@ -42,7 +42,7 @@ class Windowed(Lens):
     def __post_init__(self) -> None:
         names = ("left", "right", "bottom", "top")
         left, right, bottom, top = (finite(n, getattr(self, n)) for n in names)
-        near, far = check_planes(self.near, self.far, parallel=self.parallel)
+        near, far = self.checked_planes(self.near, self.far)
         keep_checked(self, left=left, right=right, bottom=bottom, top=top, near=near, far=far)
         for name, low, high, bound in (
             ("left", left, right, LEFT_BEFORE_RIGHT),
@@ -117,7 +117,7 @@ class Windowed(Lens):
 
     def exact_letters(self, aspect: Fraction) -> dict[str, Fraction]:
         sides = zip("lrbt", self.exact_window(aspect), strict=True)
-        return {**plane_letters(self), **dict(sides)}
+        return {**plane_letters(self.near, self.far), **dict(sides)}
 
     def letters(self, aspect: Fraction) -> dict[str, float]:
         left, right, bottom, top = self.exact_window(aspect)
