@@ -242,7 +242,7 @@ class StatusLine(QStatusBar):
             self.tr("eye to target {0}").format(f"{projection.camera.distance:.4g}")
         )
         if lens.planes is None:
-            self.labels["fov"].show_text(self.tr("free matrix"))
+            self.labels["fov"].show_text(translated(lens.title, "Lens"))
             self.labels["planes"].show_text("")
             if lens.own_view is not None:
                 self.labels["camera"].show_text(self.tr("free view matrix"))

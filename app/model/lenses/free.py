@@ -32,7 +32,7 @@ from app.model.limits import (
     keep_checked,
     read_only,
 )
-from app.model.refusal import Refusal
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.model.tables import inverse, matrix, rounded
 
 RAY_REACH = 10.0
@@ -70,6 +70,12 @@ class FreeMatrix(Lens):
     """
 
     kind: ClassVar[str] = "matrix"
+    title: ClassVar[str] = QT_TRANSLATE_NOOP("Lens", "free matrix")
+    tip: ClassVar[str] = QT_TRANSLATE_NOOP(
+        "Lens",
+        "None of these: the cells of clip_from_view as they were typed in the Matrices panel. A"
+        " choice of another kind goes back to the lens before.",
+    )
     # Offset, cell, product and three sums.
     roundings: ClassVar[tuple[float, float, float, float]] = (6.0, 6.0, 6.0, 6.0)
 

@@ -11,7 +11,7 @@ from app.model.lenses.lens import LensTable, Window
 from app.model.lenses.perspective import pyramid_tables
 from app.model.lenses.window import Windowed
 from app.model.limits import AT_LEAST, AT_MOST, SMALLEST_FIELD, SMALLEST_OPENING, Keep
-from app.model.refusal import Refusal, format_value
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value
 
 SHEAR = """
     1  0  (r + l)/(2*n)  0
@@ -62,6 +62,12 @@ class Frustum(Central, Windowed):
     """
 
     kind: ClassVar[str] = "frustum"
+    title: ClassVar[str] = QT_TRANSLATE_NOOP("Lens", "frustum (off-axis)")
+    tip: ClassVar[str] = QT_TRANSLATE_NOOP(
+        "Lens",
+        "Rays meet in the eye, but the window is anywhere on the near plane: a shifted pyramid"
+        " (glFrustum).",
+    )
 
     left: float = -0.7
     right: float = 0.7

@@ -184,6 +184,26 @@ class Trace(NamedTuple):
     outside: NDArray[np.bool_]
 
 
+class Control(NamedTuple):
+    """How a field of a lens is set by hand.
+
+    Attributes
+    ----------
+    tip : str
+        In the lecture's terms, marked for translation.
+    low, high, step : float
+        Of the slider; more can be typed.
+    unit : str
+        ``"°"`` or ``"×"``.
+    """
+
+    tip: str
+    low: float
+    high: float
+    step: float
+    unit: str
+
+
 class Seen(NamedTuple):
     """What another lens shows, for one that shall show it too; see `Lens.showing`.
 
@@ -265,6 +285,12 @@ class Lens:
     far_may_be_infinite : bool
     window_stays : bool
         Whether its window is given in numbers, which stay when near moves.
+    symmetric : bool
+        Whether its window is, about the axis: then a field of view is all of it.
+    title, tip : str
+        What it is called and what it is, marked for translation.
+    controls : mapping from str to Control
+        Of its fields beside near, far and a window's: how they are set by hand.
     shape : str
         What its view volume is, marked for translation.
     roundings : (float, float, float, float)
@@ -281,6 +307,10 @@ class Lens:
     parallel: ClassVar[bool] = False
     far_may_be_infinite: ClassVar[bool] = False
     window_stays: ClassVar[bool] = False
+    symmetric: ClassVar[bool] = False
+    title: ClassVar[str] = ""
+    tip: ClassVar[str] = ""
+    controls: ClassVar[Mapping[str, Control]] = {}
     shape: ClassVar[str] = ""
     roundings: ClassVar[tuple[float, float, float, float]]
 

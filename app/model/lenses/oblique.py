@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import chain
@@ -12,7 +12,7 @@ from typing import ClassVar
 from app.arithmetic.double_double import cotangent_deg
 from app.arithmetic.rationals import Rationals
 from app.model.lenses.closed_form import COTS, Parallel
-from app.model.lenses.lens import Lens, LensTable, Window
+from app.model.lenses.lens import Control, Lens, LensTable, Window
 from app.model.lenses.orthographic import SCALE, TRANSLATION, box_table
 from app.model.lenses.solving import same, shortest
 from app.model.lenses.window import Windowed
@@ -75,6 +75,30 @@ class Oblique(Parallel, Windowed):
     """
 
     kind: ClassVar[str] = "oblique"
+    title: ClassVar[str] = QT_TRANSLATE_NOOP("Lens", "oblique")
+    tip: ClassVar[str] = QT_TRANSLATE_NOOP(
+        "Lens",
+        "Rays are parallel and meet the picture aslant: a slanted box, as in cavalier and cabinet"
+        " drawings (lecture 002: H, then orthographic).",
+    )
+    controls: ClassVar[Mapping[str, Control]] = {
+        "alpha_deg": Control(
+            QT_TRANSLATE_NOOP(
+                "Lens",
+                "Angle of the projectors with the x axis: H of lecture 002 adds (z + near)"
+                " cot(alpha) to x. What lies on the near plane stays.",
+            ),
+            *(1.0, 179.0, 0.5, "°"),
+        ),
+        "beta_deg": Control(
+            QT_TRANSLATE_NOOP(
+                "Lens",
+                "Angle of the projectors with the y axis: H of lecture 002 adds (z + near)"
+                " cot(beta) to y. What lies on the near plane stays.",
+            ),
+            *(1.0, 179.0, 0.5, "°"),
+        ),
+    }
     shape: ClassVar[str] = QT_TRANSLATE_NOOP("phenomena", "oblique box")
 
     left: float = -4.0

@@ -9,6 +9,7 @@ from typing import ClassVar
 from app.model.lenses.closed_form import Parallel
 from app.model.lenses.lens import LensTable
 from app.model.lenses.window import Windowed
+from app.model.refusal import QT_TRANSLATE_NOOP
 from app.model.tables import DEPTH_RANGE, NO_M_PP, Step, matrix
 
 TRANSLATION = """
@@ -105,6 +106,12 @@ class Orthographic(Parallel, Windowed):
     """
 
     kind: ClassVar[str] = "orthographic"
+    title: ClassVar[str] = QT_TRANSLATE_NOOP("Lens", "orthographic")
+    tip: ClassVar[str] = QT_TRANSLATE_NOOP(
+        "Lens",
+        "Rays are parallel and meet the picture at right angles: distance does not change size. The"
+        " view volume is a box (glOrtho).",
+    )
 
     left: float = -4.0
     right: float = 4.0

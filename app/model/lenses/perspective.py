@@ -17,6 +17,7 @@ from app.arithmetic.rationals import Rationals
 from app.model.lenses.closed_form import FULL_FRAME_DIAGONAL_MM, Central
 from app.model.lenses.lens import (
     Angles,
+    Control,
     Intrinsics,
     LensTable,
     Setup,
@@ -34,7 +35,7 @@ from app.model.limits import (
     finite,
     keep_checked,
 )
-from app.model.refusal import Refusal
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.model.tables import DEPTH_RANGE, SCALED_BY_NEAR, TO_PYRAMID, Step, matrix
 
 # --------------------------------------------------------------------------- the table
@@ -168,6 +169,22 @@ class Perspective(Central):
     """
 
     kind: ClassVar[str] = "perspective"
+    symmetric: ClassVar[bool] = True
+    title: ClassVar[str] = QT_TRANSLATE_NOOP("Lens", "perspective")
+    tip: ClassVar[str] = QT_TRANSLATE_NOOP(
+        "Lens",
+        "Rays meet in the eye: what is farther looks smaller. The view volume is a pyramid cut off"
+        " by near and far, symmetric about the view direction (gluPerspective).",
+    )
+    controls: ClassVar[Mapping[str, Control]] = {
+        "fov_y_deg": Control(
+            QT_TRANSLATE_NOOP(
+                "Lens",
+                "Angle between the bottom and the top of the frustum, as seen from the eye.",
+            ),
+            *(1.0, 179.0, 0.5, "°"),
+        )
+    }
 
     fov_y_deg: float = 45.0
     near: float = 1.0
