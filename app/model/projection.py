@@ -56,7 +56,7 @@ from app.model.lenses import (
     Perspective,
     kinds,
 )
-from app.model.lenses.lens import Axis, ExactLens, Intrinsics, LensTable, Seen, Trace
+from app.model.lenses.lens import LensTable, Seen
 from app.model.lenses.oblique import OBLIQUE_PRESETS, oblique_angles, receding_of
 from app.model.lenses.perspective import (
     focal_length_35mm,
@@ -66,6 +66,7 @@ from app.model.lenses.perspective import (
     fov_y_from_focal_length_e,
     fov_y_from_window,
 )
+from app.model.lenses.setup import Axis, ExactLens, Intrinsics, Trace
 from app.model.limits import (
     ABOVE,
     AT_LEAST,

@@ -247,8 +247,8 @@ class StatusLine(QStatusBar):
             if lens.own_view is not None:
                 self.labels["camera"].show_text(self.tr("free view matrix"))
             return
-        angles = lens.angles(Fraction(*projection.image_size))
-        if angles is not None and lens.fov_y_deg is not None:
+        given = lens.fov_y_deg is not None
+        if given and (angles := lens.angles(Fraction(*projection.image_size))):
             fov = self.tr("fov {0}° × {1}°, {2} mm").format(
                 _angle_text(angles.fov_y_deg),
                 _angle_text(angles.fov_x_deg),

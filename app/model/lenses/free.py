@@ -17,8 +17,9 @@ import numpy as np
 from app.arithmetic import double_double as dd
 from app.arithmetic.double_double import DoubleDouble
 from app.arithmetic.rationals import rationals
-from app.model.lenses.lens import HalfSpaces, Lens, LensTable, Setup, Trace
+from app.model.lenses.lens import Lens, LensTable
 from app.model.lenses.perspective import Perspective
+from app.model.lenses.setup import HalfSpaces, Setup, Trace
 from app.model.limits import (
     BEYOND,
     CUBE_FACE,

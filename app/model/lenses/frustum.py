@@ -6,9 +6,10 @@ import math
 from dataclasses import dataclass, replace
 from typing import ClassVar
 
-from app.model.lenses.closed_form import Central
-from app.model.lenses.lens import LensTable, Window
+from app.model.lenses.central import Central
+from app.model.lenses.lens import LensTable
 from app.model.lenses.perspective import pyramid_tables
+from app.model.lenses.setup import Window
 from app.model.lenses.window import Windowed
 from app.model.limits import AT_LEAST, AT_MOST, SMALLEST_FIELD, SMALLEST_OPENING, Keep
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value

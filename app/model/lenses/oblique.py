@@ -11,9 +11,11 @@ from typing import ClassVar
 
 from app.arithmetic.double_double import cotangent_deg
 from app.arithmetic.rationals import Rationals
-from app.model.lenses.closed_form import COTS, Parallel
-from app.model.lenses.lens import Control, Lens, LensTable, Window
+from app.model.lenses.closed_form import COTS
+from app.model.lenses.lens import Control, Lens, LensTable
 from app.model.lenses.orthographic import SCALE, TRANSLATION, box_table
+from app.model.lenses.parallel import Parallel
+from app.model.lenses.setup import Window
 from app.model.lenses.solving import same, shortest
 from app.model.lenses.window import Windowed
 from app.model.limits import (

@@ -14,16 +14,10 @@ from typing import ClassVar
 
 from app.arithmetic.double_double import cotangent_deg
 from app.arithmetic.rationals import Rationals
-from app.model.lenses.closed_form import FULL_FRAME_DIAGONAL_MM, Central
-from app.model.lenses.lens import (
-    Angles,
-    Control,
-    Intrinsics,
-    LensTable,
-    Setup,
-    Window,
-    plane_letters,
-)
+from app.model.lenses.central import Central
+from app.model.lenses.closed_form import FULL_FRAME_DIAGONAL_MM
+from app.model.lenses.lens import Control, LensTable, plane_letters
+from app.model.lenses.setup import Angles, Intrinsics, Setup, Window
 from app.model.lenses.solving import shortest
 from app.model.limits import (
     ABOVE,

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, ClassVar
 
-from app.model.lenses.lens import Lens, Window, plane_letters
+from app.model.lenses.lens import Lens, plane_letters
+from app.model.lenses.setup import Window
 from app.model.limits import (
     BOTTOM_BEFORE_TOP,
     DISTINCT,
