@@ -330,7 +330,7 @@ def test_the_gap_of_24_bits_is_the_folklores() -> None:
             z = near * np.geomspace(1.0, 0.047 * 2**24, 200)
             ratio = buffer.gap(z) / (z * z / (near * 2.0**24))
             assert np.abs(ratio - 1.0).max() <= 0.05
-            far = replace(buffer, far=1e6 * near)
+            far = replace(buffer, lens=replace(buffer.lens, far=1e6 * near))
             ratio = far.gap(z[z < far.far / 2]) / buffer.gap(z[z < far.far / 2])
             assert np.abs(ratio - 1.0).max() <= 1e-5
 
