@@ -532,7 +532,7 @@ class MatrixPanel(Panel):
             return ""
         if projection.depth != "opengl":
             return self.tr("with lecture 002's sign: w = z")
-        if not projection.lens.central:
+        if not projection.clip_from_view[3, 2]:
             return self.tr("with lecture 002's sign: z runs from 1 at near to −1")
         return self.tr("with lecture 002's signs: w = z, and z runs from 1 at near to −1")
 

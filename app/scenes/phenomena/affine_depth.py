@@ -91,23 +91,20 @@ def inside(projection: Projection, segments_world: Array) -> Inside:
     lens = projection.lens
     clip = projection.trace(segments_world).clip
     rows = np.arange(len(clip))
-    cut: NDArray[np.bool_] = np.zeros(len(clip), dtype=bool)
-    if lens.central:
-        # The near plane first: what is left before it has w > 0, of any size.
-        rows = rows[(clip[..., 3] >= lens.near).any(axis=1)]
-        clip = clip[rows]
-        beyond = lens.near - clip[..., 3]
-        row, end = np.nonzero(beyond > 0.0)
-        cut = np.asarray((beyond > 0.0).any(axis=1))
-        here, there = beyond[row, end], beyond[row, 1 - end]
-        share = (here / (here - there))[:, None]
-        clip[row, end] = (1.0 - share) * clip[row, end] + share * clip[row, 1 - end]
-        clip[row, end, 2:] = projection.depth_range[0] * lens.near, lens.near
+    # The near plane first: what is left before it has w > 0, of any size.
+    least, most = lens.w(lens.near), lens.w(lens.far)
+    rows = rows[(clip[..., 3] >= least).any(axis=1)]
+    clip = clip[rows]
+    beyond = least - clip[..., 3]
+    row, end = np.nonzero(beyond > 0.0)
+    cut: NDArray[np.bool_] = np.asarray((beyond > 0.0).any(axis=1))
+    here, there = beyond[row, end], beyond[row, 1 - end]
+    share = (here / (here - there))[:, None]
+    clip[row, end] = (1.0 - share) * clip[row, end] + share * clip[row, 1 - end]
+    clip[row, end, 2:] = projection.depth_range[0] * least, least
     found = clip_segments(clip[:, 0], clip[:, 1], projection.depth)
     seen = found.visible & (found.points_clip[..., 3] > 0.0).all(axis=1)
-    w = found.points_clip[seen, :, 3]
-    if lens.central:  # a cut end's w may have lost digits
-        w = np.clip(w, lens.near, lens.far)
+    w = np.clip(found.points_clip[seen, :, 3], least, most)  # a cut end's may have lost digits
     ndc = np.clip(found.points_clip[seen, :, :3] / w[..., None], -1.0, 1.0)
     cut |= (found.planes != NOT_CUT).any(axis=1)
     return Inside(rows[seen], ndc, w, cut[seen])

@@ -93,7 +93,7 @@ def halves(projection: Projection) -> tuple[Projection, Projection]:
         For a window or an image that is too narrow to be split.
     """
     width, height = projection.image_size
-    windowed = projection.with_lens("frustum") if projection.lens.central else projection
+    windowed = projection if projection.lens.window_stays else projection.with_lens("frustum")
     left, right, bottom, top = projection.window
     columns = width // 2
     middle = left + (right - left) * (columns / width)
