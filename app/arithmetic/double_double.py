@@ -28,6 +28,9 @@ BITS = 256
 RELATIVE_ERROR = 2.0**-100
 """Bound of the relative error of each operation on double-doubles."""
 
+UNDERFLOW = 1e-300
+"""What products near the smallest float64 may lose, and some."""
+
 _SPLITTER = 2.0**27 + 1.0
 
 

@@ -55,7 +55,6 @@ from app.model.projection import (
     PLANES,
     WHOLE_PIXELS,
     Array,
-    FreeMatrix,
     Projection,
     Stage,
     Trace,
@@ -211,7 +210,7 @@ def _lens_line(projection: Projection) -> str:
     """The lens as it is used, in the names that ``--set`` has for it."""
     lens = projection.lens
     parts = [f"lens {lens.kind}"]
-    if not isinstance(lens, FreeMatrix):
+    if lens.planes is not None:
         values = {field.name: getattr(lens, field.name) for field in fields(lens)}
         keep, near, far = (values.pop(name, None) for name in ("keep", "near", "far"))
         parts += [f"{name} {format_value(value)}" for name, value in values.items()]

@@ -29,7 +29,6 @@ from typing import Any, BinaryIO, NamedTuple, TypeAlias
 from app.model.projection import (
     FINITE_NUMBER,
     FOUR_BY_FOUR,
-    KINDS,
     LARGEST_IMAGE_PX,
     LENSES,
     ONE_OF,
@@ -40,6 +39,7 @@ from app.model.projection import (
     FreeMatrix,
     Lens,
     Projection,
+    kinds,
 )
 from app.model.refusal import QT_TRANSLATE_NOOP, Bound, Refusal, format_value, shown_name
 from app.precision.quality import AUTOMATIC, Quality
@@ -199,7 +199,7 @@ class Document:
 
 def lens_fields(kind: object) -> tuple[str, ...]:
     """The fields of a kind of lens; none of a kind that there is not."""
-    if not isinstance(kind, str) or kind not in (*LENSES, FreeMatrix.kind):
+    if not isinstance(kind, str) or kind not in kinds():
         return ()
     return tuple(field.name for field in fields(LENSES.get(kind, FreeMatrix)))
 
@@ -212,17 +212,21 @@ _TEXTS = (
     *("scene", "mesh", "depth", "lens.keep"),
     *(f"quality.{key}" for key in _QUALITY if key != "detail"),
 )
-_PATHS = (
-    {key: f"camera.{key}" for key in _CAMERA}
-    | {key: f"lens.{key}" for kind in KINDS for key in ("kind", *lens_fields(kind))}
-    | {key: f"image.{key}" for key in ("width", "height")}
-)  # of the model's fields in the document, where they are not the same
 # What float() takes and no document would: 1_000, nan, infinity, digits of other scripts.
 _NUMBER = re.compile(r"[+-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?")
 _LONGEST_SHOWN = 60
 
 
 _SECTIONS = ("settings", "camera", "lens", "image", "quality")
+
+
+def model_paths() -> dict[str, str]:
+    """The paths of the model's fields in the document, where they are not the same."""
+    return (
+        {key: f"camera.{key}" for key in _CAMERA}
+        | {key: f"lens.{key}" for kind in kinds() for key in ("kind", *lens_fields(kind))}
+        | {key: f"image.{key}" for key in ("width", "height")}
+    )
 
 
 def _known(scene: str, kind: object) -> dict[str, tuple[str, ...]]:
@@ -248,7 +252,7 @@ def _unknown(tree: Tree, scene: str, kind: str, views: Iterable[str]) -> Tree:
     for section in _SECTIONS:
         inside = {k: v for k, v in tree.get(section, {}).items() if k not in known[section]}
         former = tree.get(section, {}).get("former")
-        if kind == FreeMatrix.kind and section == "lens" and isinstance(former, dict):
+        if section == "lens" and "former" in known[section] and isinstance(former, dict):
             names = ("kind", *lens_fields(former.get("kind")))
             beside = {k: v for k, v in former.items() if k not in names}
             inside |= {"former": beside} if beside else {}
@@ -342,7 +346,7 @@ def _check_tree(value: Any, path: str, depth: int) -> None:
 def _bound_of_far(kind: object) -> Bound:
     """What a far that is no number must be: of some lenses it may be infinite."""
     lens = LENSES.get(kind) if isinstance(kind, str) else None
-    return FINITE_OR_INF if lens is not None and lens.central else FINITE_NUMBER
+    return FINITE_OR_INF if lens is not None and lens.far_may_be_infinite else FINITE_NUMBER
 
 
 def _join(path: str, key: str) -> str:
@@ -422,7 +426,7 @@ def _paths(section: str = "") -> Iterator[None]:
         if error.file is not None:  # which has its path
             raise
         name, bracket, cell = error.field.partition("[")
-        path = f"{section}.{name}" if section else _PATHS.get(name, name)
+        path = f"{section}.{name}" if section else model_paths().get(name, name)
         raise Refusal.in_document(
             error.bound, *error.limits, field=path + bracket + cell, value=error.value
         ) from error
@@ -473,8 +477,8 @@ def _lens(values: Any, path: str) -> Lens:
         raise Refusal.in_document(OBJECT, field=path, value=values)
     kind = _required(values, "kind", f"{path}.kind")
     if not isinstance(kind, str) or kind not in LENSES:
-        kinds = KINDS if path == "lens" else LENSES
-        raise Refusal.in_document(ONE_OF, ", ".join(kinds), field=f"{path}.kind", value=kind)
+        known = kinds() if path == "lens" else LENSES
+        raise Refusal.in_document(ONE_OF, ", ".join(known), field=f"{path}.kind", value=kind)
     for key in lens_fields(kind):
         if key not in _OPTIONAL:
             _required(values, key, f"{path}.{key}")
@@ -596,7 +600,7 @@ def _tree(document: Document) -> Tree:
         }
     for section in _SECTIONS:
         unknown = dict(extra.get(section, {}))
-        if section == "lens" and lens.planes is None:
+        if section == "lens" and lens.former is not lens:
             tree["lens"]["former"] |= unknown.pop("former", {})
         if section in tree:
             tree[section] |= unknown
@@ -771,9 +775,9 @@ def _read_text(path: str, text: str) -> Any:
 def _unknown_path(path: str, paths: list[str]) -> Refusal:
     shown = shown_name(path[:_LONGEST_SHOWN])
     section, _, key = path.rpartition(".")
-    kinds = [kind for kind in KINDS if key in lens_fields(kind)]
-    if section in ("lens", "") and kinds and f"lens.{key}" not in paths:
-        return Refusal.in_document(OTHER_LENS, ", ".join(kinds), field=shown)
+    others = [kind for kind in kinds() if key in lens_fields(kind)]
+    if section in ("lens", "") and others and f"lens.{key}" not in paths:
+        return Refusal.in_document(OTHER_LENS, ", ".join(others), field=shown)
     if section == "settings" and not any(known.startswith("settings.") for known in paths):
         scenes = [name for name in PHENOMENA if key in _known(name, None)["settings"]]
         if scenes:

@@ -615,19 +615,13 @@ def lifted(
     -------
     (4, 4) float64 array
     """
-    lens = projection.clip_from_view
     distance = math.dist(projection.camera.eye, scene.centre)
-    if projection.lens.planes is None:  # it has no eye: the same step of depth for all
-        matrix = clip_from_local.copy()
-        matrix[2] -= _LIFT_FREE * matrix[3]
-        return matrix
-    if projection.lens.central:
-        # z_clip = a w + b, so that b / (1 - step) in place of b is the depth at w (1 - step).
-        nearer = lens[2, 3] * _LIFT * (min(1.0, scene.size / distance) if distance > 0.0 else 1.0)
-    else:
-        nearer = lens[2, 2] * _LIFT * scene.size
+    share = _LIFT * (min(1.0, scene.size / distance) if distance > 0.0 else 1.0)
+    a, b = projection.clip_from_view[2, 2:]
+    constant, per_w = projection.lens.nearer(a, b, share, _LIFT * scene.size, _LIFT_FREE)
     matrix = clip_from_local.copy()
-    matrix[2, 3] += nearer
+    matrix[2] += per_w * matrix[3]
+    matrix[2, 3] += constant
     return matrix
 
 

@@ -143,14 +143,14 @@ class FrustumDrawing:
     def show(self, projection: Projection, standing: Standing) -> None:
         """Take over the model's volume."""
         self._extent = standing.extent
-        if projection.lens.planes is None:
+        self.reach = self._reach_of(projection.lens, standing)
+        if self.reach is None:
             self._show_whole(projection, standing)
         else:
-            self._show_broken(projection, standing)
+            self._show_broken(projection, standing, self.reach)
 
     def _show_whole(self, projection: Projection, standing: Standing) -> None:
         """The cube under the inverse of a free matrix; nothing where it has none."""
-        self.reach = None
         self.seen = projection.frustum_sign != 0
         for actor in (*self._volume, self._body):
             actor.SetVisibility(self.seen)
@@ -166,10 +166,9 @@ class FrustumDrawing:
             self.space.set(frustum)
             self._body_space.set(frustum)
 
-    def _show_broken(self, projection: Projection, standing: Standing) -> None:
+    def _show_broken(self, projection: Projection, standing: Standing, reach: Reach) -> None:
         """A lens' frustum, with breaks where its planes are not drawn where they are."""
         lens, local_from_view = projection.lens, standing.local_from_view
-        self.reach = reach = self._reach_of(lens, standing)
         self.seen = True
         for actor in self._volume:
             actor.SetVisibility(True)
@@ -202,11 +201,13 @@ class FrustumDrawing:
         if ends is not None:
             self._break_ends[name] = ends
 
-    def _reach_of(self, lens: Lens, standing: Standing) -> Reach:
+    def _reach_of(self, lens: Lens, standing: Standing) -> Reach | None:
+        if lens.planes is None:
+            return None
         size, extent = self._size, standing.extent
         nearby_target = min(standing.camera.distance, 2.0 * extent)
         high = _BEYOND * max(standing.objects_depth, nearby_target, 0.5 * size)
-        near, far = lens.near, lens.far
+        near, far = lens.planes
         if lens.central:
             low = 0.0
             near = max(near, 1e-12 * high)  # nobody sees the difference; float32 does

@@ -637,8 +637,7 @@ class NdcDrawing:
         """Set the matrices, planes and words of a position that is not the NDC stop."""
         if self._morph is None:
             scene = self._scene
-            free = self._projection.lens.planes is None
-            kind = FreeMorph if free else Morph
+            kind = Morph if self._projection.lens.has_steps else FreeMorph
             self._morph = kind(self._projection, scene.origin, scene.corners)
         morph, position = self._morph, self._position
         self._model.show_local()
@@ -654,7 +653,7 @@ class NdcDrawing:
             plane.SetNormal(*normal)
             plane.SetOrigin(*(-offset * part for part in normal))
         stop = int(position + 0.5)
-        if self._projection.lens.planes is None and VIEW < stop < NDC:
+        if not self._projection.lens.has_steps and VIEW < stop < NDC:
             stop = VIEW if position < (VIEW + NDC) / 2.0 else NDC
         self._name_stop(stop)
         for label in (self._near, self._far):
@@ -689,7 +688,7 @@ class NdcDrawing:
         for name, numbers in self._numbers.items():
             for number in numbers:
                 number.set_visible(stop >= CANONICAL_PERSPECTIVE and (stop != IMAGE or name != "z"))
-        if stop == CANONICAL_PERSPECTIVE and self._projection.lens.central:
+        if stop == CANONICAL_PERSPECTIVE and self._projection.lens.has_pyramid:
             self._numbers["z"][0].set_visible(False)  # on the plate of near, which is small here
 
     def _place_axes(self, stop: int, morph: Morph, box: Array) -> None:
@@ -715,7 +714,7 @@ class NdcDrawing:
             camera = self._projection.camera
             at = (0.0, 0.0, 0.0) if stop == WORLD else camera.eye
             seen = matrix @ [*(np.array(at) - self._scene.origin), 1.0]
-            if stop == VIEW and self._projection.lens.planes is None:
+            if stop == VIEW and not self._projection.lens.has_steps:
                 # Of view space itself: its matrix need not be the camera's.
                 seen, matrix = morph.display_from_stage(VIEW)[:, 3], np.eye(4)
                 camera = _LEVEL
@@ -750,7 +749,7 @@ class NdcDrawing:
         limit = RADIUS if stop <= VIEW else 2.0
         near, far = (_edge(box, -1.0, 1.0, limit, z) for z in (1.0, 0.0))
         lens = self._projection.lens
-        pyramid = lens.central
+        pyramid = lens.has_pyramid
         if stop <= CANONICAL_PERSPECTIVE and pyramid:
             aside = _BESIDE
             if stop > VIEW:
@@ -766,7 +765,7 @@ class NdcDrawing:
         (width, height) = self._projection.image_size
         x, y = ("−1", "1"), ("−1", "1")
         ends, z = (1.0, 1.0), ("0", "−1")
-        if stop == CANONICAL_PERSPECTIVE and lens.planes is not None and pyramid:
+        if stop == CANONICAL_PERSPECTIVE and pyramid:
             # The sides are 1 where z is -1: at far, and at near if far is infinite.
             infinite = lens.far == math.inf
             ends = (1.0, 1.0) if infinite else (0.0, 0.0)

@@ -148,7 +148,8 @@ def flatten(
     end = max(min(far, depths[1] + free), start + 1e-6 * reach)
     view_from_local, local_from_view = view
     clip_from_local = matrices_between(projection, start, end)[0] @ view_from_local
-    film = matrices_between(projection, near, near + reach if lens.parallel else math.inf)
+    film_end = math.inf if lens.far_may_be_infinite else near + reach
+    film = matrices_between(projection, near, film_end)
     film_from_local, local_from_film = film[0] @ view_from_local, local_from_view @ film[1]
     side_planes = _side_planes(projection) @ view_from_local
     side = 1.0 if toward_eye else -1.0
@@ -196,16 +197,10 @@ def _side_planes(projection: Projection) -> Array:
     Clip space has them as w + x and so on, which cancel for a window far off the axis.
     """
     left, right, bottom, top = projection.window
-    lens = projection.lens
-    near = lens.near
     planes = np.zeros((4, 4))
     for row, (axis, edge, sign) in enumerate(
         ((0, left, 1.0), (0, right, -1.0), (1, bottom, 1.0), (1, top, -1.0))
     ):
         planes[row, axis] = sign
-        if lens.parallel:
-            cot = projection.shear[axis]
-            planes[row, 2:] = sign * cot, sign * (cot * near - edge)
-        else:
-            planes[row, 2] = sign * (edge / near)
+        planes[row, 2:] = sign * np.array(projection.lens.side(edge, axis))
     return planes

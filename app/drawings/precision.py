@@ -134,11 +134,12 @@ class ModelActors:
         if kept is not None and kept[0] is self._fewer and kept[1] == projection:
             return kept[2]
         planes = _planes(projection)
+        per_z, _ = _w_of_z(projection)
         parts = []
         for made in self._made:
             world = made.points.astype(np.float64) + self._scene.origin
             part = _cut(projection.trace(world).clip, made.cells, planes)
-            if projection.lens.planes is None:
+            if not per_z:
                 w = part.clip[:, 3:]
                 part = part._replace(clip=part.clip / np.where(w > 0.0, w, 1.0))
             parts.append(part)
@@ -153,11 +154,8 @@ class ModelActors:
         for made, part in zip(self._made, parts, strict=True):
             made.replace(part, unit)
         clip_from_vertex = np.diag([1.0, 1.0, _SHALLOW, 0.0]) / unit
-        if not projection.lens.central:
-            clip_from_vertex[3, 3] = 1.0
-        else:
-            a, b = projection.clip_from_view[2, 2:]  # for z of view space, which is -w
-            clip_from_vertex[3, 2:] = -1.0 / (a * unit), b / a
+        per_z, constant = _w_of_z(projection)
+        clip_from_vertex[3, 2:] = per_z / unit, constant
         return clip_from_vertex
 
 
@@ -247,6 +245,12 @@ class _Part(NamedTuple):
     cell: NDArray[np.integer] | None
 
 
+def _w_of_z(projection: Projection) -> tuple[float, float]:
+    """w from z of clip space: per z, and constant; a constant alone where w is divided out."""
+    a, b = projection.clip_from_view[2, 2:]
+    return projection.lens.w_of_z(a, b)
+
+
 def _planes(projection: Projection) -> tuple[Array, Array]:
     """Half-spaces of clip space that the picture lies in, the depth range exactly.
 
@@ -257,16 +261,7 @@ def _planes(projection: Projection) -> tuple[Array, Array]:
     """
     sides = [(1.0, 0.0, 0.0, _WIDE), (-1.0, 0.0, 0.0, _WIDE)]
     sides += [(0.0, 1.0, 0.0, _WIDE), (0.0, -1.0, 0.0, _WIDE)]
-    lens = projection.lens
-    if lens.planes is None:
-        depth = [((0.0, 0.0, 1.0, 1.0), 0.0), ((0.0, 0.0, -1.0, 1.0), 0.0)]
-        depth.append(((0.0, 0.0, 0.0, 1.0), -_LEAST_W))
-    elif lens.parallel:
-        depth = [((0.0, 0.0, 1.0, 0.0), 1.0), ((0.0, 0.0, -1.0, 0.0), 1.0)]
-    else:  # by w itself: z and w have not enough digits left to compare if far/near is large
-        depth = [((0.0, 0.0, 0.0, 1.0), -lens.near)]
-        if lens.far != math.inf:
-            depth.append(((0.0, 0.0, 0.0, -1.0), lens.far))
+    depth = projection.lens.half_spaces(_LEAST_W)
     normals = np.array([*(normal for normal, _ in depth), *sides])
     return normals, np.array([*(offset for _, offset in depth), 0.0, 0.0, 0.0, 0.0])
 

@@ -100,15 +100,10 @@ class Probes:
             How the pane looks at the world.
         """
         near, far = drawn
-        start_at, has_near = min(0.0, near), True
-        if projection.lens.planes is None:  # in shares of the way through the volume
-            near, far, start_at = 0.0, 1.0, 0.0
-            has_near = projection.frustum_sign != 0
-        elif projection.lens.central:
-            start_at = 0.0
+        has_near = projection.frustum_sign != 0
         marks = []
         for probe, trace in zip(self.probes, self._traces(projection), strict=True):
-            line = projector(projection, probe, (near, far, start_at))
+            line = projector(projection, probe, (near, far, min(0.0, near)))
             if probe.point is None or trace is None:
                 if line is None:  # under a free matrix that has no inverse, or it is all behind
                     marks.append(Mark(probe.number, None))
@@ -121,7 +116,7 @@ class Probes:
             crossing = sight.seen(line[:1])[0] if line is not None and has_near else None
             spot = sight.seen([point])[0]
             ends: Array | None = np.stack([start, point]) - origin
-            if line is None and projection.lens.planes is None:
+            if line is None and not projection.lens.central:  # no eye that it would start in
                 ends = None
             marks.append(Mark(probe.number, spot, not trace.outside.any(), ends, crossing))
         return marks

@@ -309,11 +309,10 @@ class Rasteriser:
                 *(("flSteps", 1.0), ("flScale", 1.0), ("flLog", 0.0), ("flByNdc", 0.0)),
             ]
         near, far, kind = buffer.near, buffer.far, FORMATS[buffer.format]
-        mapping, a = (0, 0.0) if buffer.parallel else (1, near)
+        a = buffer.lens.depth_slope
+        mapping = 1 if a else 0
         if buffer.mapping == "logarithmic":
             mapping, a = 2, 1.0 / math.log2(far / near)
-        elif far != math.inf and not buffer.parallel:
-            a = near * (far / (far - near))
         reversed_ = buffer.mapping == "reversed"
         scale, log = 1.0, 0.0
         if kind.float_type is None:
@@ -362,13 +361,11 @@ class Rasteriser:
             which, slope = 2, fog.density
         elif fog is not None:
             which, end, slope = 1, fog.end, 1.0 / (fog.end - fog.start)
-        near, span = 0.0, 0.0
-        if lens.planes is not None:  # which is shown without fog
-            near, span = lens.near, lens.far - lens.near if lens.parallel else 0.0
+        span = lens.even_extent
         return [
             *(("flFog", which), ("flFogEnd", end), ("flFogSlope", slope)),
             ("flBackground", self._background),
-            *(("flNear", near), ("flSpan", span)),
+            *(("flNear", lens.near if span else 0.0), ("flSpan", span)),
         ]
 
     def _distance(self, projection: Projection) -> tuple[float, ...]:
@@ -490,7 +487,7 @@ def counted_wrong_share(
     origin = np.array(scene.origin)
     shift, back = np.eye(4), np.eye(4)
     shift[:3, 3], back[:3, 3] = origin, -origin
-    parallel = projection.lens.parallel
+    even = projection.lens.even_extent > 0.0  # a float's digits stand where depth is near 0
     seen = projection.with_depth("opengl")
     clip_from_local = seen.clip_from_world_at(scene.origin)
     plain = scene.surface.copy(deep=False)
@@ -518,17 +515,17 @@ def counted_wrong_share(
     both = drawn(True, False)[:, 0] & drawn(False, True)[:, 1]
     found = drawn(True, True)[:, 1]
     # A gap too fine for this buffer as well is told by one that it can tell, in a buffer that can.
-    if parallel:
+    if even:
         rasteriser.show(Rendering(), seen)
         reach = math.dist(*scene.corners[[0, -1]].tolist())
     else:
-        true = DepthBuffer("float32", "reversed", buffer.near, buffer.far)
+        true = DepthBuffer("float32", "reversed", buffer.lens)
         rasteriser.show(Rendering(buffer=true), seen)
         reach = max(math.dist(corner, projection.camera.eye) for corner in scene.corners.tolist())
     apart, gap = behind.copy(), float(np.linalg.norm(behind[:3, 3]))
     apart[:3, 3] *= max(1.0, FINEST * reach / gap)
     apart = back @ apart @ shift
-    if parallel:
+    if even:
         clip_from_local = _over_the_scene(clip_from_local, scene.corners - origin, apart)
     actors[0][1].set_projective(clip_from_local)
     actors[1][1].set_projective(clip_from_local @ apart)

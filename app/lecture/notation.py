@@ -224,7 +224,7 @@ def _one(
         for i, row in enumerate(array.tolist())
     )
     formulas, fields = tables.formulas[key], tables.fields[key]
-    if projection.lens.planes is None and key in ("clip_from_view", "clip_from_world"):
+    if not projection.lens.has_steps and key in ("clip_from_view", "clip_from_world"):
         # Another depth range makes z of both rows; see `Projection.with_depth`.
         depths = tuple(
             (*names, "depth") if array[2, j] or array[3, j] else names

@@ -51,8 +51,6 @@ _OPEN = 1.5 * RADIUS  # a plane as far outside the middle cuts nothing
 _FARTHEST = 1e6  # an offset that stands for infinity
 _SHOWN_DEPTHS = 2.5  # a frustum is framed to this many times the depth of the scene
 _FLAT = 0.1  # depth of the picture to that of NDC: seen from the front it does not show
-_CUBE_BOX = np.array([[1.0, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, -1], [0, 0, 0, 1]])
-"""The canonical parallel volume from the box with z = 1 at near and 0 at far."""
 
 
 @dataclass(frozen=True)
@@ -126,12 +124,6 @@ class Morph:
     def _image_from_clip(self) -> Array:
         return self.projection.image_from_ndc
 
-    @cached_property
-    def _ratio(self) -> float:
-        """z of the near plane in the canonical pyramid, mirrored: near/far, 1 for far = inf."""
-        near, far = self._lens.near, self._lens.far
-        return 1.0 if far == math.inf else near / far
-
     # -- frames
 
     @staticmethod
@@ -186,15 +178,7 @@ class Morph:
         scene = self._local_corners
         eye = np.asarray(self.projection.camera.eye) - self.origin
         depth = max(float(np.abs(part - eye).max()) for part in scene)
-        last = self._box_to_view(0.0)
-        if lens.parallel:
-            first = self._box_to_view(1.0)
-            along = last - first
-        else:
-            # The far corners, or the near ones of an infinite frustum, are rays times a length.
-            first = last * self._ratio
-            along = last * ((lens.far - lens.near) / lens.far if lens.far < math.inf else math.inf)
-            along[np.isnan(along)] = 0.0  # 0 times infinity, on an axis
+        first, along = lens.edges(self._canonical_to_view)
         seen = []
         for corner, edge in zip(first, along, strict=True):
             limit = _SHOWN_DEPTHS * max(depth, float(np.abs(corner).max()))
@@ -207,11 +191,10 @@ class Morph:
         frustum = np.array(seen) @ self.projection.camera.frame + eye
         return _ball_of(np.vstack([scene, frustum, [eye]]))
 
-    def _box_to_view(self, z: float) -> Array:
-        """View coordinates of the box's corners at 1 or 0; the rays of the latter if infinite."""
+    def _canonical_to_view(self, z: float) -> Array:
+        """View coordinates of the corners of the canonical volume at a z, (4, 3)."""
         corners = np.array([(x, y) for y in (-1.0, 1.0) for x in (-1.0, 1.0)])
-        depth = z - 1.0 if self._lens.parallel else -1.0
-        stage = np.column_stack([corners, np.full(4, depth), np.ones(4)])
+        stage = np.column_stack([corners, np.full(4, z), np.ones(4)])
         view: Array = (stage @ self._view_from_canonical.T)[:, :3]
         return view
 
@@ -271,12 +254,10 @@ class Morph:
         return {}
 
     def _evening(self, stop: int) -> float:
-        if self._lens.parallel or stop <= CANONICAL_PERSPECTIVE:
+        if stop <= CANONICAL_PERSPECTIVE:
             return 1.0
-        if stop >= NDC:
-            return 1.0 / self._middle_depth
-        near, far = self._lens.near, self._lens.far
-        return (near if far == math.inf else far) / self._middle_depth
+        unit = 1.0 if stop >= NDC else self._lens.canonical_unit
+        return float(unit / self._lens.w(self._middle_depth))
 
     def _turned(self, part: float) -> Array:
         """The part of the way from the world's axes to the camera's, times the display scale."""
@@ -310,21 +291,8 @@ class Morph:
         return {}
 
     @cached_property
-    def _pyramid_from_box(self) -> Array:
-        """``near/far M_pp^-1`` from the box, without the difference of 1 and near/far."""
-        lens = self._lens
-        if lens.parallel:
-            return _CUBE_BOX
-        matrix = np.diag([self._ratio, self._ratio, 0.0, 0.0])
-        if lens.far == math.inf:
-            matrix[2:, 2:] = (0.0, -1.0), (1.0, 0.0)
-        else:
-            matrix[2:, 2:] = (0.0, -self._ratio), ((lens.far - lens.near) / lens.far, self._ratio)
-        return matrix
-
-    @cached_property
     def _view_from_box(self) -> Array:
-        matrix: Array = self._view_from_canonical @ self._pyramid_from_box
+        matrix: Array = self._view_from_canonical @ self._lens.canonical_from_box
         return matrix
 
     def _box_stop(self, stop: int) -> Array:
@@ -333,7 +301,7 @@ class Morph:
             matrix: Array = self.display_from_stage(VIEW) @ self._view_from_box
             return matrix
         if stop == CANONICAL_PERSPECTIVE:
-            framed: Array = self.display_from_stage(stop) @ self._pyramid_from_box
+            framed: Array = self.display_from_stage(stop) @ self._lens.canonical_from_box
             return framed
         across, up, half = 1.0, 1.0, 0.5
         if stop == NDC:
@@ -345,7 +313,7 @@ class Morph:
         box = np.diag([across, up, 2.0 * half, 1.0])
         box[2, 3] = -half
         lens = self._lens
-        return box if lens.parallel else box * (lens.near / self._middle_depth)
+        return box * float(lens.w(lens.near) / lens.w(self._middle_depth))
 
     def planes_display(self, position: float) -> Array:
         """The six planes behind which nothing of the scene is drawn, in display space, (6, 4).

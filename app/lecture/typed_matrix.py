@@ -10,41 +10,32 @@ an answer (its rank, the sign of its determinant, where w vanishes) is decided i
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import partial
-from itertools import chain
 from typing import Any, NamedTuple, TypeAlias
 
-from app.arithmetic.double_double import cotangent_deg
 from app.arithmetic.rationals import Rationals, eliminate, rationals
 from app.model.lenses.lens import plane_letters
+from app.model.lenses.solving import DIGITS, MEANT, same, shortest
 from app.model.projection import (
     LENSES,
-    OBLIQUE_PRESETS,
     ONE_OF,
     Camera,
     Cells,
     FreeMatrix,
-    Frustum,
     Lens,
-    Oblique,
-    Orthographic,
-    Perspective,
     Projection,
     Vector,
     finite_matrix,
 )
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value
+from app.model.tables import evaluated
 
 EDITABLE = ("view_from_world", "clip_from_view")
 """The matrices whose cells can be typed."""
 
-_ROUNDING = 2.0**-49
-"""What a cell may differ, of the largest number that it is a sum of: 8 roundings."""
-_OF_ITSELF = 2.0**-20
-"""What a cell may differ of itself, though it be tiny: 1e-20 typed is not taken for 0."""
 _RIGID = 2.0**-46
 """What rows of a rotation may lack to length 1 and right angles.
 
@@ -52,10 +43,6 @@ Each cell rounded once leaves 2^-52; 64 times that is what another program's ari
 leaves, and far less than six typed digits do: a matrix that shears by 1e-7 is no rotation.
 """
 _UNIT = Fraction(1, 2**52)
-_DIGITS = 17
-_MEANT = 12
-"""Digits of a decimal that is taken though a cell is a rounding off: chance hits one in 500."""
-
 Exact: TypeAlias = tuple[Fraction, ...]
 
 
@@ -147,171 +134,56 @@ def recognised_lens(cells: Cells, projection: Projection) -> Lens | None:
         the fields that are taken where they fit.
     """
     exact = rationals(cells)
-    last = exact[3]
-    if last[:2] != [0, 0] or exact[0][1] or exact[1][0] or exact[2][0] or exact[2][1]:
-        return None
-    if last[2] < 0 and last[3] == 0:
-        exact = [[part / -last[2] for part in row] for row in exact]
-        kinds = [Perspective.kind, Frustum.kind]
-    elif last[2] == 0 and last[3] > 0:
-        exact = [[part / last[3] for part in row] for row in exact]
-        kinds = [Orthographic.kind, Oblique.kind]
-    else:
-        return None
-    kinds.sort(key=lambda kind: kind != projection.lens.kind)
-    for kind in kinds:
-        for lens in _candidates(kind, exact, projection):
-            if _has(lens, exact, projection):
+    for kind in sorted(LENSES, key=lambda kind: kind != projection.lens.kind):
+        normalised = _normalised(kind, exact)
+        if normalised is None:
+            continue
+        for lens in _candidates(kind, normalised, projection):
+            if _has(lens, normalised, projection):
                 return lens
     return None
 
 
+def _normalised(kind: str, exact: Rationals) -> Rationals | None:
+    """A matrix with the last row of a lens' table, if that is its own times a positive factor."""
+    row = evaluated(LENSES[kind]().table.clip_from_view[3:], {})[0]
+    factors = {part / unit for part, unit in zip(exact[3], row, strict=True) if unit}
+    factor = factors.pop()
+    if factors or factor <= 0 or exact[3] != [factor * unit for unit in row]:
+        return None
+    return [[part / factor for part in line] for line in exact]
+
+
 def _candidates(kind: str, exact: Rationals, projection: Projection) -> Iterator[Lens]:
     """Lenses of a kind that may have the matrix, those with the fields in hand first."""
-    in_hand = projection.lens
     try:
-        near, far = _planes(exact, projection, parallel=kind in ("orthographic", "oblique"))
-        if kind == Perspective.kind:
-            fields = [(in_hand.fov_y_deg,)] if isinstance(in_hand, Perspective) else []
-            for (fov_y_deg,) in (*fields, (_fov_y_deg(exact[1][1]),)):
-                yield Perspective(fov_y_deg, near, far)
-            return
-        angles: tuple[float, ...] = ()
-        shift = [row[2] for row in exact[:2]]
-        unit = Fraction(near)
-        if kind != Frustum.kind:
-            cots = [row[2] / row[0 if i == 0 else 1] for i, row in enumerate(exact[:2])]
-            if kind == Oblique.kind:
-                angles = tuple(map(_angle_deg, cots))
-                if isinstance(in_hand, Oblique):
-                    was = in_hand.alpha_deg, in_hand.beta_deg
-                    angles = tuple(
-                        a if _same(cotangent_deg(Fraction(a)), cot, Fraction(1)) else b
-                        for a, b, cot in zip(was, angles, cots, strict=True)
-                    )
-                cots = [cotangent_deg(Fraction(angle)) for angle in angles]
-            shift = [
-                row[i] * cot * Fraction(near) - row[3]
-                for i, (row, cot) in enumerate(zip(exact[:2], cots, strict=True))
-            ]
-            unit = Fraction(1)
-        scales = exact[0][0], exact[1][1]
-        lens: Any = LENSES[kind]
-        leaning: Any = dict(zip(("alpha_deg", "beta_deg"), angles, strict=False))
-        if in_hand.kind == kind and not isinstance(in_hand, Perspective):
-            yield in_hand.but(near=near, far=far, **leaning)
-        sides = [
-            *_ends(scales[0], shift[0], unit),
-            *_ends(scales[1], shift[1], unit),
-        ]
-        yield lens(*sides, near, far, **leaning)
+        near, far = _planes(LENSES[kind](), exact, projection)
+        yield from LENSES[kind].having(exact, near, far, projection.lens)
     except (Refusal, ZeroDivisionError, OverflowError):
         return
 
 
-def _planes(exact: Rationals, projection: Projection, *, parallel: bool) -> tuple[float, float]:
+def _planes(lens: Lens, exact: Rationals, projection: Projection) -> tuple[float, float]:
     """Near and far whose row makes z: those in hand if they do, else solved for."""
-    (a, b), (z_near, z_far) = exact[2][2:], map(Fraction, projection.depth_range)
+    (a, b), (c, d) = exact[2][2:], exact[3][2:]
+    z_near, z_far = map(Fraction, projection.depth_range)
 
     def row(near: float, far: float) -> tuple[float, ...]:
-        lens = (Orthographic if parallel else Perspective)(near=near, far=far)
-        letters = {**plane_letters(lens), "z_n": z_near, "z_f": z_far}
-        return tuple(float(cell.value(letters)) for cell in lens.table.clip_from_view[2][2:])
+        letters = {**plane_letters(*lens.checked_planes(near, far)), "z_n": z_near, "z_f": z_far}
+        cells = lens.table_to(far).clip_from_view[2][2:]
+        return tuple(float(cell.value(letters)) for cell in cells)
 
-    wanted = float(a), float(b)
+    wanted, sizes = (float(a), float(b)), (1.0, float(d))
     in_hand = projection.lens
-    with_parallel_far = parallel and in_hand.far == math.inf
-    if not with_parallel_far and row(in_hand.near, in_hand.far) == wanted:
+    in_reach = in_hand.far != math.inf or lens.far_may_be_infinite
+    if in_reach and row(in_hand.near, in_hand.far) == wanted:
         return in_hand.near, in_hand.far
-    if parallel:
-        solved = (b - z_near) / a, (b - z_far) / a
-    elif a + z_far == 0:
-        of_near = partial(row, far=math.inf)
-        return _shortest(of_near, (b / (a + z_near),), wanted, (1.0, 0.0))[0], math.inf
-    else:
-        solved = b / (a + z_near), b / (a + z_far)
-    near, far = _shortest(row, solved, wanted, (1.0, 0.0 if not parallel else 1.0))
+    # Where z of clip space is z_near w: a z + b = z_near (c z + d), for z of view space.
+    solved = (b - z_near * d) / (a - z_near * c)
+    if a == z_far * c and lens.far_may_be_infinite:
+        return shortest(partial(row, far=math.inf), (solved,), wanted, sizes)[0], math.inf
+    near, far = shortest(row, (solved, (b - z_far * d) / (a - z_far * c)), wanted, sizes)
     return near, far
-
-
-def _fov_y_deg(cot: Fraction) -> float:
-    """The field of view whose half has this cotangent."""
-    if cot <= 0:
-        raise ZeroDivisionError
-
-    def cell(fov_y_deg: float) -> tuple[float, ...]:
-        return (float(cotangent_deg(Fraction(fov_y_deg) / 2)),)
-
-    solved = math.degrees(2.0 * math.atan2(1.0, float(cot)))
-    return _shortest(cell, (Fraction(solved),), (float(cot),), (0.0,))[0]
-
-
-def _angle_deg(cot: Fraction) -> float:
-    """The angle between 0 and 180 degrees that has this cotangent."""
-
-    def cell(angle_deg: float) -> tuple[float, ...]:
-        return (float(cotangent_deg(Fraction(angle_deg))),)
-
-    solved = math.degrees(math.atan2(1.0, float(cot)))
-    for preset_deg in chain.from_iterable(OBLIQUE_PRESETS.values()):
-        if abs(preset_deg - solved) <= 2.0 * math.ulp(solved):
-            return preset_deg
-    return _shortest(cell, (Fraction(solved),), (float(cot),), (1.0,))[0]
-
-
-def _ends(scale: Fraction, skew: Fraction, unit: Fraction) -> tuple[float, float]:
-    """Low and high end of a window.
-
-    From ``2 unit/(high - low)`` and ``(high + low)/(high - low)``.
-    """
-
-    def cells(low: float, high: float) -> tuple[float, ...]:
-        extent = Fraction(high) - Fraction(low)
-        return float(2 * unit / extent), float((Fraction(high) + Fraction(low)) / extent)
-
-    solved = (skew - 1) * unit / scale, (skew + 1) * unit / scale
-    low, high = _shortest(cells, solved, (float(scale), float(skew)), (0.0, 1.0))
-    return low, high
-
-
-def _shortest(
-    cells: Callable[..., tuple[float, ...]],
-    solved: Exact,
-    wanted: tuple[float, ...],
-    sizes: tuple[float, ...],
-) -> tuple[float, ...]:
-    """The decimals of the fewest digits that have these cells; the solution itself if none do.
-
-    Parameters
-    ----------
-    cells : callable
-        The cells, rounded, from the fields.
-    solved : tuple of Fraction
-        The fields.
-    wanted : tuple of float
-        The cells as typed.
-    sizes : tuple of float
-        Of the least number that each cell is a sum of.
-    """
-    floats = tuple(map(float, solved))
-    for digits in range(1, _DIGITS):
-        rounded = tuple(float(f"{number:.{digits - 1}e}") for number in floats)
-        try:
-            near_enough = [
-                abs(a - b) <= _ROUNDING / 2.0 * max(size, abs(b)) if digits <= _MEANT else a == b
-                for a, b, size in zip(cells(*rounded), wanted, sizes, strict=True)
-            ]
-            if all(near_enough):
-                return rounded
-        except (ZeroDivisionError, ValueError, OverflowError):  # two that so few digits make one
-            continue
-    return floats
-
-
-def _same(a: Fraction, b: Fraction, size: Fraction) -> bool:
-    """Whether two numbers differ by rounding only, of numbers of this size."""
-    apart = abs(a - b)
-    return apart <= Fraction(_ROUNDING) * size and apart <= Fraction(_OF_ITSELF) * abs(b)
 
 
 def _has(lens: Lens, exact: Rationals, projection: Projection) -> bool:
@@ -320,17 +192,10 @@ def _has(lens: Lens, exact: Rationals, projection: Projection) -> bool:
         own = replace(projection, lens=lens).direct_stages[0].exact
     except Refusal:  # a window that its image makes nothing of
         return False
-    near = abs(Fraction(lens.near))
     for i, (mine, typed) in enumerate(zip(own, exact, strict=True)):
-        for j, (a, b) in enumerate(zip(mine, typed, strict=True)):
-            size = abs(b)
-            if i == 2:
-                size = max(size, Fraction(1)) if lens.parallel or j == 2 else size
-            elif i < 2 and j == 2:
-                size = max(size, abs(typed[i]) if lens.parallel else Fraction(1))
-            elif i < 2 and j == 3 and lens.parallel:
-                size = max(size, Fraction(1), abs(typed[2] * near))
-            if not _same(a, b, size):
+        sizes = lens.least_terms(typed, i)
+        for a, b, size in zip(mine, typed, sizes, strict=True):
+            if not same(a, b, max(abs(b), size)):
                 return False
     return True
 
@@ -397,9 +262,9 @@ def _near(solved: Sequence[Fraction], in_hand: Vector, room: Fraction) -> Vector
 def _short(number: Fraction, room: Fraction) -> float:
     if abs(number) <= 8 * room:
         return 0.0
-    for digits in range(1, _DIGITS):
+    for digits in range(1, DIGITS):
         rounded = float(f"{float(number):.{digits - 1}e}")
-        if abs(Fraction(rounded) - number) <= (8 if digits <= _MEANT else 1) * room:
+        if abs(Fraction(rounded) - number) <= (8 if digits <= MEANT else 1) * room:
             return rounded
     return float(number)
 

@@ -12,7 +12,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Any, NamedTuple, TypeAlias
+from typing import Any, NamedTuple, TypeAlias, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -371,12 +371,8 @@ def _with_aspect(projection: Projection, aspect: float) -> tuple[Projection, Arr
 
 
 def _perspective(projection: Projection) -> Perspective:
-    lens = projection.lens
-    if isinstance(lens, Perspective):
-        return lens
-    turned = projection.with_lens("perspective").lens
-    assert isinstance(turned, Perspective)
-    return turned
+    lens: Any = projection.with_lens("perspective").lens
+    return cast(Perspective, lens)
 
 
 SWEEPS: dict[str, Range] = {
@@ -517,7 +513,7 @@ def in_view(projection: Projection, points_world: Array) -> Array:
     lens = projection.lens
     far = lens.far if math.isfinite(lens.far) else 1e3 * max(abs(lens.near), 1e-100)
     near = lens.near
-    if lens.parallel:
+    if lens.even_extent:
         depth = near + (far - near) * rng.uniform(0.02, 0.98, SAMPLE)
     else:
         # As far as float64 can place a point beside this eye at all.
@@ -550,13 +546,13 @@ def _vtk_camera(projection: Projection, world: Array, reference: Truth) -> _Answ
     camera.SetViewUp(*projection.camera.up)
     camera.SetClippingRange(lens.near, lens.far)
     left, right, bottom, top = projection.window
-    fov_y_deg = math.degrees(2.0 * math.atan2(top, lens.near)) if lens.central else 0.0
-    if isinstance(lens, Perspective):
-        fov_y_deg = lens.fov_y_deg
-    if lens.parallel:
+    fov_y_deg = lens.fov_y_deg
+    if not lens.central:
         camera.ParallelProjectionOn()
         camera.SetParallelScale((top - bottom) / 2.0)
     else:
+        if fov_y_deg is None:
+            fov_y_deg = math.degrees(2.0 * math.atan2(top, lens.near))
         camera.SetViewAngle(fov_y_deg)
     aspect = (right - left) / (top - bottom)
     elements = camera.GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0)

@@ -60,7 +60,7 @@ def measure(projection: Projection, watch: Watch = unwatched) -> Trade:
         name = f"{format_}, {mapping}"
         memory = FORMATS[format_].bits / 8.0
         try:
-            buffer = DepthBuffer.of(lens, format_, mapping)
+            buffer = DepthBuffer(format_, mapping, lens)
         except Refusal as error:
             choices.append(Choice(name, memory, memory, None, note=str(error)))
             continue

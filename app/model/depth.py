@@ -23,11 +23,12 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any, Literal, NamedTuple, TypeAlias, cast
+from typing import Any, Literal, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
+from app.model.formula import FLOAT64
 from app.model.projection import (
     AT_LEAST,
     AT_MOST,
@@ -35,11 +36,8 @@ from app.model.projection import (
     FINITE_NUMBER,
     ONE_OF,
     Array,
-    DepthRange,
     Lens,
-    Orthographic,
     Perspective,
-    Projection,
 )
 from app.model.refusal import Refusal
 
@@ -93,17 +91,14 @@ class DepthBuffer:
     format : name in `FORMATS`
     mapping : name in `MAPPINGS`
         How distance becomes depth.
-    near, far : float
-        Distances of the clipping planes from the eye plane, as the lens has them:
-        ``0 < near < far <= inf`` for a perspective one, finite and of any sign for a parallel one.
-    parallel : bool
-        Whether the lens is parallel: depth is then linear, and there is no logarithmic mapping.
+    lens : Lens
+        Whose near and far it is between, and whose depth is stored.
 
     Raises
     ------
     Refusal
-        For an unknown name, or what the lens refuses as near and far; for a logarithmic mapping
-        with far = inf or a parallel lens.
+        For an unknown name, and for a typed matrix; for a logarithmic mapping with far = inf or
+        where depth is even in the distance.
 
     Notes
     -----
@@ -113,9 +108,7 @@ class DepthBuffer:
 
     format: str = "fixed24"
     mapping: str = "opengl"
-    near: float = 1.0
-    far: float = 30.0
-    parallel: bool = False
+    lens: Lens = Perspective()  # noqa: RUF009
 
     def __post_init__(self) -> None:
         for field, value, known in (
@@ -124,34 +117,22 @@ class DepthBuffer:
         ):
             if not isinstance(value, str) or value not in known:
                 raise Refusal(field, value, ONE_OF, ", ".join(known))
-        if not isinstance(self.parallel, bool):
-            raise Refusal("parallel", self.parallel, ONE_OF, "True, False")
-        lens = self._lens
+        far = self.far  # a typed matrix has none, and refuses
         if self.mapping == "logarithmic":
-            if self.parallel:
+            if not self.lens.depth_slope:
                 raise Refusal("mapping", self.mapping, ONE_OF, ", ".join(DEPTH_RANGES))
-            if lens.far == math.inf:
-                raise Refusal("far", lens.far, FINITE_NUMBER)
-        object.__setattr__(self, "near", lens.near)
-        object.__setattr__(self, "far", lens.far)
-
-    @classmethod
-    def of(cls, lens: Lens, format_: str, mapping: str, far: float | None = None) -> DepthBuffer:
-        """The buffer in front of a lens, or of it with another far plane.
-
-        Raises
-        ------
-        Refusal
-            As the class, and for a typed matrix.
-        """
-        return cls(format_, mapping, lens.near, lens.far if far is None else far, lens.parallel)
+            if far == math.inf:
+                raise Refusal("far", far, FINITE_NUMBER)
 
     @property
-    def _lens(self) -> Perspective | Orthographic:
-        """A lens whose matrix makes this depth."""
-        if self.parallel:
-            return Orthographic(near=self.near, far=self.far)
-        return Perspective(near=self.near, far=self.far)
+    def near(self) -> float:
+        """The lens' near plane."""
+        return self.lens.near
+
+    @property
+    def far(self) -> float:
+        """The lens' far plane, perhaps infinite."""
+        return self.lens.far
 
     # -- from distance to code
 
@@ -254,11 +235,8 @@ class DepthBuffer:
             )
         else:
             nearness, farness = (depth, rest) if self._is_reversed else (rest, depth)
-            if self.parallel:
-                distance = near * nearness + far * farness
-            else:
-                with np.errstate(divide="ignore"):
-                    distance = near / (nearness + farness * (near / far))
+            with np.errstate(divide="ignore"):
+                distance = self.lens.distance(farness, nearness)
         # The ends themselves come back one rounding off; a distance beyond far is none.
         return np.asarray(np.clip(distance, near, far))
 
@@ -296,17 +274,12 @@ class DepthBuffer:
         toward = -1.0 if self._is_reversed else 1.0
         behind = np.add(*self._cells(np.clip(depth + toward * (mean + uneven), 0.0, 1.0)))
         step = np.maximum(mean + uneven, behind)
-        near, far = self.near, self.far
-        if self.parallel:
-            gap = step * (far - near)
-        elif self.mapping == "logarithmic":
+        if self.mapping == "logarithmic":
             gap = w * np.expm1(step * self._log_span)
         else:
-            with np.errstate(invalid="ignore", divide="ignore"):
-                x = w / near * step * (1.0 if far == math.inf else (far - near) / far)
-                gap = np.where(x < 1.0, w * (x / (1.0 - x)), np.inf)
+            gap = self.lens.gap(w, step)
         with np.errstate(invalid="ignore"):  # inf - inf: a surface at infinity has none behind
-            return np.asarray(np.where(gap <= far - w, gap, np.inf))
+            return np.asarray(np.where(gap <= self.far - w, gap, np.inf))
 
     def collapsed_share(
         self, first: ArrayLike, second: ArrayLike, arithmetic: Arithmetic = "float64"
@@ -391,18 +364,10 @@ class DepthBuffer:
 
     def _depth(self, w: Array) -> Array:
         """The module's table."""
-        near, far = self.near, self.far
+        near = self.near
         if self.mapping == "logarithmic":
             return np.asarray(np.minimum(np.log1p((w - near) / near) / self._log_span, 1.0))
-        if far == math.inf:
-            with np.errstate(invalid="ignore"):
-                standard = np.where(w == math.inf, 1.0, (w - near) / w)
-            return np.asarray(near / w if self._is_reversed else standard)
-        from_plane = far - w if self._is_reversed else w - near
-        if self.parallel:
-            return np.asarray(from_plane / (far - near))
-        scale = (near if self._is_reversed else far) / (far - near)
-        return np.asarray(np.minimum(scale * (from_plane / w), 1.0))  # 1 + 1 ulp at the end
+        return self.lens.depth(w, reverse=self._is_reversed)
 
     def _depth_float32(self, w: Array) -> Array:
         """Depth as a GPU's float32 makes it: ``(A w + B)/w``, then the viewport."""
@@ -414,9 +379,7 @@ class DepthBuffer:
                 z = np.log2(distance / single(self.near)) * scale
             else:
                 a, b = (single(entry) for entry in self._entries())
-                z = a * distance + b
-                if not self.parallel:
-                    z = z / distance
+                z = (a * distance + b) / self.lens.w(distance)
                 if self.mapping == "opengl":
                     z = z * single(0.5) + single(0.5)
         depth = np.where(w == math.inf, 0.0 if self._is_reversed else 1.0, z)
@@ -426,8 +389,10 @@ class DepthBuffer:
 
     def _entries(self) -> tuple[float, float]:
         """A and B of ``z_clip = A w + B``, what the matrix of the lens holds."""
-        projection = Projection(lens=self._lens, depth=cast(DepthRange, self.mapping))
-        a, b = projection.clip_from_view[2, 2:].tolist()
+        z_near, z_far = DEPTH_RANGES[self.mapping]
+        letters = {"n": self.near, "f": self.far, "z_n": z_near, "z_f": z_far}
+        cells = self.lens.table.clip_from_view[2][2:]
+        a, b = (cell.value(letters, FLOAT64) for cell in cells)
         return -a, b
 
     def _cells(self, depth: Array) -> tuple[Any, Any]:

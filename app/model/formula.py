@@ -25,7 +25,7 @@ from fractions import Fraction
 from functools import cached_property, lru_cache
 from typing import Any, ClassVar, NamedTuple, TypeAlias
 
-from app.model.refusal import QT_TRANSLATE_NOOP, Bound
+from app.model.refusal import QT_TRANSLATE_NOOP, Bound, Refusal
 
 LONGEST = 400
 """Characters of a formula."""
@@ -35,33 +35,26 @@ LARGEST_DEGREE = 100
 """Of the product that a formula is, all powers multiplied out."""
 
 TOO_LONG = QT_TRANSLATE_NOOP("Refusal", "is longer than {0} characters")
-TOO_DEEP = QT_TRANSLATE_NOOP("Refusal", "has more than {0} brackets within each other")
-TOO_LARGE = QT_TRANSLATE_NOOP("Refusal", "has a power that comes to more than {0}")
-UNKNOWN = QT_TRANSLATE_NOOP("Refusal", "has a character that no formula has, {0}")
-EXPECTED = QT_TRANSLATE_NOOP("Refusal", "needs a number, a letter or a bracket instead of {0}")
-UNCLOSED = QT_TRANSLATE_NOOP("Refusal", "needs a closing bracket instead of {0}")
-WHOLE_POWER = QT_TRANSLATE_NOOP("Refusal", "needs a whole number as its power instead of {0}")
-LEFT_OVER = QT_TRANSLATE_NOOP("Refusal", "needs a sign such as + or * in front of {0}")
+TOO_DEEP = QT_TRANSLATE_NOOP(
+    "Refusal", "has more than {0} brackets within each other (character {1})"
+)
+TOO_LARGE = QT_TRANSLATE_NOOP("Refusal", "has a power that comes to more than {0} (character {1})")
+UNKNOWN = QT_TRANSLATE_NOOP("Refusal", "has a character that no formula has, {0} (character {1})")
+EXPECTED = QT_TRANSLATE_NOOP(
+    "Refusal", "needs a number, a letter or a bracket instead of {0} (character {1})"
+)
+UNCLOSED = QT_TRANSLATE_NOOP("Refusal", "needs a closing bracket instead of {0} (character {1})")
+WHOLE_POWER = QT_TRANSLATE_NOOP(
+    "Refusal", "needs a whole number as its power instead of {0} (character {1})"
+)
+LEFT_OVER = QT_TRANSLATE_NOOP(
+    "Refusal", "needs a sign such as + or * in front of {0} (character {1})"
+)
 
 
-class FormulaError(ValueError):
-    """A text that is no formula.
-
-    Parameters
-    ----------
-    text : str
-        As it was typed.
-    position : int
-        Of the character, from 0, at which it stops being one.
-    refusal : Bound
-        What is wrong, with ``{0}`` for the figure.
-    figure : object
-        The limit, or what stands there.
-    """
-
-    def __init__(self, text: str, position: int, refusal: Bound, figure: object) -> None:
-        self.text, self.position, self.refusal, self.figure = text, position, refusal, figure
-        super().__init__(f"The formula {refusal.format(figure)} (character {position + 1}).")
+def _refused(text: str, position: int, bound: Bound, figure: object) -> Refusal:
+    """What is wrong with a text, and at which character, from 0, it stops being a formula."""
+    return Refusal("formula", text, bound, figure, position + 1)
 
 
 class Arithmetic(NamedTuple):
@@ -310,7 +303,7 @@ def parse(text: str) -> Formula:
 
     Raises
     ------
-    FormulaError
+    Refusal
         For a text that is no formula, or one beyond the limits.
     """
     return _Reader(text).whole()
@@ -337,7 +330,7 @@ class _Reader:
     def __init__(self, text: str) -> None:
         self._text = text
         if len(text) > LONGEST:
-            raise FormulaError(text, LONGEST, TOO_LONG, LONGEST)
+            raise _refused(text, LONGEST, TOO_LONG, LONGEST)
         self._tokens = list(self._read())
         self._next = 0
         self._depth = 0
@@ -349,7 +342,7 @@ class _Reader:
             found = _TOKEN.match(self._text, at)
             if found is None:
                 at += len(self._text[at:]) - len(self._text[at:].lstrip())
-                raise FormulaError(self._text, at, UNKNOWN, self._text[at])
+                raise _refused(self._text, at, UNKNOWN, self._text[at])
             assert found.lastgroup is not None
             token = found[found.lastgroup]
             yield _Token(found.lastgroup, _ALIKE.get(token, token), found.start(found.lastgroup))
@@ -375,13 +368,13 @@ class _Reader:
         self._next += 1
         return token.text
 
-    def _refused(self, refusal: Bound) -> FormulaError:
-        return FormulaError(self._text, self._token.position, refusal, self._token.text)
+    def _refused(self, refusal: Bound) -> Refusal:
+        return _refused(self._text, self._token.position, refusal, self._token.text)
 
     def _sum(self) -> Formula:
         self._depth += 1
         if self._depth > DEEPEST:
-            raise FormulaError(self._text, self._token.position, TOO_DEEP, DEEPEST)
+            raise _refused(self._text, self._token.position, TOO_DEEP, DEEPEST)
         formula = self._product()
         while sign := self._taken("+", "-"):
             formula = _PAIRS[sign](formula, self._product())
@@ -399,7 +392,7 @@ class _Reader:
             return self._power()
         self._depth += 1
         if self._depth > DEEPEST:
-            raise FormulaError(self._text, self._token.position, TOO_DEEP, DEEPEST)
+            raise _refused(self._text, self._token.position, TOO_DEEP, DEEPEST)
         formula = Negative(self._signed())
         self._depth -= 1
         return formula
@@ -412,7 +405,7 @@ class _Reader:
         if self._token.kind != "number" or not self._token.text.isdigit():
             raise self._refused(WHOLE_POWER)
         if len(self._token.text) > len(str(LARGEST_DEGREE)):
-            raise FormulaError(self._text, self._token.position, TOO_LARGE, LARGEST_DEGREE)
+            raise _refused(self._text, self._token.position, TOO_LARGE, LARGEST_DEGREE)
         exponent = sign * int(self._token.text)
         self._next += 1
         return Power(base, exponent)
@@ -447,7 +440,7 @@ def _degree(formula: Formula, text: str) -> int:
 
     Raises
     ------
-    FormulaError
+    Refusal
         For more than `LARGEST_DEGREE`, naming the text: such a value could take for ever.
     """
     below = [_degree(part, text) for part in formula.parts]
@@ -458,7 +451,7 @@ def _degree(formula: Formula, text: str) -> int:
     else:
         found = 1
     if found > LARGEST_DEGREE and any(isinstance(part, Power) for part in formula):
-        raise FormulaError(text, text.find("^"), TOO_LARGE, LARGEST_DEGREE)
+        raise _refused(text, text.find("^"), TOO_LARGE, LARGEST_DEGREE)
     return found
 
 

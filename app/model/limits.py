@@ -25,6 +25,9 @@ DEPTH_RANGES: dict[str, tuple[float, float]] = {
 }
 """NDC z of the near and of the far plane."""
 
+CUBE_FACE = ((-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0))
+"""x and y of a face's corners in the NDC cube, from the left below anticlockwise."""
+
 PLANES = (
     QT_TRANSLATE_NOOP("Plane", "near"),
     QT_TRANSLATE_NOOP("Plane", "far"),
@@ -51,6 +54,8 @@ SMALLEST_CELL = 1e-75
 """Smallest cell of a free matrix but 0: its square, and a product of two, is far from underflow."""
 LARGEST_INVERSE = 10**150
 """Largest cell of a free matrix' inverse, for the same reason."""
+BEYOND = 1e250
+"""Where a point is too far away to be one: double-double products would overflow."""
 LARGEST_SHEAR = 1e6
 """Largest cotangent of an oblique lens' angles; theirs start at 5.8e-5 degrees."""
 SMALLEST_UP_ANGLE = 1e-15

@@ -28,27 +28,25 @@ canonical volumes and the matrices M_pp and M_z between them those of lecture 00
 
 from __future__ import annotations
 
-import math
 import numbers
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import cached_property, lru_cache
+from functools import cached_property, lru_cache, reduce
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from app.arithmetic import double_double as dd
 from app.arithmetic.double_double import DoubleDouble
-from app.arithmetic.rationals import Rationals, eliminate, product, rationals
+from app.arithmetic.rationals import Rationals, product, rationals
 from app.model.camera import (
     Camera,
     Orbit,
 )
 from app.model.formula import FLOAT64
 from app.model.lenses import (
-    KINDS,
     LENSES,
     FreeMatrix,
     Frustum,
@@ -56,9 +54,10 @@ from app.model.lenses import (
     Oblique,
     Orthographic,
     Perspective,
+    kinds,
 )
 from app.model.lenses.lens import LensTable, Seen
-from app.model.lenses.oblique import COTS, OBLIQUE_PRESETS, oblique_angles, receding_of
+from app.model.lenses.oblique import OBLIQUE_PRESETS, oblique_angles, receding_of
 from app.model.lenses.perspective import (
     focal_length_35mm,
     focal_length_e,
@@ -67,6 +66,7 @@ from app.model.lenses.perspective import (
     fov_y_from_focal_length_e,
     fov_y_from_window,
 )
+from app.model.lenses.setup import Axis, ExactLens, Intrinsics, Trace
 from app.model.limits import (
     ABOVE,
     AT_LEAST,
@@ -122,6 +122,8 @@ from app.model.tables import (
     VIEWPORT,
     Step,
     evaluated,
+    inverse,
+    rounded,
 )
 
 __all__ = [  # the model's one door: what its other rooms hold can be had here
@@ -136,7 +138,6 @@ __all__ = [  # the model's one door: what its other rooms hold can be had here
     "FINITE_NUMBER",
     "FOUR_BY_FOUR",
     "INVERTIBLE",
-    "KINDS",
     "LARGEST",
     "LARGEST_IMAGE_PX",
     "LARGEST_SHEAR",
@@ -191,63 +192,19 @@ __all__ = [  # the model's one door: what its other rooms hold can be had here
     "fov_y_from_focal_length_35mm",
     "fov_y_from_focal_length_e",
     "fov_y_from_window",
+    "kinds",
     "oblique_angles",
     "receding_of",
 ]
 
 _LARGE_STRETCH = 2.0**24  # `Projection.stretch` up to which dot products of 75 bits will do
 _ABOVE_OFFSETS = 2.0**27  # added and taken away again, leaves the upper 27 bits of the offsets
-_BEYOND = 1e250  # where double-double products would overflow
-_CHUNK = 16384  # larger blocks wake OpenBLAS's second thread, which fights a software renderer
-_FACE = ((-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0))
 
 
 def _translation(offset: ArrayLike) -> Array:
     matrix = np.eye(4)
     matrix[:3, 3] = offset
     return read_only(matrix)
-
-
-class _Axis(NamedTuple):
-    """One side of the picture: its middle and its extent."""
-
-    middle: float
-    extent: float
-
-    @property
-    def skew(self) -> float:
-        """How far the middle is from 0, in halves of the extent: ``(r + l)/(r - l)``."""
-        return self.middle / (self.extent / 2.0)
-
-    def across(self, value: Array) -> Array:
-        """From -1 at the low end to 1 at the high one; the difference is rounded where small."""
-        across: Array = (value - self.middle) / (self.extent / 2.0)
-        return across
-
-
-def _axis(low: Fraction, high: Fraction) -> _Axis:
-    return _Axis(float((low + high) / 2), float(high - low))
-
-
-class ExactLens(NamedTuple):
-    """A lens in rationals, irrational numbers to `double_double.BITS` bits.
-
-    Attributes
-    ----------
-    scale, shift : (Fraction, Fraction)
-        ``x_clip = scale x + shift w`` with w the distance for a perspective lens, 1 otherwise.
-    shear : (Fraction, Fraction)
-        ``cot(alpha), cot(beta)`` of an oblique lens.
-    near : Fraction
-    far : Fraction or None
-        None at infinity.
-    """
-
-    scale: tuple[Fraction, Fraction]
-    shift: tuple[Fraction, Fraction]
-    shear: tuple[Fraction, Fraction]
-    near: Fraction
-    far: Fraction | None
 
 
 class Stage(NamedTuple):
@@ -273,62 +230,7 @@ class Stage(NamedTuple):
     @property
     def matrix(self) -> Array:
         """The matrix, (4, 4), every number rounded once."""
-        return _rounded(self.exact)
-
-
-class Intrinsics(NamedTuple):
-    """A perspective camera as photogrammetry and OpenCV write it, all in pixels.
-
-    Attributes
-    ----------
-    fx, fy : float
-        Focal length in pixel widths and in pixel heights.
-    cx, cy : float
-        Principal point, counted from the *centre* of the first pixel as OpenCV does: an image
-        640 wide with the axis in its middle has ``cx = 319.5``, which is 320 in our pixels.
-
-    Notes
-    -----
-    ``K = [[fx, 0, cx], [0, fy, cy], [0, 0, 1]]`` maps x right, y down, z forward to pixels
-    (Hartley and Zisserman, Multiple View Geometry, 6.1).
-    """
-
-    fx: float
-    fy: float
-    cx: float
-    cy: float
-
-
-class Trace(NamedTuple):
-    """Points followed through every stage; ``...`` is the shape of the points without the 3.
-
-    Attributes
-    ----------
-    world, view : (..., 3) float64
-    clip : (..., 4) float64
-        Homogeneous, before the divide; w is the distance from the eye plane (1 for a parallel
-        lens).
-    ndc : (..., 3) float64
-        After the divide; NaN where w <= 0: a point behind the eye has no picture. Nor has one so
-        close to the eye plane that its picture is beyond float64's 1e308.
-    image : (..., 2) float64
-        Pixels, origin top-left; NaN where `ndc` is.
-    depth : (...) float64
-        What a depth buffer in [0, 1] would hold before quantising; NaN where `ndc` is.
-    in_front : (...) bool
-        Where there is a picture: w > 0.
-    outside : (..., 6) bool
-        Which of `PLANES` the point lies beyond.
-    """
-
-    world: Array
-    view: Array
-    clip: Array
-    ndc: Array
-    image: Array
-    depth: Array
-    in_front: NDArray[np.bool_]
-    outside: NDArray[np.bool_]
+        return rounded(self.exact)
 
 
 def _stage(step: Step, letters: Mapping[str, Fraction]) -> Stage:
@@ -342,19 +244,7 @@ def _product(name: str, factors: Sequence[tuple[str, Rationals]], note: str = ""
     whole = _diagonal(1, 1, 1, 1)
     for _, factor in factors:
         whole = product(whole, factor)
-    return Stage(name, whole, tuple((label, _rounded(f)) for label, f in factors), note)
-
-
-def _rounded(matrix: Rationals) -> Array:
-    return read_only([[float(part) for part in row] for row in matrix])
-
-
-def _inverse(field: str, matrix: Rationals) -> Rationals:
-    rank, _, inverse = eliminate(matrix)
-    if inverse is None:
-        cells = tuple(map(tuple, _rounded(matrix).tolist()))
-        raise Refusal(field, cells, INVERTIBLE, rank)
-    return inverse
+    return Stage(name, whole, tuple((label, rounded(f)) for label, f in factors), note)
 
 
 def _diagonal(*parts: Fraction | int) -> Rationals:
@@ -428,10 +318,10 @@ class Projection:
         return self.lens.window(Fraction(*self.image_size))
 
     @cached_property
-    def _axes(self) -> tuple[_Axis, _Axis]:
+    def axes(self) -> tuple[Axis, Axis]:
         """The picture's x and y range on the near plane, after `keep`, without its rounding."""
         exact = self.lens.exact_window(Fraction(*self.image_size))
-        return _axis(*exact[:2]), _axis(*exact[2:])
+        return Axis.between(*exact[:2]), Axis.between(*exact[2:])
 
     @property
     def intrinsics(self) -> Intrinsics:
@@ -442,20 +332,7 @@ class Projection:
         Refusal
             For a parallel lens and for a free matrix, which have none.
         """
-        if not self.lens.central:
-            raise Refusal("kind", self.lens.kind, ONE_OF, "perspective, frustum")
-        width, height = self.image_size
-        if isinstance(self.lens, Perspective):  # square pixels, and the axis in the middle
-            focal = height / 2.0 * self.lens.cot_half_fov_y
-            return Intrinsics(focal, focal, (width - 1) / 2.0, (height - 1) / 2.0)
-        x_axis, y_axis = self._axes
-        near = self.lens.near
-        return Intrinsics(
-            width * near / x_axis.extent,
-            height * near / y_axis.extent,
-            (width - 1) / 2.0 - width / 2.0 * x_axis.skew,
-            (height - 1) / 2.0 + height / 2.0 * y_axis.skew,
-        )
+        return self.lens.intrinsics(self.image_size)
 
     @cached_property
     def stretch(self) -> float:
@@ -514,10 +391,7 @@ class Projection:
         Refusal
             For a free matrix without an inverse.
         """
-        table = self.lens.table.view_from_clip
-        if table is None:
-            return _rounded(_inverse("clip_from_view", self.direct_stages[0].exact))
-        return read_only(evaluated(table, self._letters, FLOAT64))
+        return self.lens.view_from_clip(self, self._letters)
 
     @cached_property
     def _letters(self) -> dict[str, float]:
@@ -568,9 +442,7 @@ class Projection:
     @cached_property
     def clip_from_eye(self) -> Array:
         """Clip from world axes with their origin in the eye: `clip_from_world_at` it, (4, 4)."""
-        if self.lens.planes is None:
-            return _rounded(self.exact_from_eye[1])
-        return read_only(self.clip_from_view @ self.view_rotation)
+        return self.lens.clip_from_eye(self)
 
     @cached_property
     def exact_from_eye(self) -> tuple[Rationals, Rationals]:
@@ -589,14 +461,14 @@ class Projection:
         return view, product(self.direct_stages[0].exact, view)
 
     @cached_property
-    def _eye_from_clip(self) -> Rationals:
+    def eye_from_clip(self) -> Rationals:
         """The inverse of `exact_from_eye`'s clip matrix, or a `Refusal`."""
-        view_from_clip = _inverse("clip_from_view", self.direct_stages[0].exact)
-        inverse = product(_inverse("view_from_world", self.exact_from_eye[0]), view_from_clip)
-        if max(abs(part) for row in inverse for part in row) > LARGEST_INVERSE:
+        view_from_clip = inverse("clip_from_view", self.direct_stages[0].exact)
+        whole = product(inverse("view_from_world", self.exact_from_eye[0]), view_from_clip)
+        if max(abs(part) for row in whole for part in row) > LARGEST_INVERSE:
             cells = self.clip_from_view.tolist()
             raise Refusal("clip_from_view", cells, SMALL_INVERSE)
-        return inverse
+        return whole
 
     @cached_property
     def frustum_sign(self) -> int:
@@ -606,28 +478,12 @@ class Projection:
         without an inverse, with one too large to be drawn, or where infinity lies in or on its
         volume.
         """
-        if self.lens.planes is not None:
-            return 1
-        try:
-            x, y, z, w = self._eye_from_clip[3]
-        except Refusal:
-            return 0
-        ends = [w + z * Fraction(z_ndc) for z_ndc in self.depth_range]
-        reach = abs(x) + abs(y)
-        return (min(ends) > reach) - (max(ends) < -reach)
+        return self.lens.frustum_sign(self)
 
     @property
     def least_w(self) -> float:
         """The least w of what is in the view volume, or less: near, of a perspective lens."""
-        lens = self.lens
-        if lens.planes is not None:
-            return lens.near if lens.central else 1.0
-        if self.frustum_sign <= 0:
-            return 0.0
-        # Un-projected, the cube's corner (x, y, z, 1) has the inverse of the point's own w.
-        x, y, z, w = self._eye_from_clip[3]
-        most = max(w + z * Fraction(z_ndc) for z_ndc in self.depth_range) + abs(x) + abs(y)
-        return float(1 / most)
+        return self.lens.least_w(self)
 
     def world_from_clip_at(self, origin: ArrayLike) -> Array:
         """The inverse of `clip_from_world_at`, (4, 4).
@@ -638,9 +494,7 @@ class Projection:
             For a free matrix without an inverse, or one that float64 cannot hold.
         """
         shift = _translation(self.camera.eye - np.asarray(origin, dtype=np.float64))
-        if self.lens.planes is None:
-            return read_only(shift @ _rounded(self._eye_from_clip))
-        return read_only(shift @ self.view_rotation.T @ self.view_from_clip)
+        return read_only(reduce(np.matmul, self.lens.eye_from_clip(self), shift))
 
     @cached_property
     def image_from_ndc(self) -> Array:
@@ -654,13 +508,7 @@ class Projection:
     @cached_property
     def exact_lens(self) -> ExactLens:
         """The numbers that the lens is made of, without their rounding to float64."""
-        near = Fraction(self.lens.near)  # a typed matrix has none, and refuses
-        zero, letters = Fraction(0), self._exact_letters
-        upright = {**letters, **dict.fromkeys(COTS, zero)}
-        x, y, *_ = evaluated(self.lens.table.clip_from_view, upright)
-        shift = (-x[2], -y[2]) if self.lens.central else (x[3], y[3])
-        cot_alpha, cot_beta = (letters.get(cot, zero) for cot in COTS)
-        return ExactLens((x[0], y[1]), shift, (cot_alpha, cot_beta), near, letters.get("f"))
+        return self.lens.exact(self._exact_letters)
 
     @cached_property
     def stages(self) -> tuple[Stage, ...]:
@@ -720,22 +568,7 @@ class Projection:
         Refusal
             For a free matrix without an inverse.
         """
-        if self.lens.planes is None:
-            cube = [(x, y, z, 1.0) for z in self.depth_range for x, y in _FACE]
-            corners = np.array(cube) @ _rounded(self._eye_from_clip).T
-            finite = corners[:, 3] != 0.0
-            corners[finite] /= corners[finite, 3:]
-            corners[finite, :3] += self.camera.eye
-            return read_only(corners)
-        # Through the reversed range: there 1/w of the far face is 1/far itself, where [-1, 1]
-        # makes it a difference of two numbers of the size of 1/near.
-        cube = [(x, y, z, 1.0) for z in (1.0, 0.0) for x, y in _FACE]
-        corners = np.array(cube) @ replace(self, depth="reversed").view_from_clip.T
-        finite = corners[:, 3] != 0.0
-        corners[finite] /= corners[finite, 3:]
-        directions = corners[:, :3] @ self.camera.frame
-        directions[finite] += self.camera.eye
-        return read_only(np.column_stack([directions, corners[:, 3]]))
+        return self.lens.corners_world(self)
 
     # -- points
 
@@ -763,45 +596,9 @@ class Projection:
         """
         world = checked_points(points_world)
         with np.errstate(divide="ignore", invalid="ignore", over="ignore", under="ignore"):
-            if self.lens.planes is None:
-                return self._trace_free(world)
-            return self._trace_view(world)
+            return self.lens.trace(self, world)
 
-    def _trace_free(self, world: Array) -> Trace:
-        """Under a free matrix: the six planes are those of the cube, and any w is possible."""
-        offsets = world - self.camera.eye
-        view_from_eye = _rounded(self.exact_from_eye[0])
-        view = offsets @ view_from_eye[:3, :3].T + view_from_eye[:3, 3]
-        if tuple(view_from_eye[3]) != (0.0, 0.0, 0.0, 1.0):
-            view /= (offsets @ view_from_eye[3, :3] + view_from_eye[3, 3])[..., None]
-            view[~np.isfinite(view).all(axis=-1)] = np.nan
-        clip = offsets @ self.clip_from_eye[:, :3].T + self.clip_from_eye[:, 3]
-        x, y, z, w = np.moveaxis(clip, -1, 0)
-        ndc = clip[..., :3] / w[..., None]
-        width, height = self.image_size
-        image = np.stack(
-            [(ndc[..., 0] + 1.0) * (width / 2.0), (1.0 - ndc[..., 1]) * (height / 2.0)], axis=-1
-        )
-        depth = np.asarray((ndc[..., 2] + 1.0) / 2.0 if self.depth == "opengl" else ndc[..., 2])
-        in_front = (w > 0.0) & np.isfinite(ndc).all(axis=-1) & np.isfinite(image).all(axis=-1)
-        for array in (ndc, image, depth):
-            array[~in_front] = np.nan
-        z_near, z_far = self.depth_range
-        sign = math.copysign(1.0, z_far - z_near)
-        outside = np.stack(
-            [
-                sign * z < sign * z_near * w,
-                sign * z > sign * z_far * w,
-                x < -w,
-                x > w,
-                y < -w,
-                y > w,
-            ],
-            axis=-1,
-        )
-        return Trace(world, view, clip, ndc, image, depth, in_front, outside)
-
-    def _view(self, world: Array) -> tuple[Array, Array]:
+    def view(self, world: Array) -> tuple[Array, Array]:
         """View coordinates of points (n, 3), rounded once, and what that cut off of z.
 
         Returns
@@ -861,113 +658,18 @@ class Projection:
         """
         offsets = [dd.two_sum(points_world[:, i], -part) for i, part in enumerate(self.camera.eye)]
         rows = []
-        for axis in self._frame_double_double:
+        for axis in self.frame_double_double:
             x, y, z = (dd.multiply(part, o) for part, o in zip(axis, offsets, strict=True))
             rows.append(dd.add(dd.add(x, y), z))
         return tuple(rows)
 
     @cached_property
-    def _frame_double_double(self) -> list[list[DoubleDouble]]:
+    def frame_double_double(self) -> list[list[DoubleDouble]]:
+        """The camera's frame with twice the digits, rows u, v, n."""
         return [
             [DoubleDouble(*map(np.asarray, dd.from_exact(part))) for part in axis]
             for axis in self.camera.exact_frame
         ]
-
-    def _trace_view(self, world: Array) -> Trace:
-        flat = world.reshape(-1, 3)
-        count = len(flat)
-        # In one piece: the system hands out a large one many times as fast as several.
-        numbers = np.empty(13 * count)
-        view, clip, ndc, image = (
-            numbers[first * count : last * count].reshape(count, last - first)
-            for first, last in ((0, 3), (3, 7), (7, 10), (10, 12))
-        )
-        in_front, outside = np.empty(count, dtype=bool), np.empty((count, 6), dtype=bool)
-        traced = Trace(flat, view, clip, ndc, image, numbers[12 * count :], in_front, outside)
-        for start in range(0, count, _CHUNK):
-            self._trace_block(Trace._make(part[start : start + _CHUNK] for part in traced))
-        shape = world.shape[:-1]
-        return Trace._make(part.reshape(shape + part.shape[1:]) for part in traced)
-
-    def _trace_block(self, traced: Trace) -> None:
-        """Fill in what follows from the world coordinates, row by row: so numpy is fast."""
-        lens = self.lens
-        near, far = lens.near, lens.far
-        rows, rest = self._view(traced.world)
-        x, y, z = rows
-        distance = -z
-        reverse = self.depth == "reversed"
-        if lens.parallel or not reverse:
-            # Between planes that nearly touch, all that the depth has left is what was cut off.
-            from_plane = (far - distance) + rest if reverse else (distance - near) - rest
-        if lens.parallel:
-            w, minus_w = np.ones_like(z), -1.0
-            cot_alpha, cot_beta = self.shear
-            before = near - distance
-            x_axis, y_axis = self._axes
-            x_clip = x_ndc = x_axis.across(x + cot_alpha * before)
-            y_clip = y_ndc = y_axis.across(y + cot_beta * before)
-            numerator = depth = from_plane / (far - near)
-        else:
-            w, minus_w = distance, z
-            if isinstance(lens, Perspective):
-                scale_y = lens.cot_half_fov_y
-                scale_x = scale_y / self.aspect
-                x_clip, y_clip = scale_x * x, scale_y * y
-                x_ndc, y_ndc = scale_x * (x / w), scale_y * (y / w)
-            else:
-                x_axis, y_axis = self._axes
-                x_ndc, y_ndc = x_axis.across(near * (x / w)), y_axis.across(near * (y / w))
-                # Where w is 0 there is no quotient, but still a point in clip space.
-                x_clip = 2.0 * near / x_axis.extent * x - x_axis.skew * w
-                y_clip = 2.0 * near / y_axis.extent * y - y_axis.skew * w
-            if reverse and far != math.inf:
-                # What the difference, the ratio and w were rounded by is added to the product:
-                # three roundings in all, 3.4e-16 of w that depth implies.
-                ratio, ratio_rest = self._near_ratio
-                gap = far - w
-                product = ratio * gap
-                tail = ratio_rest * gap + ratio * (((far - gap) - w) + rest)
-                numerator = product + tail
-                depth = (product + (tail + product * (rest / w))) / w
-            else:
-                if reverse:
-                    numerator = near + 0.0 * w
-                else:
-                    numerator = (1.0 if far == math.inf else far / (far - near)) * from_plane
-                depth = numerator / w
-        opengl = self.depth == "opengl"
-        z_clip = 2.0 * numerator - w if opengl else numerator
-        z_ndc = 2.0 * depth - 1.0 if opengl else depth
-        width, height = self.image_size
-        right, down = (x_ndc + 1.0) * (width / 2.0), (1.0 - y_ndc) * (height / 2.0)
-        for array, columns in (
-            (traced.view, rows),
-            (traced.clip, (x_clip, y_clip, z_clip, w)),
-            (traced.ndc, (x_ndc, y_ndc, z_ndc)),
-            (traced.image, (right, down)),
-        ):
-            for i, column in enumerate(columns):
-                array[:, i] = column
-        traced.depth[...] = depth
-        in_front = np.greater(w, 0.0, out=traced.in_front)
-        for row in (right, down, z_ndc):  # pixels are finite only where x and y of the cube are
-            in_front &= np.isfinite(row)
-        if not in_front.all():
-            for array in (traced.ndc, traced.image, traced.depth):
-                array[~in_front] = np.nan
-        beyond = traced.outside.T
-        np.less(distance, near, out=beyond[0])
-        np.greater(distance, far, out=beyond[1])
-        for i, row in ((2, x_clip), (4, y_clip)):
-            np.less(row, minus_w, out=beyond[i])
-            np.greater(row, w, out=beyond[i + 1])
-
-    @cached_property
-    def _near_ratio(self) -> tuple[float, float]:
-        """``n/(f - n)`` of a finite lens, rounded once, and the rest."""
-        near, far = Fraction(self.lens.near), Fraction(self.lens.far)
-        return dd.from_exact(near / (far - near))
 
     def world_from_image(self, points_image: ArrayLike) -> Array:
         """Un-project pixels with a depth.
@@ -994,52 +696,7 @@ class Projection:
         for wrong, bound, limit in ((depth < 0.0, AT_LEAST, 0), (depth > 1.0, AT_MOST, 1)):
             if wrong.any():
                 raise Refusal("depth", float(depth[wrong][0]), bound, limit)
-        if self.lens.planes is None:
-            return self._world_from_image_free(points)
-        # From 0 at the near plane to 1 at the far one, and what is left of it, without a
-        # difference where the format has its digits.
-        gone, left_over = (1.0 - depth, depth) if self.depth == "reversed" else (depth, 1.0 - depth)
-        with np.errstate(divide="ignore", over="ignore"):
-            distance = self.lens.distance(gone, left_over)
-        width, height = self.image_size
-        x_axis, y_axis = self._axes
-        x = x_axis.middle + x_axis.extent * ((points[..., 0] - width / 2.0) / width)
-        y = y_axis.middle - y_axis.extent * ((points[..., 1] - height / 2.0) / height)
-        with np.errstate(over="ignore", invalid="ignore"):
-            x, y = self.lens.outwards(x, y, distance)
-        nowhere = ~(np.abs(x) + np.abs(y) + np.abs(distance) < _BEYOND)
-        if nowhere.any():
-            raise Refusal("depth", float(depth[nowhere][0]), NO_POINT)
-        # With twice the digits, so that there and back together stay within 1e-15 of w.
-        view = [DoubleDouble(part, np.zeros_like(part)) for part in (x, y, -distance)]
-        world = np.empty_like(points)
-        for column, eye in enumerate(self.camera.eye):
-            total = DoubleDouble(np.asarray(eye), np.zeros(()))
-            for axis, part in zip(self._frame_double_double, view, strict=True):
-                total = dd.add(total, dd.multiply(axis[column], part))
-            world[..., column] = total.hi
-        return world
-
-    def _world_from_image_free(self, points: Array) -> Array:
-        z_near, z_far = self.depth_range
-        low, high = min(z_near, z_far), max(z_near, z_far)
-        width, height = self.image_size
-        ndc = np.stack(
-            [
-                2.0 * (points[..., 0] / width) - 1.0,
-                1.0 - 2.0 * (points[..., 1] / height),
-                low + (high - low) * points[..., 2],
-                np.ones(points.shape[:-1]),
-            ],
-            axis=-1,
-        )
-        offsets = ndc @ _rounded(self._eye_from_clip).T
-        with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
-            world = offsets[..., :3] / offsets[..., 3:] + self.camera.eye
-        nowhere = ~(np.abs(world).max(axis=-1) < _BEYOND)
-        if nowhere.any():
-            raise Refusal("depth", float(points[..., 2][nowhere][0]), NO_POINT)
-        return np.asarray(world)
+        return self.lens.world_from_image(self, points)
 
     # -- the same picture with another lens
 
@@ -1078,9 +735,8 @@ class Projection:
         Refusal
             For another kind.
         """
-        kinds = (*LENSES, FreeMatrix.kind)
-        if kind not in kinds:
-            raise Refusal("kind", kind, ONE_OF, ", ".join(kinds))
+        if kind not in kinds():
+            raise Refusal("kind", kind, ONE_OF, ", ".join(kinds()))
         if kind == self.lens.kind:
             return self
         if self.lens.former is not self.lens:
@@ -1126,20 +782,8 @@ class Projection:
         Refusal
             For a free matrix, which has no planes.
         """
-        lens = self.lens
-        depth_row, depth_rows_back = _depth_rows(lens.table_to(far), near, far)
-        clip_from_view, view_from_clip = self.clip_from_view.copy(), self.view_from_clip.copy()
-        clip_from_view[2] = depth_row
-        if lens.central:
-            view_from_clip[3] = depth_rows_back[1]
-            return clip_from_view, view_from_clip
-        view_from_clip[2:] = depth_rows_back
-        left, right, bottom, top = self.window
-        for row, (low, high) in enumerate(((left, right), (bottom, top))):
-            cot = self.shear[row]
-            view_from_clip[row, 2] = -cot * (far - near)
-            view_from_clip[row, 3] = (low + high) / 2.0 + cot * (far - lens.near)
-        return clip_from_view, view_from_clip
+        rows = _depth_rows(self.lens.table_to(far), near, far)
+        return self.lens.between(self, rows, self.window, near, far)
 
     def with_intrinsics(self, intrinsics: Intrinsics) -> Projection:
         """The same camera with the lens of a calibrated one.

@@ -9,8 +9,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, NamedTuple, TypeAlias
 
+from app.arithmetic.rationals import Rationals, eliminate
 from app.model.formula import EXACT, Arithmetic, Formula, parse
-from app.model.refusal import QT_TRANSLATE_NOOP
+from app.model.limits import INVERTIBLE, Array, read_only
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
 Table: TypeAlias = tuple[tuple[Formula, ...], ...]
 """A (4, 4) matrix of formulas."""
@@ -40,6 +42,26 @@ def evaluated(table: Table, known: Mapping[str, Any], arithmetic: Arithmetic = E
     return [[cell.evaluate(known, arithmetic) for cell in row] for row in table]
 
 
+def rounded(matrix: Rationals) -> Array:
+    """A matrix of rationals in float64, every number rounded once."""
+    return read_only([[float(part) for part in row] for row in matrix])
+
+
+def inverse(field: str, matrix: Rationals) -> Rationals:
+    """The inverse of a matrix of rationals.
+
+    Raises
+    ------
+    Refusal
+        Naming the field, for a matrix without one.
+    """
+    rank, _, found = eliminate(matrix)
+    if found is None:
+        cells = tuple(map(tuple, rounded(matrix).tolist()))
+        raise Refusal(field, cells, INVERTIBLE, rank)
+    return found
+
+
 class Step(NamedTuple):
     """One step of the pipeline as the lectures write it.
 
@@ -65,6 +87,9 @@ NO_M_PP = QT_TRANSLATE_NOOP("Stage", "a parallel lens has no M_pp: this is the i
 SCALED_BY_NEAR = QT_TRANSLATE_NOOP(
     "Stage", "far is infinite: the canonical pyramid is scaled by near, which is at z = -1"
 )
+
+TO_PYRAMID = "canonical_perspective_from_view"
+"""The first step of what meets in an eye."""
 
 OBJECT = Step("world_from_object", note=NO_OBJECT_TRANSFORM)
 

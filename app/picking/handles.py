@@ -20,7 +20,7 @@ from typing import Literal, NamedTuple, TypeAlias
 
 import numpy as np
 
-from app.model.projection import LENSES, ONE_OF, Array, Perspective, Projection, Vector
+from app.model.projection import LENSES, ONE_OF, Array, Projection, Vector
 from app.model.refusal import Refusal
 from app.picking.picking import Sight
 
@@ -96,13 +96,13 @@ def shown(
     grips : mapping of setting to (3,) array, optional
         Points of the world that settings of the scene are held at.
     """
-    free = projection.lens.planes is None
+    has_faces = projection.lens.planes is not None  # a free matrix has no planes, no window
     held = [Handle("grip", setting=name) for name in grips]
     held_at = sight.seen(np.array(list(grips.values())).reshape(-1, 3)).tolist()
     spots = dict(zip(held, map(tuple, held_at), strict=True))
-    cameras = [] if free and not has_camera(projection) else [EYE, TARGET]
+    cameras = [EYE, TARGET] if has_camera(projection) else []
     places = np.array([projection.camera.eye, projection.camera.target])
-    if not free:  # a free matrix has no planes and no window
+    if has_faces:
         places = np.vstack([places, _places(projection, drawn)])
     spots |= zip(_ALL, map(tuple, sight.seen(places).tolist()), strict=False)
     width_px, height_px = size_px
@@ -120,11 +120,11 @@ def shown(
     if kept is not None and kept in spots:
         found.append((kept, spots[kept]))
     single = [[handle] for handle in (*held, *cameras)]
-    for alternatives in single if free else (*single, _NEAR, _FAR):
+    for alternatives in (*single, _NEAR, _FAR) if has_faces else single:
         same = kept is not None and alternatives[0].name == kept.name != "grip"
         if not same and alternatives[0] != kept:
             any(take(handle) for handle in alternatives)
-    if free:
+    if not has_faces:
         return found
     corners = [spots[handle] for handle in _NEAR_CORNERS]
     sides = [math.dist(corners[i], corners[i - 1]) for i in range(4)]
@@ -204,8 +204,9 @@ def dragged(
         return {handle.name: _moved_point(before, sight, pixel, shift)}
     if handle.name in ("near", "far"):
         return {handle.name: _moved_plane(projection, handle, drawn, sight, pixel)}
-    if isinstance(projection.lens, Perspective):
-        return {"fov_y_deg": _opened(projection, projection.lens, handle, drawn, sight, pixel)}
+    before = projection.lens.fov_y_deg
+    if before is not None:
+        return {"fov_y_deg": _opened(projection, before, handle, drawn, sight, pixel)}
     return _resized(projection, handle, drawn, sight, pixel, shift)
 
 
@@ -310,10 +311,8 @@ def _rail(
     distance = drawn[handle.face == "far"]
     x, y, _ = projection.camera.frame @ (place(projection, handle, drawn) - projection.camera.eye)
     along = np.array([0.0, 0.0, -1.0])
-    if lens.central and (handle.face == "far" or isinstance(lens, Perspective)):
-        along[:2] = x / distance, y / distance
-    elif handle.face == "far":
-        along[:2] = projection.shear
+    if handle.face == "far" or not lens.window_stays:
+        along[:2] = lens.along(x, y, distance)
     start = np.array([x, y, -distance]) - distance * along
     world_from_view = projection.camera.frame.T
     return world_from_view @ start + projection.camera.eye, world_from_view @ along
@@ -338,7 +337,7 @@ def _moved_plane(
 
 def _opened(
     projection: Projection,
-    lens: Perspective,
+    before: float,
     handle: Handle,
     drawn: tuple[float, float],
     sight: Sight,
@@ -352,7 +351,7 @@ def _opened(
     slope, per_px = _slide(sight, middle, along, pixel)
     slope = max(slope, 0.0)
     fov_y_deg = math.degrees(2.0 * math.atan(slope))
-    return _tidy(fov_y_deg, lens.fov_y_deg, math.degrees(2.0 * per_px / (1.0 + slope * slope)))
+    return _tidy(fov_y_deg, before, math.degrees(2.0 * per_px / (1.0 + slope * slope)))
 
 
 def _resized(

@@ -22,7 +22,6 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from app.model.projection import LARGEST, Array, Projection, Vector
-from app.model.refusal import Refusal
 
 VERTEX_WITHIN_PX = 6.0
 """A vertex that is seen so close to the pixel is what was meant, not the face beside it."""
@@ -30,9 +29,6 @@ LINE_WITHIN_PX = 3.0
 """A line that is seen so close to the pixel is what was meant, not the face under it."""
 _COVERS_PX = 0.25
 """Half as wide as a line is drawn: what is behind it there is not seen."""
-
-_RAY_REACH = 10.0
-"""A ray to infinity is drawn so many times as far as the target is."""
 
 _BLOCK = 16_384  # triangles: what is made of so many stays in the processor's cache
 _CELLS = 32  # along each axis at most: their numbers fit 16 bits, which numpy sorts by radix
@@ -66,23 +62,10 @@ class Sight(NamedTuple):
     @classmethod
     def of(cls, projection: Projection) -> Sight:
         """The model's own: pixels of the image, between near and far."""
-        camera, lens = projection.camera, projection.lens
-        if lens.planes is None:  # the planes and the order are those of the cube
-            clip = projection.clip_from_eye
-            z_near, z_far = projection.depth_range
-            sign = math.copysign(1.0, z_far - z_near)
-            rows = projection.image_from_ndc @ clip
-            rows[2] *= sign
-            planes = np.array([clip[2] - z_near * clip[3], z_far * clip[3] - clip[2]])
-            return cls(np.array(camera.eye), rows, sign * planes)
-        rows = projection.image_from_ndc @ projection.clip_from_view
-        # Their order without the digits that the depth loses far away: -1/w, or the distance.
-        rows[2] = (0.0, 0.0, -1.0, 0.0) if lens.parallel else (0.0, 0.0, 0.0, -1.0)
-        limits = [(0.0, 0.0, -1.0, -lens.near)]
-        if lens.far != np.inf:
-            limits.append((0.0, 0.0, 1.0, lens.far))
-        rotation = projection.view_rotation
-        return cls(np.array(camera.eye), rows @ rotation, np.array(limits) @ rotation)
+        clip, axes = projection.lens.stated_in(projection)
+        rows = projection.image_from_ndc @ clip
+        rows[2], limits = projection.lens.order(projection)
+        return cls(np.array(projection.camera.eye), rows @ axes, limits @ axes)
 
     def scaled(self, pixels_from_pixels: ArrayLike) -> Sight:
         """Seen in other pixels, by an affine (3, 3) matrix of x, y, 1."""
@@ -161,71 +144,8 @@ def projector(projection: Projection, probe: Probe, distances: ArrayLike) -> Arr
     without an inverse. Of a line through infinity it is the part in front of the eye plane, from
     its end as far as it is drawn.
     """
-    camera = projection.camera
-    if projection.lens.planes is None:
-        return _line_of_cube(projection, probe, distances)
-    depths = np.asarray(distances, dtype=np.float64)
-    eye = np.array(camera.eye)
-    if probe.point is not None and projection.lens.central:
-        offset = np.array(probe.point) - eye
-        away = -float(camera.frame[2] @ offset)
-        return eye + depths[:, None] * (offset / away) if away > 0.0 else None
-    sight = Sight.of(projection)
-    x_px, y_px = probe.pixel or sight.seen(np.array([probe.point]))[0]
-    x, y, _, w = sight.rows
-    across, down = x - x_px * w, y - y_px * w
-    system = np.array([across[:3], down[:3], -camera.frame[2]])
-    fixed = np.full(len(depths), -across[3]), np.full(len(depths), -down[3]), depths
-    points: Array = eye + np.linalg.solve(system, np.array(fixed)).T
-    return points
-
-
-def _line_of_cube(projection: Projection, probe: Probe, shares: ArrayLike) -> Array | None:
-    """From 0 on the near face to 1 on the far one, on the line that a probe has in the cube."""
-    pixel = probe.pixel
-    if pixel is None:
-        trace = projection.trace(probe.point or ())
-        if not trace.in_front:
-            return None
-        pixel = float(trace.image[0]), float(trace.image[1])
-    z_near, z_far = projection.depth_range
-    ends = np.array([projection.image_from_ndc @ (0.0, 0.0, z, 1.0) for z in (z_near, z_far)])
-    ends[:, :2] = pixel
-    if not projection.frustum_sign:
-        return _line_in_front(projection, ends, shares)
-    try:
-        start, end = projection.world_from_image(ends[:, :3])
-    except Refusal:  # a pixel beside the picture may meet infinity
-        return None
-    line: Array = start + np.asarray(shares, dtype=np.float64)[:, None] * (end - start)
-    return line
-
-
-def _line_in_front(projection: Projection, ends: Array, shares: ArrayLike) -> Array | None:
-    """What a line of the cube has in front of the eye plane, where others may reach infinity.
-
-    w of a point un-projected is the inverse of the point's own: it passes 0 where the line passes
-    infinity, and the direction there is that of what is left.
-    """
-    eye = projection.camera.eye
-    try:
-        unprojected = projection.world_from_clip_at(eye)
-    except Refusal:  # no inverse
-        return None
-    ndc = np.linalg.solve(projection.image_from_ndc, ends.T)
-    near, far = (unprojected @ ndc).T
-    if near[3] <= 0.0:
-        near, far = far, near
-    if near[3] <= 0.0:
-        return None
-    start = near[:3] / near[3]
-    if far[3] > 0.0:
-        along = far[:3] / far[3] - start
-    else:
-        along = near[:3] * -far[3] + far[:3] * near[3]
-        along *= _RAY_REACH * projection.camera.distance / np.linalg.norm(along)
-    line: Array = eye + start + np.asarray(shares, dtype=np.float64)[:, None] * along
-    return line if np.abs(line).max() <= LARGEST else None
+    at = np.asarray(distances, dtype=np.float64)
+    return projection.lens.line(projection, probe.pixel, probe.point, at)
 
 
 def dragged(
@@ -258,33 +178,8 @@ def dragged(
     trace = projection.trace(point)
     if not trace.in_front:
         return None
-    right_px, down_px = shift_px
-    if projection.lens.planes is None:
-        x_px, y_px, depth = float(trace.image[0]), float(trace.image[1]), float(trace.depth)
-        if along_ray:
-            away = -1.0 if projection.depth == "reversed" else 1.0
-            depth -= away * down_px / projection.image_size[1]
-        else:
-            x_px, y_px = x_px + right_px, y_px + down_px
-        try:
-            return _vector(projection.world_from_image((x_px, y_px, depth)))
-        except Refusal:  # no inverse, beyond the depth range, or at infinity
-            return None
-    distance = -float(trace.view[2])
-    held = Probe(0, point)
-    if not along_ray:
-        x_px, y_px = trace.image.tolist()
-        held = Probe(0, pixel=(x_px + right_px, y_px + down_px))
-    elif projection.lens.parallel:
-        _, _, bottom, top = projection.window
-        distance -= (top - bottom) * down_px / projection.image_size[1]
-    else:
-        with np.errstate(over="ignore", under="ignore"):
-            distance *= float(np.exp2(-4.0 * down_px / projection.image_size[1]))
-        if not 0.0 < distance < LARGEST:
-            return None
-    line = projector(projection, held, [distance])
-    return None if line is None or not np.abs(line).max() <= LARGEST else _vector(line[0])
+    moved = projection.lens.dragged(projection, trace, shift_px, along_ray=along_ray)
+    return None if moved is None or not np.abs(moved).max() <= LARGEST else _vector(moved)
 
 
 class Surface:

@@ -27,11 +27,8 @@ from numpy.typing import ArrayLike
 from app.arithmetic import double_double as dd
 from app.arithmetic.double_double import DoubleDouble
 from app.model.projection import (
-    DEPTH_RANGES,
     ONE_OF,
     Array,
-    ExactLens,
-    Oblique,
     Projection,
     Trace,
     Vector,
@@ -56,7 +53,6 @@ _LARGEST_32, _LEAST_32 = 2.0**127, 2.0**-126  # the largest with room for a sum
 _CHUNK = 8192
 _CERTAIN = 2.0**-16  # of an ulp: a bound below it leaves no doubt worth a rational
 _ROUNDED_UP = 1.0 + 2.0**-10  # for products of roundings, and for those of the bounds themselves
-_UNDERFLOW = 1e-300  # what products near the smallest float64 may lose, and some
 
 
 class Prediction(NamedTuple):
@@ -168,23 +164,11 @@ class _Bounds:
         clip_from_local = projection.clip_from_world_at(origin)
         self._single = _single_sizes(projection, origin, clip_from_local)
         lens = projection.lens
-        if lens.planes is None:
-            self._axes = np.eye(3)
-            self._rows = _with_depth(projection, projection.clip_from_eye)
-            sizes = _with_depth(projection, np.abs(projection.clip_from_eye))
-            roundings = np.full((4, 1), 6.0)  # offset, cell, product and three sums
-            view_error = 0.0
-        else:
-            self._axes = projection.camera.frame
-            self._rows = projection.clip_from_view.copy()
-            self._rows[2] = _depth_row(projection)
-            sizes = _cell_sizes(projection)
-            sizes[2] = 0.0  # a difference of distances, which are rounded once: by its own size
-            # View 1, cotangent 4, aspect and its quotient, x/w, product; w 1. Of a parallel lens:
-            # view and near - w, cotangent 4, product, sum, and middle, extent, quotient; w is 1.
-            roundings = np.full((4, 1), 12.0 if lens.parallel else 8.0)
-            roundings[3] = 0.0 if lens.parallel else 1.0
-            view_error = projection.view_error
+        self._rows, axes = (part.copy() for part in lens.stated_in(projection))
+        self._axes = np.ascontiguousarray(axes[:3, :3])
+        sizes = lens.cell_sizes(self._rows)
+        self._rows[2], sizes[2] = lens.depth_terms(projection)
+        roundings = np.array(lens.roundings)[:, None]
         cells = np.maximum(sizes, np.abs(self._rows))
         by_distance = np.column_stack([cells[:, :3].sum(axis=1), cells[:, 3]])
         # What float64 loses of each numerator, what the product in `of` does, and the least w that
@@ -192,8 +176,8 @@ class _Bounds:
         self._weights = np.zeros((8, 6))
         self._weights[:4, [0, 1, 2, 5]] = _UNIT_64 * roundings * sizes
         self._weights[2, 3] = _UNIT_64 * roundings[2, 0]
-        self._weights[:4, 4] = view_error * by_distance[:, 0]
-        self._weights[:4, 5] += _UNDERFLOW
+        self._weights[:4, 4] = lens.view_error(projection) * by_distance[:, 0]
+        self._weights[:4, 5] += dd.UNDERFLOW
         self._weights[4:7, 4:] = 2.0**-48 * by_distance[:3]
         self._weights[7, 4:] = 2.0**-38 * by_distance[3]
 
@@ -212,7 +196,7 @@ class _Bounds:
         np.abs(clip, out=clip)
         sizes[3] = clip[2]
         np.abs(offset, out=offset).sum(axis=0, out=sizes[4])
-        sizes[4] += 1e30 * _UNDERFLOW  # below, 2^-100 of it underflows
+        sizes[4] += 1e30 * dd.UNDERFLOW  # below, 2^-100 of it underflows
         sizes[5] = 1.0
         weighed = self._weights @ sizes
         numerators = np.add(clip[:3], weighed[4:7], out=clip[:3])
@@ -240,27 +224,6 @@ class _Bounds:
         rounded = (largest + np.array([1.0, 1.0, 0.0])) * [width / 2.0, height / 2.0, 1.0]
         exact = np.where(np.isfinite(double), 0.5001 * np.spacing(rounded), math.inf)
         return np.stack([single, double, exact])
-
-
-def _depth_row(projection: Projection) -> tuple[float, float, float, float]:
-    """The depth times w from view coordinates, as `Projection.trace` has it."""
-    lens = projection.lens
-    near, far, reverse = lens.near, lens.far, projection.depth == "reversed"
-    if far == math.inf:
-        return (0.0, 0.0, 0.0, near) if reverse else (0.0, 0.0, -1.0, -near)
-    per_unit = (1.0 if lens.parallel else near if reverse else -far) / (far - near)
-    if lens.parallel and not reverse:
-        per_unit = -per_unit
-    return 0.0, 0.0, per_unit, per_unit * (far if reverse else near)
-
-
-def _cell_sizes(projection: Projection) -> Array:
-    """The sizes of the terms that `clip_from_view`'s cells are summed from."""
-    lens = projection.lens
-    sizes = np.abs(projection.clip_from_view)
-    if isinstance(lens, Oblique):
-        sizes[:2, 3] += 2.0 * sizes[:2, 2] * abs(lens.near)
-    return sizes
 
 
 def _with_depth(projection: Projection, clip: Array) -> Array:
@@ -295,7 +258,7 @@ def _divided(projection: Projection, quotients: Array, w: Array, lost: Array, un
     width, height = projection.image_size
     summed = np.array([1.0, 1.0, float(projection.depth == "opengl")])
     sizes = np.array([width / 2.0, height / 2.0, 1.0])
-    largest: Array = _ROUNDED_UP * sizes * (off.max(axis=1) + 2.0 * unit * summed) + _UNDERFLOW
+    largest: Array = _ROUNDED_UP * sizes * (off.max(axis=1) + 2.0 * unit * summed) + dd.UNDERFLOW
     return largest
 
 
@@ -304,10 +267,8 @@ def _single_sizes(projection: Projection, origin: Vector, clip_from_local: Array
 
     What float64 lost in making them is in it, as 2^-27 of the terms that they are summed from.
     """
-    if projection.lens.planes is None:
-        from_eye = np.abs(projection.clip_from_eye)
-    else:
-        from_eye = _cell_sizes(projection) @ np.abs(projection.view_rotation)
+    cells, axes = projection.lens.stated_in(projection)
+    from_eye = projection.lens.cell_sizes(cells) @ np.abs(axes)
     shift = np.append(np.abs(np.subtract(origin, projection.camera.eye)), 1.0)
     summed = np.column_stack([from_eye[:, :3], from_eye @ shift])
     sizes = np.abs(clip_from_local) + 2.0**-27 * summed
@@ -374,8 +335,7 @@ def drawing_bound_px(
     if not np.isfinite(lost).all():
         return math.inf
     least_w = 1.0
-    lens = projection.lens
-    if lens.planes is None or lens.central:
+    if clip_from_local[3].tolist() != [0.0, 0.0, 0.0, 1.0]:
         near = projection.least_w
         clip = local @ clip_from_local[:, :3].T + clip_from_local[:, 3]
         least_w = max(near, _least_w_seen(clip, lost[:, 0] / _UNIT_32))
@@ -477,12 +437,7 @@ def _trace_float32(projection: Projection, world: Array, origin: Vector) -> tupl
     local = (world - origin).astype(single)
     offset = (world - projection.camera.eye).astype(single)
     lens = projection.lens
-    if lens.planes is None:
-        view_matrix = np.array(projection.exact_from_eye[0], dtype=np.float64).astype(single)
-        view = offset @ view_matrix[:, :3].T + view_matrix[:, 3]
-        view = view[:, :3] / view[:, 3:]
-    else:
-        view = offset @ projection.view_rotation.astype(single)[:3, :3].T
+    view = lens.view_of(projection, offset)
 
     def row(i: int) -> Any:
         total = matrix[i, 0] * local[:, 0]
@@ -498,15 +453,9 @@ def _trace_float32(projection: Projection, world: Array, origin: Vector) -> tupl
     depth = ndc[:, 2]
     if projection.depth == "opengl":
         depth = single(0.5) * depth + single(0.5)
-    x, y, z, w = clip.T
+    x, y, _, w = clip.T
     in_front = (w > 0.0) & np.isfinite(ndc).all(axis=1) & np.isfinite(image).all(axis=1)
-    if lens.planes is None:
-        z_near, z_far = projection.depth_range
-        sign = math.copysign(1.0, z_far - z_near)
-        before, beyond = sign * z < sign * z_near * w, sign * z > sign * z_far * w
-    else:
-        distance = -view[:, 2]
-        before, beyond = distance < single(lens.near), distance > single(lens.far)
+    before, beyond = lens.beyond(projection, view, clip)
     outside = np.stack([before, beyond, x < -w, x > w, y < -w, y > w], axis=1)
     return _finish(view, clip, ndc, image, depth, in_front, outside)
 
@@ -521,55 +470,6 @@ def _finish(*parts: Any) -> tuple[Any, ...]:
 
 
 # --------------------------------------------------------------------------- exact
-
-
-def _clip_free(projection: Projection, x: Any, y: Any, z: Any) -> list[Any]:
-    """`_clip` of a free matrix, from a point's offset from the eye, in whatever arithmetic."""
-    view, clip = (
-        [x * row[0] + y * row[1] + z * row[2] + row[3] for row in matrix]
-        for matrix in projection.exact_from_eye
-    )
-    if projection.exact_from_eye[0][3] != [0, 0, 0, 1]:
-        nowhere = isinstance(view[3], Fraction) and view[3] == 0
-        view = [math.nan if nowhere else part / view[3] for part in view]
-    x_clip, y_clip, z_clip, w = clip
-    z_near, z_far = map(int, DEPTH_RANGES[projection.depth])
-    sign = 1 if z_far > z_near else -1
-    from_near, to_far = (z_clip - w * z_near) * sign, (w * z_far - z_clip) * sign
-    inside = from_near, to_far, x_clip + w, -x_clip + w, y_clip + w, -y_clip + w
-    return [*view[:3], *clip, *inside]
-
-
-def _clip(projection: Projection, n: ExactLens, x: Any, y: Any, distance: Any) -> list[Any]:
-    """View and clip coordinates, and what is negative beyond each of `PLANES`, 3 + 4 + 6.
-
-    From the view coordinates, in whatever arithmetic they are.
-    """
-    reverse = projection.depth == "reversed"
-    one = distance * 0 + 1
-    from_near, to_far = distance - n.near, one if n.far is None else -distance + n.far
-    if projection.lens.parallel:
-        assert n.far is not None
-        w = one
-        x_clip, y_clip = (
-            (value - from_near * cot) * scale + shift
-            for value, cot, scale, shift in zip((x, y), n.shear, n.scale, n.shift, strict=True)
-        )
-        numerator = (to_far if reverse else from_near) * (1 / (n.far - n.near))
-    else:
-        w = distance
-        x_clip, y_clip = (
-            value * scale + w * shift
-            for value, scale, shift in zip((x, y), n.scale, n.shift, strict=True)
-        )
-        if n.far is None:
-            numerator = one * n.near if reverse else from_near
-        else:
-            planes = n.near if reverse else n.far
-            numerator = (to_far if reverse else from_near) * (planes / (n.far - n.near))
-    z_clip = numerator * 2 - w if projection.depth == "opengl" else numerator
-    inside = from_near, to_far, x_clip + w, -x_clip + w, y_clip + w, -y_clip + w
-    return [x, y, -distance, x_clip, y_clip, z_clip, w, *inside]
 
 
 def _divide(projection: Projection, clip: list[Any]) -> list[Any]:
@@ -610,7 +510,7 @@ class _Bounded:
             dd.multiply(self.value, other.value),
             mine * other.error
             + its * self.error
-            + _UNDERFLOW * (mine * (its + other.error) != 0.0),
+            + dd.UNDERFLOW * (mine * (its + other.error) != 0.0),
         )
 
     def __truediv__(self, other: Any) -> _Bounded:
@@ -618,7 +518,7 @@ class _Bounded:
         quotient = dd.divide(self.value, other.value)
         least = np.abs(other.value.hi) - other.error
         error = (self.error + np.abs(quotient.hi) * other.error) / least * (1.0 + 1e-9)
-        error = error + _UNDERFLOW * (np.abs(self.value.hi) + self.error > 0.0)  # 0/w is 0
+        error = error + dd.UNDERFLOW * (np.abs(self.value.hi) + self.error > 0.0)  # 0/w is 0
         return self._made(quotient, np.where(least > 0.0, error, math.inf))
 
 
@@ -645,18 +545,8 @@ def _exact_numbers(projection: Projection, world: Array) -> tuple[Array, Array, 
     for start in range(0, len(world), _CHUNK):
         block = slice(start, start + _CHUNK)
         points = world[block]
-        if projection.lens.planes is None:
-            offsets = (
-                dd.two_sum(points[:, i], -part) for i, part in enumerate(projection.camera.eye)
-            )
-            first = _clip_free(projection, *(_Bounded(o, 0.0 * o.hi) for o in offsets))
-        else:
-            size = np.abs(points - projection.camera.eye).sum(axis=1)
-            x, y, z = (
-                _Bounded(part, 3.0 * dd.RELATIVE_ERROR * size + _UNDERFLOW)
-                for part in projection.view_double_double(points)
-            )
-            first = _clip(projection, projection.exact_lens, x, y, -z)
+        parts, error = projection.lens.coordinates(projection, points)
+        first = projection.lens.clipped(projection, *(_Bounded(part, error) for part in parts))
         doubtful = np.zeros(len(points), dtype=bool)
         for column, number in enumerate(first[:7] + _divide(projection, first[3:7])):
             numbers[block, column] = number.value.hi
@@ -675,12 +565,8 @@ def _trace_rational(
     projection: Projection, point: Sequence[float]
 ) -> tuple[list[float], list[float], list[bool]]:
     """One point of `_exact_numbers` in rationals, each number rounded once."""
-    if projection.lens.planes is None:
-        pairs = zip(point, projection.camera.eye, strict=True)
-        first = _clip_free(projection, *(Fraction(part) - Fraction(eye) for part, eye in pairs))
-    else:
-        x, y, z = projection.camera.exact_view((point[0], point[1], point[2]))
-        first = _clip(projection, projection.exact_lens, x, y, -z)
+    lens = projection.lens
+    first = lens.clipped(projection, *lens.exact_coordinates(projection, point))
     w = first[6]
     quotients = _divide(projection, first[3:7]) if w != 0 else [math.nan] * 6
     numbers = [_rounded(number) for number in (*first[:7], *quotients)]

@@ -11,7 +11,7 @@ import math
 from dataclasses import dataclass, fields
 
 from app.model.depth import FORMATS, MAPPINGS, DepthBuffer
-from app.model.projection import AT_LEAST, AT_MOST, FINITE_NUMBER, LENSES, ONE_OF, Projection
+from app.model.projection import AT_LEAST, AT_MOST, FINITE_NUMBER, ONE_OF, Projection
 from app.model.refusal import Refusal
 
 AUTO = "auto"
@@ -100,15 +100,12 @@ class Quality:
         Refusal
             If the lens cannot have it.
         """
-        lens = projection.lens
-        if lens.planes is None:
-            raise Refusal("lens.kind", lens.kind, ONE_OF, ", ".join(LENSES))
+        mapping = self.depth_mapping or projection.depth
         try:
-            return DepthBuffer.of(
-                lens, self.depth_format or "fixed24", self.depth_mapping or projection.depth
-            )
+            return DepthBuffer(self.depth_format or "fixed24", mapping, projection.lens)
         except Refusal as error:
-            path = {"mapping": "quality.depth_mapping"}.get(error.field, error.field)
+            paths = {"mapping": "quality.depth_mapping", "kind": "lens.kind"}
+            path = paths.get(error.field, error.field)
             raise Refusal(path, error.value, error.bound, *error.limits) from error
 
 

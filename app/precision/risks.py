@@ -11,7 +11,7 @@ from itertools import product
 from typing import NamedTuple
 
 from app.model.depth import DepthBuffer
-from app.model.projection import INVERTIBLE, PLANES, Perspective, Projection, Vector
+from app.model.projection import INVERTIBLE, PLANES, Projection, Vector
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.precision.levels import Prediction, Rung, rung_for_reading
 
@@ -100,8 +100,8 @@ def risks(
     if beyond.any():
         found.append(Risk(NO_PICTURE, (PLANES[beyond.argmax()],)))
     lens, distance = projection.lens, projection.camera.distance
-    if lens.planes is not None and lens.near <= distance <= lens.far:
-        buffer = DepthBuffer.of(lens, "fixed24", projection.depth)
+    if lens.holds(distance):
+        buffer = DepthBuffer("fixed24", projection.depth, lens)
         gap = float(buffer.gap(distance))
         if gap > _GAP * size:
             found.append(Risk(WIDE_GAP, (f"{gap:.2g}",)) if gap < math.inf else Risk(NO_GAP))
@@ -110,16 +110,15 @@ def risks(
         found.append(rough if drawing_px < math.inf else Risk(NO_FLOAT32))
     if predictions is not None and rung_for_reading(predictions) == "exact":
         found.append(Risk(FEW_DIGITS, tuple(map(_decimals, predictions["float64"]))))
-    if isinstance(lens, Perspective):
+    if lens.fov_y_deg is not None:
         if lens.fov_y_deg > _LARGEST_VTK_FOV_DEG:
             found.append(Risk(VTK_CLAMPS, (f"{_LARGEST_VTK_FOV_DEG:g}",)))
         elif lens.fov_y_deg < _SMALLEST_VTK_FOV_DEG:
             found.append(Risk(VTK_CLAMPS, (f"{_SMALLEST_VTK_FOV_DEG:g}",)))
-    if lens.planes is None:
-        if not projection.frustum_sign:
-            found.append(Risk(_why_no_frustum(projection)))
-    elif lens.central and size / lens.near >= _VTK_DROPS_FROM:
-        found.append(Risk(VTK_DROPS, (f"{size / lens.near:.2g}",)))
+    if not projection.frustum_sign:
+        found.append(Risk(_why_no_frustum(projection)))
+    if size / lens.eye_room >= _VTK_DROPS_FROM:
+        found.append(Risk(VTK_DROPS, (f"{size / lens.eye_room:.2g}",)))
     return found
 
 

@@ -1088,7 +1088,7 @@ def test_the_names_in_the_help_are_those_that_there_are() -> None:
     from app.document import document
     from app.measure.arithmetic import SWEEPS
 
-    paths = {"scene", "mesh", "depth", *document._PATHS.values()} - {"lens.former"}
+    paths = {"scene", "mesh", "depth", *document.model_paths().values()} - {"lens.former"}
     assert set(options.SETTABLE) == paths | {f"quality.{key}" for key in document._QUALITY}
     assert options.RUNGS == RUNGS
     assert tuple(measure.TRADES) == options.TRADES

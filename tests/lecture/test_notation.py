@@ -258,8 +258,8 @@ def moves(projection: Projection) -> dict[str, list[Projection]]:
     lenses: dict[str, list[Any]] = {"far": [math.inf] if not lens.parallel else []}
     for name in ("fov_y_deg", "near", "far", "left", "right", "bottom", "top", "alpha_deg",
                  "beta_deg"):  # fmt: skip
-        if hasattr(lens, name):
-            value = getattr(lens, name)
+        value = getattr(lens, name, None)
+        if value is not None:
             lenses.setdefault(name, []).append(25.0 if value == math.inf else value + 0.03)
     if hasattr(lens, "keep"):
         lenses["keep"] = [keep for keep in KEEPS if keep != lens.keep]

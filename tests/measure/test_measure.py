@@ -298,7 +298,7 @@ def test_the_smallest_gap_is_never_below_the_formulas(
     """What is found holds for surfaces about the target, what is predicted for one at it."""
     if far == math.inf and mapping == "logarithmic":
         return
-    buffer = DepthBuffer(format_, mapping, 1.0, far)
+    buffer = DepthBuffer(format_, mapping, Perspective(near=1.0, far=far))
     for distance in (1.7, 11.0, 25.0, *np.random.default_rng(1).uniform(1.0, 30.0, 8).tolist()):
         found, predicted = smallest_gap(buffer, distance), float(buffer.gap(distance))
         if predicted == math.inf:

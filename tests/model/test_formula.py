@@ -14,7 +14,8 @@ from hypothesis import strategies as st
 
 from app.lecture.algebra import Ratio, number, ratio
 from app.model import formula
-from app.model.formula import Arithmetic, Formula, FormulaError, parse
+from app.model.formula import Arithmetic, Formula, parse
+from app.model.refusal import Refusal
 
 LETTERS = ("n", "f", "r", "l", "z_n", "theta_h")
 
@@ -115,19 +116,19 @@ def test_signs_bind_as_in_the_textbooks(text: str, wanted: Fraction) -> None:
 def test_what_is_none_is_refused_where_it_stops_being_one(
     text: str, position: int, refusal: str
 ) -> None:
-    with pytest.raises(FormulaError) as refused:
+    with pytest.raises(Refusal) as refused:
         parse(text)
     error = refused.value
-    assert (error.position, error.refusal, error.text) == (position, refusal, text)
-    assert str(error).startswith("The formula ") and str(error).endswith(
-        f"(character {position + 1})."
-    )
+    assert (error.field, error.value, error.bound) == ("formula", text, refusal)
+    assert error.limits[1] == position + 1
+    told = f"(character {position + 1})." if refusal != formula.TOO_LONG else "400 characters."
+    assert str(error).startswith("formula = ") and str(error).endswith(told)
 
 
 @QUICK
 @given(st.text(max_size=60) | st.text("()^-+*/ab12.,_ ", max_size=60))
 def test_a_strangers_text_is_read_or_refused(text: str) -> None:
-    with suppress(FormulaError, ZeroDivisionError, LookupError):
+    with suppress(Refusal, ZeroDivisionError, LookupError):
         parse(text).value({"a": Fraction(2), "b": Fraction(3)})
 
 

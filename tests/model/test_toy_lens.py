@@ -1,4 +1,4 @@
-"""A lens that the program does not have, in one file: it is drawn, read, exported and kept.
+"""A lens that the program does not have, in one file: drawn, read, exported, kept, in the dock.
 
 `Shift` is the architect's lens: a one-point perspective whose film is raised, so that a tower is
 seen to its top and its walls stay upright. Nothing outside this file knows it; a line of `LENSES`
@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import json
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from pathlib import Path
@@ -16,20 +17,26 @@ from typing import Any, ClassVar
 
 import numpy as np
 import pytest
+from PySide6.QtWidgets import QComboBox
 
 from app.arithmetic.double_double import cotangent_deg
 from app.commands import cli
 from app.document import document
 from app.drawings.figures import PANES, render
+from app.lecture import typed_matrix
 from app.lecture.notation import LETTERS, letters_in, matrices, written
 from app.model.lenses import LENSES
-from app.model.lenses.lens import Central, LensTable, Window, check_planes, plane_letters
+from app.model.lenses.central import Central
+from app.model.lenses.lens import Control, LensTable, plane_letters
 from app.model.lenses.perspective import SCALE, Perspective, fov_y_from_window, pyramid_tables
+from app.model.lenses.setup import Window
 from app.model.limits import Keep, between, finite, keep_checked
 from app.model.projection import Frustum, Projection
 from app.model.refusal import Refusal
 from app.precision import levels as precision
 from app.scenes.scene import load
+from tests.widgets.test_controls import choice, enter, number
+from widgets.controls.controls import Controls
 
 TABLE, TABLE_AT_INFINITY = pyramid_tables(
     {
@@ -62,6 +69,12 @@ class Shift(Central):
     """A symmetric lens whose window is raised by `rise` of its half-height."""
 
     kind: ClassVar[str] = "shift"
+    title: ClassVar[str] = "shift"
+    tip: ClassVar[str] = "The film is raised: walls stay upright."
+    controls: ClassVar[Mapping[str, Control]] = {
+        "fov_y_deg": Control("From the bottom to the top.", 1.0, 179.0, 0.5, "°"),
+        "rise": Control("By how much of its half-height the film is raised.", -2.0, 2.0, 0.1, "×"),
+    }
 
     fov_y_deg: float = 45.0
     rise: float = 0.5
@@ -69,7 +82,7 @@ class Shift(Central):
     far: float = 30.0
 
     def __post_init__(self) -> None:
-        near, far = check_planes(self.near, self.far, parallel=False)
+        near, far = self.checked_planes(self.near, self.far)
         fov_y_deg = between("fov_y_deg", self.fov_y_deg, 0, 180)
         keep_checked(self, fov_y_deg=fov_y_deg, rise=finite("rise", self.rise), near=near, far=far)
 
@@ -80,7 +93,12 @@ class Shift(Central):
     def exact_letters(self, aspect: Fraction) -> dict[str, Fraction]:
         cot = cotangent_deg(Fraction(self.fov_y_deg) / 2)
         rise = Fraction(self.rise)
-        return {**plane_letters(self), "cot(fov/2)": cot, "aspect": aspect, "rise": rise}
+        return {
+            **plane_letters(self.near, self.far),
+            "cot(fov/2)": cot,
+            "aspect": aspect,
+            "rise": rise,
+        }
 
     def letters(self, aspect: Fraction) -> dict[str, float]:
         cot = Perspective(self.fov_y_deg).cot_half_fov_y
@@ -170,6 +188,58 @@ def test_it_is_documented() -> None:
         document.parse(text.replace('"rise": 0.4, ', ""))
     typed = document.Document(projection=made.projection.with_lens("matrix"))
     assert document.parse(document.to_json(typed)) == typed
+
+
+def test_its_matrix_is_recognised() -> None:
+    """Typed over its own, and as the lens that a typed matrix goes back to."""
+    here, there = Projection(lens=SHIFT), Projection(lens=replace(SHIFT, rise=0.7, far=math.inf))
+    cells = typed_matrix.shown(there, "clip_from_view")
+    found = typed_matrix.with_matrix(here, "clip_from_view", cells)
+    assert isinstance(found.lens, Shift)
+    assert found.lens.rise == pytest.approx(0.7, rel=1e-14)
+    assert found.lens.fov_y_deg == pytest.approx(SHIFT.fov_y_deg, rel=1e-14)
+    assert (found.lens.near, found.lens.far) == (1.0, math.inf)
+    tilted = typed_matrix.with_cell(here, "clip_from_view", 0, 1, 0.25)
+    assert tilted.lens.kind == "matrix"
+    again = typed_matrix.with_cell(tilted, "clip_from_view", 0, 1, 0.0)
+    assert again == here
+
+
+def test_its_paths_can_be_set(capsys: pytest.CaptureFixture[str]) -> None:
+    settings = ["lens.kind=shift", "lens.rise=0.3", "lens.near=2"]
+    options = [word for setting in settings for word in ("--set", setting)]
+    assert cli.main(["matrices", "--format", "json", *options]) == 0
+    told = json.loads(capsys.readouterr().out)
+    assert told["clip_from_view"][1][2] == 0.3
+    assert cli.main(["matrices", "--set", "lens.rise=0.3"]) == 2
+    error = "lens.rise belongs to another lens: set lens.kind as well (shift)."
+    assert error in capsys.readouterr().err
+    assert cli.main(["matrices", "--set", "lens.kind=shift", "--set", "lens.rise=high"]) == 2
+    assert capsys.readouterr().err.startswith("lens.rise = 'high'")
+
+
+def test_it_is_in_the_dock(display: Any, qtbot: Any) -> None:
+    column, taken = Controls(), []
+    qtbot.addWidget(column)
+    column.resize(320, 900)
+    column.set_scene(6.0, Projection())
+    column.show_projection(Projection())
+    column.edited.connect(taken.append)
+    column.show()
+    qtbot.waitExposed(column)
+    menu = choice(column, "kind").widgets[0]
+    assert isinstance(menu, QComboBox)
+    texts = [menu.itemText(i) for i in range(menu.count())]
+    assert texts[-2:] == ["shift", "free matrix"]
+    assert not number(column, "rise").isVisible()
+    menu.activated.emit(len(texts) - 2)
+    assert taken[-1].lens.kind == "shift"
+    column.show_projection(Projection(lens=SHIFT))
+    for key, value in (("rise", 0.4), ("fov_y_deg", 50.0), ("near", 1.0), ("far", 40.0)):
+        assert number(column, key).isVisible() and number(column, key).value() == value
+    assert not number(column, "fov_x_deg").isVisible()  # whose window is no longer symmetric
+    enter(number(column, "rise"), "0.7")
+    assert taken[-1] == Projection(lens=replace(SHIFT, rise=0.7))
 
 
 def test_the_commands_know_it(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -247,11 +247,12 @@ def marked_texts() -> set[str]:
     import ast
 
     found: set[str] = set()
-    for path in sorted(Path(ROOT, "app", "scenes", "phenomena").glob("*.py")):
+    files = [*Path(ROOT, "app", "scenes", "phenomena").glob("*.py")]
+    for path in sorted([*files, *Path(ROOT, "app", "model", "lenses").glob("*.py")]):
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "QT_TRANSLATE_NOOP":
                 context, text = (ast.literal_eval(part) for part in node.args)
-                assert context in ("phenomena", "Refusal"), text
+                assert context in ("phenomena", "Refusal", "Lens"), text
                 found.add(text)
     return found
 

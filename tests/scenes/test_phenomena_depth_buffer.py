@@ -125,7 +125,7 @@ def test_a_surface_that_comes_to_lie_in_front_is_never_wrong() -> None:
     )
     first, second = distances(up, 0.01, SUBJECT)
     assert len(first) > 100 and (second < first).all()
-    buffer = DepthBuffer("fixed8", "opengl", 0.01, 200.0)
+    buffer = DepthBuffer("fixed8", "opengl", Perspective(near=0.01, far=200.0))
     assert (buffer.encode(first) == buffer.encode(second)).all()
     assert shown(up, format="fixed8", gap=0.01).readings[0].value == 0.0
 
@@ -250,7 +250,7 @@ def test_what_the_lens_cannot_have_is_said() -> None:
 def test_the_ticks_are_codes(name: str, largest: int) -> None:
     """Both axes: every 32nd part of the codes, and the last one; 8 bits: every 8th code."""
     diagram = shown(PHENOMENON.start, format=name).diagrams[0]
-    buffer = DepthBuffer(name, "opengl", 0.01, 200.0)
+    buffer = DepthBuffer(name, "opengl", Perspective(near=0.01, far=200.0))
     assert diagram.y_ticks is not None and diagram.x_ticks is not None
     expected = [*range(0, largest, (largest + 1) // 32), largest]
     assert (diagram.y_ticks * largest).tolist() == pytest.approx(expected)

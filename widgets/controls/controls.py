@@ -29,6 +29,7 @@ from PySide6.QtWidgets import (
 from app.lecture.highlight import NOTHING, Attention, made_of
 from app.model.projection import FINITE_NUMBER, LARGEST, Camera, Orbit, Projection
 from app.model.refusal import Refusal
+from app.scenes.phenomena.illustration import is_free
 from widgets.controls.animation import AnimationBar
 from widgets.controls.lens_controls import LensControls
 from widgets.parts.fields import (
@@ -242,7 +243,7 @@ class Controls(QScrollArea):
 
     def _frame_rows(self) -> None:
         """Frame what matters for the scene; of a free matrix it shows nothing that could."""
-        free = self._projection.lens.planes is None
+        free = is_free(self._projection)
         for key, binding in self._bindings.items():
             _frame(binding.row, self._matters(key, binding) and not free)
 

@@ -22,8 +22,7 @@ from app.model.projection import (
     LARGEST_SHEAR,
     LENSES,
     OBLIQUE_PRESETS,
-    Oblique,
-    Perspective,
+    FreeMatrix,
     Projection,
     focal_length_35mm,
     focal_length_e,
@@ -36,13 +35,8 @@ from app.model.projection import (
 )
 from app.model.refusal import Refusal
 from widgets.parts.fields import Choice, Linear, Log, NumberRow, Scale
+from widgets.parts.messages import translated
 from widgets.parts.section import Binding, Read, Section, Typed, Write, tidy
-
-STANDARD = tuple(LENSES)
-SYMMETRIC = ("perspective",)
-CONVERGING = ("perspective", "frustum")
-WINDOWED = ("frustum", "orthographic", "oblique")
-OBLIQUE = ("oblique",)
 
 SIDES = ("left", "right", "bottom", "top")
 _SAME_ANGLE_DEG = 1e-9  # what a preset's angle may lose on its way through a file
@@ -83,39 +77,11 @@ class LensControls(QObject):
     # -- the rows
 
     def _make_kind(self) -> None:
-        kinds = (
-            Choice(
-                "perspective",
-                self.tr("perspective"),
-                self.tr("Rays meet in the eye: what is farther looks smaller. The view volume is a"
-                        " pyramid cut off by near and far, symmetric about the view direction"
-                        " (gluPerspective)."),
-            ),
-            Choice(
-                "frustum",
-                self.tr("frustum (off-axis)"),
-                self.tr("Rays meet in the eye, but the window is anywhere on the near plane: a"
-                        " shifted pyramid (glFrustum)."),
-            ),
-            Choice(
-                "orthographic",
-                self.tr("orthographic"),
-                self.tr("Rays are parallel and meet the picture at right angles: distance does not"
-                        " change size. The view volume is a box (glOrtho)."),
-            ),
-            Choice(
-                "oblique",
-                self.tr("oblique"),
-                self.tr("Rays are parallel and meet the picture aslant: a slanted box, as in"
-                        " cavalier and cabinet drawings (lecture 002: H, then orthographic)."),
-            ),
-            Choice(
-                "matrix",
-                self.tr("free matrix"),
-                self.tr("None of these: the cells of clip_from_view as they were typed in the"
-                        " Matrices panel. A choice of another kind goes back to the lens before."),
-            ),
-        )  # fmt: skip
+        lenses = (*LENSES.values(), FreeMatrix)
+        kinds = [
+            Choice(lens.kind, translated(lens.title, "Lens"), translated(lens.tip, "Lens"))
+            for lens in lenses
+        ]
         self._lens.add_choice(
             "kind", "lens",
             self.tr("Kind of projection. What lies at the target keeps its size when it changes."),
@@ -123,33 +89,27 @@ class LensControls(QObject):
         )  # fmt: skip
 
     def _make_field_of_view(self) -> None:
-        degrees, fov = self.tr("degrees"), Linear(1.0, 179.0, 0.5)
-        rows = (
-            self._lens.add_number(
-                "fov_y_deg", "lens",
-                self.tr("Angle between the bottom and the top of the frustum, as seen from the"
-                        " eye."),
-                fov, "°", degrees, _field("fov_y_deg"), _with_field("fov_y_deg"), lenses=SYMMETRIC,
-            ),
-            self._lens.add_number(
-                "fov_x_deg", "lens",
-                self.tr("Angle between the left and the right of the frustum, as seen from the eye:"
-                        " the vertical field of view and the aspect in one number."),
-                fov, "°", degrees, _fov_x, _with_fov_x, lenses=SYMMETRIC,
-            ),
+        symmetric = _kinds(lambda lens: lens.symmetric)
+        fov_y = self._add_declared("fov_y_deg")
+        fov_x = self._lens.add_number(
+            "fov_x_deg", "lens",
+            self.tr("Angle between the left and the right of the frustum, as seen from the eye:"
+                    " the vertical field of view and the aspect in one number."),
+            Linear(1.0, 179.0, 0.5), "°", self.tr("degrees"), _fov_x, _with_fov_x, lenses=symmetric,
         )  # fmt: skip
-        for row in rows:
+        for row in (fov_y, fov_x):
             row.below = 180.0
         self._lens.add_number(
             "focal_length_mm", "lens",
             self.tr("Focal length of a 35 mm film camera (36 × 24 mm) with the same diagonal"
                     " field of view: below 35 is wide angle, above 70 telephoto."),
             Log(5.0, 2000.0), self.tr("mm"), self.tr("millimetres"),
-            *_by_fov(focal_length_35mm, fov_y_from_focal_length_35mm), lenses=SYMMETRIC,
+            *_by_fov(focal_length_35mm, fov_y_from_focal_length_35mm), lenses=symmetric,
         )  # fmt: skip
 
     def _make_leaning(self) -> None:
         """How the projectors of an oblique lens lean."""
+        leaning = _with("alpha_deg")
         drawings = {
             "cavalier": (self.tr("cavalier, {0}°"), self.tr("Depth is drawn in full length")),
             "cabinet": (self.tr("cabinet, {0}°"), self.tr("Depth is drawn in half its length")),
@@ -164,36 +124,38 @@ class LensControls(QObject):
             "preset", "lens",
             self.tr("The textbooks' drawings. What lies at the target stays in its place in the"
                     " picture."),
-            choices, _preset, _with_preset, none=self.tr("free"), lenses=OBLIQUE,
+            choices, _preset, _with_preset, none=self.tr("free"), lenses=leaning,
         )  # fmt: skip
         degrees = self.tr("degrees")
-        receding = Typed(_angles, lambda p: Receding(*receding_of(_oblique(p))), _with_receding)
+        receding = Typed(_angles, lambda p: Receding(*receding_of(p.lens)), _with_receding)
         self._lens.add_number(
             "receding", "lens",
             self.tr("Drawn length of what goes straight into the picture, per true length: 1 is a"
                     " cavalier, 0.5 a cabinet drawing, 0 orthographic. The target stays in its"
                     " place in the picture."),
             Linear(0.0, 2.0, 0.01), self.tr("×"), self.tr("times the true length"),
-            *receding.access("receding"), lenses=OBLIQUE,
+            *receding.access("receding"), lenses=leaning,
         )  # fmt: skip
         self._lens.add_number(
             "receding_deg", "lens",
             self.tr("Direction in which depth is drawn, from the right anticlockwise. The target"
                     " stays in its place in the picture."),
             Linear(-180.0, 180.0, 1.0), "°", degrees,
-            *receding.access("receding_deg"), lenses=OBLIQUE,
+            *receding.access("receding_deg"), lenses=leaning,
         )  # fmt: skip
-        angles = {
-            "alpha_deg": self.tr("Angle of the projectors with the x axis: H of lecture 002 adds"
-                                 " (z + near) cot(alpha) to x. What lies on the near plane stays."),
-            "beta_deg": self.tr("Angle of the projectors with the y axis: H of lecture 002 adds"
-                                " (z + near) cot(beta) to y. What lies on the near plane stays."),
-        }  # fmt: skip
-        for key, tip in angles.items():
-            self._lens.add_number(
-                key, "lens", tip, Linear(1.0, 179.0, 0.5), "°", degrees,
-                _field(key), _with_field(key), lenses=OBLIQUE,
-            )  # fmt: skip
+        for field in dict.fromkeys(field for lens in LENSES.values() for field in lens.controls):
+            if field not in self._lens.bindings:
+                self._add_declared(field)
+
+    def _add_declared(self, field: str) -> NumberRow:
+        """The row of a field that a lens says itself how to set."""
+        control = next(lens.controls[field] for lens in LENSES.values() if field in lens.controls)
+        units = {"°": self.tr("degrees"), "×": self.tr("times")}
+        return self._lens.add_number(
+            field, "lens", translated(control.tip, "Lens"),
+            Linear(control.low, control.high, control.step), control.unit, units[control.unit],
+            _field(field), _with_field(field), lenses=_with(field),
+        )  # fmt: skip
 
     def _make_window(self) -> None:
         sides = {
@@ -206,9 +168,10 @@ class LensControls(QObject):
             "top": self.tr("Top edge of the picture's window on the near plane: where the view"
                            " volume ends in y of view space."),
         }  # fmt: skip
+        windowed = _with("left")
         for side, tip in sides.items():
             self._lens.add_length(
-                side, "lens", tip, _field(side), _with_field(side), lenses=WINDOWED
+                side, "lens", tip, _field(side), _with_field(side), lenses=windowed
             )
         keeps = (
             Choice(
@@ -229,7 +192,7 @@ class LensControls(QObject):
         )
         self._lens.add_choice(
             "keep", "lens", self.tr("How the window follows the aspect of the image."),
-            keeps, _field("keep"), _with_field("keep"), lenses=WINDOWED,
+            keeps, _field("keep"), _with_field("keep"), lenses=windowed,
         )  # fmt: skip
 
     def _make_planes(self) -> None:
@@ -237,23 +200,24 @@ class LensControls(QObject):
             "near", "lens",
             self.tr("Distance from the eye to the near plane: nothing nearer is drawn. The closer"
                     " to 0, the coarser the depth buffer."),
-            _field("near"), _with_field("near"), lenses=STANDARD,
+            _field("near"), _with_field("near"), lenses=tuple(LENSES),
         )  # fmt: skip
         self._lens.add_length(
             "far", "lens",
             self.tr("Distance from the eye to the far plane: nothing farther is drawn. A"
                     " perspective lens also takes inf (∞), at the slider's end."),
-            _field("far"), _with_field("far"), lenses=STANDARD,
+            _field("far"), _with_field("far"), lenses=tuple(LENSES),
         )  # fmt: skip
 
     def _make_other_measures(self) -> None:
         """What the lectures call a field of view, beside its angle."""
+        symmetric = _kinds(lambda lens: lens.symmetric)
         self._lens.add_number(
             "e", "lens",
             self.tr("Lecture 003's focal length e = 1/tan(fov/2), with the horizontal fov: at this"
                     " distance the picture reaches from x = −1 to 1."),
             Log(1e-2, 1e2), self.tr("units"), self.tr("world units"),
-            *_by_fov(focal_length_e, fov_y_from_focal_length_e), lenses=SYMMETRIC,
+            *_by_fov(focal_length_e, fov_y_from_focal_length_e), lenses=symmetric,
         )  # fmt: skip
         halves = {
             "window_right": self.tr("Half the width of the picture on the near plane: glFrustum's"
@@ -263,7 +227,7 @@ class LensControls(QObject):
         }  # fmt: skip
         for key, tip in halves.items():
             self._lens.add_length(
-                key, "lens", tip, partial(_half, key), partial(_with_half, key), lenses=SYMMETRIC
+                key, "lens", tip, partial(_half, key), partial(_with_half, key), lenses=symmetric
             )
 
     def _make_camera_matrix(self) -> None:
@@ -282,7 +246,7 @@ class LensControls(QObject):
         for key, tip in tips.items():
             self._calibrated.add_number(
                 key, "lens", tip, Log(1.0, 10.0), self.tr("px"), self.tr("pixels"),
-                *typed.access(key), lenses=CONVERGING,
+                *typed.access(key), lenses=_kinds(lambda lens: lens.central),
             )  # fmt: skip
 
     def _row(self, key: str) -> NumberRow:
@@ -307,10 +271,8 @@ class LensControls(QObject):
         self._projection, self._size = projection, size
         self._reach = 0.0
         kind = projection.lens.kind
-        free = projection.lens.planes is None
-        parallel = projection.lens.parallel
         for name in ("near", "far"):
-            if parallel:  # even for a box, in ratios for a pyramid
+            if projection.lens.even_extent:  # even for a box, in ratios for a pyramid
                 self._row(name).setScale(Linear.about(0.0, 10.0 * size))
             else:
                 scale = Log(1e-6 * size, 1e9 * size, infinite=name == "far")
@@ -320,7 +282,7 @@ class LensControls(QObject):
             if not binding.lenses or kind in binding.lenses:
                 source = defaults if key == "kind" else alike
                 binding.row.setDefault(binding.read(source))
-        self._calibrated.setVisible(not parallel and not free)
+        self._calibrated.setVisible(projection.lens.central)
         self.follow(projection)
 
     @property
@@ -336,11 +298,9 @@ class LensControls(QObject):
             With the kind of lens that was fitted.
         """
         self._projection = projection
-        if projection.lens.planes is None:
-            return
-        if projection.lens.kind in WINDOWED:
+        if projection.lens.window_stays:
             self._fit_window()
-        if projection.lens.kind in SYMMETRIC:
+        if projection.lens.symmetric:
             near = 10.0 ** round(math.log10(projection.lens.near))
             scale = Log(1e-2 * near, 1e2 * near)
             self._set_scales(dict.fromkeys(("window_right", "window_top"), scale))
@@ -368,10 +328,10 @@ class LensControls(QObject):
         None of them changes under the hand, nor as long as the window fills a fair part of them.
         """
         lens = self._projection.lens
-        if lens.kind not in WINDOWED:
+        if not lens.window_stays:
             return
         extent = max(abs(getattr(lens, side)) for side in SIDES)
-        least = 2.0 * self._size if lens.parallel else 0.0
+        least = 2.0 * self._size if lens.even_extent else 0.0
         if extent <= self._reach and (self._reach <= least or extent >= 0.05 * self._reach):
             return
         if not all(self._row(side).at_rest for side in SIDES):
@@ -382,6 +342,16 @@ class LensControls(QObject):
 
 
 # --------------------------------------------------------------------------- reading and writing
+
+
+def _kinds(has: Callable[[Any], bool]) -> tuple[str, ...]:
+    """The kinds of lens of which something is true."""
+    return tuple(kind for kind, lens in LENSES.items() if has(lens))
+
+
+def _with(field: str) -> tuple[str, ...]:
+    """The kinds of lens that have a field."""
+    return _kinds(lambda lens: field in lens.__dataclass_fields__)
 
 
 def _field(field: str) -> Read:
@@ -395,18 +365,14 @@ def _with_field(field: str) -> Write:
     return write
 
 
-def _perspective(projection: Projection) -> Perspective:
-    assert isinstance(projection.lens, Perspective)
-    return projection.lens
-
-
-def _oblique(projection: Projection) -> Oblique:
-    assert isinstance(projection.lens, Oblique)
-    return projection.lens
+def _fov_y(projection: Projection) -> float:
+    fov_y_deg = projection.lens.fov_y_deg
+    assert fov_y_deg is not None  # of the lenses that have the row
+    return fov_y_deg
 
 
 def _with_fov_y(projection: Projection, fov_y_deg: float) -> Projection:
-    return replace(projection, lens=replace(_perspective(projection), fov_y_deg=fov_y_deg))
+    return replace(projection, lens=projection.lens.but(fov_y_deg=fov_y_deg))
 
 
 def _by_fov(
@@ -415,7 +381,7 @@ def _by_fov(
     """Read and write another measure of the field of view, by its value and the aspect."""
 
     def read(projection: Projection) -> float:
-        return tidy(measure(_perspective(projection).fov_y_deg, projection.aspect))
+        return tidy(measure(_fov_y(projection), projection.aspect))
 
     def write(projection: Projection, value: float) -> Projection:
         return _with_fov_y(projection, fov_y(value, projection.aspect))
@@ -424,7 +390,7 @@ def _by_fov(
 
 
 def _fov_x(projection: Projection) -> float:
-    fov_x_deg = fov_x_from_fov_y(_perspective(projection).fov_y_deg, projection.aspect)
+    fov_x_deg = fov_x_from_fov_y(_fov_y(projection), projection.aspect)
     tidy_deg = tidy(fov_x_deg)
     return tidy_deg if tidy_deg < 180.0 else fov_x_deg
 
@@ -452,13 +418,13 @@ def _with_half(key: str, projection: Projection, half: float) -> Projection:
 
 
 def _angles(projection: Projection) -> tuple[float, float]:
-    lens = _oblique(projection)
+    lens: Any = projection.lens
     return lens.alpha_deg, lens.beta_deg
 
 
 def _leaning(projection: Projection, alpha_deg: float, beta_deg: float) -> Projection:
     """Other angles, with the target in its place in the picture."""
-    lens = _oblique(projection)
+    lens: Any = projection.lens
     leaning = replace(lens, alpha_deg=alpha_deg, beta_deg=beta_deg)
     away = projection.camera.distance - lens.near
     x, y = ((was - now) * away for was, now in zip(lens.shear, leaning.shear, strict=True))

@@ -520,7 +520,7 @@ class MatrixPanel(Panel):
         projection = self._projection
         if projection is None:
             return ""
-        if projection.lens.planes is None:
+        if not projection.lens.has_steps:
             found = [
                 translated(template, "Matrix").format(*figures)
                 for template, figures in properties(projection, matrix.name)
@@ -532,7 +532,7 @@ class MatrixPanel(Panel):
             return ""
         if projection.depth != "opengl":
             return self.tr("with lecture 002's sign: w = z")
-        if projection.lens.parallel:
+        if not projection.clip_from_view[3, 2]:
             return self.tr("with lecture 002's sign: z runs from 1 at near to −1")
         return self.tr("with lecture 002's signs: w = z, and z runs from 1 at near to −1")
 

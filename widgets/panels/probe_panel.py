@@ -65,6 +65,8 @@ QPushButton:checked {
 """Fusion hardly shows whether a dark button is down."""
 
 _PARTS = 4  # columns of a probe: x, y, z, w
+_W: dict[tuple[str, ...], str] = {("0", "0", "-1", "0"): "−z_view", ("0", "0", "0", "1"): "1"}
+"""What the lens' table says that w is, by the cells of its last row."""
 _ROOT = QModelIndex()
 
 
@@ -407,26 +409,24 @@ class ProbePanel(Panel):
     def _formulas(self, projection: Projection) -> list[tuple[str, str]]:
         """Name and formula of every line."""
         lens = projection.lens
-        view, inside = "R (p − e)", "|x|, |y| ≤ w;  n ≤ −z_view ≤ f"
+        view = "R (p − e)" if lens.own_view is None else "M p"
+        w = _W.get(tuple(cell.text for cell in lens.table.clip_from_view[3]), "(P p_view)_4")
+        inside = "n ≤ −z_view ≤ f"
         if lens.planes is None:
             low = "0" if min(projection.depth_range) == 0.0 else "−w"
-            divide, inside = "w = (P p_view)_4", f"|x|, |y| ≤ w;  {low} ≤ z ≤ w"
-            if lens.own_view is not None:
-                view = "M p"
-        else:
-            divide = "w = 1" if lens.parallel else "w = −z_view"
+            inside = f"{low} ≤ z ≤ w"
         depth = "(z + 1) / 2" if projection.depth == "opengl" else "z"
         image = "(x + 1) W/2,  (1 − y) H/2"
         return [
             (self.tr("object"), "p"),
             (self.tr("world"), "I p"),
             (self.tr("view"), view),
-            (self.tr("clip"), f"P p_view;  {divide}"),
+            (self.tr("clip"), f"P p_view;  w = {w}"),
             (self.tr("divide"), "÷ w"),
             (self.tr("NDC"), "x/w,  y/w,  z/w"),
             (self.tr("image px"), image),
             (self.tr("depth"), depth),
-            (self.tr("inside"), inside),
+            (self.tr("inside"), f"|x|, |y| ≤ w;  {inside}"),
         ]
 
     def _of_point(self, point: Trace) -> list[list[str]]:
@@ -463,7 +463,7 @@ class ProbePanel(Panel):
 
     def _ray(self, projection: Projection, probe: Probe) -> str:
         """What of a pixel's ray is drawn in the world, or why there is none."""
-        if projection.lens.planes is not None or projection.frustum_sign:
+        if projection.frustum_sign:
             return self.tr("the pixel's ray, from near to far")
         if projector(projection, probe, [0.0]) is not None:
             return self.tr("the pixel's ray, as far as it is in front of the eye")

@@ -207,7 +207,7 @@ class Manipulation(QObject):
             return ("near",), self.tr("Drag the near plane")
         if handle.name == "far":
             return ("far",), self.tr("Drag the far plane")
-        if self._projection.lens.kind == "perspective":
+        if self._projection.lens.fov_y_deg is not None:
             return ("fov_y_deg",), self.tr("Drag to open the lens")
         right, up = handle.at
         sides = "right" if right > 0.0 else "left", "top" if up > 0.0 else "bottom"

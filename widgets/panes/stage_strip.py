@@ -183,7 +183,7 @@ class StageStrip(QWidget):
 
     def show_projection(self, projection: Projection) -> None:
         """Name the stops after what they are of this projection, and say axes and limits here."""
-        parallel = projection.lens.parallel
+        parallel = projection.lens.has_steps and not projection.lens.has_pyramid
         if parallel != self._parallel:
             self._parallel = parallel
             self._name_stops()
@@ -216,7 +216,7 @@ class StageStrip(QWidget):
             self.tr("NDC cube"),
             self.tr("Image"),
         )
-        free = projection is not None and projection.lens.planes is None
+        free = projection is not None and not projection.lens.has_steps
         if free and VIEW < self._at < NDC:
             return f"{self._names[VIEW][0]} → {self._names[NDC][0]}"
         if self._at == self.stop:
@@ -229,9 +229,9 @@ class StageStrip(QWidget):
         stop, lens = self.stop, projection.lens
         if stop == WORLD:
             text = self.tr("x, y, z in world units")
-        elif lens.planes is None and VIEW < stop < NDC:
+        elif not lens.has_steps and VIEW < stop < NDC:
             text = self.tr("no canonical volumes")
-        elif lens.planes is None and stop == VIEW:
+        elif not lens.has_steps and stop == VIEW:
             text = self.tr("x, y, z of view space")
         elif stop == VIEW:
             text = self.tr("u, v, n in world units")
@@ -243,7 +243,7 @@ class StageStrip(QWidget):
             text = self.tr("{0} × {1} pixels, y down").format(width, height)
         elif self._parallel and CANONICAL_PERSPECTIVE <= self._at <= CANONICAL_PARALLEL:
             text = self.tr("x, y ±1, z 0 … -1; M_pp: identity")
-        elif not lens.central or stop == CANONICAL_PARALLEL:
+        elif not lens.has_pyramid or stop == CANONICAL_PARALLEL:
             text = self.tr("x, y ±1, z 0 … -1")
         elif lens.far == math.inf:
             text = self.tr("near z -1, far -∞ (scaled by 1/n)")

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from fractions import Fraction
 from functools import partial
 
 from PySide6.QtCore import QEvent, QRectF, QSize, Qt, QTimer, Signal
@@ -17,7 +18,7 @@ from PySide6.QtWidgets import QLabel, QMenu, QSizePolicy, QStatusBar, QToolButto
 
 from app.drawings.frame_budget import LARGEST_FRAME_MS
 from app.lecture.highlight import CORNERS, NOTHING, SIDES, Attention
-from app.model.projection import Perspective, Projection, focal_length_35mm, fov_x_from_fov_y
+from app.model.projection import Projection
 from app.model.refusal import format_value
 from app.precision.levels import (
     DRAWING_TOLERANCE_PX,
@@ -236,21 +237,22 @@ class StatusLine(QStatusBar):
             self._rest.start()
 
     def _show_lens(self, projection: Projection) -> None:
-        lens, aspect = projection.lens, projection.aspect
+        lens = projection.lens
         self.labels["camera"].show_text(
             self.tr("eye to target {0}").format(f"{projection.camera.distance:.4g}")
         )
         if lens.planes is None:
-            self.labels["fov"].show_text(self.tr("free matrix"))
+            self.labels["fov"].show_text(translated(lens.title, "Lens"))
             self.labels["planes"].show_text("")
             if lens.own_view is not None:
                 self.labels["camera"].show_text(self.tr("free view matrix"))
             return
-        if isinstance(lens, Perspective):
+        given = lens.fov_y_deg is not None
+        if given and (angles := lens.angles(Fraction(*projection.image_size))):
             fov = self.tr("fov {0}° × {1}°, {2} mm").format(
-                _angle_text(lens.fov_y_deg),
-                _angle_text(fov_x_from_fov_y(lens.fov_y_deg, aspect)),
-                f"{focal_length_35mm(lens.fov_y_deg, aspect):.4g}",
+                _angle_text(angles.fov_y_deg),
+                _angle_text(angles.fov_x_deg),
+                f"{angles.focal_mm:.4g}",
             )
         else:
             left, right, bottom, top = projection.window

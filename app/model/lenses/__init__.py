@@ -13,11 +13,14 @@ from app.model.lenses.perspective import Perspective
 
 LENSES: dict[str, Any] = {lens.kind: lens for lens in (Perspective, Frustum, Orthographic, Oblique)}
 """The lenses that have fields; `FreeMatrix` is beside them."""
-KINDS = (*LENSES, FreeMatrix.kind)
-"""What a document's ``lens.kind`` can be."""
+
+
+def kinds() -> tuple[str, ...]:
+    """What a document's ``lens.kind`` can be."""
+    return (*LENSES, FreeMatrix.kind)
+
 
 __all__ = [
-    "KINDS",
     "LENSES",
     "FreeMatrix",
     "Frustum",
@@ -25,4 +28,5 @@ __all__ = [
     "Oblique",
     "Orthographic",
     "Perspective",
+    "kinds",
 ]

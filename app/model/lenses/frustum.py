@@ -6,11 +6,13 @@ import math
 from dataclasses import dataclass, replace
 from typing import ClassVar
 
-from app.model.lenses.lens import Central, LensTable, Window, check_planes
+from app.model.lenses.central import Central
+from app.model.lenses.lens import LensTable
 from app.model.lenses.perspective import pyramid_tables
+from app.model.lenses.setup import Window
 from app.model.lenses.window import Windowed
 from app.model.limits import AT_LEAST, AT_MOST, SMALLEST_FIELD, SMALLEST_OPENING, Keep
-from app.model.refusal import Refusal, format_value
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value
 
 SHEAR = """
     1  0  (r + l)/(2*n)  0
@@ -61,6 +63,12 @@ class Frustum(Central, Windowed):
     """
 
     kind: ClassVar[str] = "frustum"
+    title: ClassVar[str] = QT_TRANSLATE_NOOP("Lens", "frustum (off-axis)")
+    tip: ClassVar[str] = QT_TRANSLATE_NOOP(
+        "Lens",
+        "Rays meet in the eye, but the window is anywhere on the near plane: a shifted pyramid"
+        " (glFrustum).",
+    )
 
     left: float = -0.7
     right: float = 0.7
@@ -88,7 +96,7 @@ class Frustum(Central, Windowed):
         return TABLE_AT_INFINITY if self.far == math.inf else TABLE
 
     def cut(self, window: Window, near: float, far: float) -> Frustum:
-        near, far = check_planes(near, far, parallel=False)
+        near, far = self.checked_planes(near, far)
         return replace(self, near=near, far=far, **self.sides(self.window_at(window, near)))
 
     @classmethod

@@ -3,13 +3,20 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from itertools import chain
 from typing import ClassVar
 
 from app.arithmetic.double_double import cotangent_deg
-from app.model.lenses.lens import LensTable, Parallel, Window, check_planes
+from app.arithmetic.rationals import Rationals
+from app.model.lenses.closed_form import COTS
+from app.model.lenses.lens import Control, Lens, LensTable
 from app.model.lenses.orthographic import SCALE, TRANSLATION, box_table
+from app.model.lenses.parallel import Parallel
+from app.model.lenses.setup import Window
+from app.model.lenses.solving import same, shortest
 from app.model.lenses.window import Windowed
 from app.model.limits import (
     AT_LEAST,
@@ -21,7 +28,7 @@ from app.model.limits import (
     finite,
     keep_checked,
 )
-from app.model.refusal import Refusal, format_value
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value
 
 SHEAR = """
     1  0  cot(alpha)  n*cot(alpha)
@@ -70,6 +77,31 @@ class Oblique(Parallel, Windowed):
     """
 
     kind: ClassVar[str] = "oblique"
+    title: ClassVar[str] = QT_TRANSLATE_NOOP("Lens", "oblique")
+    tip: ClassVar[str] = QT_TRANSLATE_NOOP(
+        "Lens",
+        "Rays are parallel and meet the picture aslant: a slanted box, as in cavalier and cabinet"
+        " drawings (lecture 002: H, then orthographic).",
+    )
+    controls: ClassVar[Mapping[str, Control]] = {
+        "alpha_deg": Control(
+            QT_TRANSLATE_NOOP(
+                "Lens",
+                "Angle of the projectors with the x axis: H of lecture 002 adds (z + near)"
+                " cot(alpha) to x. What lies on the near plane stays.",
+            ),
+            *(1.0, 179.0, 0.5, "°"),
+        ),
+        "beta_deg": Control(
+            QT_TRANSLATE_NOOP(
+                "Lens",
+                "Angle of the projectors with the y axis: H of lecture 002 adds (z + near)"
+                " cot(beta) to y. What lies on the near plane stays.",
+            ),
+            *(1.0, 179.0, 0.5, "°"),
+        ),
+    }
+    shape: ClassVar[str] = QT_TRANSLATE_NOOP("phenomena", "oblique box")
 
     left: float = -4.0
     right: float = 4.0
@@ -103,8 +135,23 @@ class Oblique(Parallel, Windowed):
         return TABLE
 
     def cut(self, window: Window, near: float, far: float) -> Oblique:
-        near, far = check_planes(near, far, parallel=True)
+        near, far = self.checked_planes(near, far)
         return replace(self, near=near, far=far, **self.sides(self.window_at(window, near)))
+
+    @classmethod
+    def _leaning(
+        cls, cells: Rationals, in_hand: Lens
+    ) -> tuple[dict[str, float], Sequence[Fraction]]:
+        solved = [row[2] / row[i] for i, row in enumerate(cells[:2])]
+        angles = list(map(_angle_deg, solved))
+        if isinstance(in_hand, Oblique):
+            was = in_hand.alpha_deg, in_hand.beta_deg
+            angles = [
+                a if same(cotangent_deg(Fraction(a)), cot, Fraction(1)) else b
+                for a, b, cot in zip(was, angles, solved, strict=True)
+            ]
+        fields = dict(zip(("alpha_deg", "beta_deg"), angles, strict=True))
+        return fields, [cotangent_deg(Fraction(angle)) for angle in angles]
 
     def exact_letters(self, aspect: Fraction) -> dict[str, Fraction]:
         cots = (cotangent_deg(Fraction(angle)) for angle in (self.alpha_deg, self.beta_deg))
@@ -114,7 +161,17 @@ class Oblique(Parallel, Windowed):
         return super().letters(aspect) | dict(zip(COTS, self.shear, strict=True))
 
 
-COTS = ("cot(alpha)", "cot(beta)")
+def _angle_deg(cot: Fraction) -> float:
+    """The angle between 0 and 180 degrees that has this cotangent."""
+
+    def cell(angle_deg: float) -> tuple[float, ...]:
+        return (float(cotangent_deg(Fraction(angle_deg))),)
+
+    solved = math.degrees(math.atan2(1.0, float(cot)))
+    for preset_deg in chain.from_iterable(OBLIQUE_PRESETS.values()):
+        if abs(preset_deg - solved) <= 2.0 * math.ulp(solved):
+            return preset_deg
+    return shortest(cell, (Fraction(solved),), (float(cot),), (1.0,))[0]
 
 
 def _cot_deg(angle_deg: float) -> float:
@@ -160,7 +217,7 @@ def oblique_angles(receding: float, receding_deg: float) -> tuple[float, float]:
     )
 
 
-def receding_of(lens: Oblique) -> tuple[float, float]:
+def receding_of(lens: Lens) -> tuple[float, float]:
     """Drawn length per unit of depth, and its direction in degrees: of `oblique_angles`."""
     cot_alpha, cot_beta = lens.shear
     length = math.hypot(cot_alpha, cot_beta)

@@ -6,8 +6,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import ClassVar
 
-from app.model.lenses.lens import LensTable, Parallel
+from app.model.lenses.lens import LensTable
+from app.model.lenses.parallel import Parallel
 from app.model.lenses.window import Windowed
+from app.model.refusal import QT_TRANSLATE_NOOP
 from app.model.tables import DEPTH_RANGE, NO_M_PP, Step, matrix
 
 TRANSLATION = """
@@ -104,6 +106,12 @@ class Orthographic(Parallel, Windowed):
     """
 
     kind: ClassVar[str] = "orthographic"
+    title: ClassVar[str] = QT_TRANSLATE_NOOP("Lens", "orthographic")
+    tip: ClassVar[str] = QT_TRANSLATE_NOOP(
+        "Lens",
+        "Rays are parallel and meet the picture at right angles: distance does not change size. The"
+        " view volume is a box (glOrtho).",
+    )
 
     left: float = -4.0
     right: float = 4.0

@@ -7,18 +7,30 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from types import MappingProxyType
 from typing import ClassVar
 
 from app.arithmetic.double_double import cotangent_deg
-from app.model.lenses.lens import Central, LensTable, Window, check_planes, plane_letters
-from app.model.limits import ABOVE, AT_LEAST, SMALLEST_FIELD, Keep, between, finite, keep_checked
-from app.model.refusal import Refusal
-from app.model.tables import DEPTH_RANGE, SCALED_BY_NEAR, Step, matrix
-
-_FULL_FRAME_DIAGONAL_MM = math.hypot(36.0, 24.0)
+from app.arithmetic.rationals import Rationals
+from app.model.lenses.central import Central
+from app.model.lenses.closed_form import FULL_FRAME_DIAGONAL_MM
+from app.model.lenses.lens import Control, LensTable, plane_letters
+from app.model.lenses.setup import Angles, Intrinsics, Setup, Window
+from app.model.lenses.solving import shortest
+from app.model.limits import (
+    ABOVE,
+    AT_LEAST,
+    SMALLEST_FIELD,
+    Array,
+    Keep,
+    between,
+    finite,
+    keep_checked,
+)
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.tables import DEPTH_RANGE, SCALED_BY_NEAR, TO_PYRAMID, Step, matrix
 
 # --------------------------------------------------------------------------- the table
 
@@ -115,7 +127,7 @@ def pyramid_tables(
         to_box = (("M_pp", matrix(m_pp)),)
         return LensTable(
             (
-                Step("canonical_perspective_from_view", to_pyramid, note),
+                Step(TO_PYRAMID, to_pyramid, note),
                 Step("canonical_parallel_from_canonical_perspective", to_box, note),
                 DEPTH_RANGE,
                 Step("clip_from_depth_range", (("scale", matrix(W_IS_THE_DISTANCE, d=d)),)),
@@ -151,6 +163,22 @@ class Perspective(Central):
     """
 
     kind: ClassVar[str] = "perspective"
+    symmetric: ClassVar[bool] = True
+    title: ClassVar[str] = QT_TRANSLATE_NOOP("Lens", "perspective")
+    tip: ClassVar[str] = QT_TRANSLATE_NOOP(
+        "Lens",
+        "Rays meet in the eye: what is farther looks smaller. The view volume is a pyramid cut off"
+        " by near and far, symmetric about the view direction (gluPerspective).",
+    )
+    controls: ClassVar[Mapping[str, Control]] = {
+        "fov_y_deg": Control(
+            QT_TRANSLATE_NOOP(
+                "Lens",
+                "Angle between the bottom and the top of the frustum, as seen from the eye.",
+            ),
+            *(1.0, 179.0, 0.5, "°"),
+        )
+    }
 
     fov_y_deg: float = 45.0
     near: float = 1.0
@@ -160,7 +188,7 @@ class Perspective(Central):
         fov_y_deg = between("fov_y_deg", self.fov_y_deg, 0, 180)
         if fov_y_deg < SMALLEST_FIELD:
             raise Refusal("fov_y_deg", fov_y_deg, AT_LEAST, SMALLEST_FIELD)
-        near, far = check_planes(self.near, self.far, parallel=False)
+        near, far = self.checked_planes(self.near, self.far)
         keep_checked(self, fov_y_deg=fov_y_deg, near=near, far=far)
 
     @property
@@ -184,13 +212,44 @@ class Perspective(Central):
         _, _, bottom, top = window
         return cls(fov_y_from_window((top - bottom) / 2.0, near), near, far)
 
+    def angles(self, aspect: Fraction) -> Angles:
+        fov_x_deg = fov_x_from_fov_y(self.fov_y_deg, float(aspect))
+        return Angles(fov_x_deg, self.fov_y_deg, focal_length_35mm(self.fov_y_deg, float(aspect)))
+
+    def slopes(self, aspect: Fraction) -> Window:
+        up = 1.0 / self.cot_half_fov_y
+        return -float(aspect) * up, float(aspect) * up, -up, up
+
+    def section(self, aspect: Fraction) -> Fraction:
+        return 4 * Fraction(float(aspect)) / Fraction(self.cot_half_fov_y) ** 2
+
+    def ridden(self, window: Window, factor: float) -> Perspective:
+        fov_y_deg = math.degrees(2.0 * math.atan2(1.0, factor * self.cot_half_fov_y))
+        return replace(self, fov_y_deg=fov_y_deg)
+
+    def intrinsics(self, image_size: tuple[int, int]) -> Intrinsics:
+        width, height = image_size  # square pixels, and the axis in the middle
+        focal = height / 2.0 * self.cot_half_fov_y
+        return Intrinsics(focal, focal, (width - 1) / 2.0, (height - 1) / 2.0)
+
+    def _pictured(
+        self, setup: Setup, x: Array, y: Array, z: Array
+    ) -> tuple[tuple[Array, Array], Array, tuple[Array, Array]]:
+        w, scale_y = -z, self.cot_half_fov_y
+        scale_x = scale_y / setup.aspect
+        return (scale_x * x, scale_y * y), w, (scale_x * (x / w), scale_y * (y / w))
+
+    @classmethod
+    def solved(cls, cells: Rationals, near: float, far: float) -> Perspective:
+        return cls(_fov_y_deg(cells[1][1]), near, far)
+
     @property
     def table(self) -> LensTable:
         return TABLE_AT_INFINITY if self.far == math.inf else TABLE
 
     def exact_letters(self, aspect: Fraction) -> dict[str, Fraction]:
         cot = cotangent_deg(Fraction(self.fov_y_deg) / 2)
-        return {**plane_letters(self), "cot(fov/2)": cot, "aspect": aspect}
+        return {**plane_letters(self.near, self.far), "cot(fov/2)": cot, "aspect": aspect}
 
     def letters(self, aspect: Fraction) -> dict[str, float]:
         cot = self.cot_half_fov_y
@@ -198,6 +257,18 @@ class Perspective(Central):
 
 
 # --------------------------------------------------------------------------- field of view
+
+
+def _fov_y_deg(cot: Fraction) -> float:
+    """The field of view whose half has this cotangent."""
+    if cot <= 0:
+        raise ZeroDivisionError
+
+    def cell(fov_y_deg: float) -> tuple[float, ...]:
+        return (float(cotangent_deg(Fraction(fov_y_deg) / 2)),)
+
+    solved = math.degrees(2.0 * math.atan2(1.0, float(cot)))
+    return shortest(cell, (Fraction(solved),), (float(cot),), (0.0,))[0]
 
 
 def fov_x_from_fov_y(fov_y_deg: float, aspect: float) -> float:
@@ -257,7 +328,7 @@ def focal_length_35mm(fov_y_deg: float, aspect: float) -> float:
     have the proportions of the film.
     """
     half_diagonal = math.hypot(aspect, 1.0)  # of a picture of half-height 1
-    return _FULL_FRAME_DIAGONAL_MM / 2.0 * Perspective(fov_y_deg).cot_half_fov_y / half_diagonal
+    return FULL_FRAME_DIAGONAL_MM / 2.0 * Perspective(fov_y_deg).cot_half_fov_y / half_diagonal
 
 
 def fov_y_from_focal_length_35mm(focal_length_mm: float, aspect: float) -> float:
@@ -271,5 +342,5 @@ def fov_y_from_focal_length_35mm(focal_length_mm: float, aspect: float) -> float
     focal_length_mm = finite("focal_length_mm", focal_length_mm)
     if focal_length_mm <= 0.0:
         raise Refusal("focal_length_mm", focal_length_mm, ABOVE, 0)
-    half_height = _FULL_FRAME_DIAGONAL_MM / 2.0 / math.hypot(aspect, 1.0)
+    half_height = FULL_FRAME_DIAGONAL_MM / 2.0 / math.hypot(aspect, 1.0)
     return math.degrees(2.0 * math.atan2(half_height, focal_length_mm))

@@ -5,9 +5,10 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any
+from typing import Any, ClassVar
 
-from app.model.lenses.lens import Lens, Window, check_planes, plane_letters
+from app.model.lenses.lens import Lens, plane_letters
+from app.model.lenses.setup import Window
 from app.model.limits import (
     BOTTOM_BEFORE_TOP,
     DISTINCT,
@@ -29,6 +30,8 @@ _ROUNDING = 1e-12
 class Windowed(Lens):
     """The six numbers that glFrustum and glOrtho share, and what follows from them."""
 
+    window_stays: ClassVar[bool] = True
+
     left: float
     right: float
     bottom: float
@@ -40,7 +43,7 @@ class Windowed(Lens):
     def __post_init__(self) -> None:
         names = ("left", "right", "bottom", "top")
         left, right, bottom, top = (finite(n, getattr(self, n)) for n in names)
-        near, far = check_planes(self.near, self.far, parallel=self.parallel)
+        near, far = self.checked_planes(self.near, self.far)
         keep_checked(self, left=left, right=right, bottom=bottom, top=top, near=near, far=far)
         for name, low, high, bound in (
             ("left", left, right, LEFT_BEFORE_RIGHT),
@@ -115,7 +118,7 @@ class Windowed(Lens):
 
     def exact_letters(self, aspect: Fraction) -> dict[str, Fraction]:
         sides = zip("lrbt", self.exact_window(aspect), strict=True)
-        return {**plane_letters(self), **dict(sides)}
+        return {**plane_letters(self.near, self.far), **dict(sides)}
 
     def letters(self, aspect: Fraction) -> dict[str, float]:
         left, right, bottom, top = self.exact_window(aspect)

@@ -31,6 +31,7 @@ from app.scenes.phenomena.illustration import (
     Settings,
     Subject,
     Text,
+    of_parallel,
     point,
 )
 from app.scenes.shapes import Coloured, ground_grid, joined, letter_f, letter_f_edges
@@ -90,23 +91,20 @@ def inside(projection: Projection, segments_world: Array) -> Inside:
     lens = projection.lens
     clip = projection.trace(segments_world).clip
     rows = np.arange(len(clip))
-    cut: NDArray[np.bool_] = np.zeros(len(clip), dtype=bool)
-    if lens.central:
-        # The near plane first: what is left before it has w > 0, of any size.
-        rows = rows[(clip[..., 3] >= lens.near).any(axis=1)]
-        clip = clip[rows]
-        beyond = lens.near - clip[..., 3]
-        row, end = np.nonzero(beyond > 0.0)
-        cut = np.asarray((beyond > 0.0).any(axis=1))
-        here, there = beyond[row, end], beyond[row, 1 - end]
-        share = (here / (here - there))[:, None]
-        clip[row, end] = (1.0 - share) * clip[row, end] + share * clip[row, 1 - end]
-        clip[row, end, 2:] = projection.depth_range[0] * lens.near, lens.near
+    # The near plane first: what is left before it has w > 0, of any size.
+    least, most = lens.w(lens.near), lens.w(lens.far)
+    rows = rows[(clip[..., 3] >= least).any(axis=1)]
+    clip = clip[rows]
+    beyond = least - clip[..., 3]
+    row, end = np.nonzero(beyond > 0.0)
+    cut: NDArray[np.bool_] = np.asarray((beyond > 0.0).any(axis=1))
+    here, there = beyond[row, end], beyond[row, 1 - end]
+    share = (here / (here - there))[:, None]
+    clip[row, end] = (1.0 - share) * clip[row, end] + share * clip[row, 1 - end]
+    clip[row, end, 2:] = projection.depth_range[0] * least, least
     found = clip_segments(clip[:, 0], clip[:, 1], projection.depth)
     seen = found.visible & (found.points_clip[..., 3] > 0.0).all(axis=1)
-    w = found.points_clip[seen, :, 3]
-    if lens.central:  # a cut end's w may have lost digits
-        w = np.clip(w, lens.near, lens.far)
+    w = np.clip(found.points_clip[seen, :, 3], least, most)  # a cut end's may have lost digits
     ndc = np.clip(found.points_clip[seen, :, :3] / w[..., None], -1.0, 1.0)
     cut |= (found.planes != NOT_CUT).any(axis=1)
     return Inside(rows[seen], ndc, w, cut[seen])
@@ -211,16 +209,17 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
         return Exhibit(readings, world, warning=why, grips=grips)
     others = letter_f_edges()[0] if mesh is None else mesh.edges[:_MOST_EDGES]
     part = inside(projection, np.concatenate([ends[None], others]))
-    if projection.lens.parallel:
+    parallel = of_parallel(projection, _PARALLEL)
+    if parallel is not None:
         lines = [Line(pair, "muted") for pair in part.ndc[part.rows > 0]]
         lines += [Line(pair, "accent", 2.5) for pair in part.ndc[part.rows == 0]]
         straight = (0.0, 0.0)
         return Exhibit(
-            _readings(straight, 0.0, Phrase(_PARALLEL), mesh),
+            _readings(straight, 0.0, parallel, mesh),
             world,
             Marks(tuple(lines)),
             _in_picture(projection, part.ndc[part.rows == 0]),
-            warning=Phrase(_PARALLEL),
+            warning=parallel,
             grips=grips,
         )
     found = deviation(projection, part)

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from app.model.clipping import clip_polygon
 from app.model.depth import FORMATS, DepthBuffer
 from app.model.projection import Array, Camera, Perspective, Projection
-from app.model.refusal import QT_TRANSLATE_NOOP
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes.phenomena.illustration import (
     Copy,
     Curve,
@@ -87,13 +87,12 @@ def _geometry() -> tuple[Coloured, Coloured]:
 def buffer_of(projection: Projection, settings: Settings) -> DepthBuffer | Phrase:
     """The depth buffer that the settings describe, or why there is none."""
     lens, chosen = projection.lens, str(settings["range"])
-    if chosen == "logarithmic" and (lens.parallel or lens.far == math.inf):
-        return Phrase(_NO_LOG)
-    if chosen == "infinite" and lens.parallel:
-        return Phrase(_NO_INFINITE)
-    far = math.inf if chosen == "infinite" else lens.far
-    mapping = _MAPPINGS.get(chosen, chosen)
-    return DepthBuffer.of(lens, str(settings["format"]), mapping, far)
+    try:
+        if chosen == "infinite":
+            lens = lens.but(far=math.inf)
+        return DepthBuffer(str(settings["format"]), _MAPPINGS.get(chosen, chosen), lens)
+    except Refusal:
+        return Phrase(_NO_INFINITE if chosen == "infinite" else _NO_LOG)
 
 
 def moved_behind(projection: Projection, gap: float) -> Array:
@@ -164,15 +163,9 @@ def _rays(projection: Projection, corners_clip: Array) -> tuple[Array, Array] | 
         return None
     places = _spread(ndc)
     left, right, bottom, top = projection.window
-    lens = projection.lens
     window = (0.5 * (places + 1.0)) * (right - left, top - bottom) + (left, bottom)
     starts, directions = np.zeros((len(places), 3)), np.full((len(places), 3), -1.0)
-    if lens.parallel:
-        shear = np.array(projection.shear)
-        starts[:, :2] = window - shear * lens.near
-        directions[:, :2] = shear
-    else:
-        directions[:, :2] = window / lens.near
+    starts[:, :2], directions[:, :2] = projection.lens.rays(window)
     return starts, directions
 
 
@@ -225,8 +218,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
         share, note = 100.0 * wrong_share(buffer, first, second), None
         w = min(max(float(first.mean()), buffer.near), buffer.far)  # a mean is rounded
         finest = FINEST * (w + math.dist(subject.lower, subject.upper))
-        if buffer.parallel:
-            finest = max(finest, _FINEST_PARALLEL * (buffer.far - buffer.near))
+        finest = max(finest, _FINEST_PARALLEL * buffer.lens.even_extent)
         if max(gap, float(buffer.gap(w))) < finest:
             note = Phrase(_TOO_FINE)
     w = projection.camera.distance
@@ -271,10 +263,11 @@ def _diagram(buffer: DepthBuffer, target: float | None) -> Diagram:
     """Depth over distance, with a few of the codes as ticks on both axes."""
     near, far = buffer.near, buffer.far
     right = far if far != math.inf else max(1e3 * near, 2.0 * (target or near))
-    if buffer.parallel:
-        w = np.linspace(near, right, 160)
-    else:
+    in_ratios = buffer.lens.even_extent == 0.0
+    if in_ratios:
         w = np.exp(np.linspace(math.log(near), math.log(right), 160))
+    else:
+        w = np.linspace(near, right, 160)
     w = np.clip(w, near, right)
     curves = [Curve(np.stack([w, buffer.depth(w)], axis=1), "accent", width=2.0)]
     if target is not None and target <= right:
@@ -292,7 +285,7 @@ def _diagram(buffer: DepthBuffer, target: float | None) -> Diagram:
         1.0,
         x_label="w",
         y_label="d",
-        x_log=not buffer.parallel,
+        x_log=in_ratios,
         x_ticks=x_ticks,
         y_ticks=buffer.depth(x_ticks),
     )

@@ -38,6 +38,7 @@ from app.scenes.phenomena.illustration import (
     Subject,
     Text,
     figure,
+    of_parallel,
     point,
 )
 from app.scenes.shapes import Coloured, ground_grid, joined, letter_f, letter_f_edges
@@ -310,8 +311,8 @@ def _circle(angles: tuple[float, float] | None, in_front: bool) -> Diagram:
 def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhibit:
     a, b = np.array(point(settings, "start")), np.array(point(settings, "end"))
     mesh = subject.mesh
-    if projection.lens.parallel:
-        return Exhibit((), warning=Phrase(_PARALLEL))
+    if (parallel := of_parallel(projection, _PARALLEL)) is not None:
+        return Exhibit((), warning=parallel)
     others = letter_f_edges()[0] if mesh is None else _edges_that_matter(projection.camera, mesh)
     segments = np.concatenate([[(a, b)], others])
     trace = projection.trace(segments)

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from fractions import Fraction
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -19,7 +20,6 @@ import numpy as np
 from app.model.projection import (
     Array,
     Camera,
-    Frustum,
     Perspective,
     Projection,
     Vector,
@@ -146,14 +146,7 @@ def dollied(projection: Projection, factor: float) -> Projection:
     camera, lens = projection.camera, projection.lens
     distance = factor * camera.distance
     moved = replace(projection, camera=_at(camera, distance))
-    if isinstance(lens, Perspective):
-        fov_y_deg = _fov_y_deg(1.0, factor * lens.cot_half_fov_y)
-        return replace(moved, lens=replace(lens, fov_y_deg=fov_y_deg))
-    if isinstance(lens, Frustum):
-        left, right, bottom, top = (side / factor for side in projection.window)
-        lens = replace(lens, left=left, right=right, bottom=bottom, top=top)
-        return replace(moved, lens=lens)
-    return moved
+    return replace(moved, lens=lens.ridden(projection.window, factor))
 
 
 def _at(camera: Camera, distance: float) -> Camera:
@@ -205,19 +198,10 @@ def _angles(projection: Projection) -> tuple[Reading, ...]:
         (QT_TRANSLATE_NOOP("phenomena", "horizontal field of view"), "°"),
         (QT_TRANSLATE_NOOP("phenomena", "focal length, 35-mm camera"), "mm"),
     )
-    values: list[float | None] = [None, None, None]
-    if isinstance(lens, Perspective):
-        cot, aspect = lens.cot_half_fov_y, projection.aspect
-        fov_x_deg = fov_x_from_fov_y(lens.fov_y_deg, aspect)
-        focal_mm = _FILM_DIAGONAL_MM / 2.0 * cot / math.hypot(aspect, 1.0)
-        values = [lens.fov_y_deg, fov_x_deg, focal_mm]
-    elif isinstance(lens, Frustum):
-        left, right, bottom, top = (math.atan2(side, lens.near) for side in projection.window)
-        x_extent, y_extent = (
-            high - low for low, high in (projection.window[:2], projection.window[2:])
-        )
-        focal_mm = _FILM_DIAGONAL_MM * (lens.near / math.hypot(x_extent, y_extent))
-        values = [math.degrees(top - bottom), math.degrees(right - left), focal_mm]
+    angles = lens.angles(Fraction(*projection.image_size))
+    values: tuple[float | None, ...] = (None, None, None)
+    if angles is not None:
+        values = angles.fov_y_deg, angles.fov_x_deg, angles.focal_mm
     note = of_parallel(projection, _PARALLEL)
     return tuple(
         Reading(label, value, unit, note)
@@ -232,9 +216,9 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Exhi
     width = math.hypot(subject.upper[0] - subject.lower[0], subject.upper[2] - subject.lower[2])
     w = (np.array(camera.eye) - subject.points) @ camera.frame[2]
     w_near, w_far = float(w.min()), float(w.max())
-    ratio: float | None = 1.0 if projection.lens.parallel else None
-    if ratio is None and w_near > 0.0 and math.isfinite(w_far / w_near):
-        ratio = w_far / w_near
+    smaller, larger = map(projection.lens.w, (w_near, w_far))
+    in_front = smaller > 0.0 and math.isfinite(larger / smaller)
+    ratio: float | None = larger / smaller if in_front else None
 
     # The subject's height, upright in the plane through the target: what the ride holds. With a
     # tick at either end it is a measure beside the subject.

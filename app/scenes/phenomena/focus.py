@@ -39,6 +39,7 @@ from app.scenes.phenomena.illustration import (
     Subject,
     Text,
     number,
+    of_parallel,
 )
 from app.scenes.shapes import (
     EDGE_RGB,
@@ -155,8 +156,8 @@ def _geometry() -> tuple[Coloured, Coloured]:
 
 def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhibit:
     n, focus, c_mm = (number(settings, name) for name in ("aperture", "focus", "confusion"))
-    if projection.lens.parallel:
-        note = Phrase(_PARALLEL)
+    note = of_parallel(projection, _PARALLEL)
+    if note is not None:
         readings = (*_readings(None, None, None, note), _target_reading(None, note))
         return Exhibit(readings, warning=note)
     f_mm = focal_length_mm(projection)

@@ -616,7 +616,7 @@ class Phenomenon:
 
     def exhibit(self, projection: Projection, settings: Settings, subject: Subject) -> Exhibit:
         """What is shown; of a free matrix, that has no lens to show it with, only that."""
-        if projection.lens.planes is None:
+        if is_free(projection):
             hidden = Copy(np.zeros((4, 4)), panes=())
             copies = (hidden,) * self.copies
             return Exhibit((), copies=copies, warning=Phrase(_FREE), idle=True)
@@ -627,7 +627,7 @@ class Phenomenon:
 
         A free matrix has none, and leaves all as they were chosen.
         """
-        if projection.lens.planes is None:
+        if is_free(projection):
             return settings
         found = dict(self.found(projection, settings))
         for setting in self.settings:
@@ -687,9 +687,14 @@ class Phenomenon:
         return settings
 
 
+def is_free(projection: Projection) -> bool:
+    """Whether a matrix was typed in the place of the lens that a phenomenon is shown with."""
+    return projection.lens.former is not projection.lens
+
+
 def of_parallel(projection: Projection, template: str) -> Phrase | None:
     """What is to be said of a lens whose projectors do not meet in an eye, if it is one."""
-    return Phrase(template) if projection.lens.parallel else None
+    return None if projection.lens.central else Phrase(template)
 
 
 def figure(value: float, digits: int) -> str:

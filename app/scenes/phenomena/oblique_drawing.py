@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -138,8 +138,7 @@ def oblique(projection: Projection, scale: float, angle_deg: float) -> Projectio
         As `app.model.lenses.oblique_angles` takes them.
     """
     straight = projection.with_lens("orthographic")
-    lens = straight.lens
-    assert isinstance(lens, Orthographic)
+    lens: Any = straight.lens
     alpha_deg, beta_deg = oblique_angles(scale, angle_deg)
     left, right, bottom, top = straight.window
     box = (lens.near, lens.far, lens.keep)
@@ -200,11 +199,12 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Exhi
     corners = box_corners(subject.lower, subject.upper)
     middles = segments.mean(axis=1)
     trace = projection.trace(np.concatenate([ends, corners, middles]))
-    by_formula = receding_of(lens) if isinstance(lens, Oblique) else (0.0, 0.0)
-    drawn = measured(trace.image[:4]) if lens.parallel else None
+    by_formula = receding_of(lens)
+    warning = Phrase(_NOT_PARALLEL) if lens.central else None
+    drawn = measured(trace.image[:4]) if warning is None else None
     note = None
     if drawn is None:
-        note = Phrase(_UNMEASURED if lens.parallel else _NOT_PARALLEL)
+        note = warning or Phrase(_UNMEASURED)
     elif abs(drawn.up - 1.0) > _SQUARE:
         note = Phrase(_STRETCHED, (f"{drawn.up:.3g}",))
     end_on = drawn is not None and by_formula[0] == 0.0
@@ -253,7 +253,7 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Exhi
         for text, place, colour in zip(labels, middles, colours, strict=True)
     )
     world = Marks(lines, texts=texts)
-    if lens.parallel:
+    if warning is None:
         world = _projectors(projection, corners, trace.view[4:12], world)
     segments_clip = trace.clip[[[0, 1], [0, 2], [0, 3]]]
     return Exhibit(
@@ -263,7 +263,7 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Exhi
             seen_lines(projection, segments_clip, colours, 3.0),
             texts=seen_texts(trace, texts),
         ),
-        warning=None if lens.parallel else Phrase(_NOT_PARALLEL),
+        warning=warning,
     )
 
 

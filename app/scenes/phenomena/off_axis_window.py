@@ -13,7 +13,7 @@ from fractions import Fraction
 
 import numpy as np
 
-from app.model.projection import Array, Camera, Frustum, Perspective, Projection
+from app.model.projection import Array, Camera, Frustum, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes.phenomena.illustration import (
     Exhibit,
@@ -93,16 +93,13 @@ def halves(projection: Projection) -> tuple[Projection, Projection]:
         For a window or an image that is too narrow to be split.
     """
     width, height = projection.image_size
-    lens = projection.lens
-    if isinstance(lens, Perspective):
-        left, right, bottom, top = projection.window
-        lens = Frustum(left, right, bottom, top, lens.near, lens.far)
+    windowed = projection if projection.lens.window_stays else projection.with_lens("frustum")
     left, right, bottom, top = projection.window
     columns = width // 2
     middle = left + (right - left) * (columns / width)
     screens = []
     for low, high, across in ((left, middle, columns), (middle, right, width - columns)):
-        half = lens.but(left=low, right=high, bottom=bottom, top=top, keep="stretch")
+        half = windowed.lens.but(left=low, right=high, bottom=bottom, top=top, keep="stretch")
         screens.append(replace(projection, lens=half, image_size=(across, height)))
     return screens[0], screens[1]
 
@@ -110,31 +107,22 @@ def halves(projection: Projection) -> tuple[Projection, Projection]:
 def join_error_px(screens: tuple[Projection, Projection]) -> float:
     """How far apart the two screens show points of the plane in which they join, in pixels.
 
-    Points of the right edge of the left screen, at two depths, go through the left lens' own
-    numbers and through the right one's (`Projection.exact_lens`), in rationals: with glFrustum
-    ``x_clip/w = 2n/(r - l) x/w - (r + l)/(r - l)``. On the left they should be at its last column's
-    end, on the right at its first one's beginning.
+    A point of the right edge of the left screen, and with it its projector, goes through the left
+    lens' own numbers and through the right one's (`Projection.exact_lens`), in rationals: with
+    glFrustum ``x_clip/w = 2n/(r - l) x/w - (r + l)/(r - l)``. On the left it should be at the last
+    column's end, on the right at the first one's beginning.
 
     Returns
     -------
     float
         The largest gap or overlap; exactly 0 if the halves join.
     """
-    left, right = (screen.exact_lens for screen in screens)
-    parallel = screens[0].lens.parallel
-    edge = Fraction(screens[0].window[1])
-    worst = Fraction(0)
-    for depth in (1, 7):
-        w = depth * left.near if not parallel else left.near + depth
-        # Perspective: x grows with w. Parallel: the plane leans with the projectors.
-        x = edge * depth if not parallel else edge + left.shear[0] * depth
-        seen = []
-        for lens, screen in zip((left, right), screens, strict=True):
-            sheared = x + lens.shear[0] * (lens.near - w) if parallel else x / w
-            ndc = lens.scale[0] * sheared + lens.shift[0]
-            seen.append((ndc + 1) * screen.image_size[0] / 2)
-        worst = max(worst, abs(seen[0] - screens[0].image_size[0] - seen[1]))
-    return float(worst)
+    edge, near = Fraction(screens[0].window[1]), screens[0].exact_lens.near
+    seen = []
+    for screen in screens:
+        _, _, _, x_clip, _, _, w, *_ = screen.lens.clipped(screen, edge, Fraction(0), -near)
+        seen.append((x_clip / w + 1) * screen.image_size[0] / 2)
+    return float(abs(seen[0] - screens[0].image_size[0] - seen[1]))
 
 
 def largest_difference_px(
@@ -310,7 +298,6 @@ def _follow(projection: Projection, before: Found, after: Settings) -> Projectio
         return projection
     moved = projection.with_lens("frustum")
     camera, lens = moved.camera, moved.lens
-    assert isinstance(lens, Frustum)
     along = [step * part for part in camera.frame[0].tolist()]
     eye, target = (
         (x + along[0], y + along[1], z + along[2]) for x, y, z in (camera.eye, camera.target)
@@ -321,7 +308,7 @@ def _follow(projection: Projection, before: Found, after: Settings) -> Projectio
     return replace(
         moved,
         camera=Camera(eye, target, camera.up),
-        lens=replace(lens, left=left - back, right=right - back, bottom=bottom, top=top),
+        lens=lens.but(left=left - back, right=right - back, bottom=bottom, top=top),
     )
 
 

@@ -31,6 +31,7 @@ from app.scenes.phenomena.illustration import (
     Text,
     figure,
     number,
+    of_parallel,
     point,
 )
 from app.scenes.phenomena.picture import seen
@@ -115,8 +116,8 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
     distance = number(settings, "distance")
     place = np.array(point(settings, "point"))
     camera, lens = projection.camera, projection.lens
-    if lens.parallel:
-        return Exhibit((), copies=(Copy(np.zeros((4, 4)), panes=()),), warning=Phrase(_PARALLEL))
+    if (parallel := of_parallel(projection, _PARALLEL)) is not None:
+        return Exhibit((), copies=(Copy(np.zeros((4, 4)), panes=()),), warning=parallel)
     eye, frame = np.array(camera.eye), camera.frame
 
     def world(x: float, y: float, z: float) -> Array:

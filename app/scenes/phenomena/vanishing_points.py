@@ -158,7 +158,7 @@ def horizon(projection: Projection) -> tuple[float, float, float] | None:
         ``a x + b y = c`` for the line's pixels; None for a parallel lens, for a camera that looks
         straight up or down, and beyond float64's range.
     """
-    if projection.lens.parallel:
+    if not projection.clip_from_view[3, :3].any():  # w is the same for all
         return None
     # Directions (X, Y, -1) of view space without a part along the world's y.
     a, b, c = projection.camera.frame[:, 1].tolist()
@@ -472,13 +472,13 @@ def _follow(projection: Projection, before: Found, after: Settings) -> Projectio
     camera = projection.camera
     turned = Camera.from_orbit(camera.target, Orbit(*view, camera.distance))
     seen = replace(projection, camera=turned)
-    return seen.with_lens("perspective") if seen.lens.parallel else seen
+    return seen if seen.lens.central else seen.with_lens("perspective")
 
 
 def _found(projection: Projection, settings: Settings) -> Found:
     frame = _FRAMES.get(str(settings["points"]))
     turned = frame is None or float(np.abs(projection.camera.frame - frame).max()) > CLOSE
-    return {"points": "free" if turned or projection.lens.parallel else settings["points"]}
+    return {"points": "free" if turned or not projection.lens.central else settings["points"]}
 
 
 PHENOMENON = Phenomenon(

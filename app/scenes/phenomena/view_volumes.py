@@ -14,7 +14,7 @@ from fractions import Fraction
 import numpy as np
 from numpy.typing import NDArray
 
-from app.model.projection import Camera, Oblique, Perspective, Projection
+from app.model.projection import Camera, Perspective, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.illustration import (
     Dot,
@@ -30,6 +30,7 @@ from app.scenes.phenomena.illustration import (
     Settings,
     Subject,
     Text,
+    of_parallel,
 )
 from app.scenes.phenomena.picture import seen_texts, world_from_view
 from app.scenes.shapes import Coloured, box_faces, edges_of, flat, ground_grid, joined
@@ -42,14 +43,10 @@ _NO_CONE = QT_TRANSLATE_NOOP(
 _CONE = QT_TRANSLATE_NOOP(
     "phenomena", "no lens makes a cone: what is drawn is all that lies in the pyramid round it"
 )
-_SHAPES = {
-    "perspective": QT_TRANSLATE_NOOP("phenomena", "truncated pyramid"),
-    "frustum": QT_TRANSLATE_NOOP("phenomena", "truncated pyramid"),
-    "orthographic": QT_TRANSLATE_NOOP("phenomena", "box"),
-    "oblique": QT_TRANSLATE_NOOP("phenomena", "oblique box"),
-    "cone": QT_TRANSLATE_NOOP("phenomena", "truncated cone"),
-}
-_LENS = {"pyramid": "perspective", "cone": "perspective", "box": "orthographic"}
+_TRUNCATED_CONE = QT_TRANSLATE_NOOP("phenomena", "truncated cone")
+_LENS = {
+    "pyramid": "perspective", "cone": "perspective", "box": "orthographic", "oblique": "oblique",
+}  # fmt: skip
 
 POINTS = {
     "A": (0.0, 3.0, 0.0),
@@ -101,11 +98,7 @@ def cone_of(projection: Projection) -> tuple[float, float, float]:
         Middle and radius of its section at distance 1 from the eye: for a symmetric lens 0, 0 and
         the tangent of half the smaller field of view, which of a wide image is the vertical one.
     """
-    if isinstance(projection.lens, Perspective):
-        up = 1.0 / projection.lens.cot_half_fov_y
-        return 0.0, 0.0, min(up, projection.aspect * up)
-    near = projection.lens.near
-    left, right, bottom, top = (side / near for side in projection.window)
+    left, right, bottom, top = projection.lens.slopes(Fraction(*projection.image_size))
     return (left + right) / 2.0, (bottom + top) / 2.0, min(right - left, top - bottom) / 2.0
 
 
@@ -128,20 +121,10 @@ def volume(projection: Projection, cone: bool) -> float | None:
     lens = projection.lens
     if lens.far == math.inf:
         return None
-    near, far = Fraction(lens.near), Fraction(lens.far)
-    left, right, bottom, top = projection.window
-    if lens.parallel:
-        area = (Fraction(right) - Fraction(left)) * (Fraction(top) - Fraction(bottom))
-        exact = area * (far - near)
-    else:
-        if cone:
-            area = Fraction(math.pi) * Fraction(cone_of(projection)[2]) ** 2
-        elif isinstance(lens, Perspective):
-            area = 4 * Fraction(projection.aspect) / Fraction(lens.cot_half_fov_y) ** 2
-        else:
-            sides = (Fraction(right) - Fraction(left)) * (Fraction(top) - Fraction(bottom))
-            area = sides / near**2
-        exact = area * (far - near) * (far * far + far * near + near * near) / 3
+    section = lens.section(Fraction(*projection.image_size))
+    if cone:
+        section = Fraction(math.pi) * Fraction(cone_of(projection)[2]) ** 2
+    exact = lens.volume(section)
     # In rationals until here: the cube of a far plane may be beyond 1e308, its product not.
     if not Fraction(1e-300) < exact < Fraction(1e300):
         return None
@@ -200,17 +183,14 @@ def _cone_marks(projection: Projection) -> tuple[Marks, Marks, Marks]:
 
 def _half_sides(projection: Projection) -> tuple[float, float]:
     """Half of the width and of the height of a perspective picture at distance 1."""
-    if isinstance(projection.lens, Perspective):
-        up = 1.0 / projection.lens.cot_half_fov_y
-        return projection.aspect * up, up
-    left, right, bottom, top = (side / projection.lens.near for side in projection.window)
+    left, right, bottom, top = projection.lens.slopes(Fraction(*projection.image_size))
     return (right - left) / 2.0, (top - bottom) / 2.0
 
 
 def _show(projection: Projection, settings: Settings, _subject: Subject) -> Exhibit:
     asked = settings["volume"] == "cone"
-    parallel = projection.lens.parallel
-    cone = asked and not parallel
+    no_cone = of_parallel(projection, _NO_CONE)
+    cone = asked and no_cone is None
     size = volume(projection, cone)
     note = None
     if size is None:
@@ -221,7 +201,7 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Exhi
     readings = (
         Reading(
             QT_TRANSLATE_NOOP("phenomena", "view volume"),
-            _SHAPES["cone" if cone else projection.lens.kind],
+            _TRUNCATED_CONE if cone else projection.lens.shape,
             note=Phrase(_CONE) if cone else None,
         ),
         Reading(QT_TRANSLATE_NOOP("phenomena", "its volume, cubic units"), size, note=note),
@@ -244,14 +224,14 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Exhi
         world=Marks(world.lines, world.faces, dots, texts),
         ndc=ndc,
         image=Marks(image.lines, texts=seen_texts(projection.trace(_LETTERS), texts)),
-        warning=Phrase(_NO_CONE) if asked and parallel else None,
+        warning=no_cone if asked else None,
     )
 
 
 def _follow(projection: Projection, before: Found, after: Settings) -> Projection:
     if before["volume"] == after["volume"]:
         return projection
-    kind = _LENS.get(str(after["volume"]), "oblique")
+    kind = _LENS[str(after["volume"])]
     if kind == "perspective" and projection.lens.central:
         return projection  # an off-axis pyramid is one, too
     return projection.with_lens(kind)
@@ -259,9 +239,9 @@ def _follow(projection: Projection, before: Found, after: Settings) -> Projectio
 
 def _found(projection: Projection, settings: Settings) -> Found:
     lens = projection.lens
-    if lens.parallel:
-        return {"volume": "oblique" if isinstance(lens, Oblique) else "box"}
-    return {"volume": "cone" if settings["volume"] == "cone" else "pyramid"}
+    if lens.central:
+        return {"volume": "cone" if settings["volume"] == "cone" else "pyramid"}
+    return {"volume": "oblique" if lens.kind == _LENS["oblique"] else "box"}
 
 
 PHENOMENON = Phenomenon(
