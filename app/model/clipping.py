@@ -28,6 +28,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from app.model.limits import within
 from app.model.projection import (
     AT_LEAST,
     AT_MOST,
@@ -136,8 +137,7 @@ def _points(field: str, value: ArrayLike, size: int) -> Array:
         number = float(points[wrong][0])
         if not math.isfinite(number):
             raise Refusal(field, number, FINITE_NUMBER)
-        bound, limit = (AT_MOST, LARGEST_CLIP) if number > 0 else (AT_LEAST, -LARGEST_CLIP)
-        raise Refusal(field, number, bound, limit)
+        within(field, number, -LARGEST_CLIP, LARGEST_CLIP)
     if size == 4:
         zero = ~points.any(axis=-1)
         if zero.any():

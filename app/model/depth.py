@@ -28,9 +28,8 @@ from typing import Any, Literal, NamedTuple, TypeAlias, cast
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
+from app.model.limits import within
 from app.model.projection import (
-    AT_LEAST,
-    AT_MOST,
     DEPTH_RANGES,
     FINITE_NUMBER,
     ONE_OF,
@@ -385,8 +384,7 @@ class DepthBuffer:
             wrong = float(distances[~inside][0])
             if math.isnan(wrong):
                 raise Refusal(field, wrong, FINITE_NUMBER)
-            bound, limit = (AT_LEAST, self.near) if wrong < self.near else (AT_MOST, self.far)
-            raise Refusal(field, wrong, bound, limit)
+            within(field, wrong, self.near, self.far)
         return distances
 
     def _depth(self, w: Array) -> Array:

@@ -14,6 +14,7 @@ from typing import Literal, TypeAlias
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
 
+from app.model.limits import within
 from app.model.projection import (
     AT_LEAST,
     AT_MOST,
@@ -402,9 +403,10 @@ class AnimationBar(QWidget):
             self._start = camera
 
     def _number_edited(self, row: NumberRow, largest: float, value: float) -> None:
-        if abs(value) > largest:
-            bound, limit = (AT_MOST, largest) if value > 0.0 else (AT_LEAST, -largest)
-            row.show_error(sentence(Refusal(row.name, value, bound, limit)))
+        try:
+            within(row.name, value, -largest, largest)
+        except Refusal as error:
+            row.show_error(sentence(error))
         else:
             self._settings_edited()
 

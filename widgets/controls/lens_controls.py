@@ -139,7 +139,7 @@ class LensControls(QObject):
             ),
         )  # fmt: skip
         for row in rows:
-            row.below = 180.0
+            row.field.below = 180.0
         self._lens.add_number(
             "focal_length_mm", "lens",
             self.tr("Focal length of a 35 mm film camera (36 × 24 mm) with the same diagonal"

@@ -7,7 +7,6 @@ A panel that is folded fills no table.
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 from PySide6.QtCore import (
@@ -20,14 +19,13 @@ from PySide6.QtCore import (
     Qt,
     Signal,
 )
-from PySide6.QtGui import QBrush, QColor, QGuiApplication, QKeyEvent, QKeySequence, QShowEvent
+from PySide6.QtGui import QBrush, QColor, QGuiApplication, QKeyEvent, QShowEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QComboBox,
     QHBoxLayout,
     QHeaderView,
     QLabel,
-    QLineEdit,
     QPushButton,
     QTableView,
     QVBoxLayout,
@@ -35,11 +33,8 @@ from PySide6.QtWidgets import (
 )
 
 from app.lecture.highlight import NOTHING, Attention, made_of
+from app.model.limits import finite
 from app.model.projection import (
-    AT_LEAST,
-    AT_MOST,
-    FINITE_NUMBER,
-    LARGEST,
     PLANES,
     Projection,
     Trace,
@@ -48,8 +43,8 @@ from app.model.projection import (
 from app.model.refusal import Refusal, format_value
 from app.picking.picking import Probe, projector
 from app.precision.levels import predict, rung_for_reading, trace
-from widgets.parts.fields import REFUSAL_SHEET, parse_number, refusal
-from widgets.parts.messages import number_text, plane_name, sentence
+from widgets.parts.fields import REFUSAL_SHEET, NumberField, refusal
+from widgets.parts.messages import plane_name, sentence
 from widgets.parts.panel import PROJECTION, Changed, Panel, Shown
 from widgets.parts.readable import Readable
 
@@ -94,7 +89,7 @@ class ProbePanel(Panel):
         self.choice.setAccessibleName(self.tr("Probe"))
         self.choice.setToolTip(self.tr("Which probe the fields and buttons are about"))
         self.choice.activated.connect(lambda index: self.choose(self.choice.itemData(index)))
-        self.fields = tuple(_Coordinate() for _ in range(3))
+        self.fields = tuple(NumberField(name) for name in "xyz")
         self.pin = QPushButton(self.tr("Pin"))
         self.pin.setCheckable(True)
         self.pin.setStyleSheet(_PIN_SHEET)
@@ -264,7 +259,7 @@ class ProbePanel(Panel):
             if not field.isModified():
                 continue
             try:
-                point[axis] = _coordinate(name, field.text())
+                point[axis] = finite(name, field.read())
             except Refusal as error:
                 self.error.setText(refusal(sentence(error)))
                 self.error.show()
@@ -291,8 +286,8 @@ class ProbePanel(Panel):
         self.choice.setEnabled(bool(self.probes))
         point = None if probe is None else probe.point
         for axis, field in enumerate(self.fields):
-            field.setText("" if point is None else number_text(point[axis]))
-            field.setCursorPosition(0)
+            field.show_number(None if point is None else point[axis])
+            field.take_back()
             field.setAccessibleDescription("")
         self.error.hide()
         self.error.clear()
@@ -482,31 +477,6 @@ def _outside_of(point: Trace) -> list[str]:
 def _texts(values: Any) -> list[str]:
     """Numbers as `project` prints them, with every digit and no minus zero."""
     return [format_value(value) for value in (values + 0.0).reshape(-1).tolist()]
-
-
-def _coordinate(name: str, text: str) -> float:
-    value = parse_number(name, text)
-    if math.isinf(value):
-        raise Refusal(name, value, FINITE_NUMBER)
-    if abs(value) > LARGEST:
-        bound, limit = (AT_MOST, LARGEST) if value > 0.0 else (AT_LEAST, -LARGEST)
-        raise Refusal(name, value, bound, limit)
-    return value
-
-
-class _Coordinate(QLineEdit):
-    """A field that keeps Esc for itself while there is something to take back."""
-
-    def event(self, event: QEvent) -> bool:
-        if (
-            event.type() == QEvent.Type.ShortcutOverride
-            and isinstance(event, QKeyEvent)
-            and event.matches(QKeySequence.StandardKey.Cancel)
-            and self.isModified()
-        ):
-            event.accept()
-            return True
-        return super().event(event)
 
 
 class _Table(QAbstractTableModel):

@@ -20,6 +20,7 @@ from app.model.limits import (
     cos_sin_deg,
     finite,
     keep_checked,
+    within,
 )
 from app.model.refusal import Refusal, format_value
 
@@ -148,11 +149,7 @@ def oblique_angles(receding: float, receding_deg: float) -> tuple[float, float]:
     A unit into the picture moves a point by ``(-cot(alpha), -cot(beta))`` (lecture 002, H).
     """
     receding, receding_deg = finite("receding", receding), finite("receding_deg", receding_deg)
-    for wrong, bound, limit in (
-        (receding < 0.0, AT_LEAST, 0), (receding > LARGEST_SHEAR, AT_MOST, int(LARGEST_SHEAR)),
-    ):  # fmt: skip
-        if wrong:
-            raise Refusal("receding", receding, bound, limit)
+    within("receding", receding, 0, int(LARGEST_SHEAR))
     cos, sin = cos_sin_deg(receding_deg)
     return (
         math.degrees(math.atan2(1.0, -receding * cos)),
