@@ -155,13 +155,6 @@ class Canvas:
             renderer.AddViewProp(prop)
             self._props.append((renderer, prop))
 
-    def bring_last(self, *props: vtkProp) -> None:
-        """Let props that were added be drawn after all others of their renderers."""
-        for renderer, prop in self._props:
-            if prop in props:
-                renderer.RemoveViewProp(prop)
-                renderer.AddViewProp(prop)
-
     def label(self, text: str, renderer: Any = None, **options: Any) -> Label:
         """Add a `Label` with these options; `Label` describes them."""
         label = Label(text, self.style, **options)

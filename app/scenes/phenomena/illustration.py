@@ -208,7 +208,7 @@ class Line:
 
 @dataclass(frozen=True, eq=False)
 class Face:
-    """A flat convex polygon, seen from both sides; `points` is (k, 3), or (k, 2) in pixels."""
+    """A flat convex polygon, translucent, seen from both sides; (k, 3), or (k, 2) in pixels."""
 
     points: Array
     colour: str = "accent"
@@ -269,7 +269,7 @@ class Marks:
 
 @dataclass(frozen=True, eq=False)
 class Copy:
-    """The scene once more, under a further 4x4.
+    """The scene's faces once more, under a further 4x4.
 
     Attributes
     ----------
@@ -278,16 +278,11 @@ class Copy:
     panes : tuple of {"world", "ndc", "image"}
     colour : str
         Of all faces; empty for their own.
-    opacity : float
-    lines : bool
-        Whether the scene's lines, its ground grid among them, are copied too.
     """
 
     world_from_world: Array
     panes: tuple[str, ...] = ("world",)
     colour: str = ""
-    opacity: float = 1.0
-    lines: bool = False
 
 
 @dataclass(frozen=True, eq=False)
