@@ -15,15 +15,15 @@ A + B/w taken apart so that nothing cancels: ``w - n`` keeps digits that the sum
 numbers loses. Distances come back by way of the *nearness*, ``1 - depth`` or the reversed depth
 itself, for the same reason.
 
-A format rounds the depth once, to the nearest code. That is the best a buffer can do; what a GPU
-does on the way there, in float32, is `arithmetic` ``"float32"``.
+A format rounds the depth once, to the nearest code. That is the best a buffer can do; a GPU rounds
+to float32 on the way there.
 """
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any, Literal, NamedTuple, TypeAlias, cast
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
@@ -34,15 +34,12 @@ from app.model.projection import (
     FINITE_NUMBER,
     ONE_OF,
     Array,
-    DepthRange,
     Lens,
     Orthographic,
     Perspective,
-    Projection,
 )
 from app.model.refusal import Refusal
 
-Arithmetic: TypeAlias = Literal["float64", "float32"]
 Codes: TypeAlias = NDArray[np.uint8] | NDArray[np.uint16] | NDArray[np.uint32]
 
 
@@ -80,7 +77,6 @@ FORMATS: dict[str, DepthFormat] = {
 }
 
 MAPPINGS = (*DEPTH_RANGES, "logarithmic")
-ARITHMETICS = ("float64", "float32")
 
 
 @dataclass(frozen=True)
@@ -125,7 +121,8 @@ class DepthBuffer:
                 raise Refusal(field, value, ONE_OF, ", ".join(known))
         if not isinstance(self.parallel, bool):
             raise Refusal("parallel", self.parallel, ONE_OF, "True, False")
-        lens = self._lens
+        kind = Orthographic if self.parallel else Perspective
+        lens = kind(near=self.near, far=self.far)
         if self.mapping == "logarithmic":
             if self.parallel:
                 raise Refusal("mapping", self.mapping, ONE_OF, ", ".join(DEPTH_RANGES))
@@ -145,52 +142,34 @@ class DepthBuffer:
         """
         return cls(format_, mapping, lens.near, lens.far if far is None else far, lens.parallel)
 
-    @property
-    def _lens(self) -> Perspective | Orthographic:
-        """A lens whose matrix makes this depth."""
-        if self.parallel:
-            return Orthographic(near=self.near, far=self.far)
-        return Perspective(near=self.near, far=self.far)
-
     # -- from distance to code
 
-    def depth(self, distance: ArrayLike, arithmetic: Arithmetic = "float64") -> Array:
+    def depth(self, distance: ArrayLike) -> Array:
         """The depth in [0, 1] of a distance, before it is stored.
 
         Parameters
         ----------
         distance : (...) array_like
             From the eye plane, in world units, between near and far.
-        arithmetic : {"float64", "float32"}
-            ``"float64"`` is the closed form, right to 4 ulp. ``"float32"`` is what a GPU computes:
-            matrix entries, products, sums and the divide each rounded to float32, clamped to
-            [0, 1] as its viewport does.
 
         Returns
         -------
         (...) float64 array
+            The closed form, right to 4 ulp.
 
         Raises
         ------
         Refusal
-            For a distance that is not a number between near and far; for another arithmetic, or
-            ``"float32"`` where it overflows.
+            For a distance that is not a number between near and far.
         """
-        w = self._distances("distance", distance)
-        if arithmetic == "float64":
-            return self._depth(w)
-        if arithmetic == "float32":
-            return self._depth_float32(w)
-        raise Refusal("arithmetic", arithmetic, ONE_OF, ", ".join(ARITHMETICS))
+        return self._depth(self._distances("distance", distance))
 
-    def encode(self, distance: ArrayLike, arithmetic: Arithmetic = "float64") -> Codes:
+    def encode(self, distance: ArrayLike) -> Codes:
         """The code that is stored for a distance.
 
         Parameters
         ----------
         distance : (...) array_like
-        arithmetic : {"float64", "float32"}
-            As for `depth`.
 
         Returns
         -------
@@ -204,10 +183,10 @@ class DepthBuffer:
             As `depth`.
         """
         kind = FORMATS[self.format]
-        depth = self.depth(distance, arithmetic)
+        depth = self.depth(distance)
         if kind.float_type is None:
             return np.asarray(np.rint(depth * kind.largest)).astype(kind.code_type)
-        if self.mapping == "opengl":  # NDC z is a float32 near -1, whatever the arithmetic
+        if self.mapping == "opengl":  # NDC z is a float32 near -1, whatever was computed
             depth = 0.5 * np.asarray(2.0 * depth - 1.0).astype(np.float32).astype(np.float64) + 0.5
         return np.asarray(depth).astype(kind.float_type).view(kind.code_type)
 
@@ -307,17 +286,13 @@ class DepthBuffer:
         with np.errstate(invalid="ignore"):  # inf - inf: a surface at infinity has none behind
             return np.asarray(np.where(gap <= far - w, gap, np.inf))
 
-    def collapsed_share(
-        self, first: ArrayLike, second: ArrayLike, arithmetic: Arithmetic = "float64"
-    ) -> float:
+    def collapsed_share(self, first: ArrayLike, second: ArrayLike) -> float:
         """The share of pairs of surfaces that are stored as one, counted.
 
         Parameters
         ----------
         first, second : (...) array_like
             Distances of each pair's surfaces.
-        arithmetic : {"float64", "float32"}
-            As for `depth`.
 
         Returns
         -------
@@ -329,7 +304,7 @@ class DepthBuffer:
         Refusal
             As `depth`.
         """
-        same = self.encode(first, arithmetic) == self.encode(second, arithmetic)
+        same = self.encode(first) == self.encode(second)
         return float(np.mean(same)) if same.size else 0.0
 
     def predicted_collapsed_share(self, first: ArrayLike, second: ArrayLike) -> float:
@@ -401,32 +376,6 @@ class DepthBuffer:
             return np.asarray(from_plane / (far - near))
         scale = (near if self._is_reversed else far) / (far - near)
         return np.asarray(np.minimum(scale * (from_plane / w), 1.0))  # 1 + 1 ulp at the end
-
-    def _depth_float32(self, w: Array) -> Array:
-        """Depth as a GPU's float32 makes it: ``(A w + B)/w``, then the viewport."""
-        single = np.float32
-        with np.errstate(all="ignore"):
-            distance = w.astype(single)
-            if self.mapping == "logarithmic":
-                scale = single(math.log(2.0) / self._log_span)
-                z = np.log2(distance / single(self.near)) * scale
-            else:
-                a, b = (single(entry) for entry in self._entries())
-                z = a * distance + b
-                if not self.parallel:
-                    z = z / distance
-                if self.mapping == "opengl":
-                    z = z * single(0.5) + single(0.5)
-        depth = np.where(w == math.inf, 0.0 if self._is_reversed else 1.0, z)
-        if not np.isfinite(depth).all():
-            raise Refusal("arithmetic", "float32", ONE_OF, "float64")
-        return np.asarray(np.clip(depth, 0.0, 1.0), dtype=np.float64)
-
-    def _entries(self) -> tuple[float, float]:
-        """A and B of ``z_clip = A w + B``, what the matrix of the lens holds."""
-        projection = Projection(lens=self._lens, depth=cast(DepthRange, self.mapping))
-        a, b = projection.clip_from_view[2, 2:].tolist()
-        return -a, b
 
     def _cells(self, depth: Array) -> tuple[Any, Any]:
         """Width of the codes' cells at a depth: the mean, and by how much they alternate.

@@ -73,8 +73,6 @@ _SAMPLES, _STRIDE = 1597, 987
 """A Fibonacci lattice: as many rows and columns as places, since stripes are rows or columns."""
 _LATTICE = (np.arange(_SAMPLES)[:, None] * (1, _STRIDE) % _SAMPLES + 0.5) / _SAMPLES
 _TICKS = 32  # of all codes, evenly spread
-RANGES = ("standard", "reversed", "infinite", "logarithmic")
-"""Of depth, the choices there are."""
 _MAPPINGS = {"standard": "opengl", "infinite": "opengl"}
 
 

@@ -54,8 +54,8 @@ CASES = (
     QT_TRANSLATE_NOOP("phenomena", "3: only A behind it"),
     QT_TRANSLATE_NOOP("phenomena", "4: only B behind it"),
 )
-"""Lecture 004's four cases, in the order of `app.model.clipping.EYE_CASES`; its cut is before
-the eye."""
+"""Lecture 004's four cases, as `app.model.clipping.EyeCut` counts them; its cut is before the
+eye."""
 
 _PARALLEL = QT_TRANSLATE_NOOP(
     "phenomena",
