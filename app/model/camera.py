@@ -145,12 +145,7 @@ class Camera:
         return tuple(map(_unit, (right, _cross(backward, right), backward)))
 
     def exact_view(self, point_world: Vector) -> tuple[Fraction, Fraction, Fraction]:
-        """View coordinates of a point to `double_double.BITS` bits, zero where they are zero.
-
-        Parameters
-        ----------
-        point_world : Vector
-        """
+        """View coordinates of a point to `double_double.BITS` bits, zero where they are zero."""
         offset = [Fraction(p) - Fraction(e) for p, e in zip(point_world, self.eye, strict=True)]
         backward, right = self._exact_axes
         x, y, z = (

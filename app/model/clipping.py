@@ -374,10 +374,6 @@ def cut_at_eye(starts_view: ArrayLike, ends_view: ArrayLike) -> EyeCut:
     starts_view, ends_view : (..., 3) array_like
         The segments' ends in view space, where the camera looks along -z.
 
-    Returns
-    -------
-    EyeCut
-
     Raises
     ------
     Refusal

@@ -747,10 +747,6 @@ class Projection:
         points_world : (..., 3) array_like
             World coordinates.
 
-        Returns
-        -------
-        Trace
-
         Raises
         ------
         Refusal

@@ -203,10 +203,6 @@ def load(name_or_path: str, progress: Progress | None = None, mesh: str = "") ->
         Path of a mesh file that takes the place of a phenomenon's subject: scaled alike in all
         directions into its bounds, and standing where it stands.
 
-    Returns
-    -------
-    Scene
-
     Raises
     ------
     Refusal

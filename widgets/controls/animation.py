@@ -119,10 +119,6 @@ def camera_at(start: Camera, elapsed_s: float, motion: Motion) -> Camera:
         Seconds since then.
     motion : Motion
 
-    Returns
-    -------
-    Camera
-
     Raises
     ------
     Refusal

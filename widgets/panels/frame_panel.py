@@ -316,12 +316,7 @@ class FramePanel(Panel):
             self.show_projection(shown.projection)
 
     def show_projection(self, projection: Projection) -> None:
-        """Show this camera's numbers: now if visible, else on appearing.
-
-        Parameters
-        ----------
-        projection : Projection
-        """
+        """Show this camera's numbers: now if visible, else on appearing."""
         if self._projection.camera != projection.camera or (
             _has_own_view(self._projection) != _has_own_view(projection)
         ):

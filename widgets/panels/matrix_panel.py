@@ -341,12 +341,7 @@ class MatrixPanel(Panel):
             self.show_projection(shown.projection)
 
     def show_projection(self, projection: Projection) -> None:
-        """Take over the model.
-
-        Parameters
-        ----------
-        projection : Projection
-        """
+        """Take over the model."""
         if projection == self._projection:
             return
         if not self._readable.in_gesture:

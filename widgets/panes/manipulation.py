@@ -55,11 +55,6 @@ HOLD_WITHIN_PX = 9.0
 class Manipulation(QObject):
     """Turns drags on handles and on the picture, and the wheel there, into projections.
 
-    Parameters
-    ----------
-    world, image : Pane
-    parent : QObject
-
     Attributes
     ----------
     message : MessageBar

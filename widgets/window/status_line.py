@@ -127,13 +127,7 @@ class StatusLine(QStatusBar):
         self._rest.timeout.connect(self._predict)
 
     def show_projection(self, projection: Projection, scene: Scene) -> None:
-        """Take over the model and what it looks at.
-
-        Parameters
-        ----------
-        projection : Projection
-        scene : Scene
-        """
+        """Take over the model and what it looks at."""
         self._projection, self._scene = projection, scene
         self._show_lens(projection)
         self._wait_for_rest()

@@ -135,10 +135,6 @@ def oblique_angles(receding: float, receding_deg: float) -> tuple[float, float]:
     receding_deg : float
         Direction in the picture in which things recede, in degrees from the right, anticlockwise.
 
-    Returns
-    -------
-    alpha_deg, beta_deg : float
-
     Raises
     ------
     Refusal
