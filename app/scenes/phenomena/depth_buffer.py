@@ -37,6 +37,7 @@ from app.scenes.phenomena.illustration import (
     Text,
     number,
 )
+from app.scenes.phenomena.picture import outline
 from app.scenes.phenomena.sampling import seen_distances
 from app.scenes.shapes import Coloured, flat, ground_grid
 
@@ -210,7 +211,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
     if subject.mesh is None:
         moved = _CORNERS + matrix[:3, 3]
         marks = Marks(
-            lines=(Line(moved[[0, 1, 2, 3, 0]], _BEHIND, 2.0),),
+            lines=(Line(outline(moved), _BEHIND, 2.0),),
             texts=(Text("1", _CORNERS[0], _FRONT), Text("2", moved[1], _BEHIND)),
         )
     buffer = buffer_of(projection, settings)
@@ -309,9 +310,8 @@ PHENOMENON = Phenomenon(
     ),
     lectures=("000", "001"),
     start=Projection(
-        Camera((3.0, 7.0, 15.0), (0.0, 1.5, -8.0), (0.0, 1.0, 0.0)),
+        Camera((3.0, 7.0, 15.0), (0.0, 1.5, -8.0)),
         Perspective(fov_y_deg=45.0, near=0.01, far=200.0),
-        (1280, 720),
     ),
     geometry=_geometry,
     show=_show,

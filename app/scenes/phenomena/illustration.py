@@ -83,7 +83,7 @@ class Setting:
         For the control; translatable.
     default : float, bool, str or tuple of 3 floats
     low, high : float
-        Bounds of a number, included, or of each coordinate.
+        Bounds of a number, included.
     span : (float, float), optional
         What the slider covers, within the bounds; all of them if not given.
     unit : str
@@ -134,12 +134,12 @@ class Setting:
                 raise Refusal(self.path, value, ONE_OF, ", ".join(known))
             return str(value)
         if isinstance(self.default, tuple):
-            point = finite_vector(self.path, value)
-            for part in point:
-                self._check_bounds(part, point)
-            return point
+            return finite_vector(self.path, value)
         number = finite(self.path, value)
-        self._check_bounds(number, number)
+        if number < self.low:
+            raise Refusal(self.path, number, AT_LEAST, format_value(self.low))
+        if number > self.high:
+            raise Refusal(self.path, number, AT_MOST, format_value(self.high))
         if self.whole and not number.is_integer():
             raise Refusal(self.path, number, WHOLE)
         return number
@@ -161,12 +161,6 @@ class Setting:
         if math.isclose(value, chosen, rel_tol=CLOSE, abs_tol=slack):
             return chosen
         return float(f"{value:.12g}")
-
-    def _check_bounds(self, part: float, value: object) -> None:
-        if part < self.low:
-            raise Refusal(self.path, value, AT_LEAST, format_value(self.low))
-        if part > self.high:
-            raise Refusal(self.path, value, AT_MOST, format_value(self.high))
 
 
 # --------------------------------------------------------------------------- what is shown

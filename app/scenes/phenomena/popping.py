@@ -330,9 +330,8 @@ PHENOMENON = Phenomenon(
     ),
     lectures=("001",),
     start=Projection(
-        Camera((0.5, 2.2, _START_Z), (0.0, 2.0, -40.0), (0.0, 1.0, 0.0)),
+        Camera((0.5, 2.2, _START_Z), (0.0, 2.0, -40.0)),
         Perspective(fov_y_deg=45.0, near=1.0, far=100.0),
-        (1280, 720),
     ),
     geometry=_geometry,
     show=_show,
