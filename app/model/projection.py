@@ -199,7 +199,6 @@ _LARGE_STRETCH = 2.0**24  # `Projection.stretch` up to which dot products of 75 
 _ABOVE_OFFSETS = 2.0**27  # added and taken away again, leaves the upper 27 bits of the offsets
 _BEYOND = 1e250  # where double-double products would overflow
 _CHUNK = 16384  # larger blocks wake OpenBLAS's second thread, which fights a software renderer
-_FACE = ((-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0))
 
 
 def _translation(offset: ArrayLike) -> Array:
@@ -706,36 +705,6 @@ class Projection:
             direct = Stage("clip_from_view", exact, (), "")
             in_order = [(direct.name, exact)]
         return direct, _product("clip_from_world", [*in_order, (view.name, view.exact)])
-
-    @cached_property
-    def frustum_corners_world(self) -> Array:
-        """The cube's eight corners un-projected, homogeneous, (8, 4).
-
-        Left-bottom, right-bottom, right-top, left-top of the near face, then of the far face;
-        w is 1, or 0 for the far corners of an infinite frustum, which are directions
-        (lecture 002: points at infinity).
-
-        Raises
-        ------
-        Refusal
-            For a free matrix without an inverse.
-        """
-        if self.lens.planes is None:
-            cube = [(x, y, z, 1.0) for z in self.depth_range for x, y in _FACE]
-            corners = np.array(cube) @ _rounded(self._eye_from_clip).T
-            finite = corners[:, 3] != 0.0
-            corners[finite] /= corners[finite, 3:]
-            corners[finite, :3] += self.camera.eye
-            return read_only(corners)
-        # Through the reversed range: there 1/w of the far face is 1/far itself, where [-1, 1]
-        # makes it a difference of two numbers of the size of 1/near.
-        cube = [(x, y, z, 1.0) for z in (1.0, 0.0) for x, y in _FACE]
-        corners = np.array(cube) @ replace(self, depth="reversed").view_from_clip.T
-        finite = corners[:, 3] != 0.0
-        corners[finite] /= corners[finite, 3:]
-        directions = corners[:, :3] @ self.camera.frame
-        directions[finite] += self.camera.eye
-        return read_only(np.column_stack([directions, corners[:, 3]]))
 
     # -- points
 
