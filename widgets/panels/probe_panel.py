@@ -19,7 +19,7 @@ from PySide6.QtCore import (
     Qt,
     Signal,
 )
-from PySide6.QtGui import QBrush, QColor, QGuiApplication, QKeyEvent, QShowEvent
+from PySide6.QtGui import QBrush, QColor, QGuiApplication, QKeyEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QComboBox,
@@ -45,8 +45,8 @@ from app.picking.picking import Probe, projector
 from app.precision.levels import predict, rung_for_reading, trace
 from widgets.parts.fields import REFUSAL_SHEET, NumberField, refusal
 from widgets.parts.messages import plane_name, sentence
-from widgets.parts.panel import PROJECTION, Changed, Panel, Shown
-from widgets.parts.readable import Readable
+from widgets.parts.panel import PROJECTION, Changed, Shown
+from widgets.parts.readable import ReadablePanel
 
 MOST_PROBES = 6
 """More than these are no comparison any more."""
@@ -63,7 +63,7 @@ _PARTS = 4  # columns of a probe: x, y, z, w
 _ROOT = QModelIndex()
 
 
-class ProbePanel(Panel):
+class ProbePanel(ReadablePanel):
     """The probes, what can be done to them, and the table of their numbers.
 
     Attributes
@@ -83,7 +83,6 @@ class ProbePanel(Panel):
         self._projection: Projection | None = None
         self._spans: list[tuple[int, int]] = []
         self._font_is_new = False
-        self._readable = Readable(self, self._fill)
 
         self.choice = QComboBox()
         self.choice.setAccessibleName(self.tr("Probe"))
@@ -320,12 +319,6 @@ class ProbePanel(Panel):
         if changed & PROJECTION:
             self.show_projection(shown.projection)
 
-    def begin_gesture(self) -> None:
-        self._readable.begin_gesture()
-
-    def end_gesture(self) -> None:
-        self._readable.end_gesture()
-
     def show_projection(self, projection: Projection) -> None:
         """Show the numbers under the model's new value."""
         if projection != self._projection:
@@ -340,10 +333,6 @@ class ProbePanel(Panel):
         if event.type() == QEvent.Type.Leave:
             self.attended.emit(NOTHING)
         return super().eventFilter(watched, event)
-
-    def showEvent(self, event: QShowEvent) -> None:
-        super().showEvent(event)
-        self._readable.settle()
 
     def _fill(self) -> None:
         if self._projection is None:

@@ -19,7 +19,7 @@ from functools import partial
 from typing import Any
 
 from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer, Signal
-from PySide6.QtGui import QHelpEvent, QHideEvent, QPalette, QShowEvent
+from PySide6.QtGui import QHelpEvent, QHideEvent, QPalette
 from PySide6.QtWidgets import (
     QBoxLayout,
     QFrame,
@@ -74,8 +74,8 @@ from widgets.parts.messages import (
     sentence,
     translated,
 )
-from widgets.parts.panel import Changed, Panel, Shown
-from widgets.parts.readable import Readable
+from widgets.parts.panel import Changed, Shown
+from widgets.parts.readable import ReadablePanel
 
 HEIGHT_PX = 225
 """Of the panel where it opens, at the ordinary font; what is higher scrolls, or it is dragged."""
@@ -107,7 +107,7 @@ NONE = "–"
 """Stands for a reading that there is not."""
 
 
-class ScenePanel(Panel):
+class ScenePanel(ReadablePanel):
     """Explanation, settings, readout and diagrams of the scene at hand, side by side.
 
     Attributes
@@ -134,7 +134,6 @@ class ScenePanel(Panel):
         self._counted: tuple[Exhibit, float] | None = None
         self._problem: Phrase | None = None
         self._style = LIGHT
-        self._readable = Readable(self, self._fill)
         self._projection: Projection | None = None
         self._why_not: dict[QWidget, str] = {}
         self._lines: dict[str, QWidget] = {}
@@ -276,12 +275,6 @@ class ScenePanel(Panel):
         if changed & {"exhibit", "settings"}:
             self.show_exhibit(shown.exhibit, shown.document.settings, shown.projection)
 
-    def begin_gesture(self) -> None:
-        self._readable.begin_gesture()
-
-    def end_gesture(self) -> None:
-        self._readable.end_gesture()
-
     def show_exhibit(
         self, exhibit: Exhibit | None, settings: Settings, projection: Projection
     ) -> None:
@@ -411,10 +404,6 @@ class ScenePanel(Panel):
         self.gesture_started.emit()
 
     # -- shown
-
-    def showEvent(self, event: QShowEvent) -> None:
-        super().showEvent(event)
-        self._readable.settle()
 
     def hideEvent(self, event: QHideEvent) -> None:
         super().hideEvent(event)
