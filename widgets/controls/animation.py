@@ -16,8 +16,6 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWi
 
 from app.model.limits import within
 from app.model.projection import (
-    AT_LEAST,
-    AT_MOST,
     LARGEST,
     NOT_PARALLEL,
     NOT_THE_EYE,
@@ -27,7 +25,7 @@ from app.model.projection import (
 from app.model.refusal import Refusal
 from widgets.parts.clock import Clock
 from widgets.parts.fields import Choice, ChoiceRow, Linear, NumberRow, Row
-from widgets.parts.messages import sentence, translated
+from widgets.parts.messages import limits_text, sentence
 
 HeightMode: TypeAlias = Literal["fixed", "swing", "steps"]
 LookMode: TypeAlias = Literal["target", "level"]
@@ -151,12 +149,6 @@ def _height(start_y: float, elapsed_s: float, motion: Motion) -> float:
     return start_y
 
 
-def _limits(largest: float) -> str:
-    """What holds for any number of a row that takes it in both signs."""
-    bounds = ((AT_LEAST, -largest), (AT_MOST, largest))
-    return "; ".join(translated(bound).format(limit) for bound, limit in bounds)
-
-
 class AnimationBar(QWidget):
     """Plays the walk: one camera a frame, from where the camera is, until paused.
 
@@ -253,7 +245,7 @@ class AnimationBar(QWidget):
         for number, largest in (
             (self.speed, FASTEST_DEG_S), (self.lowest, LARGEST), (self.highest, LARGEST)
         ):  # fmt: skip
-            number.limits = partial(_limits, largest)
+            number.limits = partial(limits_text, -largest, largest)
             number.edited.connect(partial(self._number_edited, number, largest))
         for choice in (self.height_mode, self.look):
             choice.edited.connect(self._settings_edited)

@@ -37,7 +37,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.drawings.style import LIGHT, Style
-from app.model.projection import AT_LEAST, AT_MOST, Projection
+from app.model.projection import Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena.illustration import (
     Diagram,
@@ -69,10 +69,10 @@ from widgets.parts.focus import FocusRing
 from widgets.parts.messages import (
     breakable,
     figure_text,
+    limits_text,
     number_text,
     of_phenomena,
     sentence,
-    translated,
 )
 from widgets.parts.panel import Changed, Shown
 from widgets.parts.readable import ReadablePanel
@@ -637,31 +637,13 @@ def make_row(setting: Setting, none: str = "") -> Row:
         row = VectorRow(name, tip)
     else:
         number = NumberRow(name, tip, scale_of(setting), of_phenomena(setting.unit))
-        number.limits = partial(_limits, setting)
-        number.accepts = partial(_accepts, setting)
+        number.limits = partial(limits_text, setting.low, setting.high)
+        number.accepts = setting.can_be
         row = number
     default: Any = setting.default
     row.setValue(default)
     row.setDefault(default)
     return row
-
-
-def _accepts(setting: Setting, value: float) -> bool:
-    try:
-        setting.checked(value)
-    except Refusal:
-        return False
-    return True
-
-
-def _limits(setting: Setting) -> str:
-    """What is asked of every number of a setting."""
-    clauses = [
-        translated(bound).format(number_text(limit))
-        for bound, limit in ((AT_LEAST, setting.low), (AT_MOST, setting.high))
-        if math.isfinite(limit)
-    ]
-    return "; ".join(clauses)
 
 
 def ends_of(setting: Setting) -> tuple[float, float]:
