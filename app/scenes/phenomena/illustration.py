@@ -24,7 +24,7 @@ import numpy as np
 
 from app.model.depth import DepthBuffer
 from app.model.limits import finite, finite_vector
-from app.model.projection import AT_LEAST, AT_MOST, FINITE_NUMBER, ONE_OF, Array, Projection
+from app.model.projection import AT_LEAST, AT_MOST, ONE_OF, Array, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value
 from app.scenes.shapes import Coloured, Vector
 
@@ -700,33 +700,3 @@ def point(settings: Settings, name: str) -> Vector:
     if not isinstance(value, tuple):
         raise TypeError(name)
     return value
-
-
-__all__ = [
-    "FINITE_NUMBER",
-    "Copy",
-    "Curve",
-    "Diagram",
-    "Dot",
-    "Exhibit",
-    "Face",
-    "Fog",
-    "Found",
-    "Level",
-    "Line",
-    "Marks",
-    "OwnMesh",
-    "Phenomenon",
-    "Phrase",
-    "Reading",
-    "Rendering",
-    "Setting",
-    "Settings",
-    "Subject",
-    "Text",
-    "Texture",
-    "Value",
-    "figure",
-    "number",
-    "point",
-]  # fmt: skip
