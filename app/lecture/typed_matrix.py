@@ -20,12 +20,12 @@ from typing import Any, NamedTuple, TypeAlias
 from app.arithmetic.double_double import cotangent_deg
 from app.arithmetic.rationals import Rationals, eliminate, rationals
 from app.model.lenses.lens import plane_letters
+from app.model.limits import Cells, finite_matrix
 from app.model.projection import (
     LENSES,
     OBLIQUE_PRESETS,
     ONE_OF,
     Camera,
-    Cells,
     FreeMatrix,
     Frustum,
     Lens,
@@ -34,7 +34,6 @@ from app.model.projection import (
     Perspective,
     Projection,
     Vector,
-    finite_matrix,
 )
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value
 

@@ -27,17 +27,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from app.model.limits import within
-from app.model.projection import (
-    AT_LEAST,
-    DEPTH_RANGES,
-    DISTINCT,
-    FINITE_NUMBER,
-    NOT_ZERO,
-    ONE_OF,
-    PLANES,
-    Array,
-)
+from app.model.limits import DISTINCT, NOT_ZERO, within
+from app.model.projection import AT_LEAST, DEPTH_RANGES, FINITE_NUMBER, ONE_OF, PLANES, Array
 from app.model.refusal import Refusal
 
 LARGEST_CLIP = 1e307

@@ -43,8 +43,8 @@ from app.document.document import (
     write,
     write_bytes_atomically,
 )
+from app.model.limits import ABOVE
 from app.model.projection import (
-    ABOVE,
     DEPTH_RANGES,
     LENSES,
     Camera,

@@ -16,7 +16,6 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from app.model.projection import (
-    NO_M_PP,
     Array,
     Camera,
     Frustum,
@@ -30,6 +29,7 @@ from app.model.projection import (
     fov_y_from_focal_length_e,
     fov_y_from_window,
 )
+from app.model.tables import NO_M_PP
 from tests.support.frustum import corners_world
 
 QUICK = settings(max_examples=60)

@@ -14,14 +14,8 @@ from typing import Literal, TypeAlias
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
 
-from app.model.limits import within
-from app.model.projection import (
-    LARGEST,
-    NOT_PARALLEL,
-    NOT_THE_EYE,
-    Camera,
-    Vector,
-)
+from app.model.limits import NOT_PARALLEL, within
+from app.model.projection import LARGEST, NOT_THE_EYE, Camera, Vector
 from app.model.refusal import Refusal
 from widgets.parts.clock import Clock
 from widgets.parts.fields import Choice, ChoiceRow, Linear, NumberRow, Row

@@ -61,7 +61,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.model.projection import AT_LEAST, AT_MOST, DISTINCT, FINITE_NUMBER, LARGEST
+from app.model.limits import DISTINCT
+from app.model.projection import AT_LEAST, AT_MOST, FINITE_NUMBER, LARGEST
 from app.model.refusal import Refusal
 from widgets.parts.escape import HeldSlider
 from widgets.parts.highlight import paint_attention

@@ -21,7 +21,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from app.model.projection import NOT_ZERO, Array, Camera, Perspective, Projection
+from app.model.limits import NOT_ZERO
+from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value
 from app.scenes.phenomena.illustration import (
     Copy,

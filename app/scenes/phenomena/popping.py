@@ -20,7 +20,8 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from app.model.projection import ABOVE, LARGEST, Array, Camera, Perspective, Projection
+from app.model.limits import ABOVE
+from app.model.projection import LARGEST, Array, Camera, Perspective, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes.phenomena.illustration import (
     Curve,
