@@ -181,14 +181,13 @@ class Linear:
         The ends, rounded to multiples of the step.
     step : float
         One arrow key; best 1, 2 or 5 times a power of ten.
-    page : int
-        How many steps PageUp and PageDown make.
     """
 
     low: float
     high: float
     step: float
-    page: int = 10
+    page = 10
+    """How many steps PageUp and PageDown make."""
     infinite = False
 
     @classmethod
@@ -284,13 +283,12 @@ class Doubling:
     ----------
     low, high : float
         The ends, whole and above 0.
-    page : int
-        How many steps PageUp and PageDown make: 2 double.
     """
 
     low: float
     high: float
-    page: int = 2
+    page = 2
+    """How many steps PageUp and PageDown make: 2 double."""
     infinite = False
 
     @cached_property
@@ -590,9 +588,12 @@ class Row(QWidget):
         """The value shown."""
         return self._value
 
-    @abstractmethod
     def setValue(self, value: Any) -> None:
-        """Show a value; never answered by a signal."""
+        """Show a value; never answered by a signal. A text being typed stays as it is."""
+        if value != self._value:
+            self._value = value
+            self.clear_error()
+            self._show_value()
 
     def setDefault(self, value: Any) -> None:
         """Set what a reset goes back to."""
@@ -1105,13 +1106,6 @@ class ChoiceRow(Row):
         """Choose as the user does."""
         self._chosen(self._keys.index(key))
 
-    def setValue(self, key: str | None) -> None:
-        """Show a choice, or none of them; never answered by a signal."""
-        if key != self._value:
-            self._value = key
-            self.clear_error()
-            self._show_value()
-
     def _chosen(self, index: int) -> None:
         key = self._keys[index]
         self.clear_error()
@@ -1155,13 +1149,6 @@ class VectorRow(_TypedRow):
         self._grid.addLayout(line, 0, 1)
         self._show_value()
 
-    def setValue(self, value: tuple[float, ...]) -> None:
-        """Show a value; never answered by a signal. A text being typed stays as it is."""
-        if value != self._value:
-            self._value = value
-            self.clear_error()
-            self._show_value()
-
     def _read(self, field: _ShortField) -> tuple[float, ...]:
         number = field.read()
         if math.isinf(number):
@@ -1189,13 +1176,6 @@ class CheckRow(Row):
         self.box.clicked.connect(self._make_edit)  # the user's choice, never the program's
         self.name_label.setBuddy(self.box)
         self._grid.addWidget(self.box, 0, 1, Qt.AlignmentFlag.AlignLeft)
-
-    def setValue(self, value: bool) -> None:
-        """Show a value; never answered by a signal."""
-        if value != self._value:
-            self._value = value
-            self.clear_error()
-            self._show_value()
 
     def _show_value(self) -> None:
         self.box.setChecked(self._value)
