@@ -698,7 +698,7 @@ class Player(QObject):
         self._setting = setting
         self._low, self._high = map(self._place, ends_of(setting))
         self._speed = setting.per_second
-        self._at = self._shown_at = self._low
+        self._at = self._low
         self._shown: float | None = None
         self._playing = False
         self._clock = Clock(self)

@@ -356,7 +356,6 @@ PHENOMENON = Phenomenon(
         ),
     ),
     controls=("lens.near", "camera.eye"),
-    copies=1,
     requires=frozenset({"depth"}),
     own_mesh=True,
 )

@@ -459,7 +459,6 @@ class Exhibit:
     readings : tuple of Reading
     world, ndc, image : Marks
     copies : tuple of Copy
-        Always as many as `Phenomenon.copies`.
     diagrams : tuple of Diagram
     rendering : Rendering, optional
     warning : Phrase, optional
@@ -569,8 +568,6 @@ class Phenomenon:
         those in `settings`; None, or no number, where it is no value's outcome.
     check : callable
         Raises a `Refusal` for settings that do not go together.
-    copies : int
-        How many `Copy` every exhibit has.
     requires : frozenset of str
         What drawings build for this scene beyond faces, lines and marks.
     own_mesh : bool
@@ -593,7 +590,6 @@ class Phenomenon:
     follow: Callable[[Projection, Found, Settings], Projection] = _keep
     found: Callable[[Projection, Settings], Found] = _nothing
     check: Callable[[Settings], None] = _any
-    copies: int = 0
     requires: frozenset[str] = frozenset()
     own_mesh: bool = False
     own_mesh_crosses: bool = False
@@ -606,9 +602,7 @@ class Phenomenon:
     def exhibit(self, projection: Projection, settings: Settings, subject: Subject) -> Exhibit:
         """What is shown; of a free matrix, that has no lens to show it with, only that."""
         if projection.lens.planes is None:
-            hidden = Copy(np.zeros((4, 4)), panes=())
-            copies = (hidden,) * self.copies
-            return Exhibit((), copies=copies, warning=Phrase(_FREE), idle=True)
+            return Exhibit((), warning=Phrase(_FREE), idle=True)
         return self.show(projection, settings, subject)
 
     def at_hand(self, projection: Projection, settings: Settings) -> Found:

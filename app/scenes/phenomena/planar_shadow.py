@@ -76,7 +76,6 @@ _LAMP = QT_TRANSLATE_NOOP("phenomena", "light")
 _SUN = QT_TRANSLATE_NOOP("phenomena", "sun")
 
 _PANES = ("world", "ndc", "image")
-_NOTHING = Copy(np.zeros((4, 4)), panes=())
 _TRUSTED = 1e30  # how far away a mark may be
 
 
@@ -172,9 +171,9 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
     matrix = shadow_matrix(light, height)
     shadows = cast(matrix, subject.points)
     too_high = int(np.count_nonzero(shadows.w <= 0.0))
-    copies = [Copy(_scaled(matrix), _PANES, "muted"), _NOTHING]
+    copies = [Copy(_scaled(matrix), _PANES, "muted")]
     if too_high and not settings["clip"]:
-        copies[1] = Copy(_scaled(-matrix), _PANES, "u")
+        copies.append(Copy(_scaled(-matrix), _PANES, "u"))
     # The vertex followed: the highest of those with a shadow, and among these the farthest one.
     lit = np.flatnonzero(shadows.w > 0.0)
     chosen = None
@@ -405,6 +404,5 @@ PHENOMENON = Phenomenon(
     ),
     controls=("camera.eye",),
     check=_check,
-    copies=2,
     own_mesh=True,
 )

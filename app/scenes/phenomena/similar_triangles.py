@@ -110,7 +110,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
     place = np.array(point(settings, "point"))
     camera, lens = projection.camera, projection.lens
     if lens.parallel:
-        return Exhibit((), copies=(Copy(np.zeros((4, 4)), panes=()),), warning=Phrase(_PARALLEL))
+        return Exhibit((), warning=Phrase(_PARALLEL))
     eye = np.array(camera.eye)
 
     def world(x: float, y: float, z: float) -> Array:
@@ -230,6 +230,5 @@ PHENOMENON = Phenomenon(
     ),
     controls=("camera.eye", "lens.fov_y_deg"),
     check=_check,
-    copies=1,
     own_mesh=True,
 )
