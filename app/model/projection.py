@@ -94,8 +94,9 @@ from app.model.limits import (
     finite,
     keep_checked,
     read_only,
+    within,
 )
-from app.model.refusal import Refusal, format_value
+from app.model.refusal import Refusal
 from app.model.tables import (
     OBJECT,
     VIEWPORT,
@@ -1088,11 +1089,7 @@ class Projection:
         width, height = self.image_size
         for name, value, side, centre in (("fx", fx, width, cx), ("fy", fy, height, cy)):
             least = (abs(centre) + side + 1.0) * SMALLEST_FIELD
-            if value < least:
-                raise Refusal(name, value, AT_LEAST, format_value(least))
-            if value > side / (2.0 * SMALLEST_OPENING):
-                most = format_value(side / (2.0 * SMALLEST_OPENING))
-                raise Refusal(name, value, AT_MOST, most)
+            within(name, value, least, side / (2.0 * SMALLEST_OPENING))
         lens = self.with_lens("frustum").lens
         near, far = lens.near, lens.far
         if fx == fy and cx == (width - 1) / 2.0 and cy == (height - 1) / 2.0:

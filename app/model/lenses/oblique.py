@@ -12,8 +12,6 @@ from app.model.lenses.lens import LensTable, Parallel, Window, check_planes
 from app.model.lenses.orthographic import SCALE, TRANSLATION, box_table
 from app.model.lenses.window import Windowed
 from app.model.limits import (
-    AT_LEAST,
-    AT_MOST,
     LARGEST_SHEAR,
     SMALLEST_WINDOW,
     between,
@@ -22,7 +20,6 @@ from app.model.limits import (
     keep_checked,
     within,
 )
-from app.model.refusal import Refusal, format_value
 
 SHEAR = """
     1  0  cot(alpha)  n*cot(alpha)
@@ -84,10 +81,7 @@ class Oblique(Parallel, Windowed):
         for name in ("alpha_deg", "beta_deg"):
             angle_deg = between(name, getattr(self, name), 0, 180)
             least = math.degrees(1.0 / LARGEST_SHEAR)
-            if not least <= angle_deg <= 180.0 - least:
-                bound, limit = (AT_LEAST, least) if angle_deg < 90.0 else (AT_MOST, 180.0 - least)
-                raise Refusal(name, angle_deg, bound, format_value(limit))
-            keep_checked(self, **{name: angle_deg})
+            keep_checked(self, **{name: within(name, angle_deg, least, 180.0 - least)})
 
     @property
     def least_window(self) -> float:

@@ -23,9 +23,9 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from app.model.depth import DepthBuffer
-from app.model.limits import finite, finite_vector
-from app.model.projection import AT_LEAST, AT_MOST, ONE_OF, Array, Projection
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value
+from app.model.limits import finite, finite_vector, within
+from app.model.projection import ONE_OF, Array, Projection
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes.shapes import Coloured, Vector
 
 Value: TypeAlias = float | bool | str | Vector
@@ -135,11 +135,7 @@ class Setting:
             return str(value)
         if isinstance(self.default, tuple):
             return finite_vector(self.path, value)
-        number = finite(self.path, value)
-        if number < self.low:
-            raise Refusal(self.path, number, AT_LEAST, format_value(self.low))
-        if number > self.high:
-            raise Refusal(self.path, number, AT_MOST, format_value(self.high))
+        number = within(self.path, finite(self.path, value), self.low, self.high)
         if self.whole and not number.is_integer():
             raise Refusal(self.path, number, WHOLE)
         return number
