@@ -213,30 +213,6 @@ _HOLDS = {
     "<": lambda found, bound: found < bound,
     "==": lambda found, bound: found == bound,
 }
-_REQUIREMENT = re.compile(
-    r"""(?P<name>[\w.-]+) \s* (?P<bounds>[^;]*?) \s*
-        (; \s* python_version \s* (?P<operator>>=|<|==) \s* ['"](?P<python>[\d.]+)['"] )? \s*""",
-    re.VERBOSE,
-)
-
-
-def _requirement(text: str) -> Requirement | None:
-    """Read one requirement; None where its marker is about another Python."""
-    match = _REQUIREMENT.fullmatch(text)
-    bounds = []
-    for part in match["bounds"].split(",") if match and match["bounds"] else ():
-        bound = re.fullmatch(r"\s*(>=|<|==)\s*([\d.]+)\s*", part)
-        if bound is None:
-            match = None
-            break
-        bounds.append((bound[1], _release(bound[2])))
-    if match is None:
-        raise SetupError(f"pyproject.toml has a requirement that the set-up cannot read: {text}")
-    if match["operator"]:
-        here = _release(f"{sys.version_info[0]}.{sys.version_info[1]}")
-        if not _HOLDS[match["operator"]](here, _release(match["python"])):
-            return None
-    return Requirement(text, match["name"], tuple(bounds))
 
 
 def requirements(root: Path, extras: Sequence[str] = ()) -> list[Requirement]:
@@ -253,7 +229,20 @@ def requirements(root: Path, extras: Sequence[str] = ()) -> list[Requirement]:
     texts = list(project["dependencies"])
     for extra in extras:
         texts += project["optional-dependencies"][extra]
-    return [found for text in texts if (found := _requirement(text)) is not None]
+    here, found = _release(f"{sys.version_info[0]}.{sys.version_info[1]}"), []
+    for text in texts:
+        asked, _, marker = text.partition(";")
+        if all(_HOLDS[operator](here, python) for operator, python in _bounds(marker)):
+            name = re.match(r"[\w.-]+", asked)
+            assert name is not None
+            found.append(Requirement(text, name[0], _bounds(asked)))
+    return found
+
+
+def _bounds(text: str) -> tuple[tuple[str, tuple[int, ...]], ...]:
+    """The bounds in ``numpy>=2.2,<2.5`` and in ``python_version < '3.12'``."""
+    found = re.findall(r"(>=|<|==)\s*['\"]?([\d.]+)", text)
+    return tuple((operator, _release(version)) for operator, version in found)
 
 
 def _are_importable(wanted: Iterable[Requirement]) -> bool:

@@ -26,13 +26,12 @@ from functools import partial
 from types import MappingProxyType
 from typing import Any, BinaryIO, NamedTuple, TypeAlias
 
+from app.model.limits import FOUR_BY_FOUR, OTHER_SIDE
 from app.model.projection import (
     FINITE_NUMBER,
-    FOUR_BY_FOUR,
     LARGEST_IMAGE_PX,
     LENSES,
     ONE_OF,
-    OTHER_SIDE,
     THREE_NUMBERS,
     WHOLE_PIXELS,
     Camera,

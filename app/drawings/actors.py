@@ -155,13 +155,6 @@ class Canvas:
             renderer.AddViewProp(prop)
             self._props.append((renderer, prop))
 
-    def bring_last(self, *props: vtkProp) -> None:
-        """Let props that were added be drawn after all others of their renderers."""
-        for renderer, prop in self._props:
-            if prop in props:
-                renderer.RemoveViewProp(prop)
-                renderer.AddViewProp(prop)
-
     def label(self, text: str, renderer: Any = None, **options: Any) -> Label:
         """Add a `Label` with these options; `Label` describes them."""
         label = Label(text, self.style, **options)
@@ -203,20 +196,14 @@ class Label:
     ----------
     text : str
     style : Style
-    colour : str, optional
-        Of the text; ink if not given.
     plate : str, optional
         Colour of the plate behind the text, which is then black or white.
-    position : (3,) array_like
-        In the pane's own world.
     in_pixels : bool
-        Take positions as pixels from the renderer's bottom left instead.
+        Take positions as pixels from the renderer's bottom left, not in the pane's own world.
     offset_em : (float, float)
         Right and up from there, in heights of an em.
     anchor : (int, int)
         Which part of the text is there: -1 left, 0 centre, 1 right; -1 bottom, 0 middle, 1 top.
-    size : float
-        Relative to the style's font size.
     bold : bool
     """
 
@@ -225,13 +212,10 @@ class Label:
         text: str,
         style: Style,
         *,
-        colour: str | None = None,
         plate: str | None = None,
-        position: ArrayLike = (0.0, 0.0, 0.0),
         in_pixels: bool = False,
         offset_em: tuple[float, float] = (0.0, 0.0),
         anchor: tuple[int, int] = (0, 0),
-        size: float = 1.0,
         bold: bool = False,
     ) -> None:
         self.actor = vtkTextActor()
@@ -239,7 +223,7 @@ class Label:
         self.actor.UseBoundsOff()
         self._style, self._plate = style, ""
         self._pad = " " if plate else ""
-        self._font_px, self._dpi = style.font_size * size, _DPI
+        self._font_px, self._dpi = style.font_size, _DPI
         self._text: str | None = None
         self._place = vtkCoordinate()
         if in_pixels:
@@ -255,14 +239,14 @@ class Label:
         self.property.SetFontFile(_font_file(bold))
         self.property.SetJustification(anchor[0] + 1)
         self.property.SetVerticalJustification(anchor[1] + 1)
-        self.property.SetColor(*rgb(colour or style.ink))
+        self.property.SetColor(*rgb(style.ink))
         self.property.SetFrameColor(*rgb(style.ink))
         self.property.SetFrameWidth(max(2, round(1.6 * style.line_width)))
         if plate:
             self.set_plate(plate)
         self.set_dpi(_DPI)
         self.set_text(text)
-        self.set_position(position)
+        self.set_position((0.0, 0.0, 0.0))
 
     def set_text(self, text: str) -> None:
         """Write another text; the same one costs nothing."""

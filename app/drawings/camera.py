@@ -63,10 +63,6 @@ class Standing(NamedTuple):
 class CameraDrawing:
     """The camera, as a thing among things.
 
-    Parameters
-    ----------
-    canvas : Canvas
-
     Attributes
     ----------
     solid : tuple of vtkActor

@@ -189,10 +189,6 @@ def png_bytes(pixels: Pixels, document_json: str | None = None) -> bytes:
     ----------
     pixels : (height, width, 3 or 4) uint8 array
     document_json : str, optional
-
-    Returns
-    -------
-    bytes
     """
     buffer = io.BytesIO()
     Image.fromarray(pixels).save(buffer, "PNG")

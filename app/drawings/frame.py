@@ -33,13 +33,7 @@ _SQUARE = 0.55  # side of a right angle's mark
 
 
 class FrameSteps:
-    """The arrows and marks that the ordinary drawing has not.
-
-    Parameters
-    ----------
-    canvas : Canvas
-    style : Style
-    """
+    """The arrows and marks that the ordinary drawing has not."""
 
     def __init__(self, canvas: Canvas, style: Style) -> None:
         self._space, self._up_space = Space(), Space()

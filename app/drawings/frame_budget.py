@@ -82,12 +82,7 @@ class Pace:
         return coarsest and known and 0.0 < self.target_ms < self.frame_ms
 
     def frame(self, ms: float) -> None:
-        """Take note of how long a frame at the present level took, and choose the next one's.
-
-        Parameters
-        ----------
-        ms : float
-        """
+        """Take note of how long a frame at the present level took, and choose the next one's."""
         self._count += 1
         if self.target_ms <= 0.0:
             return

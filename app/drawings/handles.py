@@ -42,11 +42,6 @@ _AWAY_PX = -1e4
 class HandleMarks:
     """The marks of the handles in one pane.
 
-    Parameters
-    ----------
-    canvas : Canvas
-    style : Style
-
     Attributes
     ----------
     held : Handle or None

@@ -1,4 +1,4 @@
-"""Where the names of points stand: beside them, free of each other; numpy only.
+"""Where the names of points and curves stand: beside them, free of each other; numpy only.
 
 Greedy: one name after the other takes the free place that costs least. Of n names with the few
 places that are tried for each this is n^2 comparisons of boxes at once.
@@ -15,6 +15,8 @@ _DIRECTIONS = np.array(
     [(1, 0), (1, -1), (1, 1), (-1, 0), (-1, -1), (-1, 1), (0, -1), (0, 1)], dtype=np.float64
 )
 """From a point to its name, the better ones first."""
+GAP_PX = 3.0
+"""Between a curve and its name."""
 _STEPS = 7
 """Heights of a name that it may be away from its point."""
 
@@ -80,6 +82,65 @@ def beside(
     return found
 
 
+def beside_curve(
+    frame: Floats,
+    along: Floats,
+    half: float,
+    size: tuple[float, float],
+    taken: Floats,
+    lines: Floats,
+    kept: Floats | None = None,
+) -> Floats:
+    """A place for a curve's name: beside the curve, free of other names and of curves.
+
+    Parameters
+    ----------
+    frame : (4,) array
+        Left, top, right, bottom: where names may be.
+    along : (n, 2) array
+        Places along the curve.
+    half : float
+        How far the curve reaches from there.
+    size : (float, float)
+        Of the name.
+    taken : (m, 4) array
+        Where names are already: left, top, right, bottom.
+    lines : (k, 4) array
+        Pieces of all curves, likewise.
+    kept : (4,) array, optional
+        Where the name stood before: good enough while it is free and beside its curve.
+
+    Returns
+    -------
+    (4,) array
+        Left, top, right, bottom. Where there is no free place, or nothing is seen of the curve,
+        the next line of a list at the top left.
+    """
+    width, height = size
+    ends = frame * (1.0, 1.0, -1.0, -1.0)
+    if kept is not None and np.abs(kept[2:] - kept[:2] - size).max() < 1e-3:
+        inside = (kept * (1.0, 1.0, -1.0, -1.0) >= ends).all()
+        free = not _overlap(kept[None], np.vstack([taken, lines])).any()
+        near = kept + height * np.array([-1.0, -1.0, 1.0, 1.0])
+        if inside and free and _overlap(near[None], np.hstack([along, along])).any():
+            return kept
+    right, left = GAP_PX + half - 1.0, 1.0 - half - width  # a line touches its name, a dot does not
+    sides = np.array([(right, -height), (left, -height), (right, 1.0), (left, 1.0)])
+    corners = (along[::-1, None, :] + sides).reshape(-1, 2)  # from the right, where curves part
+    boxes = np.hstack([corners, corners + size])
+    boxes = boxes[(boxes * (1.0, 1.0, -1.0, -1.0) >= ends).all(axis=1)]
+    boxes = boxes[~_overlap(boxes, taken).any(axis=1)]
+    if len(boxes):
+        crossed = _overlap(boxes, lines).sum(axis=1)
+        best: Floats = boxes[np.argmin(100 * crossed + np.arange(len(boxes)))]
+        return best
+    left, top = frame[:2] + GAP_PX
+    box = np.array([left, top, left + width, top + height])
+    while _overlap(box[None], taken).any() and box[3] < frame[3]:
+        box += (0.0, height, 0.0, height)
+    return box
+
+
 def _line(point: Floats, ends: Floats) -> Floats:
     """Small boxes along lines from a point, (n, 8, 4)."""
     parts = np.linspace(0.1, 0.9, 8)[:, None]
@@ -88,6 +149,7 @@ def _line(point: Floats, ends: Floats) -> Floats:
 
 
 def _overlap(boxes: Floats, others: Floats) -> NDArray[np.bool_]:
+    """Which boxes overlap which others, (m, n)."""
     left, low, right, high = boxes.T[:, :, None]
     other_left, other_low, other_right, other_high = others.T[:, None, :]
     across = (left < other_right) & (other_left < right)

@@ -6,7 +6,7 @@ what          how it is drawn                               a change writes
 lines, faces  among the scene, a little in front of what    points and colours of one mesh for
               they lie on                                   each width, one for the faces
 dots, texts   before everything else, of constant size      the same; pixels of the texts
-copies        the scene's own meshes under a further 4x4    16 numbers
+copies        the scene's own faces under a further 4x4     16 numbers
 ============  ============================================  =====================================
 
 Actors are made when an exhibit has more to show than any before it, and never taken out: a slider
@@ -14,11 +14,6 @@ step shows, hides and moves. Marks reach the GPU relative to the scene's origin,
 float64, and cut to a box that float32 can hold; a copy's matrix is moved there likewise::
 
     local_from_local = world_to_origin . world_from_world . origin_to_world
-
-A translucent copy is drawn twice: first its depths alone, then the faces that are in front, so
-that the far side of a thing does not shine through the near one. Where the matrix is singular
-(a shadow) all faces lie at one depth and none is in front: it is mixed with the background
-beforehand.
 """
 
 from __future__ import annotations
@@ -53,16 +48,14 @@ from app.scenes.scene import Scene
 
 DOT = 5.0
 """Diameter of an ordinary dot, in widths of a line."""
-COPY_LIFT, COPY_LINES_LIFT = 0.5, 1.5
+COPY_LIFT = 0.5
 """How far copies come forward, as a multiple of what the scene's own lines do: a shadow hides the
 ground and not the grid that is drawn on it."""
 
 _LINE_STEPS, _FACE_STEPS = 3, 0.7  # of `lift_lines`
 _FLAT_LINES = -5e-5  # of the depth range, before faces, where all marks are in one plane
-_DEPTH_ALONE = 1.0 / 512.0  # an opacity that colours nothing in 8 bits, and is not 0
 _SPREAD, _GOLDEN = 120, 0.7548776662466927  # points over the subject; 1/plastic number
 _MOST_FACES = 20_000  # of a subject that texts get out of the way of
-_SINGULAR = 1e-12  # ratio of the singular values of a matrix that flattens
 # Right and up of a text from its point, in half texts, best first.
 _GAPS = 3
 _BESIDE = ((1.0, 1.0), (-1.0, 1.0), (1.0, -1.0), (-1.0, -1.0), (0.0, 1.0), (0.0, -1.0))
@@ -129,14 +122,14 @@ class MarksDrawing:
         self._clip, self._over, self._lifts_copies = tuple(clip), over, lifts_copies
         self._lines: list[_Batch] = []
         self._dots: list[_Batch] = []
-        self._faces: dict[bool, _Batch] = {}
+        self._faces: _Batch | None = None
         self._labels: list[Label] = []
         self._best: dict[Label, Sequence[int]] = {}
         self._copies: list[_CopyActors] = []
         self._colours: dict[tuple[str, int], NDArray[np.uint8]] = {}
         self._texts: list[str] = []
         self._text_points = self._dot_points = np.empty((0, 3))
-        self._shown: list[tuple[Copy, _CopyActors, Array]] = []
+        self._shown: list[tuple[_CopyActors, Array]] = []
         self.points = np.empty((0, 3))
         """What is marked, in the coordinates of the pane's actors, (n, 3)."""
 
@@ -192,35 +185,26 @@ class MarksDrawing:
         return segments.reshape(-1, 3)
 
     def _show_faces(self, faces: Sequence[Face], placing: Placing) -> list[Array]:
-        faces = [face for face in faces if len(face.points) > 2 and face.opacity > 0.0]
-        shown: dict[bool, tuple[list[Array], list[NDArray[np.uint8]]]]
-        shown = {True: ([], []), False: ([], [])}
+        corners: list[Array] = []
+        colours: list[NDArray[np.uint8]] = []
         if faces:
             counts = [len(face.points) for face in faces]
             placed = placing.placed(np.concatenate([face.points for face in faces]))
             whole = bool(_within(placed, placing.limit).all())
-            ends = np.cumsum(counts).tolist()
-            for face, count, end in zip(faces, counts, ends, strict=True):
-                points = placed[end - count : end]
+            for face, points in zip(faces, np.split(placed, np.cumsum(counts)[:-1]), strict=True):
                 if not whole:
                     points = _cut_polygon(points, placing.limit)
                 if len(points) > 2:
-                    corners, colours = shown[face.opacity >= 1.0]
                     corners.append(points)
-                    colours.append(self._rgba(face.colour, min(face.opacity, 1.0)))
-        drawn = []
-        for opaque, (corners, colours) in shown.items():
-            if corners:
-                if opaque not in self._faces:
-                    self._faces[opaque] = self._batch("Polys", opaque=opaque)
-                drawn += corners
-                sizes = [len(points) for points in corners]
-                self._faces[opaque].show(
-                    np.concatenate(corners), np.repeat(colours, sizes, axis=0), sizes
-                )
-            elif opaque in self._faces:
-                self._faces[opaque].hide()
-        return drawn
+                    colours.append(self._rgba(face.colour, face.opacity))
+        if corners:
+            if self._faces is None:
+                self._faces = self._batch("Polys")
+            sizes = [len(points) for points in corners]
+            self._faces.show(np.concatenate(corners), np.repeat(colours, sizes, axis=0), sizes)
+        elif self._faces is not None:
+            self._faces.hide()
+        return corners
 
     def _show_dots(self, dots: Sequence[Dot], placing: Placing) -> Array:
         points = _placed_each(dots, placing)
@@ -297,20 +281,17 @@ class MarksDrawing:
             self._copies.append(_CopyActors())
         self._shown = []
         origin = np.array(self._scene.origin)
-        made = False
         for actors, copy in zip(self._copies, copies, strict=False):
             matrix = np.array(copy.world_from_world, dtype=np.float64)
-            visible = bool(np.isfinite(matrix).all() and matrix.any() and copy.opacity > 0.0)
+            visible = bool(np.isfinite(matrix).all() and matrix.any())
             if visible:
                 matrix[:, 3] += matrix[:, :3] @ origin
                 matrix[:3] -= np.outer(origin, matrix[3])
-                made = self._build(actors, copy) or made
-                self._shown.append((copy, actors, matrix))
-            self._dress(actors, copy if visible else None, matrix)
+                self._build(actors)
+                self._shown.append((actors, matrix))
+            self._dress(actors, copy if visible else None)
         for actors in self._copies[len(copies) :]:
-            self._dress(actors, None, np.eye(4))
-        if made:
-            self._bring_depths_last()
+            self._dress(actors, None)
 
     def place_copies(self, pane_from_local: Callable[[float], Array]) -> None:
         """Set the copies' matrices.
@@ -321,108 +302,48 @@ class MarksDrawing:
             The scene's own matrix in this pane, (4, 4), for a multiple of how far its lines come
             forward.
         """
-        for _, actors, local_from_local in self._shown:
-            actors.faces_space.set_projective(pane_from_local(COPY_LIFT) @ local_from_local)
-            if actors.lines is not None:
-                matrix = pane_from_local(COPY_LINES_LIFT) @ local_from_local
-                actors.lines_space.set_projective(matrix)
+        for actors, local_from_local in self._shown:
+            actors.space.set_projective(pane_from_local(COPY_LIFT) @ local_from_local)
 
     @property
     def copied_faces(self) -> list[tuple[vtkActor, Space]]:
         """The faces of all copies there ever were, and what they stand under."""
-        return [
-            (copy.surface, copy.faces_space) for copy in self._copies if copy.surface is not None
-        ]
+        return [(copy.surface, copy.space) for copy in self._copies if copy.surface is not None]
 
-    def copied(self, faces: Array, lines: Array) -> Array:
-        """Where the copies have these points of the scene, (n, 4) homogeneous, scene-local.
-
-        Parameters
-        ----------
-        faces, lines : (n, 3) arrays
-            About the scene's faces, and about its lines; only the copies of lines have these.
-        """
-        parts = [np.empty((0, 4))]
-        for copy, _, matrix in self._shown:
-            for points in (faces, lines)[: 1 + copy.lines]:
-                parts.append(np.column_stack([points, np.ones(len(points))]) @ matrix.T)
-        return np.concatenate(parts)
+    def copied(self, points: Array) -> Array:
+        """Where the copies have these points (n, 3) of the scene's faces, (m, 4), scene-local."""
+        homogeneous = np.column_stack([points, np.ones(len(points))])
+        return np.concatenate(
+            [np.empty((0, 4)), *(homogeneous @ matrix.T for _, matrix in self._shown)]
+        )
 
     def show_detail(self, fewer: Scene | None) -> None:
         """Draw copies of a scene with fewer triangles, or of all that there are for None."""
         for copy in self._copies:
-            for detail in copy.details:
-                detail.show(fewer)
+            if copy.detail is not None:
+                copy.detail.show(fewer)
 
-    def _build(self, actors: _CopyActors, copy: Copy) -> bool:
-        """Make what a copy needs and has not got; whether that was anything."""
-        translucent = copy.opacity < 1.0
-        has_lines = actors.lines is not None or not copy.lines
-        if actors.made and has_lines and (actors.depths is not None or not translucent):
-            return False
-        if not actors.made:
-            actors.surface, _ = self._scene_actors(actors)
-            actors.made = True
-        if translucent and actors.depths is None:
-            actors.depths, _ = self._scene_actors(actors)
-            if actors.depths is not None:
-                actors.depths.GetProperty().SetOpacity(_DEPTH_ALONE)
-                actors.depths.ForceOpaqueOn()
-        if not has_lines:
-            _, actors.lines = self._scene_actors(actors, faces=False)
-        return True
-
-    def _scene_actors(
-        self, actors: _CopyActors, *, faces: bool = True
-    ) -> tuple[vtkActor | None, vtkActor | None]:
-        surface, lines = scene_actors(self._scene, self._style, self._clip)
-        actor, space, lift = (
-            (surface, actors.faces_space, COPY_LIFT)
-            if faces
-            else (lines, actors.lines_space, COPY_LINES_LIFT)
-        )
-        if faces:
-            actors.details.append(Detail(surface))
-        if actor is not None:
-            space.add(actor)
+    def _build(self, actors: _CopyActors) -> None:
+        """Make what a copy needs and has not got."""
+        if actors.detail is not None:
+            return
+        actors.surface, _ = scene_actors(self._scene, self._style, self._clip)
+        actors.detail = Detail(actors.surface)
+        if actors.surface is not None:
+            actors.space.add(actors.surface)
             if self._lifts_copies:
-                lift_lines(actor, lift)
-            self._canvas.add(actor, renderer=self._renderer)
-        return surface, lines
+                lift_lines(actors.surface, COPY_LIFT)
+            self._canvas.add(actors.surface, renderer=self._renderer)
 
-    def _dress(self, actors: _CopyActors, copy: Copy | None, matrix: Array) -> None:
-        """Show a copy's actors in its colour, or none of them."""
-        translucent = copy is not None and copy.opacity < 1.0
-        flattened = False
-        if translucent:
-            values = np.linalg.svd(matrix / np.abs(matrix).max(), compute_uv=False)
-            flattened = bool(values[-1] <= _SINGULAR * values[0])
-        for actor, visible in (
-            (actors.surface, copy is not None),
-            (actors.depths, translucent and not flattened),
-            (actors.lines, copy is not None and copy.lines),
-        ):
-            if actor is None:
-                continue
-            actor.SetVisibility(visible)
-            if not visible or copy is None:
-                continue
-            actor.GetMapper().SetScalarVisibility(not copy.colour)
-            opacity = copy.opacity
+    def _dress(self, actors: _CopyActors, copy: Copy | None) -> None:
+        """Show a copy in its colour, or not at all."""
+        if actors.surface is None:
+            return
+        actors.surface.SetVisibility(copy is not None)
+        if copy is not None:
+            actors.surface.GetMapper().SetScalarVisibility(not copy.colour)
             if copy.colour:
-                colour = np.array(rgb(self._named(copy.colour)))
-                if flattened:
-                    behind = np.array(rgb(self._style.background))
-                    colour, opacity = opacity * colour + (1.0 - opacity) * behind, 1.0
-                actor.GetProperty().SetColor(*colour)
-            if actor is not actors.depths:
-                actor.GetProperty().SetOpacity(opacity)
-
-    def _bring_depths_last(self) -> None:
-        """What is opaque and drawn after a translucent copy's depths would be hidden by it."""
-        depths = [copy.depths for copy in self._copies if copy.depths is not None]
-        if depths:
-            self._canvas.bring_last(*depths)
+                actors.surface.GetProperty().SetColor(*rgb(self._named(copy.colour)))
 
     # -- shared
 
@@ -438,19 +359,18 @@ class MarksDrawing:
             found = self._colours[key] = np.array([*parts, key[1]], dtype=np.uint8)
         return found
 
-    def _batch(self, kind: Literal["Lines", "Polys", "Verts"], *, opaque: bool = True) -> _Batch:
+    def _batch(self, kind: Literal["Lines", "Polys", "Verts"]) -> _Batch:
         batch = _Batch(kind)
-        if opaque:
-            batch.actor.ForceOpaqueOn()
-        else:
+        if kind == "Polys":
             batch.actor.ForceTranslucentOn()
+        else:
+            batch.actor.ForceOpaqueOn()
         if kind == "Verts":
             batch.actor.GetProperty().RenderPointsAsSpheresOn()
             put_in_front(batch.actor)
         elif not self._over:
             lift_lines(batch.actor, _LINE_STEPS if kind == "Lines" else _FACE_STEPS)
         self._canvas.add(batch.actor, renderer=self._renderer)
-        self._bring_depths_last()
         return batch
 
 
@@ -474,15 +394,12 @@ def spread_over(scene: Scene) -> Array:
 
 
 class _CopyActors:
-    """What one copy is drawn with, each part made when it is first needed."""
+    """What one copy is drawn with, made when it is first needed."""
 
     def __init__(self) -> None:
-        self.made = False
         self.surface: vtkActor | None = None
-        self.depths: vtkActor | None = None
-        self.lines: vtkActor | None = None
-        self.faces_space, self.lines_space = Space(), Space()
-        self.details: list[Detail] = []
+        self.space = Space()
+        self.detail: Detail | None = None
 
 
 class _Batch:

@@ -33,11 +33,6 @@ _LEAST_PX = 1.5
 class NearPicture:
     """The scene, flattened onto the near plane and cut by the picture's window.
 
-    Parameters
-    ----------
-    canvas : Canvas
-    scene : Scene
-
     Attributes
     ----------
     faces : vtkActor or None
@@ -131,10 +126,6 @@ def flatten(
         On which side of the near plane the slab lies. On the eye's, the nearest is on top, as
         seen from there; on the other, the nearest is again on top as seen from *there*: a
         picture looked at from behind is its mirror image, not the things' back sides.
-
-    Returns
-    -------
-    Film
 
     Notes
     -----

@@ -44,12 +44,7 @@ Segment: TypeAlias = tuple[Attention, Spot, Spot]
 
 
 class Emphasis:
-    """What of one drawing stands out, and while what is attended to.
-
-    Parameters
-    ----------
-    canvas : Canvas
-    """
+    """What of one drawing stands out, and while what is attended to."""
 
     def __init__(self, canvas: Canvas) -> None:
         self._canvas = canvas

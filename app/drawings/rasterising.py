@@ -183,11 +183,6 @@ class Rasteriser:
         """Rasterise like this from now on; draws nothing yet.
 
         To be called after the actors' spaces have been set.
-
-        Parameters
-        ----------
-        rendering : Rendering
-        projection : Projection
         """
         if not self._picture:
             plain = rendering.texture and replace(rendering.texture, affine=False, subdivision=1)

@@ -418,7 +418,7 @@ class WorldDrawing:
         )
         marks.show_copies([copy for copy in copies if "world" in copy.panes])
         marks.place_copies(self.own.lifted)
-        x, y, z, w = marks.copied(self._objects, self._everything).T
+        x, y, z, w = marks.copied(self._objects).T
         w = np.where(w > 0.0, w, np.nan)  # behind a plane that goes to infinity: not drawn
         with np.errstate(over="ignore"):
             copied = np.column_stack([x / w, y / w, z / w])

@@ -48,12 +48,7 @@ class UpAndView(NamedTuple):
 
 @lru_cache(maxsize=8)
 def up_and_view(camera: Camera) -> UpAndView:
-    """How the camera's up stands to its view direction, each number rounded once.
-
-    Parameters
-    ----------
-    camera : Camera
-    """
+    """How the camera's up stands to its view direction, each number rounded once."""
     a, b, c = camera.exact_frame[2]
     x, y, z = map(Fraction, camera.up)
     cross = (y * c - z * b, z * a - x * c, x * b - y * a)
@@ -69,10 +64,6 @@ def view_matrix(camera: Camera) -> tuple[tuple[float, ...], ...]:
     """`view_from_world`: the rotation's rows u, v, n, and -R e; each number rounded once.
 
     As the first of `Projection.stages`, without computing the others.
-
-    Parameters
-    ----------
-    camera : Camera
     """
     moved = camera.exact_view((0.0, 0.0, 0.0))
     rows = [(*map(float, axis), float(part))
@@ -123,13 +114,7 @@ def most_turned_deg(off_deg: float, error_deg: float) -> float:
 
 
 def nudged_up(camera: Camera, angle_deg: float) -> Camera:
-    """The same camera with an error in up: turned across, towards u.
-
-    Parameters
-    ----------
-    camera : Camera
-    angle_deg : float
-    """
+    """The same camera with an error in up: turned across, towards u."""
     cosine, sine = cos_sin_deg(angle_deg)
     up = np.array(camera.up)
     nudged = cosine * up + sine * math.hypot(*camera.up) * camera.frame[0]

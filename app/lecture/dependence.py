@@ -76,12 +76,7 @@ _Found: TypeAlias = tuple[dict[str, None], bool]
 
 
 def state_of(projection: Projection) -> State:
-    """The state that a projection is in.
-
-    Parameters
-    ----------
-    projection : Projection
-    """
+    """The state that a projection is in."""
     lens, camera = projection.lens, projection.camera
     values: dict[str, object] = {}
     for point in ("eye", "target"):

@@ -112,10 +112,6 @@ def matrices(
     running : bool
         Also the products with the view matrix between `view_from_world` and `clip_from_world`,
         and `world_from_view`, whose columns are the camera's axes and the eye.
-
-    Returns
-    -------
-    tuple of Matrix
     """
     *stages, last = projection.stages
     shown: list[tuple[Stage, tuple[str, ...]]] = []

@@ -19,16 +19,15 @@ from typing import Any, NamedTuple, TypeAlias
 from app.arithmetic.rationals import Rationals, eliminate, rationals
 from app.model.lenses.lens import plane_letters
 from app.model.lenses.solving import DIGITS, MEANT, same, shortest
+from app.model.limits import Cells, finite_matrix
 from app.model.projection import (
     LENSES,
     ONE_OF,
     Camera,
-    Cells,
     FreeMatrix,
     Lens,
     Projection,
     Vector,
-    finite_matrix,
 )
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value
 from app.model.tables import evaluated

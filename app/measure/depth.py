@@ -31,11 +31,6 @@ BEYOND = QT_TRANSLATE_NOOP("Measure", "the target lies outside of near and far")
 def measure(projection: Projection, watch: Watch = unwatched) -> Trade:
     """Measure trade 3: for every format and mapping, at the target.
 
-    Parameters
-    ----------
-    projection : Projection
-    watch : Watch
-
     Returns
     -------
     Trade

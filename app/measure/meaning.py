@@ -50,16 +50,7 @@ class Meaning:
 
 
 def meaning(trade: Trade) -> Meaning:
-    """What a trade's measurements say, for somebody who has to choose.
-
-    Parameters
-    ----------
-    trade : Trade
-
-    Returns
-    -------
-    Meaning
-    """
+    """What a trade's measurements say, for somebody who has to choose."""
     frontier = trade.frontier
     if not frontier:
         notes = [choice.note for choice in trade.choices if choice.note]

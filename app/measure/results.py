@@ -499,10 +499,6 @@ def plain(value: float | None, digits: int) -> str:
 def table(part: Trade | Sweep) -> list[list[str]]:
     """One trade or sweep to be read: a row of names, a row for each choice or value.
 
-    Parameters
-    ----------
-    part : Trade or Sweep
-
     Returns
     -------
     list of list of str

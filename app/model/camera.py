@@ -16,8 +16,6 @@ import numpy as np
 from app.arithmetic import double_double as dd
 from app.model.limits import (
     ABOVE,
-    AT_LEAST,
-    AT_MOST,
     DISTINCT,
     NOT_PARALLEL,
     NOT_THE_EYE,
@@ -29,6 +27,7 @@ from app.model.limits import (
     finite,
     finite_vector,
     read_only,
+    within,
 )
 from app.model.refusal import Refusal
 
@@ -146,12 +145,7 @@ class Camera:
         return tuple(map(_unit, (right, _cross(backward, right), backward)))
 
     def exact_view(self, point_world: Vector) -> tuple[Fraction, Fraction, Fraction]:
-        """View coordinates of a point to `double_double.BITS` bits, zero where they are zero.
-
-        Parameters
-        ----------
-        point_world : Vector
-        """
+        """View coordinates of a point to `double_double.BITS` bits, zero where they are zero."""
         offset = [Fraction(p) - Fraction(e) for p, e in zip(point_world, self.eye, strict=True)]
         backward, right = self._exact_axes
         x, y, z = (
@@ -206,9 +200,7 @@ class Camera:
         )
         if distance <= 0.0:
             raise Refusal("distance", distance, ABOVE, 0)
-        if abs(elevation_deg) > 90.0:
-            bound, limit = (AT_MOST, 90) if elevation_deg > 0 else (AT_LEAST, -90)
-            raise Refusal("elevation_deg", elevation_deg, bound, limit)
+        within("elevation_deg", elevation_deg, -90, 90)
         right, upward, backward = _orbit_axes(azimuth_deg, elevation_deg)
         offset = [distance * b for b in backward]
         eye = tuple(t + o for t, o in zip(target, offset, strict=True))

@@ -20,7 +20,6 @@ nothing is cut, are here for comparison.
 from __future__ import annotations
 
 import math
-import numbers
 from collections.abc import Iterable
 from fractions import Fraction
 from typing import NamedTuple
@@ -28,17 +27,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from app.model.projection import (
-    AT_LEAST,
-    AT_MOST,
-    DEPTH_RANGES,
-    DISTINCT,
-    FINITE_NUMBER,
-    NOT_ZERO,
-    ONE_OF,
-    PLANES,
-    Array,
-)
+from app.model.limits import DISTINCT, NOT_ZERO, within
+from app.model.projection import AT_LEAST, DEPTH_RANGES, FINITE_NUMBER, ONE_OF, PLANES, Array
 from app.model.refusal import Refusal
 
 LARGEST_CLIP = 1e307
@@ -49,9 +39,6 @@ NOT_CUT = -1
 
 EYE_Z = -0.01
 """Where lecture 004 cuts, in view space: "a near negative number" instead of the eye plane's 0."""
-
-EYE_CASES = ("in front", "behind", "from behind", "to behind")
-"""Lecture 004's four cases 1 to 4 of a segment and the eye plane, from its start to its end."""
 
 # Coordinate and factor of each plane's equation, coordinate = factor * w.
 _SIDES = {"left": (0, -1.0), "right": (0, 1.0), "bottom": (1, -1.0), "top": (1, 1.0)}
@@ -110,7 +97,7 @@ class EyeCut(NamedTuple):
     Attributes
     ----------
     case : (...) int
-        1 to 4, see `EYE_CASES`.
+        Lecture 004's: 1 in front, 2 behind, 3 from behind to the front, 4 to behind.
     points_view : (..., 2, 3) float64
         What is drawn; NaN in case 2, where nothing is.
     """
@@ -136,8 +123,7 @@ def _points(field: str, value: ArrayLike, size: int) -> Array:
         number = float(points[wrong][0])
         if not math.isfinite(number):
             raise Refusal(field, number, FINITE_NUMBER)
-        bound, limit = (AT_MOST, LARGEST_CLIP) if number > 0 else (AT_LEAST, -LARGEST_CLIP)
-        raise Refusal(field, number, bound, limit)
+        within(field, number, -LARGEST_CLIP, LARGEST_CLIP)
     if size == 4:
         zero = ~points.any(axis=-1)
         if zero.any():
@@ -368,45 +354,35 @@ def clip_polygon(
 # --------------------------------------------------------------------------- lecture 004's way
 
 
-def cut_at_eye(starts_view: ArrayLike, ends_view: ArrayLike, z_cut: float = EYE_Z) -> EyeCut:
+def cut_at_eye(starts_view: ArrayLike, ends_view: ArrayLike) -> EyeCut:
     """Lecture 004's own clipping: in view space, against one plane in front of the eye.
 
-    A point is in front where ``z <= z_cut``. Cases 3 and 4 are cut at
-    ``t = (z_start - z_cut)/(z_start - z_end)`` (lecture 004, "Presjek pravca i ravnine").
+    A point is in front where ``z <= EYE_Z``. Cases 3 and 4 are cut at
+    ``t = (z_start - EYE_Z)/(z_start - z_end)`` (lecture 004, "Presjek pravca i ravnine").
 
     Parameters
     ----------
     starts_view, ends_view : (..., 3) array_like
         The segments' ends in view space, where the camera looks along -z.
-    z_cut : float
-        The plane, at most 0; at 0 the cut end has no finite picture.
-
-    Returns
-    -------
-    EyeCut
 
     Raises
     ------
     Refusal
-        For a coordinate or `z_cut` that is not finite, or ``z_cut > 0``.
+        For a coordinate that is not finite.
     """
-    if isinstance(z_cut, bool) or not isinstance(z_cut, numbers.Real) or not np.isfinite(z_cut):
-        raise Refusal("z_cut", z_cut, FINITE_NUMBER)
-    if z_cut > 0.0:
-        raise Refusal("z_cut", z_cut, AT_MOST, 0)
     starts, ends = np.broadcast_arrays(
         _points("starts_view", starts_view, 3), _points("ends_view", ends_view, 3)
     )
     z_start, z_end = starts[..., 2], ends[..., 2]
-    front_start, front_end = z_start <= z_cut, z_end <= z_cut
+    front_start, front_end = z_start <= EYE_Z, z_end <= EYE_Z
     case = np.select(
         [front_start & front_end, ~front_start & ~front_end, front_end], [1, 2, 3], default=4
     )
     crosses = case > 2
     span = np.where(crosses, z_start - z_end, 1.0)
-    of_start, of_end = (z_cut - z_end) / span, (z_start - z_cut) / span
+    of_start, of_end = (EYE_Z - z_end) / span, (z_start - EYE_Z) / span
     crossing = of_start[..., None] * starts + of_end[..., None] * ends
-    crossing[..., 2] = z_cut
+    crossing[..., 2] = EYE_Z
     points = np.stack(
         [
             np.where((case == 3)[..., None], crossing, starts),

@@ -15,23 +15,21 @@ A + B/w taken apart so that nothing cancels: ``w - n`` keeps digits that the sum
 numbers loses. Distances come back by way of the *nearness*, ``1 - depth`` or the reversed depth
 itself, for the same reason.
 
-A format rounds the depth once, to the nearest code. That is the best a buffer can do; what a GPU
-does on the way there, in float32, is `arithmetic` ``"float32"``.
+A format rounds the depth once, to the nearest code. That is the best a buffer can do; a GPU rounds
+to float32 on the way there.
 """
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any, Literal, NamedTuple, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from app.model.formula import FLOAT64
+from app.model.limits import within
 from app.model.projection import (
-    AT_LEAST,
-    AT_MOST,
     DEPTH_RANGES,
     FINITE_NUMBER,
     ONE_OF,
@@ -41,7 +39,6 @@ from app.model.projection import (
 )
 from app.model.refusal import Refusal
 
-Arithmetic: TypeAlias = Literal["float64", "float32"]
 Codes: TypeAlias = NDArray[np.uint8] | NDArray[np.uint16] | NDArray[np.uint32]
 
 
@@ -79,7 +76,6 @@ FORMATS: dict[str, DepthFormat] = {
 }
 
 MAPPINGS = (*DEPTH_RANGES, "logarithmic")
-ARITHMETICS = ("float64", "float32")
 
 
 @dataclass(frozen=True)
@@ -136,43 +132,32 @@ class DepthBuffer:
 
     # -- from distance to code
 
-    def depth(self, distance: ArrayLike, arithmetic: Arithmetic = "float64") -> Array:
+    def depth(self, distance: ArrayLike) -> Array:
         """The depth in [0, 1] of a distance, before it is stored.
 
         Parameters
         ----------
         distance : (...) array_like
             From the eye plane, in world units, between near and far.
-        arithmetic : {"float64", "float32"}
-            ``"float64"`` is the closed form, right to 4 ulp. ``"float32"`` is what a GPU computes:
-            matrix entries, products, sums and the divide each rounded to float32, clamped to
-            [0, 1] as its viewport does.
 
         Returns
         -------
         (...) float64 array
+            The closed form, right to 4 ulp.
 
         Raises
         ------
         Refusal
-            For a distance that is not a number between near and far; for another arithmetic, or
-            ``"float32"`` where it overflows.
+            For a distance that is not a number between near and far.
         """
-        w = self._distances("distance", distance)
-        if arithmetic == "float64":
-            return self._depth(w)
-        if arithmetic == "float32":
-            return self._depth_float32(w)
-        raise Refusal("arithmetic", arithmetic, ONE_OF, ", ".join(ARITHMETICS))
+        return self._depth(self._distances("distance", distance))
 
-    def encode(self, distance: ArrayLike, arithmetic: Arithmetic = "float64") -> Codes:
+    def encode(self, distance: ArrayLike) -> Codes:
         """The code that is stored for a distance.
 
         Parameters
         ----------
         distance : (...) array_like
-        arithmetic : {"float64", "float32"}
-            As for `depth`.
 
         Returns
         -------
@@ -186,10 +171,10 @@ class DepthBuffer:
             As `depth`.
         """
         kind = FORMATS[self.format]
-        depth = self.depth(distance, arithmetic)
+        depth = self.depth(distance)
         if kind.float_type is None:
             return np.asarray(np.rint(depth * kind.largest)).astype(kind.code_type)
-        if self.mapping == "opengl":  # NDC z is a float32 near -1, whatever the arithmetic
+        if self.mapping == "opengl":  # NDC z is a float32 near -1, whatever was computed
             depth = 0.5 * np.asarray(2.0 * depth - 1.0).astype(np.float32).astype(np.float64) + 0.5
         return np.asarray(depth).astype(kind.float_type).view(kind.code_type)
 
@@ -281,17 +266,13 @@ class DepthBuffer:
         with np.errstate(invalid="ignore"):  # inf - inf: a surface at infinity has none behind
             return np.asarray(np.where(gap <= self.far - w, gap, np.inf))
 
-    def collapsed_share(
-        self, first: ArrayLike, second: ArrayLike, arithmetic: Arithmetic = "float64"
-    ) -> float:
+    def collapsed_share(self, first: ArrayLike, second: ArrayLike) -> float:
         """The share of pairs of surfaces that are stored as one, counted.
 
         Parameters
         ----------
         first, second : (...) array_like
             Distances of each pair's surfaces.
-        arithmetic : {"float64", "float32"}
-            As for `depth`.
 
         Returns
         -------
@@ -303,7 +284,7 @@ class DepthBuffer:
         Refusal
             As `depth`.
         """
-        same = self.encode(first, arithmetic) == self.encode(second, arithmetic)
+        same = self.encode(first) == self.encode(second)
         return float(np.mean(same)) if same.size else 0.0
 
     def predicted_collapsed_share(self, first: ArrayLike, second: ArrayLike) -> float:
@@ -358,8 +339,7 @@ class DepthBuffer:
             wrong = float(distances[~inside][0])
             if math.isnan(wrong):
                 raise Refusal(field, wrong, FINITE_NUMBER)
-            bound, limit = (AT_LEAST, self.near) if wrong < self.near else (AT_MOST, self.far)
-            raise Refusal(field, wrong, bound, limit)
+            within(field, wrong, self.near, self.far)
         return distances
 
     def _depth(self, w: Array) -> Array:
@@ -368,32 +348,6 @@ class DepthBuffer:
         if self.mapping == "logarithmic":
             return np.asarray(np.minimum(np.log1p((w - near) / near) / self._log_span, 1.0))
         return self.lens.depth(w, reverse=self._is_reversed)
-
-    def _depth_float32(self, w: Array) -> Array:
-        """Depth as a GPU's float32 makes it: ``(A w + B)/w``, then the viewport."""
-        single = np.float32
-        with np.errstate(all="ignore"):
-            distance = w.astype(single)
-            if self.mapping == "logarithmic":
-                scale = single(math.log(2.0) / self._log_span)
-                z = np.log2(distance / single(self.near)) * scale
-            else:
-                a, b = (single(entry) for entry in self._entries())
-                z = (a * distance + b) / self.lens.w(distance)
-                if self.mapping == "opengl":
-                    z = z * single(0.5) + single(0.5)
-        depth = np.where(w == math.inf, 0.0 if self._is_reversed else 1.0, z)
-        if not np.isfinite(depth).all():
-            raise Refusal("arithmetic", "float32", ONE_OF, "float64")
-        return np.asarray(np.clip(depth, 0.0, 1.0), dtype=np.float64)
-
-    def _entries(self) -> tuple[float, float]:
-        """A and B of ``z_clip = A w + B``, what the matrix of the lens holds."""
-        z_near, z_far = DEPTH_RANGES[self.mapping]
-        letters = {"n": self.near, "f": self.far, "z_n": z_near, "z_f": z_far}
-        cells = self.lens.table.clip_from_view[2][2:]
-        a, b = (cell.value(letters, FLOAT64) for cell in cells)
-        return -a, b
 
     def _cells(self, depth: Array) -> tuple[Any, Any]:
         """Width of the codes' cells at a depth: the mean, and by how much they alternate.

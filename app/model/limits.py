@@ -124,8 +124,7 @@ def real(field: str, value: Any) -> float:
         return float(value)
     except OverflowError:  # an int of more than 308 digits
         large: Any = value
-        bound, limit = (AT_MOST, LARGEST) if large > 0 else (AT_LEAST, -LARGEST)
-        raise Refusal(field, value, bound, limit) from None
+        return within(field, large, -LARGEST, LARGEST)
 
 
 def finite(field: str, value: Any) -> float:
@@ -133,9 +132,15 @@ def finite(field: str, value: Any) -> float:
     number = real(field, value)
     if not math.isfinite(number):
         raise Refusal(field, number, FINITE_NUMBER)
-    if abs(number) > LARGEST:
-        bound, limit = (AT_MOST, LARGEST) if number > 0 else (AT_LEAST, -LARGEST)
-        raise Refusal(field, number, bound, limit)
+    return within(field, number, -LARGEST, LARGEST)
+
+
+def within(field: str, number: float, low: float, high: float) -> float:
+    """A number inside a closed interval, or a `Refusal` that names the end it is beyond."""
+    if number < low:
+        raise Refusal(field, number, AT_LEAST, low)
+    if number > high:
+        raise Refusal(field, number, AT_MOST, high)
     return number
 
 

@@ -408,10 +408,6 @@ def trace(
     origin : Vector
         World point from which the GPU's vertices are measured; `float32` only.
 
-    Returns
-    -------
-    Trace
-
     Raises
     ------
     Refusal

@@ -11,7 +11,8 @@ import math
 from dataclasses import dataclass, fields
 
 from app.model.depth import FORMATS, MAPPINGS, DepthBuffer
-from app.model.projection import AT_LEAST, AT_MOST, FINITE_NUMBER, ONE_OF, Projection
+from app.model.limits import within
+from app.model.projection import FINITE_NUMBER, ONE_OF, Projection
 from app.model.refusal import Refusal
 
 AUTO = "auto"
@@ -71,10 +72,7 @@ class Quality:
             raise Refusal("quality.detail", detail, FINITE_NUMBER)
         if not math.isfinite(detail):
             raise Refusal("quality.detail", detail, FINITE_NUMBER)
-        if detail < LEAST_DETAIL:
-            raise Refusal("quality.detail", detail, AT_LEAST, LEAST_DETAIL)
-        if detail > 1.0:
-            raise Refusal("quality.detail", detail, AT_MOST, 1)
+        within("quality.detail", detail, LEAST_DETAIL, 1)
         object.__setattr__(self, "detail", float(detail))
 
     @property

@@ -11,7 +11,8 @@ from itertools import product
 from typing import NamedTuple
 
 from app.model.depth import DepthBuffer
-from app.model.projection import INVERTIBLE, PLANES, Projection, Vector
+from app.model.limits import INVERTIBLE
+from app.model.projection import PLANES, Projection, Vector
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.precision.levels import Prediction, Rung, rung_for_reading
 

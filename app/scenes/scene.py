@@ -59,7 +59,7 @@ from app.scenes.shapes import (
     flat,
     ground_grid,
     joined,
-    letter_f,
+    letter_f_on_grid,
     written_number,
 )
 
@@ -202,10 +202,6 @@ def load(name_or_path: str, progress: Progress | None = None, mesh: str = "") ->
     mesh : str, optional
         Path of a mesh file that takes the place of a phenomenon's subject: scaled alike in all
         directions into its bounds, and standing where it stands.
-
-    Returns
-    -------
-    Scene
 
     Raises
     ------
@@ -372,15 +368,12 @@ def _vector(values: ArrayLike) -> Vector:
 
 def _letter_f() -> Scene:
     """Eight unit cubes on the ground, the letter's three columns centred about x = 0."""
-    faces, rgb = letter_f()
     return _built_in(
         "letter-f",
-        (faces, rgb),
-        joined(ground_grid((-8.0, -8.0), (8.0, 8.0), (1.0, 1.0), 0.0), edges_of(faces)),
+        *letter_f_on_grid((-8.0, -8.0), (8.0, 8.0)),
         Projection(
-            Camera((6.0, 5.0, 9.0), (0.0, 2.2, 0.0), (0.0, 1.0, 0.0)),
+            Camera((6.0, 5.0, 9.0), (0.0, 2.2, 0.0)),
             Perspective(fov_y_deg=45.0, near=1.0, far=30.0),
-            (1280, 720),
         ),
     )
 
@@ -398,9 +391,8 @@ def _cube() -> Scene:
             (axes, SIDE_RGB[[1, 3, 5]]),  # the darker shades, to be seen on a light background
         ),
         Projection(
-            Camera((2.4, 2.0, 3.2), (0.0, 0.5, 0.0), (0.0, 1.0, 0.0)),
+            Camera((2.4, 2.0, 3.2), (0.0, 0.5, 0.0)),
             Perspective(fov_y_deg=45.0, near=1.0, far=10.0),
-            (1280, 720),
         ),
     )
 
@@ -431,9 +423,8 @@ def _posts() -> Scene:
         joined(*quads),
         joined(ground, *lines),
         Projection(
-            Camera((6.0, 5.0, 9.0), (1.0, 1.8, -8.0), (0.0, 1.0, 0.0)),
+            Camera((6.0, 5.0, 9.0), (1.0, 1.8, -8.0)),
             Perspective(fov_y_deg=45.0, near=1.0, far=150.0),
-            (1280, 720),
         ),
     )
 

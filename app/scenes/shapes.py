@@ -147,6 +147,14 @@ def letter_f() -> Coloured:
 
 
 @cache
+def letter_f_on_grid(
+    low: tuple[float, float], high: tuple[float, float]
+) -> tuple[Coloured, Coloured]:
+    """The letter F, and its edges on a grid of unit squares from one corner to the other."""
+    faces, rgb = letter_f()
+    return (faces, rgb), joined(ground_grid(low, high, (1.0, 1.0), 0.0), edges_of(faces))
+
+
 def letter_f_edges() -> Coloured:
     """Every edge of the letter F's faces, once."""
     return edges_of(letter_f()[0])

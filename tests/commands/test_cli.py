@@ -23,9 +23,9 @@ from PIL import Image
 from app.bootstrap import ROOT
 from app.commands import cli, options
 from app.document.document import Document, embed, read, set_values, to_json, write
+from app.model.limits import SMALLEST_WINDOW
 from app.model.projection import (
     LARGEST,
-    SMALLEST_WINDOW,
     Camera,
     DepthRange,
     Frustum,

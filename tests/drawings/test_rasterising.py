@@ -125,6 +125,12 @@ def looking(random: np.random.Generator, near: float, far: float) -> Projection:
 # --------------------------------------------------------------------------- depth
 
 
+RANGES = [
+    name
+    for name, _ in next(s.choices for s in depth_buffer.PHENOMENON.settings if s.name == "range")
+]
+
+
 def depth_settings(random: np.random.Generator) -> tuple[Projection, Mapping[str, Any]]:
     """Gaps of a tenth to twice what the buffer can tell apart at the target."""
     kind = str(random.choice(list(FORMATS)))
@@ -132,7 +138,7 @@ def depth_settings(random: np.random.Generator) -> tuple[Projection, Mapping[str
     projection = looking(random, near, 10.0 ** random.uniform(2, 4))
     if random.uniform() < 0.15:
         projection = projection.with_lens("orthographic")
-    kinds = ("standard", "reversed") if projection.lens.parallel else depth_buffer.RANGES
+    kinds = ("standard", "reversed") if projection.lens.parallel else RANGES
     settings = {
         "format": kind,
         "range": str(random.choice(kinds)),
@@ -165,7 +171,7 @@ def test_the_predicted_share_of_wrong_pixels_is_the_counted_one(plotter: Any) ->
         worst = max(worst, abs(100.0 * counted - reading.value))
         assert abs(100.0 * counted - reading.value) <= 5.0, (projection, settings, counted)
     assert {name for _, name, _ in seen} == set(FORMATS)
-    assert {name for _, _, name in seen} == set(depth_buffer.RANGES)
+    assert {name for _, _, name in seen} == set(RANGES)
     assert between >= 20, "shares of 0 and 1 prove little"
 
 
@@ -626,7 +632,6 @@ def test_no_camera_makes_a_number_that_is_none(phenomenon: Phenomenon, make: Any
                         assert math.isfinite(reading.value), (reading.label, projection)  # type: ignore[arg-type]
                 assert exhibit.readings or exhibit.warning is not None
                 assert finite_marks(exhibit)
-                assert len(exhibit.copies) == phenomenon.copies
                 for diagram in exhibit.diagrams:
                     assert diagram.left < diagram.right
                     assert all(np.isfinite(curve.points).all() for curve in diagram.curves)

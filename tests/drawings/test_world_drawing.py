@@ -44,6 +44,7 @@ from app.model.projection import (
 )
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.scene import Scene, load
+from tests.support.frustum import corners_world
 
 Pixels = NDArray[np.uint8]
 CUBE = np.array([(x, y, z) for z in (1, 0) for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))])
@@ -224,7 +225,7 @@ def test_the_frustum_is_the_unprojected_cube(make_view: MakeView) -> None:
             cut += 1
         else:
             whole += 1
-        expected = projection.frustum_corners_world[:, :3]
+        expected = corners_world(projection)[:, :3]
         size = np.abs(expected - projection.camera.eye).max() + np.abs(expected).max()
         assert np.abs(applied(matrix, CUBE) - expected).max() < 1e-12 * size, projection
         assert np.abs(matrix).max() <= 1.0  # or float32 overflows
@@ -240,7 +241,7 @@ def test_the_eye_lines_run_from_the_eye_to_the_near_corners(make_view: MakeView)
             continue
         matrix = to_array(view.drawing.frustum.apex_space.matrix)
         ends = applied(matrix, np.array([(0.0, 0.0, 0.0), *CUBE[:4]]))
-        expected = [projection.camera.eye, *projection.frustum_corners_world[:4, :3]]
+        expected = [projection.camera.eye, *corners_world(projection)[:4, :3]]
         assert np.allclose(ends, expected, rtol=0, atol=1e-9)
 
 
@@ -467,7 +468,7 @@ def test_planes_light_their_pixels_and_near_is_nearer(make_view: MakeView) -> No
     view.drawing.show_projection(projection)
     view.hide_labels()
     image = view.pixels()
-    corners = projection.frustum_corners_world[:, :3]
+    corners = corners_world(projection)[:, :3]
     for face, colour in ((corners[:4], LIGHT.near), (corners[4:], LIGHT.far)):
         middles = (face + np.roll(face, -1, axis=0)) / 2.0
         for pixel in view.pixel_of(middles):
@@ -593,7 +594,7 @@ def test_nothing_of_the_picture_is_outside_its_window(
         if actor not in view.drawing.picture.actors:
             actor.VisibilityOff()
     painted = (view.pixels() != np.array(to_bytes(LIGHT.background))).any(axis=-1)
-    corners = view.pixel_of(projection.frustum_corners_world[:4, :3])
+    corners = view.pixel_of(corners_world(projection)[:4, :3])
     rows, columns = np.nonzero(painted)
     spots = np.stack([columns + 0.5, rows + 0.5], axis=1)
     edges = np.roll(corners, -1, axis=0) - corners
@@ -1219,7 +1220,7 @@ def test_the_volume_of_a_free_matrix_is_the_cube_unprojected(
     assert {"near", "far"} <= set(view.labels())
     drawing = view.drawing
     corners = drawing.frustum.corners + view.scene.origin
-    assert np.allclose(corners, free.frustum_corners_world[:, :3], rtol=1e-9, atol=1e-9)
+    assert np.allclose(corners, corners_world(free)[:, :3], rtol=1e-9, atol=1e-9)
     clip = applied(free.clip_from_world, corners)
     z_near, z_far = free.depth_range
     assert np.allclose(np.abs(clip[:, :2]), 1.0, atol=1e-6)

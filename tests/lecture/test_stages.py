@@ -37,6 +37,7 @@ from app.model.projection import (
     Projection,
 )
 from app.scenes.scene import load
+from tests.support.frustum import corners_world
 
 LENSES: dict[str, Lens] = {
     "perspective": Perspective(45.0, 1.0, 30.0),
@@ -168,7 +169,7 @@ def test_straight_lines_stay_straight(lens: Lens) -> None:
 def test_scene_and_view_volume_move_as_one(lens: Lens, depth: str) -> None:
     """The volume's corners are where the scene's matrix takes the model's own corners."""
     strip = morph(lens, depth)
-    corners = strip.projection.frustum_corners_world
+    corners = corners_world(strip.projection)
     box = np.array([(x, y, z, 1.0) for z in (1.0, 0.0)
                     for x, y in ((-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0))])  # fmt: skip
     for position in MOMENTS:

@@ -49,6 +49,7 @@ from app.model.projection import (
 )
 from app.model.refusal import Refusal
 from app.precision import levels as precision
+from tests.support.frustum import corners_world
 
 QUICK = settings(max_examples=80)
 PLACES = [(i, j) for i in range(4) for j in range(4)]
@@ -427,7 +428,7 @@ def test_a_lens_cells_as_a_free_matrix_make_the_same_picture(lens: Lens, depth: 
     assert np.array_equal(before.outside[near], after.outside[near])
     if lens.far < math.inf:
         assert free.frustum_sign == 1
-        assert np.allclose(free.frustum_corners_world, projection.frustum_corners_world, rtol=1e-6)
+        assert np.allclose(corners_world(free), corners_world(projection), rtol=1e-6)
         assert free.least_w == pytest.approx(projection.least_w, rel=1e-9)
         inside = ~after.outside.any(axis=1)
         back = free.world_from_image(np.column_stack([after.image, after.depth])[inside])

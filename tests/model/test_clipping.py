@@ -11,7 +11,6 @@ from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
 from app.model.clipping import (
-    EYE_CASES,
     EYE_Z,
     LARGEST_CLIP,
     NOT_CUT,
@@ -542,7 +541,6 @@ def test_lecture_004_four_cases() -> None:
     front, back = (1.0, 2.0, -3.0), (5.0, 0.0, 1.0)
     got = cut_at_eye([front, back, back, front], [front, back, front, back])
     assert got.case.tolist() == [1, 2, 3, 4]
-    assert [EYE_CASES[case - 1] for case in got.case] == list(EYE_CASES)
     assert got.points_view[0].tolist() == [list(front), list(front)]
     assert np.isnan(got.points_view[1]).all()
     assert got.points_view[2, 1].tolist() == list(front)
@@ -556,8 +554,6 @@ def test_lecture_004_the_point_of_the_cut() -> None:
     assert got.case == 3
     assert got.points_view[0].tolist() == pytest.approx([1.01, 0.505, -0.01], rel=1e-15)
     assert got.points_view[0, 2] == EYE_Z == -0.01
-    zero = cut_at_eye((0.0, 0.0, 1.0), (4.0, 2.0, -3.0), z_cut=0.0)
-    assert zero.points_view[0].tolist() == pytest.approx([1.0, 0.5, 0.0], rel=1e-15)
 
 
 def test_lecture_004_on_the_cut_itself_is_in_front() -> None:
@@ -580,12 +576,6 @@ def test_lecture_004_cut_draws_what_clipping_draws() -> None:
     assert clip.visible.tolist() == drawn.tolist()
     ndc = lens.trace(eye.points_view[drawn]).ndc
     assert np.allclose(ndc, naive_ndc(clip.points_clip[drawn]), rtol=1e-9, atol=1e-9)
-
-
-@pytest.mark.parametrize("z_cut", [0.01, math.nan, -math.inf, "near", True])
-def test_lecture_004_a_cut_behind_the_eye_is_refused(z_cut: object) -> None:
-    with pytest.raises(Refusal, match="z_cut"):
-        cut_at_eye((0.0, 0.0, 1.0), (0.0, 0.0, -1.0), z_cut)  # type: ignore[arg-type]
 
 
 def test_the_naive_divide_mirrors_what_lies_behind() -> None:

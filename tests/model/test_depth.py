@@ -369,26 +369,25 @@ def test_the_gap_where_one_code_is_all_there_is() -> None:
 # --------------------------------------------------------------------------- collapsing pairs
 
 # Reed, "Depth Precision Visualized" (2015), and his simulator: near 0.1, far 1e4, 10 000 pairs of
-# neighbours among 10 001 distances evenly spaced from near to far, all arithmetic in float32.
+# neighbours among 10 001 distances evenly spaced from near to far. His 77.2 % for the standard
+# range count float32's rounding on the way as well; the reversed range has none that shows.
 REED = np.linspace(0.1, 1e4, 10_001)
 
 
 @pytest.mark.parametrize(
     ("name", "mapping", "percent"),
     [
-        ("float32", "direct3d", 77.2),
-        ("fixed24", "direct3d", 77.2),
         ("fixed24", "reversed", 75.8),
         ("float32", "reversed", 0.0),
     ],
 )
 def test_reeds_figures(name: str, mapping: str, percent: float) -> None:
     buffer = buffer_of(name, mapping, 0.1, 1e4)
-    counted = 100.0 * buffer.collapsed_share(REED[:-1], REED[1:], "float32")
+    counted = 100.0 * buffer.collapsed_share(REED[:-1], REED[1:])
     assert counted == pytest.approx(percent, abs=0.05)
 
 
-def test_reeds_figures_without_the_arithmetic() -> None:
+def test_reeds_figures_of_the_formats_alone() -> None:
     """What the formats alone cost, by hand 75.77 %.
 
     A pair is 1 apart and a step z^2/s wide, s = 0.1 * 2^24: the integral of 1 - s/z^2 from
@@ -425,36 +424,6 @@ def test_no_pairs_collapse_to_nothing() -> None:
     assert buffer.collapsed_share(5.0, 5.0) == buffer.predicted_collapsed_share(5.0, 5.0) == 1.0
 
 
-# --------------------------------------------------------------------------- float32 arithmetic
-
-
-@pytest.mark.parametrize(
-    ("mapping", "parallel"),
-    [*((name, False) for name in MAPPINGS), *((name, True) for name in DEPTH_RANGES)],
-)
-def test_float32_arithmetic_is_close_and_is_not_float64(mapping: str, parallel: bool) -> None:
-    w = distances(buffer_of("float32", "opengl", 1.0, 30.0), 500)
-    infinite = not parallel and mapping != "logarithmic"
-    for far in (30.0, math.inf) if infinite else (30.0,):
-        check_float32(buffer_of("float32", mapping, 1.0, far, parallel), w)
-
-
-def check_float32(buffer: DepthBuffer, w: Array) -> None:
-    error = np.abs(buffer.depth(w, "float32") - buffer.depth(w))
-    assert 2.0**-30 < error.max() < 2.0**-21
-    rounded = buffer.depth(w, "float32")
-    assert (rounded == rounded.astype(np.float32)).all()
-    assert ((rounded >= 0.0) & (rounded <= 1.0)).all()
-
-
-def test_float32_arithmetic_wastes_32_bits() -> None:
-    """A 32-bit integer buffer tells no more apart than a 24-bit one, after a float32 divide."""
-    for name in ("fixed24", "fixed32"):
-        buffer = buffer_of(name, "direct3d", 0.1, 1e4)
-        assert buffer.collapsed_share(REED[:-1], REED[1:], "float32") > 0.77
-    assert buffer_of("fixed32", "direct3d", 0.1, 1e4).collapsed_share(REED[:-1], REED[1:]) == 0.0
-
-
 def test_the_minus_1_to_1_range_loses_a_float_buffers_fine_steps() -> None:
     """At the near plane NDC is -1, whose neighbour is 2^-24 away: 2^-25 in depth."""
     opengl = buffer_of("float32", "opengl", 1.0, 30.0)
@@ -464,19 +433,6 @@ def test_the_minus_1_to_1_range_loses_a_float_buffers_fine_steps() -> None:
     assert direct3d.gap(1.0) < 1e-40
     pair = 1.0 + np.array([0.1, 0.4]) * step
     assert opengl.collapsed_share(*pair) == 1.0 and direct3d.collapsed_share(*pair) == 0.0
-
-
-def test_float32_arithmetic_at_infinity_and_past_its_range() -> None:
-    for mapping, depth in (("opengl", 1.0), ("direct3d", 1.0), ("reversed", 0.0)):
-        buffer = buffer_of("float32", mapping, 0.1, math.inf)
-        assert buffer.depth([math.inf, 1e30], "float32").tolist() == pytest.approx(
-            [depth, depth], abs=1e-30
-        )
-        assert buffer.depth(math.inf) == depth
-        with pytest.raises(Refusal, match=r"arithmetic = 'float32': must be one of"):
-            buffer.depth(1e60, "float32")
-    with pytest.raises(Refusal, match="arithmetic"):
-        buffer_of("float32", "logarithmic", 1e-60, 1.0).encode(0.5, "float32")
 
 
 # --------------------------------------------------------------------------- what is refused
@@ -528,11 +484,6 @@ def test_a_code_that_is_none_is_named(name: str) -> None:
     for code in (-1, largest + 1, 0.5, True):
         with pytest.raises(Refusal, match=rf"one of the whole numbers from 0 to {largest}"):
             buffer.decode(code)
-
-
-def test_an_unknown_arithmetic_is_named() -> None:
-    with pytest.raises(Refusal, match="must be one of float64, float32"):
-        DepthBuffer().encode(2.0, "float16")  # type: ignore[arg-type]
 
 
 def test_a_buffer_is_a_value() -> None:

@@ -16,7 +16,6 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from app.model.projection import (
-    NO_M_PP,
     Array,
     Camera,
     Frustum,
@@ -30,6 +29,8 @@ from app.model.projection import (
     fov_y_from_focal_length_e,
     fov_y_from_window,
 )
+from app.model.tables import NO_M_PP
+from tests.support.frustum import corners_world
 
 QUICK = settings(max_examples=60)
 
@@ -214,7 +215,7 @@ def test_001_points_of_the_far_face() -> None:
     a = position - f * w
     b = a + f * math.tan(theta_h / 2) * u
     c = a + f * math.tan(theta_v / 2) * v
-    corners = projection.frustum_corners_world[4:, :3]
+    corners = corners_world(projection)[4:, :3]
     np.testing.assert_allclose(corners.mean(axis=0), a, rtol=1e-13)
     np.testing.assert_allclose((corners[1] + corners[2]) / 2, b, rtol=1e-13)
     np.testing.assert_allclose((corners[2] + corners[3]) / 2, c, rtol=1e-13)
@@ -310,7 +311,7 @@ def test_001_a_parallel_volume_needs_no_m_pp() -> None:
         m_pp = found["canonical_parallel_from_canonical_perspective"]
         np.testing.assert_array_equal(m_pp.matrix, np.eye(4))
         assert m_pp.note == NO_M_PP
-        corners = projection.frustum_corners_world
+        corners = corners_world(projection)
         box = corners @ found["canonical_parallel_from_view"].matrix.T
         face = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
         np.testing.assert_allclose(
@@ -428,7 +429,7 @@ def test_002_off_axis_perspective_is_h_and_then_ortho() -> None:
 
 
 def test_002_a_direction_is_a_point_at_infinity() -> None:
-    corners = Projection(ORIGIN, Perspective(90.0, 1.0, math.inf), (100, 100)).frustum_corners_world
+    corners = corners_world(Projection(ORIGIN, Perspective(90.0, 1.0, math.inf), (100, 100)))
     np.testing.assert_array_equal(corners[4:, 3], 0.0)
     np.testing.assert_allclose(corners[6, :3] / -corners[6, 2], [1.0, 1.0, -1.0], rtol=1e-15)
 

@@ -22,34 +22,38 @@ from vtkmodules.vtkRenderingCore import vtkCamera
 
 import app.model.projection
 from app.model import limits
-from app.model.limits import NOT_THE_TARGET, SMALL_INVERSE, ZERO_OR_AT_LEAST
-from app.model.projection import (
+from app.model.limits import (
     ABOVE,
-    AT_LEAST,
-    AT_MOST,
-    BETWEEN,
     BOTTOM_BEFORE_TOP,
-    DEPTH_RANGES,
     DISTINCT,
-    FINITE_NUMBER,
     FOUR_BY_FOUR,
     INVERTIBLE,
-    LARGEST,
-    LARGEST_IMAGE_PX,
     LEFT_BEFORE_RIGHT,
     NEAR_BEFORE_FAR,
     NO_POINT,
     NOT_PARALLEL,
-    NOT_THE_EYE,
+    NOT_THE_TARGET,
     NOT_ZERO,
+    OTHER_SIDE,
+    SMALL_INVERSE,
+    SMALLEST,
+    WIDER,
+    ZERO_OR_AT_LEAST,
+)
+from app.model.projection import (
+    AT_LEAST,
+    AT_MOST,
+    BETWEEN,
+    DEPTH_RANGES,
+    FINITE_NUMBER,
+    LARGEST,
+    LARGEST_IMAGE_PX,
+    NOT_THE_EYE,
     OBLIQUE_PRESETS,
     ONE_OF,
-    OTHER_SIDE,
     PLANES,
-    SMALLEST,
     THREE_NUMBERS,
     WHOLE_PIXELS,
-    WIDER,
     Array,
     Camera,
     FreeMatrix,
@@ -518,35 +522,6 @@ def test_along_the_projectors_a_parallel_picture_is_the_same(
     here, there = projection.trace([point, moved]).ndc[:, :2]
     tolerance = 1e-11 + 1e3 * rounding_ndc(projection)
     np.testing.assert_allclose(there, here, rtol=0.0, atol=tolerance)
-
-
-@given(projections())
-@example(Projection(lens=Perspective(45.0, 1e-3, math.inf)))
-@QUICK
-def test_frustum_corners_are_the_corners_of_the_cube(projection: Projection) -> None:
-    corners = projection.frustum_corners_world
-    face = [(-1, -1), (1, -1), (1, 1), (-1, 1)]
-    z_near, z_far = projection.depth_range
-    cube = np.array([(*xy, z) for z in (z_near, z_far) for xy in face])
-    assert corners.shape == (8, 4)
-    infinite = projection.lens.far == math.inf
-    assert corners[:, 3].tolist() == [1.0] * 4 + [0.0 if infinite else 1.0] * 4
-    # From the eye, and through the matrices, which hold for directions too.
-    relative = corners - corners[:, 3:] * [*projection.camera.eye, 0.0]
-    clip = relative @ projection.clip_from_world_at(projection.camera.eye).T
-    assert (clip[:, 3] > 0.0).all()
-    tolerance = 1e-10 + 100.0 * rounding_ndc(projection)
-    np.testing.assert_allclose(clip[:, :3] / clip[:, 3:], cube, rtol=0.0, atol=tolerance)
-
-
-def test_far_corners_hold_at_a_billion_times_near() -> None:
-    # Un-projected from [-1, 1] they are 1e-7 off: there 1/far is a difference of 1/near's size.
-    projection = Projection(
-        Camera((0, 0, 0), (0, 0, -1), (0, 1, 0)), Perspective(90, 1e-3, 1e6), (100, 100)
-    )
-    far = projection.frustum_corners_world[4:]
-    np.testing.assert_allclose(far[:, 2], -1e6, rtol=1e-15)
-    np.testing.assert_allclose(far[2, :2], [1e6, 1e6], rtol=1e-15)
 
 
 @given(
@@ -1363,7 +1338,7 @@ def test_arrays_cannot_be_written_into(projection: Projection) -> None:
 def test_values_are_equal_and_hashable() -> None:
     a = Projection(Camera([1, 2, 3], np.array([0, 0, 0]), (0, 1, 0)), Perspective(45, 1, 30))
     b = Projection(Camera((1.0, 2.0, 3.0), (0.0, 0.0, 0.0), (0.0, 1.0, 0.0)), Perspective())
-    _ = a.clip_from_world, a.camera.frame, a.frustum_corners_world  # what is cached is no value
+    _ = a.clip_from_world, a.camera.frame  # what is cached is no value
     assert a == b
     assert {a: "found"}[b] == "found"
     assert replace(b, lens=Perspective(46)) != b
@@ -1402,7 +1377,6 @@ def test_what_can_be_made_works(depth: str) -> None:
                     projection = Projection(SLANTED, lens, size, depth)
                     for matrix in (projection.clip_from_world, projection.world_from_clip):
                         assert np.isfinite(matrix).all()
-                    assert np.isfinite(projection.frustum_corners_world).all()
                     assert np.isfinite(projection.trace(SLANTED.target).image).all()
 
 

@@ -15,14 +15,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from app.arithmetic import double_double as dd
+from app.model.limits import SMALLEST, SMALLEST_FIELD, SMALLEST_WINDOW
 from app.model.projection import (
     DEPTH_RANGES,
     LARGEST,
     LENSES,
     PLANES,
-    SMALLEST,
-    SMALLEST_FIELD,
-    SMALLEST_WINDOW,
     Array,
     Camera,
     DepthRange,

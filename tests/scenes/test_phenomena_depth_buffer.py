@@ -17,7 +17,7 @@ from app.drawings.rasterising import counted_wrong_share
 from app.model.depth import DepthBuffer
 from app.model.projection import Array, Camera, Orthographic, Perspective, Projection
 from app.model.refusal import Refusal
-from app.scenes.phenomena.depth_buffer import PHENOMENON, RANGES, buffer_of, distances, moved_behind
+from app.scenes.phenomena.depth_buffer import PHENOMENON, buffer_of, distances, moved_behind
 from app.scenes.phenomena.illustration import Exhibit, Phrase, Subject
 from app.scenes.phenomena.sampling import seen_distances
 from app.scenes.scene import load
@@ -25,6 +25,7 @@ from app.scenes.shapes import box_faces
 from tests.oracles.exhibits import projections
 
 RAMP = np.array([(-5.0, 0, 4), (5, 0, 4), (5, 6, -44), (-5, 6, -44)])
+RANGES = [name for name, _ in next(s.choices for s in PHENOMENON.settings if s.name == "range")]
 SUBJECT = Subject((-5.0, 0.0, -44.0), (5.0, 6.0, 4.0), RAMP[[2, 0, 3, 1]])
 
 

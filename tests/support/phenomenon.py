@@ -78,7 +78,7 @@ EVERYTHING = Phenomenon(
         Setting("count", "Count", "How many", 40.0, 1.0, 64.0, whole=True, per_second=4.0),
         Setting("kind", "Kind", "Which", "a", choices=(("a", "alpha"), ("b", "beta"))),
         Setting("correct", "Correct", "Whether", True),
-        Setting("light", "Light", "Where it is", (1.0, 3.6, 3.0), -100.0, 100.0),
+        Setting("light", "Light", "Where it is", (1.0, 3.6, 3.0)),
     ),
     controls=("lens.near", "camera.eye"),
     follow=_follow,

@@ -25,10 +25,10 @@ from PySide6.QtWidgets import (
 from app.document import document
 from app.drawings import figures
 from app.model import projection
+from app.model.limits import DISTINCT
 from app.model.projection import (
     AT_LEAST,
     AT_MOST,
-    DISTINCT,
     LARGEST,
     OBLIQUE_PRESETS,
     Camera,

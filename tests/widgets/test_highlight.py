@@ -22,6 +22,7 @@ from app.lecture.stages import VIEW, WORLD
 from app.model.projection import DEPTH_RANGES, LENSES, Camera, Perspective, Projection
 from app.scenes.scene import load
 from tests import PATIENCE_MS
+from tests.support.frustum import corners_world
 from widgets.panels.matrix_view import MatrixView
 from widgets.parts.highlight import Attended
 from widgets.window.main_window import MainWindow
@@ -263,7 +264,7 @@ def test_the_world_knows_what_is_under_the_mouse(make_window: MakeWindow) -> Non
     settle()
     drawing = window.panes["world"].drawing
     assert drawing is not None
-    corners = projection.frustum_corners_world[:, :3]
+    corners = corners_world(projection)[:, :3]
     camera = projection.camera
 
     def at(point: Any) -> frozenset[str]:
@@ -301,7 +302,7 @@ def test_the_cube_knows_what_is_under_the_mouse(make_window: MakeWindow) -> None
     def at(ndc: Any) -> frozenset[str]:
         """Where the model's point is seen, by its place between the corners' pictures."""
         x, y, z = ((part + 1.0) / 2.0 for part in ndc)
-        seen = drawing.sight.seen(window.store.document.projection.frustum_corners_world[:, :3])
+        seen = drawing.sight.seen(corners_world(window.store.document.projection)[:, :3])
         ends = enumerate([(0, 0), (1, 0), (1, 1), (0, 1)] * 2)
         weights = [(1 - x, x)[cx] * (1 - y, y)[cy] * (1 - z, z)[i // 4] for i, (cx, cy) in ends]
         x_px, y_px = np.array(weights) @ seen

@@ -24,6 +24,7 @@ from app.model.projection import (
     Perspective,
     Projection,
 )
+from tests.support.frustum import corners_world
 from tests.widgets.test_controls import (
     NONSENSE,
     Record,
@@ -390,7 +391,7 @@ def test_the_angles_of_h_leave_the_near_plane_in_its_place(column: Controls) -> 
     enter(number(column, "alpha_deg"), "60")
     enter(number(column, "beta_deg"), "75")
     assert column.projection.lens == replace(SLANTED.lens, alpha_deg=60.0, beta_deg=75.0)
-    on_near = SLANTED.frustum_corners_world[:4, :3]
+    on_near = corners_world(SLANTED)[:4, :3]
     assert np.allclose(column.projection.trace(on_near).image, SLANTED.trace(on_near).image)
 
 

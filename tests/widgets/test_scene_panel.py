@@ -238,7 +238,7 @@ def test_nonsense_is_one_sentence_and_the_last_good_state_stays(
          " must be at most 64."),
         ("gap", "x", "Gap = “x”: must be a number, such as 0.5 or 2e-3; must be at least 0.001;"
          " must be at most 1000."),
-        ("light", "101", "Light = (1, 101, 3): must be at most 100."),
+        ("light", "1e101", "Light = 1e+101: must be at most 1e+100."),
         ("light", "inf", "Light y = ∞: must be a finite number."),
     ],
 )  # fmt: skip

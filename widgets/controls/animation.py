@@ -14,19 +14,12 @@ from typing import Literal, TypeAlias
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
 
-from app.model.projection import (
-    AT_LEAST,
-    AT_MOST,
-    LARGEST,
-    NOT_PARALLEL,
-    NOT_THE_EYE,
-    Camera,
-    Vector,
-)
+from app.model.limits import NOT_PARALLEL, within
+from app.model.projection import LARGEST, NOT_THE_EYE, Camera, Vector
 from app.model.refusal import Refusal
 from widgets.parts.clock import Clock
 from widgets.parts.fields import Choice, ChoiceRow, Linear, NumberRow, Row
-from widgets.parts.messages import sentence, translated
+from widgets.parts.messages import limits_text, sentence
 
 HeightMode: TypeAlias = Literal["fixed", "swing", "steps"]
 LookMode: TypeAlias = Literal["target", "level"]
@@ -118,10 +111,6 @@ def camera_at(start: Camera, elapsed_s: float, motion: Motion) -> Camera:
         Seconds since then.
     motion : Motion
 
-    Returns
-    -------
-    Camera
-
     Raises
     ------
     Refusal
@@ -152,12 +141,6 @@ def _height(start_y: float, elapsed_s: float, motion: Motion) -> float:
         same_beat = math.floor(clock_s / STEP_S) == math.floor(motion.clock_s / STEP_S)
         return start_y if same_beat else motion.step(clock_s)
     return start_y
-
-
-def _limits(largest: float) -> str:
-    """What holds for any number of a row that takes it in both signs."""
-    bounds = ((AT_LEAST, -largest), (AT_MOST, largest))
-    return "; ".join(translated(bound).format(limit) for bound, limit in bounds)
 
 
 class AnimationBar(QWidget):
@@ -256,7 +239,7 @@ class AnimationBar(QWidget):
         for number, largest in (
             (self.speed, FASTEST_DEG_S), (self.lowest, LARGEST), (self.highest, LARGEST)
         ):  # fmt: skip
-            number.limits = partial(_limits, largest)
+            number.limits = partial(limits_text, -largest, largest)
             number.edited.connect(partial(self._number_edited, number, largest))
         for choice in (self.height_mode, self.look):
             choice.edited.connect(self._settings_edited)
@@ -402,9 +385,10 @@ class AnimationBar(QWidget):
             self._start = camera
 
     def _number_edited(self, row: NumberRow, largest: float, value: float) -> None:
-        if abs(value) > largest:
-            bound, limit = (AT_MOST, largest) if value > 0.0 else (AT_LEAST, -largest)
-            row.show_error(sentence(Refusal(row.name, value, bound, limit)))
+        try:
+            within(row.name, value, -largest, largest)
+        except Refusal as error:
+            row.show_error(sentence(error))
         else:
             self._settings_edited()
 

@@ -143,12 +143,7 @@ class Controls(QScrollArea):
         return self._projection
 
     def show_projection(self, projection: Projection) -> None:
-        """Show a projection; never answered by a signal.
-
-        Parameters
-        ----------
-        projection : Projection
-        """
+        """Show a projection; never answered by a signal."""
         before, changed = self._projection, set[str]()
         if projection is not before and projection != before:
             changed = {part for part in PARTS if getattr(projection, part) != getattr(before, part)}

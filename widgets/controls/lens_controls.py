@@ -98,7 +98,7 @@ class LensControls(QObject):
             Linear(1.0, 179.0, 0.5), "°", self.tr("degrees"), _fov_x, _with_fov_x, lenses=symmetric,
         )  # fmt: skip
         for row in (fov_y, fov_x):
-            row.below = 180.0
+            row.field.below = 180.0
         self._lens.add_number(
             "focal_length_mm", "lens",
             self.tr("Focal length of a 35 mm film camera (36 × 24 mm) with the same diagonal"

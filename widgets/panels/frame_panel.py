@@ -16,13 +16,11 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 from typing import NamedTuple
 
-from PySide6.QtCore import QEvent, QRectF, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QEnterEvent,
     QFont,
     QHideEvent,
-    QPainter,
-    QPaintEvent,
     QShowEvent,
 )
 from PySide6.QtWidgets import (
@@ -50,7 +48,7 @@ from app.model.projection import Camera, Projection
 from app.model.refusal import Refusal, format_value
 from widgets.parts.fields import Log, NumberRow
 from widgets.parts.focus import FocusRing
-from widgets.parts.highlight import paint_attention
+from widgets.parts.highlight import MarkedLabel
 from widgets.parts.messages import sentence
 from widgets.parts.panel import PROJECTION, Changed, Panel, Shown
 from widgets.parts.section import tidy
@@ -107,8 +105,9 @@ class FramePanel(Panel):
         )
         self.title = QLabel()
         self.title.setObjectName("paneTitle")
-        self.formula, self.numbers = _Formula(), QLabel()
-        self.numbers.setTextFormat(Qt.TextFormat.RichText)
+        self.formula, self.numbers = MarkedLabel(), QLabel()
+        for label in (self.formula, self.numbers):
+            label.setTextFormat(Qt.TextFormat.RichText)
         self.numbers.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self.numbers.setAccessibleDescription(self.tr("The step in numbers"))
         self.sentence = QLabel()
@@ -316,12 +315,7 @@ class FramePanel(Panel):
             self.show_projection(shown.projection)
 
     def show_projection(self, projection: Projection) -> None:
-        """Show this camera's numbers: now if visible, else on appearing.
-
-        Parameters
-        ----------
-        projection : Projection
-        """
+        """Show this camera's numbers: now if visible, else on appearing."""
         if self._projection.camera != projection.camera or (
             _has_own_view(self._projection) != _has_own_view(projection)
         ):
@@ -421,27 +415,6 @@ class FramePanel(Panel):
         self.pause()
         self.attended.emit(NOTHING)
         self.step_changed.emit(None)
-
-
-class _Formula(QLabel):
-    """A formula that shows when something else draws attention to what it is about."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.is_marked = False
-        self.setTextFormat(Qt.TextFormat.RichText)
-
-    def set_marked(self, marked: bool) -> None:
-        if marked != self.is_marked:
-            self.is_marked = marked
-            self.update()
-
-    def paintEvent(self, event: QPaintEvent) -> None:
-        super().paintEvent(event)
-        if self.is_marked:
-            painter = QPainter(self)
-            paint_attention(self, painter, QRectF(self.rect()))
-            painter.end()
 
 
 def _has_own_view(projection: Projection) -> bool:

@@ -27,7 +27,6 @@ from PySide6.QtCore import (
 )
 from PySide6.QtGui import (
     QGuiApplication,
-    QShowEvent,
 )
 from PySide6.QtWidgets import (
     QCheckBox,
@@ -64,8 +63,8 @@ from widgets.panels.matrix_view import VIEW, MatrixView, is_a_cameras, rich
 from widgets.parts.fields import REFUSAL_SHEET, parse_number, refusal
 from widgets.parts.focus import FocusRing
 from widgets.parts.messages import field_name, sentence, stage_title, translated
-from widgets.parts.panel import PROJECTION, Changed, Panel, Shown
-from widgets.parts.readable import Readable
+from widgets.parts.panel import PROJECTION, Changed, Shown
+from widgets.parts.readable import ReadablePanel
 
 _NOTE_CHARACTERS = 36
 """Characters in a line of a note, which shall not be wider than its matrix."""
@@ -133,7 +132,7 @@ class _Box(QWidget):
         return (self.view, *self.factor_views)
 
 
-class MatrixPanel(Panel):
+class MatrixPanel(ReadablePanel):
     """Every matrix between the object and its picture."""
 
     def __init__(self) -> None:
@@ -142,7 +141,6 @@ class MatrixPanel(Panel):
         self._attention = NOTHING
         self._projection: Projection | None = None
         self._before: Projection | None = None
-        self._readable = Readable(self, self._refresh)
         self._style = LIGHT
         self._shown: tuple[Matrix, ...] = ()
         self._boxes: list[_Box] = []
@@ -330,23 +328,14 @@ class MatrixPanel(Panel):
         """Until `end_gesture`, changes are marked against what is shown now."""
         if not self._readable.in_gesture:
             self._before = self._projection
-        self._readable.begin_gesture()
-
-    def end_gesture(self) -> None:
-        """End the gesture that `begin_gesture` began."""
-        self._readable.end_gesture()
+        super().begin_gesture()
 
     def take(self, shown: Shown, changed: Changed) -> None:
         if changed & PROJECTION:
             self.show_projection(shown.projection)
 
     def show_projection(self, projection: Projection) -> None:
-        """Take over the model.
-
-        Parameters
-        ----------
-        projection : Projection
-        """
+        """Take over the model."""
         if projection == self._projection:
             return
         if not self._readable.in_gesture:
@@ -361,10 +350,6 @@ class MatrixPanel(Panel):
         self._style = style
         self.explanation.setMinimumHeight(2 * self.fontMetrics().height())
         self._readable.changed()
-
-    def showEvent(self, event: QShowEvent) -> None:
-        super().showEvent(event)
-        self._readable.settle()
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
@@ -408,7 +393,7 @@ class MatrixPanel(Panel):
                 views[f"{matrix.name}/{factor.name}"] = view
         return views
 
-    def _refresh(self) -> None:
+    def _fill(self) -> None:
         if self._projection is None:
             return
         in_hand = self._in_hand()

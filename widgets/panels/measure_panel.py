@@ -15,7 +15,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, QObject, QSize, Qt, Signal
-from PySide6.QtGui import QFont, QGuiApplication, QPalette, QShowEvent
+from PySide6.QtGui import QFont, QGuiApplication, QPalette
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QComboBox,
@@ -61,7 +61,8 @@ from widgets.parts.diagram import DiagramView
 from widgets.parts.focus import FocusRing
 from widgets.parts.messages import of_measurements, sentence
 from widgets.parts.note import Note
-from widgets.parts.panel import Changed, Panel, Shown
+from widgets.parts.panel import Changed, Shown
+from widgets.parts.readable import ReadablePanel
 
 HEIGHT_PX = 225
 """Of the panel where it opens, at the ordinary font, in a window of 768; more in a higher one."""
@@ -75,7 +76,7 @@ NOTE_LETTERS = 24
 SWEPT = ("near", "far", "fov", "distance", "up", "aspect")
 
 
-class MeasurePanel(Panel):
+class MeasurePanel(ReadablePanel):
     """Runs measurements, and shows each as a chart, a table and a sentence.
 
     Parameters
@@ -106,7 +107,6 @@ class MeasurePanel(Panel):
         self._document, self._current, self._smoothings = document, current, smoothings
         self._style = LIGHT
         self._gestures = 0
-        self._stale = True
         self._said = ""
         """What was refused last, until the panel is used again."""
         self._asked: list[str] = []
@@ -124,6 +124,7 @@ class MeasurePanel(Panel):
         self._make_views()
         self._lay_out()
         self._show_running()
+        self._readable.changed()
 
     # -- making
 
@@ -140,7 +141,7 @@ class MeasurePanel(Panel):
             self.list.addItem(item)
         self.list.setCurrentRow(0)
         self.list.currentItemChanged.connect(self._go_on)
-        self.list.currentItemChanged.connect(self._refresh)
+        self.list.currentItemChanged.connect(self._readable.changed)
         self.how = QComboBox()
         self.how.addItem(self.tr("Quick"), True)
         self.how.addItem(self.tr("Full"), False)
@@ -265,14 +266,14 @@ class MeasurePanel(Panel):
 
     def show_current(self) -> None:
         """Mark another choice as the present one: at once if visible, else on appearing."""
-        self._refresh()
+        self._readable.changed()
 
     def set_style(self, style: Style) -> None:
         """Draw the charts in other colours and sizes; those of the panes."""
         self._style = style
         for diagram in self.diagrams:
             diagram.set_style(style)
-        self._refresh()  # with the style goes the font, and with that the widths of columns
+        self._readable.changed()  # with the style goes the font, and with it the columns
 
     def close_process(self) -> None:
         """End what is being measured, for good."""
@@ -337,7 +338,7 @@ class MeasurePanel(Panel):
         )
         self.progress.setValue(1000 if done else 0)
         self._show_running()
-        self._refresh()
+        self._readable.changed()
 
     def _show_running(self) -> None:
         running = self.measuring.running
@@ -415,13 +416,13 @@ class MeasurePanel(Panel):
         if self.name not in self.loaded and self.loaded:
             self.choose(next(iter(self.loaded)))
         self.succeeded.emit()
-        self._refresh()
+        self._readable.changed()
         return True
 
     def forget(self) -> None:
         """Take the results of the file away again."""
         self.loaded = {}
-        self._refresh()
+        self._readable.changed()
 
     # -- showing
 
@@ -430,18 +431,7 @@ class MeasurePanel(Panel):
         measured, loaded = self.measured.get(self.name), self.loaded.get(self.name)
         return (measured, loaded) if measured is not None else (loaded, None)
 
-    def _refresh(self, *_: object) -> None:
-        self._stale = True
-        if self.isVisible():
-            self._fill()
-
-    def showEvent(self, event: QShowEvent) -> None:
-        super().showEvent(event)
-        if self._stale:
-            self._fill()
-
     def _fill(self) -> None:
-        self._stale = False
         shown, other = self._shown()
         for row, name in enumerate(chart.TITLES):
             found = (self.measured.get(name), self.loaded.get(name))

@@ -7,7 +7,6 @@ A panel that is folded fills no table.
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 from PySide6.QtCore import (
@@ -20,14 +19,13 @@ from PySide6.QtCore import (
     Qt,
     Signal,
 )
-from PySide6.QtGui import QBrush, QColor, QGuiApplication, QKeyEvent, QKeySequence, QShowEvent
+from PySide6.QtGui import QBrush, QColor, QGuiApplication, QKeyEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QComboBox,
     QHBoxLayout,
     QHeaderView,
     QLabel,
-    QLineEdit,
     QPushButton,
     QTableView,
     QVBoxLayout,
@@ -35,11 +33,8 @@ from PySide6.QtWidgets import (
 )
 
 from app.lecture.highlight import NOTHING, Attention, made_of
+from app.model.limits import finite
 from app.model.projection import (
-    AT_LEAST,
-    AT_MOST,
-    FINITE_NUMBER,
-    LARGEST,
     PLANES,
     Projection,
     Trace,
@@ -48,10 +43,10 @@ from app.model.projection import (
 from app.model.refusal import Refusal, format_value
 from app.picking.picking import Probe, projector
 from app.precision.levels import predict, rung_for_reading, trace
-from widgets.parts.fields import REFUSAL_SHEET, parse_number, refusal
-from widgets.parts.messages import number_text, plane_name, sentence
-from widgets.parts.panel import PROJECTION, Changed, Panel, Shown
-from widgets.parts.readable import Readable
+from widgets.parts.fields import REFUSAL_SHEET, NumberField, refusal
+from widgets.parts.messages import plane_name, sentence
+from widgets.parts.panel import PROJECTION, Changed, Shown
+from widgets.parts.readable import ReadablePanel
 
 MOST_PROBES = 6
 """More than these are no comparison any more."""
@@ -70,7 +65,7 @@ _W: dict[tuple[str, ...], str] = {("0", "0", "-1", "0"): "−z_view", ("0", "0",
 _ROOT = QModelIndex()
 
 
-class ProbePanel(Panel):
+class ProbePanel(ReadablePanel):
     """The probes, what can be done to them, and the table of their numbers.
 
     Attributes
@@ -90,13 +85,12 @@ class ProbePanel(Panel):
         self._projection: Projection | None = None
         self._spans: list[tuple[int, int]] = []
         self._font_is_new = False
-        self._readable = Readable(self, self._fill)
 
         self.choice = QComboBox()
         self.choice.setAccessibleName(self.tr("Probe"))
         self.choice.setToolTip(self.tr("Which probe the fields and buttons are about"))
         self.choice.activated.connect(lambda index: self.choose(self.choice.itemData(index)))
-        self.fields = tuple(_Coordinate() for _ in range(3))
+        self.fields = tuple(NumberField(name) for name in "xyz")
         self.pin = QPushButton(self.tr("Pin"))
         self.pin.setCheckable(True)
         self.pin.setStyleSheet(_PIN_SHEET)
@@ -266,7 +260,7 @@ class ProbePanel(Panel):
             if not field.isModified():
                 continue
             try:
-                point[axis] = _coordinate(name, field.text())
+                point[axis] = finite(name, field.read())
             except Refusal as error:
                 self.error.setText(refusal(sentence(error)))
                 self.error.show()
@@ -293,8 +287,8 @@ class ProbePanel(Panel):
         self.choice.setEnabled(bool(self.probes))
         point = None if probe is None else probe.point
         for axis, field in enumerate(self.fields):
-            field.setText("" if point is None else number_text(point[axis]))
-            field.setCursorPosition(0)
+            field.show_number(None if point is None else point[axis])
+            field.take_back()
             field.setAccessibleDescription("")
         self.error.hide()
         self.error.clear()
@@ -327,12 +321,6 @@ class ProbePanel(Panel):
         if changed & PROJECTION:
             self.show_projection(shown.projection)
 
-    def begin_gesture(self) -> None:
-        self._readable.begin_gesture()
-
-    def end_gesture(self) -> None:
-        self._readable.end_gesture()
-
     def show_projection(self, projection: Projection) -> None:
         """Show the numbers under the model's new value."""
         if projection != self._projection:
@@ -347,10 +335,6 @@ class ProbePanel(Panel):
         if event.type() == QEvent.Type.Leave:
             self.attended.emit(NOTHING)
         return super().eventFilter(watched, event)
-
-    def showEvent(self, event: QShowEvent) -> None:
-        super().showEvent(event)
-        self._readable.settle()
 
     def _fill(self) -> None:
         if self._projection is None:
@@ -482,31 +466,6 @@ def _outside_of(point: Trace) -> list[str]:
 def _texts(values: Any) -> list[str]:
     """Numbers as `project` prints them, with every digit and no minus zero."""
     return [format_value(value) for value in (values + 0.0).reshape(-1).tolist()]
-
-
-def _coordinate(name: str, text: str) -> float:
-    value = parse_number(name, text)
-    if math.isinf(value):
-        raise Refusal(name, value, FINITE_NUMBER)
-    if abs(value) > LARGEST:
-        bound, limit = (AT_MOST, LARGEST) if value > 0.0 else (AT_LEAST, -LARGEST)
-        raise Refusal(name, value, bound, limit)
-    return value
-
-
-class _Coordinate(QLineEdit):
-    """A field that keeps Esc for itself while there is something to take back."""
-
-    def event(self, event: QEvent) -> bool:
-        if (
-            event.type() == QEvent.Type.ShortcutOverride
-            and isinstance(event, QKeyEvent)
-            and event.matches(QKeySequence.StandardKey.Cancel)
-            and self.isModified()
-        ):
-            event.accept()
-            return True
-        return super().event(event)
 
 
 class _Table(QAbstractTableModel):

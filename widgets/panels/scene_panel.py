@@ -19,7 +19,7 @@ from functools import partial
 from typing import Any
 
 from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer, Signal
-from PySide6.QtGui import QHelpEvent, QHideEvent, QPalette, QShowEvent
+from PySide6.QtGui import QHelpEvent, QHideEvent, QPalette
 from PySide6.QtWidgets import (
     QBoxLayout,
     QFrame,
@@ -37,7 +37,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.drawings.style import LIGHT, Style
-from app.model.projection import AT_LEAST, AT_MOST, Projection
+from app.model.projection import Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena.illustration import (
     Diagram,
@@ -69,13 +69,13 @@ from widgets.parts.focus import FocusRing
 from widgets.parts.messages import (
     breakable,
     figure_text,
+    limits_text,
     number_text,
     of_phenomena,
     sentence,
-    translated,
 )
-from widgets.parts.panel import Changed, Panel, Shown
-from widgets.parts.readable import Readable
+from widgets.parts.panel import Changed, Shown
+from widgets.parts.readable import ReadablePanel
 
 HEIGHT_PX = 225
 """Of the panel where it opens, at the ordinary font; what is higher scrolls, or it is dragged."""
@@ -107,7 +107,7 @@ NONE = "–"
 """Stands for a reading that there is not."""
 
 
-class ScenePanel(Panel):
+class ScenePanel(ReadablePanel):
     """Explanation, settings, readout and diagrams of the scene at hand, side by side.
 
     Attributes
@@ -134,7 +134,6 @@ class ScenePanel(Panel):
         self._counted: tuple[Exhibit, float] | None = None
         self._problem: Phrase | None = None
         self._style = LIGHT
-        self._readable = Readable(self, self._fill)
         self._projection: Projection | None = None
         self._why_not: dict[QWidget, str] = {}
         self._lines: dict[str, QWidget] = {}
@@ -276,12 +275,6 @@ class ScenePanel(Panel):
         if changed & {"exhibit", "settings"}:
             self.show_exhibit(shown.exhibit, shown.document.settings, shown.projection)
 
-    def begin_gesture(self) -> None:
-        self._readable.begin_gesture()
-
-    def end_gesture(self) -> None:
-        self._readable.end_gesture()
-
     def show_exhibit(
         self, exhibit: Exhibit | None, settings: Settings, projection: Projection
     ) -> None:
@@ -411,10 +404,6 @@ class ScenePanel(Panel):
         self.gesture_started.emit()
 
     # -- shown
-
-    def showEvent(self, event: QShowEvent) -> None:
-        super().showEvent(event)
-        self._readable.settle()
 
     def hideEvent(self, event: QHideEvent) -> None:
         super().hideEvent(event)
@@ -648,31 +637,13 @@ def make_row(setting: Setting, none: str = "") -> Row:
         row = VectorRow(name, tip)
     else:
         number = NumberRow(name, tip, scale_of(setting), of_phenomena(setting.unit))
-        number.limits = partial(_limits, setting)
-        number.accepts = partial(_accepts, setting)
+        number.limits = partial(limits_text, setting.low, setting.high)
+        number.accepts = setting.can_be
         row = number
     default: Any = setting.default
     row.setValue(default)
     row.setDefault(default)
     return row
-
-
-def _accepts(setting: Setting, value: float) -> bool:
-    try:
-        setting.checked(value)
-    except Refusal:
-        return False
-    return True
-
-
-def _limits(setting: Setting) -> str:
-    """What is asked of every number of a setting."""
-    clauses = [
-        translated(bound).format(number_text(limit))
-        for bound, limit in ((AT_LEAST, setting.low), (AT_MOST, setting.high))
-        if math.isfinite(limit)
-    ]
-    return "; ".join(clauses)
 
 
 def ends_of(setting: Setting) -> tuple[float, float]:
@@ -727,7 +698,7 @@ class Player(QObject):
         self._setting = setting
         self._low, self._high = map(self._place, ends_of(setting))
         self._speed = setting.per_second
-        self._at = self._shown_at = self._low
+        self._at = self._low
         self._shown: float | None = None
         self._playing = False
         self._clock = Clock(self)

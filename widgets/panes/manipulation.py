@@ -25,7 +25,8 @@ from PySide6.QtWidgets import QLabel
 
 from app.drawings.image import ImageDrawing
 from app.drawings.world import WorldDrawing
-from app.model.projection import NOT_THE_EYE, OTHER_SIDE, Projection, Vector
+from app.model.limits import OTHER_SIDE
+from app.model.projection import NOT_THE_EYE, Projection, Vector
 from app.model.refusal import Refusal, six_digits
 from app.picking.handles import (
     Change,
@@ -54,11 +55,6 @@ HOLD_WITHIN_PX = 9.0
 
 class Manipulation(QObject):
     """Turns drags on handles and on the picture, and the wheel there, into projections.
-
-    Parameters
-    ----------
-    world, image : Pane
-    parent : QObject
 
     Attributes
     ----------

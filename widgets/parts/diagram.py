@@ -40,7 +40,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
-from app.drawings.label_placement import beside
+from app.drawings.label_placement import GAP_PX, beside, beside_curve
 from app.drawings.style import LIGHT, Style
 from app.scenes.phenomena.illustration import Curve, Diagram, Spot
 from widgets.parts.messages import figure_text, of_phenomena
@@ -48,7 +48,6 @@ from widgets.parts.messages import figure_text, of_phenomena
 Floats = NDArray[np.float64]
 
 TICK_PX = 4.0
-GAP_PX = 3.0
 DOT_PX = 3.0
 """Radius of a dot at the ordinary line width."""
 HIT_PX = 9.0
@@ -546,7 +545,7 @@ class DiagramView(QWidget):
             [np.empty((0, 4))]
             + [np.hstack([at - half, at + half]) for at, half in zip(along, halves, strict=True)]
         )
-        taken = np.empty((0, 4))
+        bounds, taken = _bounds(frame), np.empty((0, 4))
         # Of dots first: a line has many places.
         named = sorted(zip(curves, along, halves, strict=True), key=lambda each: not each[0].dots)
         for curve, places, half in named:
@@ -555,7 +554,7 @@ class DiagramView(QWidget):
             text = of_phenomena(curve.label)
             size = metrics.horizontalAdvance(text) + 2.0 * GAP_PX, metrics.height()
             kept = self._names.get(curve.label)
-            place = _free_place(frame, places, half, size, taken, covered, kept)
+            place = beside_curve(bounds, places, half, size, taken, covered, kept)
             self._names[curve.label] = place
             left, top, right, bottom = place.tolist()
             taken = np.vstack([taken, (left, top, right, bottom)])
@@ -591,13 +590,12 @@ class DiagramView(QWidget):
         widths = [metrics.horizontalAdvance(spot.name) for spot in spots]
         sizes = np.array([(width + 2.0 if width else 0.0, metrics.height()) for width in widths])
         sizes[~shown, 0] = 0.0
-        bounds = np.array([frame.left(), frame.top(), frame.right(), frame.bottom()])
         rings = np.array([1.5 * radius if spot.marked else 0.0 for spot in spots])
         gaps = radius + GAP_PX + rings
         named = [self._names[curve.label] for curve in diagram.curves if curve.label]
         taken = np.vstack([np.empty((0, 4)), *named])
         curves_px = np.concatenate([np.empty((0, 2)), *along])
-        names = beside(np.nan_to_num(points), sizes, bounds, curves_px, gaps, taken)
+        names = beside(np.nan_to_num(points), sizes, _bounds(frame), curves_px, gaps, taken)
         self.spot_names = {}
         for spot, place, box in zip(spots, points, names, strict=True):
             if box is None:
@@ -643,6 +641,10 @@ def _in_proportion(frame: QRectF, width: float, height: float) -> QRectF:
     return inside
 
 
+def _bounds(frame: QRectF) -> Floats:
+    return np.array([frame.left(), frame.top(), frame.right(), frame.bottom()])
+
+
 def _places(frame: QRectF, points: Floats) -> Floats:
     """Points of the unit square, (..., 2), in pixels."""
     places: Floats = points * (frame.width(), -frame.height()) + (frame.left(), frame.bottom())
@@ -662,69 +664,3 @@ def _along(frame: QRectF, parts: Floats) -> Floats:
         points = points[np.argsort(points[:, 0], kind="stable")]
         points = points[_inside(points)]
     return _places(frame, points[:: max(1, len(points) // 40)])
-
-
-def _free_place(
-    frame: QRectF,
-    along: Floats,
-    half: float,
-    size: tuple[float, float],
-    taken: Floats,
-    lines: Floats,
-    kept: Floats | None = None,
-) -> Floats:
-    """A place for a curve's name: beside the curve, free of other names and of curves.
-
-    Parameters
-    ----------
-    frame : QRectF
-    along : (n, 2) array
-        Places along the curve.
-    half : float
-        How far the curve reaches from there.
-    size : (float, float)
-        Of the name.
-    taken : (m, 4) array
-        Where names are already: left, top, right, bottom.
-    lines : (k, 4) array
-        Pieces of all curves, likewise.
-    kept : (4,) array, optional
-        Where the name stood before: good enough while it is free and beside its curve.
-
-    Returns
-    -------
-    (4,) array
-        Left, top, right, bottom. Where there is no free place, or nothing is seen of the curve,
-        the next line of a list at the top left.
-    """
-    width, height = size
-    ends = np.array([frame.left(), frame.top(), -frame.right(), -frame.bottom()])
-    if kept is not None and np.abs(kept[2:] - kept[:2] - size).max() < 1e-3:
-        inside = (kept * (1.0, 1.0, -1.0, -1.0) >= ends).all()
-        free = not _overlap(kept[None], np.vstack([taken, lines])).any()
-        near = kept + height * np.array([-1.0, -1.0, 1.0, 1.0])
-        if inside and free and _overlap(near[None], np.hstack([along, along])).any():
-            return kept
-    right, left = GAP_PX + half - 1.0, 1.0 - half - width  # a line touches its name, a dot does not
-    beside = np.array([(right, -height), (left, -height), (right, 1.0), (left, 1.0)])
-    corners = (along[::-1, None, :] + beside).reshape(-1, 2)  # from the right, where curves part
-    boxes = np.hstack([corners, corners + size])
-    boxes = boxes[(boxes * (1.0, 1.0, -1.0, -1.0) >= ends).all(axis=1)]
-    boxes = boxes[~_overlap(boxes, taken).any(axis=1)]
-    if len(boxes):
-        crossed = _overlap(boxes, lines).sum(axis=1)
-        best: Floats = boxes[np.argmin(100 * crossed + np.arange(len(boxes)))]
-        return best
-    left, top = frame.left() + GAP_PX, frame.top() + GAP_PX
-    box = np.array([left, top, left + width, top + height])
-    while _overlap(box[None], taken).any() and box[3] < frame.bottom():
-        box += (0.0, height, 0.0, height)
-    return box
-
-
-def _overlap(boxes: Floats, others: Floats) -> NDArray[np.bool_]:
-    """Which boxes overlap which others, (m, n); both have rows of left, top, right, bottom."""
-    left, top, right, bottom = boxes.T[:, :, None]
-    other_left, other_top, other_right, other_bottom = others.T[:, None, :]
-    across = (left < other_right) & (other_left < right)
-    return np.asarray(across & (top < other_bottom) & (other_top < bottom))

@@ -61,7 +61,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.model.projection import AT_LEAST, AT_MOST, DISTINCT, FINITE_NUMBER, LARGEST
+from app.model.limits import DISTINCT
+from app.model.projection import AT_LEAST, AT_MOST, FINITE_NUMBER, LARGEST
 from app.model.refusal import Refusal
 from widgets.parts.escape import HeldSlider
 from widgets.parts.highlight import paint_attention
@@ -180,14 +181,13 @@ class Linear:
         The ends, rounded to multiples of the step.
     step : float
         One arrow key; best 1, 2 or 5 times a power of ten.
-    page : int
-        How many steps PageUp and PageDown make.
     """
 
     low: float
     high: float
     step: float
-    page: int = 10
+    page = 10
+    """How many steps PageUp and PageDown make."""
     infinite = False
 
     @classmethod
@@ -283,13 +283,12 @@ class Doubling:
     ----------
     low, high : float
         The ends, whole and above 0.
-    page : int
-        How many steps PageUp and PageDown make: 2 double.
     """
 
     low: float
     high: float
-    page: int = 2
+    page = 2
+    """How many steps PageUp and PageDown make: 2 double."""
     infinite = False
 
     @cached_property
@@ -377,25 +376,83 @@ def _may_edit(event: QEvent) -> bool:
     return event.type() in (kinds.MouseButtonPress, kinds.ContextMenu, kinds.Drop)
 
 
-class _Field(QLineEdit):
-    """A line of text that leaves undo and Esc to the window when it has no use for them."""
+class NumberField(QLineEdit):
+    """One number as text, with all its digits.
 
-    focused = Signal(bool)
-    touched = Signal()
-    """What comes next may edit the text."""
+    What is typed or was refused stays until it is read or taken back. Undo and Esc are left to
+    the window where the field has no use for them.
 
-    def __init__(self) -> None:
+    Parameters
+    ----------
+    name : str
+        What the number is, for a refusal and to be read aloud.
+    unit : str
+        What may follow the number.
+    """
+
+    def __init__(self, name: str, unit: str = "") -> None:
         super().__init__()
+        self.name, self.unit = name, unit
         self.refused = False
+        """Whether the text is one that was refused."""
+        self._number: float | None = None
+        self.setAccessibleName(name)
+
+    @property
+    def at_rest(self) -> bool:
+        """Whether it shows its number, and no text that is being typed or was refused."""
+        return not (self.refused or self.isModified())
 
     @property
     def is_typed_in(self) -> bool:
         """Whether keys go here, or will when the user comes back to the window."""
         return self.window().focusWidget() is self
 
+    def show_number(self, number: float | None) -> None:
+        """Show a number, or none; a text that is being typed or was refused stays."""
+        self._number = number
+        self._write()
+
+    def read(self, infinite: bool = False) -> float:
+        """The number that is typed, as `parse_number` reads it, or a `Refusal`."""
+        return parse_number(self.name, self.text(), self.unit, infinite=infinite)
+
+    def take_back(self) -> None:
+        """Show the number again, and forget what was typed or refused."""
+        self.setModified(False)
+        self.refused = False
+        self._write()
+
+    def refuse(self, text: str) -> None:
+        """Leave a refused text where it can be put right."""
+        self.refused = True
+        place = self.cursorPosition()
+        self._set_text(text)
+        if self.hasFocus():
+            self.setCursorPosition(place)
+
+    def _text_of(self, number: float) -> str:
+        return number_text(number)
+
+    def _write(self) -> None:
+        if self.at_rest:
+            self._set_text("" if self._number is None else self._text_of(self._number))
+
+    def _set_text(self, text: str) -> None:
+        """Show a text from its start; what was selected as a whole stays so."""
+        all_selected = self.hasSelectedText() and self.selectedText() == self.text()
+        self.setText(text)
+        self.setCursorPosition(0)
+        if all_selected:
+            self._select_to_start()
+
+    def _select_to_start(self) -> None:
+        """Select all with the cursor at the start, so that it is the start that is seen."""
+        self.setSelection(len(self.text()), -len(self.text()))
+
     def event(self, event: QEvent) -> bool:
         if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
-            if event.key() == Qt.Key.Key_Escape and (self.refused or self.isModified()):
+            if event.key() == Qt.Key.Key_Escape and not self.at_rest:
                 event.accept()
                 return True
             keys = QKeySequence.StandardKey
@@ -404,23 +461,47 @@ class _Field(QLineEdit):
             ):
                 event.ignore()
                 return False
-        if _may_edit(event):
-            self.touched.emit()
+        return super().event(event)
+
+
+class _ShortField(NumberField):
+    """Of a row: narrow, and its number short until somebody is at it."""
+
+    def __init__(self, name: str, unit: str = "") -> None:
+        super().__init__(name, unit)
+        self.below: float | None = None
+        """A bound that the number never reaches, and must not seem to; set by the owner."""
+        self._whole = False
+
+    def show_number(self, number: float | None) -> None:
+        self._whole = self._whole and number == self._number
+        super().show_number(number)
+
+    def take_back(self) -> None:
+        self._whole = False
+        super().take_back()
+
+    def _text_of(self, number: float) -> str:
+        return number_text(number) if self._whole else short_text(number, self.below)
+
+    def _show_whole(self, whole: bool) -> None:
+        self._whole = whole
+        self._write()
+
+    def event(self, event: QEvent) -> bool:
+        if not self._whole and _may_edit(event):
+            self._show_whole(True)  # the user edits all digits, not the few that were shown
         return super().event(event)
 
     def focusInEvent(self, event: QFocusEvent) -> None:
-        self.focused.emit(True)  # first: the full number is there when Tab selects it all
+        self._show_whole(True)  # first: the full number is there when Tab selects it all
         super().focusInEvent(event)
         if self.selectedText() == self.text():
-            self.select_to_start()
-
-    def select_to_start(self) -> None:
-        """Select all with the cursor at the start, so that it is the start that is seen."""
-        self.setSelection(len(self.text()), -len(self.text()))
+            self._select_to_start()
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
         super().focusOutEvent(event)
-        self.focused.emit(False)
+        self._show_whole(False)
 
     def sizeHint(self) -> QSize:
         return self.minimumSizeHint()
@@ -507,9 +588,12 @@ class Row(QWidget):
         """The value shown."""
         return self._value
 
-    @abstractmethod
     def setValue(self, value: Any) -> None:
-        """Show a value; never answered by a signal."""
+        """Show a value; never answered by a signal. A text being typed stays as it is."""
+        if value != self._value:
+            self._value = value
+            self.clear_error()
+            self._show_value()
 
     def setDefault(self, value: Any) -> None:
         """Set what a reset goes back to."""
@@ -648,7 +732,90 @@ class Row(QWidget):
         return super().eventFilter(watched, event)
 
 
-class NumberRow(Row):
+class _TypedRow(Row):
+    """A row with number fields, each typed, refused and taken back by itself."""
+
+    def _add_fields(self, *fields: _ShortField) -> None:
+        self.fields = fields
+        self.name_label.setBuddy(fields[0])
+        for field in fields:
+            field.editingFinished.connect(partial(self._typed, field))
+
+    @abstractmethod
+    def _read(self, field: _ShortField) -> Any:
+        """The row's value with the number that is typed in one of its fields, or a `Refusal`."""
+
+    @property
+    @abstractmethod
+    def _numbers(self) -> tuple[float, ...]:
+        """The value, a number for each field."""
+
+    def _show_numbers(self) -> None:
+        for field, number in zip(self.fields, self._numbers, strict=True):
+            field.show_number(number)
+
+    def _why(self, error: Refusal) -> str:
+        """What is said of a text that is no number."""
+        return sentence(error)
+
+    def _typed(self, field: _ShortField) -> None:
+        if not field.isModified():
+            if not field.refused:
+                field.take_back()
+            return
+        text = field.text()
+        self.finish_gesture()
+        try:
+            value = self._read(field)
+        except Refusal as error:
+            self.clear_error()
+            self.show_error(self._why(error))
+            field.refuse(text)
+            return
+        self.clear_error()
+        field.take_back()
+        if value != self._value:
+            self._make_edit(value)
+        if self._error is not None:
+            field.refuse(text)
+        else:
+            self._show_value()
+
+    def reset(self) -> None:
+        """Go back to the default, as the user's own edit; texts being typed are forgotten."""
+        self._take_back()
+        super().reset()
+        self._show_numbers()
+
+    def _take_back(self) -> None:
+        for field in self.fields:
+            field.take_back()
+
+    def clear_error(self) -> None:
+        """Take the error away, and the refused text with it."""
+        for field in self.fields:
+            field.refused = False
+        super().clear_error()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        typing = not all(field.at_rest for field in self.fields)
+        if event.key() == Qt.Key.Key_Escape and (self.error or typing):
+            self._take_back()
+            self.clear_error()
+            self._show_numbers()
+        else:
+            super().keyPressEvent(event)
+
+    @property
+    def at_rest(self) -> bool:
+        return all(field.at_rest for field in self.fields)
+
+    @property
+    def in_hand(self) -> bool:
+        return any(not field.at_rest and field.is_typed_in for field in self.fields)
+
+
+class NumberRow(_TypedRow):
     """A slider, a number field and a unit for one number.
 
     The slider offers round numbers; the field takes any number exactly as it is typed, also
@@ -683,23 +850,19 @@ class NumberRow(Row):
         """Says what holds for any number here, for whoever typed none; set by the owner."""
         self.accepts: Callable[[float], bool] = lambda _number: True
         """Says whether a number could be an example here; set by the owner."""
-        self.below: float | None = None
-        """A bound that the number never reaches, and must not seem to; set by the owner."""
         self._open = False
-        self._whole = False
-        self._unit = unit
         self._unit_said = unit_tip or unit
         self.slider = _Slider()
         self.slider.setAccessibleName(self.tr("{0}, slider").format(name))
         self._tell(self.slider, self._tip)
-        self.field = _Field()
+        self.field = _ShortField(name, unit)
         self._tell(self.field, self._tip)
         self.field.setAccessibleName(f"{name} ({self._unit_said})" if unit else name)
         self.unit_label = QLabel(unit)
         self.unit_label.setForegroundRole(QPalette.ColorRole.PlaceholderText)
         if unit_tip:
             self._tell(self.unit_label, unit_tip)
-        self.name_label.setBuddy(self.field)
+        self._add_fields(self.field)
         self._grid.addWidget(self.slider, 0, 1)
         self._grid.addWidget(self.field, 0, 2)
         self._grid.addWidget(self.unit_label, 0, 3)
@@ -711,9 +874,6 @@ class NumberRow(Row):
         self.slider.sliderPressed.connect(self._pressed)
         self.slider.sliderReleased.connect(self._released)
         self.slider.abandoned.connect(self._abandon)
-        self.field.editingFinished.connect(self._typed)
-        self.field.focused.connect(self._focused)
-        self.field.touched.connect(self._touched)
         for widget in (self.slider, self.field):
             widget.installEventFilter(self)
         self.setScale(scale)
@@ -730,7 +890,6 @@ class NumberRow(Row):
         if value == self._value:
             return
         self._value = value
-        self._whole = False
         if not self._open:
             self.clear_error()
             self._show_value()
@@ -777,8 +936,8 @@ class NumberRow(Row):
         if not self.slider.isSliderDown():
             self._quiet.start()
         self.clear_error()
-        self._whole = False
-        self._set_text(short_text(value, self.below))
+        self.field.take_back()
+        self.field.show_number(value)
         if value != self._value and not self._attempt(value):
             self._go_as_far_as_possible(position)
 
@@ -802,48 +961,15 @@ class NumberRow(Row):
                 self.slider.setValue(held)
         self._show_refusal(said)
 
-    def reset(self) -> None:
-        """Go back to the default, as the user's own edit; a text being typed is forgotten."""
-        self._forget_text()
-        super().reset()
-        self._show_text()
+    def _read(self, _field: _ShortField) -> float:
+        return self.field.read(self._scale.infinite)
 
-    def _typed(self) -> None:
-        if not self.field.isModified():
-            if not self.field.refused:
-                self._forget_text()
-                self._show_text()
-            return
-        text = self.field.text()
-        self.finish_gesture()
-        try:
-            value = parse_number(self.name, text, self._unit, infinite=self._scale.infinite)
-        except Refusal as error:
-            limits = self.limits() if error.bound in (A_NUMBER, A_NUMBER_OR_INFINITY) else ""
-            if error.bound == A_NUMBER and not all(map(self.accepts, EXAMPLES)):
-                example = short_text(self._value)
-                error = Refusal(self.name, text.strip(), A_NUMBER_LIKE, example)
-            said = sentence(error)
-            self._refuse(text, f"{said.removesuffix('.')}; {limits}." if limits else said)
-            return
-        self.clear_error()
-        self._forget_text()
-        if value != self._value:
-            self._make_edit(value)
-        if self._error is not None:
-            self._refuse(text)
-        else:
-            self._show_text()
-
-    def _refuse(self, text: str, sentence: str = "") -> None:
-        """Leave a refused text where it can be put right."""
-        if sentence:
-            self.show_error(sentence)
-        self.field.refused = True
-        place = self.field.cursorPosition()
-        self._set_text(text)
-        if self.field.hasFocus():
-            self.field.setCursorPosition(place)
+    def _why(self, error: Refusal) -> str:
+        limits = self.limits() if error.bound in (A_NUMBER, A_NUMBER_OR_INFINITY) else ""
+        if error.bound == A_NUMBER and not all(map(self.accepts, EXAMPLES)):
+            error = Refusal(self.name, error.value, A_NUMBER_LIKE, short_text(self._value))
+        said = sentence(error)
+        return f"{said.removesuffix('.')}; {limits}." if limits else said
 
     def eventFilter(self, watched: Any, event: QEvent) -> bool:
         if watched is self.field and event.type() == QEvent.Type.ToolTip:
@@ -861,12 +987,8 @@ class NumberRow(Row):
             Qt.Key.Key_PageDown: actions.SliderPageStepSub,
         }
         if event.key() in steps:  # from the field, as in a spin box
-            self._typed()
+            self._typed(self.field)
             self.slider.triggerAction(steps[Qt.Key(event.key())])
-        elif event.key() == Qt.Key.Key_Escape and (self.error or self.field.isModified()):
-            self._forget_text()
-            self.clear_error()
-            self._show_text()
         else:
             super().keyPressEvent(event)
 
@@ -874,64 +996,31 @@ class NumberRow(Row):
 
     @property
     def at_rest(self) -> bool:
-        """Whether the row shows its value, and nothing that was refused or is being chosen."""
-        return not (self._open or self.field.refused or self.field.isModified())
+        return not self._open and super().at_rest
 
     @property
     def in_hand(self) -> bool:
-        """Whether the user is at it: drags it, or types in it."""
-        return self._open or (not self.at_rest and self.field.is_typed_in)
+        return self._open or super().in_hand
 
-    def clear_error(self) -> None:
-        """Take the error away, and the refused text with it."""
-        self.field.refused = False
-        super().clear_error()
-
-    def _forget_text(self) -> None:
-        self.field.setModified(False)
-        self._whole = False
-
-    def _focused(self, has_focus: bool) -> None:
-        self._whole = has_focus
-        self._show_text()
-
-    def _touched(self) -> None:
-        """Let the user edit all digits, not the few that were shown."""
-        if not self._whole:
-            self._whole = True
-            self._show_text()
+    @property
+    def _numbers(self) -> tuple[float, ...]:
+        return (self._value,)
 
     def _show_value(self) -> None:
         if not self._open:
             with QSignalBlocker(self.slider):
                 self.slider.setValue(self._scale.position_of(self._value))
-            self._show_text()
+            self._show_numbers()
             if self.slider.hasFocus():
                 self._say_value()
 
     def _say_value(self) -> None:
         """Tell a screen reader the value, for which it has only the slider's position, at rest."""
-        value = f"{short_text(self._value, self.below)} {self._unit_said}".rstrip()
+        value = f"{short_text(self._value, self.field.below)} {self._unit_said}".rstrip()
         self.slider.setAccessibleDescription(self.error or f"{value}. {self._tip}")
 
-    def _show_text(self) -> None:
-        if self.field.refused or self.field.isModified():
-            return
-        short = short_text(self._value, self.below)
-        self._set_text(number_text(self._value) if self._whole else short)
-
-    def _set_text(self, text: str) -> None:
-        """Show a text from its start; what was selected as a whole stays so."""
-        all_selected = self.field.hasSelectedText() and (
-            self.field.selectedText() == self.field.text()
-        )
-        self.field.setText(text)
-        self.field.setCursorPosition(0)
-        if all_selected:
-            self.field.select_to_start()
-
     def _write_field_tip(self) -> None:
-        exact = f"{self.name} = {number_text(self._value)} {self._unit}".rstrip()
+        exact = f"{self.name} = {number_text(self._value)} {self.field.unit}".rstrip()
         self.field.setToolTip(f"<qt><b>{html.escape(exact)}</b><br>{html.escape(self._tip)}</qt>")
 
 
@@ -1017,13 +1106,6 @@ class ChoiceRow(Row):
         """Choose as the user does."""
         self._chosen(self._keys.index(key))
 
-    def setValue(self, key: str | None) -> None:
-        """Show a choice, or none of them; never answered by a signal."""
-        if key != self._value:
-            self._value = key
-            self.clear_error()
-            self._show_value()
-
     def _chosen(self, index: int) -> None:
         key = self._keys[index]
         self.clear_error()
@@ -1043,10 +1125,8 @@ class ChoiceRow(Row):
         self._group.setExclusive(True)
 
 
-class VectorRow(Row):
+class VectorRow(_TypedRow):
     """Three number fields side by side for a point or a direction.
-
-    Each is typed and refused by itself, as in a `NumberRow`.
 
     Parameters
     ----------
@@ -1057,112 +1137,31 @@ class VectorRow(Row):
     def __init__(self, name: str, tip: str, parent: QWidget | None = None) -> None:
         super().__init__(name, tip, parent)
         self._value: tuple[float, ...] = (0.0, 0.0, 0.0)
-        self._whole: set[_Field] = set()
-        self.fields = tuple(_Field() for _ in "xyz")
+        self._add_fields(*(_ShortField(self.tr("{0} {1}").format(name, x)) for x in "xyz"))
         line = QHBoxLayout()
         line.setSpacing(4)
         for letter, field in zip("xyz", self.fields, strict=True):
-            component = self.tr("{0} {1}").format(name, letter)
-            field.setAccessibleName(component)
-            self._tell(field, f"{component}. {self._tip}")
-            field.editingFinished.connect(partial(self._typed, field, component))
-            field.focused.connect(partial(self._focused, field))
-            field.touched.connect(partial(self._focused, field, True))
+            self._tell(field, f"{field.name}. {self._tip}")
             label = QLabel(letter)
             label.setForegroundRole(QPalette.ColorRole.PlaceholderText)
             line.addWidget(label)
             line.addWidget(field, 1)
-        self.name_label.setBuddy(self.fields[0])
         self._grid.addLayout(line, 0, 1)
         self._show_value()
 
-    def setValue(self, value: tuple[float, ...]) -> None:
-        """Show a value; never answered by a signal. A text being typed stays as it is."""
-        if value != self._value:
-            self._value = value
-            self.clear_error()
-            self._show_value()
-
-    def reset(self) -> None:
-        """Go back to the default, as the user's own edit; texts being typed are forgotten."""
-        self._forget_texts()
-        super().reset()
-        self._show_value()
-
-    def _typed(self, field: _Field, component: str) -> None:
-        if not field.isModified():
-            return
-        text, place = field.text(), self.fields.index(field)
-        try:
-            number = parse_number(component, text)
-            if math.isinf(number):
-                raise Refusal(component, number, FINITE_NUMBER)
-        except Refusal as error:
-            self._refuse(field, text, sentence(error))
-            return
-        self.clear_error()
-        field.setModified(False)
-        value = (*self._value[:place], number, *self._value[place + 1 :])
-        if value != self._value:
-            self._make_edit(value)
-        if self._error is not None:
-            self._refuse(field, text, "")
-        else:
-            self._show_value()
-
-    def _refuse(self, field: _Field, text: str, sentence: str) -> None:
-        """Leave a refused text where it can be put right."""
-        if sentence:
-            self.clear_error()
-            self.show_error(sentence)
-        field.refused = True
-        field.setText(text)
-
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        if event.key() == Qt.Key.Key_Escape and not self.at_rest:
-            self._forget_texts()
-            self.clear_error()
-            self._show_value()
-        else:
-            super().keyPressEvent(event)
+    def _read(self, field: _ShortField) -> tuple[float, ...]:
+        number = field.read()
+        if math.isinf(number):
+            raise Refusal(field.name, number, FINITE_NUMBER)
+        place = self.fields.index(field)
+        return (*self._value[:place], number, *self._value[place + 1 :])
 
     @property
-    def at_rest(self) -> bool:
-        """Whether the row shows its value, and nothing that was refused or is being typed."""
-        return not any(field.refused or field.isModified() for field in self.fields)
-
-    @property
-    def in_hand(self) -> bool:
-        """Whether the user types in it."""
-        return any((f.refused or f.isModified()) and f.is_typed_in for f in self.fields)
-
-    def clear_error(self) -> None:
-        """Take the error away, and the refused text with it."""
-        for field in self.fields:
-            field.refused = False
-        super().clear_error()
-
-    def _forget_texts(self) -> None:
-        for field in self.fields:
-            field.setModified(False)
-
-    def _focused(self, field: _Field, has_focus: bool) -> None:
-        """Let the user edit all digits, not the few that are shown."""
-        if has_focus != (field in self._whole):
-            (self._whole.add if has_focus else self._whole.discard)(field)
-            self._show_value()
+    def _numbers(self) -> tuple[float, ...]:
+        return self._value
 
     def _show_value(self) -> None:
-        for number, field in zip(self._value, self.fields, strict=True):
-            if field.refused or field.isModified():
-                continue
-            text = number_text(number) if field in self._whole else short_text(number)
-            if text != field.text():
-                all_selected = field.hasSelectedText() and field.selectedText() == field.text()
-                field.setText(text)
-                field.setCursorPosition(0)
-                if all_selected:
-                    field.select_to_start()
+        self._show_numbers()
 
 
 class CheckRow(Row):
@@ -1177,13 +1176,6 @@ class CheckRow(Row):
         self.box.clicked.connect(self._make_edit)  # the user's choice, never the program's
         self.name_label.setBuddy(self.box)
         self._grid.addWidget(self.box, 0, 1, Qt.AlignmentFlag.AlignLeft)
-
-    def setValue(self, value: bool) -> None:
-        """Show a value; never answered by a signal."""
-        if value != self._value:
-            self._value = value
-            self.clear_error()
-            self._show_value()
 
     def _show_value(self) -> None:
         self.box.setChecked(self._value)

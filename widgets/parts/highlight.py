@@ -13,8 +13,8 @@ from __future__ import annotations
 from collections.abc import Hashable
 
 from PySide6.QtCore import QObject, QRectF, Signal
-from PySide6.QtGui import QColor, QPainter, QPen
-from PySide6.QtWidgets import QWidget
+from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
+from PySide6.QtWidgets import QLabel, QWidget
 
 from app.lecture.highlight import NOTHING, Attention
 
@@ -54,3 +54,22 @@ def paint_attention(widget: QWidget, painter: QPainter, rect: QRectF) -> None:
     painter.fillRect(rect, tint)
     painter.setPen(QPen(colour, 1.0))
     painter.drawRect(rect.adjusted(0.5, 0.5, -0.5, -0.5))
+
+
+class MarkedLabel(QLabel):
+    """Words that show when something else draws attention to what they are about."""
+
+    is_marked = False
+
+    def set_marked(self, marked: bool) -> None:
+        """Tint the words, or no more."""
+        if marked != self.is_marked:
+            self.is_marked = marked
+            self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        if self.is_marked:
+            painter = QPainter(self)
+            paint_attention(self, painter, QRectF(self.rect()))
+            painter.end()

@@ -14,6 +14,8 @@ from pathlib import Path
 from PySide6.QtCore import QCoreApplication
 
 from app.model.limits import (
+    AT_LEAST,
+    AT_MOST,
     FINITE_NUMBER,
     NOT_THE_EYE,
     NOT_THE_TARGET,
@@ -166,6 +168,15 @@ class Words(dict[str, str]):
 def translated(template: str, context: str = "Refusal") -> str:
     """A sentence of the core in the window's language; `context` is what it is marked with."""
     return QCoreApplication.translate(context, template)
+
+
+def limits_text(low: float, high: float) -> str:
+    """What is asked of every number between two ends, those at infinity left out."""
+    return "; ".join(
+        translated(bound).format(number_text(limit))
+        for bound, limit in ((AT_LEAST, low), (AT_MOST, high))
+        if math.isfinite(limit)
+    )
 
 
 def of_measurements(text: str) -> str:

@@ -7,12 +7,12 @@ a mark between thousands: 33.5 typed would be 335.
 from __future__ import annotations
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QDialog, QDialogButtonBox, QLabel, QLineEdit, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDialog, QDialogButtonBox, QLabel, QVBoxLayout, QWidget
 
-from app.model.projection import AT_LEAST, AT_MOST
+from app.model.limits import within
 from app.model.refusal import Refusal
-from widgets.parts.fields import REFUSAL_SHEET, parse_number, refusal
-from widgets.parts.messages import number_text, sentence
+from widgets.parts.fields import REFUSAL_SHEET, NumberField, refusal
+from widgets.parts.messages import sentence
 
 
 class NumberDialog(QDialog):
@@ -42,11 +42,12 @@ class NumberDialog(QDialog):
         super().__init__(parent)
         self.number = value
         """The number taken last: that in hand, until another one is accepted."""
-        self._name, self._low, self._high, self._unit = name, low, high, unit
+        self._name, self._low, self._high = name, low, high
         self.setWindowTitle(name)
         asked = QLabel(question)
         asked.setWordWrap(True)
-        self.field = QLineEdit(number_text(value))
+        self.field = NumberField(name, unit)
+        self.field.show_number(value)
         self.field.setAccessibleName(f"{name} ({unit})")
         self.field.selectAll()
         asked.setBuddy(self.field)
@@ -67,7 +68,7 @@ class NumberDialog(QDialog):
     def accept(self) -> None:
         """Take the number and close; or say what is wrong with it, and stay."""
         try:
-            self.number = self._read()
+            self.number = within(self._name, self.field.read(), self._low, self._high)
         except Refusal as error:
             said = refusal(sentence(error))
             self.problem.setText(said)
@@ -78,13 +79,3 @@ class NumberDialog(QDialog):
             self.field.selectAll()
             return
         super().accept()
-
-    def _read(self) -> float:
-        value = parse_number(self._name, self.field.text(), self._unit)
-        for wrong, bound, limit in (
-            (value < self._low, AT_LEAST, self._low),
-            (value > self._high, AT_MOST, self._high),
-        ):
-            if wrong:
-                raise Refusal(self._name, value, bound, limit)
-        return value

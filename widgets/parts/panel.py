@@ -52,10 +52,6 @@ class Shown:
         ----------
         before : Shown or None
             None if nothing was shown before.
-
-        Returns
-        -------
-        frozenset of str
         """
         if before is None:
             return EVERYTHING

@@ -14,10 +14,14 @@ it ends with the value it ends with.
 from __future__ import annotations
 
 import time
+from abc import abstractmethod
 from collections.abc import Callable
 
 from PySide6.QtCore import QObject, QTimer
+from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QWidget
+
+from widgets.parts.panel import Panel
 
 READ_MS = 100
 """Digits that change more often than this are not read."""
@@ -31,7 +35,7 @@ class Readable(QObject):
     Parameters
     ----------
     widget : QWidget
-        Who shows; its showEvent calls `settle`.
+        Who shows; its showEvent calls `settle`, as that of a `ReadablePanel` does.
     show : callable
         Shows the values as they are when it is called.
     """
@@ -100,3 +104,25 @@ class Readable(QObject):
     def now_ms(self) -> float:
         """The clock, in ms."""
         return 1e3 * time.monotonic()
+
+
+class ReadablePanel(Panel):
+    """A panel whose numbers are shown as often as they can be read: `_fill` shows them."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._readable = Readable(self, self._fill)
+
+    @abstractmethod
+    def _fill(self) -> None:
+        """Show everything as it is now."""
+
+    def begin_gesture(self) -> None:
+        self._readable.begin_gesture()
+
+    def end_gesture(self) -> None:
+        self._readable.end_gesture()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self._readable.settle()

@@ -75,7 +75,7 @@ class Actions(QObject):
         projector: bool,
     ) -> None:
         super().__init__(window)
-        self._window, self._files, self._pictures, self._help = window, files, pictures, help_
+        self._window, self._files, self._help = window, files, help_
         self._row, self._panes, self._titles, self._scene_titles = row, panes, titles, scene_titles
         keys = QKeySequence.StandardKey
         self.open = self._action(

@@ -10,7 +10,7 @@ import os
 import re
 from collections.abc import Callable
 from pathlib import Path
-from typing import ClassVar, TypeVar
+from typing import Generic, TypeVar
 
 from PySide6.QtCore import QCoreApplication, QSettings, QStandardPaths
 
@@ -21,6 +21,7 @@ from app.precision.levels import DRAWING_TOLERANCE_PX, LARGEST_TOLERANCE_PX, LEA
 log = logging.getLogger(__name__)
 
 _T = TypeVar("_T")
+THEMES = ("system", "light", "dark")
 NAME = "frustum-lab"
 
 
@@ -57,130 +58,8 @@ def settings_path() -> Path:
 # --------------------------------------------------------------------------- settings
 
 
-class Settings:
-    """The user's settings: every value is checked here, what is not valid is the default.
-
-    QSettings writes the file. It is not trusted to read it: it reports no error for a file that
-    is not INI, and makes 0 of a number that is none.
-
-    Parameters
-    ----------
-    path : Path or None
-        The INI file; None keeps the settings in memory only. A broken file is set aside as
-        ``.bak``.
-    """
-
-    THEMES: ClassVar[tuple[str, ...]] = ("system", "light", "dark")
-
-    def __init__(self, path: Path | None) -> None:
-        self._file: QSettings | None = None
-        self._values: dict[str, object] = {}
-        self._for_now: dict[str, str] = {}
-        self._refused: set[str] = set()
-        if path is not None and _set_aside_if_broken(path):
-            self._file = QSettings(str(path), QSettings.Format.IniFormat)
-            self._values = {key: self._file.value(key) for key in self._file.allKeys()}
-
-    @property
-    def theme(self) -> str:
-        """One of `THEMES`."""
-        return self._read("theme", _theme, "system")
-
-    @theme.setter
-    def theme(self, theme: str) -> None:
-        self._write("theme", theme)
-
-    @property
-    def projector(self) -> bool:
-        """Whether text and lines are enlarged for the back row."""
-        return self._read("projector", _flag, False)
-
-    @projector.setter
-    def projector(self, on: bool) -> None:
-        self._write("projector", "true" if on else "false")
-
-    @property
-    def language(self) -> str:
-        """A locale such as ``"hr"`` or ``"sr_RS"``; empty for the system's."""
-        return self._read("language", _language, "")
-
-    @language.setter
-    def language(self, language: str) -> None:
-        self._write("language", language)
-
-    @property
-    def tolerance_px(self) -> float:
-        """Error in pixels up to which a GPU's own arithmetic may draw."""
-        return self._read("tolerance", _tolerance, DRAWING_TOLERANCE_PX)
-
-    @tolerance_px.setter
-    def tolerance_px(self, tolerance_px: float) -> None:
-        self._write("tolerance", repr(tolerance_px))
-
-    @property
-    def frame_ms(self) -> float:
-        """Longest frame that is wanted while a control is dragged, in ms; 0 for any."""
-        return self._read("frame", _frame, FRAME_MS)
-
-    @frame_ms.setter
-    def frame_ms(self, frame_ms: float) -> None:
-        self._write("frame", repr(frame_ms))
-
-    @property
-    def geometry(self) -> bytes | None:
-        """The window's place as Qt wrote it, None before the first time."""
-        return self._read("geometry", _bytes, None)
-
-    @geometry.setter
-    def geometry(self, geometry: bytes) -> None:
-        self._write("geometry", base64.b64encode(geometry).decode("ascii"))
-
-    @property
-    def recent(self) -> list[str]:
-        """Paths of the files opened or saved before, newest first: by every window, as of now."""
-        if self._file is not None:
-            self._file.sync()
-            self._values["recent"] = self._file.value("recent")
-        nothing: list[str] = []
-        return list(self._read("recent", _paths, nothing))
-
-    @recent.setter
-    def recent(self, recent: list[str]) -> None:
-        self._write("recent", json.dumps(recent))
-
-    def override(self, key: str, text: str) -> None:
-        """Use another value until it is set again; it is not saved."""
-        self._for_now[key] = text
-
-    def _read(self, key: str, convert: Callable[[str], _T], default: _T) -> _T:
-        value = self._for_now.get(key, self._values.get(key))
-        if value is None:
-            return default
-        try:
-            if not isinstance(value, str):  # what has a comma in it QSettings splits
-                raise ValueError
-            return convert(value)
-        except ValueError:
-            if key not in self._refused:  # told once, however often it is asked for
-                self._refused.add(key)
-                log.warning("setting %s = %.60r is not valid: using %r", key, value, default)
-            return default
-
-    def _write(self, key: str, text: str) -> None:
-        self._for_now.pop(key, None)
-        self._refused.discard(key)
-        self._values[key] = text
-        if self._file is None:
-            return
-        self._file.setValue(key, text)
-        self._file.sync()
-        if self._file.status() != QSettings.Status.NoError:
-            log.warning("the settings cannot be written to %s", self._file.fileName())
-            self._file = None  # told once
-
-
 def _theme(text: str) -> str:
-    if text not in Settings.THEMES:
+    if text not in THEMES:
         raise ValueError
     return text
 
@@ -191,18 +70,14 @@ def _flag(text: str) -> bool:
     return text == "true"
 
 
-def _tolerance(text: str) -> float:
-    tolerance_px = float(text)
-    if not LEAST_TOLERANCE_PX <= tolerance_px <= LARGEST_TOLERANCE_PX:
-        raise ValueError
-    return tolerance_px
+def _number_in(low: float, high: float) -> Callable[[str], float]:
+    def read(text: str) -> float:
+        number = float(text)
+        if not low <= number <= high:
+            raise ValueError
+        return number
 
-
-def _frame(text: str) -> float:
-    frame_ms = float(text)
-    if not 0.0 <= frame_ms <= LARGEST_FRAME_MS:
-        raise ValueError
-    return frame_ms
+    return read
 
 
 def _language(text: str) -> str:
@@ -220,6 +95,10 @@ def _bytes(text: str) -> bytes:
         raise ValueError from error
 
 
+def _base64(content: bytes | None) -> str:
+    return base64.b64encode(content or b"").decode("ascii")
+
+
 def _paths(text: str) -> list[str]:
     try:
         paths = json.loads(text)
@@ -230,6 +109,108 @@ def _paths(text: str) -> list[str]:
     if not all(isinstance(path, str) and path and "\0" not in path for path in paths):
         raise ValueError
     return paths
+
+
+class _Kept(Generic[_T]):
+    """One setting: its name in the file, how its text is read and written, and its default."""
+
+    def __init__(
+        self,
+        key: str,
+        convert: Callable[[str], _T],
+        default: _T,
+        text_of: Callable[[_T], str] = str,
+    ) -> None:
+        self._key, self._convert, self._default, self._text_of = key, convert, default, text_of
+
+    def __get__(self, settings: Settings, _owner: object = None) -> _T:
+        return settings.read(self._key, self._convert, self._default)
+
+    def __set__(self, settings: Settings, value: _T) -> None:
+        settings.write(self._key, self._text_of(value))
+
+
+class Settings:
+    """The user's settings: every value is checked here, what is not valid is the default.
+
+    QSettings writes the file. It is not trusted to read it: it reports no error for a file that
+    is not INI, and makes 0 of a number that is none.
+
+    Parameters
+    ----------
+    path : Path or None
+        The INI file; None keeps the settings in memory only. A broken file is set aside as
+        ``.bak``.
+    """
+
+    def __init__(self, path: Path | None) -> None:
+        self._file: QSettings | None = None
+        self._values: dict[str, object] = {}
+        self._for_now: dict[str, str] = {}
+        self._refused: set[str] = set()
+        if path is not None and _set_aside_if_broken(path):
+            self._file = QSettings(str(path), QSettings.Format.IniFormat)
+            self._values = {key: self._file.value(key) for key in self._file.allKeys()}
+
+    theme = _Kept("theme", _theme, "system")
+    """One of `THEMES`."""
+    projector = _Kept("projector", _flag, False, lambda on: "true" if on else "false")
+    """Whether text and lines are enlarged for the back row."""
+    language = _Kept("language", _language, "")
+    """A locale such as ``"hr"`` or ``"sr_RS"``; empty for the system's."""
+    tolerance_px = _Kept(
+        "tolerance", _number_in(LEAST_TOLERANCE_PX, LARGEST_TOLERANCE_PX), DRAWING_TOLERANCE_PX
+    )
+    """Error in pixels up to which a GPU's own arithmetic may draw."""
+    frame_ms = _Kept("frame", _number_in(0.0, LARGEST_FRAME_MS), FRAME_MS)
+    """Longest frame that is wanted while a control is dragged, in ms; 0 for any."""
+    geometry = _Kept[bytes | None]("geometry", _bytes, None, _base64)
+    """The window's place as Qt wrote it, None before the first time."""
+
+    @property
+    def recent(self) -> list[str]:
+        """Paths of the files opened or saved before, newest first: by every window, as of now."""
+        if self._file is not None:
+            self._file.sync()
+            self._values["recent"] = self._file.value("recent")
+        nothing: list[str] = []
+        return list(self.read("recent", _paths, nothing))
+
+    @recent.setter
+    def recent(self, recent: list[str]) -> None:
+        self.write("recent", json.dumps(recent))
+
+    def override(self, key: str, text: str) -> None:
+        """Use another value until it is set again; it is not saved."""
+        self._for_now[key] = text
+
+    def read(self, key: str, convert: Callable[[str], _T], default: _T) -> _T:
+        """A value, checked; the default in the place of none, or of one that is not valid."""
+        value = self._for_now.get(key, self._values.get(key))
+        if value is None:
+            return default
+        try:
+            if not isinstance(value, str):  # what has a comma in it QSettings splits
+                raise ValueError
+            return convert(value)
+        except ValueError:
+            if key not in self._refused:  # told once, however often it is asked for
+                self._refused.add(key)
+                log.warning("setting %s = %.60r is not valid: using %r", key, value, default)
+            return default
+
+    def write(self, key: str, text: str) -> None:
+        """Keep a value, and save it."""
+        self._for_now.pop(key, None)
+        self._refused.discard(key)
+        self._values[key] = text
+        if self._file is None:
+            return
+        self._file.setValue(key, text)
+        self._file.sync()
+        if self._file.status() != QSettings.Status.NoError:
+            log.warning("the settings cannot be written to %s", self._file.fileName())
+            self._file = None  # told once
 
 
 def _set_aside_if_broken(path: Path) -> bool:

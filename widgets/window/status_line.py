@@ -12,8 +12,8 @@ from collections.abc import Mapping
 from fractions import Fraction
 from functools import partial
 
-from PySide6.QtCore import QEvent, QRectF, QSize, Qt, QTimer, Signal
-from PySide6.QtGui import QEnterEvent, QPainter, QPaintEvent, QResizeEvent, QShowEvent
+from PySide6.QtCore import QEvent, QSize, Qt, QTimer, Signal
+from PySide6.QtGui import QEnterEvent, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QLabel, QMenu, QSizePolicy, QStatusBar, QToolButton
 
 from app.drawings.frame_budget import LARGEST_FRAME_MS
@@ -35,7 +35,7 @@ from app.precision.quality import AUTOMATIC, Quality
 from app.precision.risks import risks
 from app.scenes.scene import Scene
 from widgets.parts.fields import short_text
-from widgets.parts.highlight import paint_attention
+from widgets.parts.highlight import MarkedLabel
 from widgets.parts.messages import plane_name, translated
 from widgets.parts.number_dialog import NumberDialog
 
@@ -128,13 +128,7 @@ class StatusLine(QStatusBar):
         self._rest.timeout.connect(self._predict)
 
     def show_projection(self, projection: Projection, scene: Scene) -> None:
-        """Take over the model and what it looks at.
-
-        Parameters
-        ----------
-        projection : Projection
-        scene : Scene
-        """
+        """Take over the model and what it looks at."""
         self._projection, self._scene = projection, scene
         self._show_lens(projection)
         self._wait_for_rest()
@@ -352,7 +346,7 @@ def _error_text(px: float) -> str:
     return f"{px:.1g}" if math.isfinite(px) else "∞"
 
 
-class _Figure(QLabel):
+class _Figure(MarkedLabel):
     """A figure that draws attention to what it is about, and shows when something else does.
 
     While its text changes the room it has only grows, so that the steps of a drag lay nothing out.
@@ -363,7 +357,6 @@ class _Figure(QLabel):
     def __init__(self, about: Attention) -> None:
         super().__init__()
         self._about = about
-        self.is_marked = False
         self.setIndent(_BESIDE_PX)  # contents margins QFrame forgets when its style changes
 
     def show_text(self, text: str) -> None:
@@ -390,10 +383,7 @@ class _Figure(QLabel):
             self.fit()
 
     def show_attention(self, attended: Attention) -> None:
-        marked = bool(attended & self._about)
-        if marked != self.is_marked:
-            self.is_marked = marked
-            self.update()
+        self.set_marked(bool(attended & self._about))
 
     def enterEvent(self, event: QEnterEvent) -> None:
         super().enterEvent(event)
@@ -402,13 +392,6 @@ class _Figure(QLabel):
     def leaveEvent(self, event: QEvent) -> None:
         super().leaveEvent(event)
         self.attended.emit(NOTHING)
-
-    def paintEvent(self, event: QPaintEvent) -> None:
-        super().paintEvent(event)
-        if self.is_marked:
-            painter = QPainter(self)
-            paint_attention(self, painter, QRectF(self.rect()))
-            painter.end()
 
 
 class _Elided(QLabel):

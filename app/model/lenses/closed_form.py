@@ -27,7 +27,6 @@ from app.model.lenses.setup import (
 )
 from app.model.limits import (
     BEYOND,
-    CUBE_FACE,
     LARGEST,
     NO_POINT,
     Array,
@@ -72,17 +71,6 @@ class ClosedForm(Lens):
         table = self.table.view_from_clip
         assert table is not None
         return read_only(evaluated(table, letters, FLOAT64))
-
-    def corners_world(self, setup: Setup) -> Array:
-        # Through the reversed range: there 1/w of the far face is 1/far itself, where [-1, 1]
-        # makes it a difference of two numbers of the size of 1/near.
-        cube = [(x, y, z, 1.0) for z in (1.0, 0.0) for x, y in CUBE_FACE]
-        corners = np.array(cube) @ setup.with_depth("reversed").view_from_clip.T
-        finite = corners[:, 3] != 0.0
-        corners[finite] /= corners[finite, 3:]
-        directions = corners[:, :3] @ setup.camera.frame
-        directions[finite] += setup.camera.eye
-        return read_only(np.column_stack([directions, corners[:, 3]]))
 
     def exact(self, letters: Mapping[str, Fraction]) -> ExactLens:
         zero = Fraction(0)

@@ -22,7 +22,6 @@ from app.model.lenses.perspective import Perspective
 from app.model.lenses.setup import HalfSpaces, Setup, Trace
 from app.model.limits import (
     BEYOND,
-    CUBE_FACE,
     LARGEST,
     NO_POINT,
     SMALLEST_CELL,
@@ -31,7 +30,6 @@ from app.model.limits import (
     Vector,
     finite_matrix,
     keep_checked,
-    read_only,
 )
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.model.tables import inverse, matrix, rounded
@@ -139,14 +137,6 @@ class FreeMatrix(Lens):
 
     def view_from_clip(self, setup: Setup, letters: Mapping[str, float]) -> Array:
         return rounded(inverse("clip_from_view", rationals(self.clip_from_view)))
-
-    def corners_world(self, setup: Setup) -> Array:
-        cube = [(x, y, z, 1.0) for z in setup.depth_range for x, y in CUBE_FACE]
-        corners = np.array(cube) @ rounded(setup.eye_from_clip).T
-        finite = corners[:, 3] != 0.0
-        corners[finite] /= corners[finite, 3:]
-        corners[finite, :3] += setup.camera.eye
-        return read_only(corners)
 
     def frustum_sign(self, setup: Setup) -> int:
         try:

@@ -11,8 +11,8 @@ from app.model.lenses.lens import LensTable
 from app.model.lenses.perspective import pyramid_tables
 from app.model.lenses.setup import Window
 from app.model.lenses.window import Windowed
-from app.model.limits import AT_LEAST, AT_MOST, SMALLEST_FIELD, SMALLEST_OPENING, Keep
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value
+from app.model.limits import SMALLEST_FIELD, SMALLEST_OPENING, Keep, within
+from app.model.refusal import QT_TRANSLATE_NOOP
 
 SHEAR = """
     1  0  (r + l)/(2*n)  0
@@ -87,9 +87,7 @@ class Frustum(Central, Windowed):
         limit = self.near / SMALLEST_FIELD
         sides = {"left": left, "right": right, "bottom": bottom, "top": top}
         for name, side in sides.items():
-            if abs(side) > limit:
-                bound, signed = (AT_MOST, limit) if side > 0.0 else (AT_LEAST, -limit)
-                raise Refusal(name, side, bound, format_value(signed))
+            within(name, side, -limit, limit)
 
     @property
     def table(self) -> LensTable:

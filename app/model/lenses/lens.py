@@ -492,10 +492,6 @@ class Lens:
         """The inverse of its matrix; see `Projection.view_from_clip`."""
         raise NotImplementedError
 
-    def corners_world(self, setup: Setup) -> Array:
-        """The cube's eight corners un-projected; see `Projection.frustum_corners_world`."""
-        raise NotImplementedError
-
     def frustum_sign(self, setup: Setup) -> int:
         """The sign of w at the view volume's corners; see `Projection.frustum_sign`."""
         return 1

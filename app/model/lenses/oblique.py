@@ -19,16 +19,15 @@ from app.model.lenses.setup import Window
 from app.model.lenses.solving import same, shortest
 from app.model.lenses.window import Windowed
 from app.model.limits import (
-    AT_LEAST,
-    AT_MOST,
     LARGEST_SHEAR,
     SMALLEST_WINDOW,
     between,
     cos_sin_deg,
     finite,
     keep_checked,
+    within,
 )
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value
+from app.model.refusal import QT_TRANSLATE_NOOP
 
 SHEAR = """
     1  0  cot(alpha)  n*cot(alpha)
@@ -115,10 +114,7 @@ class Oblique(Parallel, Windowed):
         for name in ("alpha_deg", "beta_deg"):
             angle_deg = between(name, getattr(self, name), 0, 180)
             least = math.degrees(1.0 / LARGEST_SHEAR)
-            if not least <= angle_deg <= 180.0 - least:
-                bound, limit = (AT_LEAST, least) if angle_deg < 90.0 else (AT_MOST, 180.0 - least)
-                raise Refusal(name, angle_deg, bound, format_value(limit))
-            keep_checked(self, **{name: angle_deg})
+            keep_checked(self, **{name: within(name, angle_deg, least, 180.0 - least)})
 
     @property
     def least_window(self) -> float:
@@ -191,10 +187,6 @@ def oblique_angles(receding: float, receding_deg: float) -> tuple[float, float]:
     receding_deg : float
         Direction in the picture in which things recede, in degrees from the right, anticlockwise.
 
-    Returns
-    -------
-    alpha_deg, beta_deg : float
-
     Raises
     ------
     Refusal
@@ -205,11 +197,7 @@ def oblique_angles(receding: float, receding_deg: float) -> tuple[float, float]:
     A unit into the picture moves a point by ``(-cot(alpha), -cot(beta))`` (lecture 002, H).
     """
     receding, receding_deg = finite("receding", receding), finite("receding_deg", receding_deg)
-    for wrong, bound, limit in (
-        (receding < 0.0, AT_LEAST, 0), (receding > LARGEST_SHEAR, AT_MOST, int(LARGEST_SHEAR)),
-    ):  # fmt: skip
-        if wrong:
-            raise Refusal("receding", receding, bound, limit)
+    within("receding", receding, 0, int(LARGEST_SHEAR))
     cos, sin = cos_sin_deg(receding_deg)
     return (
         math.degrees(math.atan2(1.0, -receding * cos)),

@@ -9,6 +9,7 @@ linear in 1/w as well.
 from __future__ import annotations
 
 import math
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -34,7 +35,8 @@ from app.scenes.phenomena.illustration import (
     of_parallel,
     point,
 )
-from app.scenes.shapes import Coloured, ground_grid, joined, letter_f, letter_f_edges
+from app.scenes.phenomena.picture import image_from_ndc
+from app.scenes.shapes import letter_f_edges, letter_f_on_grid
 
 _STEPS = np.linspace(0.0, 1.0, 65)
 _EDGE_STEPS = np.linspace(0.0, 1.0, 9)
@@ -189,12 +191,6 @@ def deviation(projection: Projection, part: Inside) -> Deviation:
     return Deviation(percent, distance, root_end / (root_start + root_end), root_start * root_end)
 
 
-def _geometry() -> tuple[Coloured, Coloured]:
-    faces, rgb = letter_f()
-    grid = ground_grid((-4.0, -4.0), (4.0, 4.0), (1.0, 1.0), 0.0)
-    return (faces, rgb), joined(grid, letter_f_edges())
-
-
 def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhibit:
     ends = np.array([point(settings, "start"), point(settings, "end")])
     world = Marks(
@@ -267,8 +263,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
 
 def _in_picture(projection: Projection, ndc: Array) -> Marks:
     """Segments of the cube over the picture, where x' and y' are straight either way."""
-    width, height = projection.image_size
-    pixels = (ndc[..., :2] * (1.0, -1.0) + 1.0) * (width / 2.0, height / 2.0)
+    pixels = image_from_ndc(projection, ndc)
     return Marks(tuple(Line(pair, "accent", 2.5) for pair in pixels))
 
 
@@ -310,9 +305,8 @@ def _readings(
 
 
 _START = Projection(
-    Camera((3.2, 3.4, 5.0), (-0.2, 2.3, 0.0), (0.0, 1.0, 0.0)),
+    Camera((3.2, 3.4, 5.0), (-0.2, 2.3, 0.0)),
     Perspective(fov_y_deg=60.0, near=1.0, far=14.0),
-    (1280, 720),
 )
 
 PHENOMENON = Phenomenon(
@@ -326,7 +320,7 @@ PHENOMENON = Phenomenon(
     ),
     lectures=("000", "002"),
     start=_START,
-    geometry=_geometry,
+    geometry=partial(letter_f_on_grid, (-4.0, -4.0), (4.0, 4.0)),
     show=_show,
     settings=(
         Setting(
@@ -334,18 +328,12 @@ PHENOMENON = Phenomenon(
             QT_TRANSLATE_NOOP("phenomena", "End P"),
             QT_TRANSLATE_NOOP("phenomena", "One end of the segment, in world coordinates"),
             (3.0, 2.9, 4.0),
-            low=-1e100,
-            high=1e100,
-            span=(-12.0, 12.0),
         ),
         Setting(
             "end",
             QT_TRANSLATE_NOOP("phenomena", "End Q"),
             QT_TRANSLATE_NOOP("phenomena", "Its other end, in world coordinates"),
             (-9.0, 3.5, -2.5),
-            low=-1e100,
-            high=1e100,
-            span=(-12.0, 12.0),
         ),
     ),
     controls=("lens.near", "lens.far"),

@@ -37,6 +37,7 @@ from app.scenes.phenomena.illustration import (
     Text,
     number,
 )
+from app.scenes.phenomena.picture import outline
 from app.scenes.phenomena.sampling import seen_distances
 from app.scenes.shapes import Coloured, flat, ground_grid
 
@@ -73,8 +74,6 @@ _SAMPLES, _STRIDE = 1597, 987
 """A Fibonacci lattice: as many rows and columns as places, since stripes are rows or columns."""
 _LATTICE = (np.arange(_SAMPLES)[:, None] * (1, _STRIDE) % _SAMPLES + 0.5) / _SAMPLES
 _TICKS = 32  # of all codes, evenly spread
-RANGES = ("standard", "reversed", "infinite", "logarithmic")
-"""Of depth, the choices there are."""
 _MAPPINGS = {"standard": "opengl", "infinite": "opengl"}
 
 
@@ -205,7 +204,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
     if subject.mesh is None:
         moved = _CORNERS + matrix[:3, 3]
         marks = Marks(
-            lines=(Line(moved[[0, 1, 2, 3, 0]], _BEHIND, 2.0),),
+            lines=(Line(outline(moved), _BEHIND, 2.0),),
             texts=(Text("1", _CORNERS[0], _FRONT), Text("2", moved[1], _BEHIND)),
         )
     buffer = buffer_of(projection, settings)
@@ -304,9 +303,8 @@ PHENOMENON = Phenomenon(
     ),
     lectures=("000", "001"),
     start=Projection(
-        Camera((3.0, 7.0, 15.0), (0.0, 1.5, -8.0), (0.0, 1.0, 0.0)),
+        Camera((3.0, 7.0, 15.0), (0.0, 1.5, -8.0)),
         Perspective(fov_y_deg=45.0, near=0.01, far=200.0),
-        (1280, 720),
     ),
     geometry=_geometry,
     show=_show,
@@ -351,7 +349,6 @@ PHENOMENON = Phenomenon(
         ),
     ),
     controls=("lens.near", "camera.eye"),
-    copies=1,
     requires=frozenset({"depth"}),
     own_mesh=True,
 )

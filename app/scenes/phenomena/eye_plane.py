@@ -12,6 +12,7 @@ Near and far are left out of all three pictures: they take away more, and cure n
 from __future__ import annotations
 
 import math
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -41,9 +42,9 @@ from app.scenes.phenomena.illustration import (
     of_parallel,
     point,
 )
-from app.scenes.shapes import Coloured, ground_grid, joined, letter_f, letter_f_edges
+from app.scenes.phenomena.picture import SIDES, image_from_ndc, outline
+from app.scenes.shapes import letter_f_edges, letter_f_on_grid
 
-_SIDES = ("left", "right", "bottom", "top")
 _THROUGH_EYE = 1e-14  # sine of the angle between the ends' rays below which they are one ray
 _RADIUS = 0.93  # of the arc of the naive divide, inside the circle of radius 1
 _STEPS = np.linspace(0.0, 1.0, 65)
@@ -55,8 +56,8 @@ CASES = (
     QT_TRANSLATE_NOOP("phenomena", "3: only A behind it"),
     QT_TRANSLATE_NOOP("phenomena", "4: only B behind it"),
 )
-"""Lecture 004's four cases, in the order of `app.model.clipping.EYE_CASES`; its cut is before
-the eye."""
+"""Lecture 004's four cases, as `app.model.clipping.EyeCut` counts them; its cut is before the
+eye."""
 
 _PARALLEL = QT_TRANSLATE_NOOP(
     "phenomena",
@@ -136,7 +137,7 @@ def pictures(projection: Projection, view: Array, clip: Array) -> Pictures:
     flat[..., 2] = 1.0  # of the depth nothing is asked; any one will do that is not 0 at the eye
     nothing = ~(np.abs(flat) <= LARGEST_CLIP).all(axis=(2, 3))
     flat[nothing] = (2.0, 0.0, 1.0, 1.0)  # beyond the right plane
-    found = clip_segments(flat[..., 0, :], flat[..., 1, :], planes=_SIDES)
+    found = clip_segments(flat[..., 0, :], flat[..., 1, :], planes=SIDES)
     with np.errstate(invalid="ignore", divide="ignore"):
         ndc = found.points_clip[..., :2] / found.points_clip[..., 3:]
     # A segment that points at the eye ends there without an image; what is seen is one point.
@@ -147,8 +148,7 @@ def pictures(projection: Projection, view: Array, clip: Array) -> Pictures:
         x, y, w = rays[:, np.argmax(clip[row, :, 3]), row]
         ndc[1:, row] = (x / w, y / w) if w > 0.0 and max(abs(x), abs(y)) <= w else math.nan
     ndc[~np.isfinite(ndc).all(axis=(2, 3))] = np.nan
-    width, height = projection.image_size
-    drawn = np.stack([(ndc[..., 0] + 1.0) * (width / 2), (1.0 - ndc[..., 1]) * (height / 2)], -1)
+    drawn = image_from_ndc(projection, ndc)
     span = drawn[:, :, 1] - drawn[:, :, 0]
     lengths = np.nan_to_num(np.hypot(span[..., 0], span[..., 1]))
     in_front = (clip[..., 3] > 0.0).all(axis=1)
@@ -247,12 +247,6 @@ def circle_angles(projection: Projection, clip: Array) -> tuple[float, float] | 
     if abs(end - start) > math.pi:  # the segment's own arc is the shorter one
         end += math.copysign(2.0 * math.pi, start - end)
     return 2.0 * start, 2.0 * end
-
-
-def _geometry() -> tuple[Coloured, Coloured]:
-    faces, rgb = letter_f()
-    grid = ground_grid((-4.0, -6.0), (4.0, 6.0), (1.0, 1.0), 0.0)
-    return (faces, rgb), joined(grid, letter_f_edges())
 
 
 def _curve(segments: Array, colour: str, label: str = "", width: float = 1.0) -> Curve:
@@ -408,7 +402,7 @@ def _world_marks(
     u, v, _ = projection.camera.frame
     reach = 0.4 * float(np.linalg.norm(np.subtract(subject.upper, subject.lower)))
     corners = eye + reach * np.array([-u - v, u - v, u + v, v - u])
-    lines = [Line(np.vstack([corners, corners[:1]]), "eye", 1.2)]
+    lines = [Line(outline(corners), "eye", 1.2)]
     dots = [Dot(eye, "eye"), Dot(a, "accent", 1.2), Dot(b, "accent", 1.2)]
     start, end = depths.tolist()
     pieces = [(a, b, start > 0.0)]
@@ -459,9 +453,8 @@ def _image_marks(drawn: Pictures) -> Marks:
 
 
 _START = Projection(
-    Camera((0.8, 2.4, 1.2), (-1.2, 2.4, 0.2), (0.0, 1.0, 0.0)),
+    Camera((0.8, 2.4, 1.2), (-1.2, 2.4, 0.2)),
     Perspective(fov_y_deg=75.0, near=0.05, far=30.0),
-    (1280, 720),
 )
 
 PHENOMENON = Phenomenon(
@@ -476,7 +469,7 @@ PHENOMENON = Phenomenon(
     ),
     lectures=("001", "004"),
     start=_START,
-    geometry=_geometry,
+    geometry=partial(letter_f_on_grid, (-4.0, -6.0), (4.0, 6.0)),
     show=_show,
     settings=(
         Setting(
@@ -484,18 +477,12 @@ PHENOMENON = Phenomenon(
             QT_TRANSLATE_NOOP("phenomena", "Start A"),
             QT_TRANSLATE_NOOP("phenomena", "Where the segment starts, in world coordinates"),
             (-2.5, 1.5, 0.0),
-            low=-1e100,
-            high=1e100,
-            span=(-8.0, 8.0),
         ),
         Setting(
             "end",
             QT_TRANSLATE_NOOP("phenomena", "End B"),
             QT_TRANSLATE_NOOP("phenomena", "Where it ends; behind the eye its image is mirrored"),
             (2.5, 1.8, 2.5),
-            low=-1e100,
-            high=1e100,
-            span=(-8.0, 8.0),
         ),
     ),
     controls=("camera.eye",),

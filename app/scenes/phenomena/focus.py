@@ -41,6 +41,7 @@ from app.scenes.phenomena.illustration import (
     number,
     of_parallel,
 )
+from app.scenes.phenomena.picture import outline, section
 from app.scenes.shapes import (
     EDGE_RGB,
     SIDE_RGB,
@@ -229,16 +230,6 @@ def _target_reading(
 def _planes(projection: Projection, focus: float, sharp: Sharpness, subject: Subject) -> Marks:
     """Near limit, focus and far limit, each where it crosses the frustum."""
     near, far = projection.lens.near, projection.lens.far
-    eye, frame = np.array(projection.camera.eye), projection.camera.frame
-    left, right, bottom, top = projection.window
-    window = np.array([(left, bottom), (right, bottom), (right, top), (left, top)])
-    window /= near
-
-    def section(distance: float) -> Array:
-        view = np.column_stack([window * distance, np.full(4, -distance)])
-        corners: Array = eye + view @ frame
-        return corners
-
     faces, lines, texts = [], [], []
     for name, distance, colour, opacity in (
         (SHARP_FROM, sharp.near, "v", 0.12),
@@ -246,16 +237,16 @@ def _planes(projection: Projection, focus: float, sharp: Sharpness, subject: Sub
         (SHARP_TO, sharp.far, "v", 0.12),
     ):
         if near <= distance <= far and distance < math.inf:
-            corners = section(distance)
+            corners = section(projection, distance)
             faces.append(Face(corners, colour, opacity))
-            lines.append(Line(np.vstack([corners, corners[:1]]), colour, 1.5))
+            lines.append(Line(outline(corners), colour, 1.5))
             texts.append(Text(name, corners[2 if colour == "accent" else 3], colour))
     # The frustum's edges, thick where what is between them is sharp.
     size = float(np.linalg.norm(np.subtract(subject.upper, subject.lower)))
     low, high = max(near, sharp.near), min(far, sharp.far, 4.0 * (focus + size))
     if low < high:
-        lines += [Line(np.array(pair), "v", 2.5) for pair in zip(section(low), section(high),
-                                                                strict=True)]  # fmt: skip
+        lines += [Line(np.array(pair), "v", 2.5) for pair in zip(
+            section(projection, low), section(projection, high), strict=True)]  # fmt: skip
     return Marks(tuple(lines), tuple(faces), (), tuple(texts))
 
 
@@ -287,9 +278,8 @@ def _diagram(f_mm: float, n: float, focus: float, c_mm: float, sharp: Sharpness)
 
 
 _START = Projection(
-    Camera((0.0, 1.3, 0.0), (0.0, 1.0, -5.0), (0.0, 1.0, 0.0)),
+    Camera((0.0, 1.3, 0.0), (0.0, 1.0, -5.0)),
     Perspective(fov_y_deg=28.0, near=0.5, far=30.0),
-    (1280, 720),
 )
 
 PHENOMENON = Phenomenon(

@@ -23,9 +23,9 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from app.model.depth import DepthBuffer
-from app.model.limits import finite, finite_vector
-from app.model.projection import AT_LEAST, AT_MOST, FINITE_NUMBER, ONE_OF, Array, Projection
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value
+from app.model.limits import finite, finite_vector, within
+from app.model.projection import ONE_OF, Array, Projection
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes.shapes import Coloured, Vector
 
 Value: TypeAlias = float | bool | str | Vector
@@ -83,7 +83,7 @@ class Setting:
         For the control; translatable.
     default : float, bool, str or tuple of 3 floats
     low, high : float
-        Bounds of a number, included, or of each coordinate.
+        Bounds of a number, included.
     span : (float, float), optional
         What the slider covers, within the bounds; all of them if not given.
     unit : str
@@ -134,12 +134,8 @@ class Setting:
                 raise Refusal(self.path, value, ONE_OF, ", ".join(known))
             return str(value)
         if isinstance(self.default, tuple):
-            point = finite_vector(self.path, value)
-            for part in point:
-                self._check_bounds(part, point)
-            return point
-        number = finite(self.path, value)
-        self._check_bounds(number, number)
+            return finite_vector(self.path, value)
+        number = within(self.path, finite(self.path, value), self.low, self.high)
         if self.whole and not number.is_integer():
             raise Refusal(self.path, number, WHOLE)
         return number
@@ -161,12 +157,6 @@ class Setting:
         if math.isclose(value, chosen, rel_tol=CLOSE, abs_tol=slack):
             return chosen
         return float(f"{value:.12g}")
-
-    def _check_bounds(self, part: float, value: object) -> None:
-        if part < self.low:
-            raise Refusal(self.path, value, AT_LEAST, format_value(self.low))
-        if part > self.high:
-            raise Refusal(self.path, value, AT_MOST, format_value(self.high))
 
 
 # --------------------------------------------------------------------------- what is shown
@@ -208,7 +198,7 @@ class Line:
 
 @dataclass(frozen=True, eq=False)
 class Face:
-    """A flat convex polygon, seen from both sides; `points` is (k, 3), or (k, 2) in pixels."""
+    """A flat convex polygon, translucent, seen from both sides; (k, 3), or (k, 2) in pixels."""
 
     points: Array
     colour: str = "accent"
@@ -269,7 +259,7 @@ class Marks:
 
 @dataclass(frozen=True, eq=False)
 class Copy:
-    """The scene once more, under a further 4x4.
+    """The scene's faces once more, under a further 4x4.
 
     Attributes
     ----------
@@ -278,16 +268,11 @@ class Copy:
     panes : tuple of {"world", "ndc", "image"}
     colour : str
         Of all faces; empty for their own.
-    opacity : float
-    lines : bool
-        Whether the scene's lines, its ground grid among them, are copied too.
     """
 
     world_from_world: Array
     panes: tuple[str, ...] = ("world",)
     colour: str = ""
-    opacity: float = 1.0
-    lines: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -470,7 +455,6 @@ class Exhibit:
     readings : tuple of Reading
     world, ndc, image : Marks
     copies : tuple of Copy
-        Always as many as `Phenomenon.copies`.
     diagrams : tuple of Diagram
     rendering : Rendering, optional
     warning : Phrase, optional
@@ -580,8 +564,6 @@ class Phenomenon:
         those in `settings`; None, or no number, where it is no value's outcome.
     check : callable
         Raises a `Refusal` for settings that do not go together.
-    copies : int
-        How many `Copy` every exhibit has.
     requires : frozenset of str
         What drawings build for this scene beyond faces, lines and marks.
     own_mesh : bool
@@ -604,7 +586,6 @@ class Phenomenon:
     follow: Callable[[Projection, Found, Settings], Projection] = _keep
     found: Callable[[Projection, Settings], Found] = _nothing
     check: Callable[[Settings], None] = _any
-    copies: int = 0
     requires: frozenset[str] = frozenset()
     own_mesh: bool = False
     own_mesh_crosses: bool = False
@@ -617,9 +598,7 @@ class Phenomenon:
     def exhibit(self, projection: Projection, settings: Settings, subject: Subject) -> Exhibit:
         """What is shown; of a free matrix, that has no lens to show it with, only that."""
         if is_free(projection):
-            hidden = Copy(np.zeros((4, 4)), panes=())
-            copies = (hidden,) * self.copies
-            return Exhibit((), copies=copies, warning=Phrase(_FREE), idle=True)
+            return Exhibit((), warning=Phrase(_FREE), idle=True)
         return self.show(projection, settings, subject)
 
     def at_hand(self, projection: Projection, settings: Settings) -> Found:
@@ -716,33 +695,3 @@ def point(settings: Settings, name: str) -> Vector:
     if not isinstance(value, tuple):
         raise TypeError(name)
     return value
-
-
-__all__ = [
-    "FINITE_NUMBER",
-    "Copy",
-    "Curve",
-    "Diagram",
-    "Dot",
-    "Exhibit",
-    "Face",
-    "Fog",
-    "Found",
-    "Level",
-    "Line",
-    "Marks",
-    "OwnMesh",
-    "Phenomenon",
-    "Phrase",
-    "Reading",
-    "Rendering",
-    "Setting",
-    "Settings",
-    "Subject",
-    "Text",
-    "Texture",
-    "Value",
-    "figure",
-    "number",
-    "point",
-]  # fmt: skip

@@ -278,9 +278,8 @@ PHENOMENON = Phenomenon(
     ),
     lectures=("002", "003"),
     start=Projection(
-        Camera((1.5, 4.0, 10.0), (0.0, 0.0, 0.5), (0.0, 1.0, 0.0)),
+        Camera((1.5, 4.0, 10.0), (0.0, 0.0, 0.5)),
         Perspective(fov_y_deg=50.0, near=1.0, far=40.0),
-        (1280, 720),
     ),
     geometry=_geometry,
     show=_show,

@@ -31,7 +31,7 @@ from app.scenes.phenomena.illustration import (
     number,
     of_parallel,
 )
-from app.scenes.phenomena.picture import world_from_view
+from app.scenes.phenomena.picture import outline, section
 from app.scenes.shapes import SIDE_RGB, Coloured, box_faces, edges_of, ground_grid, joined, letter_f
 
 _ONE_SCREEN = QT_TRANSLATE_NOOP("phenomena", "there is only one screen, and so no join")
@@ -221,31 +221,22 @@ def _join_readings(
     ]
 
 
-def _rectangle(screen: Projection, w: float) -> Array:
-    """World corners of a screen's window at a distance from the eye plane, (4, 3)."""
-    left, right, bottom, top = screen.lens.window_at(screen.window, w)
-    corners = [(left, bottom), (right, bottom), (right, top), (left, top)]
-    return world_from_view(screen, [(x, y, -w) for x, y in corners])
-
-
 def _world_marks(screens: tuple[Projection, ...], names: tuple[str, ...]) -> Marks:
     """The window in the plane through the target, and the frusta from the eye to its screens."""
     lines: list[Line] = []
     faces, texts = [], []
     for screen, name, colour in zip(screens, names, ("u", "n"), strict=False):
-        corners = _rectangle(screen, screen.camera.distance)
-        closed = np.vstack([corners, corners[:1]])
+        corners = section(screen, screen.camera.distance)
+        closed = outline(corners)
         faces.append(Face(corners, colour, 0.16))
         lines.append(Line(closed, colour, 2.5))
-        starts = _rectangle(screen, screen.lens.near)
+        starts = section(screen, screen.lens.near)
         if screen.lens.central:
             starts = np.broadcast_to(np.array(screen.camera.eye), (4, 3))
         lines += [Line(np.array(ends), colour, 1.2) for ends in zip(starts, corners, strict=True)]
         texts.append(Text(name, (corners[2] + corners[3]) / 2.0, colour))
     if len(screens) == 2:
-        lines.append(
-            Line(_rectangle(screens[1], screens[1].camera.distance)[[0, 3]], "accent", 3.0)
-        )
+        lines.append(Line(section(screens[1], screens[1].camera.distance)[[0, 3]], "accent", 3.0))
     return Marks(tuple(lines), tuple(faces), texts=tuple(texts))
 
 
@@ -256,7 +247,7 @@ def _ndc_marks(projection: Projection, screens: tuple[Projection, ...]) -> Marks
     x = 2.0 * screens[0].image_size[0] / projection.image_size[0] - 1.0
     z_near, z_far = projection.depth_range
     corners = np.array([(x, -1.0, z_near), (x, 1.0, z_near), (x, 1.0, z_far), (x, -1.0, z_far)])
-    edge = Line(np.vstack([corners, corners[:1]]), "accent", 2.0)
+    edge = Line(outline(corners), "accent", 2.0)
     return Marks(
         (edge,), (Face(corners, "accent", 0.2),), texts=(Text(_JOIN, corners[1], "accent"),)
     )

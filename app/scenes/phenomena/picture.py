@@ -46,13 +46,28 @@ def world_from_view(projection: Projection, points_view: ArrayLike) -> Array:
     return points
 
 
+def section(projection: Projection, distance: float) -> Array:
+    """Where a plane at a distance from the eye cuts the frustum, in the world, (4, 3)."""
+    left, right, bottom, top = projection.lens.window_at(projection.window, distance)
+    corners = [(left, bottom), (right, bottom), (right, top), (left, top)]
+    return world_from_view(projection, [(x, y, -distance) for x, y in corners])
+
+
+def outline(corners: Array) -> Array:
+    """A polygon's corners (k, ...), and the first of them once more."""
+    return np.concatenate([corners, corners[:1]])
+
+
+def image_from_ndc(projection: Projection, points_ndc: Array) -> Array:
+    """Pixels (..., 2) of points (..., 2 or 3) of NDC."""
+    width, height = projection.image_size
+    x, y = points_ndc[..., 0], points_ndc[..., 1]
+    return np.stack([(x + 1.0) * (width / 2.0), (1.0 - y) * (height / 2.0)], axis=-1)
+
+
 def image_from_clip(projection: Projection, points_clip: Array) -> Array:
     """Pixels (..., 2) of clip points (..., 4) with w > 0."""
-    width, height = projection.image_size
-    ndc = points_clip[..., :2] / points_clip[..., 3:]
-    return np.stack(
-        [(ndc[..., 0] + 1.0) * (width / 2.0), (1.0 - ndc[..., 1]) * (height / 2.0)], axis=-1
-    )
+    return image_from_ndc(projection, points_clip[..., :2] / points_clip[..., 3:])
 
 
 def cut_in_picture(

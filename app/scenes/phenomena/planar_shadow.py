@@ -16,11 +16,13 @@ camera's own w is below 0 too, the product of both is above: such points are bey
 
 from __future__ import annotations
 
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 
-from app.model.projection import NOT_ZERO, Array, Camera, Perspective, Projection
+from app.model.limits import NOT_ZERO
+from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value
 from app.scenes.phenomena.illustration import (
     Copy,
@@ -41,8 +43,8 @@ from app.scenes.phenomena.illustration import (
     number,
     point,
 )
-from app.scenes.phenomena.picture import seen
-from app.scenes.shapes import Coloured, edges_of, ground_grid, joined, letter_f
+from app.scenes.phenomena.picture import outline, seen
+from app.scenes.shapes import letter_f_on_grid
 
 ABOVE_THE_PLANE = QT_TRANSLATE_NOOP(
     "Refusal",
@@ -74,7 +76,6 @@ _LAMP = QT_TRANSLATE_NOOP("phenomena", "light")
 _SUN = QT_TRANSLATE_NOOP("phenomena", "sun")
 
 _PANES = ("world", "ndc", "image")
-_NOTHING = Copy(np.zeros((4, 4)), panes=())
 _TRUSTED = 1e30  # how far away a mark may be
 
 
@@ -159,13 +160,6 @@ def _check(settings: Settings) -> None:
         raise Refusal("settings.light", light, ABOVE_THE_PLANE, format_value(height))
 
 
-def _geometry() -> tuple[Coloured, Coloured]:
-    faces, rgb = letter_f()
-    return (faces, rgb), joined(
-        ground_grid((-8.0, -8.0), (8.0, 8.0), (1.0, 1.0), 0.0), edges_of(faces)
-    )
-
-
 def _scaled(matrix: Array) -> Array:
     """The same projective map, with numbers that the GPU's float32 holds."""
     scaled: Array = matrix / np.abs(matrix).max()
@@ -177,9 +171,9 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
     matrix = shadow_matrix(light, height)
     shadows = cast(matrix, subject.points)
     too_high = int(np.count_nonzero(shadows.w <= 0.0))
-    copies = [Copy(_scaled(matrix), _PANES, "muted"), _NOTHING]
+    copies = [Copy(_scaled(matrix), _PANES, "muted")]
     if too_high and not settings["clip"]:
-        copies[1] = Copy(_scaled(-matrix), _PANES, "u")
+        copies.append(Copy(_scaled(-matrix), _PANES, "u"))
     # The vertex followed: the highest of those with a shadow, and among these the farthest one.
     lit = np.flatnonzero(shadows.w > 0.0)
     chosen = None
@@ -307,7 +301,7 @@ def _marks(
             for x, z in ((-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0))
         ]
     )
-    lines = [Line(np.vstack([corners, corners[:1]]), "muted")]
+    lines = [Line(outline(corners), "muted")]
     dots: list[Dot] = []
     texts = [Text(f"y = {figure(height, 4)}", corners[3], "")]
     sun = light[3] == 0.0
@@ -348,9 +342,8 @@ def _marks(
 
 
 _START = Projection(
-    Camera((6.0, 7.5, 12.0), (1.9, 1.7, -0.6), (0.0, 1.0, 0.0)),
+    Camera((6.0, 7.5, 12.0), (1.9, 1.7, -0.6)),
     Perspective(fov_y_deg=32.0, near=4.0, far=24.0),
-    (1280, 720),
 )
 
 PHENOMENON = Phenomenon(
@@ -365,7 +358,7 @@ PHENOMENON = Phenomenon(
     ),
     lectures=("002",),
     start=_START,
-    geometry=_geometry,
+    geometry=partial(letter_f_on_grid, (-8.0, -8.0), (8.0, 8.0)),
     show=_show,
     settings=(
         Setting(
@@ -386,9 +379,6 @@ PHENOMENON = Phenomenon(
                 "Where the lamp is, in world coordinates; of the sun, the direction to it",
             ),
             (-4.0, 9.0, 3.0),
-            low=-1e100,
-            high=1e100,
-            span=(-12.0, 12.0),
         ),
         Setting(
             "height",
@@ -414,6 +404,5 @@ PHENOMENON = Phenomenon(
     ),
     controls=("camera.eye",),
     check=_check,
-    copies=2,
     own_mesh=True,
 )

@@ -20,7 +20,8 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from app.model.projection import ABOVE, LARGEST, Array, Camera, Perspective, Projection
+from app.model.limits import ABOVE
+from app.model.projection import LARGEST, Array, Camera, Perspective, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes.phenomena.illustration import (
     Curve,
@@ -330,9 +331,8 @@ PHENOMENON = Phenomenon(
     ),
     lectures=("001",),
     start=Projection(
-        Camera((0.5, 2.2, _START_Z), (0.0, 2.0, -40.0), (0.0, 1.0, 0.0)),
+        Camera((0.5, 2.2, _START_Z), (0.0, 2.0, -40.0)),
         Perspective(fov_y_deg=45.0, near=1.0, far=100.0),
-        (1280, 720),
     ),
     geometry=_geometry,
     show=_show,

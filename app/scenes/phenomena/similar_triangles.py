@@ -9,6 +9,7 @@ coordinates change their signs.
 from __future__ import annotations
 
 import math
+from functools import partial
 
 import numpy as np
 
@@ -34,8 +35,8 @@ from app.scenes.phenomena.illustration import (
     of_parallel,
     point,
 )
-from app.scenes.phenomena.picture import seen
-from app.scenes.shapes import Coloured, edges_of, ground_grid, joined, letter_f
+from app.scenes.phenomena.picture import outline, section, seen, world_from_view
+from app.scenes.shapes import letter_f_on_grid
 
 NOT_THE_EYE_PLANE = QT_TRANSLATE_NOOP(
     "Refusal", "must not be 0: the plane would go through the eye, where nothing is cut"
@@ -49,13 +50,6 @@ _PARALLEL = QT_TRANSLATE_NOOP(
 )
 
 _SLAB = 4e-3  # of the plane's distance: thickness of the picture on it
-
-
-def _geometry() -> tuple[Coloured, Coloured]:
-    faces, rgb = letter_f()
-    return (faces, rgb), joined(
-        ground_grid((-4.0, -2.0), (4.0, 10.0), (1.0, 1.0), 0.0), edges_of(faces)
-    )
 
 
 def _check(settings: Settings) -> None:
@@ -115,23 +109,16 @@ def onto_plane(projection: Projection, distance: float, slab: float = 0.0) -> Ar
 def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhibit:
     distance = number(settings, "distance")
     place = np.array(point(settings, "point"))
-    camera, lens = projection.camera, projection.lens
+    camera = projection.camera
     if (parallel := of_parallel(projection, _PARALLEL)) is not None:
-        return Exhibit((), copies=(Copy(np.zeros((4, 4)), panes=()),), warning=parallel)
-    eye, frame = np.array(camera.eye), camera.frame
+        return Exhibit((), warning=parallel)
+    eye = np.array(camera.eye)
 
     def world(x: float, y: float, z: float) -> Array:
-        there: Array = eye + np.array([x, y, z]) @ frame
-        return there
+        return world_from_view(projection, (x, y, z))
 
-    left, right, bottom, top = (side * distance / lens.near for side in projection.window)
-    plane = np.array(
-        [
-            world(x, y, -distance)
-            for x, y in ((left, bottom), (right, bottom), (right, top), (left, top))
-        ]
-    )
-    lines = [Line(plane[[0, 1, 2, 3, 0]], "v", 1.6)]
+    plane = section(projection, distance)
+    lines = [Line(outline(plane), "v", 1.6)]
     faces = [Face(plane, "v", 0.14)]
     texts = [Text(f"d = {figure(distance, 4)}", plane[2], "v")]
     dots, nearest = [], math.inf
@@ -205,9 +192,8 @@ def _marked(where: Array) -> Marks:
 
 
 _START = Projection(
-    Camera((5.5, 3.6, 9.5), (0.3, 2.4, 0.0), (0.0, 1.0, 0.0)),
+    Camera((5.5, 3.6, 9.5), (0.3, 2.4, 0.0)),
     Perspective(fov_y_deg=40.0, near=1.0, far=14.0),
-    (1280, 720),
 )
 
 PHENOMENON = Phenomenon(
@@ -222,7 +208,7 @@ PHENOMENON = Phenomenon(
     ),
     lectures=("000", "001", "002", "004"),
     start=_START,
-    geometry=_geometry,
+    geometry=partial(letter_f_on_grid, (-4.0, -2.0), (4.0, 10.0)),
     show=_show,
     settings=(
         Setting(
@@ -241,12 +227,9 @@ PHENOMENON = Phenomenon(
             QT_TRANSLATE_NOOP("phenomena", "Point P"),
             QT_TRANSLATE_NOOP("phenomena", "The point whose projector is followed"),
             (1.5, 5.0, 0.5),
-            low=-1e100,
-            high=1e100,
         ),
     ),
     controls=("camera.eye", "lens.fov_y_deg"),
     check=_check,
-    copies=1,
     own_mesh=True,
 )

@@ -32,7 +32,7 @@ from app.scenes.phenomena.illustration import (
     Text,
     of_parallel,
 )
-from app.scenes.phenomena.picture import seen_texts, world_from_view
+from app.scenes.phenomena.picture import image_from_ndc, seen_texts, world_from_view
 from app.scenes.shapes import Coloured, box_faces, edges_of, flat, ground_grid, joined
 
 _INFINITE = QT_TRANSLATE_NOOP("phenomena", "far is infinite, and so is the volume")
@@ -172,8 +172,7 @@ def _cone_marks(projection: Projection) -> tuple[Marks, Marks, Marks]:
         Line(np.array([ends[0][i], ends[1][i]]), "accent", 1.0)
         for i in range(0, _SIDES, _SIDES // 8)
     ]
-    width, height = projection.image_size
-    ellipse = (1.0 + outline * (1.0, -1.0)) * (width / 2.0, height / 2.0)
+    ellipse = image_from_ndc(projection, outline)
     return (
         Marks(tuple(lines), tuple(faces)),
         Marks(tuple(ndc_lines)),
