@@ -167,8 +167,10 @@ class Scene:
     def corners(self) -> Array:
         """World coordinates of the corners of a box round all that is drawn, (8, 3)."""
         bounds = [m.bounds for m in (self.surface, self.lines) if m is not None]
-        low = np.min([b[::2] for b in bounds], axis=0)
-        high = np.max([b[1::2] for b in bounds], axis=0)
+        low, high = np.subtract((self.lower, self.upper), self.origin)  # where nothing is drawn
+        if bounds:
+            low = np.min([b[::2] for b in bounds], axis=0)
+            high = np.max([b[1::2] for b in bounds], axis=0)
         which = np.array([[i >> axis & 1 for axis in range(3)] for i in range(8)], dtype=bool)
         corners: Array = np.where(which, high, low) + self.origin
         return corners

@@ -650,13 +650,13 @@ raise LookupError("lost")
 
 BROKEN = """
 from app.drawings.image import ImageDrawing
-from app.drawings.ndc import NdcDrawing
+from app.drawings.stage import StageDrawing
 from app.drawings.world import WorldDrawing
 
 def broken(*arguments):
     raise LookupError("no drawing")
 
-for drawing in (ImageDrawing, NdcDrawing, WorldDrawing):
+for drawing in (ImageDrawing, StageDrawing, WorldDrawing):
     drawing.show_projection = broken
 """
 

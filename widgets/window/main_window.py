@@ -42,8 +42,8 @@ from app.document.document import Document, set_values
 from app.document.store import Store
 from app.drawings import WORDS
 from app.drawings.image import ImageDrawing
-from app.drawings.ndc import NdcDrawing
 from app.drawings.probes import sort_ahead
+from app.drawings.stage import StageDrawing
 from app.drawings.world import WorldDrawing
 from app.model.projection import Camera, Projection
 from app.model.refusal import Refusal
@@ -83,7 +83,7 @@ from widgets.window.status_line import StatusLine
 
 DRAWINGS: dict[str, Callable[..., Any]] = {
     "world": partial(WorldDrawing, live=True),
-    "ndc": NdcDrawing,
+    "ndc": StageDrawing,
     "image": ImageDrawing,
 }
 
