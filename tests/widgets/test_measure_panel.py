@@ -658,14 +658,14 @@ def test_the_window_says_what_the_panes_are_drawn_with(
     make_window: Callable[..., MainWindow],
 ) -> None:
     window = make_window()
-    assert window._in_use()["rung"] == "float32"
-    assert window._in_use()["depth_mapping"] == "opengl"
+    assert window.quality.in_use()["rung"] == "float32"
+    assert window.quality.in_use()["depth_mapping"] == "opengl"
     projection = window.store.document.projection
     window.store.set_projection(
         replace(projection, depth="reversed", lens=Perspective(1e-6, 1.0, 30.0))
     )
-    assert window._in_use()["rung"] == "float64"
-    assert window._in_use()["depth_mapping"] == "reversed"
+    assert window.quality.in_use()["rung"] == "float64"
+    assert window.quality.in_use()["depth_mapping"] == "reversed"
 
 
 def run_until_it_goes(panel: MeasurePanel, qtbot: QtBot) -> int:
@@ -716,15 +716,15 @@ def test_the_cost_of_a_step_is_shown_for_every_pane_that_is_seen(
     projection = window.store.document.projection
     window.store.set_projection(replace(projection, lens=Perspective(30.0, 1.0, 30.0)))
     settle(window)
-    assert [spy.count() for spy in spies] == [0, 0, 0] and window._costs == {}
+    assert [spy.count() for spy in spies] == [0, 0, 0] and window.cost.costs == {}
     window.menus.show_cost.trigger()
     assert window.status.cost.isVisible()
     with qtbot.waitSignals([each.timed for each in window.panes.values()]):
         window.store.set_projection(replace(projection, lens=Perspective(40.0, 1.0, 30.0)))
     tip = window.status.cost.toolTip()
     assert all(title in tip for title in ("model", "World", "NDC cube", "Image"))
-    assert all(ms[0] > 0.0 and ms[1] > 0.0 for ms in window._costs.values())
-    assert window._model_ms > 0.0
+    assert all(ms[0] > 0.0 and ms[1] > 0.0 for ms in window.cost.costs.values())
+    assert window.cost.model_ms > 0.0
     pane.hide()
     with qtbot.waitSignal(window.panes["world"].timed):
         window.store.set_projection(replace(projection, lens=Perspective(50.0, 1.0, 30.0)))

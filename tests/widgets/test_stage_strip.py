@@ -432,7 +432,7 @@ def test_what_is_said_of_a_stage_is_whole_in_a_small_window_and_moves_nothing(
 ) -> None:
     window = make_window()
     window.resize(1366, 768)
-    window.set_projector(projector)
+    window.look.set_projector(projector)
     start, words, heights = window.store.document.projection, window.strip.words, set()
     for lens in (*LENSES, replace(LENSES[0], near=0.00123, far=30.0)):
         window.store.set_projection(replace(start, lens=lens))
@@ -493,14 +493,14 @@ def test_a_hidden_pane_takes_the_stage_when_it_appears(
 
 def test_a_new_drawing_stands_where_the_strip_is(make_window: Callable[..., MainWindow]) -> None:
     window = make_window()
-    window.set_theme("light")
+    window.look.set_theme("light")
     window.strip.go_to(5.0)
     settle()
     light = window.panes["ndc"].canvas.grabFramebuffer()
-    window.set_theme("dark")
+    window.look.set_theme("dark")
     settle()
     assert window.panes["ndc"].canvas.grabFramebuffer() != light
-    window.set_theme("light")
+    window.look.set_theme("light")
     settle()
     assert window.panes["ndc"].canvas.grabFramebuffer() == light
 
@@ -512,7 +512,9 @@ def test_an_exported_figure_shows_ndc(make_window: Callable[..., MainWindow]) ->
     before = render(scene, projection, ("ndc",), (200, 150))
     window.strip.go_to(0.0)
     assert np.array_equal(render(scene, projection, ("ndc",), (200, 150)), before)
-    assert window._views_now() == {}  # the strip's own framing is nobody's turn of the view
+    assert (
+        window.look.with_views(window.store.document).views == {}
+    )  # the strip's own framing is nobody's turn of the view
 
 
 def test_play_runs_to_the_picture_resting_at_each_stop(
@@ -566,7 +568,7 @@ def test_near_and_far_are_written_in_the_pane_all_the_way(
 ) -> None:
     window = make_window()
     window.resize(*size)
-    window.set_projector(projector)
+    window.look.set_projector(projector)
     start, cut = window.store.document.projection, []
     for near, far in ((5.0, 20.0), (12.0, 14.0), (1.0, math.inf)):
         window.store.set_projection(replace(start, lens=Perspective(45.0, near, far)))

@@ -77,6 +77,7 @@ class ProbePanel(Panel):
         Those that are marked in the panes, in the order of the table.
     """
 
+    concerns = PROJECTION
     changed = Signal()
     """There are other probes now."""
 
@@ -322,20 +323,14 @@ class ProbePanel(Panel):
             self._readable.changed()
 
     def take(self, shown: Shown, changed: Changed) -> None:
-        if changed & PROJECTION:
-            self.show_projection(shown.projection)
+        self._projection = shown.projection
+        self._readable.changed()
 
     def begin_gesture(self) -> None:
         self._readable.begin_gesture()
 
     def end_gesture(self) -> None:
         self._readable.end_gesture()
-
-    def show_projection(self, projection: Projection) -> None:
-        """Show the numbers under the model's new value."""
-        if projection != self._projection:
-            self._projection = projection
-            self._readable.changed()
 
     def show_attention(self, attended: Attention) -> None:
         """Mark the words that are about what is attended to."""

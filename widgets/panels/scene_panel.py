@@ -118,6 +118,7 @@ class ScenePanel(Panel):
         Of the settings that can be played, by their names.
     """
 
+    concerns = frozenset({"exhibit", "settings"})
     settings_edited = Signal(object)
     """The user chose, or a player reached, these settings: a dict of values by name."""
     mesh_wanted = Signal()
@@ -273,8 +274,7 @@ class ScenePanel(Panel):
         self._show_diagrams(())
 
     def take(self, shown: Shown, changed: Changed) -> None:
-        if changed & {"exhibit", "settings"}:
-            self.show_exhibit(shown.exhibit, shown.document.settings, shown.projection)
+        self.show_exhibit(shown.exhibit, shown.document.settings, shown.projection)
 
     def begin_gesture(self) -> None:
         self._readable.begin_gesture()
