@@ -177,7 +177,8 @@ class StageDrawing:
         else:
             self._model.show_local()
             self._space.set_projective(self._morph.display_from_local(position))
-        self._place_probes()
+        if self._probes.probes:
+            self._place_probes()
 
     @property
     def _seen(self) -> Projection:
@@ -256,7 +257,7 @@ class StageDrawing:
 
     def _place_probes(self) -> None:
         marks: Sequence[Mark] = ()
-        if self._probes.probes and self._display_from_ndc.any():
+        if self._display_from_ndc.any():
             marks = self._probes.in_ndc(self._seen, self._display_from_ndc, self.sight)
         self._probes.show(marks, self._canvas.window.GetSize())
 

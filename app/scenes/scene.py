@@ -137,7 +137,7 @@ class Scene:
     phenomenon: Phenomenon | None = None
     own_mesh: bool = False
 
-    @property
+    @cached_property
     def requires(self) -> frozenset[str]:
         """What drawings build for this scene beyond faces, lines and marks."""
         return frozenset() if self.phenomenon is None else self.phenomenon.requires
@@ -153,12 +153,12 @@ class Scene:
             mesh = _own_mesh(self.surface, self.origin, "depth" in self.requires)
         return Subject(self.lower, self.upper, sample, mesh)
 
-    @property
+    @cached_property
     def size(self) -> float:
         """Diagonal of the objects' bounds in world units, greater than 0."""
         return math.dist(self.lower, self.upper)
 
-    @property
+    @cached_property
     def centre(self) -> Vector:
         """World point in the middle of the objects' bounds."""
         return _centre(self.lower, self.upper)
