@@ -26,13 +26,13 @@ import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkPlane
 
 from app.drawings.actors import Canvas, Space, lift_lines
+from app.drawings.frustum import CUBE
 from app.drawings.labels import Layout
 from app.drawings.marks import MarksDrawing, Placing
 from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at, volume_edges
 from app.drawings.precision import ModelActors, least_tolerance
 from app.drawings.probes import Mark, Probes
 from app.drawings.rasterising import Rasteriser
-from app.drawings.stage_box import CORNERS as BOX_CORNERS
 from app.drawings.stage_box import StageBox
 from app.drawings.stage_view import StageView
 from app.drawings.style import Style
@@ -325,7 +325,7 @@ class StageDrawing:
         found = self._emphasis.label_at(x_px, y_px)
         if not found:
             pane = self.own.pane_from_display
-            corners = _spots(BOX_CORNERS, pane @ self.box.display_from_box)
+            corners = _spots(CUBE, pane @ self.box.display_from_box)
             points = [(frozenset((name,)), at) for name, at in zip(CORNERS, corners, strict=True)]
             segments: list[Segment] = volume_edges(corners)
             # Along the volume the axes are its edges.

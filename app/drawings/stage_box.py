@@ -14,7 +14,6 @@ import pyvista as pv
 from vtkmodules.vtkRenderingCore import vtkActor
 
 from app.drawings.actors import (
-    CUBE_CORNERS,
     Canvas,
     Label,
     Space,
@@ -24,6 +23,7 @@ from app.drawings.actors import (
     put_behind,
     unlit_actor,
 )
+from app.drawings.frustum import CUBE
 from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE, Emphasis
 from app.drawings.stage_view import OVERSHOOT
 from app.drawings.style import rgb
@@ -38,9 +38,6 @@ from app.lecture.stages import (
     Morph,
 )
 from app.model.projection import Array
-
-CORNERS = CUBE_CORNERS * (1.0, 1.0, -0.5) + (0.0, 0.0, 0.5)
-"""Of the box, in the order of `highlight.CORNERS`: z is 1 at near and 0 at far, as in `Morph`."""
 
 _TINT = 0.16
 _TRIAD = 0.35  # length of the axes at the world and view stops
@@ -82,15 +79,15 @@ class StageBox:
         width = style.line_width
         between = [(i + 4, i) for i in NEAR_FACE]
         ends = {"far": FAR_FACE, "near": NEAR_FACE}
-        edges = line_actor(CORNERS, between, style.frustum, width)
+        edges = line_actor(CUBE, between, style.frustum, width)
         self._outlines = {
-            name: line_actor(CORNERS, [(*face, face[0])], getattr(style, name), 1.7 * width)
+            name: line_actor(CUBE, [(*face, face[0])], getattr(style, name), 1.7 * width)
             for name, face in ends.items()
         }
-        middles = np.array([CORNERS[list(FACES[side])].mean(axis=0) for side in (*SIDES, *ends)])
+        middles = np.array([CUBE[list(FACES[side])].mean(axis=0) for side in (*SIDES, *ends)])
         self._cross = line_actor(middles, [(3, 1), (0, 2), (4, 5)], style.muted, 0.7 * width)
         faces = [
-            face_actor(CORNERS, [face], getattr(style, name), _TINT) for name, face in ends.items()
+            face_actor(CUBE, [face], getattr(style, name), _TINT) for name, face in ends.items()
         ]
         lines = (edges, *self._outlines.values())
         for actor in (*lines, self._cross, *faces):
@@ -146,7 +143,7 @@ class StageBox:
     def make_emphasis(self, emphasis: Emphasis) -> None:
         """Let faces, edges, corners, axes and words stand out while they are attended to."""
         style = self._canvas.style
-        for face in emphasis.volume(self._space, CORNERS, 6.0 * style.line_width, style):
+        for face in emphasis.volume(self._space, CUBE, 6.0 * style.line_width, style):
             put_behind(face)
         for name, line in self._outlines.items():
             emphasis.line(line, name)

@@ -25,9 +25,10 @@ from app.measure import arithmetic, chart, depth, interpolation, smoothing
 from app.measure import results as kept
 from app.measure.meaning import meaning
 from app.measure.results import Choice, Results, Trade, from_json, table, to_csv, to_json
-from app.model.projection import Camera, Perspective
+from app.model.projection import Camera, Perspective, Projection
 from app.scenes.scene import load
 from tests.measure.test_chart import RESULTS, TRADE
+from tests.support.shown import show
 from widgets.panels import measuring
 from widgets.panels.measure_panel import MeasurePanel
 from widgets.panels.measuring import Measuring
@@ -313,7 +314,7 @@ def test_the_choice_in_use_is_marked_and_follows(panel: MeasurePanel, tmp_path: 
 
     assert marked() == ["good"]
     panel._current = lambda: {"rung": "bad"}
-    panel.show_current()
+    show(panel, Projection())
     assert marked() == ["bad"]
 
 
@@ -535,7 +536,7 @@ def test_grey_is_in_the_table_what_it_is_in_the_chart(panel: MeasurePanel, tmp_p
     other = replace(TRADE, choices=tuple(reversed(TRADE.choices)))
     panel.measured = {"arithmetic": replace(RESULTS, trades=(TRADE,), sweeps=())}
     panel.loaded = {"arithmetic": replace(RESULTS, trades=(other,), sweeps=())}
-    panel.show_current()
+    show(panel, Projection())
     (diagram,) = chart.diagrams(TRADE)
     faded = {spot.key for spot in diagram.spots if spot.faded}
     assert faded and len(faded) < len(diagram.spots)
