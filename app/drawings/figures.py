@@ -28,7 +28,7 @@ from vtkmodules.vtkRenderingCore import vtkTextActor
 from app.document.document import embed, write_bytes_atomically
 from app.drawings import WORDS
 from app.drawings.image import ImageDrawing
-from app.drawings.ndc import NdcDrawing
+from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT, Style
 from app.drawings.world import WorldDrawing
 from app.model.projection import LARGEST_IMAGE_PX, Camera, Projection
@@ -50,9 +50,9 @@ PANE_PX = 640
 SMALLEST_PANE_PX = 32
 """Smallest side of a pane with labels."""
 
-_DRAWINGS: dict[str, type[WorldDrawing] | type[NdcDrawing] | type[ImageDrawing]] = {
+_DRAWINGS: dict[str, type[WorldDrawing] | type[StageDrawing] | type[ImageDrawing]] = {
     "world": WorldDrawing,
-    "ndc": NdcDrawing,
+    "ndc": StageDrawing,
     "image": ImageDrawing,
 }
 _LARGEST_DRAWN_PX = 8192  # side of what is averaged; every driver can draw it

@@ -21,7 +21,7 @@ from app.drawings.labels import Layout
 from app.drawings.marks import MarksDrawing, Placing, spread_over
 from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at
 from app.drawings.precision import ModelActors, least_tolerance
-from app.drawings.probes import Mark, Probes
+from app.drawings.probes import Probes
 from app.drawings.rasterising import RASTERISED, Rasteriser
 from app.drawings.style import Style, rgb
 from app.lecture.highlight import SIDES, Attention, corner_at
@@ -97,6 +97,9 @@ class ImageDrawing:
         self._rasteriser: Rasteriser | None = None
         self._rendering = Rendering()
         self._quality = quality
+        self._rasterised = scene.requires & RASTERISED
+        if quality.has_depth:
+            self._rasterised |= {"depth"}
         self.refused_depth: Refusal | None = None
         """Why the picture does not have the depth buffer that was chosen, if it has not."""
         self._own_camera = self._canvas.renderer.GetActiveCamera()
@@ -153,7 +156,8 @@ class ImageDrawing:
         self._surface_space.set_projective(clip_from_vertex)
         self._line_space.set_projective(lifted(clip_from_vertex, seen, self._scene))
         self._show_exhibit(exhibit)
-        self._place_probes()
+        if self._probes.probes:
+            self._place_probes()
 
     def show_detail(self, fewer: Scene | None) -> None:
         """Take a scene's fewer triangles, or all for None; then show a projection."""
@@ -212,9 +216,7 @@ class ImageDrawing:
         return None if self._rasteriser is None else self._rasteriser.problem
 
     def _rasterise(self) -> None:
-        model, requires = self._model, self._scene.requires & RASTERISED
-        if self._quality.has_depth:
-            requires |= {"depth"}
+        model, requires = self._model, self._rasterised
         if not requires or model.surface is None:
             return
         if self._rasteriser is None:
@@ -288,10 +290,8 @@ class ImageDrawing:
         return np.diag([rectangle.width / width, rectangle.height / height, 1.0])
 
     def _place_probes(self) -> None:
-        marks: Sequence[Mark] = ()
         rectangle = self.picture_rectangle_px
-        if self._probes.probes:
-            marks = self._probes.in_image(self._projection, self._scaled(rectangle))
+        marks = self._probes.in_image(self._projection, self._scaled(rectangle))
         self._probes.show(marks, (rectangle.width, rectangle.height))
 
     def reset_view(self) -> None:

@@ -369,7 +369,8 @@ class WorldDrawing:
         near = self.own.fit_range(np.concatenate(drawn), *depths[1:])
         self.camera.come_before(pane, depths, near)
         self._place_handles()
-        self._place_probes()
+        if self._probes.probes:
+            self._place_probes()
 
     # -- a phenomenon, probes, handles
 
@@ -431,12 +432,9 @@ class WorldDrawing:
         return self.own.sight
 
     def _place_probes(self) -> None:
-        if self._probes.probes:
-            drawn, sight = self.planes_drawn, self.sight
-            marks = self._probes.in_world(self._projection, self._origin, drawn, sight)
-            self._probes.show(marks, self.own.pane.size_px)
-        else:
-            self._probes.show((), self.own.pane.size_px)
+        drawn, sight = self.planes_drawn, self.sight
+        marks = self._probes.in_world(self._projection, self._origin, drawn, sight)
+        self._probes.show(marks, self.own.pane.size_px)
 
     @property
     def planes_drawn(self) -> tuple[float, float]:

@@ -215,7 +215,27 @@ class Morph:
         depth = -float(self._view_from_local[2] @ [*middle, 1.0])
         return min(max(depth, lens.near), lens.far)
 
-    # -- the scene at a position
+    # -- what is shown at a position
+
+    def stop_at(self, position: float) -> int:
+        """The stop whose axes, letters and limits belong to a position: the nearest one."""
+        return int(position + 0.5)
+
+    def axes_at(self, position: float) -> tuple[Array, Array]:
+        """The origin and the axes of world space, or nearer to the view stop of view space.
+
+        Returns
+        -------
+        origin : (3,) array
+            In display space.
+        axes : (3, 3) array
+            Unit vectors there, one a row.
+        """
+        camera, matrix = self.projection.camera, self.display_from_local(position)
+        origin, axes = camera.eye, camera.frame.T
+        if self.stop_at(position) == WORLD:
+            origin, axes = (0.0, 0.0, 0.0), np.eye(3)
+        return _euclidean(matrix @ [*(np.array(origin) - self.origin), 1.0]), _units(matrix, axes)
 
     def display_from_local(self, position: float) -> Array:
         """The scene's matrix at a position of the strip, (4, 4), for points from `origin`.
@@ -282,8 +302,12 @@ class Morph:
         return (1.0 - part) * self._box_at(stop) + part * self._box_at(stop + 1)
 
     def _box_at(self, stop: int) -> Array:
+        """A stop's box with the factor of `_even`."""
         if stop not in self._boxes:
-            self._boxes[stop] = self._box_stop(stop)
+            box, lens = self._box_stop(stop), self._lens
+            if stop > CANONICAL_PERSPECTIVE:
+                box = box * float(lens.w(lens.near) / lens.w(self._middle_depth))
+            self._boxes[stop] = box
         return self._boxes[stop]
 
     @cached_property
@@ -296,7 +320,6 @@ class Morph:
         return matrix
 
     def _box_stop(self, stop: int) -> Array:
-        """With the same factor at every stop, that of `_even`."""
         if stop == VIEW:
             matrix: Array = self.display_from_stage(VIEW) @ self._view_from_box
             return matrix
@@ -312,8 +335,7 @@ class Morph:
             across, up, half = width / max(width, height), height / max(width, height), _FLAT / 2.0
         box = np.diag([across, up, 2.0 * half, 1.0])
         box[2, 3] = -half
-        lens = self._lens
-        return box * float(lens.w(lens.near) / lens.w(self._middle_depth))
+        return box
 
     def planes_display(self, position: float) -> Array:
         """The six planes behind which nothing of the scene is drawn, in display space, (6, 4).
@@ -453,6 +475,18 @@ class FreeMorph(Morph):
     def has_volume(self, position: float) -> bool:
         return self._local_from_box is not None or self._jumped(position) >= NDC
 
+    def stop_at(self, position: float) -> int:
+        stop = super().stop_at(position)
+        if VIEW < stop < NDC:
+            stop = VIEW if position < (VIEW + NDC) / 2.0 else NDC
+        return stop
+
+    def axes_at(self, position: float) -> tuple[Array, Array]:
+        if self.stop_at(position) == WORLD:
+            return super().axes_at(position)
+        # Of view space itself: its matrix need not be the camera's.
+        return _euclidean(self.display_from_stage(VIEW)[:, 3]), np.eye(3)
+
     def _jumped(self, position: float) -> float:
         if self._local_from_box is None and VIEW < position < NDC:
             return float(VIEW if position < (VIEW + NDC) / 2.0 else NDC)
@@ -462,6 +496,25 @@ class FreeMorph(Morph):
         # A mirror image is flat for a moment on its way, and has no inverse then.
         flat = abs(float(np.linalg.det(box))) < 1e-290
         return np.asarray(np.linalg.inv(box + 1e-9 * np.eye(4) if flat else box), np.float64)
+
+
+def morph_of(projection: Projection, origin: Vector, corners_world: Array) -> Morph:
+    """What the strip shows of a projection and a scene; parameters as of `Morph`."""
+    kind = Morph if projection.lens.has_steps else FreeMorph
+    return kind(projection, origin, corners_world)
+
+
+def _euclidean(point: Array) -> Array:
+    """A point (4,) as (3,); as it is where it is at infinity or behind."""
+    place: Array = point[:3] / (point[3] if point[3] > 0.0 else 1.0)
+    return place
+
+
+def _units(matrix: Array, axes: Array) -> Array:
+    """Columns of (3, 3) under a matrix, as rows of length 1."""
+    turned = matrix[:3, :3] @ axes
+    units: Array = (turned / np.linalg.norm(turned, axis=0)).T
+    return units
 
 
 def _ball_of(points: Array) -> tuple[Array, float]:

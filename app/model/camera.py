@@ -172,7 +172,7 @@ class Camera:
         u_length = dd.root(Fraction(u_squared))
         return u_length, u_length * n_length, n_length
 
-    @property
+    @cached_property
     def distance(self) -> float:
         """Distance from the eye to the target, in world units."""
         return math.dist(self.eye, self.target)

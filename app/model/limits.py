@@ -25,7 +25,6 @@ DEPTH_RANGES: dict[str, tuple[float, float]] = {
 }
 """NDC z of the near and of the far plane."""
 
-CUBE_FACE = ((-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0))
 """x and y of a face's corners in the NDC cube, from the left below anticlockwise."""
 
 PLANES = (

@@ -137,7 +137,7 @@ class Scene:
     phenomenon: Phenomenon | None = None
     own_mesh: bool = False
 
-    @property
+    @cached_property
     def requires(self) -> frozenset[str]:
         """What drawings build for this scene beyond faces, lines and marks."""
         return frozenset() if self.phenomenon is None else self.phenomenon.requires
@@ -153,12 +153,12 @@ class Scene:
             mesh = _own_mesh(self.surface, self.origin, "depth" in self.requires)
         return Subject(self.lower, self.upper, sample, mesh)
 
-    @property
+    @cached_property
     def size(self) -> float:
         """Diagonal of the objects' bounds in world units, greater than 0."""
         return math.dist(self.lower, self.upper)
 
-    @property
+    @cached_property
     def centre(self) -> Vector:
         """World point in the middle of the objects' bounds."""
         return _centre(self.lower, self.upper)
@@ -167,8 +167,10 @@ class Scene:
     def corners(self) -> Array:
         """World coordinates of the corners of a box round all that is drawn, (8, 3)."""
         bounds = [m.bounds for m in (self.surface, self.lines) if m is not None]
-        low = np.min([b[::2] for b in bounds], axis=0)
-        high = np.max([b[1::2] for b in bounds], axis=0)
+        low, high = np.subtract((self.lower, self.upper), self.origin)  # where nothing is drawn
+        if bounds:
+            low = np.min([b[::2] for b in bounds], axis=0)
+            high = np.max([b[1::2] for b in bounds], axis=0)
         which = np.array([[i >> axis & 1 for axis in range(3)] for i in range(8)], dtype=bool)
         corners: Array = np.where(which, high, low) + self.origin
         return corners

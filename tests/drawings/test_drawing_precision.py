@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from app.drawings import WORDS
 from app.drawings import precision as rungs
 from app.drawings.image import ImageDrawing
-from app.drawings.ndc import NdcDrawing
+from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT
 from app.model.projection import (
     DEPTH_RANGES,
@@ -230,7 +230,7 @@ def test_the_cube_is_right_where_float32_is_not(
             for tolerance_px in (math.inf, DRAWING_TOLERANCE_PX):
                 screen = off_screen(*size)
                 scene = scene_at(points, origin)
-                drawing = NdcDrawing(screen.plotter, scene, WORDS, LIGHT, tolerance_px)
+                drawing = StageDrawing(screen.plotter, scene, WORDS, LIGHT, tolerance_px)
                 drawing.show_projection(projection)
                 camera = screen.plotter.renderer.GetActiveCamera()
                 camera.SetFocalPoint(0.0, 0.0, 0.0)
@@ -426,7 +426,7 @@ def everyday() -> list[tuple[str, Projection]]:
     ]
 
 
-@pytest.mark.parametrize("kind", [ImageDrawing, NdcDrawing])
+@pytest.mark.parametrize("kind", [ImageDrawing, StageDrawing])
 def test_an_everyday_step_does_nothing_per_vertex(
     kind: Any, off_screen: Callable[[int, int], OffScreen], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -458,7 +458,7 @@ def test_an_everyday_step_does_nothing_per_vertex(
     assert calls == ["trace", "cut"] * 2  # faces and lines
 
 
-@pytest.mark.parametrize("kind", [ImageDrawing, NdcDrawing])
+@pytest.mark.parametrize("kind", [ImageDrawing, StageDrawing])
 def test_both_rungs_draw_the_same_everyday_picture(
     kind: Any, off_screen: Callable[[int, int], OffScreen]
 ) -> None:
@@ -484,7 +484,7 @@ def test_both_rungs_draw_the_same_everyday_picture(
         assert (pictures[0] != pictures[1]).any(axis=-1).sum() <= 100, (name, projection)
 
 
-@pytest.mark.parametrize("kind", [ImageDrawing, NdcDrawing])
+@pytest.mark.parametrize("kind", [ImageDrawing, StageDrawing])
 def test_there_and_back_is_the_picture_of_a_fresh_drawing(
     kind: Any, off_screen: Callable[[int, int], OffScreen]
 ) -> None:

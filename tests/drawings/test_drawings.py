@@ -17,7 +17,7 @@ from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow, vtk
 
 from app.drawings import WORDS
 from app.drawings.image import ImageDrawing
-from app.drawings.ndc import NdcDrawing
+from app.drawings.stage import StageDrawing
 from app.drawings.style import DARK, LIGHT, Style, contrast, rgb
 from app.lecture.typed_matrix import shown, with_cell
 from app.model.projection import (
@@ -195,7 +195,7 @@ def test_a_face_has_the_same_colour_in_all_panes(
     assert scene.surface is not None
     colours = {tuple(c) for c in scene.surface.cell_data["rgb"].tolist()}
     pictures = []
-    for kind in (ImageDrawing, NdcDrawing):
+    for kind in (ImageDrawing, StageDrawing):
         screen = off_screen(500, 400)
         drawing = kind(screen.plotter, scene, WORDS, LIGHT)
         drawing.show_projection(scene.start)
@@ -248,7 +248,7 @@ def test_what_is_in_front_stays_in_front_in_every_depth_range(
         [(0, 1, 2, 3), (4, 5, 6, 7)],
         [far, near],
     )
-    for kind in (ImageDrawing, NdcDrawing):
+    for kind in (ImageDrawing, StageDrawing):
         for depth in DEPTH_RANGES:
             screen = off_screen(300, 300)
             drawing = kind(screen.plotter, scene, WORDS, LIGHT)
@@ -266,7 +266,7 @@ def test_what_is_in_front_stays_in_front_in_every_depth_range(
                 hidden_share = drawn(image, far).sum() / drawn(image, near).sum()
                 # The NDC pane looks from the side and sees some of it, the picture none, but for
                 # what an oblique lens shifts: 2 cot(80) of 2 across, 2 cot(95) of 2 up.
-                if kind is NdcDrawing:
+                if kind is StageDrawing:
                     assert hidden_share < 0.95
                 elif lens.kind == "oblique":
                     assert hidden_share == pytest.approx(1.0 - 0.8237 * 0.9125, abs=0.02)
@@ -333,7 +333,7 @@ def test_ndc_clips_the_scene_at_the_cube(off_screen: Callable[[int, int], OffScr
             Oblique(-2, 2, -2, 2, 1, 10),
         ):
             screen = off_screen(400, 400)
-            drawing = NdcDrawing(screen.plotter, scene, WORDS, LIGHT)
+            drawing = StageDrawing(screen.plotter, scene, WORDS, LIGHT)
             drawing.show_projection(Projection(Camera((0, 2, 5), (0, 0, 0)), lens, depth=depth))
             image = screen.pixels()
             z_half = (max(DEPTH_RANGES[depth]) - min(DEPTH_RANGES[depth])) / 2.0
@@ -372,7 +372,7 @@ def test_ndc_shows_the_near_face_to_the_reader_and_x_to_the_right(
     scene = without_lines(load("letter-f"))
     projection = replace(scene.start, depth=depth, image_size=(400, 400))
     front = off_screen(400, 400)
-    drawing = NdcDrawing(front.plotter, scene, WORDS, LIGHT)
+    drawing = StageDrawing(front.plotter, scene, WORDS, LIGHT)
     drawing.show_projection(projection)
     camera = front.plotter.renderer.GetActiveCamera()
     camera.SetFocalPoint(0.0, 0.0, 0.0)
@@ -400,11 +400,12 @@ def test_ndc_writes_the_ends_of_its_depth_range(
     depth: Any, off_screen: Callable[[int, int], OffScreen]
 ) -> None:
     scene = load("cube")
-    drawing = NdcDrawing(off_screen(300, 300).plotter, scene, WORDS, LIGHT)
+    screen = off_screen(300, 300)
+    drawing = StageDrawing(screen.plotter, scene, WORDS, LIGHT)
     drawing.show_projection(replace(scene.start, depth=depth))
     texts = [
         prop.GetInput().strip()
-        for prop in drawing._canvas.renderer.GetViewProps()
+        for prop in screen.plotter.renderer.GetViewProps()
         if prop.IsA("vtkTextActor")
     ]
     near, far = (f"{z:.0f}".replace("-", "−") for z in DEPTH_RANGES[depth])
@@ -419,7 +420,7 @@ def test_ndc_is_wholly_in_view_at_any_pane_size(
     """Nothing touches the pane's border, also after the pane got this size only later."""
     scene = without_lines(load("cube"))
     screen = off_screen(640, 480)
-    drawing = NdcDrawing(screen.plotter, scene, WORDS, style)
+    drawing = StageDrawing(screen.plotter, scene, WORDS, style)
     drawing.show_projection(scene.start)
     screen.pixels()
     screen.window.SetSize(*size)
@@ -536,7 +537,7 @@ def test_edges_are_not_eaten_by_faces_nor_seen_through_them(
 # --------------------------------------------------------------------------- what a step may do
 
 
-@pytest.mark.parametrize("kind", [NdcDrawing, ImageDrawing])
+@pytest.mark.parametrize("kind", [StageDrawing, ImageDrawing])
 def test_a_step_sets_matrices_and_nothing_else(
     kind: Any, off_screen: Callable[[int, int], OffScreen]
 ) -> None:
@@ -576,7 +577,7 @@ def test_a_step_sets_matrices_and_nothing_else(
     assert [m.GetMTime() for m in matrices] != times
 
 
-@pytest.mark.parametrize("kind", [NdcDrawing, ImageDrawing])
+@pytest.mark.parametrize("kind", [StageDrawing, ImageDrawing])
 def test_a_step_changes_what_is_seen(
     kind: Any, off_screen: Callable[[int, int], OffScreen]
 ) -> None:
@@ -591,7 +592,7 @@ def test_a_step_changes_what_is_seen(
     assert (screen.pixels() == first).all()
 
 
-@pytest.mark.parametrize("kind", [NdcDrawing, ImageDrawing])
+@pytest.mark.parametrize("kind", [StageDrawing, ImageDrawing])
 def test_a_removed_drawing_leaves_room_for_another(
     kind: Any, off_screen: Callable[[int, int], OffScreen]
 ) -> None:
@@ -610,7 +611,7 @@ def test_a_removed_drawing_leaves_room_for_another(
     assert (pictures[0] == pictures[1]).all()
 
 
-@pytest.mark.parametrize("kind", [NdcDrawing, ImageDrawing])
+@pytest.mark.parametrize("kind", [StageDrawing, ImageDrawing])
 @pytest.mark.parametrize("dpi", [72, 144])
 def test_words_have_their_size_whatever_dots_per_inch_the_window_claims(
     kind: Any, dpi: int, off_screen: Callable[[int, int], OffScreen]
@@ -641,7 +642,7 @@ def test_far_from_the_origin_the_picture_is_the_same(
         near_scene, origin=shift, lower=moved(near_scene.lower), upper=moved(near_scene.upper)
     )
     far_camera = Camera(moved(start.eye), moved(start.target), start.up)
-    for kind in (NdcDrawing, ImageDrawing):
+    for kind in (StageDrawing, ImageDrawing):
         pictures = []
         for scene, camera in ((near_scene, start), (far_scene, far_camera)):
             screen = off_screen(400, 300)
@@ -674,7 +675,7 @@ def test_extreme_projections_draw_without_a_word(
         Orthographic(-1e-9, 1e-9, -1e9, 1e9, -1e9, 1e9),
         Oblique(-1e-9, 1e-9, -1e9, 1e9, -1e9, 1e9, alpha_deg=1e-4, beta_deg=179.9999),
     )
-    for kind in (NdcDrawing, ImageDrawing):
+    for kind in (StageDrawing, ImageDrawing):
         screen = off_screen(120, 90)
         drawing = kind(screen.plotter, scene, WORDS, LIGHT)
         for camera in cameras:
@@ -694,7 +695,7 @@ def test_a_scene_with_nothing_in_it_is_an_empty_pane(
     drawing = ImageDrawing(screen.plotter, scene, WORDS, LIGHT, framed=False)
     drawing.show_projection(scene.start)
     assert (screen.pixels() == to_bytes(LIGHT.background)).all()
-    NdcDrawing(off_screen(200, 100).plotter, scene, WORDS, LIGHT).show_projection(scene.start)
+    StageDrawing(off_screen(200, 100).plotter, scene, WORDS, LIGHT).show_projection(scene.start)
 
 
 # --------------------------------------------------------------------------- in a window

@@ -24,7 +24,7 @@ from app.bootstrap import ROOT
 from app.document.document import Document, parse, read, to_json
 from app.drawings import WORDS
 from app.drawings.figures import PANES, png_bytes, render, write_png
-from app.drawings.ndc import NdcDrawing
+from app.drawings.stage import StageDrawing
 from app.drawings.style import DARK, LIGHT, rgb
 from app.model.projection import Camera, Perspective
 from app.model.refusal import Refusal
@@ -81,7 +81,7 @@ def test_a_figure_beside_a_live_pane_is_the_same_and_leaves_the_pane_alone(
     canvas = QtInteractor(auto_update=False, multi_samples=0)
     qtbot.addWidget(canvas, before_close_func=lambda widget: widget.close())
     canvas.resize(200, 150)
-    drawing = NdcDrawing(canvas, scene, WORDS, LIGHT)
+    drawing = StageDrawing(canvas, scene, WORDS, LIGHT)
     drawing.show_projection(scene.start)
     with qtbot.waitExposed(canvas):
         canvas.show()

@@ -15,7 +15,7 @@ from PySide6.QtWidgets import QWidget
 from app.drawings import WORDS
 from app.drawings.image import ImageDrawing
 from app.drawings.marks import DOT, MarksDrawing
-from app.drawings.ndc import NdcDrawing
+from app.drawings.stage import StageDrawing
 from app.drawings.style import DARK, LIGHT, rgb
 from app.drawings.world import WorldDrawing
 from app.lecture.stages import IMAGE, NDC, VIEW
@@ -36,7 +36,7 @@ LETTER = replace(load("letter-f"), start=START)
 # For the world pane: a camera whose frustum is nowhere near, and the pane's own close by.
 AWAY = Projection(Camera((0.0, 2.0, -60.0), (0.0, 2.0, -70.0)), Perspective(45.0, 1.0, 3.0))
 CLOSE = START.camera
-PANES: Mapping[str, Any] = {"world": WorldDrawing, "ndc": NdcDrawing, "image": ImageDrawing}
+PANES: Mapping[str, Any] = {"world": WorldDrawing, "ndc": StageDrawing, "image": ImageDrawing}
 PLACES = ((1.5, 5.0, 0.5), (-1.5, 0.0, 0.5), (0.3, 2.2, -0.5), (-2.0, 0.0, 1.5))
 
 

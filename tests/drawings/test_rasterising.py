@@ -16,8 +16,8 @@ from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow, vtk
 
 from app.drawings import WORDS, rasterising
 from app.drawings.image import ImageDrawing
-from app.drawings.ndc import NdcDrawing
 from app.drawings.rasterising import REFUSED, TOO_FINE, counted_wrong_share, subdivided
+from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT, rgb
 from app.drawings.world import WorldDrawing
 from app.model.depth import FORMATS, DepthBuffer
@@ -356,7 +356,7 @@ def test_affine_and_correct_are_the_same_where_w_is_constant(make: Any) -> None:
     assert picture.exhibit.readings[0].value == 0.0
 
 
-@pytest.mark.parametrize("kind", [WorldDrawing, NdcDrawing])
+@pytest.mark.parametrize("kind", [WorldDrawing, StageDrawing])
 def test_the_other_panes_show_the_texture_as_it_is(said: Any, kind: Any) -> None:
     plotter: Any = pv.Plotter(off_screen=True, window_size=SIZE, border=False)
     plotter.render_window.SetMultiSamples(0)

@@ -225,7 +225,7 @@ def test_a_forbidden_import_is_found(path: str, source: str, name: str) -> None:
     ("path", "source"),
     [
         ("app/model/projection.py", "from __future__ import annotations\nimport math, numpy"),
-        ("app/drawings/ndc.py", "from .actors import lifted\nfrom ..scenes.scene import Scene"),
+        ("app/drawings/stage.py", "from .actors import lifted\nfrom ..scenes.scene import Scene"),
         ("app/commands/cli.py", "def f():\n    import pyvista"),
         ("app/commands/cli.py", "if TYPE_CHECKING:\n    import PySide6"),
         ("app/commands/doctor.py", "from app import __version__, bootstrap"),

@@ -124,7 +124,7 @@ def test_a_rung_is_used_and_undone(make_window: Callable[..., MainWindow]) -> No
     window = make_window()
     before = pictures(window)
     for rung in ("float64", "float32"):
-        window._use({"rung": rung})
+        window.quality.use({"rung": rung})
         settle(window)
         assert {window.panes[name].drawing.rung for name in ("ndc", "image")} == {rung}
     window.store.undo()
@@ -141,9 +141,9 @@ def test_float32_draws_even_where_it_is_wrong(make_window: Callable[..., MainWin
     window = make_window(Document("letter-f", close))
     exact = pictures(window)["image"]
     assert window.panes["image"].drawing.rung == "float64"
-    window._use({"rung": "float32"})
+    window.quality.use({"rung": "float32"})
     assert (pictures(window)["image"] != exact).mean() > 0.002
-    window._use({"rung": "auto"})
+    window.quality.use({"rung": "auto"})
     assert (pictures(window)["image"] == exact).all()
 
 
@@ -153,10 +153,10 @@ def test_a_smoothing_is_used_in_every_pane_and_stays_while_one_drags(
     window = make_window()
     window.resize(940, 560)  # quickly drawn
     before = pictures(window)
-    window._use({"smoothing": "none"})
+    window.quality.use({"smoothing": "none"})
     rough = pictures(window)
     for name in pane.SMOOTHINGS:
-        window._use({"smoothing": name})
+        window.quality.use({"smoothing": name})
         chosen = pictures(window)
         others = {"none": before, "FXAA": rough}.get(name, rough)
         assert not any(same(chosen, others).values()), name
@@ -171,7 +171,7 @@ def test_a_smoothing_is_used_in_every_pane_and_stays_while_one_drags(
         settle(window)
         assert (pixels(window, "image") == chosen["image"]).all(), "it does not wait for the hand"
         window.store.end_gesture()
-        window._use({"smoothing": "auto", "depth_format": ""})
+        window.quality.use({"smoothing": "auto", "depth_format": ""})
         window.store.set_projection(replace(window.store.document.projection, depth="opengl"))
         assert same(pictures(window), before) == ALL_SAME, name
 
@@ -179,12 +179,12 @@ def test_a_smoothing_is_used_in_every_pane_and_stays_while_one_drags(
 def test_supersampling_averages_four_pixels(make_window: Callable[..., MainWindow]) -> None:
     """Between the two colours of a slanted edge there are three steps and no other."""
     window = make_window()
-    window._use({"smoothing": "supersampling 2 x 2"})
+    window.quality.use({"smoothing": "supersampling 2 x 2"})
     settle(window)
     part = window.panes["image"]
     rectangle = part.drawing.picture_rectangle_px
     finer = pictures(window)["image"].astype(int)
-    window._use({"smoothing": "none"})
+    window.quality.use({"smoothing": "none"})
     plain = pictures(window)["image"].astype(int)
     left, top, width, height = (side // 2 for side in rectangle)
     inside = np.s_[top + 2 : top + height - 2, left + 2 : left + width - 2]
@@ -199,7 +199,7 @@ def test_a_click_hits_the_same_vertex_at_any_scale(
     make_window: Callable[..., MainWindow], name: str
 ) -> None:
     window = make_window()
-    window._use({"smoothing": name})
+    window.quality.use({"smoothing": name})
     settle(window)
     corner = np.array(load("letter-f").upper)
     part = window.panes["image"]
@@ -218,7 +218,7 @@ def test_what_a_pane_cannot_do_is_said_and_it_stays_as_it_was(
 ) -> None:
     window = make_window()
     before = pictures(window)
-    window._use({"smoothing": "supersampling 3 x 3"})
+    window.quality.use({"smoothing": "supersampling 3 x 3"})
     assert same(pictures(window), before) == ALL_SAME
     sentence = "A pane cannot draw with supersampling 3 x 3: it smooths as ever."
     assert sentence in window.status.health.toolTip().splitlines()
@@ -239,7 +239,7 @@ def test_what_a_scene_cannot_have_is_said_and_it_stays_as_it_was(
 ) -> None:
     window = make_window(Document(scene, load(scene).start))
     before = pictures(window)
-    window._use(choice)
+    window.quality.use(choice)
     assert same(pictures(window), before) == ALL_SAME
     assert sentence in window.status.health.toolTip().splitlines()
     window.store.undo()
@@ -249,7 +249,7 @@ def test_what_a_scene_cannot_have_is_said_and_it_stays_as_it_was(
 
 def test_too_few_samples_are_told(make_window: Callable[..., MainWindow]) -> None:
     window = make_window()
-    window._use({"smoothing": "MSAA 8"})
+    window.quality.use({"smoothing": "MSAA 8"})
     settle(window)
     given = window.panes["image"].samples
     sentence = f"This computer's OpenGL gives {given} samples a pixel instead of MSAA 8."
@@ -261,7 +261,7 @@ def test_fewer_triangles_are_drawn_and_undone(
 ) -> None:
     window = make_window(Document(mesh, ball.start))
     whole = pictures(window)
-    window._use({"detail": "0.01"})
+    window.quality.use({"detail": "0.01"})
     chosen = pictures(window)
     assert not any(same(chosen, whole).values())
     window.store.undo()
@@ -277,11 +277,11 @@ def test_a_depth_buffer_is_drawn_with_in_any_scene(
     deep = replace(document.projection, lens=Perspective(45.0, 0.1, 1000.0))
     window = make_window(replace(document, projection=deep))
     before = pictures(window)
-    window._use({"depth_format": "fixed8", "depth_mapping": "direct3d"})
+    window.quality.use({"depth_format": "fixed8", "depth_mapping": "direct3d"})
     coarse = pictures(window)
     assert same(coarse, before) == {"world": True, "ndc": True, "image": False}
     wrong = (coarse["image"] != before["image"]).any(axis=-1).mean()
-    window._use({"depth_format": "float32", "depth_mapping": "reversed"})
+    window.quality.use({"depth_format": "float32", "depth_mapping": "reversed"})
     fine = (pictures(window)["image"] != before["image"]).any(axis=-1).mean()
     assert wrong > 0.005 and fine < wrong / 3.0
     window.store.undo()
@@ -290,7 +290,7 @@ def test_a_depth_buffer_is_drawn_with_in_any_scene(
     window.store.set_projection(replace(deep, lens=Perspective(45.0, 9.0, 15.0)))
     settle(window)
     near = pictures(window)["image"]
-    window._use({"depth_format": "", "depth_mapping": ""})
+    window.quality.use({"depth_format": "", "depth_mapping": ""})
     assert (pictures(window)["image"] != near).any(axis=-1).mean() < wrong / 2.0
 
 
@@ -309,7 +309,7 @@ def test_a_depth_buffer_that_a_lens_cannot_have_is_told(
     projection = replace(start, lens=lens or FreeMatrix(start.clip_from_view.tolist()))
     window = make_window(Document("letter-f", projection))
     before = pictures(window)["image"]
-    window._use({"depth_mapping": mapping})
+    window.quality.use({"depth_mapping": mapping})
     assert (pictures(window)["image"] == before).all()
     (sentence,) = (
         line
@@ -328,7 +328,7 @@ def test_a_scene_about_a_depth_buffer_keeps_its_own(
     scene = load("depth-buffer")
     window = make_window(Document("depth-buffer", scene.start))
     before = pictures(window)["image"]
-    window._use({"depth_format": "fixed8"})
+    window.quality.use({"depth_format": "fixed8"})
     assert (pictures(window)["image"] == before).all()
 
 
@@ -337,7 +337,7 @@ def test_what_is_no_quality_is_refused_and_nothing_changes(
 ) -> None:
     window = make_window()
     document = window.store.document
-    window._use({"rung": "float8"})
+    window.quality.use({"rung": "float8"})
     assert window.store.document is document
     assert window.messages.text == "quality.rung = 'float8': must be one of auto, float32, float64."
 
@@ -348,8 +348,8 @@ def test_the_status_line_shows_the_choice_and_leads_back(
     window = make_window()
     button = window.status.quality
     assert not button.isVisible()
-    window._use({"rung": "float64"})
-    window._use({"detail": "0.2"})
+    window.quality.use({"rung": "float64"})
+    window.quality.use({"detail": "0.2"})
     assert button.isVisible() and button.text() == "quality: float64, 20 %"
     button.click()
     assert window.store.document.quality == AUTOMATIC and not button.isVisible()
@@ -468,12 +468,12 @@ def test_quality_gives_way_while_one_drags_and_comes_back_whole(
         start = load(subject, mesh=mesh).start
         document = Document(subject, start, mesh=mesh, quality=Quality(rung))
     window = make_window(document)
-    window.adaptive.set_target(0.001)
+    window.look.adaptive.set_target(0.001)
     settle(window)
     window.store.begin_gesture()
     for i in range(16):
         step(window, 40.0 + i)
-    assert window.adaptive.pace.level == Level(False, 0.005)
+    assert window.look.adaptive.pace.level == Level(False, 0.005)
     dragged_pictures = pictures(window)
     (late,) = said_to_be_late(window)
     assert late.endswith("ms a frame, not 33.")
@@ -484,7 +484,7 @@ def test_quality_gives_way_while_one_drags_and_comes_back_whole(
     rested, full = pictures(window), pictures(fresh)
     assert same(rested, full) == ALL_SAME
     assert triangles(window) == triangles(fresh), "copies, too, whose pixels may be the same"
-    fresh._use({"smoothing": "none"})
+    fresh.quality.use({"smoothing": "none"})
     assert not any(same(pictures(fresh), dragged_pictures).values()), "there were fewer triangles"
 
 
@@ -499,11 +499,11 @@ def test_that_frames_are_late_is_said_while_one_drags_and_at_no_cost(
     window = make_window()
     settle(window)
     told: list[int] = []
-    window.adaptive.changed.connect(lambda: told.append(len(said_to_be_late(window))))
+    window.look.adaptive.changed.connect(lambda: told.append(len(said_to_be_late(window))))
     drawn: list[tuple[dict[str, int], dict[str, int]]] = []
     for target_ms, first in ((1000.0, 20.0), (0.001, 40.0), (0.001, 60.0)):
-        if target_ms != window.adaptive.pace.target_ms:
-            window.adaptive.set_target(target_ms)
+        if target_ms != window.look.adaptive.pace.target_ms:
+            window.look.adaptive.set_target(target_ms)
         window.store.begin_gesture()
         with counted_repaints(window) as dragging:
             step(window, first)
@@ -552,20 +552,20 @@ def test_the_first_step_of_a_drag_waits_for_no_large_mesh(
     """A software renderer starts with few triangles and takes more while it is in time."""
     monkeypatch.setattr("widgets.panes.adaptive.AT_FIRST", 3_000)
     window = make_window(Document(mesh, load(mesh).start), software_rendering=software)
-    window.adaptive.set_target(10_000.0)
+    window.look.adaptive.set_target(10_000.0)
     settle(window)
     whole = triangles(window)
     window.store.begin_gesture()
     step(window, 40.0)
-    assert (window.adaptive.pace.level.share < 1.0) == software
+    assert (window.look.adaptive.pace.level.share < 1.0) == software
     fewer = triangles(window)
     assert all((fewer[name] < whole[name]) == software for name in PANES)
     for i in range(80):
         step(window, 41.0 + 0.1 * i)
-        if window.adaptive.pace.level.share == 1.0:
+        if window.look.adaptive.pace.level.share == 1.0:
             break
     step(window, 50.0)
-    assert window.adaptive.pace.level.share == 1.0 and triangles(window) == whole
+    assert window.look.adaptive.pace.level.share == 1.0 and triangles(window) == whole
     window.store.end_gesture()
 
 
@@ -576,13 +576,13 @@ def test_a_mesh_of_middling_size_gives_way_as_well(
     path = tmp_path / "small.ply"
     pv.Sphere(theta_resolution=50, phi_resolution=50).save(path)
     window = make_window(Document(str(path), load(str(path)).start))
-    window.adaptive.set_target(0.001)
+    window.look.adaptive.set_target(0.001)
     settle(window)
     whole = triangles(window)
     window.store.begin_gesture()
     for i in range(6):
         step(window, 40.0 + i)
-    assert window.adaptive.pace.level == Level(False, 0.2)
+    assert window.look.adaptive.pace.level == Level(False, 0.2)
     fewer = triangles(window)
     assert all(fewer[name] < 0.3 * whole[name] for name in PANES), (fewer, whole)
     window.store.end_gesture()
@@ -601,7 +601,7 @@ def test_while_a_small_mesh_is_made_coarser_unseen_nothing_comes_between(
     assert len(shares) == 1
     found: list[bool] = []
     QTimer.singleShot(0, lambda: found.append(is_made(scene, shares[0])))
-    window.adaptive._make(scene, shares)
+    window.look.adaptive._make(scene, shares)
     QApplication.processEvents()
     assert found == [True]
 
@@ -611,7 +611,7 @@ def test_a_pane_that_was_hidden_meanwhile_is_whole_as_well(
 ) -> None:
     window = make_window(Document(mesh, ball.start))
     settle(window)
-    window.adaptive.set_target(0.001)
+    window.look.adaptive.set_target(0.001)
     settle(window)
     window.store.begin_gesture()
     for i in range(6):
@@ -632,7 +632,7 @@ def test_antialiasing_gives_way_first_where_it_does_not_wait_anyway(
     window.store.begin_gesture()
     step(window, 41.0)
     smooth = pixels(window, "image")
-    window.adaptive.set_target(0.001)
+    window.look.adaptive.set_target(0.001)
     step(window, 42.0)
     step(window, 41.0)
     rough = pixels(window, "image")
@@ -646,7 +646,7 @@ def test_a_drag_that_is_in_time_costs_no_repaint_more(
     make_window: Callable[..., MainWindow],
 ) -> None:
     window = make_window(software_rendering=False)
-    window.adaptive.set_target(1000.0)
+    window.look.adaptive.set_target(1000.0)
     settle(window)
     with counted_repaints(window) as counts:
         window.store.begin_gesture()
@@ -677,12 +677,12 @@ def test_levels_are_made_when_a_large_scene_is_opened_and_can_be_refused(
             QTimer.singleShot(0, cancel)
 
     QTimer.singleShot(0, cancel)
-    window.adaptive.set_target(33.0)
+    window.look.adaptive.set_target(33.0)
     qtbot.waitUntil(lambda: bool(told))
     settle(window)
     assert told == ["Making coarser versions of the scene"]
     assert not is_made(scene, 0.005)
-    window.adaptive.set_target(33.0)
+    window.look.adaptive.set_target(33.0)
     qtbot.waitUntil(lambda: is_made(scene, 0.005))
     assert all(is_made(scene, share) for share in shares_for_dragging(scene))
     assert scene.surface.n_cells > adaptive.MANY_TRIANGLES
@@ -694,7 +694,7 @@ def test_the_target_is_a_setting(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     window = make_window()
-    assert window.settings.frame_ms == 33.0 == window.adaptive.pace.target_ms
+    assert window.settings.frame_ms == 33.0 == window.look.adaptive.pace.target_ms
     asked: list[str] = []
 
     def answer(dialog: NumberDialog) -> int:
@@ -709,7 +709,7 @@ def test_the_target_is_a_setting(
     assert action.text() == "Frames of at most 33 ms while dragging…"
     action.trigger()
     assert asked == ["33"]
-    assert window.settings.frame_ms == 16.0 == window.adaptive.pace.target_ms
+    assert window.settings.frame_ms == 16.0 == window.look.adaptive.pace.target_ms
     window.status.rung.menu().aboutToShow.emit()
     texts = [action.text() for action in window.status.rung.menu().actions()]
     assert "Frames of at most 16 ms while dragging…" in texts

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import QApplication
 from app.model.projection import Camera, Projection
 from app.model.refusal import Refusal
 from app.scenes.scene import load
+from tests.support.shown import show
 from widgets.controls.animation import PERIOD_S, STEP_S, AnimationBar, Motion, camera_at
 from widgets.controls.controls import Controls
 from widgets.parts.fields import NumberRow
@@ -437,7 +438,7 @@ def test_standing_still_is_silent(bar: AnimationBar, record: Record) -> None:
 def test_the_walk_comes_out_of_the_controls(display: Any, qtbot: Any) -> None:
     controls = Controls()
     qtbot.addWidget(controls)
-    controls.show_projection(Projection(START))
+    show(controls, Projection(START))
     edits: list[Projection] = []
     gestures: list[str] = []
     controls.edited.connect(edits.append)

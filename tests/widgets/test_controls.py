@@ -6,6 +6,7 @@ import math
 import re
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import pytest
@@ -44,6 +45,7 @@ from app.model.projection import (
 from app.model.refusal import Refusal
 from app.scenes import mesh_files as meshes
 from app.scenes import scene
+from tests.support.shown import show
 from widgets.controls.controls import Controls
 from widgets.parts import messages
 from widgets.parts.fields import ChoiceRow, Linear, Log, NumberRow, parse_number, short_text
@@ -78,7 +80,7 @@ def controls(display: Any, qtbot: Any) -> Iterator[Controls]:
     qtbot.addWidget(column)
     column.resize(320, 900)
     column.set_scene(6.0, START)
-    column.show_projection(START)
+    show(column, START)
     column.show()
     qtbot.waitExposed(column)
     column.activateWindow()
@@ -148,9 +150,9 @@ def release(slider: QSlider) -> None:
 def in_mode(controls: Controls, key: str) -> None:
     """Bring the row into view: the right lens, section and camera mode."""
     if key in ("left", "right", "bottom", "top", "keep"):
-        controls.show_projection(BOX)
+        show(controls, BOX)
     if key in ("preset", "receding", "receding_deg", "alpha_deg", "beta_deg"):
-        controls.show_projection(SLANTED)
+        show(controls, SLANTED)
     if key in ("fx", "fy", "cx", "cy"):
         controls.sections["calibrated"].set_open(True)
     if key[-2:] in ("_x", "_y", "_z"):
@@ -162,7 +164,7 @@ def each(controls: Controls, keys: Iterable[str]) -> Iterator[tuple[str, Record]
     record = Record(controls)
     for key in keys:
         choice(controls, "camera_mode").choose("orbit")
-        controls.show_projection(START)
+        show(controls, START)
         in_mode(controls, key)
         record.events.clear()
         record.edits.clear()
@@ -378,7 +380,7 @@ def test_a_shown_projection_writes_each_row_and_says_nothing(controls: Controls)
     for key, record in each(controls, NUMBERS):
         _, _, shown, text = NUMBERS[key]
         row = number(controls, key)
-        controls.show_projection(shown)
+        show(controls, shown)
         assert row.field.text() == text, key
         assert not row.isHidden(), key
         if row.slider.minimum() < row.slider.value() < row.slider.maximum():
@@ -408,7 +410,7 @@ def test_a_chosen_thing_is_one_edit(controls: Controls) -> None:
 def test_a_shown_choice_says_nothing(controls: Controls) -> None:
     for key, record in each(controls, CHOICES):
         wanted, _, shown = CHOICES[key]
-        controls.show_projection(shown)
+        show(controls, shown)
         row = choice(controls, key)
         widget = row.widgets[0]
         if isinstance(widget, QComboBox):
@@ -447,10 +449,10 @@ def test_a_row_alone_keeps_the_users_value(display: Any, qtbot: Any) -> None:
 
 
 def test_an_aspect_that_is_no_preset_chooses_none(controls: Controls) -> None:
-    controls.show_projection(replace(START, image_size=(1000, 999)))
+    show(controls, replace(START, image_size=(1000, 999)))
     buttons = choice(controls, "aspect").widgets
     assert not any(b.isChecked() for b in buttons if isinstance(b, QToolButton))
-    controls.show_projection(replace(START, image_size=(999, 999)))
+    show(controls, replace(START, image_size=(999, 999)))
     assert [b.isChecked() for b in buttons if isinstance(b, QToolButton)] == [True, False, False]
 
 
@@ -462,8 +464,8 @@ def test_the_controls_show_their_own_edit_before_they_tell_of_it(controls: Contr
 
 
 def test_no_echo_when_the_owner_shows_the_edit_again(controls: Controls, record: Record) -> None:
-    controls.edited.connect(controls.show_projection)
-    controls.edited.connect(lambda edit: controls.show_projection(replace(edit)))
+    controls.edited.connect(partial(show, controls))
+    controls.edited.connect(lambda edit: show(controls, replace(edit)))
     enter(number(controls, "near"), "2")
     assert len(record.edits) == 1
 
@@ -629,7 +631,7 @@ def test_near_and_far_are_logarithmic_over_the_range_of_the_scene(controls: Cont
 
 
 def test_a_box_has_even_sliders_and_no_infinity(controls: Controls) -> None:
-    controls.show_projection(BOX)
+    show(controls, BOX)
     record = Record(controls)
     enter(number(controls, "near"), "-12")
     assert record.edits[-1].lens.near == -12.0
@@ -700,7 +702,7 @@ def test_a_refused_place_in_the_hand_is_explained_while_something_else_moves(
     row = number(controls, "near")
     press(row.slider)
     drag(row.slider, row.slider.maximum())
-    controls.show_projection(replace(controls.projection, camera=Camera((1.0, 2.0, 3.0))))
+    show(controls, replace(controls.projection, camera=Camera((1.0, 2.0, 3.0))))
     assert row.error
     release(row.slider)
 
@@ -712,9 +714,9 @@ def test_the_model_does_not_move_a_slider_in_the_users_hand(
     press(row.slider)
     drag(row.slider, 100)
     other = replace(controls.projection, lens=Perspective(51.0000000001, 1.0, 30.0))
-    controls.show_projection(other)
+    show(controls, other)
     assert (row.slider.value(), row.field.text()) == (100, "51")
-    controls.show_projection(replace(other, lens=Perspective(20.0, 1.0, 30.0)))
+    show(controls, replace(other, lens=Perspective(20.0, 1.0, 30.0)))
     assert row.slider.value() == 100
     release(row.slider)
     assert row.field.text() == "20" and row.slider.value() == row._scale.position_of(20.0)
@@ -797,15 +799,15 @@ def test_an_angle_past_a_full_turn_is_taken_as_typed(controls: Controls, record:
     enter(row, "270")
     assert row.field.text() == "270" and row.slider.value() == row.slider.maximum()
     assert record.edits[0].camera.eye[0] == pytest.approx(-math.hypot(6, 9))
-    controls.show_projection(START)
-    controls.show_projection(replace(record.edits[0], image_size=(100, 100)))
+    show(controls, START)
+    show(controls, replace(record.edits[0], image_size=(100, 100)))
     assert row.field.text() in ("270", "-90")
 
 
 def test_the_camera_of_someone_else_is_read_back(controls: Controls) -> None:
     enter(number(controls, "azimuth_deg"), "30")
     camera = Camera.from_orbit((0.0, 2.0, 0.0), Orbit(50.0, -20.0, 8.0, 10.0))
-    controls.show_projection(replace(START, camera=camera))
+    show(controls, replace(START, camera=camera))
     texts = [number(controls, name).field.text() for name in Orbit._fields]
     assert texts == ["50", "-20", "8", "10"]
 
@@ -970,7 +972,7 @@ def test_what_the_model_refuses_is_explained_at_the_row(
 
 def test_limits_are_as_short_as_the_fields_show_them(controls: Controls) -> None:
     lens = Orthographic(-8.227704165888369, 8.227696165888, -3.0, 3.0, 1.0, 30.0)
-    controls.show_projection(replace(BOX, lens=lens))
+    show(controls, replace(BOX, lens=lens))
     left, right = number(controls, "left"), number(controls, "right")
     enter(left, "9")
     assert left.error.endswith("Left = 9: must be less than right, which is 8.2277.")
@@ -979,7 +981,7 @@ def test_limits_are_as_short_as_the_fields_show_them(controls: Controls) -> None
     enter(left, "8.227699")  # which is less than 8.2277
     assert left.error.endswith("must be less than right, which is 8.227696165888.")
     camera = Camera((1 / 3, 2 / 3, 5.0), (1 / 3, 2 / 3, 0.0))
-    controls.show_projection(replace(START, camera=camera))
+    show(controls, replace(START, camera=camera))
     choice(controls, "camera_mode").choose("vectors")
     enter(number(controls, "eye_z"), "0")
     assert "Eye = (0.333333, 0.666667, 0): must differ" in number(controls, "eye_z").error
@@ -998,7 +1000,7 @@ def test_asking_for_limits_changes_nothing(controls: Controls, record: Record) -
 def test_eye_on_target_and_up_along_the_view(controls: Controls) -> None:
     choice(controls, "camera_mode").choose("vectors")
     start = replace(START, camera=Camera((0.0, 2.0, 5.0), (0.0, 2.0, 0.0)))
-    controls.show_projection(start)
+    show(controls, start)
     record = Record(controls)
     enter(number(controls, "eye_z"), "0")
     assert number(controls, "eye_z").error.endswith(
@@ -1022,7 +1024,7 @@ def test_eye_on_target_and_up_along_the_view(controls: Controls) -> None:
 def test_a_row_that_a_change_elsewhere_puts_right_forgets_its_error(controls: Controls) -> None:
     near = number(controls, "near")
     enter(near, "40")
-    controls.show_projection(replace(START, camera=Camera((1.0, 2.0, 3.0))))
+    show(controls, replace(START, camera=Camera((1.0, 2.0, 3.0))))
     assert near.error and near.field.text() == "40"  # the camera has nothing to do with it
     enter(number(controls, "far"), "50")
     assert not near.error and near.field.text() == "1"
@@ -1062,7 +1064,7 @@ def test_a_text_being_typed_survives_the_animation(controls: Controls) -> None:
     row.field.setFocus()
     row.field.selectAll()
     QTest.keyClicks(row.field, "12")
-    controls.show_projection(replace(START, camera=Camera((1.0, 2.0, 3.0))))
+    show(controls, replace(START, camera=Camera((1.0, 2.0, 3.0))))
     assert row.field.text() == "12"
     QTest.keyClick(row.field, KEY.Key_Escape)
     assert row.field.text() == short_text(row.value())
@@ -1123,7 +1125,7 @@ def test_entering_a_field_by_the_keyboard_shows_the_start_of_the_number(controls
     QTest.keyClick(row.slider, KEY.Key_Tab)
     assert row.field.selectedText() == row.field.text() == repr(LONG)
     assert row.field.cursorPosition() == 0
-    controls.show_projection(replace(START, camera=Camera((1.0, 2.0, 3.0), (0.0, 2.0, 0.0))))
+    show(controls, replace(START, camera=Camera((1.0, 2.0, 3.0), (0.0, 2.0, 0.0))))
     assert row.field.selectedText() == row.field.text() == "18.4349"  # atan(1/3)
     QTest.keyClicks(row.field, "7")
     assert row.field.text() == "7"
@@ -1246,7 +1248,7 @@ def test_a_double_click_on_the_name_resets(controls: Controls) -> None:
     camera = Camera((1.0, 2.5, 3.0), (-1.0, 0.5, -3.0), (0.5, 0.6, 0.7))
     for key, record in each(controls, NUMBERS):
         kind = controls.projection.lens.kind
-        controls.show_projection(Projection(camera, lenses[kind], (99, 88)))
+        show(controls, Projection(camera, lenses[kind], (99, 88)))
         row, read = number(controls, key), controls._bindings[key].read
         QTest.mouseDClick(row.name_label, Qt.MouseButton.LeftButton)
         assert record.events == ["start", "edit", "finish"], key
@@ -1264,7 +1266,7 @@ def test_a_reset_takes_a_refused_text_away(controls: Controls, record: Record) -
 
 
 def test_choices_are_reset_by_their_name(controls: Controls) -> None:
-    controls.show_projection(replace(BOX, depth="reversed", image_size=(5, 7)))
+    show(controls, replace(BOX, depth="reversed", image_size=(5, 7)))
     record = Record(controls)
     for key in ("depth", "aspect", "kind"):
         QTest.mouseDClick(controls.rows[key].name_label, Qt.MouseButton.LeftButton)
@@ -1284,7 +1286,7 @@ def test_another_scene_moves_the_sliders_and_says_nothing(
     far_away = replace(large, camera=Camera((1e7 + 5.0, 5.0, 1e7), (1e7, 0.0, 1e7)))
     controls.set_scene(2.0, far_away)
     choice(controls, "camera_mode").choose("vectors")
-    controls.show_projection(far_away)
+    show(controls, far_away)
     row = number(controls, "eye_x")
     assert row.slider.minimum() < row.slider.value() < row.slider.maximum()
 
@@ -1294,7 +1296,7 @@ def test_any_size_of_scene_has_sliders(controls: Controls, size: float) -> None:
     lens = Perspective(45.0, 0.1 * size, 10.0 * size)
     start = Projection(Camera((0.0, 0.0, 2.0 * size), (0.0, 0.0, 0.0)), lens)
     controls.set_scene(size, start)
-    controls.show_projection(start)
+    show(controls, start)
     record = Record(controls)
     for key in ("near", "far", "distance", "azimuth_deg"):
         row = number(controls, key)
@@ -1311,13 +1313,13 @@ def test_what_is_folded_is_shown_when_it_opens(controls: Controls, record: Recor
     section = controls.sections["lens"]
     QTest.mouseClick(section.heading, Qt.MouseButton.LeftButton)
     assert not section.is_open and not number(controls, "near").isVisible()
-    controls.show_projection(replace(START, lens=Perspective(50.0, 3.0, 40.0)))
+    show(controls, replace(START, lens=Perspective(50.0, 3.0, 40.0)))
     assert number(controls, "near").value() == 1.0  # not touched
     section.heading.setFocus()
     QTest.keyClick(section.heading, KEY.Key_Space)
     assert number(controls, "near").field.text() == "3"
     controls.sections["image"].set_open(False)
-    controls.show_projection(replace(START, image_size=(12, 34)))
+    show(controls, replace(START, image_size=(12, 34)))
     assert number(controls, "height").value() == 720.0
     controls.sections["image"].set_open(True)
     assert number(controls, "height").value() == 34.0
@@ -1345,7 +1347,7 @@ def test_sections_fold_by_the_keyboard_and_stay_so(controls: Controls, record: R
             said = "unfolded" if is_open else "folded"
             assert heading.accessibleDescription() == said and heading.hasFocus()
     # Neither another scene, lens, camera mode nor hiding the column unfolds them.
-    controls.show_projection(BOX)
+    show(controls, BOX)
     controls.set_scene(60.0, BOX)
     choice(controls, "camera_mode").choose("vectors")
     controls.hide()
@@ -1638,12 +1640,12 @@ def test_of_a_free_matrix_no_control_is_framed_until_there_is_a_lens_again(
             ],
         )
     )
-    controls.show_projection(replace(start, lens=FreeMatrix(cells)))
+    show(controls, replace(start, lens=FreeMatrix(cells)))
     assert framed(controls) == set()
     controls.bring_to_front(("camera.eye",))
     assert framed(controls) == set()
     controls.bring_to_front(("camera.up", "lens.far"))
-    controls.show_projection(start)
+    show(controls, start)
     assert framed(controls) == before
 
 
@@ -1653,7 +1655,7 @@ def test_a_frame_stays_with_its_row_in_another_lens_and_camera_mode(
     controls.bring_to_front(("camera.up", "lens.far", "image.width"))
     before = framed(controls)
     assert before == {"up_x", "up_y", "up_z", "roll_deg", "far", "width"}
-    controls.show_projection(controls.projection.with_lens("orthographic"))
+    show(controls, controls.projection.with_lens("orthographic"))
     mode: Any = controls.rows["camera_mode"]
     mode.choose("vectors")
     qapp.processEvents()
@@ -1684,12 +1686,12 @@ def test_a_refusal_stays_where_the_user_is_still_typing(
     near = number(controls, "near")
     enter(near, "5000")
     moved = replace(START, camera=Camera((9.0, 9.0, 9.0)))
-    controls.show_projection(moved)  # as an animation does
+    show(controls, moved)  # as an animation does
     assert near.error and near.field.text() == "5000"
     QTest.keyClicks(near.field, "1")
-    controls.show_projection(START)
+    show(controls, START)
     assert near.error and near.field.text() == "15000"
     number(controls, "far").field.setFocus()
     assert near.error
-    controls.show_projection(START)  # something else of the document has changed
+    show(controls, START)  # something else of the document has changed
     assert not near.error and float(near.field.text()) == START.lens.near

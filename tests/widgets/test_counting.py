@@ -104,5 +104,5 @@ def test_a_refused_shader_is_told_and_the_picture_drawn_the_ordinary_way(
 
     qtbot.waitUntil(lambda: orange() > 500)
     assert "this is no GLSL" in unheard.GetOutput()
-    window.choose_scene("similar-triangles")
+    window.guide.choose("similar-triangles")
     assert panel.warning.isHidden()

@@ -536,14 +536,14 @@ def test_a_hidden_pane_is_told_when_it_appears(
 
 def test_another_theme_keeps_the_attention(make_window: MakeWindow) -> None:
     window = opened(make_window)
-    window.set_theme("dark")
+    window.look.set_theme("dark")
     settle()
     before = pictures(window)
     hover(window, window.controls.rows["near"])
     attentive = pictures(window)
     assert changed(before, attentive) == {"world", "ndc"}
-    window.set_theme("light")
-    window.set_theme("dark")
+    window.look.set_theme("light")
+    window.look.set_theme("dark")
     settle()
     assert changed(attentive, pictures(window)) == set()
 

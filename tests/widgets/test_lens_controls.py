@@ -25,6 +25,7 @@ from app.model.projection import (
     Projection,
 )
 from tests.support.frustum import corners_world
+from tests.support.shown import show
 from tests.widgets.test_controls import (
     NONSENSE,
     Record,
@@ -53,7 +54,7 @@ def column(display: Any, qtbot: Any) -> Iterator[Controls]:
     qtbot.addWidget(controls)
     controls.resize(320, 900)
     controls.set_scene(6.0, START)
-    controls.show_projection(START)
+    show(controls, START)
     controls.sections["calibrated"].set_open(True)
     controls.show()
     qtbot.waitExposed(controls)
@@ -89,11 +90,11 @@ def test_every_slider_of_every_lens_goes_to_its_ends(
     column: Controls, kind: str, end: Qt.Key
 ) -> None:
     """The model stays valid and is what the row shows, or the row says why not."""
-    column.show_projection(SHOWN[kind])
+    show(column, SHOWN[kind])
     rows = lens_rows(column)
     assert len(rows) >= 6
     for key, row in rows.items():
-        column.show_projection(SHOWN[kind])
+        show(column, SHOWN[kind])
         record = Record(column)
         row.slider.setFocus()
         QTest.keyClick(row.slider, end)
@@ -108,7 +109,7 @@ def test_every_slider_of_every_lens_goes_to_its_ends(
 
 @pytest.mark.parametrize("kind", LENSES)
 def test_nonsense_changes_nothing_in_any_lens(column: Controls, kind: str) -> None:
-    column.show_projection(SHOWN[kind])
+    show(column, SHOWN[kind])
     record = Record(column)
     for key, row in lens_rows(column).items():
         for text in ("nan", *NONSENSE[::4]):
@@ -122,9 +123,9 @@ def test_nonsense_changes_nothing_in_any_lens(column: Controls, kind: str) -> No
 
 @pytest.mark.parametrize("kind", LENSES)
 def test_a_drag_of_any_number_of_a_lens_is_one_gesture(column: Controls, kind: str) -> None:
-    column.show_projection(SHOWN[kind])
+    show(column, SHOWN[kind])
     for key, row in lens_rows(column).items():
-        column.show_projection(SHOWN[kind])
+        show(column, SHOWN[kind])
         column.ensureWidgetVisible(row)
         record = Record(column)
         before = row.slider.value()
@@ -141,8 +142,8 @@ def test_a_drag_of_any_number_of_a_lens_is_one_gesture(column: Controls, kind: s
 def test_the_numbers_of_other_lenses_are_left_alone(column: Controls, kind: str) -> None:
     others = {k for k in LENSES if k != kind}
     for other in others:
-        column.show_projection(SHOWN[other])
-    column.show_projection(SHOWN[kind])
+        show(column, SHOWN[other])
+    show(column, SHOWN[kind])
     hidden = {key: row.value() for key, row in column.rows.items() if row.isHidden()}
     assert len(hidden) >= 6
     column.sections["calibrated"].set_open(False)
@@ -191,7 +192,7 @@ def test_lenses_follow_each_other_in_any_order_and_come_back(column: Controls) -
 def test_what_a_lens_refuses_is_explained_at_the_row(
     column: Controls, shown: Projection, key: str, text: str, expected: str
 ) -> None:
-    column.show_projection(shown)
+    show(column, shown)
     record, row = Record(column), number(column, key)
     enter(row, text)
     assert row.error == f"⚠ Not possible. {expected}"
@@ -210,7 +211,7 @@ def test_beyond_the_slider_is_taken(column: Controls) -> None:
         (OFF_AXIS, "fx", "1e7"),
         (OFF_AXIS, "cx", "-100000"),
     ):
-        column.show_projection(shown)
+        show(column, shown)
         row = number(column, key)
         enter(row, text)
         assert not row.error, (key, row.error)
@@ -245,7 +246,7 @@ def test_all_measures_of_a_field_of_view_move_together(column: Controls, key: st
 
 def test_the_half_window_sliders_follow_near(column: Controls) -> None:
     for near in (1e-3, 1.0, 250.0):
-        column.show_projection(replace(START, lens=Perspective(90.0, near, 1e6)))
+        show(column, replace(START, lens=Perspective(90.0, near, 1e6)))
         for key in ("window_right", "window_top"):
             row = number(column, key)
             assert isinstance(row._scale, Log)
@@ -257,7 +258,7 @@ def test_the_half_window_sliders_follow_near(column: Controls) -> None:
 
 @pytest.mark.parametrize("near", [1e-6, 0.01, 1.0, 25.0])
 def test_the_windows_sliders_are_in_proportion_to_it(column: Controls, near: float) -> None:
-    column.show_projection(replace(START, lens=Perspective(45.0, near, 30.0)))
+    show(column, replace(START, lens=Perspective(45.0, near, 30.0)))
     choice(column, "kind").choose("frustum")
     _, right, _, top = column.projection.window
     for key in ("left", "right", "bottom", "top"):
@@ -275,7 +276,7 @@ def test_the_windows_sliders_are_in_proportion_to_it(column: Controls, near: flo
 
 
 def test_a_window_that_shrinks_in_the_hand_gets_finer_sliders_afterwards(column: Controls) -> None:
-    column.show_projection(replace(START, lens=Frustum(-0.01, 1.0, -0.01, 0.01, 1.0, 30.0)))
+    show(column, replace(START, lens=Frustum(-0.01, 1.0, -0.01, 0.01, 1.0, 30.0)))
     row = number(column, "right")
     scale = row._scale
     press(row.slider)
@@ -288,9 +289,9 @@ def test_a_window_that_shrinks_in_the_hand_gets_finer_sliders_afterwards(column:
 
 def test_a_box_keeps_the_scenes_sliders(column: Controls) -> None:
     for shown in (BOX, SLANTED, replace(BOX, lens=Orthographic(-0.1, 0.1, -0.1, 0.1))):
-        column.show_projection(shown)
+        show(column, shown)
         assert number(column, "left")._scale.high == pytest.approx(12.0, rel=0.01)
-    column.show_projection(replace(BOX, lens=Orthographic(-40.0, 4.0)))
+    show(column, replace(BOX, lens=Orthographic(-40.0, 4.0)))
     assert number(column, "left")._scale.high == pytest.approx(80.0, rel=0.01)
     choice(column, "kind").choose("frustum")
     row = number(column, "far")
@@ -301,11 +302,11 @@ def test_a_box_keeps_the_scenes_sliders(column: Controls) -> None:
 
 @pytest.mark.parametrize("kind", ["frustum", "orthographic", "oblique"])
 def test_keep_is_the_models(column: Controls, kind: str) -> None:
-    column.show_projection(SHOWN[kind])
+    show(column, SHOWN[kind])
     for keep in ("x", "y", "stretch"):
         choice(column, "keep").choose(keep)
         assert column.projection.lens.keep == keep  # type: ignore[union-attr]
-    column.show_projection(replace(SHOWN[kind], lens=replace(SHOWN[kind].lens, keep="y")))
+    show(column, replace(SHOWN[kind], lens=replace(SHOWN[kind].lens, keep="y")))
     assert choice(column, "keep").value() == "y"
 
 
@@ -313,7 +314,7 @@ def test_keep_is_the_models(column: Controls, kind: str) -> None:
 
 
 def test_receding_and_angles_are_two_views(column: Controls) -> None:
-    column.show_projection(SLANTED)
+    show(column, SLANTED)
     assert number(column, "receding").field.text() == "0.5"
     assert number(column, "receding_deg").field.text() == "45"
     enter(number(column, "alpha_deg"), "90")
@@ -327,7 +328,7 @@ def test_receding_and_angles_are_two_views(column: Controls) -> None:
 
 
 def test_through_no_receding_at_all_the_direction_is_kept(column: Controls) -> None:
-    column.show_projection(SLANTED)
+    show(column, SLANTED)
     enter(number(column, "receding_deg"), "30")
     row = number(column, "receding")
     press(row.slider)
@@ -344,7 +345,7 @@ def test_through_no_receding_at_all_the_direction_is_kept(column: Controls) -> N
 
 @pytest.mark.parametrize("preset", OBLIQUE_PRESETS)
 def test_a_preset_is_known_by_its_angles(column: Controls, preset: str) -> None:
-    column.show_projection(SLANTED)
+    show(column, SLANTED)
     choice(column, "preset").choose(preset)
     assert combo(column, "preset").currentText().startswith(preset.split("-", 1)[0])
     name, angle = preset.split("-")
@@ -361,7 +362,7 @@ def test_a_preset_is_known_by_its_angles(column: Controls, preset: str) -> None:
 
 def test_a_free_drawing_says_so_on_the_screen(column: Controls) -> None:
     """The placeholder is painted: the picture of the box is not that of an empty one."""
-    column.show_projection(replace(SLANTED, lens=Oblique(alpha_deg=100.0)))
+    show(column, replace(SLANTED, lens=Oblique(alpha_deg=100.0)))
     box = combo(column, "preset")
     said = box.grab().toImage()
     box.setPlaceholderText("")
@@ -374,7 +375,7 @@ def test_a_free_drawing_says_so_on_the_screen(column: Controls) -> None:
 def test_another_drawing_leaves_the_target_in_its_place(
     column: Controls, key: str, text: str
 ) -> None:
-    column.show_projection(SLANTED)
+    show(column, SLANTED)
     target = SLANTED.camera.target
     before = SLANTED.trace(target).image
     if key == "preset":
@@ -387,7 +388,7 @@ def test_another_drawing_leaves_the_target_in_its_place(
 
 
 def test_the_angles_of_h_leave_the_near_plane_in_its_place(column: Controls) -> None:
-    column.show_projection(SLANTED)
+    show(column, SLANTED)
     enter(number(column, "alpha_deg"), "60")
     enter(number(column, "beta_deg"), "75")
     assert column.projection.lens == replace(SLANTED.lens, alpha_deg=60.0, beta_deg=75.0)
@@ -402,7 +403,7 @@ def test_a_calibrated_camera_is_typed_in_one_number_after_the_other(
     column: Controls, qtbot: Any
 ) -> None:
     """A camera of 640 x 480 as OpenCV's calibration samples find it."""
-    column.show_projection(replace(START, image_size=(640, 480)))
+    show(column, replace(START, image_size=(640, 480)))
     record = Record(column)
     typed = {
         "fx": 536.0734536715783,
@@ -450,7 +451,7 @@ def test_square_pixels_and_a_centred_axis_make_a_symmetric_lens(column: Controls
 def test_a_symmetric_lens_stays_so_when_k_is_written_back(column: Controls) -> None:
     """fx and fy are one number: no last digit makes them two."""
     for fov_y_deg in (30.0, 45.0, 61.3, 77.7):
-        column.show_projection(replace(START, lens=Perspective(fov_y_deg, 1.0, 30.0)))
+        show(column, replace(START, lens=Perspective(fov_y_deg, 1.0, 30.0)))
         enter(number(column, "cx"), "600")
         assert column.projection.lens.kind == "frustum"
         enter(number(column, "cx"), "639.5")
@@ -488,10 +489,10 @@ def test_the_row_in_hand_keeps_its_place_when_the_lens_becomes_another(
 def test_a_reset_goes_back_to_how_the_scene_opens_with_this_lens(
     column: Controls, kind: str
 ) -> None:
-    column.show_projection(SHOWN[kind])
+    show(column, SHOWN[kind])
     alike = START.with_lens(kind)
     for key, row in lens_rows(column).items():
-        column.show_projection(SHOWN[kind])
+        show(column, SHOWN[kind])
         QTest.mouseDClick(row.name_label, Qt.MouseButton.LeftButton)
         assert row.error == "", key
         if not row.isHidden():

@@ -335,9 +335,9 @@ def test_what_is_said_of_a_handle_goes_with_the_drawing_that_it_was_in(
     move(window, "world", point(mark(window, "eye")[1]), button=Qt.MouseButton.NoButton)
     assert hand.said and hand._line.isVisible()
     if change == "scene":
-        window.choose_scene("cube")
+        window.guide.choose("cube")
     else:
-        window.set_projector(True)
+        window.look.set_projector(True)
     assert world(window).held is None
     assert (hand.said, pane.canvas.toolTip(), hand._line.isVisible()) == ("", tip, False)
     assert pane.canvas.cursor().shape() == Qt.CursorShape.ArrowCursor
@@ -536,8 +536,8 @@ def test_marks_are_seen_in_every_style(make_window: Callable[..., MainWindow]) -
     window = opened(make_window)
     for projector in [False, True]:
         for theme in ["light", "dark"]:
-            window.set_theme(theme)
-            window.set_projector(projector)
+            window.look.set_theme(theme)
+            window.look.set_projector(projector)
             settle()
             style = DARK if theme == "dark" else LIGHT
             picture = pixels(window, "world").astype(float)
@@ -767,7 +767,7 @@ def test_a_light_that_is_dragged_under_the_plane_is_refused_over_the_pane(
 def test_a_scene_without_points_has_no_grips(make_scene: Callable[[str], MainWindow]) -> None:
     window = make_scene("planar-shadow")
     assert any(handle.name == "grip" for handle in marks(window))
-    window.choose_scene("letter-f")
+    window.guide.choose("letter-f")
     settle()
     assert not any(handle.name == "grip" for handle in marks(window))
 
@@ -789,7 +789,7 @@ def test_another_scene_under_the_hand_ends_the_drag(
         move(window, name, at + QPoint(way, 5))
     dragged = model(window)
     assert window.store.in_gesture
-    window.choose_scene("cube")
+    window.guide.choose("cube")
     start = model(window)
     for way in (60, 80):
         move(window, name, at + QPoint(way, 5))

@@ -25,6 +25,7 @@ from app.lecture.typed_matrix import with_cell
 from app.model.formula import ARROW
 from app.model.projection import Camera, FreeMatrix, Frustum, Oblique, Perspective, Projection
 from app.picking.picking import Probe
+from tests.support.shown import show
 from widgets.panels import matrix_panel
 from widgets.panels.matrix_panel import MatrixPanel
 from widgets.panels.matrix_view import MatrixView, _runs, _width, first_change, rich
@@ -40,7 +41,7 @@ OFF_AXIS = Projection(
 def panel(display: Any, qtbot: QtBot) -> MatrixPanel:
     panel = MatrixPanel()
     qtbot.addWidget(panel)
-    panel.show_projection(OFF_AXIS)
+    show(panel, OFF_AXIS)
     panel.resize(1350, 240)
     panel.show()
     qtbot.waitExposed(panel)
@@ -52,7 +53,7 @@ def moved(projection: Projection, **fields: Any) -> Projection:
 
 
 def shown_after(panel: MatrixPanel, qtbot: QtBot, projection: Projection) -> None:
-    panel.show_projection(projection)
+    show(panel, projection)
     qtbot.waitUntil(lambda: not panel._readable.pending)
 
 
@@ -88,7 +89,7 @@ def test_folded_computes_nothing(
     qtbot.addWidget(panel)
     panel.set_style(LIGHT)
     for near in (1.0, 1.25, 1.5):
-        panel.show_projection(moved(OFF_AXIS, near=near))
+        show(panel, moved(OFF_AXIS, near=near))
         display.processEvents()
     panel.set_style(DARK)
     panel.running.setChecked(True)
@@ -99,7 +100,7 @@ def test_folded_computes_nothing(
     assert not any(view.lit for view in panel.views.values())
     count = len(calls)
     panel.hide()
-    panel.show_projection(OFF_AXIS)
+    show(panel, OFF_AXIS)
     display.processEvents()
     assert len(calls) == count
 
@@ -382,7 +383,7 @@ def test_what_is_being_typed_goes_when_its_matrix_does(
     qtbot.waitUntil(field.hasFocus)
     field.selectAll()
     qtbot.keyClicks(field, "7.5")
-    window.reset()  # from the tool bar, which takes no keyboard
+    window.history.reset()  # from the tool bar, which takes no keyboard
     assert window.store.document == start
     assert all(view.field is None for view in panel.views.values())
 
@@ -852,7 +853,7 @@ def test_no_formula_is_cut(panel: MatrixPanel, letters: Letters) -> None:
     choose(panel.cells, "formulas")
     choose(panel.letters, letters)
     for lens in (OFF_AXIS.lens, OFF_AXIS.with_lens("oblique").lens):
-        panel.show_projection(replace(OFF_AXIS, lens=lens))
+        show(panel, replace(OFF_AXIS, lens=lens))
         for view in panel.views.values():
             fonts = view._fonts()
             for i, row in enumerate(view.texts):

@@ -25,9 +25,10 @@ from app.measure import arithmetic, chart, depth, interpolation, smoothing
 from app.measure import results as kept
 from app.measure.meaning import meaning
 from app.measure.results import Choice, Results, Trade, from_json, table, to_csv, to_json
-from app.model.projection import Camera, Perspective
+from app.model.projection import Camera, Perspective, Projection
 from app.scenes.scene import load
 from tests.measure.test_chart import RESULTS, TRADE
+from tests.support.shown import show
 from widgets.panels import measuring
 from widgets.panels.measure_panel import MeasurePanel
 from widgets.panels.measuring import Measuring
@@ -313,7 +314,7 @@ def test_the_choice_in_use_is_marked_and_follows(panel: MeasurePanel, tmp_path: 
 
     assert marked() == ["good"]
     panel._current = lambda: {"rung": "bad"}
-    panel.show_current()
+    show(panel, Projection())
     assert marked() == ["bad"]
 
 
@@ -535,7 +536,7 @@ def test_grey_is_in_the_table_what_it_is_in_the_chart(panel: MeasurePanel, tmp_p
     other = replace(TRADE, choices=tuple(reversed(TRADE.choices)))
     panel.measured = {"arithmetic": replace(RESULTS, trades=(TRADE,), sweeps=())}
     panel.loaded = {"arithmetic": replace(RESULTS, trades=(other,), sweeps=())}
-    panel.show_current()
+    show(panel, Projection())
     (diagram,) = chart.diagrams(TRADE)
     faded = {spot.key for spot in diagram.spots if spot.faded}
     assert faded and len(faded) < len(diagram.spots)
@@ -658,14 +659,14 @@ def test_the_window_says_what_the_panes_are_drawn_with(
     make_window: Callable[..., MainWindow],
 ) -> None:
     window = make_window()
-    assert window._in_use()["rung"] == "float32"
-    assert window._in_use()["depth_mapping"] == "opengl"
+    assert window.quality.in_use()["rung"] == "float32"
+    assert window.quality.in_use()["depth_mapping"] == "opengl"
     projection = window.store.document.projection
     window.store.set_projection(
         replace(projection, depth="reversed", lens=Perspective(1e-6, 1.0, 30.0))
     )
-    assert window._in_use()["rung"] == "float64"
-    assert window._in_use()["depth_mapping"] == "reversed"
+    assert window.quality.in_use()["rung"] == "float64"
+    assert window.quality.in_use()["depth_mapping"] == "reversed"
 
 
 def run_until_it_goes(panel: MeasurePanel, qtbot: QtBot) -> int:
@@ -716,15 +717,15 @@ def test_the_cost_of_a_step_is_shown_for_every_pane_that_is_seen(
     projection = window.store.document.projection
     window.store.set_projection(replace(projection, lens=Perspective(30.0, 1.0, 30.0)))
     settle(window)
-    assert [spy.count() for spy in spies] == [0, 0, 0] and window._costs == {}
+    assert [spy.count() for spy in spies] == [0, 0, 0] and window.cost.costs == {}
     window.menus.show_cost.trigger()
     assert window.status.cost.isVisible()
     with qtbot.waitSignals([each.timed for each in window.panes.values()]):
         window.store.set_projection(replace(projection, lens=Perspective(40.0, 1.0, 30.0)))
     tip = window.status.cost.toolTip()
     assert all(title in tip for title in ("model", "World", "NDC cube", "Image"))
-    assert all(ms[0] > 0.0 and ms[1] > 0.0 for ms in window._costs.values())
-    assert window._model_ms > 0.0
+    assert all(ms[0] > 0.0 and ms[1] > 0.0 for ms in window.cost.costs.values())
+    assert window.cost.model_ms > 0.0
     pane.hide()
     with qtbot.waitSignal(window.panes["world"].timed):
         window.store.set_projection(replace(projection, lens=Perspective(50.0, 1.0, 30.0)))

@@ -38,6 +38,7 @@ from app.model.projection import (
 from app.model.refusal import format_value
 from app.picking.picking import Probe, Sight, Surface
 from app.scenes.scene import load
+from tests.support.shown import show
 from widgets.panels.probe_panel import MOST_PROBES, ProbePanel
 from widgets.window.main_window import MainWindow
 
@@ -430,7 +431,7 @@ def test_inside_a_free_matrix_cube_is_said_without_ones(panel: ProbePanel) -> No
     for depth, formula in (("opengl", "−w ≤ z ≤ w"), ("reversed", "0 ≤ z ≤ w")):
         cells_free = start().clip_from_view + np.diag([0.0, 0.0, 0.0, 0.1])
         projection = replace(start(), lens=FreeMatrix(cells_free.tolist()), depth=depth)  # type: ignore[arg-type]
-        panel.show_projection(projection)
+        show(panel, projection)
         assert panel._model.formulas[-1] == f"|x|, |y| ≤ w;  {formula}"
 
 
@@ -527,8 +528,8 @@ def test_probes_survive_edits_and_themes_and_end_with_the_scene(
     window.probe_panel.follow(point=CORNER)
     window.store.set_projection(replace(start(), lens=Perspective(50.0, 1.0, 30.0)))
     window.store.undo()
-    window.set_projector(True)
-    window.set_projector(False)
+    window.look.set_projector(True)
+    window.look.set_projector(False)
     assert [probe.point for probe in window.probe_panel.probes] == [CORNER]
     assert marked(window, "image", place_in(window, "image", CORNER))
     assert not window.store.modified  # they are the window's, not the document's
@@ -543,7 +544,7 @@ def test_probes_survive_edits_and_themes_and_end_with_the_scene(
 def panel(qtbot: QtBot) -> ProbePanel:
     made = ProbePanel()
     qtbot.addWidget(made)
-    made.show_projection(start())
+    show(made, start())
     made.show()
     qtbot.waitExposed(made)
     return made
@@ -569,7 +570,7 @@ def test_every_number_is_the_command_s_to_the_last_digit(
             assert cli.main(["project", str(document), str(source), "--format", "json"]) == 0
             answer = json.loads(capsys.readouterr().out)
             panel.clear()
-            panel.show_projection(projection)
+            show(panel, projection)
             for point in points:
                 panel.follow(point=point)
                 panel.pin.click()
@@ -589,7 +590,7 @@ def test_every_number_is_the_command_s_to_the_last_digit(
 
 def test_a_row_says_where_there_is_no_picture(panel: ProbePanel) -> None:
     camera = Camera((0.0, 0.0, 5.0), (0.0, 0.0, 0.0))
-    panel.show_projection(replace(start(), camera=camera))
+    show(panel, replace(start(), camera=camera))
     panel.follow(point=(1.0, 2.0, 7.0))
     assert cells(panel, 0, 4) == ["behind the eye"]
     panel.follow(point=(1.0, 2.0, 5.0))
@@ -602,7 +603,7 @@ def test_a_row_says_where_there_is_no_picture(panel: ProbePanel) -> None:
 def test_no_number_is_cut(panel: ProbePanel) -> None:
     panel.resize(1200, 300)
     panel.follow(point=(1 / 3, 2 / 3, -1 / 7))
-    panel.show_projection(replace(start(), camera=Camera((6.1, 5.3, 9.7), (0.1, 2.2, 0.3))))
+    show(panel, replace(start(), camera=Camera((6.1, 5.3, 9.7), (0.1, 2.2, 0.3))))
     metrics, model = panel.table.fontMetrics(), panel.table.model()
     for row in range(8):
         for column in range(1, 5):
@@ -648,7 +649,7 @@ def test_a_folded_panel_fills_no_table_and_shows_the_value_when_it_opens(
     panel.follow(point=CORNER)
     before = cells(panel, 0, 6)
     panel.hide()
-    panel.show_projection(replace(start(), lens=Perspective(60.0, 1.0, 30.0)))
+    show(panel, replace(start(), lens=Perspective(60.0, 1.0, 30.0)))
     assert cells(panel, 0, 6) == before
     panel.show()
     qtbot.waitExposed(panel)
@@ -748,7 +749,7 @@ def test_a_pinned_probe_s_button_is_seen_to_be_down(
     make_window: Callable[..., MainWindow], theme: str
 ) -> None:
     window = make_window()
-    window.set_theme(theme)
+    window.look.set_theme(theme)
     panel = window.probe_panel
     window.panels.open(panel)
     panel.follow(point=CORNER)

@@ -397,7 +397,7 @@ def test_the_program_starts_with_broken_settings(own_home: Path) -> None:
 
 
 def test_the_window_keeps_its_settings_from_one_start_to_the_next() -> None:
-    done = drive("window.set_projector(True); window.close()")
+    done = drive("window.look.set_projector(True); window.close()")
     assert (done.returncode, done.stderr) == (0, "")
     done = drive("print(window.settings.projector); window.close()")
     assert done.stdout == "True\n"
@@ -650,13 +650,13 @@ raise LookupError("lost")
 
 BROKEN = """
 from app.drawings.image import ImageDrawing
-from app.drawings.ndc import NdcDrawing
+from app.drawings.stage import StageDrawing
 from app.drawings.world import WorldDrawing
 
 def broken(*arguments):
     raise LookupError("no drawing")
 
-for drawing in (ImageDrawing, NdcDrawing, WorldDrawing):
+for drawing in (ImageDrawing, StageDrawing, WorldDrawing):
     drawing.show_projection = broken
 """
 

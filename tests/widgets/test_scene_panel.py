@@ -895,7 +895,7 @@ def test_a_diagram_goes_to_the_clipboard_and_into_a_file_with_the_document(
     make_window: Callable[..., Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     window = make_window(Document("eye-plane", load("eye-plane").start))
-    window.set_theme("dark")
+    window.look.set_theme("dark")
     circle = window.scene_panel.diagrams[3]
     copy, export = circle.actions()
     assert circle.contextMenuPolicy() == Qt.ContextMenuPolicy.ActionsContextMenu

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -19,13 +20,13 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkRenderingCore import vtkTextActor
 
-import app.drawings.ndc as ndc_drawing
+import app.drawings.stage as stage_drawing
 from app.drawings import WORDS
 from app.drawings.figures import render
-from app.drawings.ndc import NdcDrawing
+from app.drawings.stage import StageDrawing
 from app.drawings.style import DARK, LIGHT, Style, rgb
-from app.lecture.stages import IMAGE, NDC, STOPS, VIEW, WORLD, Morph
-from app.model.projection import Frustum, Lens, Oblique, Perspective
+from app.lecture.stages import IMAGE, NDC, STOPS, VIEW, WORLD, Morph, morph_of
+from app.model.projection import DEPTH_RANGES, Frustum, Lens, Oblique, Perspective
 from app.scenes.scene import load
 from widgets.panes.stage_strip import CATCH, REST_S, STEP_S, STEPS, StageStrip
 from widgets.window.main_window import MainWindow
@@ -45,7 +46,7 @@ class Shown:
     def __init__(self, size: tuple[int, int] = (320, 300), style: Style = LIGHT) -> None:
         self.plotter = pv.Plotter(off_screen=True, window_size=size)
         self.scene = load("letter-f")
-        self.drawing = NdcDrawing(self.plotter, self.scene, WORDS, style)
+        self.drawing = StageDrawing(self.plotter, self.scene, WORDS, style)
         self.drawing.show_projection(self.scene.start)
 
     def pixels(self, position: float | None = None) -> Pixels:
@@ -212,12 +213,12 @@ def test_at_ndc_no_other_stage_is_computed(
 ) -> None:
     made: list[Morph] = []
 
-    def counted(*args: object) -> Morph:
-        made.append(Morph(*args))  # type: ignore[arg-type]
+    def counted(*args: Any) -> Morph:
+        made.append(morph_of(*args))
         return made[-1]
 
-    monkeypatch.setattr(ndc_drawing, "Morph", counted)
     screen = shown()
+    monkeypatch.setattr(stage_drawing, "morph_of", counted)
     for far in (30.0, 31.0):
         screen.drawing.show_projection(
             replace(screen.scene.start, lens=Perspective(45.0, 1.0, far))
@@ -226,6 +227,63 @@ def test_at_ndc_no_other_stage_is_computed(
     for position in (0.0, 0.5, 1.0, 5.0):
         screen.drawing.show_stage(position)
     assert len(made) == 1  # one per projection, however far the strip is moved
+
+
+def test_at_ndc_the_cube_waits_for_another_depth_range(
+    shown: Callable[..., Shown], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    placed: list[float] = []
+    screen = shown()
+    drawing, start = screen.drawing, screen.scene.start
+    show = drawing.box.show
+
+    def counted(morph: Morph, position: float, looked_from: Any) -> None:
+        placed.append(position)
+        show(morph, position, looked_from)
+
+    monkeypatch.setattr(drawing.box, "show", counted)
+    drawing.show_projection(replace(start, lens=Perspective(30.0, 2.0, 31.0)))
+    assert placed == []
+    drawing.show_projection(replace(start, depth="direct3d"))
+    assert placed == [NDC]
+    drawing.show_stage(2.0)
+    drawing.show_projection(replace(start, lens=Perspective(30.0, 2.0, 31.0)))
+    assert placed == [NDC, 2.0, 2.0]
+
+
+@pytest.mark.parametrize("depth", DEPTH_RANGES)
+def test_the_heads_of_the_axes_are_as_long_in_half_a_cube(
+    depth: Any, shown: Callable[..., Shown]
+) -> None:
+    """Seen from the right, the blue head of z is as large as it is in a whole one."""
+    screen = shown((400, 400))
+    screen.drawing.show_projection(replace(screen.scene.start, depth=depth))
+    camera = screen.plotter.renderer.GetActiveCamera()
+    camera.SetFocalPoint(0.0, 0.0, 0.0)
+    camera.SetPosition(10.0, 0.0, 0.0)
+    camera.SetParallelScale(1.6)
+    screen.drawing.reset_clipping_range()
+    for prop in screen.plotter.renderer.GetViewProps():
+        if isinstance(prop, vtkTextActor):  # a plate may lie over it
+            prop.VisibilityOff()
+    z_near, z_far = DEPTH_RANGES[depth]
+    half = abs(z_far - z_near) / 2.0
+    tip = (1.0 if z_near > z_far else -1.0) * 1.28 * half
+    pixels_per_unit = 400 / 3.2
+    column, row = (round(200.0 - pixels_per_unit * at) for at in (tip, 1.0))
+    head = lit(screen.pixels(), LIGHT.n)[row - 6 : row + 7, column - 12 : column + 13]
+    long = (head.sum(axis=0) > 4).sum()  # the shaft is thinner
+    assert 0.05 * pixels_per_unit < long < 0.12 * pixels_per_unit
+
+
+@pytest.mark.parametrize("stop", [VIEW, 2, 3, NDC, IMAGE])
+def test_an_axis_is_pointed_at_at_every_stop(stop: int, shown: Callable[..., Shown]) -> None:
+    screen = shown((500, 500))
+    screen.pixels(float(stop))
+    drawing = screen.drawing
+    pane, (_, end, tip) = drawing.own.pane_from_display, drawing.box.axes[0]
+    x, y = (pane[:2] @ (*(0.6 * tip + 0.4 * end), 1.0)).tolist()
+    assert drawing.attention_at(x, y) == {"u"}
 
 
 def test_a_step_of_the_strip_touches_no_actor(shown: Callable[..., Shown]) -> None:
@@ -374,7 +432,7 @@ def test_what_is_said_of_a_stage_is_whole_in_a_small_window_and_moves_nothing(
 ) -> None:
     window = make_window()
     window.resize(1366, 768)
-    window.set_projector(projector)
+    window.look.set_projector(projector)
     start, words, heights = window.store.document.projection, window.strip.words, set()
     for lens in (*LENSES, replace(LENSES[0], near=0.00123, far=30.0)):
         window.store.set_projection(replace(start, lens=lens))
@@ -422,7 +480,7 @@ def test_a_hidden_pane_takes_the_stage_when_it_appears(
     window = make_window()
     shown: list[float] = []
     drawing = window.panes["ndc"].drawing
-    assert isinstance(drawing, NdcDrawing)
+    assert isinstance(drawing, StageDrawing)
     monkeypatch.setattr(drawing, "show_stage", shown.append)
     window.pane_row.enlarge("image")
     assert not window.strip.isVisible()
@@ -435,14 +493,14 @@ def test_a_hidden_pane_takes_the_stage_when_it_appears(
 
 def test_a_new_drawing_stands_where_the_strip_is(make_window: Callable[..., MainWindow]) -> None:
     window = make_window()
-    window.set_theme("light")
+    window.look.set_theme("light")
     window.strip.go_to(5.0)
     settle()
     light = window.panes["ndc"].canvas.grabFramebuffer()
-    window.set_theme("dark")
+    window.look.set_theme("dark")
     settle()
     assert window.panes["ndc"].canvas.grabFramebuffer() != light
-    window.set_theme("light")
+    window.look.set_theme("light")
     settle()
     assert window.panes["ndc"].canvas.grabFramebuffer() == light
 
@@ -454,7 +512,9 @@ def test_an_exported_figure_shows_ndc(make_window: Callable[..., MainWindow]) ->
     before = render(scene, projection, ("ndc",), (200, 150))
     window.strip.go_to(0.0)
     assert np.array_equal(render(scene, projection, ("ndc",), (200, 150)), before)
-    assert window._views_now() == {}  # the strip's own framing is nobody's turn of the view
+    assert (
+        window.look.with_views(window.store.document).views == {}
+    )  # the strip's own framing is nobody's turn of the view
 
 
 def test_play_runs_to_the_picture_resting_at_each_stop(
@@ -508,7 +568,7 @@ def test_near_and_far_are_written_in_the_pane_all_the_way(
 ) -> None:
     window = make_window()
     window.resize(*size)
-    window.set_projector(projector)
+    window.look.set_projector(projector)
     start, cut = window.store.document.projection, []
     for near, far in ((5.0, 20.0), (12.0, 14.0), (1.0, math.inf)):
         window.store.set_projection(replace(start, lens=Perspective(45.0, near, far)))
@@ -516,11 +576,12 @@ def test_near_and_far_are_written_in_the_pane_all_the_way(
             window.strip.go_to(quarter / 4)
             QApplication.processEvents()
             drawing = window.panes["ndc"].drawing
-            assert isinstance(drawing, NdcDrawing)
-            for label in (drawing._near, drawing._far):
+            assert isinstance(drawing, StageDrawing)
+            for label in (drawing.box.near, drawing.box.far):
                 if label.actor.GetVisibility():
-                    left, right, bottom, top = label.box_px(drawing._canvas.renderer)
-                    width, height = drawing._canvas.window.GetSize()
+                    canvas = window.panes["ndc"].canvas
+                    left, right, bottom, top = label.box_px(canvas.renderer)
+                    width, height = canvas.render_window.GetSize()
                     if left < 0.0 or bottom < 0.0 or right > width or top > height:
                         cut.append((near, far, quarter / 4, label._text))
     assert not cut, cut

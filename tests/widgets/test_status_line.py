@@ -17,6 +17,7 @@ from app.model.projection import Camera, Orthographic, Perspective, Projection
 from app.precision.levels import drawing_bound_px, predict
 from app.precision.quality import Quality
 from app.scenes.scene import Scene, load
+from tests.support.shown import show
 from widgets.parts.number_dialog import NumberDialog
 from widgets.window import status_line
 from widgets.window.status_line import StatusLine
@@ -41,23 +42,23 @@ def line(qtbot: QtBot) -> StatusLine:
 
 def rested(qtbot: QtBot, line: StatusLine, projection: Projection, scene: Scene) -> None:
     """Show a projection and let the hand rest."""
-    line.show_projection(projection, scene)
+    show(line, projection, scene)
     qtbot.waitUntil(lambda: not line._rest.isActive())
 
 
 def test_the_lens_is_in_figures_at_once(line: StatusLine, scene: Scene) -> None:
-    line.show_projection(EVERYDAY, scene)
+    show(line, EVERYDAY, scene)
     assert line.labels["fov"].text() == "fov 45° × 72.73°, 25.61 mm"
     assert line.labels["planes"].text() == "near 1 : far 30  (1 : 30)"
     assert line.labels["camera"].text() == "eye to target 11.17"
     box = Orthographic(-4, 4, -3, 3, -2, 30)
-    line.show_projection(replace(EVERYDAY, lens=box), scene)
+    show(line, replace(EVERYDAY, lens=box), scene)
     assert line.labels["fov"].text() == "window 8 × 6"
     assert line.labels["planes"].text() == "near -2 : far 30"
-    line.show_projection(replace(EVERYDAY, lens=Perspective(180 - 3e-12, 1, math.inf)), scene)
+    show(line, replace(EVERYDAY, lens=Perspective(180 - 3e-12, 1, math.inf)), scene)
     assert line.labels["fov"].text().startswith("fov 180-3e-12°")
     assert line.labels["planes"].text() == "near 1 : far ∞"
-    line.show_projection(replace(EVERYDAY, lens=Perspective(45, 29.999999999, 30)), scene)
+    show(line, replace(EVERYDAY, lens=Perspective(45, 29.999999999, 30)), scene)
     assert line.labels["planes"].text() == "near 29.999999999 : far 30  (1 : 1)"
 
 
@@ -104,7 +105,7 @@ def test_while_it_moves_nothing_is_predicted(
     monkeypatch.setattr(status_line, "predict", counting)
     moved = [replace(EVERYDAY, lens=Perspective(45.0 + i, 1.0, 30.0)) for i in range(20)]
     for projection in moved:
-        line.show_projection(projection, scene)
+        show(line, projection, scene)
     assert calls == []
     qtbot.waitUntil(lambda: calls != [])
     assert calls == moved[-1:]
@@ -116,7 +117,7 @@ def test_what_is_hidden_is_predicted_when_it_appears(
     line.hide()
     line._rest.stop()
     line.rung.setText("")
-    line.show_projection(EVERYDAY, scene)
+    show(line, EVERYDAY, scene)
     assert not line._rest.isActive()
     line.show()
     qtbot.waitUntil(lambda: line.rung.text() != "")
@@ -178,12 +179,12 @@ def test_a_figure_keeps_its_room_while_it_changes_and_fits_at_rest(
     requests.clear()
     for fov_y_deg in (45.01, 45.5, 45.0):
         lens = Perspective(fov_y_deg, 1.0, 30.0)
-        line.show_projection(replace(EVERYDAY, lens=lens), scene)
+        show(line, replace(EVERYDAY, lens=lens), scene)
         QApplication.processEvents()
     assert QEvent.Type.LayoutRequest not in requests
     assert (figure.width(), after.x()) == (wide, place)
     qtbot.waitUntil(lambda: figure.width() < wide)
-    line.show_projection(replace(EVERYDAY, lens=Perspective(180 - 3e-12, 1.0, 30.0)), scene)
+    show(line, replace(EVERYDAY, lens=Perspective(180 - 3e-12, 1.0, 30.0)), scene)
     qtbot.waitUntil(lambda: figure.width() > wide)
     text_px = figure.fontMetrics().horizontalAdvance(figure.text())
     assert text_px + 2 * figure.indent() <= figure.width()

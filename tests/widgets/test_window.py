@@ -51,16 +51,27 @@ from app.drawings.image import ImageDrawing
 from app.drawings.style import LIGHT, rgb
 from app.model.projection import Camera, Orbit, Orthographic, Perspective, Projection
 from app.model.refusal import Refusal
+from app.precision.quality import Quality
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.scene import load
 from app.scenes.shapes import GRID_RGB
 from tests import PATIENCE_MS, PATIENCE_S
 from tests.support.phenomenon import EVERYTHING
+from widgets.controls.controls import Controls
+from widgets.panels.frame_panel import FramePanel
+from widgets.panels.matrix_panel import MatrixPanel
+from widgets.panes.counting import Counting
+from widgets.panes.stage_strip import StageStrip
 from widgets.parts.messages import number_text, sentence
+from widgets.parts.panel import PROJECTION
 from widgets.window.autosave import Autosave
 from widgets.window.export_dialog import ExportChoice, ExportDialog
+from widgets.window.files import Files
 from widgets.window.main_window import MainWindow
+from widgets.window.probing import Probing
+from widgets.window.scene_guide import SceneGuide
 from widgets.window.settings import Settings
+from widgets.window.status_line import StatusLine
 
 
 @contextmanager
@@ -166,6 +177,40 @@ def test_a_gpu_smooths_during_a_drag_too(make_window: Callable[..., MainWindow])
         window.store.end_gesture()
         settle(window)
     assert counts == {"world": 1, "ndc": 1, "image": 1}
+
+
+def test_a_change_reaches_whom_it_concerns_and_nobody_else(
+    make_window: Callable[..., MainWindow], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    told: set[str] = set()
+    kinds = Controls, Counting, Files, FramePanel, MatrixPanel, Probing, SceneGuide, StageStrip
+    for kind in (*kinds, StatusLine):
+
+        def take(self: Any, *given: Any, name: str = kind.__name__, own: Any = kind.take) -> None:
+            told.add(name)
+            own(self, *given)
+
+        monkeypatch.setattr(kind, "take", take)
+    window = make_window()
+    window.panels.open(window.matrices)
+    store, document = window.store, window.store.document
+    always = {"Controls"}
+    for change, others in (
+        (lambda: store.set_projection(seen(window, lens=Perspective(45.0, 2.0, 30.0))),
+         {"StageStrip", "StatusLine", "MatrixPanel"}),
+        (lambda: store.set_projection(seen(window, camera=Camera((1.0, 2.0, 3.0)))),
+         {"StatusLine", "MatrixPanel"}),
+        (lambda: store.set_document(replace(store.document, quality=Quality(smoothing="none"))),
+         {"SceneGuide"}),
+        (lambda: store.set_document(replace(document, scene="cube")),
+         {"Probing", "SceneGuide", "Files", "StatusLine", "StageStrip", "MatrixPanel"}),
+    ):  # fmt: skip
+        told.clear()
+        change()
+        assert told == always | others
+    told.clear()
+    window.panels.open(window.frame_panel)
+    assert told == {"FramePanel"}
 
 
 def test_a_hidden_pane_neither_computes_nor_draws_and_catches_up(
@@ -440,15 +485,15 @@ def test_the_strip_plays_on_while_its_pane_goes_to_a_window_and_back(
 def test_themes_and_projector_mode_dress_every_pane(make_window: Callable[..., MainWindow]) -> None:
     window = make_window()
     for theme in ["light", "dark"]:
-        window.set_theme(theme)
+        window.look.set_theme(theme)
         size = window.font().pointSizeF()
-        window.set_projector(True)
+        window.look.set_projector(True)
         settle(window)
         assert QApplication.font().pointSizeF() > 1.2 * size
         background = np.median(pixels(window, "world").reshape(-1, 3), axis=0).mean()
         assert (background < 128) == (theme == "dark")
-        window.set_projector(False)
-        window.set_theme("light")
+        window.look.set_projector(False)
+        window.look.set_theme("light")
         assert QApplication.font().pointSizeF() == pytest.approx(size)
 
 
@@ -461,7 +506,7 @@ def test_a_window_that_starts_in_projector_mode_is_large_all_over(
     window = make_window(settings=settings)
     assert window.controls.sections["lens"].heading.font().pointSizeF() > 1.2 * size
     assert window.menuBar().font().pointSizeF() > 1.2 * size
-    window.set_projector(False)
+    window.look.set_projector(False)
 
 
 def test_everything_has_a_name_and_a_tip(make_window: Callable[..., MainWindow]) -> None:
@@ -596,7 +641,7 @@ def test_an_exported_picture_brings_the_state_back(
     assert window.pictures.export(path, choice)
     picture = QImage(str(path))
     assert (picture.width(), picture.height()) == (900, 300)
-    window.reset()
+    window.history.reset()
     window.store.mark_saved()
     drop(window, path)
     assert window.store.document == wanted
@@ -688,7 +733,7 @@ def test_another_theme_keeps_the_panes_as_they_were_turned(
     turn(window, "world")
     view = window.panes["world"].view
     assert view is not None
-    window.set_theme("dark")
+    window.look.set_theme("dark")
     settle(window)
     assert window.panes["world"].view == view
     assert window.panes["ndc"].view is None
@@ -766,7 +811,7 @@ def test_the_export_dialog_refuses_what_cannot_be_drawn(
     make_window: Callable[..., MainWindow],
 ) -> None:
     window = make_window(shown=False)
-    dialog = ExportDialog(window._titles, (640, 360), window)
+    dialog = ExportDialog({n: pane.name for n, pane in window.panes.items()}, (640, 360), window)
     save = dialog._buttons.button(dialog._buttons.StandardButton.Save)
     assert save.isEnabled()
     for box in dialog._boxes.values():
@@ -933,7 +978,7 @@ def test_shortcuts_work_in_the_window_of_a_floated_pane(
     assert not pane.isWindow()
     window.activateWindow()
     qtbot.waitUntil(window.isActiveWindow)
-    window.redo()
+    window.history.redo()
     qtbot.keyClick(window, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
     assert window.store.document == start
 
@@ -946,9 +991,9 @@ def test_the_title_names_what_is_shown(
     assert "Untitled" in window.windowTitle()
     assert window.files.open(mesh)
     assert mesh.name in window.windowTitle()
-    window.choose_scene("cube")
+    window.guide.choose("cube")
     assert "Untitled" in window.windowTitle()
-    window.undo()
+    window.history.undo()
     assert mesh.name in window.windowTitle()
 
 
@@ -1182,7 +1227,7 @@ def test_the_scene_menu_changes_the_scene_and_undo_brings_it_back(
 ) -> None:
     window = make_window()
     before = pixels(window, "image")
-    window.choose_scene("posts")
+    window.guide.choose("posts")
     settle(window)
     assert window.store.document.scene == "posts"
     assert window.menus.scene_box.currentData() == "posts"
@@ -1281,18 +1326,12 @@ def exhibits_of(window: MainWindow) -> dict[str, list[Any]]:
     given: dict[str, list[Any]] = {}
     for name, pane in window.panes.items():
         given[name] = []
-        for method in ("build", "show_projection"):
+        for method in ("build", "take"):
             show = getattr(pane, method)
 
-            def keep(
-                projection: Any,
-                exhibit: Any,
-                *args: Any,
-                to: list[Any] = given[name],
-                show: Any = show,
-            ) -> None:
-                to.append(exhibit)
-                show(projection, exhibit, *args)
+            def keep(shown: Any, *args: Any, to: list[Any] = given[name], show: Any = show) -> None:
+                to.append(shown.exhibit)
+                show(shown, *args)
 
             setattr(pane, method, keep)
     return given
@@ -1311,7 +1350,7 @@ def test_choosing_a_phenomenon_opens_its_panel_and_leaving_it_folds_it(
 ) -> None:
     window = make_window()
     assert window.panels.open_panel is None
-    window.choose_scene("similar-triangles")
+    window.guide.choose("similar-triangles")
     settle(window)
     assert window.panels.open_panel is window.scene_panel
     assert window.scene_panel.title.text() == "Similar triangles"
@@ -1319,9 +1358,9 @@ def test_choosing_a_phenomenon_opens_its_panel_and_leaving_it_folds_it(
     assert not window.controls.rows["azimuth_deg"].isHidden()
     window.panels.open(None)
     window.store.set_settings({"distance": 5.0})
-    window.set_theme("dark")
+    window.look.set_theme("dark")
     assert window.panels.open_panel is None, "it is opened once, and stays folded"
-    window.choose_scene("cube")
+    window.guide.choose("cube")
     assert window.scene_panel.rows == {}
     window.store.undo()
     assert window.panels.open_panel is window.scene_panel
@@ -1357,7 +1396,7 @@ def test_scenes_are_listed_in_the_order_of_the_lectures_by_their_titles(
     assert [name for name in listed if name] == names
     first = names.index(next(iter(PHENOMENA)))
     assert listed[first] is None, "a separator before the first phenomenon"
-    window.choose_scene("similar-triangles")
+    window.guide.choose("similar-triangles")
     assert box.currentText() == "Similar triangles"
 
 
@@ -1402,9 +1441,9 @@ def test_no_exhibit_of_one_scene_is_shown_in_another(
 ) -> None:
     window = make_window(on_triangles())
     given = exhibits_of(window)
-    window.choose_scene("posts")
+    window.guide.choose("posts")
     assert all(shown == [None] for shown in given.values())
-    window.choose_scene("similar-triangles")
+    window.guide.choose("similar-triangles")
     for shown in given.values():
         assert shown[0] is None and shown[1] is not None and len(shown) == 2
 
@@ -1491,7 +1530,7 @@ def test_reset_while_the_camera_walks_puts_all_back(
     window.controls.animation.play()
     window.controls.animation.advance(0.2)
     walked = window.store.document
-    window.reset()
+    window.history.reset()
     settle(window)
     assert window.store.document == start and not window.controls.animation.playing
     window.menus.undo.trigger()
@@ -1511,7 +1550,7 @@ def test_a_play_is_one_step_of_undo_and_ends_with_the_scene(
     window.store.undo()
     assert window.store.document == everything and not window.store.can_undo
     player.play()
-    window.choose_scene("cube")
+    window.guide.choose("cube")
     assert not player.playing and not window.store.in_gesture
 
 
@@ -1533,7 +1572,7 @@ def test_a_reset_of_all_resets_the_settings_and_keeps_the_mesh(
     mesh = tetrahedron(tmp_path)
     window = make_window(on_triangles(mesh=str(mesh), settings={"distance": -3.0}))
     window.store.set_projection(seen(window, lens=Perspective(60.0, 2.0, 20.0)))
-    window.reset()
+    window.history.reset()
     assert window.store.document == on_triangles(mesh=str(mesh))
     window.store.undo()
     assert window.store.document.settings["distance"] == -3.0
@@ -1655,7 +1694,7 @@ def test_an_exported_phenomenon_brings_its_settings_back(
     wanted = window.store.document
     path = tmp_path / "figure.png"
     assert window.pictures.export(path, ExportChoice(("world", "image"), (600, 300), 1.0, False))
-    window.choose_scene("cube")
+    window.guide.choose("cube")
     window.store.mark_saved()
     drop(window, path)
     assert window.store.document == wanted
@@ -1716,10 +1755,10 @@ def test_on_a_small_projector_no_number_and_no_text_of_a_scene_is_hidden(
 ) -> None:
     window = make_window()
     window.resize(1366, 768)
-    window.set_projector(True)
+    window.look.set_projector(True)
     seen = 0
     for name in PHENOMENA:
-        window.choose_scene(name)
+        window.guide.choose(name)
         settle(window)
         panel = window.scene_panel
         for column in (panel._settings_column, panel._readout_column):
@@ -1739,9 +1778,9 @@ def test_full_hd_at_a_screen_scale_of_two_holds_the_window_of_a_projector(
     make_window: Callable[..., MainWindow],
 ) -> None:
     window = make_window()
-    window.set_projector(True)
+    window.look.set_projector(True)
     for name in ("letter-f", *PHENOMENA):
-        window.choose_scene(name)
+        window.guide.choose(name)
         settle(window)
         window.resize(960, 540)
         settle(window)
@@ -1861,7 +1900,7 @@ def test_both_panes_share_what_float64_has_projected(
     pictures = {name: pixels(window, name) for name in ("ndc", "image")}
     for name, shown in pictures.items():  # each for itself draws the same
         rungs._projected.clear()
-        window.panes[name].show_projection(window.store.document.projection)
+        window.panes[name].take(window.shown, PROJECTION)
         settle(window)
         assert (pixels(window, name) == shown).all(), name
     window.store.set_projection(seen(window, lens=Perspective(45.0, 1.0, 30.0)))

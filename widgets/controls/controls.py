@@ -46,6 +46,7 @@ from widgets.parts.fields import (
 )
 from widgets.parts.focus import FocusRing
 from widgets.parts.messages import field_name, seen_from, sentence, translated
+from widgets.parts.panel import EVERYTHING, Changed, Shown
 from widgets.parts.section import PARTS, Binding, Section, Typed
 
 RIGHT_MARGIN_PX = 4
@@ -85,6 +86,7 @@ class Controls(QScrollArea):
         Its cameras come out of `edited`; its gestures are its own.
     """
 
+    concerns = EVERYTHING
     edited = Signal(object)
     """The user made this `Projection`: once per action."""
     gesture_started = Signal()
@@ -142,8 +144,13 @@ class Controls(QScrollArea):
         """What the column shows."""
         return self._projection
 
-    def show_projection(self, projection: Projection) -> None:
-        """Show a projection; never answered by a signal."""
+    def take(self, shown: Shown, changed: Changed) -> None:
+        """Show another projection, and fit the sliders to another scene; answered by no signal."""
+        if changed & {"scene", "views"}:
+            self.set_scene(shown.scene.size, shown.scene.start)
+        self._show(shown.projection)
+
+    def _show(self, projection: Projection) -> None:
         before, changed = self._projection, set[str]()
         if projection is not before and projection != before:
             changed = {part for part in PARTS if getattr(projection, part) != getattr(before, part)}
@@ -161,8 +168,10 @@ class Controls(QScrollArea):
         elif "lens" in changed:
             self._lens.follow(projection)
         self._show_rows(changed)
-        self._enable_camera(projection)
-        self.animation.show_camera(projection.camera)
+        if changed & {"lens", "camera"}:
+            self._enable_camera(projection)
+        if "camera" in changed:
+            self.animation.show_camera(projection.camera)
 
     def _enable_camera(self, projection: Projection) -> None:
         """No camera has a view matrix of its own: what moves one has nothing to move then."""
@@ -449,7 +458,7 @@ class Controls(QScrollArea):
 
     def _adopt(self, projection: Projection) -> None:
         if projection != self._projection:
-            self.show_projection(projection)
+            self._show(projection)
             self.edited.emit(projection)
 
     def _walked(self, camera: Camera) -> None:

@@ -82,6 +82,7 @@ class FramePanel(Panel):
         Index into `app.lecture.camera_frame.STEPS`.
     """
 
+    concerns = PROJECTION
     step_changed = Signal(object)
     """The step that is to be drawn; None while the panel is folded."""
 
@@ -311,11 +312,7 @@ class FramePanel(Panel):
         return super().sizeHint() + QSize(0, 3 * self.fontMetrics().height())
 
     def take(self, shown: Shown, changed: Changed) -> None:
-        if changed & PROJECTION:
-            self.show_projection(shown.projection)
-
-    def show_projection(self, projection: Projection) -> None:
-        """Show this camera's numbers: now if visible, else on appearing."""
+        projection = shown.projection
         if self._projection.camera != projection.camera or (
             _has_own_view(self._projection) != _has_own_view(projection)
         ):

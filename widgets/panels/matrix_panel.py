@@ -2,7 +2,7 @@
 
 ::
 
-    MatrixPanel.show_projection --at most every 100 ms, and at rest--> app.lecture.notation.matrices
+    MatrixPanel.take --at most every 100 ms, and at rest--> app.lecture.notation.matrices
                                 --what changed--> MatrixView, one for each matrix and factor
 
     MatrixView.typed --a cell's text--> app.lecture.typed_matrix.with_cell --> MatrixPanel.edited
@@ -134,6 +134,8 @@ class _Box(QWidget):
 
 class MatrixPanel(ReadablePanel):
     """Every matrix between the object and its picture."""
+
+    concerns = PROJECTION
 
     def __init__(self) -> None:
         super().__init__()
@@ -289,7 +291,7 @@ class MatrixPanel(ReadablePanel):
             taken = self.tr("{0} is taken as {1}, its quotient to all digits of float64.")
             self.told.emit(taken.format(text.strip(), cell_text(value)))
         if projection != self._projection:
-            self.show_projection(projection)
+            self._show(projection)
             self._readable.settle()
             self.edited.emit(projection)
 
@@ -331,12 +333,10 @@ class MatrixPanel(ReadablePanel):
         super().begin_gesture()
 
     def take(self, shown: Shown, changed: Changed) -> None:
-        if changed & PROJECTION:
-            self.show_projection(shown.projection)
+        self._show(shown.projection)
 
-    def show_projection(self, projection: Projection) -> None:
-        """Take over the model."""
-        if projection == self._projection:
+    def _show(self, projection: Projection) -> None:
+        if projection == self._projection:  # made here
             return
         if not self._readable.in_gesture:
             self._before = self._projection

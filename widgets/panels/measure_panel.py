@@ -262,11 +262,7 @@ class MeasurePanel(ReadablePanel):
         self._show_paused()
 
     def take(self, shown: Shown, changed: Changed) -> None:
-        self.show_current()
-
-    def show_current(self) -> None:
-        """Mark another choice as the present one: at once if visible, else on appearing."""
-        self._readable.changed()
+        self._readable.changed()  # another choice is the present one, perhaps
 
     def set_style(self, style: Style) -> None:
         """Draw the charts in other colours and sizes; those of the panes."""

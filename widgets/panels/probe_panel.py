@@ -74,6 +74,7 @@ class ProbePanel(ReadablePanel):
         Those that are marked in the panes, in the order of the table.
     """
 
+    concerns = PROJECTION
     changed = Signal()
     """There are other probes now."""
 
@@ -318,14 +319,8 @@ class ProbePanel(ReadablePanel):
             self._readable.changed()
 
     def take(self, shown: Shown, changed: Changed) -> None:
-        if changed & PROJECTION:
-            self.show_projection(shown.projection)
-
-    def show_projection(self, projection: Projection) -> None:
-        """Show the numbers under the model's new value."""
-        if projection != self._projection:
-            self._projection = projection
-            self._readable.changed()
+        self._projection = shown.projection
+        self._readable.changed()
 
     def show_attention(self, attended: Attention) -> None:
         """Mark the words that are about what is attended to."""

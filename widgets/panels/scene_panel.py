@@ -118,6 +118,7 @@ class ScenePanel(ReadablePanel):
         Of the settings that can be played, by their names.
     """
 
+    concerns = frozenset({"exhibit", "settings"})
     settings_edited = Signal(object)
     """The user chose, or a player reached, these settings: a dict of values by name."""
     mesh_wanted = Signal()
@@ -272,8 +273,7 @@ class ScenePanel(ReadablePanel):
         self._show_diagrams(())
 
     def take(self, shown: Shown, changed: Changed) -> None:
-        if changed & {"exhibit", "settings"}:
-            self.show_exhibit(shown.exhibit, shown.document.settings, shown.projection)
+        self.show_exhibit(shown.exhibit, shown.document.settings, shown.projection)
 
     def show_exhibit(
         self, exhibit: Exhibit | None, settings: Settings, projection: Projection

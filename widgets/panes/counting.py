@@ -2,7 +2,7 @@
 
 ::
 
-    window -> show(scene, projection, exhibit)     at every change
+    window -> take(shown, changed)                 at every change of what a phenomenon shows
     counted(exhibit, share) -> scene panel         once the hand rests
 
 While anything moves, nothing is counted: the last change but `REST_MS` is waited for.
@@ -21,6 +21,7 @@ from app.drawings.rasterising import counted_wrong_share
 from app.model.projection import Projection
 from app.scenes.phenomena.illustration import Exhibit
 from app.scenes.scene import Scene
+from widgets.parts.panel import Changed, Shown
 
 REST_MS = 250
 PIXELS = 130_000
@@ -40,6 +41,7 @@ class Counting(QObject):
     parent : QObject
     """
 
+    concerns = frozenset({"exhibit"})
     counted = Signal(object, float)
     """The `Exhibit`, and the share of its pixels, 0..1, that are wrong; NaN where those are few."""
 
@@ -52,16 +54,15 @@ class Counting(QObject):
         self._timer.setInterval(REST_MS)
         self._timer.timeout.connect(self._rest)
 
-    def show(self, scene: Scene, projection: Projection, exhibit: Exhibit | None) -> None:
-        """Take over what is shown now; None for a scene that is no phenomenon."""
-        self._shown = None
-        self._timer.stop()
-        if exhibit is not None and exhibit.rendering is not None:
-            self._shown = scene, projection, exhibit
+    def take(self, shown: Shown, changed: Changed) -> None:
+        """Count what is shown now, if it is to be counted, once nothing changes any more."""
+        self.stop()
+        if shown.exhibit is not None and shown.exhibit.rendering is not None:
+            self._shown = shown.scene, shown.projection, shown.exhibit
             self._timer.start()
 
     def stop(self) -> None:
-        """Count no more: the window closes."""
+        """Count no more."""
         self._shown = None
         self._timer.stop()
 

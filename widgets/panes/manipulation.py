@@ -16,7 +16,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
-from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -41,14 +40,14 @@ from app.picking.handles import (
     present,
 )
 from app.picking.picking import Sight
-from app.scenes.phenomena.illustration import Exhibit, Grip, Settings
+from app.scenes.phenomena.illustration import Grip, Settings
 from widgets.panes.pane import ZOOM_PER_WHEEL_STEP, Pane
 from widgets.parts.escape import EscapeKey
 from widgets.parts.fields import QUIET_MS, short_text
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import field_name, seen_from, sentence
+from widgets.parts.panel import PROJECTION, Changed, Shown
 
-NO_SETTINGS: Settings = MappingProxyType({})
 HOLD_WITHIN_PX = 9.0
 """So near to a mark a drag takes hold of it."""
 
@@ -62,6 +61,7 @@ class Manipulation(QObject):
         Why a drag goes no further, while it does not.
     """
 
+    concerns = PROJECTION | {"scene", "exhibit", "settings"}
     edited = Signal(object)
     """The hand made this `Projection`."""
     setting_edited = Signal(object)
@@ -74,7 +74,7 @@ class Manipulation(QObject):
         self._world, self._image = world, image
         self._projection = Projection()
         self._grips: dict[str, Grip] = {}
-        self._values: Settings = NO_SETTINGS
+        self._values: Settings = {}
         self._drag: _Drag | None = None
         self._in_gesture = False
         self._escape = EscapeKey(self)
@@ -106,22 +106,20 @@ class Manipulation(QObject):
             pane.canvas.drag_ended.connect(self.let_go)
         image.canvas.scrolled.connect(self._dolly)
 
-    def show_projection(self, projection: Projection) -> None:
-        """Take the model's new value over: what the next drag begins with."""
+    def take(self, shown: Shown, changed: Changed) -> None:
+        """Take the new values over: what the next drag begins with."""
+        if "scene" in changed:
+            self.let_go()
+        projection, drag = shown.projection, self._drag
         if projection.lens.kind != self._projection.lens.kind:
             self._drag = None  # undone or reset under the hand: its fields are gone
         self._projection = projection
-        drawing = self._world.drawing
-        if isinstance(drawing, WorldDrawing) and drawing.held is not None:
-            self._tell(drawing.held)
-
-    def show_exhibit(self, exhibit: Exhibit | None, settings: Settings) -> None:
-        """Take over where the scene's settings are held; None for a scene that has none."""
-        self._values = settings
-        self._grips = {} if exhibit is None else {grip.setting: grip for grip in exhibit.grips}
-        drag = self._drag
-        if drag is not None and drag.held is not None and drag.held.setting not in self._grips:
-            self._drag = None  # another scene under the hand
+        if changed & {"exhibit", "settings"}:
+            self._values = shown.document.settings
+            grips = () if shown.exhibit is None else shown.exhibit.grips
+            self._grips = {grip.setting: grip for grip in grips}
+            if drag is not None and drag.held is not None and drag.held.setting not in self._grips:
+                self._drag = None  # another scene under the hand
         drawing = self._world.drawing
         if isinstance(drawing, WorldDrawing) and drawing.held is not None:
             self._tell(drawing.held)

@@ -2,8 +2,8 @@
 
 How a change reaches the screen, and why it is drawn once::
 
-    show_projection(p) --> drawing.show_projection(p)   matrices only, draws nothing
-                       --> QWidget.update(canvas)       coalesced by Qt
+    take(shown, changed) --> drawing.show_projection(p)   matrices only, draws nothing
+                         --> QWidget.update(canvas)       coalesced by Qt
     mouse on the canvas -> vtkCamera of this pane only -> QWidget.update(canvas)
                                                    |
                               Qt's paint event --> paintGL --> one VTK render
@@ -48,6 +48,7 @@ from app.scenes.phenomena.illustration import Exhibit
 from app.scenes.scene import Scene
 from widgets.parts.focus import FocusRing
 from widgets.parts.note import Note, Title
+from widgets.parts.panel import PROJECTION, Changed, Shown
 
 ORBIT_DEG_PER_PX = 0.4
 ZOOM_PER_WHEEL_STEP = 1.15
@@ -414,6 +415,7 @@ class Pane(QFrame):
         Whether the mouse moves this pane's own camera.
     """
 
+    concerns = PROJECTION | {"exhibit"}
     enlarge_requested = Signal()
     """The title was double-clicked."""
     clicked = Signal(QPointF)
@@ -440,7 +442,7 @@ class Pane(QFrame):
         self.setAccessibleName(title)
         self.drawing: Drawing | None = None
         self._make_drawing = make_drawing
-        self._projection: Projection | None = None
+        self._shown: Shown | None = None
         self._to_build: tuple[object, ...] | None = None
         self._view: Camera | None = None
         self._stage: float | None = None
@@ -449,7 +451,7 @@ class Pane(QFrame):
         self._step_is_stale = False
         self._probes: Sequence[Probe] = ()
         self._attention = self._pointed_at = NOTHING
-        self._exhibit: Exhibit | None = None
+        self._attention_is_stale = False
         self._stale = False
         self._probes_stale = False
         self._smoothing = "none"
@@ -514,29 +516,28 @@ class Pane(QFrame):
         button.setAccessibleName(f"{self.accessibleName()}: {tip}")
         return button
 
-    def build(
-        self,
-        projection: Projection,
-        exhibit: Exhibit | None,
-        view: Camera | None,
-        *args: object,
-    ) -> None:
+    def build(self, shown: Shown, view: Camera | None, *args: object) -> None:
         """Make the drawing anew, for another scene or style: now if visible, else on appearing.
 
         Parameters
         ----------
-        projection, exhibit
-            What it shows first, as for `show_projection`.
+        shown : Shown
+            What it shows first.
         view : Camera or None
             Where the pane's own camera is to stand; None for where everything is in view.
         *args
             Handed to `make_drawing` after the plotter.
         """
-        self._projection, self._exhibit = projection, exhibit
+        self._shown = shown
         self._to_build = args
         self._view = view
         if self.isVisible():
             self._refresh()
+
+    @property
+    def name(self) -> str:
+        """What it is called, translated, whatever its title says that it shows now."""
+        return self.accessibleName()
 
     @property
     def view(self) -> Camera | None:
@@ -545,9 +546,9 @@ class Pane(QFrame):
             return self._view
         return self.drawing.view
 
-    def show_projection(self, projection: Projection, exhibit: Exhibit | None = None) -> None:
+    def take(self, shown: Shown, changed: Changed) -> None:
         """Show the model's new value, and what a phenomenon shows for it: now, or on appearing."""
-        self._projection, self._exhibit = projection, exhibit
+        self._shown = shown
         self._stale = True
         if self.isVisible():
             self._refresh()
@@ -581,12 +582,9 @@ class Pane(QFrame):
     def show_attention(self, attended: Attention) -> None:
         """Let what is attended to stand out: at once if visible, else on appearing."""
         self._attention = attended
-        if (
-            self.isVisible()
-            and self._to_build is None
-            and self.drawing is not None
-            and self.drawing.show_attention(attended)
-        ):
+        if not self.isVisible() or self._to_build is not None or self.drawing is None:
+            self._attention_is_stale = True
+        elif self.drawing.show_attention(attended):
             self.request_repaint()
 
     def _hovered(self, place: QPointF) -> None:
@@ -603,7 +601,8 @@ class Pane(QFrame):
 
     def _refresh(self) -> None:
         """Bring the drawing up to what was asked for while nobody looked."""
-        if self._projection is None:
+        shown = self._shown
+        if shown is None:
             return
         if self._to_build is not None:
             if self.drawing is not None:
@@ -611,8 +610,9 @@ class Pane(QFrame):
             self.drawing = self._make_drawing(self.canvas, *self._to_build)
             self._to_build = None
             self._step_is_stale = self._step is not None
+            self._attention_is_stale = True
             self._apply_smoothing()
-            self.drawing.show_projection(self._projection, self._exhibit)
+            self.drawing.show_projection(shown.projection, shown.exhibit)
             self._take_stage(self.drawing)
             self.drawing.reset_view()
             if self._view is not None:
@@ -624,7 +624,7 @@ class Pane(QFrame):
                 self.drawing.show_detail(self._fewer)
             if self._stale or self._detail_is_stale:
                 began = time.perf_counter()
-                self.drawing.show_projection(self._projection, self._exhibit)
+                self.drawing.show_projection(shown.projection, shown.exhibit)
                 self._matrices_ms = 1e3 * (time.perf_counter() - began)
             if self._probes_stale:
                 self.drawing.show_probes(self._probes)
@@ -633,9 +633,9 @@ class Pane(QFrame):
         if self._step_is_stale and self.drawing is not None:
             cast(SteppedDrawing, self.drawing).show_step(self._step)
             self._step_is_stale = False
-        if self.drawing is not None:
+        if self._attention_is_stale and self.drawing is not None:
             self.drawing.show_attention(self._attention)
-        self._stale = self._probes_stale = False
+        self._stale = self._probes_stale = self._attention_is_stale = False
         self._detail_is_stale = False
         self.request_repaint()
 

@@ -1,6 +1,7 @@
 """The stage strip under the NDC pane: from the world to the picture and back, by hand or played.
 
-The strip knows positions and words, and no matrix: `Pane.show_stage` takes the positions.
+The strip knows positions and words, and no matrix: `Pane.show_stage` takes the positions, and the
+pane's title what `named` says.
 """
 
 from __future__ import annotations
@@ -32,6 +33,7 @@ from app.model.projection import Projection
 from widgets.parts.clock import Clock
 from widgets.parts.escape import HeldSlider
 from widgets.parts.note import Note
+from widgets.parts.panel import PROJECTION, Changed, Shown
 
 STEPS = 240
 """Slider steps from one stop to the next."""
@@ -76,8 +78,11 @@ class StageStrip(QWidget):
     The position is the window's, not the document's; it starts at NDC.
     """
 
+    concerns = PROJECTION - {"camera"}
     moved = Signal(float)
-    """The new position: 0 to 5, whole at `morph.STOPS`."""
+    """The new position: 0 to 5, whole at `stages.STOPS`."""
+    named = Signal(str)
+    """What is shown there."""
     gesture_started = Signal()
     gesture_finished = Signal()
 
@@ -97,8 +102,10 @@ class StageStrip(QWidget):
             (self.tr("NDC"), self.tr("Normalised device coordinates, z mirrored for display")),
             (self.tr("Image"), self.tr("The picture in pixels: x right, y down")),
         )
+        self._projection = Projection()
         self._parallel = False
         self._playing = False
+        self._said = ("", "")
         self._rest_s = 0.0
         self._at = self._before = float(NDC)
         self._clock = Clock(self)
@@ -162,7 +169,7 @@ class StageStrip(QWidget):
 
     @property
     def position(self) -> float:
-        """0 to 5, whole at `morph.STOPS`."""
+        """0 to 5, whole at `stages.STOPS`."""
         return self._at
 
     @property
@@ -181,13 +188,24 @@ class StageStrip(QWidget):
         self.pause()
         self.slider.setValue(round(position * STEPS))
 
-    def show_projection(self, projection: Projection) -> None:
+    def take(self, shown: Shown, changed: Changed) -> None:
         """Name the stops after what they are of this projection, and say axes and limits here."""
-        parallel = projection.lens.has_steps and not projection.lens.has_pyramid
+        self._projection = shown.projection
+        lens = self._projection.lens
+        parallel = lens.has_steps and not lens.has_pyramid
         if parallel != self._parallel:
             self._parallel = parallel
             self._name_stops()
-        self.words.setText(self._words(projection))
+        self._say()
+
+    def _say(self) -> None:
+        """Say axes and limits, and what is shown, where they are other ones."""
+        said = self._words(self._projection), self._title()
+        if said != self._said:
+            self._said = said
+            self.words.setText(said[0])
+            self.slider.setAccessibleDescription(said[1])
+            self.named.emit(said[1])
 
     def _name(self, stop: int) -> tuple[str, str]:
         """A stop's name and tooltip."""
@@ -206,8 +224,8 @@ class StageStrip(QWidget):
             button.setText(name)
             button.setToolTip(tip)
 
-    def title(self, projection: Projection | None = None) -> str:
-        """What the pane shows at this position, of this projection if it is given."""
+    def _title(self) -> str:
+        """What the pane shows at this position."""
         titles = (
             self.tr("World"),
             self.tr("View"),
@@ -216,7 +234,7 @@ class StageStrip(QWidget):
             self.tr("NDC cube"),
             self.tr("Image"),
         )
-        free = projection is not None and not projection.lens.has_steps
+        free = not self._projection.lens.has_steps
         if free and VIEW < self._at < NDC:
             return f"{self._names[VIEW][0]} → {self._names[NDC][0]}"
         if self._at == self.stop:
@@ -336,7 +354,7 @@ class StageStrip(QWidget):
     def _show_stop(self) -> None:
         for stop, button in enumerate(self.stops):
             button.setChecked(stop == self._at)
-        self.slider.setAccessibleDescription(self.title())
+        self._say()
 
     def _show_playing(self) -> None:
         sign, word = ("❚❚", self.tr("Pause")) if self._playing else ("▶", self.tr("Play"))

@@ -1,9 +1,9 @@
-"""What is shown, as one frozen snapshot per change, and the panels that are told what changed."""
+"""What is shown, as one frozen snapshot per change, and who is told what changed in it."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TypeAlias
+from typing import Protocol, TypeAlias
 
 from PySide6.QtCore import Signal
 from PySide6.QtGui import QImage
@@ -40,6 +40,16 @@ class Shown:
     scene: Scene
     exhibit: Exhibit | None
 
+    @classmethod
+    def of(cls, document: Document, scene: Scene) -> Shown:
+        """What is to be seen of a document, whose scene is loaded."""
+        exhibit = None
+        if scene.phenomenon is not None:
+            exhibit = scene.phenomenon.exhibit(
+                document.projection, document.settings, scene.subject
+            )
+        return cls(document, scene, exhibit)
+
     @property
     def projection(self) -> Projection:
         """That of the document."""
@@ -74,12 +84,33 @@ class Shown:
         return frozenset(changed)
 
 
+class Told(Protocol):
+    """Whoever is told of changes: the panes, the controls, a panel, a room of the window."""
+
+    @property
+    def concerns(self) -> Changed:
+        """Of the parts of a `Shown` those that it has to do with."""
+
+    def take(self, shown: Shown, changed: Changed) -> None:
+        """Show another snapshot.
+
+        Parameters
+        ----------
+        shown : Shown
+        changed : frozenset of str
+            What of it is new since this one was told last: never nothing of what concerns it.
+        """
+
+
 class Panel(QWidget):
     """A panel of the drawer under the panes.
 
     It is told of a change while it is open; a folded one is told of all changes at once when it is
     opened, before it appears. The window wires its signals, whichever of them it has a use for.
     """
+
+    concerns = EVERYTHING
+    """As of `Told`."""
 
     edited = Signal(object)
     """The user made this `Projection`."""
@@ -99,14 +130,7 @@ class Panel(QWidget):
     """This picture of a diagram shall go to the clipboard, or into a file."""
 
     def take(self, shown: Shown, changed: Changed) -> None:
-        """Show another snapshot.
-
-        Parameters
-        ----------
-        shown : Shown
-        changed : frozenset of str
-            What of it is new since this panel was told last; never empty.
-        """
+        """Show another snapshot, as of `Told`."""
         raise NotImplementedError
 
     def begin_gesture(self) -> None:

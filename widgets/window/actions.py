@@ -18,7 +18,7 @@ from PySide6.QtWidgets import QComboBox, QLabel, QLineEdit, QMainWindow, QToolBa
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.scene import BUILT_IN
 from widgets.panes.pane import Pane
-from widgets.parts.messages import file_title
+from widgets.parts.messages import file_title, of_phenomena
 from widgets.window.files import Files
 from widgets.window.help import FULL_SCREEN_KEY, PLAY_KEY, Help
 from widgets.window.pane_row import PaneRow
@@ -47,8 +47,6 @@ class Actions(QObject):
     files, pictures, help_, row
         The parts of the window that carry out what is asked for.
     panes : mapping of str to Pane
-    titles, scene_titles : mapping of str to str
-        Translated names of the panes and of the built-in scenes.
     theme : str
     projector : bool
         How the window looks at first.
@@ -69,14 +67,18 @@ class Actions(QObject):
         help_: Help,
         row: PaneRow,
         panes: Mapping[str, Pane],
-        titles: Mapping[str, str],
-        scene_titles: Mapping[str, str],
         theme: str,
         projector: bool,
     ) -> None:
         super().__init__(window)
         self._window, self._files, self._help = window, files, help_
-        self._row, self._panes, self._titles, self._scene_titles = row, panes, titles, scene_titles
+        self._row, self._panes = row, panes
+        self._scene_titles = {
+            "letter-f": self.tr("Letter F"),
+            "cube": self.tr("Unit cube"),
+            "posts": self.tr("Row of posts"),
+            **{each.name: of_phenomena(each.title) for each in PHENOMENA.values()},
+        }
         keys = QKeySequence.StandardKey
         self.open = self._action(
             self.tr("&Open…"), self._with_typed(files.open_dialog), keys.Open,
@@ -204,8 +206,8 @@ class Actions(QObject):
     def _make_view_menu(self, theme: str) -> None:
         menu = self._window.menuBar().addMenu(self.tr("&View"))
         row = self._row
-        for number, (name, title) in enumerate(self._titles.items(), start=1):
-            text = self.tr("Enlarge {0}").format(title)
+        for number, (name, pane) in enumerate(self._panes.items(), start=1):
+            text = self.tr("Enlarge {0}").format(pane.name)
             menu.addAction(self._action(text, partial(row.enlarge, name), f"F{number + 5}"))
         menu.addAction(self._action(self.tr("Show &all panes"), row.show_all, "F9"))
         menu.addAction(
@@ -276,6 +278,10 @@ class Actions(QObject):
 
     # -- what the owner says
 
+    def scene_title(self, name: str) -> str:
+        """What a scene is called, translated; of a mesh the name of its file."""
+        return self._scene_titles.get(name, file_title(name))
+
     def show_scene(self, name: str) -> None:
         """List the scenes, with a file's, and mark this one."""
         self.scene_box.clear()
@@ -284,7 +290,7 @@ class Actions(QObject):
                 self.scene_box.insertSeparator(self.scene_box.count())
             self.scene_box.addItem(self._scene_titles[built_in], built_in)
         if name not in BUILT_IN:
-            self.scene_box.addItem(file_title(name), name)
+            self.scene_box.addItem(self.scene_title(name), name)
         self.scene_box.setCurrentIndex(self.scene_box.findData(name))
         for action in self.scene_group.actions():
             action.setChecked(action.data() == name)

@@ -113,7 +113,7 @@ class Panels(QWidget):
             return
         changed = self._shown.changed_since(self._told.get(panel))
         self._told[panel] = self._shown
-        if changed:
+        if changed & panel.concerns:
             panel.take(self._shown, changed)
 
     def open(self, panel: Panel | None) -> None:

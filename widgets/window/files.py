@@ -14,9 +14,11 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox, QProgressDialog, QWidget
 from app.document.document import MESH_ENDINGS, Document, holds_document, is_mesh, read, write
 from app.document.store import Store
 from app.model.refusal import Cancelled, Refusal
-from app.scenes.scene import Scene, load
+from app.scenes.scene import BUILT_IN, Scene, load
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import sentence
+from widgets.parts.panel import Changed, Shown
+from widgets.window.settings import Settings
 
 _T = TypeVar("_T")
 RECENT_LIMIT = 10
@@ -35,13 +37,13 @@ class Files(QObject):
         Parent of the dialogs.
     store : Store
     messages : MessageBar
-    recent : callable
-        Gives the paths opened or saved before, newest first, as other windows left them.
+    settings : Settings
+        Keeps the paths opened or saved before, newest first, also those of other windows.
     with_views : callable
         Adds to a document from where its panes are looked at just now.
     """
 
-    path_changed = Signal()
+    concerns = frozenset({"scene", "views"})
     recent_changed = Signal()
 
     def __init__(
@@ -49,18 +51,18 @@ class Files(QObject):
         window: QWidget,
         store: Store,
         messages: MessageBar,
-        recent: Callable[[], list[str]],
+        settings: Settings,
         with_views: Callable[[Document], Document],
     ) -> None:
         super().__init__(window)
         self._window, self._store, self._messages = window, store, messages
         self._with_views = with_views
         self._scenes: dict[tuple[str, str], Scene] = {}
-        self._recent = recent
+        self._settings = settings
         self.path: Path | None = None
         self._written: object = None
         """When and how long the file at the path was as this window read or wrote it."""
-        self.recent = recent()[:RECENT_LIMIT]
+        self.recent = settings.recent[:RECENT_LIMIT]
 
     # -- scenes
 
@@ -328,11 +330,21 @@ class Files(QObject):
     def _set_path(self, path: Path | None) -> None:
         self.path = path
         self._written = _written(path) if path else None
-        self.path_changed.emit()
+        self._name_window()
+
+    def take(self, shown: Shown, changed: Changed) -> None:
+        """Name the window after another document."""
+        self._name_window()
+
+    def _name_window(self) -> None:
+        scene = self._store.document.scene
+        name = self.tr("Untitled") if scene in BUILT_IN else Path(scene).name
+        self._window.setWindowTitle(f"{self.path.name if self.path else name}[*] – Frustum Lab")
 
     def _remember(self, path: str) -> None:
         path = os.path.abspath(path)
-        self.recent = [path, *(old for old in self._recent() if old != path)][:RECENT_LIMIT]
+        self.recent = [path, *(old for old in self._settings.recent if old != path)][:RECENT_LIMIT]
+        self._settings.recent = self.recent
         self.recent_changed.emit()
 
 

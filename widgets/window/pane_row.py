@@ -24,17 +24,13 @@ class PaneRow(QSplitter):
     ----------
     panes : mapping of str to Pane
         From left to right.
-    titles : mapping of str to str
-        Their translated names.
     strip : StageStrip
         Below one of them; it plays on when its pane is moved.
     """
 
-    def __init__(
-        self, panes: Mapping[str, Pane], titles: Mapping[str, str], strip: StageStrip
-    ) -> None:
+    def __init__(self, panes: Mapping[str, Pane], strip: StageStrip) -> None:
         super().__init__(Qt.Orientation.Horizontal)
-        self._panes, self._titles, self._strip = panes, titles, strip
+        self._panes, self._strip = panes, strip
         self.setChildrenCollapsible(False)
         for name, pane in panes.items():
             pane.setMinimumWidth(LEAST_PANE_PX)
@@ -70,7 +66,7 @@ class PaneRow(QSplitter):
             pane.move_to(None, lambda: self.insertWidget(place, pane))
         else:
             size = pane.size()
-            pane.setWindowTitle(f"{self._titles[name]} – Frustum Lab")
+            pane.setWindowTitle(f"{pane.name} – Frustum Lab")
             pane.move_to(self.window(), lambda: pane.resize(size))
             docked = [other for other in self._panes.values() if not other.isWindow()]
             if docked and all(other.isHidden() for other in docked):

@@ -11,13 +11,12 @@ from PySide6.QtWidgets import QWidget
 
 from app.drawings.image import ImageDrawing
 from app.drawings.probes import pick_in
-from app.model.projection import Projection
 from app.picking.picking import Probe, dragged
-from app.scenes.scene import Scene
 from widgets.panels.probe_panel import ProbePanel
 from widgets.panes.manipulation import HOLD_WITHIN_PX, Manipulation
 from widgets.panes.pane import Pane
 from widgets.parts.escape import EscapeKey
+from widgets.parts.panel import Changed, Shown
 
 
 class Probing(QObject):
@@ -30,29 +29,31 @@ class Probing(QObject):
         Holds the probes.
     manipulation : Manipulation
         Takes a drag in the image that starts on no probe.
-    scene, projection : callable
+    shown : callable
         What is looked at, and how, just now.
     window : QWidget
     """
+
+    concerns = frozenset({"scene"})
 
     def __init__(
         self,
         panes: Mapping[str, Pane],
         panel: ProbePanel,
         manipulation: Manipulation,
-        scene: Callable[[], Scene],
-        projection: Callable[[], Projection],
+        shown: Callable[[], Shown],
         window: QWidget,
     ) -> None:
         super().__init__(window)
         self._window = window
         self._panes, self._panel, self._manipulation = panes, panel, manipulation
-        self._scene, self._projection = scene, projection
+        self._shown = shown
         self._held: Probe | None = None
         """The probe that is being dragged in the image, as it was before."""
         self._escape = EscapeKey(self)
         self._escape.pressed.connect(self._put_back)
         self._before_click: tuple[tuple[Probe, ...], int] = ((), 0)
+        panel.changed.connect(self._show)
         for name, pane in panes.items():
             pane.clicked.connect(partial(self._follow, name))
             pane.double_clicked.connect(self._unfollow)
@@ -61,10 +62,14 @@ class Probing(QObject):
         canvas.dragged.connect(self._drag)
         canvas.drag_ended.connect(self._let_go)
 
-    def clear(self) -> None:
+    def take(self, shown: Shown, changed: Changed) -> None:
         """Forget every probe, also the held one: their scene is gone."""
         self._held = None
         self._panel.clear()
+
+    def _show(self) -> None:
+        for pane in self._panes.values():
+            pane.show_probes(self._panel.probes)
 
     def _follow(self, name: str, place: QPointF) -> None:
         """Follow what was clicked in a pane: a point, or a pixel's ray where there is none."""
@@ -79,7 +84,7 @@ class Probing(QObject):
             if pixel is None:  # beside the picture
                 return
         pixel_ratio = self._panes[name].canvas.pixel_ratio
-        hit = pick_in(self._scene(), drawing.sight, (x_px, y_px), pixel_ratio)
+        hit = pick_in(self._shown().scene, drawing.sight, (x_px, y_px), pixel_ratio)
         if hit is not None:
             self._panel.follow(point=hit.point)
         elif pixel is not None:
@@ -113,7 +118,7 @@ class Probing(QObject):
         drawing = self._panes["image"].drawing
         if self._held is None or self._held.point is None or not isinstance(drawing, ImageDrawing):
             return
-        projection = self._projection()
+        projection = self._shown().projection
         shift_px = drawing.image_shift(away.x(), away.y())
         point = dragged(projection, self._held.point, shift_px, along_ray=along_ray)
         if point is not None:

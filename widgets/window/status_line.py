@@ -38,6 +38,7 @@ from widgets.parts.fields import short_text
 from widgets.parts.highlight import MarkedLabel
 from widgets.parts.messages import plane_name, translated
 from widgets.parts.number_dialog import NumberDialog
+from widgets.parts.panel import PROJECTION, Changed, Shown
 
 _ABOUT: dict[str, Attention] = {
     "fov": frozenset(("fov",)),
@@ -63,6 +64,7 @@ class StatusLine(QStatusBar):
         Quality shall be automatic again.
     """
 
+    concerns = PROJECTION | {"scene"}
     tolerance_edited = Signal(float)
     frame_edited = Signal(float)
     automatic_wanted = Signal()
@@ -127,10 +129,10 @@ class StatusLine(QStatusBar):
         self._rest.setInterval(RESTS_AFTER_MS)
         self._rest.timeout.connect(self._predict)
 
-    def show_projection(self, projection: Projection, scene: Scene) -> None:
+    def take(self, shown: Shown, changed: Changed) -> None:
         """Take over the model and what it looks at."""
-        self._projection, self._scene = projection, scene
-        self._show_lens(projection)
+        self._projection, self._scene = shown.projection, shown.scene
+        self._show_lens(shown.projection)
         self._wait_for_rest()
 
     def show_cost(self, model_ms: float, panes: Mapping[str, tuple[float, float]]) -> None:

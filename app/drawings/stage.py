@@ -1,0 +1,344 @@
+"""The pane that shows a stage of the pipeline: NDC, or any other place of the stage strip.
+
+==================  =========================================================================
+what                under which 4x4
+==================  =========================================================================
+the scene           the stage's matrix, clipped by the planes of the view volume
+the view volume     the stage's matrix of a box: at NDC the cube, or half of it
+==================  =========================================================================
+
+The matrices are those of `app.lecture.stages`, and the NDC pane, as it opens and as it is
+exported, is nothing but the strip at its NDC stop. NDC is left-handed (z grows away from the
+reader), so that it is shown with z mirrored: the near face looks at the reader, x runs right, and
+the cube's front is the picture. With the reversed range, where z grows towards the reader, there
+is nothing to mirror. The cube is centred where the pane's camera looks.
+
+A step of a slider or of the strip sets matrices and nothing else. What stands round the scene
+depends at NDC on the depth range alone, and waits for that to change.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from vtkmodules.vtkCommonDataModel import vtkPlane
+
+from app.drawings.actors import Canvas, Space, lift_lines
+from app.drawings.frustum import CUBE
+from app.drawings.labels import Layout
+from app.drawings.marks import MarksDrawing, Placing
+from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at, volume_edges
+from app.drawings.precision import ModelActors, least_tolerance
+from app.drawings.probes import Mark, Probes
+from app.drawings.rasterising import Rasteriser
+from app.drawings.stage_box import StageBox
+from app.drawings.stage_view import StageView
+from app.drawings.style import Style
+from app.lecture.highlight import AXES, CORNERS, NOTHING, Attention
+from app.lecture.stages import NDC, WORLD, Morph, morph_of
+from app.model.projection import Array, Camera, Projection
+from app.picking.picking import Probe, Sight
+from app.precision.levels import DRAWING_TOLERANCE_PX, Rung
+from app.scenes.phenomena.illustration import Exhibit, Marks
+from app.scenes.scene import Scene
+
+_FARTHEST_MARK = 1e3  # where lines toward infinity end
+_BOX_FROM_NDC = np.array([[1.0, 0, 0, 0], [0, 1, 0, 0], [0, 0, -0.5, 0.5], [0, 0, 0, 1]])
+
+
+class StageDrawing:
+    """The scene and the view volume at a stage.
+
+    Parameters
+    ----------
+    plotter : pyvista.BasePlotter
+    scene : Scene
+    words : mapping
+        The words written here: ``near``, ``far``, ``x``, ``y``, ``z``, ``u``, ``v``, ``n``.
+    style : Style
+    tolerance_px : float
+        Error up to which the GPU's own float32 may draw.
+
+    Attributes
+    ----------
+    box : StageBox
+    own : StageView
+    """
+
+    def __init__(
+        self,
+        plotter: Any,
+        scene: Scene,
+        words: Mapping[str, str],
+        style: Style,
+        tolerance_px: float = DRAWING_TOLERANCE_PX,
+    ) -> None:
+        self._scene, self._words, self._style = scene, words, style
+        self._canvas = Canvas(plotter, style, self._layout)
+        self.own = StageView(self._canvas, scene.start.camera)
+        self._space = Space()
+        self._position = float(NDC)
+        self._placed: tuple[float, object] | None = None
+        """The position at which the box stands, and what else it depends on."""
+        # Left, right, bottom, top, far, near of the view volume, normals inwards.
+        self._planes = [vtkPlane() for _ in range(6)]
+        self._model = ModelActors(scene, style, least_tolerance(scene, tolerance_px), self._planes)
+        if self._model.lines is not None:
+            lift_lines(self._model.lines)
+        for actor in (self._model.surface, self._model.lines):
+            if actor is not None:
+                self._space.add(actor)
+                self._canvas.add(actor)
+        self.box = StageBox(self._canvas, words)
+        self._emphasis = Emphasis(self._canvas)
+        self.box.make_emphasis(self._emphasis)
+        self._attended = NOTHING
+        self._probes = Probes(self._canvas, style)
+        self._marks: MarksDrawing | None = None
+        self._rasteriser: Rasteriser | None = None
+        self._exhibit: Exhibit | None = None
+        self._take(scene.start)
+        self.reset_view()
+
+    @property
+    def rung(self) -> Rung:
+        """The arithmetic that the scene is drawn with."""
+        return self._model.rung
+
+    # -- the model, and where it is on the strip
+
+    def show_projection(self, projection: Projection, exhibit: Exhibit | None = None) -> None:
+        """Take the model's matrices, and what a phenomenon shows for it; draws nothing yet.
+
+        Marks and copies are those of NDC: at any other stop of the strip there are none.
+        """
+        reshaped = projection.image_size != self._projection.image_size
+        self._exhibit = exhibit
+        self._take(projection)
+        self._rasterise()
+        self._show_marks()
+        if reshaped and not self.own.was_moved:
+            self.reset_view()
+
+    def _take(self, projection: Projection) -> None:
+        self._projection = projection
+        self._made: Morph | None = None
+        self._show_moment()
+
+    @property
+    def _morph(self) -> Morph:
+        """Made when something asks for it: most steps at the NDC stop do not."""
+        if self._made is None:
+            scene = self._scene
+            self._made = morph_of(self._projection, scene.origin, scene.corners)
+        return self._made
+
+    def show_detail(self, fewer: Scene | None) -> None:
+        """Take a scene's fewer triangles, or all for None; then show a projection."""
+        self._model.show_detail(fewer)
+        if self._marks is not None:
+            self._marks.show_detail(fewer)
+
+    def show_stage(self, position: float) -> None:
+        """Move to a position of the stage strip; draws nothing yet.
+
+        Parameters
+        ----------
+        position : float
+            0 to 5; whole at `stages.STOPS`. The NDC stop is what the pane shows at first.
+        """
+        if position == self._position:
+            return
+        was_moved = self.own.was_moved
+        self._position = position
+        self._show_moment()
+        self._show_marks()
+        if not was_moved:
+            self.reset_view()
+
+    def _show_moment(self) -> None:
+        """Set the matrices, planes and words of the position on the strip."""
+        position, projection = self._position, self._projection
+        at_ndc = position == NDC
+        placed = position, projection.depth if at_ndc else projection
+        if placed != self._placed:
+            self._placed, morph = placed, self._morph
+            self.box.show(morph, position, self.own.axes(morph.stop_at(position)))
+            planes = morph.planes_display(position).tolist()
+            for plane, (*normal, offset) in zip(self._planes, planes, strict=True):
+                plane.SetNormal(*normal)
+                plane.SetOrigin(*(-offset * part for part in normal))
+            self._show_attended()
+        if at_ndc:  # what the volume holds is all that is shown, in the arithmetic that it needs
+            clip_from_vertex = self._model.show_projection(self._seen)
+            self._space.set_projective(self._display_from_ndc @ clip_from_vertex)
+        else:
+            self._model.show_local()
+            self._space.set_projective(self._morph.display_from_local(position))
+        if self._probes.probes:
+            self._place_probes()
+
+    @property
+    def _seen(self) -> Projection:
+        """In OpenGL's range, whatever the model's: the displayed cube differs by its depth only."""
+        return self._projection.with_depth("opengl")
+
+    @property
+    def _display_from_ndc(self) -> Array:
+        """From OpenGL's cube; 0 while there is no volume, so that nothing can be pointed at."""
+        display: Array = self.box.display_from_box @ _BOX_FROM_NDC
+        return display
+
+    # -- a phenomenon, probes
+
+    def _rasterise(self) -> None:
+        """Lay the texture over the faces, at every stop of the strip."""
+        rendering = None if self._exhibit is None else self._exhibit.rendering
+        surface = self._model.surface
+        if rendering is None or surface is None or "texture" not in self._scene.requires:
+            return
+        if self._rasteriser is None:
+            self._rasteriser = Rasteriser(
+                self._scene,
+                self._style,
+                {"texture"},
+                self._canvas.add,
+                (surface, self._space),
+                picture=False,
+            )
+        self._rasteriser.show(rendering, self._seen)
+
+    def _show_marks(self) -> None:
+        if self._marks is None:
+            if self._exhibit is None:
+                return
+            self._marks = MarksDrawing(
+                self._canvas,
+                self._scene,
+                self._style,
+                self._words,
+                clip=self._planes,
+                lifts_copies=True,
+            )
+        marks, exhibit = self._marks, self._exhibit
+        if exhibit is None or self._position != NDC:
+            marks.show(Marks(), Placing(np.ones(3), np.zeros(3), 1.0))
+            marks.show_copies(())
+            return
+        shown = self._morph.display_from_stage(NDC)
+        marks.show(exhibit.ndc, Placing(np.diag(shown)[:3], shown[:3, 3], _FARTHEST_MARK))
+        copies = [copy for copy in exhibit.copies if "ndc" in copy.panes]
+        marks.show_copies(copies)
+        if copies:
+            clip_from_local = self._seen.clip_from_world_at(self._scene.origin)
+            display_from_local = self._display_from_ndc @ clip_from_local
+            marks.place_copies(lambda _: display_from_local)
+        self._place_texts()
+
+    def _place_texts(self) -> None:
+        if self._marks is None:
+            return
+        width_px, height_px = self.own.size_px
+        rows = self.own.pane_from_display
+
+        def seen(points: Array) -> list[Spot]:
+            x, y = rows[:2, :3] @ points.T + rows[:2, 3:]
+            return [(a, height_px - b, 1.0) for a, b in zip(x.tolist(), y.tolist(), strict=True)]
+
+        layout = Layout((width_px, height_px), self._style.font_size, {})
+        self._marks.place_texts(layout, seen)
+
+    def show_probes(self, probes: Sequence[Probe]) -> None:
+        """Mark these probes, and no others."""
+        self._probes.probes = probes
+        self._place_probes()
+
+    def _place_probes(self) -> None:
+        marks: Sequence[Mark] = ()
+        if self._display_from_ndc.any():
+            marks = self._probes.in_ndc(self._seen, self._display_from_ndc, self.sight)
+        self._probes.show(marks, self._canvas.window.GetSize())
+
+    @property
+    def sight(self) -> Sight:
+        """How this pane looks at the world just now, by way of the displayed cube."""
+        projection = self._seen
+        clip = projection.clip_from_eye
+        limits = np.concatenate([clip[3] - clip[:3], clip[3] + clip[:3]])
+        rows = self.own.pane_from_display @ self._display_from_ndc @ clip
+        return Sight(np.array(projection.camera.eye), rows, limits)
+
+    # -- the pane's own camera
+
+    def reset_view(self) -> None:
+        """Look at the stage from where it is seen best, all of it in the pane."""
+        self.own.reset(self._position, self._projection.image_size)
+        self.reset_clipping_range()
+
+    def refit(self) -> bool:
+        """Nothing leaves the cube: no other view is needed."""
+        return False
+
+    def reset_clipping_range(self) -> None:
+        """Fit this pane's near and far to the cube; call it after its camera was moved."""
+        self.own.fit_range()
+        self._place_probes()
+        self._place_texts()
+
+    @property
+    def view(self) -> Camera | None:
+        """Where the pane's own camera was moved to, in the displayed cube; None if it was not."""
+        return self.own.view
+
+    def show_view(self, view: Camera) -> None:
+        """Move the pane's own camera to a `view` of before."""
+        self.own.show(view)
+        self.reset_clipping_range()
+
+    def _layout(self, _width_px: int, _height_px: int) -> None:
+        if not self.own.was_moved:  # nobody has turned it since: keep it whole
+            self.reset_view()
+
+    def remove(self) -> None:
+        """Take everything out of the plotter again."""
+        self._canvas.remove()
+
+    # -- pointing
+
+    def show_attention(self, attended: Attention) -> bool:
+        """Let what is attended to stand out, and nothing else; tell whether that is a change."""
+        self._attended = attended
+        return self._show_attended()
+
+    def _show_attended(self) -> bool:
+        return self._emphasis.show(self._attended - self._strangers)
+
+    @property
+    def _strangers(self) -> frozenset[str]:
+        """At the world's stop the axes are x, y and z of the world, not the camera's."""
+        return frozenset(AXES) if self.box.stop == WORLD else NOTHING
+
+    def attention_at(self, x_px: float, y_px: float) -> Attention:
+        """What is at a pixel from the pane's top left."""
+        found = self._emphasis.label_at(x_px, y_px)
+        if not found:
+            pane = self.own.pane_from_display
+            corners = _spots(CUBE, pane @ self.box.display_from_box)
+            points = [(frozenset((name,)), at) for name, at in zip(CORNERS, corners, strict=True)]
+            segments: list[Segment] = volume_edges(corners)
+            # Along the volume the axes are its edges.
+            for name, ends in zip(AXES, self.box.axes[:, 1:], strict=True):
+                start, tip = _spots(ends, pane)
+                segments.append((frozenset((name,)), start, tip))
+            found = pointed_at((x_px, y_px), self._style.font_size, points, segments, corners)
+        return found - self._strangers
+
+
+def _spots(points: Array, pane: Array) -> list[Spot]:
+    """Pixels and depth of points (n, 3) in the pane; NaN for what is at infinity or beyond."""
+    homogeneous = points @ pane[:, :3].T + pane[:, 3]
+    w = homogeneous[:, 3:]
+    spots = homogeneous[:, :3] / np.where(w > 0.0, w, np.nan)
+    return list(map(tuple, spots.tolist()))

@@ -1,0 +1,326 @@
+"""What stands round the scene at a stage of the strip: the view volume, the axes, their words.
+
+The volume is one box under the stage's matrix: at NDC a cube, or half of one where the depth
+range is [0, 1]; elsewhere a pyramid, or the flat frame of the picture.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+import numpy as np
+import pyvista as pv
+from vtkmodules.vtkRenderingCore import vtkActor
+
+from app.drawings.actors import (
+    Canvas,
+    Label,
+    Space,
+    face_actor,
+    lift_lines,
+    line_actor,
+    put_behind,
+    unlit_actor,
+)
+from app.drawings.frustum import CUBE
+from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE, Emphasis
+from app.drawings.stage_view import OVERSHOOT
+from app.drawings.style import rgb
+from app.lecture.highlight import AXES, SIDES
+from app.lecture.stages import (
+    CANONICAL_PARALLEL,
+    CANONICAL_PERSPECTIVE,
+    IMAGE,
+    NDC,
+    RADIUS,
+    VIEW,
+    Morph,
+)
+from app.model.projection import Array
+
+_TINT = 0.16
+_TRIAD = 0.35  # length of the axes at the world and view stops
+_CANONICAL_TRIAD = 0.75  # of x and y in the canonical volumes, short of the sides' words
+_BESIDE = np.array([-0.3, -0.42])  # right and up of a pyramid's small near face: its plate
+_BESIDE_PYRAMID = np.array([-1.35, 0.2])
+
+
+class StageBox:
+    """The view volume at a position of the strip.
+
+    Parameters
+    ----------
+    canvas : Canvas
+    words : mapping
+        The words written here: ``near``, ``far``, ``x``, ``y``, ``z``, ``u``, ``v``, ``n``.
+
+    Attributes
+    ----------
+    near, far : Label
+    stop : int
+        Whose axes and words are shown.
+    display_from_box : (4, 4) array
+        Where the volume is shown; 0 while there is none.
+    axes : (3, 3, 3) array
+        Start, end of what lies along the volume, and tip of each axis, in display space; NaN for
+        one that is not shown.
+    """
+
+    def __init__(self, canvas: Canvas, words: Mapping[str, str]) -> None:
+        self._canvas, self._words = canvas, words
+        self._space = Space()
+        self._add_volume()
+        self._add_axes()
+        self._add_words()
+
+    def _add_volume(self) -> None:
+        style = self._canvas.style
+        width = style.line_width
+        between = [(i + 4, i) for i in NEAR_FACE]
+        ends = {"far": FAR_FACE, "near": NEAR_FACE}
+        edges = line_actor(CUBE, between, style.frustum, width)
+        self._outlines = {
+            name: line_actor(CUBE, [(*face, face[0])], getattr(style, name), 1.7 * width)
+            for name, face in ends.items()
+        }
+        middles = np.array([CUBE[list(FACES[side])].mean(axis=0) for side in (*SIDES, *ends)])
+        self._cross = line_actor(middles, [(3, 1), (0, 2), (4, 5)], style.muted, 0.7 * width)
+        faces = [
+            face_actor(CUBE, [face], getattr(style, name), _TINT) for name, face in ends.items()
+        ]
+        lines = (edges, *self._outlines.values())
+        for actor in (*lines, self._cross, *faces):
+            self._space.add(actor)
+            self._canvas.add(actor)
+        for line in lines:
+            lift_lines(line, 2)
+        for face in faces:
+            put_behind(face)
+        self._volume = (*lines, *faces)
+
+    def _add_axes(self) -> None:
+        """Shafts of length 1 and their heads, along x."""
+        style = self._canvas.style
+        self._arrows: list[tuple[Space, Space, vtkActor, vtkActor]] = []
+        for colour in (style.u, style.v, style.n):
+            shaft = line_actor([(0, 0, 0), (1, 0, 0)], [(0, 1)], colour, 1.7 * style.line_width)
+            head = unlit_actor(
+                pv.Cone(direction=(1, 0, 0), height=0.14, radius=0.045, resolution=24)
+            )
+            head.GetProperty().SetColor(*rgb(colour))
+            lift_lines(shaft, 3)
+            spaces = Space(), Space()
+            for space, actor in zip(spaces, (shaft, head), strict=True):
+                space.add(actor)
+                self._canvas.add(actor)
+            self._arrows.append((*spaces, shaft, head))
+
+    def _add_words(self) -> None:
+        style, words = self._canvas.style, self._words
+
+        def label(
+            text: str,
+            offset_em: tuple[float, float],
+            anchor: tuple[int, int],
+            plate: str | None = None,
+        ) -> Label:
+            return self._canvas.label(text, offset_em=offset_em, anchor=anchor, plate=plate)
+
+        self.near = label(words["near"], (0.7, 0.3), (-1, -1), style.near)
+        self.far = label(words["far"], (0.7, 0.3), (-1, -1), style.far)
+        self._numbers = {
+            "x": [label("", (0.0, -0.4), (0, 1)) for _ in range(2)],
+            "y": [label("", (-0.5, 0.0), (1, 0)) for _ in range(2)],
+            "z": [label("", (0.5, -0.7), (-1, 0), style.background) for _ in range(2)],
+        }
+        self._letters = (
+            label("", (0.6, 0.0), (-1, 0), style.u),
+            label("", (0.0, 0.6), (0, -1), style.v),
+            label("", (0.4, 0.6), (0, -1), style.n),
+        )
+
+    def make_emphasis(self, emphasis: Emphasis) -> None:
+        """Let faces, edges, corners, axes and words stand out while they are attended to."""
+        style = self._canvas.style
+        for face in emphasis.volume(self._space, CUBE, 6.0 * style.line_width, style):
+            put_behind(face)
+        for name, line in self._outlines.items():
+            emphasis.line(line, name)
+        for name, (_, _, shaft, _) in zip(AXES, self._arrows, strict=True):
+            emphasis.line(shaft, name)
+        labels = self.near, self.far, *self._letters
+        for name, label in zip(("near", "far", *AXES), labels, strict=True):
+            emphasis.label(label, name)
+
+    # -- at a position of the strip
+
+    def show(self, morph: Morph, position: float, looked_from: Array) -> None:
+        """Stand there; draw nothing yet.
+
+        Parameters
+        ----------
+        morph : Morph
+        position : float
+        looked_from : (3, 3) array
+            `StageView.axes` of the nearest stop.
+        """
+        stop, drawn = morph.stop_at(position), morph.has_volume(position)
+        box = fitting(morph.display_from_box(position)) if drawn else np.zeros((4, 4))
+        self.stop, self.display_from_box, has_depth = stop, box, stop != IMAGE
+        self._space.set(box)
+        for actor in self._volume:
+            actor.SetVisibility(drawn)
+        self._cross.SetVisibility(stop in (CANONICAL_PARALLEL, NDC))
+        for label in (self.near, self.far):
+            label.set_visible(drawn and has_depth)
+        self._place_axes(morph, position, stop)
+        for name, numbers in zip("xyz", self._numbers.values(), strict=True):
+            for number in numbers:
+                is_written = has_depth or name != "z"
+                number.set_visible(stop >= CANONICAL_PERSPECTIVE and is_written)
+        if drawn:
+            self._place_words(morph, position, stop, looked_from)
+
+    def _place_axes(self, morph: Morph, position: float, stop: int) -> None:
+        """Put axes and letters where the nearest stop has them."""
+        if stop == NDC:  # along the cube's edges, z the way it grows
+            corners = [((-1, -1, 1), (1, -1, 1)), ((-1, -1, 1), (-1, 1, 1))]
+            z_near, z_far = morph.projection.depth_range
+            ends = (1, 1, 0), (1, 1, 1)
+            corners.append(ends if z_near > z_far else ends[::-1])
+            starts, inner = np.moveaxis(self._shown(corners), 1, 0)
+            tips = inner + OVERSHOOT / 2.0 * (inner - starts)
+        elif stop == IMAGE:  # along the picture's, y down
+            start, corner = self._shown([(-1, 1, 1), (1, -1, 1)])
+            axes = np.diag([1.0, -1.0, 1.0])
+            inner = start + np.abs(corner - start)[:, None] * axes
+            starts, tips = np.tile(start, (3, 1)), inner + OVERSHOOT * axes
+        else:
+            axes, lengths = np.eye(3), np.full(3, _TRIAD)
+            if stop <= VIEW:
+                start, axes = morph.axes_at(position)
+                away = math.hypot(*start)
+                if away > RADIUS:  # far from the scene: at the border toward it
+                    start *= RADIUS / away
+            else:
+                start = np.array([0.0, 0.0, 0.5])
+                lengths[:2] = _CANONICAL_TRIAD
+            starts = inner = np.tile(start, (3, 1))
+            tips = starts + lengths[:, None] * axes
+        self.axes = np.stack([starts, inner, tips], axis=1)
+        letters = "uvn" if stop == VIEW else "xyz"
+        for i, (shaft_space, head_space, *arrow) in enumerate(self._arrows):
+            along = tips[i] - starts[i]
+            length = math.hypot(*along)
+            turn = _turn_to(along / max(length, 1e-9))
+            head_space.set(_at(tips[i], turn))
+            turn[:, 0] *= length
+            shaft_space.set(_at(starts[i], turn))
+            letter = self._letters[i]
+            letter.set_position(tips[i])
+            letter.set_text(self._words[letters[i]])
+            is_shown = stop != IMAGE or i < 2
+            letter.set_visible(is_shown)
+            for actor in arrow:
+                actor.SetVisibility(is_shown)
+            if not is_shown:
+                self.axes[i] = np.nan
+
+    def _shown(self, points: object) -> Array:
+        """Points of the box, (..., 3), in display space."""
+        points = np.asarray(points, dtype=np.float64)
+        homogeneous = points @ self.display_from_box[:, :3].T + self.display_from_box[:, 3]
+        shown: Array = homogeneous[..., :3] / homogeneous[..., 3:]
+        return shown
+
+    def _place_words(self, morph: Morph, position: float, stop: int, looked_from: Array) -> None:
+        """Put near, far and the ends of the axes at the corners of the view volume."""
+        box, lens, words = self.display_from_box, morph.projection.lens, self._words
+        limit = RADIUS if stop <= VIEW else 2.0
+        near, far = (_edge(box, -1.0, 1.0, limit, z) for z in (1.0, 0.0))
+        is_pyramid = lens.has_pyramid
+        if stop <= CANONICAL_PERSPECTIVE and is_pyramid:
+            aside = _BESIDE
+            if stop > VIEW:
+                # As far as the near face is small, and the pane has turned to where it looks so.
+                part = 1.0 - abs(position - CANONICAL_PERSPECTIVE)
+                aside = part * (1.0 - lens.near / lens.far / 2.0) * _BESIDE_PYRAMID
+            near = near + aside @ looked_from[:2]
+        self.near.set_position(near)
+        self.far.set_position(far)
+        near_text = words["near"]
+        x, y, z = ("−1", "1"), ("−1", "1"), ("0", "−1")
+        ends = 1.0, 1.0
+        if stop == CANONICAL_PERSPECTIVE and is_pyramid:
+            # The sides are 1 where z is -1: at far, and at near if far is infinite.
+            infinite = lens.far == math.inf
+            ends = (1.0, 1.0) if infinite else (0.0, 0.0)
+            z = ("", "−∞" if infinite else "−1")
+            at = -1.0 if infinite else -lens.near / lens.far
+            near_text = f"{near_text} {_number(at)}"
+            self._numbers["z"][0].set_visible(False)  # on the plate of near, which is small here
+        elif stop == NDC:
+            z_near, z_far = morph.projection.depth_range
+            z = (_number(z_near), _number(z_far))
+        elif stop == IMAGE:
+            width, height = morph.projection.image_size
+            x, y = ("0", str(width)), (str(height), "0")
+        self.near.set_text(near_text)
+        if stop <= VIEW:
+            return
+        for name, texts, corners in (
+            ("x", x, ((-1.0, -1.0, ends[0]), (1.0, -1.0, ends[0]))),
+            ("y", y, ((-1.0, -1.0, ends[1]), (-1.0, 1.0, ends[1]))),
+            ("z", z, ((1.0, 1.0, 1.0), (1.0, 1.0, 0.0))),
+        ):
+            for number, text, (across, up, along) in zip(
+                self._numbers[name], texts, corners, strict=True
+            ):
+                number.set_text(text)
+                number.set_position(_edge(box, across, up, limit, along))
+
+
+def fitting(matrix: Array) -> Array:
+    """A homogeneous matrix without a common factor that could keep it from float32."""
+    fitted: Array = matrix * 2.0 ** -math.frexp(float(np.abs(matrix).max()))[1]
+    return fitted
+
+
+def _turn_to(axis: Array) -> Array:
+    """A rotation that takes x to a direction, (3, 3): half a turn about what is between them."""
+    between = np.add(axis, (1.0, 0.0, 0.0))
+    square = float(between @ between)
+    if square < 1e-12:  # the other way round
+        return np.diag([-1.0, 1.0, -1.0])
+    turn: Array = 2.0 / square * np.outer(between, between) - np.eye(3)
+    return turn
+
+
+def _at(place: Array, turn: Array) -> Array:
+    matrix = np.eye(4)
+    matrix[:3, :3], matrix[:3, 3] = turn, place
+    return matrix
+
+
+def _edge(box: Array, across: float, up: float, limit: float, z: float) -> Array:
+    """Where the corner of the view volume is shown, or its edge leaves the ball that is framed."""
+    near, far = (box @ (across, up, end, 1.0) for end in (1.0, 0.0))
+    start: Array = near[:3] / near[3]
+    if z == 1.0 or math.hypot(*start) >= limit:
+        return start
+    along = far[:3] - far[3] * start
+    length = math.hypot(*along)
+    if length == 0.0:
+        return start
+    along /= length
+    # From inside the ball: the positive root of |start + s along| = limit.
+    middle = float(start @ along)
+    leaves = -middle + math.sqrt(middle**2 + limit**2 - float(start @ start))
+    inside = far[3] * leaves >= length  # the corner itself is
+    shown: Array = start + along * (length / far[3] if inside else leaves)
+    return shown
+
+
+def _number(value: float) -> str:
+    return f"{value:.3g}".replace("-", "−")

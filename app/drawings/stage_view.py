@@ -1,0 +1,198 @@
+"""The own camera of the pane that shows a stage: a parallel one, placed for each stop of the strip.
+
+All foreshortening that is to be seen there is the projection's own.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from app.drawings.actors import CUBE_CORNERS, Canvas
+from app.lecture.stages import (
+    CANONICAL_PARALLEL,
+    CANONICAL_PERSPECTIVE,
+    IMAGE,
+    NDC,
+    RADIUS,
+    VIEW,
+    WORLD,
+)
+from app.model.projection import Array, Camera
+
+OVERSHOOT = 0.28
+"""Of the axes beyond the cube, and beyond the picture."""
+
+_DISTANCE = 10.0  # of the camera; parallel, so that only its clipping range feels it
+_REACH = 2.5  # everything drawn lies within this of the cube's centre, at any orbit
+_BEHIND_DEG, _WORLD_ELEVATION_DEG = 55.0, 25.0  # of the world stop, from the scene's own camera
+_CUBE_DEG = 27.0, 18.0  # to the right of the near face and above it
+_LOOKED_FROM_DEG = {
+    VIEW: (60.0, 20.0),
+    CANONICAL_PERSPECTIVE: (40.0, 18.0),
+    CANONICAL_PARALLEL: _CUBE_DEG,
+    NDC: _CUBE_DEG,
+    IMAGE: (0.0, 0.0),
+}
+_FILLED = 0.9  # of the ball that holds the frustum: its corners alone touch the ball
+_MARGIN_EM = 2.6
+
+
+class StageView:
+    """Where the camera stands.
+
+    Parameters
+    ----------
+    canvas : Canvas
+    start : Camera
+        The scene's own: the world stop is looked at from beside it.
+    """
+
+    def __init__(self, canvas: Canvas, start: Camera) -> None:
+        self._canvas, self._start = canvas, start
+        self._camera = canvas.renderer.GetActiveCamera()
+        self._placed: tuple[float, ...] = ()
+
+    @property
+    def size_px(self) -> tuple[int, int]:
+        """Width and height of the pane."""
+        width_px, height_px = self._canvas.window.GetSize()
+        return max(1, width_px), max(1, height_px)
+
+    def _looked_from(self, stop: int) -> tuple[float, float]:
+        """Azimuth and elevation at a stop, degrees."""
+        if stop != WORLD:
+            return _LOOKED_FROM_DEG[stop]
+        # From beside the scene's own camera, and by the shorter way to the next stop's place.
+        after = _LOOKED_FROM_DEG[VIEW][0]
+        azimuth = self._start.orbit.azimuth_deg + _BEHIND_DEG
+        return after + math.remainder(azimuth - after, 360.0), _WORLD_ELEVATION_DEG
+
+    def axes(self, stop: int) -> Array:
+        """Right, up and toward the reader at a stop, the rows of a (3, 3)."""
+        return _axes(*self._looked_from(stop))
+
+    def reset(self, position: float, image_size: tuple[int, int]) -> None:
+        """Look from where a stop is seen best, with all of it in the pane.
+
+        Between two stops of the strip, from between the places that suit them.
+
+        Parameters
+        ----------
+        position : float
+            Of the strip.
+        image_size : (int, int)
+            Width and height of the picture.
+        """
+        stop = min(int(position), IMAGE)
+        part = position - stop
+        framing = self._framing(stop, image_size)
+        if part > 0.0:
+            framing = (1.0 - part) * framing + part * self._framing(stop + 1, image_size)
+        centre, scale = framing[:3], float(framing[3])
+        toward = _axes(*framing[4:])[2]
+        camera = self._camera
+        camera.ParallelProjectionOn()
+        camera.SetFocalPoint(*centre)
+        camera.SetPosition(*(centre + _DISTANCE * toward))
+        camera.SetViewUp(0.0, 1.0, 0.0)
+        camera.SetParallelScale(scale)
+        self._placed = self._now
+
+    def _framing(self, stop: int, image_size: tuple[int, int]) -> Array:
+        """Where a stop is seen from: centre x, y, z, parallel scale, azimuth, elevation."""
+        width_px, height_px = self.size_px
+        right, up, _ = self.axes(stop)
+        if stop <= VIEW:
+            drawn = _FILLED * RADIUS * np.array([right, -right, up, -up])
+        elif stop == IMAGE:
+            sides = np.array([*image_size, 0.0])
+            across, down, _ = sides / sides.max()
+            drawn = CUBE_CORNERS * (across, down, 0.0)
+            drawn = np.vstack([drawn, [across + OVERSHOOT, -down - OVERSHOOT, 0.0]])
+        else:
+            ends = [(1.0 + OVERSHOOT, -1.0, 1.0), (-1.0, 1.0 + OVERSHOOT, 1.0)]
+            ends += [(1.0, 1.0, sign * (1.0 + OVERSHOOT)) for sign in (-1.0, 1.0)]
+            drawn = np.vstack([CUBE_CORNERS, ends])
+        margin_px = _MARGIN_EM * self._canvas.style.font_size
+        centre = np.zeros(3)
+        scale = 0.0
+        for axis, side_px in ((right, width_px), (up, height_px)):
+            low, high = (drawn @ axis).min(), (drawn @ axis).max()
+            centre += (low + high) / 2.0 * axis
+            room_px = max(side_px - 2.0 * margin_px, side_px / 2.0)
+            scale = max(scale, (high - low) / 2.0 * height_px / room_px)
+        return np.array([*centre, scale, *self._looked_from(stop)])
+
+    @property
+    def _now(self) -> tuple[float, ...]:
+        camera = self._camera
+        return (*camera.GetPosition(), *camera.GetFocalPoint(), camera.GetParallelScale())
+
+    @property
+    def was_moved(self) -> bool:
+        """Whether somebody has moved it since it was placed."""
+        return self._now != self._placed
+
+    @property
+    def view(self) -> Camera | None:
+        """Where it was moved to, in display space; None if it was not.
+
+        The view's distance stands for the scale.
+        """
+        if not self.was_moved:
+            return None
+        camera = self._camera
+        target = np.array(camera.GetFocalPoint())
+        toward = -np.array(camera.GetDirectionOfProjection())
+        eye = target + camera.GetParallelScale() * toward
+        return Camera(tuple(eye), tuple(target), camera.GetViewUp())
+
+    def show(self, view: Camera) -> None:
+        """Move it to a `view` of before."""
+        camera = self._camera
+        camera.SetFocalPoint(*view.target)
+        camera.SetPosition(*(np.array(view.target) + _DISTANCE * view.frame[2]))
+        camera.SetViewUp(*view.up)
+        camera.SetParallelScale(view.distance)
+
+    def fit_range(self) -> None:
+        """Fit its near and far to what is drawn."""
+        camera = self._camera
+        distance = -float(np.dot(camera.GetPosition(), camera.GetDirectionOfProjection()))
+        near = distance - _REACH
+        if not camera.GetParallelProjection():
+            near = max(near, distance / 1000.0, 1e-3)
+        camera.SetClippingRange(near, max(near, distance) + _REACH)
+
+    @property
+    def pane_from_display(self) -> Array:
+        """From display space to pixels from the pane's top left, and depth, (4, 4)."""
+        camera = self._camera
+        width_px, height_px = self.size_px
+        toward = np.array(camera.GetDirectionOfProjection())
+        right = np.cross(toward, camera.GetViewUp())
+        right /= np.linalg.norm(right)
+        up = np.cross(right, toward)
+        px = height_px / (2.0 * camera.GetParallelScale())
+        position = np.array(camera.GetPosition())
+        pane = np.zeros((4, 4))
+        for row, axis, middle in ((0, px * right, width_px), (1, -px * up, height_px)):
+            pane[row] = *axis, middle / 2.0 - axis @ position
+        pane[2] = *toward, -toward @ position
+        pane[3, 3] = 1.0
+        return pane
+
+
+def _axes(azimuth_deg: float, elevation_deg: float) -> Array:
+    """Right, up and toward the reader of a camera at these angles, the rows of a (3, 3)."""
+    azimuth, elevation = math.radians(azimuth_deg), math.radians(elevation_deg)
+    (sin_a, cos_a), (sin_e, cos_e) = ((math.sin(a), math.cos(a)) for a in (azimuth, elevation))
+    return np.array(
+        [
+            (cos_a, 0.0, -sin_a),
+            (-sin_e * sin_a, cos_e, -sin_e * cos_a),
+            (sin_a * cos_e, sin_e, cos_a * cos_e),
+        ]
+    )

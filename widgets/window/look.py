@@ -1,0 +1,176 @@
+"""How the panes look: theme and size of text, the quality they are drawn with, and their views."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QApplication, QWidget
+
+from app.document.document import Document
+from app.document.store import Store
+from app.drawings import WORDS
+from app.drawings.probes import sort_ahead
+from app.drawings.style import Style
+from app.model.projection import Camera
+from widgets.panes.adaptive import Adaptive
+from widgets.panes.pane import SCALES, Pane
+from widgets.parts import palette
+from widgets.parts.messages import Words
+from widgets.parts.panel import EVERYTHING, Changed, Shown
+from widgets.window.settings import Settings
+
+
+def dress(settings: Settings) -> None:
+    """Give the application its colours and its font, before there are widgets or later."""
+    application = QApplication.instance()
+    assert isinstance(application, QApplication)
+    palette.apply(application, dark=palette.is_dark(settings.theme), projector=settings.projector)
+
+
+class Look(QObject):
+    """Builds the drawings of the panes, and hands changes on to them.
+
+    Parameters
+    ----------
+    panes : mapping of str to Pane
+    settings : Settings
+        Of which theme, projector mode, tolerance and frame time are looked at.
+    store : Store
+    software_rendering : bool
+        Whether OpenGL runs without a GPU.
+    window : QWidget
+
+    Attributes
+    ----------
+    adaptive : Adaptive
+    words : mapping of str to str
+        The drawings' words in the window's language; the letters are the lectures'.
+    """
+
+    concerns = EVERYTHING
+    built = Signal(Style)
+    """The panes have other drawings now; other pictures are drawn in this style as well."""
+    text_resized = Signal()
+
+    def __init__(
+        self,
+        panes: Mapping[str, Pane],
+        settings: Settings,
+        store: Store,
+        *,
+        software_rendering: bool,
+        window: QWidget,
+    ) -> None:
+        super().__init__(window)
+        self._panes, self._settings, self._store = panes, settings, store
+        self._window = window
+        self.words = Words(
+            {
+                **WORDS,
+                "near": self.tr("near"),
+                "far": self.tr("far"),
+                "eye": self.tr("eye"),
+                "target": self.tr("target"),
+                "look": self.tr("look"),
+                "up": self.tr("up"),
+            }
+        )
+        self._shown: Shown | None = None
+        self.adaptive = Adaptive(
+            panes,
+            software_rendering=software_rendering,
+            target_ms=settings.frame_ms,
+            window=window,
+        )
+        QGuiApplication.styleHints().colorSchemeChanged.connect(self._scheme_changed)
+
+    # -- what is shown
+
+    def take(self, shown: Shown, changed: Changed) -> None:
+        """Let the panes show it: by other drawings, where it cannot be in those that they have."""
+        self._shown, quality = shown, shown.document.quality
+        anew = bool(changed & {"scene", "views"})
+        built = anew or quality != self.adaptive.quality
+        if built:
+            self.adaptive.show(shown.scene, quality)
+            self._build(shown.document.views if anew else self._views)
+        if anew:
+            sort_ahead(shown.scene)
+        self.adaptive.step(self._store.in_gesture)
+        if not built:
+            for pane in self._panes.values():
+                if changed & pane.concerns:
+                    pane.take(shown, changed)
+        if "image_size" in changed:
+            width, height = shown.projection.image_size
+            self._panes["image"].note.setText(f"{width} × {height}")
+
+    def rebuild(self) -> None:
+        """Make all drawings anew, looked at from where they are looked at now."""
+        if self._shown is not None:
+            self._build(self._views)
+
+    def _build(self, views: Mapping[str, Camera]) -> None:
+        shown, settings, quality = self._shown, self._settings, self.adaptive.quality
+        assert shown is not None
+        style = palette.drawing_style(
+            dark=palette.is_dark(settings.theme),
+            projector=settings.projector,
+            device_pixel_ratio=self._window.devicePixelRatioF(),
+        )
+        drawn = style.enlarged(SCALES.get(quality.smoothing, 1))
+        for name, pane in self._panes.items():
+            # The world pane is looked at by a camera of its own, which is never at an extreme.
+            how: tuple[object, ...] = ()
+            if name != "world":
+                how = (quality.tolerance_px(settings.tolerance_px),)
+            if name == "image":
+                how += (quality,)
+            pane.build(shown, views.get(name), self.adaptive.drawn, self.words, drawn, *how)
+        self.built.emit(style)
+
+    def refine(self, name: str, smooth: bool) -> None:
+        """Draw one pane smoothly, or as while something moves that is no change of the document."""
+        smooth = smooth or not self.adaptive.software_rendering
+        self._panes[name].set_smoothing(self.adaptive.smoothing(smooth))
+
+    def rest(self) -> None:
+        """Draw as well as can be, and bring back what has left a view: the hand rests."""
+        self.adaptive.step(dragging=False)
+        for pane in self._panes.values():
+            pane.refit()
+
+    # -- from where it is looked at
+
+    @property
+    def _views(self) -> dict[str, Camera]:
+        """From where the panes are looked at, of those that somebody turned."""
+        views = {name: pane.view for name, pane in self._panes.items()}
+        return {name: view for name, view in views.items() if view is not None}
+
+    def with_views(self, document: Document) -> Document:
+        """A document as it is looked at just now."""
+        others = {name: view for name, view in document.views.items() if name not in self._panes}
+        return replace(document, views=others | self._views)
+
+    # -- theme and text
+
+    def set_theme(self, theme: str) -> None:
+        """Switch to ``"light"``, ``"dark"`` or ``"system"``."""
+        self._settings.theme = theme
+        dress(self._settings)
+        self.rebuild()
+
+    def set_projector(self, on: bool) -> None:
+        """Switch projector mode: larger text, thicker lines."""
+        self._settings.projector = on
+        dress(self._settings)
+        self.rebuild()
+        self.text_resized.emit()
+
+    def _scheme_changed(self) -> None:
+        if self._settings.theme == "system":
+            self.set_theme("system")

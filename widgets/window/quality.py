@@ -1,0 +1,218 @@
+"""Quality and cost: with what the panes are drawn, what of it cannot be had, and what a step takes.
+
+::
+
+    measure panel --use--> Store --take--> DrawnQuality --> sentences in the status line
+    status line --tolerance, frame time--> DrawnQuality --> settings, panes
+    panes --timed--> Cost --> the cost of a step in the status line
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from functools import partial
+
+from PySide6.QtCore import QObject
+
+from app.document.document import Document, set_values
+from app.document.store import Store
+from app.drawings.image import ImageDrawing
+from app.model.refusal import Refusal
+from app.precision.levels import rung_for_drawing
+from app.precision.quality import AUTO, AUTOMATIC
+from app.scenes.scene import Scene
+from widgets.panes.pane import SMOOTHINGS, Pane
+from widgets.parts.messages import sentence
+from widgets.parts.panel import EVERYTHING, PROJECTION, Changed, Shown
+from widgets.window.look import Look
+from widgets.window.settings import Settings
+from widgets.window.status_line import StatusLine
+
+
+class DrawnQuality(QObject):
+    """What can be chosen between speed and accuracy, and what was.
+
+    Parameters
+    ----------
+    look : Look
+    image : Pane
+    status : StatusLine
+        Where all is said.
+    settings : Settings
+    store : Store
+    shown : callable
+        What is shown just now.
+    scene : callable
+        The loaded scene of a name.
+    refuse : callable
+        Says what cannot be.
+    """
+
+    concerns = EVERYTHING
+
+    def __init__(
+        self,
+        look: Look,
+        image: Pane,
+        status: StatusLine,
+        settings: Settings,
+        store: Store,
+        shown: Callable[[], Shown],
+        scene: Callable[[str], Scene],
+        refuse: Callable[[str], object],
+    ) -> None:
+        super().__init__(look)
+        self._look, self._image, self._status = look, image, status
+        self._settings, self._store = settings, store
+        self._shown, self._scene, self._refuse = shown, scene, refuse
+        status.set_tolerance(settings.tolerance_px)
+        status.set_frame(settings.frame_ms)
+        status.tolerance_edited.connect(self._set_tolerance)
+        status.frame_edited.connect(self._set_frame)
+        status.automatic_wanted.connect(self._automatic)
+        look.adaptive.changed.connect(self._say)
+
+    def take(self, shown: Shown, changed: Changed) -> None:
+        """Say what of the quality is not automatic, and what cannot be had; after the panes."""
+        self._say()
+
+    def _say(self) -> None:
+        shown, adaptive, notes = self._shown(), self._look.adaptive, []
+        quality = shown.document.quality
+        if quality.smoothing not in (AUTO, *SMOOTHINGS):
+            notes.append(
+                self.tr("A pane cannot draw with {0}: it smooths as ever").format(quality.smoothing)
+            )
+        if adaptive.samples:
+            notes.append(
+                self.tr("This computer's OpenGL gives {0} samples a pixel instead of {1}").format(
+                    adaptive.samples, quality.smoothing
+                )
+            )
+        if quality.detail < 1.0 and adaptive.drawn is shown.scene:
+            notes.append(self.tr("The scene has too few triangles to leave any out"))
+        image = self._image.drawing
+        if isinstance(image, ImageDrawing):
+            if quality.rung == "float64" != image.rung:
+                notes.append(self.tr("What has a texture can be drawn in float32 only"))
+            if image.refused_depth is not None:
+                reason = sentence(image.refused_depth).rstrip(".")
+                notes.append(self.tr("The image has its ordinary depth buffer: {0}").format(reason))
+        if adaptive.late_ms:
+            notes.append(
+                self.tr("Even the coarsest picture takes {0} ms a frame, not {1}").format(
+                    f"{adaptive.late_ms:.0f}", f"{self._settings.frame_ms:g}"
+                )
+            )
+        self._status.show_quality(quality, notes)
+
+    # -- chosen
+
+    def _set_tolerance(self, tolerance_px: float) -> None:
+        self._settings.tolerance_px = tolerance_px
+        self._status.set_tolerance(tolerance_px)
+        self._look.rebuild()
+
+    def _set_frame(self, frame_ms: float) -> None:
+        self._settings.frame_ms = frame_ms
+        self._status.set_frame(frame_ms)
+        self._look.adaptive.set_target(frame_ms)
+        self._say()
+
+    def _automatic(self) -> None:
+        self._store.set_document(replace(self._store.document, quality=AUTOMATIC))
+
+    def use(self, choice: Mapping[str, str]) -> None:
+        """Draw with what a measurement has offered, as an edit that can be undone.
+
+        Parameters
+        ----------
+        choice : mapping of str to str
+            Fields of `app.precision.quality.Quality`, or a scene and paths in its document, and
+            their values.
+        """
+        document = self._store.document
+        scene = choice.get("scene", document.scene)
+        if scene != document.scene:
+            document = Document(scene, self._scene(scene).start, document.extra)
+        texts = [
+            f"{key if '.' in key else f'quality.{key}'}={value}"
+            for key, value in choice.items()
+            if key != "scene"
+        ]
+        try:
+            document = set_values(document, texts)
+        except Refusal as error:
+            self._refuse(sentence(error))
+        else:
+            self._store.set_document(document)
+
+    def in_use(self) -> dict[str, str]:
+        """Which choices of the trades the panes are drawn with, as `Choice.use` has them."""
+        shown = self._shown()
+        document, scene, projection = shown.document, shown.scene, shown.projection
+        quality, settings = document.quality, document.settings
+        rung = quality.rung
+        if rung == AUTO:
+            tolerance_px = self._settings.tolerance_px
+            rung = rung_for_drawing(projection, scene.corners, scene.origin, tolerance_px)
+        return {
+            "rung": rung,
+            "depth_format": quality.depth_format or "fixed24",
+            "depth_mapping": quality.depth_mapping or projection.depth,
+            "smoothing": "FXAA" if quality.smoothing == AUTO else quality.smoothing,
+            "detail": f"{quality.detail:g}",
+            "scene": document.scene,
+            "settings.interpolation": str(settings.get("interpolation", "correct")),
+            "settings.subdivision": f"{settings.get('subdivision', 1.0):g}",
+        }
+
+
+class Cost(QObject):
+    """What a step takes, in the status line while that is asked for.
+
+    Parameters
+    ----------
+    panes : mapping of str to Pane
+    status : StatusLine
+
+    Attributes
+    ----------
+    costs : dict of str to (float, float)
+        Of the last step, by the panes' names: matrices and repaint, in ms.
+    model_ms : float
+        What of it the model took.
+    """
+
+    concerns = PROJECTION
+
+    def __init__(self, panes: Mapping[str, Pane], status: StatusLine) -> None:
+        super().__init__(status)
+        self._panes, self._status = panes.values(), status
+        self._is_timed = False
+        self.costs: dict[str, tuple[float, float]] = {}
+        self.model_ms = 0.0
+        for pane in self._panes:
+            pane.timed.connect(partial(self._pane_timed, pane.name))
+
+    def measure(self, on: bool) -> None:
+        """Measure every step, and show what it takes; or do not."""
+        self._is_timed, self.costs = on, {}
+        self._status.cost.setVisible(on)
+        for pane in self._panes:
+            pane.set_timed(on)
+
+    def take(self, shown: Shown, changed: Changed) -> None:
+        """Compute what every pane shares, which the first of them would be charged for."""
+        if self._is_timed:
+            began = time.perf_counter()
+            _ = shown.projection.clip_from_world, shown.projection.image_from_ndc
+            self.model_ms = 1e3 * (time.perf_counter() - began)
+
+    def _pane_timed(self, name: str, matrices_ms: float, repaint_ms: float) -> None:
+        self.costs[name] = matrices_ms, repaint_ms
+        seen = [pane.name for pane in self._panes if pane.isVisible()]
+        costs = {name: self.costs[name] for name in seen if name in self.costs}
+        self._status.show_cost(self.model_ms, costs)

@@ -1,0 +1,116 @@
+"""What a scene is about: its panel, its settings, and the controls that matter for it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+
+from PySide6.QtCore import QObject
+
+from app.document.store import Store
+from app.drawings.image import ImageDrawing
+from app.drawings.rasterising import RASTERISED
+from app.model.refusal import Refusal
+from app.scenes.phenomena.illustration import Value
+from widgets.controls.controls import Controls
+from widgets.panels.scene_panel import ScenePanel
+from widgets.panes.manipulation import Manipulation
+from widgets.panes.pane import Pane
+from widgets.parts.panel import Changed, Shown
+from widgets.window.actions import Actions
+from widgets.window.drawer import Panels
+
+
+class SceneGuide(QObject):
+    """Presents a scene when it comes, and takes its settings on.
+
+    Parameters
+    ----------
+    panel : ScenePanel
+    panels : Panels
+        In which it is opened.
+    controls : Controls
+    manipulation : Manipulation
+        By which settings are dragged in the world.
+    image : Pane
+        Which may find out that OpenGL refuses what the scene asks for.
+    menus : Actions
+    store : Store
+    choose : callable
+        Changes to a scene by its name; it may be refused.
+    """
+
+    concerns = frozenset({"scene", "views", "quality"})
+
+    def __init__(
+        self,
+        panel: ScenePanel,
+        panels: Panels,
+        controls: Controls,
+        manipulation: Manipulation,
+        image: Pane,
+        menus: Actions,
+        store: Store,
+        choose: Callable[[str], object],
+    ) -> None:
+        super().__init__(panel)
+        self._panel, self._panels, self._controls = panel, panels, controls
+        self._manipulation, self._image, self._menus = manipulation, image, menus
+        self._store, self._choose = store, choose
+        self._presented = ""
+        """The scene whose panel was opened or folded by itself."""
+        self._asks = False
+        """Whether the picture is drawn in a way that OpenGL may refuse."""
+        menus.scene_chosen.connect(self.choose)
+        panel.settings_edited.connect(self._set_settings)
+        manipulation.setting_edited.connect(self._set_by_hand)
+
+    def choose(self, name: str) -> None:
+        """Change to another scene; it can be undone."""
+        self._manipulation.let_go()  # what is held belongs to the scene before
+        self._choose(name)
+        self._menus.show_scene(self._store.document.scene)
+
+    def take(self, shown: Shown, changed: Changed) -> None:
+        """Say what the scene is about; a phenomenon opens its panel and points out its controls."""
+        document, phenomenon = shown.document, shown.scene.phenomenon
+        asks = bool(shown.scene.requires & RASTERISED) or document.quality.has_depth
+        if asks != self._asks:
+            self._asks, rendered = asks, self._image.canvas.frameSwapped
+            if asks:
+                rendered.connect(self._tell_problem)  # only a rendering finds it out
+            else:
+                rendered.disconnect(self._tell_problem)
+                self._panel.show_problem(None)
+        if not changed & {"scene", "views"}:
+            return
+        self._menus.show_scene(document.scene)
+        title = self._menus.scene_title(document.scene)
+        self._panel.show_scene(title, phenomenon, Path(document.mesh).name)
+        if document.scene == self._presented:
+            return
+        self._presented = document.scene
+        self._controls.bring_to_front(phenomenon.controls if phenomenon else ())
+        if phenomenon is not None:
+            self._panels.open(self._panel)
+        elif self._panels.open_panel is self._panel:
+            self._panels.open(None)
+
+    def _set_settings(self, settings: Mapping[str, Value]) -> None:
+        try:
+            self._store.set_settings(settings)
+        except Refusal as error:
+            self._panel.refuse(error)
+
+    def _set_by_hand(self, settings: Mapping[str, Value]) -> None:
+        try:
+            self._store.set_settings(settings)
+        except Refusal as error:
+            self._manipulation.refuse(self._panel.named(error))
+
+    def _tell_problem(self) -> None:
+        """Say, and draw again, where this computer's OpenGL refused a scene's own shader."""
+        drawing = self._image.drawing
+        problem = drawing.problem if isinstance(drawing, ImageDrawing) else None
+        if self._panel.show_problem(problem) and problem is not None:
+            self._image.request_repaint()
