@@ -145,3 +145,13 @@ def make_window(display: Any, qtbot: Any, own_home: Path) -> Iterator[Callable[.
     gc.collect()
     survivors = [ref for ref in canvases if ref() is not None]
     assert not survivors, f"{len(survivors)} interactors outlive their windows"
+
+
+@pytest.fixture
+def window(make_window: Callable[..., Any]) -> Any:
+    """The window on the letter F as it opens, at rest."""
+    from tests.support.window import settle
+
+    window = make_window()
+    settle()
+    return window
