@@ -148,10 +148,11 @@ def make_window(display: Any, qtbot: Any, own_home: Path) -> Iterator[Callable[.
 
 
 @pytest.fixture
-def window(make_window: Callable[..., Any]) -> Any:
+def window(request: pytest.FixtureRequest, make_window: Callable[..., Any]) -> Iterator[Any]:
     """The window on the letter F as it opens, at rest."""
     from tests.support.window import settle
 
     window = make_window()
     settle()
-    return window
+    yield window
+    request.node.funcargs.pop("window", None)  # pytest's hold on it, before survivors are sought
