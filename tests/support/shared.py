@@ -99,6 +99,7 @@ class Lent:
                 window.strip.go_to(stage)
                 window.probe_panel.clear()
                 window.panels.open(None)
+                window.pane_row.show_all()
                 window.messages.hide()
                 window.store.open(document)
                 window.pane_row.reset_views()

@@ -14,7 +14,9 @@ from PySide6.QtGui import QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLineEdit
 
+from app.document.document import Document
 from app.model.projection import Projection
+from app.scenes.scene import load
 from tests import PATIENCE_MS
 from widgets.window.main_window import MainWindow
 
@@ -32,6 +34,13 @@ def activate(window: MainWindow) -> None:
     """Wait until the keyboard is the window's."""
     window.activateWindow()
     assert QTest.qWaitForWindowActive(window, PATIENCE_MS)
+
+
+def show_scene(window: MainWindow, name: str) -> MainWindow:
+    """Open a built-in scene as it starts."""
+    window.store.open(Document(name, load(name).start))
+    settle()
+    return window
 
 
 def seen(window: MainWindow, **changes: Any) -> Projection:

@@ -22,10 +22,9 @@ from PySide6.QtWidgets import (
 from pytestqt.qtbot import QtBot
 
 from app.bootstrap import ROOT
-from app.document.document import Document
-from app.scenes.scene import load
-from tests.support.window import MakeWindow, activate
+from tests.support.window import MakeWindow, activate, show_scene
 from widgets.parts.diagram import DiagramView
+from widgets.window.main_window import MainWindow
 
 SAID = QAccessible.Text
 LABEL = QAccessible.RelationFlag.Label
@@ -57,8 +56,8 @@ def mnemonics(actions: Iterable[QAction]) -> Iterator[list[str]]:
             yield from mnemonics(action.menu().actions())
 
 
-def test_a_screen_reader_hears_what_is_shown(make_window: MakeWindow) -> None:
-    window = make_window(Document("depth-buffer", load("depth-buffer").start))
+def test_a_screen_reader_hears_what_is_shown(window: MainWindow) -> None:
+    show_scene(window, "depth-buffer")
     window.panels.open(window.matrices)
     window.matrices.explanation.setText("a sentence")
     for _ in panels(window):
@@ -120,8 +119,8 @@ def stops(window: Any) -> list[QWidget]:
     return been
 
 
-def test_tab_goes_as_one_sees_and_is_seen(make_window: MakeWindow, qtbot: QtBot) -> None:
-    window = make_window(Document("depth-buffer", load("depth-buffer").start))
+def test_tab_goes_as_one_sees_and_is_seen(window: MainWindow, qtbot: QtBot) -> None:
+    show_scene(window, "depth-buffer")
     window.resize(1366, 768)
     activate(window)
     name = next(

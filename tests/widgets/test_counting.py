@@ -10,15 +10,14 @@ import numpy as np
 import pytest
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 
-from app.document.document import Document
 from app.drawings import rasterising
-from app.scenes.scene import load
-from tests.support.window import MakeWindow
+from tests.support.window import show_scene
+from widgets.window.main_window import MainWindow
 
 
 @pytest.fixture
-def make_depth(make_window: MakeWindow) -> MakeWindow:
-    return lambda: make_window(Document("depth-buffer", load("depth-buffer").start))
+def window(window: MainWindow) -> MainWindow:
+    return show_scene(window, "depth-buffer")
 
 
 def shown(window: Any) -> list[str]:
@@ -26,10 +25,7 @@ def shown(window: Any) -> list[str]:
     return [value.text() for label, value, _ in lines if not label.isHidden()]
 
 
-def test_the_counted_share_stands_beside_the_predicted_one(
-    make_depth: MakeWindow, qtbot: Any
-) -> None:
-    window = make_depth()
+def test_the_counted_share_stands_beside_the_predicted_one(window: MainWindow, qtbot: Any) -> None:
     qtbot.waitUntil(lambda: shown(window)[1] != "–")
     predicted, counted = map(float, shown(window)[:2])
     assert 5.0 < predicted < 95.0 and counted == pytest.approx(predicted, abs=5.0)
@@ -45,8 +41,7 @@ def test_the_counted_share_stands_beside_the_predicted_one(
     assert shown(window)[1] == "–"
 
 
-def test_nothing_is_counted_while_the_hand_moves(make_depth: MakeWindow, qtbot: Any) -> None:
-    window = make_depth()
+def test_nothing_is_counted_while_the_hand_moves(window: MainWindow, qtbot: Any) -> None:
     qtbot.waitUntil(lambda: shown(window)[1] != "–")
     window.store.begin_gesture()
     window.store.set_settings({"gap": 0.3})
@@ -57,9 +52,8 @@ def test_nothing_is_counted_while_the_hand_moves(make_depth: MakeWindow, qtbot: 
 
 
 def test_what_was_counted_for_a_folded_panel_stands_there_when_it_is_opened(
-    make_depth: MakeWindow, qtbot: Any
+    window: MainWindow, qtbot: Any
 ) -> None:
-    window = make_depth()
     qtbot.waitUntil(lambda: shown(window)[1] != "–")
     window.panels.open(None)
     with qtbot.waitSignal(window.counting.counted):
@@ -70,10 +64,9 @@ def test_what_was_counted_for_a_folded_panel_stands_there_when_it_is_opened(
 
 
 def test_a_large_mesh_is_not_counted(
-    make_depth: MakeWindow, qtbot: Any, monkeypatch: pytest.MonkeyPatch
+    window: MainWindow, qtbot: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("widgets.panes.counting.MOST_FACES", 0)
-    window = make_depth()
     with qtbot.assertNotEmitted(window.counting.counted, wait=1000):
         pass
     assert shown(window)[1] == "–"
@@ -89,10 +82,9 @@ def unheard() -> Iterator[Any]:
 
 
 def test_a_refused_shader_is_told_and_the_picture_drawn_the_ordinary_way(
-    make_depth: MakeWindow, qtbot: Any, monkeypatch: pytest.MonkeyPatch, unheard: Any
+    window: MainWindow, qtbot: Any, monkeypatch: pytest.MonkeyPatch, unheard: Any
 ) -> None:
     monkeypatch.setattr(rasterising, "_DEPTH", "this is no GLSL;")
-    window = make_depth()
     panel, pane = window.scene_panel, window.panes["image"]
     qtbot.waitUntil(lambda: "does not take the shader" in panel.warning.text())
     assert not panel.warning.isHidden() and shown(window)[1] == "–"

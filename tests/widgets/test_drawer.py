@@ -14,7 +14,7 @@ from pytestqt.qtbot import QtBot
 from app.document.document import Document
 from app.model.projection import Perspective
 from app.scenes.scene import load
-from tests.support.window import MakeWindow, activate
+from tests.support.window import activate, show_scene
 from widgets.parts.panel import EVERYTHING, Changed, Panel, Shown
 from widgets.window.drawer import Panels
 from widgets.window.main_window import MainWindow
@@ -122,8 +122,8 @@ def test_from_name_to_name_the_panels_only_grow(window: MainWindow, size: tuple[
         assert all(pane.height() >= 400 for pane in window.panes.values())
 
 
-def test_an_open_panel_has_its_part_of_a_window_that_grows(make_window: MakeWindow) -> None:
-    window = make_window(Document("depth-buffer", load("depth-buffer").start))
+def test_an_open_panel_has_its_part_of_a_window_that_grows(window: MainWindow) -> None:
+    show_scene(window, "depth-buffer")
     window.resize(1366, 768)
     window.panels.open(window.scene_panel)
     QApplication.processEvents()

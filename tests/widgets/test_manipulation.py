@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -15,7 +16,6 @@ from PySide6.QtGui import QMouseEvent, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from app.document.document import Document
 from app.drawings import WORDS
 from app.drawings.image import ImageDrawing
 from app.drawings.style import DARK, LIGHT, rgb
@@ -31,7 +31,7 @@ from app.model.projection import (
 )
 from app.picking.handles import EYE, TARGET, Handle
 from app.scenes.scene import load
-from tests.support.window import LEFT, MakeWindow, pixels, point_of, settle
+from tests.support.window import LEFT, pixels, point_of, settle, show_scene
 from widgets.panes.pane import ZOOM_PER_WHEEL_STEP
 from widgets.window.main_window import MainWindow
 
@@ -122,9 +122,9 @@ def along(window: MainWindow, handle: Handle, **fields: float) -> tuple[int, int
     return round(after[0] - before[0]), round(after[1] - before[1])
 
 
-def opened(make_window: MakeWindow) -> MainWindow:
-    """The world pane alone, where the near face is large enough for its corners."""
-    window = make_window()
+@pytest.fixture
+def window(window: MainWindow) -> MainWindow:
+    """With the world pane alone, where the near face is large enough for its corners."""
     window.store.set_projection(replace(model(window), lens=LENSES["perspective"]))
     window.pane_row.enlarge("world")
     window.pane_row.reset_views()
@@ -136,8 +136,7 @@ def opened(make_window: MakeWindow) -> MainWindow:
 # -- the world pane
 
 
-def test_a_handle_goes_with_the_hand_and_the_view_stays(make_window: MakeWindow) -> None:
-    window = opened(make_window)
+def test_a_handle_goes_with_the_hand_and_the_view_stays(window: MainWindow) -> None:
     for lens in LENSES.values():
         window.store.set_projection(replace(model(window), lens=lens))
         window.panes["world"].reset_view()
@@ -181,9 +180,8 @@ def drag_a_handle(window: MainWindow, lens: Lens, name: str) -> None:
 
 @pytest.mark.parametrize("name", ["world", "image"])
 def test_neither_wheel_nor_another_button_takes_what_is_held_out_of_the_hand(
-    make_window: MakeWindow, name: str
+    window: MainWindow, name: str
 ) -> None:
-    window = opened(make_window)
     if name == "world":
         _, spot = mark(window, "eye")
         at = point_of(spot)
@@ -211,8 +209,7 @@ def test_neither_wheel_nor_another_button_takes_what_is_held_out_of_the_hand(
     assert (model(window), view(window)) != (start, place)
 
 
-def test_the_eye_goes_up_and_down_with_shift(make_window: MakeWindow) -> None:
-    window = opened(make_window)
+def test_the_eye_goes_up_and_down_with_shift(window: MainWindow) -> None:
     start, place = model(window).camera, view(window)
     _, spot = mark(window, "eye")
     drag(window, "world", point_of(spot), (9, -20), (18, -40), key=SHIFT)
@@ -222,8 +219,7 @@ def test_the_eye_goes_up_and_down_with_shift(make_window: MakeWindow) -> None:
     assert view(window)[:3] != place[:3] or window.panes["world"].view is None
 
 
-def test_a_drag_beside_the_handles_still_turns_the_view(make_window: MakeWindow) -> None:
-    window = opened(make_window)
+def test_a_drag_beside_the_handles_still_turns_the_view(window: MainWindow) -> None:
     start, place = model(window), view(window)
     x, y = mark(window, "far")[1]
     empty = point_of((x, y - 40.0))
@@ -232,8 +228,7 @@ def test_a_drag_beside_the_handles_still_turns_the_view(make_window: MakeWindow)
     assert view(window) != place and model(window) == start and not window.store.in_gesture
 
 
-def test_hovering_says_what_a_drag_does_and_costs_one_repaint(make_window: MakeWindow) -> None:
-    window = opened(make_window)
+def test_hovering_says_what_a_drag_does_and_costs_one_repaint(window: MainWindow) -> None:
     canvas, hand = window.panes["world"].canvas, window.manipulation
     handle, spot = mark(window, "near")
     before, tip = pixels(window, "world"), canvas.toolTip()
@@ -263,9 +258,8 @@ def test_hovering_says_what_a_drag_does_and_costs_one_repaint(make_window: MakeW
     canvas.render_window.RemoveObserver(observer)
 
 
-def test_what_is_said_of_a_handle_is_seen_whole_and_does_not_jump(make_window: MakeWindow) -> None:
+def test_what_is_said_of_a_handle_is_seen_whole_and_does_not_jump(window: MainWindow) -> None:
     """Beside the title where there is room, otherwise in a line over the pane; never in both."""
-    window = opened(make_window)
     hand, pane = window.manipulation, window.panes["world"]
     _, spot = mark(window, "eye")
     at = point_of(spot)
@@ -303,9 +297,8 @@ def test_what_is_said_of_a_handle_is_seen_whole_and_does_not_jump(make_window: M
 
 @pytest.mark.parametrize("change", ["scene", "style"])
 def test_what_is_said_of_a_handle_goes_with_the_drawing_that_it_was_in(
-    make_window: MakeWindow, change: str
+    window: MainWindow, change: str
 ) -> None:
-    window = opened(make_window)
     hand, pane = window.manipulation, window.panes["world"]
     tip = pane.canvas.toolTip()
     pane.title.setMinimumWidth(pane.width() // 2)
@@ -321,10 +314,7 @@ def test_what_is_said_of_a_handle_goes_with_the_drawing_that_it_was_in(
     assert pane.canvas.cursor().shape() == Qt.CursorShape.ArrowCursor
 
 
-def test_a_refusal_takes_the_place_of_what_is_said_and_gives_it_back(
-    make_window: MakeWindow,
-) -> None:
-    window = opened(make_window)
+def test_a_refusal_takes_the_place_of_what_is_said_and_gives_it_back(window: MainWindow) -> None:
     hand = window.manipulation
     window.panes["world"].title.setMinimumWidth(window.panes["world"].width() // 2)
     settle()
@@ -337,8 +327,7 @@ def test_a_refusal_takes_the_place_of_what_is_said_and_gives_it_back(
     assert not hand.message.isVisible() and "Near = " in hand.said and hand._line.isVisible()
 
 
-def test_every_handle_is_named_for_every_lens(make_window: MakeWindow) -> None:
-    window = opened(make_window)
+def test_every_handle_is_named_for_every_lens(window: MainWindow) -> None:
     texts = set()
     for lens in LENSES.values():
         window.store.set_projection(replace(model(window), lens=lens))
@@ -355,10 +344,7 @@ def test_every_handle_is_named_for_every_lens(make_window: MakeWindow) -> None:
     assert "" not in texts
 
 
-def test_near_past_far_is_refused_in_a_sentence_that_goes_with_the_hand(
-    make_window: MakeWindow,
-) -> None:
-    window = opened(make_window)
+def test_near_past_far_is_refused_in_a_sentence_that_goes_with_the_hand(window: MainWindow) -> None:
     bar = window.manipulation.message
     handle, spot = mark(window, "near")
     size = window.panes["world"].canvas.size()
@@ -383,8 +369,7 @@ def test_near_past_far_is_refused_in_a_sentence_that_goes_with_the_hand(
     assert bar.text == "" and model(window) == held
 
 
-def test_far_before_near_speaks_of_far_and_the_fov_of_its_bounds(make_window: MakeWindow) -> None:
-    window = opened(make_window)
+def test_far_before_near_speaks_of_far_and_the_fov_of_its_bounds(window: MainWindow) -> None:
     bar = window.manipulation.message
     handle, spot = mark(window, "far")
     way = along(window, handle, far=1.5)
@@ -405,8 +390,7 @@ def test_far_before_near_speaks_of_far_and_the_fov_of_its_bounds(make_window: Ma
     release(window, "world", point_of(spot))
 
 
-def test_a_window_turned_inside_out_is_refused(make_window: MakeWindow) -> None:
-    window = opened(make_window)
+def test_a_window_turned_inside_out_is_refused(window: MainWindow) -> None:
     lens = LENSES["orthographic"]
     window.store.set_projection(replace(model(window), lens=lens))
     window.panes["world"].reset_view()
@@ -423,8 +407,7 @@ def test_a_window_turned_inside_out_is_refused(make_window: MakeWindow) -> None:
 
 
 @pytest.mark.parametrize("focus", ["nothing", "field"])
-def test_escape_puts_back_what_is_dragged(make_window: MakeWindow, focus: str) -> None:
-    window = opened(make_window)
+def test_escape_puts_back_what_is_dragged(window: MainWindow, focus: str) -> None:
     window.probe_panel.follow(point=(0.0, 0.5, 0.5))
     field: Any = window.controls.rows["near"].field  # type: ignore[attr-defined]
     window.activateWindow()
@@ -455,8 +438,7 @@ def test_escape_puts_back_what_is_dragged(make_window: MakeWindow, focus: str) -
     assert window.probe_panel.probes == ()
 
 
-def test_another_lens_under_the_hand_ends_the_drag(make_window: MakeWindow) -> None:
-    window = opened(make_window)
+def test_another_lens_under_the_hand_ends_the_drag(window: MainWindow) -> None:
     _, spot = mark(window, "corner")
     press(window, "world", point_of(spot))
     move(window, "world", point_of(spot) + QPoint(8, 8))
@@ -467,8 +449,7 @@ def test_another_lens_under_the_hand_ends_the_drag(make_window: MakeWindow) -> N
     assert not window.store.in_gesture
 
 
-def test_a_drag_while_the_animation_plays_moves_its_own_field_only(make_window: MakeWindow) -> None:
-    window = opened(make_window)
+def test_a_drag_while_the_animation_plays_moves_its_own_field_only(window: MainWindow) -> None:
     handle, spot = mark(window, "near")
     way = along(window, handle, near=4.0)
     press(window, "world", point_of(spot))
@@ -503,9 +484,8 @@ def test_a_step_adds_and_removes_nothing_and_a_figure_has_no_marks() -> None:
     assert counts[1] == counts[0] + 1
 
 
-def test_marks_are_seen_in_every_style(make_window: MakeWindow) -> None:
+def test_marks_are_seen_in_every_style(window: MainWindow) -> None:
     """A rim of ink round a fill: in dark and light, and larger for the back row."""
-    window = opened(make_window)
     for projector in [False, True]:
         for theme in ["light", "dark"]:
             window.set_theme(theme)
@@ -522,8 +502,7 @@ def test_marks_are_seen_in_every_style(make_window: MakeWindow) -> None:
                     assert (off <= 6.0).sum() >= least, (name, colour)
 
 
-def test_the_marks_of_a_moved_view_are_where_the_view_shows_them(make_window: MakeWindow) -> None:
-    window = opened(make_window)
+def test_the_marks_of_a_moved_view_are_where_the_view_shows_them(window: MainWindow) -> None:
     before = marks(window)
     drag(window, "world", QPoint(30, 30), (20, 5), (60, 10))
     after = marks(window)
@@ -551,8 +530,7 @@ def target_px(window: MainWindow) -> np.ndarray:
     return np.array([left + x * width / 1280, top + y * height / 720])
 
 
-def test_the_picture_is_dragged_with_what_is_as_far_as_the_target(make_window: MakeWindow) -> None:
-    window = opened(make_window)
+def test_the_picture_is_dragged_with_what_is_as_far_as_the_target(window: MainWindow) -> None:
     for lens in LENSES.values():
         window.store.set_projection(replace(model(window), lens=lens))
         window.store.mark_saved()
@@ -582,8 +560,7 @@ def test_a_drag_beside_the_picture_and_one_on_a_probe_leave_the_camera(window: M
     assert window.probe_panel.probes[0].point != (1.5, 5.0, 0.5)
 
 
-def test_escape_puts_the_picture_back(make_window: MakeWindow) -> None:
-    window = opened(make_window)
+def test_escape_puts_the_picture_back(window: MainWindow) -> None:
     start = model(window)
     left, top, *_ = picture(window).picture_rectangle_px
     place = QPoint(left + 20, top + 20)
@@ -595,8 +572,7 @@ def test_escape_puts_the_picture_back(make_window: MakeWindow) -> None:
     assert model(window) == start
 
 
-def test_the_wheel_dollies_and_a_burst_is_one_step(make_window: MakeWindow, qtbot: Any) -> None:
-    window = opened(make_window)
+def test_the_wheel_dollies_and_a_burst_is_one_step(window: MainWindow, qtbot: Any) -> None:
     start = model(window)
     with qtbot.waitSignal(window.manipulation.gesture_finished):
         for steps in (1, 1, 0.5):
@@ -613,8 +589,7 @@ def test_the_wheel_dollies_and_a_burst_is_one_step(make_window: MakeWindow, qtbo
     assert model(window).camera.distance == pytest.approx(distance * ZOOM_PER_WHEEL_STEP)
 
 
-def test_the_wheel_stops_before_the_target_and_says_so(make_window: MakeWindow, qtbot: Any) -> None:
-    window = opened(make_window)
+def test_the_wheel_stops_before_the_target_and_says_so(window: MainWindow, qtbot: Any) -> None:
     near = Camera((1.0 + 2.0**-52, 2.0, 3.0), (1.0, 2.0, 3.0))
     window.store.set_projection(replace(model(window), camera=near))
     bar = window.manipulation.message
@@ -636,8 +611,9 @@ def test_a_held_handle_is_known_by_its_name() -> None:
 
 
 @pytest.fixture
-def make_scene(make_window: MakeWindow) -> Callable[[str], MainWindow]:
-    return lambda name: make_window(Document(name, load(name).start))
+def make_scene(window: MainWindow) -> Callable[[str], MainWindow]:
+    window.pane_row.show_all()
+    return partial(show_scene, window)
 
 
 def grip(window: MainWindow, setting: str) -> tuple[Handle, tuple[float, float]]:
@@ -734,9 +710,8 @@ def test_a_scene_without_points_has_no_grips(make_scene: Callable[[str], MainWin
 
 
 @pytest.mark.parametrize("name", ["world", "image"])
-def test_another_scene_under_the_hand_ends_the_drag(make_window: MakeWindow, name: str) -> None:
+def test_another_scene_under_the_hand_ends_the_drag(window: MainWindow, name: str) -> None:
     """Its own camera stays, and undo goes back to where the drag had come to."""
-    window = opened(make_window)
     at = point_of(mark(window, "target")[1])
     if name == "image":
         drawing = window.panes["image"].drawing

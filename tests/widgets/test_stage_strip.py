@@ -27,7 +27,7 @@ from app.drawings.style import DARK, LIGHT, Style, rgb
 from app.lecture.stages import IMAGE, NDC, STOPS, VIEW, WORLD, Morph
 from app.model.projection import Frustum, Lens, Oblique, Perspective
 from app.scenes.scene import load
-from tests.support.window import MakeWindow, activate, settle
+from tests.support.window import activate, settle
 from widgets.panes.stage_strip import CATCH, REST_S, STEP_S, STEPS, StageStrip
 from widgets.window.main_window import MainWindow
 
@@ -434,8 +434,8 @@ def test_an_exported_figure_shows_ndc(window: MainWindow) -> None:
     assert window._views_now() == {}  # the strip's own framing is nobody's turn of the view
 
 
-def test_play_runs_to_the_picture_resting_at_each_stop(make_window: MakeWindow) -> None:
-    strip = make_window().strip
+def test_play_runs_to_the_picture_resting_at_each_stop(window: MainWindow) -> None:
+    strip = window.strip
     strip.go_to(5.0)
     seen: list[float] = []
     strip.moved.connect(seen.append)

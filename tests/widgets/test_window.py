@@ -54,7 +54,15 @@ from app.scenes.scene import load
 from app.scenes.shapes import GRID_RGB
 from tests import PATIENCE_MS, PATIENCE_S
 from tests.support.phenomenon import EVERYTHING
-from tests.support.window import MakeWindow, activate, counted_repaints, pixels, seen, settle
+from tests.support.window import (
+    MakeWindow,
+    activate,
+    counted_repaints,
+    pixels,
+    seen,
+    settle,
+    show_scene,
+)
 from widgets.parts.messages import number_text, sentence
 from widgets.window.autosave import Autosave
 from widgets.window.export_dialog import ExportChoice, ExportDialog
@@ -1191,8 +1199,8 @@ def test_choosing_a_phenomenon_opens_its_panel_and_leaving_it_folds_it(window: M
     assert window.store.document.scene == "letter-f" and window.panels.open_panel is None
 
 
-def test_the_panes_have_room_above_a_phenomenon(make_window: MakeWindow) -> None:
-    window = make_window(on_triangles())
+def test_the_panes_have_room_above_a_phenomenon(window: MainWindow) -> None:
+    show_scene(window, "similar-triangles")
     for size in [(1366, 768), (1920, 1080)]:
         window.resize(*size)
         settle()
@@ -1250,16 +1258,16 @@ def test_an_exhibit_is_computed_once_a_change_and_shown_everywhere(
     assert made[-1].readings[0].value == 3.0
 
 
-def test_idle_with_an_open_panel_draws_nothing(make_window: MakeWindow) -> None:
-    window = make_window(on_triangles())
+def test_idle_with_an_open_panel_draws_nothing(window: MainWindow) -> None:
+    show_scene(window, "similar-triangles")
     settle()
     with counted_repaints(window) as counts:
         QTest.qWait(300)
     assert counts == {"world": 0, "ndc": 0, "image": 0}
 
 
-def test_no_exhibit_of_one_scene_is_shown_in_another(make_window: MakeWindow) -> None:
-    window = make_window(on_triangles())
+def test_no_exhibit_of_one_scene_is_shown_in_another(window: MainWindow) -> None:
+    show_scene(window, "similar-triangles")
     given = exhibits_of(window)
     window.choose_scene("posts")
     assert all(shown == [None] for shown in given.values())
@@ -1268,8 +1276,8 @@ def test_no_exhibit_of_one_scene_is_shown_in_another(make_window: MakeWindow) ->
         assert shown[0] is None and shown[1] is not None and len(shown) == 2
 
 
-def test_a_setting_is_changed_from_its_row_and_undone_into_it(make_window: MakeWindow) -> None:
-    window = make_window(on_triangles())
+def test_a_setting_is_changed_from_its_row_and_undone_into_it(window: MainWindow) -> None:
+    show_scene(window, "similar-triangles")
     row: Any = window.scene_panel.rows["distance"]
     row.slider.setSliderDown(True)
     for position in (10, 20, 30):
@@ -1287,8 +1295,8 @@ def test_a_setting_is_changed_from_its_row_and_undone_into_it(make_window: MakeW
     assert row.value() == distance
 
 
-def test_a_setting_that_cannot_be_is_refused_at_its_row(make_window: MakeWindow) -> None:
-    window = make_window(on_triangles())
+def test_a_setting_that_cannot_be_is_refused_at_its_row(window: MainWindow) -> None:
+    show_scene(window, "similar-triangles")
     row: Any = window.scene_panel.rows["distance"]
     row.field.setFocus()
     row.field.selectAll()
@@ -1463,8 +1471,8 @@ def test_a_file_that_is_opened_again_is_read_again(
         assert window.shown.scene is shown
 
 
-def test_a_mesh_that_is_used_again_is_read_again(make_window: MakeWindow, tmp_path: Path) -> None:
-    window = make_window(on_triangles())
+def test_a_mesh_that_is_used_again_is_read_again(window: MainWindow, tmp_path: Path) -> None:
+    show_scene(window, "similar-triangles")
     mesh = tetrahedron(tmp_path)
     assert window.files.use_mesh(str(mesh))
     before = pixels(window, "image")
@@ -1477,9 +1485,9 @@ def test_a_mesh_that_is_used_again_is_read_again(make_window: MakeWindow, tmp_pa
 
 
 def test_a_mesh_that_cannot_be_used_is_a_sentence_and_nothing_else(
-    make_window: MakeWindow, tmp_path: Path
+    window: MainWindow, tmp_path: Path
 ) -> None:
-    window = make_window(on_triangles())
+    show_scene(window, "similar-triangles")
     for empty in ("empty.obj", "notes.txt"):
         (tmp_path / empty).write_text("")
     for name in ["missing.obj", "empty.obj", "notes.txt"]:
