@@ -13,6 +13,7 @@ from pathlib import Path
 
 import pytest
 
+from app.bootstrap import ROOT
 from app.commands.arguments import check_out
 from app.commands.options import CliError
 from app.measure import NEED_OPENGL, TRADES
@@ -20,7 +21,7 @@ from app.measure.arithmetic import SWEEPS
 from app.measure.meaning import cheapest, meaning
 from app.measure.results import Choice, Trade, from_json, to_csv
 from tests import PATIENCE_S
-from tests.commands.test_cli import ROOT, refused, run
+from tests.support.commands import refused, run
 
 
 def test_a_trade_and_a_sweep_are_printed_and_written(tmp_path: Path) -> None:

@@ -28,9 +28,9 @@ from app.model.projection import (
 )
 from app.precision.levels import DRAWING_TOLERANCE_PX
 from app.scenes.scene import Scene, load
-from tests.drawings.test_drawings import OffScreen, drawn, off_screen, scene_of, to_bytes
 from tests.oracles.exact import dot as exact_dot
 from tests.oracles.exact import frame, minus, mp, vector
+from tests.support.drawings import OffScreen, drawn, off_screen, scene_of, to_bytes
 from widgets.window.main_window import MainWindow
 
 __all__ = ["off_screen"]

@@ -59,7 +59,7 @@ def close(windows: list[MainWindow]) -> None:
 READ = (
     *("text", "value", "minimum", "maximum", "isChecked", "currentIndex", "placeholderText"),
     *("toolTip", "accessibleName", "accessibleDescription", "isHidden", "isEnabled", "isWindow"),
-    *("geometry", "cursorPosition", "selectedText", "count", "styleSheet", "hasFocus"),
+    *("cursorPosition", "selectedText", "count", "styleSheet"),
 )
 """What can be seen of a widget, or heard."""
 
@@ -88,11 +88,12 @@ class Lent:
             window = self._make()
             self._windows.append(window)
             settle()
-            document, stage = window.store.document, window.strip.position
+            document, stage, size = window.store.document, window.strip.position, window.size()
 
             def put_back() -> None:
                 window = self._windows[-1]
                 window.setFocus()
+                window.resize(size)
                 while window.store.in_gesture:
                     window.store.end_gesture()
                 window.undo()  # and all that plays stands still
@@ -151,12 +152,18 @@ def _seen(window: MainWindow) -> Iterator[Any]:
     yield repr(vars(window.settings))
     for action in window.findChildren(QAction):
         yield action.text(), action.isEnabled(), action.isChecked(), action.isVisible()
-    for widget in (window, *window.findChildren(QWidget)):
-        read = (getattr(widget, name, None) for name in READ)
-        yield type(widget), *(value() if callable(value) else value for value in read)
+    # In no order: a pane that was in a window of its own comes last of its brothers.
+    yield sorted(map(_of_widget, (window, *window.findChildren(QWidget))))
     drawings = [pane.drawing for pane in window.panes.values()]
     for owner in (*window.findChildren(QObject), *drawings):
-        put = (name for name, value in vars(owner).items() if isinstance(value, FunctionType))
-        yield [name for name in put if hasattr(type(owner), name)]
+        put = [name for name, value in vars(owner).items() if isinstance(value, FunctionType)]
+        if any(hasattr(type(owner), name) for name in put):
+            yield type(owner), put
     for name in window.panes:
         yield pixels(window, name).tobytes()
+
+
+def _of_widget(widget: QWidget) -> str:
+    read = (getattr(widget, name, None) for name in READ)
+    seen = [value() if callable(value) else value for value in read]
+    return repr((type(widget), seen, widget.isVisible() and widget.geometry().getRect()))

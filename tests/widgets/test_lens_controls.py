@@ -24,16 +24,7 @@ from app.model.projection import (
     Perspective,
     Projection,
 )
-from tests.widgets.test_controls import (
-    NONSENSE,
-    Record,
-    choice,
-    drag,
-    enter,
-    number,
-    press,
-    release,
-)
+from tests.support.controls import NONSENSE, Record, choice, drag, enter, number, press, release
 from widgets.controls.controls import Controls
 from widgets.parts.fields import Linear, Log, NumberRow
 

@@ -27,7 +27,7 @@ from app.measure.meaning import meaning
 from app.measure.results import Choice, Results, Trade, from_json, table, to_csv, to_json
 from app.model.projection import Camera, Perspective
 from app.scenes.scene import load
-from tests.measure.test_chart import RESULTS, TRADE
+from tests.support.results import RESULTS, TRADE
 from tests.support.window import settle
 from widgets.panels import measuring
 from widgets.panels.measure_panel import MeasurePanel

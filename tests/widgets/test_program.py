@@ -21,13 +21,14 @@ import pytest
 from PIL import Image
 from PySide6.QtCore import QStandardPaths
 
+from app.bootstrap import ROOT
 from app.commands.cli import main
 from app.document.document import Document, embed, read, to_json, write
 from app.document.store import Store
 from app.model.projection import Projection
 from app.scenes.scene import load as load_scene
 from tests import PATIENCE_S
-from tests.commands.test_cli import ROOT, comma_locale, refused, refused_by_a_process, run
+from tests.support.commands import comma_locale, refused, refused_by_a_process, run
 from tests.support.window import MakeWindow
 from widgets.program import application, logs, opengl, report
 from widgets.program import display as screen
