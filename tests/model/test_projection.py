@@ -188,6 +188,18 @@ def test_outside_names_the_planes_that_a_point_lies_beyond(projection: Projectio
     assert found == list(points)
 
 
+@pytest.mark.parametrize("kind", ["frustum", "orthographic"])
+def test_what_lies_on_a_plane_is_inside(kind: str) -> None:
+    """On an axis, where every digit is exact: 45 degrees to each side, or a window of 8 by 8."""
+    window = (-4, 4, -4, 4, 1, 8) if kind == "orthographic" else (-1, 1, -1, 1, 1, 8)
+    on = [(0, 0, -1), (0, 0, -8), (4, 0, -4), (-4, 0, -4), (0, 4, -4), (0, -4, -4)]
+    assert (
+        not Projection(AXIS, app.model.projection.LENSES[kind](*window), (800, 800))
+        .trace(on)
+        .outside.any()
+    )
+
+
 def test_shape_of_a_trace_is_the_shape_of_its_points() -> None:
     for shape in ((), (7,), (0,), (2, 3)):
         trace = Projection().trace(np.ones((*shape, 3)))

@@ -20,7 +20,7 @@ from app.model.projection import (
     focal_length_35mm,
 )
 from app.model.refusal import Refusal
-from app.scenes.phenomena.focus import PHENOMENON, blur_mm
+from app.scenes.phenomena.focus import PHENOMENON, blur_mm, sharpness
 from app.scenes.phenomena.illustration import Exhibit, Subject
 
 mp.mp.dps = 40
@@ -126,7 +126,9 @@ def test_by_hand() -> None:
     assert got["hyperfocal distance H"] == pytest.approx(50.05, rel=1e-14)
     assert got["sharp from"] == pytest.approx(500 / 59.95, rel=1e-14)
     assert got["sharp to"] == pytest.approx(500 / 40.05, rel=1e-13)
-    # Focused at H, sharp from H/2 on.
+    # Focused at H, sharp from H/2 on; also exactly there, where 1 - 1 is divided by.
+    assert sharpness(50.0, 2.0, 50.05, 0.025).far == math.inf
+    assert (50.05 - 0.05) / 50.0 == 1.0
     at_h = values(show(projection, focus=50.06, aperture=2.0, confusion=0.025))
     assert at_h["sharp to"] is None
     assert at_h["sharp from"] == pytest.approx(25.03, rel=1e-3)
