@@ -297,7 +297,10 @@ def test_handles_stand_in_the_pane_and_not_on_one_another() -> None:
     assert faces == {"near", "far"}
     # Of a near face that is wide, but low, as well.
     low = replace(projection, lens=Orthographic(-3.0, 3.0, -0.1, 0.1, 1.0, 30.0))
-    sight = looks(Camera((0.0, 0.0, 0.0), projection.camera.eye))
+    pane = Projection(
+        Camera((20.0, 14.0, 25.0), (4.0, 4.0, 6.0)), Perspective(50.0, 0.1, 1e5), SIZE
+    )
+    sight = Sight.of(pane)
     found = shown(low, (1.0, 30.0), sight, SIZE, 12.0)
     assert {handle.face for handle, _ in found if handle.name == "corner"} == {"far"}
 

@@ -49,11 +49,15 @@ def close(windows: list[MainWindow]) -> None:
         windows[-1].close()
         windows.pop().deleteLater()
     QApplication.processEvents()
-    # Which no nested loop delivers.
-    QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete.value)
+    delete_what_is_due()
     gc.collect()
     survivors = [ref for ref in canvases if ref() is not None]
     assert not survivors, f"{len(survivors)} interactors outlive their windows"
+
+
+def delete_what_is_due() -> None:
+    """What no nested loop does: deliver the events of `deleteLater`."""
+    QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete.value)
 
 
 READ = (
@@ -106,6 +110,7 @@ class Lent:
                 window.pane_row.reset_views()
                 QTest.mouseMove(window.windowHandle(), QPoint(window.width() - 2, 2))
                 settle()
+                delete_what_is_due()
                 _let_time_pass(window)
 
             self._put_back = put_back
@@ -150,9 +155,9 @@ def _seen(window: MainWindow) -> Iterator[Any]:
     yield window.windowTitle(), window.isWindowModified(), QApplication.font().toString()
     yield window.store.document, window.store.can_undo, window.store.can_redo
     yield repr(vars(window.settings))
-    for action in window.findChildren(QAction):
-        yield action.text(), action.isEnabled(), action.isChecked(), action.isVisible()
     # In no order: a pane that was in a window of its own comes last of its brothers.
+    actions = window.findChildren(QAction)
+    yield sorted((a.text(), a.isEnabled(), a.isChecked(), a.isVisible()) for a in actions)
     yield sorted(map(_of_widget, (window, *window.findChildren(QWidget))))
     drawings = [pane.drawing for pane in window.panes.values()]
     for owner in (*window.findChildren(QObject), *drawings):
