@@ -73,6 +73,8 @@ def projections(phenomenon: Phenomenon) -> Iterator[Projection]:
     for lens in lenses:
         yield replace(start, lens=lens)
         yield replace(start, lens=lens, camera=cameras[0])
+    away = Camera(start.camera.target, start.camera.eye, start.camera.up)
+    yield replace(start, camera=away)
     for size in ((1, 1), (1, 16384), (16384, 1), (1279, 721)):
         yield replace(start, image_size=size)
 
@@ -92,12 +94,16 @@ def random_projection(dice: random.Random, start: Projection) -> Projection:
     return replace(seen, lens=replace(seen.lens, **window))
 
 
-def assert_sound(exhibit: Exhibit, projection: Projection) -> None:
+def assert_sound(phenomenon: Phenomenon, exhibit: Exhibit, projection: Projection) -> None:
     """Numbers are finite or missing with a reason, marks are finite and in their pane's space."""
+    assert len(exhibit.copies) == phenomenon.copies
+    for copy in exhibit.copies:
+        assert np.isfinite(copy.world_from_world).all()
     for one in exhibit.readings:
         assert one.label
         if one.value is None:
-            assert one.note is not None and one.note.sentence(), one.label
+            said = one.counted or (one.note is not None and one.note.sentence())
+            assert said, f"{one.label} has no value and says nothing"
         elif isinstance(one.value, tuple):
             assert all(map(math.isfinite, one.value)), one
         elif not isinstance(one.value, str):
@@ -110,6 +116,7 @@ def assert_sound(exhibit: Exhibit, projection: Projection) -> None:
     ]:
         assert -1e-6 <= place[0] <= width + 1e-6 and -1e-6 <= place[1] <= height + 1e-6
     for diagram in exhibit.diagrams:
+        assert diagram.curves, diagram.title
         window = (diagram.left, diagram.right, diagram.bottom, diagram.top)
         assert all(map(math.isfinite, window))
         assert diagram.left < diagram.right and diagram.bottom != diagram.top
@@ -126,7 +133,7 @@ def _assert_marks(marks: Marks, size: int) -> None:
     for shape in (*marks.lines, *marks.faces):
         assert shape.points.ndim == 2 and shape.points.shape[1] == size
         assert np.isfinite(shape.points).all()
-        assert hasattr(LIGHT, shape.colour)
+        assert shape.colour.startswith("#") or hasattr(LIGHT, shape.colour)
     for face in marks.faces:
         assert len(face.points) >= 3
     for mark in (*marks.dots, *marks.texts):

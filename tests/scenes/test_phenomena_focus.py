@@ -12,7 +12,6 @@ import pytest
 from app.model.projection import (
     Camera,
     Frustum,
-    Lens,
     Oblique,
     Orthographic,
     Perspective,
@@ -229,34 +228,3 @@ def test_what_cannot_be_focused_says_why() -> None:
         assert parallel.warning is not None
         assert set(values(parallel).values()) == {None}
         assert parallel.diagrams == () and parallel.world.faces == ()
-
-
-@pytest.mark.parametrize("depth", ["opengl", "direct3d", "reversed"])
-@pytest.mark.parametrize(
-    "lens",
-    [
-        Perspective(1e-90, 1e-205, math.inf),
-        Perspective(179.9999999999999, 1e-205, math.inf),
-        Perspective(45.0, 1e-205, 1e100),
-        Frustum(-1e-98, 1e-98, -1e-98, 1e-98, 1.0, 2.0),
-        Frustum(1e89, 9e89, -1e88, 1e88, 1.0, math.inf),
-        Perspective(0.01, 1.0, 1e9),
-    ],
-)
-def test_extremes_leave_no_nan(lens: Lens, depth: Any) -> None:
-    cameras = (EYE, Camera((1e100, 0, 0), (0, 0, 0)), Camera((0, 0, 5e-324), (0, 0, 0)))
-    for camera in cameras:
-        projection = Projection(camera, lens, (1280, 720), depth)
-        for focus in (1e-6, 1.0, 1e6):
-            for aperture in (0.5, 1e6):
-                for confusion in (1e-6, 10.0):
-                    exhibit = show(projection, focus=focus, aperture=aperture, confusion=confusion)
-                    for value in values(exhibit).values():
-                        assert value is None or np.isfinite(value).all()
-                    for line in exhibit.world.lines:
-                        assert np.isfinite(line.points).all()
-                    for diagram in exhibit.diagrams:
-                        assert diagram.left < diagram.right < math.inf
-                        assert 0.0 < diagram.top < math.inf
-                        for curve in diagram.curves:
-                            assert not np.isinf(curve.points).any()
