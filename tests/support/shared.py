@@ -171,4 +171,5 @@ def _seen(window: MainWindow) -> Iterator[Any]:
 def _of_widget(widget: QWidget) -> str:
     read = (getattr(widget, name, None) for name in READ)
     seen = [value() if callable(value) else value for value in read]
-    return repr((type(widget), seen, widget.isVisible() and widget.geometry().getRect()))
+    told = [value for value in seen if isinstance(value, str | int | float)]
+    return repr((type(widget), told, widget.isVisible() and widget.geometry().getRect()))
