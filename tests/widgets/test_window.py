@@ -67,7 +67,7 @@ from widgets.parts.messages import number_text, sentence
 from widgets.window.autosave import Autosave
 from widgets.window.export_dialog import ExportChoice, ExportDialog
 from widgets.window.main_window import MainWindow
-from widgets.window.settings import Settings
+from widgets.window.settings import Settings, data_folder
 
 # -- one model, three panes
 
@@ -884,7 +884,7 @@ from pathlib import Path
 from PySide6.QtCore import QCoreApplication
 from app.document.document import Document, to_json
 from app.model.projection import Perspective
-from widgets.window.settings import Settings
+from widgets.window.settings import Settings, data_folder
 from widgets.window.autosave import Autosave
 application = QCoreApplication([])
 document = Document("posts")
@@ -898,7 +898,7 @@ os.kill(os.getpid(), signal.SIGKILL if hasattr(signal, "SIGKILL") else signal.SI
 
 def test_a_killed_process_leaves_its_work_to_the_next(make_window: MakeWindow) -> None:
     window = make_window(shown=False)
-    folder = window.recovery.autosave._folder
+    folder = data_folder()
     killed = subprocess.run([sys.executable, "-c", DIES, str(folder)], cwd=ROOT, check=False)
     assert killed.returncode != 0
     window.recovery.offer()
@@ -912,7 +912,7 @@ def test_the_lock_of_a_killed_window_without_unsaved_work_is_removed(
     make_window: MakeWindow,
 ) -> None:
     window = make_window(shown=False)
-    folder = window.recovery.autosave._folder
+    folder = data_folder()
     dies = DIES.replace("autosave.save_now()", "")
     subprocess.run([sys.executable, "-c", dies, str(folder)], cwd=ROOT, check=False)
     assert len(list(folder.iterdir())) == 2
@@ -922,10 +922,11 @@ def test_the_lock_of_a_killed_window_without_unsaved_work_is_removed(
     ]
 
 
-def test_a_good_close_leaves_no_autosave(window: MainWindow) -> None:
+def test_a_good_close_leaves_no_autosave(make_window: MakeWindow) -> None:
+    window = make_window()
     window.store.set_projection(seen(window, lens=Perspective(61.0, 2.0, 20.0)))
     window.recovery.autosave.save_now()
-    folder = window.recovery.autosave._folder
+    folder = data_folder()
     assert list(folder.glob("autosave-*.json"))
     window.store.mark_saved()
     window.close()
@@ -934,15 +935,15 @@ def test_a_good_close_leaves_no_autosave(window: MainWindow) -> None:
 
 def test_a_broken_autosave_is_one_sentence(make_window: MakeWindow) -> None:
     window = make_window(shown=False)
-    broken = window.recovery.autosave._folder / "autosave-1-aaaa.json"
+    broken = data_folder() / "autosave-1-aaaa.json"
     broken.write_text("{")
     window.recovery.offer()
     window.messages.choices[0].click()
     assert "autosave-1-aaaa.json" in window.messages.text
     assert not window.store.modified
-    other = window.recovery.autosave._folder / "autosave-3-aaaa.json"
+    other = data_folder() / "autosave-3-aaaa.json"
     write(Document("cube"), other)
-    whole = window.recovery.autosave._folder / "autosave-2-aaaa.json"
+    whole = data_folder() / "autosave-2-aaaa.json"
     write(Document("posts"), whole)
     os.utime(whole, (1.0, 1.0))  # older
     window.messages.choices[1].click()
@@ -959,7 +960,7 @@ def test_recovered_work_is_in_a_copy_at_every_moment(
     make_window: MakeWindow, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
     window = make_window(shown=False)
-    lost = window.recovery.autosave._folder / "autosave-1-aaaa.json"
+    lost = data_folder() / "autosave-1-aaaa.json"
     write(Document("posts"), lost)
 
     def full(_document: Document, path: Path) -> None:
@@ -975,7 +976,7 @@ def test_recovered_work_is_in_a_copy_at_every_moment(
     window.store.mark_saved()
     window.recovery.offer()
     window.messages.choices[0].click()
-    (copy,) = window.recovery.autosave._folder.glob("autosave-*.json")
+    (copy,) = data_folder().glob("autosave-*.json")
     assert copy != lost and read(copy).scene == "posts"
 
 
@@ -984,7 +985,7 @@ def test_work_whose_mesh_is_not_there_can_be_recovered_when_it_is(
 ) -> None:
     window = make_window(shown=False)
     mesh = tetrahedron(tmp_path)
-    copy = window.recovery.autosave._folder / "autosave-1-aaaa.json"
+    copy = data_folder() / "autosave-1-aaaa.json"
     write(on_triangles(mesh=str(mesh)), copy)
     mesh.unlink()
     window.recovery.offer()
@@ -1012,7 +1013,7 @@ def test_a_copy_that_cannot_be_removed_keeps_no_window_open(
     make_window: MakeWindow, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
     window = make_window(shown=False)
-    other = window.recovery.autosave._folder / "autosave-1-aaaa.json"
+    other = data_folder() / "autosave-1-aaaa.json"
     write(Document("posts"), other)
     window.recovery.offer()
     window.store.set_projection(replace(window.store.document.projection, depth="direct3d"))
@@ -1044,9 +1045,7 @@ def test_that_no_copy_can_be_kept_is_said_in_the_window(
     with monkeypatch.context() as disk:
         disk.setattr("widgets.window.autosave.write", full)
         window.recovery.autosave.save_now()
-    said = (
-        f"No copy of unsaved work can be kept in {window.recovery.autosave._folder}: save it soon."
-    )
+    said = f"No copy of unsaved work can be kept in {data_folder()}: save it soon."
     assert window.messages.text == said
     window.store.mark_saved()
     caplog.clear()  # the error holds the window
@@ -1747,7 +1746,7 @@ prepare()
 app = QApplication([])
 from app.document.document import Document
 from app.scenes.scene import load
-from widgets.window.settings import Settings
+from widgets.window.settings import Settings, data_folder
 from widgets.window.main_window import MainWindow
 document = Document("letter-f", load("letter-f").start)
 window = MainWindow(document, settings=Settings(None), software_rendering=True)
