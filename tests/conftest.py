@@ -151,6 +151,11 @@ def make_window(lent: Any, own_home: Path) -> Iterator[Callable[..., Any]]:
 
 @pytest.hookimpl(trylast=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """In each file first the tests that are lent a window, one after the other."""
+    """First what takes longest alone; in each file the tests that are lent a window together."""
     files = {path: number for number, path in enumerate(dict.fromkeys(i.path for i in items))}
-    items.sort(key=lambda i: (files[i.path], "window" not in getattr(i, "fixturenames", ())))
+
+    def place(item: pytest.Item) -> tuple[bool, int, bool]:
+        lent = "window" in getattr(item, "fixturenames", ())
+        return item.path.name != "test_quality.py", files[item.path], not lent
+
+    items.sort(key=place)
