@@ -133,10 +133,14 @@ def _assert_marks(marks: Marks, size: int) -> None:
     for shape in (*marks.lines, *marks.faces):
         assert shape.points.ndim == 2 and shape.points.shape[1] == size
         assert np.isfinite(shape.points).all()
-        assert shape.colour.startswith("#") or hasattr(LIGHT, shape.colour)
+        assert _is_colour(shape.colour)
     for face in marks.faces:
         assert len(face.points) >= 3
     for mark in (*marks.dots, *marks.texts):
         assert np.shape(mark.point) == (size,)
         assert np.isfinite(mark.point).all()
-        assert not mark.colour or hasattr(LIGHT, mark.colour)
+        assert not mark.colour or _is_colour(mark.colour)
+
+
+def _is_colour(name: str) -> bool:
+    return name.startswith("#") or hasattr(LIGHT, name)

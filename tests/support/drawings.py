@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from typing import Any
 
@@ -28,29 +29,40 @@ class OffScreen:
         self.window.SetMultiSamples(0)
 
     def pixels(self) -> Pixels:
-        """Render once; (height, width, 3), the first row on top."""
-        self.window.Render()
-        width, height = self.window.GetSize()
-        buffer = vtkUnsignedCharArray()
-        self.window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, buffer)
-        return np.array(vtk_to_numpy(buffer).reshape(height, width, 4)[::-1, :, :3])
+        return rendered(self.window)
+
+
+def rendered(window: Any) -> Pixels:
+    """Render once; (height, width, 3), the first row on top."""
+    window.Render()
+    width, height = window.GetSize()
+    buffer = vtkUnsignedCharArray()
+    window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, buffer)
+    return np.array(vtk_to_numpy(buffer).reshape(height, width, 4)[::-1, :, :3])
+
+
+@contextmanager
+def heard() -> Iterator[vtkStringOutputWindow]:
+    """What VTK says meanwhile, which is kept from everybody else."""
+    said, before = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
+    vtkOutputWindow.SetInstance(said)
+    yield said
+    vtkOutputWindow.SetInstance(before)
 
 
 @pytest.fixture
 def off_screen() -> Iterator[Callable[[int, int], OffScreen]]:
     """Make off-screen plotters, closed after the test; VTK must have had nothing to say."""
-    said, before = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
-    vtkOutputWindow.SetInstance(said)
     made: list[OffScreen] = []
 
     def make(width: int, height: int) -> OffScreen:
         made.append(OffScreen(width, height))
         return made[-1]
 
-    yield make
-    for one in made:
-        one.plotter.close()
-    vtkOutputWindow.SetInstance(before)
+    with heard() as said:
+        yield make
+        for one in made:
+            one.plotter.close()
     assert said.GetOutput() == ""
 
 

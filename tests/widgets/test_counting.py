@@ -2,22 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import pytest
-from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 
 from app.drawings import rasterising
+from tests.support.drawings import heard
 from tests.support.window import show_scene
 from widgets.window.main_window import MainWindow
-
-
-@pytest.fixture
-def window(window: MainWindow) -> MainWindow:
-    return show_scene(window, "depth-buffer")
 
 
 def shown(window: Any) -> list[str]:
@@ -26,6 +20,7 @@ def shown(window: Any) -> list[str]:
 
 
 def test_the_counted_share_stands_beside_the_predicted_one(window: MainWindow, qtbot: Any) -> None:
+    show_scene(window, "depth-buffer")
     qtbot.waitUntil(lambda: shown(window)[1] != "–")
     predicted, counted = map(float, shown(window)[:2])
     assert 5.0 < predicted < 95.0 and counted == pytest.approx(predicted, abs=5.0)
@@ -42,6 +37,7 @@ def test_the_counted_share_stands_beside_the_predicted_one(window: MainWindow, q
 
 
 def test_nothing_is_counted_while_the_hand_moves(window: MainWindow, qtbot: Any) -> None:
+    show_scene(window, "depth-buffer")
     qtbot.waitUntil(lambda: shown(window)[1] != "–")
     window.store.begin_gesture()
     window.store.set_settings({"gap": 0.3})
@@ -54,6 +50,7 @@ def test_nothing_is_counted_while_the_hand_moves(window: MainWindow, qtbot: Any)
 def test_what_was_counted_for_a_folded_panel_stands_there_when_it_is_opened(
     window: MainWindow, qtbot: Any
 ) -> None:
+    show_scene(window, "depth-buffer")
     qtbot.waitUntil(lambda: shown(window)[1] != "–")
     window.panels.open(None)
     with qtbot.waitSignal(window.counting.counted):
@@ -67,33 +64,28 @@ def test_a_large_mesh_is_not_counted(
     window: MainWindow, qtbot: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("widgets.panes.counting.MOST_FACES", 0)
+    show_scene(window, "depth-buffer")
     with qtbot.assertNotEmitted(window.counting.counted, wait=1000):
         pass
     assert shown(window)[1] == "–"
 
 
-@pytest.fixture
-def unheard() -> Iterator[Any]:
-    """What VTK says of a shader that is none is kept from everybody else."""
-    heard, before = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
-    vtkOutputWindow.SetInstance(heard)
-    yield heard
-    vtkOutputWindow.SetInstance(before)
-
-
 def test_a_refused_shader_is_told_and_the_picture_drawn_the_ordinary_way(
-    window: MainWindow, qtbot: Any, monkeypatch: pytest.MonkeyPatch, unheard: Any
+    window: MainWindow, qtbot: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(rasterising, "_DEPTH", "this is no GLSL;")
     panel, pane = window.scene_panel, window.panes["image"]
-    qtbot.waitUntil(lambda: "does not take the shader" in panel.warning.text())
+    with heard() as said:
+        show_scene(window, "depth-buffer")
+        qtbot.waitUntil(lambda: "does not take the shader" in panel.warning.text())
     assert not panel.warning.isHidden() and shown(window)[1] == "–"
 
     def orange() -> int:
         image = pane.canvas.screenshot(return_img=True)
         return int((np.abs(image.astype(int) - (230, 159, 0)).sum(axis=-1) < 6).sum())
 
-    qtbot.waitUntil(lambda: orange() > 500)
-    assert "this is no GLSL" in unheard.GetOutput()
+    with heard():
+        qtbot.waitUntil(lambda: orange() > 500)
+    assert "this is no GLSL" in said.GetOutput()
     window.choose_scene("similar-triangles")
     assert panel.warning.isHidden()

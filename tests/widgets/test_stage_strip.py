@@ -15,8 +15,6 @@ from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QStyle, QStyleOptionSlider
 from pytestqt.qtbot import QtBot
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkRenderingCore import vtkTextActor
 
 import app.drawings.ndc as ndc_drawing
@@ -27,6 +25,7 @@ from app.drawings.style import DARK, LIGHT, Style, rgb
 from app.lecture.stages import IMAGE, NDC, STOPS, VIEW, WORLD, Morph
 from app.model.projection import Frustum, Lens, Oblique, Perspective
 from app.scenes.scene import load
+from tests.support.drawings import rendered
 from tests.support.window import activate, settle
 from widgets.panes.stage_strip import CATCH, REST_S, STEP_S, STEPS, StageStrip
 from widgets.window.main_window import MainWindow
@@ -53,12 +52,7 @@ class Shown:
         """Render once, at a position if one is given."""
         if position is not None:
             self.drawing.show_stage(position)
-        window = self.plotter.render_window
-        window.Render()
-        width, height = window.GetSize()
-        buffer = vtkUnsignedCharArray()
-        window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, buffer)
-        return np.array(vtk_to_numpy(buffer).reshape(height, width, 4)[::-1, :, :3])
+        return rendered(self.plotter.render_window)
 
 
 @pytest.fixture
