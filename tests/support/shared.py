@@ -109,6 +109,8 @@ class Lent:
                 window.store.open(document)
                 window.pane_row.reset_views()
                 QTest.mouseMove(window.windowHandle(), QPoint(window.width() - 2, 2))
+                for pane in window.panes.values():  # or it knows nothing of it: it was sent events
+                    QApplication.sendEvent(pane.canvas, QEvent(QEvent.Type.Leave))
                 settle()
                 delete_what_is_due()
                 _let_time_pass(window)
@@ -169,7 +171,9 @@ def _seen(window: MainWindow) -> Iterator[Any]:
 
 
 def _of_widget(widget: QWidget) -> str:
+    if not widget.isVisible():  # what it has to say is written when it is shown
+        return repr((type(widget), widget.isHidden()))
     read = (getattr(widget, name, None) for name in READ)
     seen = [value() if callable(value) else value for value in read]
     told = [value for value in seen if isinstance(value, str | int | float)]
-    return repr((type(widget), told, widget.isVisible() and widget.geometry().getRect()))
+    return repr((type(widget), told, widget.geometry().getRect()))
