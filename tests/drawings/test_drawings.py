@@ -397,6 +397,13 @@ def test_the_picture_lies_exactly_in_its_rectangle(
     assert width == pytest.approx(height * aspect, abs=0.5 * max(1.0, aspect) + 1e-9) or (
         1 in (width, height)
     )
+    # And what is pointed at beside it is no pixel of the image.
+    inside, middle = (left + 0.5, top + 0.5), (left + width / 2, top + height / 2)
+    assert drawing.image_pixel(*inside) is not None
+    for x, y in ((left - 1, middle[1]), (left + width + 1, middle[1])):
+        assert drawing.image_pixel(x, y) is None
+    for x, y in ((middle[0], top - 1), (middle[0], top + height + 1)):
+        assert drawing.image_pixel(x, y) is None
     # As large as the margins allow: one more em on both sides would not fit.
     em = LIGHT.font_size
     assert width > pane[0] - 9 * em or height > pane[1] - 9 * em
