@@ -41,12 +41,9 @@ from app.scenes.phenomena import PHENOMENA
 from app.scenes.scene import load
 from tests import PATIENCE_S
 from tests.oracles import exact
-from tests.support.commands import (
-    refused,
-    refused_by_a_process,
-    run,
-    run_here,
-)
+from tests.support.commands import comma_locale, refused, refused_by_a_process, run, run_here
+
+__all__ = ["comma_locale"]
 
 # Numbers that a hand can follow: cot(90/2) = 1, the aspect is 2, near 1 and far 9.
 BY_HAND = Document(

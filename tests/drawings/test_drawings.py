@@ -31,7 +31,9 @@ from app.model.projection import (
 )
 from app.model.refusal import Refusal
 from app.scenes.scene import BUILT_IN, Scene, load
-from tests.support.drawings import OffScreen, drawn, scene_of, to_bytes
+from tests.support.drawings import OffScreen, drawn, off_screen, scene_of, to_bytes
+
+__all__ = ["off_screen"]
 
 
 def without_lines(scene: Scene) -> Scene:
