@@ -15,9 +15,8 @@ from types import FunctionType
 from typing import Any
 
 from PySide6.QtCore import QEvent, QObject, QPoint, QTimer
-from PySide6.QtGui import QAction
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtWidgets import QApplication, QMenu, QWidget
 
 from app.document.document import Document
 from tests import PATIENCE_MS
@@ -62,7 +61,7 @@ def delete_what_is_due() -> None:
 
 READ = (
     *("text", "value", "minimum", "maximum", "isChecked", "currentIndex", "placeholderText"),
-    *("toolTip", "accessibleName", "accessibleDescription", "isHidden", "isEnabled", "isWindow"),
+    *("toolTip", "accessibleName", "accessibleDescription", "isEnabled", "isWindow"),
     *("cursorPosition", "selectedText", "count", "styleSheet"),
 )
 """What can be seen of a widget, or heard."""
@@ -158,9 +157,11 @@ def _seen(window: MainWindow) -> Iterator[Any]:
     yield window.store.document, window.store.can_undo, window.store.can_redo
     yield repr(vars(window.settings))
     # In no order: a pane that was in a window of its own comes last of its brothers.
-    actions = window.findChildren(QAction)
+    menus = window.menuBar().findChildren(QMenu)
+    actions = [action for menu in menus for action in menu.actions()]
     yield sorted((a.text(), a.isEnabled(), a.isChecked(), a.isVisible()) for a in actions)
-    yield sorted(map(_of_widget, (window, *window.findChildren(QWidget))))
+    widgets = (window, *window.findChildren(QWidget))
+    yield sorted(_of_widget(widget) for widget in widgets if widget.isVisible())
     drawings = [pane.drawing for pane in window.panes.values()]
     for owner in (*window.findChildren(QObject), *drawings):
         put = [name for name, value in vars(owner).items() if isinstance(value, FunctionType)]
@@ -171,8 +172,6 @@ def _seen(window: MainWindow) -> Iterator[Any]:
 
 
 def _of_widget(widget: QWidget) -> str:
-    if not widget.isVisible():  # what it has to say is written when it is shown
-        return repr((type(widget), widget.isHidden()))
     read = (getattr(widget, name, None) for name in READ)
     seen = [value() if callable(value) else value for value in read]
     told = [value for value in seen if isinstance(value, str | int | float)]
