@@ -99,7 +99,8 @@ class Lent:
                 window.resize(size)
                 while window.store.in_gesture:
                     window.store.end_gesture()
-                window.undo()  # and all that plays stands still
+                window.controls.animation.pause()
+                window.scene_panel.pause()
                 window.strip.go_to(stage)
                 window.probe_panel.clear()
                 window.panels.open(None)
