@@ -316,6 +316,8 @@ def test_the_image_pane_shows_both_images() -> None:
     wrong, right = exhibit.image.lines
     assert (wrong.colour, right.colour) == ("u", "accent")
     # Both leave the image of A, to opposite sides along the same line.
+    start = PHENOMENON.start.trace(PHENOMENON.defaults["start"]).image
+    assert wrong.points[0] == pytest.approx(start)
     a, b = (line.points - wrong.points[0] for line in (wrong, right))
     far = b[np.hypot(*b.T).argmax()]
     assert np.hypot(*b.T).min() < 1e-9

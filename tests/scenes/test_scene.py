@@ -7,6 +7,7 @@ import math
 import os
 import struct
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from itertools import pairwise, product
 from pathlib import Path
 from typing import Any
@@ -21,7 +22,15 @@ from app.model.projection import Camera, Perspective, Projection
 from app.model.refusal import Cancelled, Refusal
 from app.scenes import scene as scene_module
 from app.scenes.phenomena import PHENOMENA
-from app.scenes.scene import BUILT_IN, ENDINGS, SUBJECT_TRIANGLES, Scene, frame_camera, load
+from app.scenes.scene import (
+    BUILT_IN,
+    ENDINGS,
+    SUBJECT_SAMPLE,
+    SUBJECT_TRIANGLES,
+    Scene,
+    frame_camera,
+    load,
+)
 from tests.support.meshes import (
     PYRAMID,
     QUAD_AND_TRIANGLES,
@@ -227,6 +236,8 @@ def test_a_scene_knows_its_phenomenon_and_its_subject() -> None:
     }
     grid = np.abs(segments(scene)).max()
     assert np.abs(subject.points).max() < grid  # without the ground
+    large = replace(scene, surface=pv.PolyData(np.zeros((2 * SUBJECT_SAMPLE - 1, 3))))
+    assert SUBJECT_SAMPLE / 2 <= len(large.subject.points) <= SUBJECT_SAMPLE
 
 
 # --------------------------------------------------------------------------- files to read

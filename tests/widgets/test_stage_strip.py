@@ -267,6 +267,8 @@ def test_a_drag_is_caught_by_the_stops(window: MainWindow) -> None:
         assert window.strip.position == position
         assert slider.value() == position * STEPS
     slider.setSliderDown(False)
+    slider.setValue(2 * STEPS + CATCH)  # as the keys do
+    assert window.strip.position == 2.0 + CATCH / STEPS
 
 
 @pytest.mark.parametrize("before", [4.0, 2.25, 1.0 + 0.3 / STEPS])

@@ -77,6 +77,10 @@ def test_rungs_are_predicted_when_the_hand_rests(
     assert texts[0].endswith("(drawn)") and texts[1].endswith("(read)")
     assert f"{predictions['float32'].px:.2g} px" in texts[0]
     assert texts[-1] == "Drawing tolerance 0.01 px…"
+    # Whatever computes it, a rasteriser is handed float32: 1280 px in 24 bits.
+    line.show_quality(Quality(rung="float64"), [])
+    rested(qtbot, line, replace(EVERYDAY, image_size=(1280, 720)), scene)
+    assert line.rung.text().startswith("drawn float64 ±8e-05 px, read float64 ±")
 
 
 def test_an_error_without_a_bound_is_told_in_a_sentence(

@@ -46,7 +46,7 @@ from app.drawings import actors
 from app.drawings import precision as rungs
 from app.drawings.figures import png_bytes, render
 from app.drawings.image import ImageDrawing
-from app.drawings.style import LIGHT, rgb
+from app.drawings.style import DARK, LIGHT, rgb
 from app.model.projection import Camera, Orbit, Orthographic, Perspective, Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena import PHENOMENA
@@ -196,12 +196,15 @@ def test_idle_draws_nothing(window: MainWindow, qtbot: Any) -> None:
 def test_a_slider_moves_all_three_and_undo_brings_them_back(window: MainWindow) -> None:
     start = window.store.document.projection
     before = pixels(window, "image")
+    row, menus = window.controls.rows["fov_y_deg"], window.menus
     window.controls.edited.emit(replace(start, lens=Perspective(80.0, 1.0, 30.0)))
     settle()
-    assert (pixels(window, "image") != before).any()
+    assert (pixels(window, "image") != before).any() and row.value() == 80.0
+    assert (menus.undo.isEnabled(), menus.redo.isEnabled()) == (True, False)
     window.store.undo()
     settle()
-    assert window.store.document.projection == start
+    assert window.store.document.projection == start and row.value() == 45.0
+    assert (menus.undo.isEnabled(), menus.redo.isEnabled()) == (False, True)
     assert (pixels(window, "image") == before).all()
 
 
@@ -375,10 +378,13 @@ def test_the_strip_plays_on_while_its_pane_goes_to_a_window_and_back(window: Mai
 def test_themes_and_projector_mode_dress_every_pane(window: MainWindow) -> None:
     for theme in ["light", "dark"]:
         window.set_theme(theme)
-        size = window.font().pointSizeF()
+        size, style = window.font().pointSizeF(), {"light": LIGHT, "dark": DARK}[theme]
+        settle()
+        thin = share_of(window, rgb(style.near))
         window.set_projector(True)
         settle()
         assert QApplication.font().pointSizeF() > 1.2 * size
+        assert share_of(window, rgb(style.near)) > 1.2 * thin > 0.0, "its lines are thicker"
         background = np.median(pixels(window, "world").reshape(-1, 3), axis=0).mean()
         assert (background < 128) == (theme == "dark")
         window.set_projector(False)
