@@ -102,6 +102,7 @@ class Lent:
                 window.controls.animation.pause()
                 window.scene_panel.pause()
                 window.strip.go_to(stage)
+                window.frame_panel.go_to(0)
                 window.probe_panel.clear()
                 window.panels.open(None)
                 window.pane_row.show_all()
@@ -162,7 +163,7 @@ def _seen(window: MainWindow) -> Iterator[Any]:
     actions = [action for menu in menus for action in menu.actions()]
     yield sorted((a.text(), a.isEnabled(), a.isChecked(), a.isVisible()) for a in actions)
     widgets = (window, *window.findChildren(QWidget))
-    yield sorted(_of_widget(widget) for widget in widgets if widget.isVisible())
+    yield sorted(map(_of_widget, widgets))
     drawings = [pane.drawing for pane in window.panes.values()]
     for owner in (*window.findChildren(QObject), *drawings):
         put = [name for name, value in vars(owner).items() if isinstance(value, FunctionType)]
@@ -176,4 +177,4 @@ def _of_widget(widget: QWidget) -> str:
     read = (getattr(widget, name, None) for name in READ)
     seen = [value() if callable(value) else value for value in read]
     told = [value for value in seen if isinstance(value, str | int | float)]
-    return repr((type(widget), told, widget.geometry().getRect()))
+    return repr((type(widget), told, widget.isVisible() and widget.geometry().getRect()))

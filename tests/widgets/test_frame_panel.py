@@ -30,7 +30,7 @@ from app.lecture.typed_matrix import with_cell
 from app.model.projection import Camera, Perspective, Projection
 from app.model.refusal import Refusal, format_value
 from app.scenes.scene import load
-from tests.support.window import activate, click, pixels, settle
+from tests.support.window import MakeWindow, activate, click, pixels, settle
 from widgets.panels.frame_panel import FramePanel
 from widgets.window.main_window import MainWindow
 
@@ -207,8 +207,10 @@ def test_the_numbers_are_the_models(window: MainWindow, camera: Camera) -> None:
 
 
 def test_folded_it_computes_nothing_and_opens_with_the_present_camera(
-    window: MainWindow, monkeypatch: pytest.MonkeyPatch
+    make_window: MakeWindow, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    window = make_window()
+    settle()
     asked: list[Camera] = []
     real = up_and_view
 
@@ -305,7 +307,9 @@ def test_a_nudge_turns_the_picture_as_it_is_said(window: MainWindow) -> None:
 # -- the world pane
 
 
-def test_each_step_is_seen_and_all_comes_back(window: MainWindow) -> None:
+def test_each_step_is_seen_and_all_comes_back(make_window: MakeWindow) -> None:
+    window = make_window()
+    settle()
     before = {name: pixels(window, name) for name in window.panes}
     window.panels.open(window.frame_panel)
     settle()
@@ -398,7 +402,9 @@ def test_up_is_drawn_where_it_is(window: MainWindow) -> None:
     assert np.abs(near_by - accent).sum(axis=1).min() < 30
 
 
-def test_figures_do_not_show_the_steps(window: MainWindow) -> None:
+def test_figures_do_not_show_the_steps(make_window: MakeWindow) -> None:
+    window = make_window()
+    settle()
     window.pictures.copy()
     settle()
     before = QApplication.clipboard().image()

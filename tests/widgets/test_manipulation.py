@@ -31,7 +31,7 @@ from app.model.projection import (
 )
 from app.picking.handles import EYE, TARGET, Handle
 from app.scenes.scene import load
-from tests.support.window import LEFT, pixels, point_of, settle, show_scene
+from tests.support.window import LEFT, MakeWindow, pixels, point_of, settle, show_scene
 from widgets.panes.pane import ZOOM_PER_WHEEL_STEP
 from widgets.window.main_window import MainWindow
 
@@ -547,7 +547,11 @@ def test_the_picture_is_dragged_with_what_is_as_far_as_the_target(window: MainWi
         assert model(window) == start and not window.store.modified
 
 
-def test_a_drag_beside_the_picture_and_one_on_a_probe_leave_the_camera(window: MainWindow) -> None:
+def test_a_drag_beside_the_picture_and_one_on_a_probe_leave_the_camera(
+    make_window: MakeWindow,
+) -> None:
+    window = make_window()
+    settle()
     window.probe_panel.follow(point=(1.5, 5.0, 0.5))
     settle()
     start = model(window)
