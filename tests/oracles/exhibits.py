@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import random
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 
 import numpy as np
@@ -30,9 +30,25 @@ def subject_of(phenomenon: Phenomenon) -> Subject:
     return Subject((lower[0], lower[1], lower[2]), (upper[0], upper[1], upper[2]), points)
 
 
+def showing(phenomenon: Phenomenon, subject: Subject) -> Callable[..., Exhibit]:
+    """What a phenomenon shows of a projection, its start if none is given, with some settings."""
+
+    def show(projection: Projection = phenomenon.start, **settings: object) -> Exhibit:
+        return phenomenon.show(projection, phenomenon.checked(settings), subject)
+
+    return show
+
+
 def reading(exhibit: Exhibit, label: str) -> Reading:
     """The one reading whose label contains the words."""
     (found,) = (r for r in exhibit.readings if label in r.label)
+    return found
+
+
+def value(exhibit: Exhibit, label: str) -> float:
+    """The number that it reads."""
+    found = reading(exhibit, label).value
+    assert isinstance(found, float), label
     return found
 
 

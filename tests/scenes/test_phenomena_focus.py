@@ -21,6 +21,7 @@ from app.model.projection import (
 from app.model.refusal import Refusal
 from app.scenes.phenomena.focus import PHENOMENON, blur_mm, sharpness
 from app.scenes.phenomena.illustration import Exhibit, Subject
+from tests.oracles.exhibits import showing
 
 mp.mp.dps = 40
 
@@ -29,8 +30,7 @@ SUBJECT = Subject(tuple(POINTS.min(axis=0)), tuple(POINTS.max(axis=0)), POINTS)
 EYE = Camera((0.0, 0.0, 0.0), (0.0, 0.0, -5.0))
 
 
-def show(projection: Projection = PHENOMENON.start, **settings: Any) -> Exhibit:
-    return PHENOMENON.show(projection, PHENOMENON.checked(settings), SUBJECT)
+show = showing(PHENOMENON, SUBJECT)
 
 
 def values(exhibit: Exhibit) -> dict[str, Any]:

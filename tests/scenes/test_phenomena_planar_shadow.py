@@ -24,6 +24,7 @@ from app.model.refusal import Refusal
 from app.scenes.phenomena.illustration import Exhibit, Subject
 from app.scenes.phenomena.planar_shadow import PHENOMENON, cast, shadow_matrix
 from app.scenes.shapes import letter_f
+from tests.oracles.exhibits import showing
 
 mp.mp.dps = 40
 
@@ -33,8 +34,7 @@ OFF = "from there to the ray's end"
 HIGH = "vertices not below the light"
 
 
-def show(projection: Projection = PHENOMENON.start, **settings: Any) -> Exhibit:
-    return PHENOMENON.show(projection, PHENOMENON.checked(settings), SUBJECT)
+show = showing(PHENOMENON, SUBJECT)
 
 
 def value(exhibit: Exhibit, label: str) -> Any:

@@ -21,14 +21,14 @@ from app.model.projection import (
 from app.model.refusal import Refusal
 from app.scenes.phenomena.illustration import Exhibit, Marks, Subject
 from app.scenes.phenomena.similar_triangles import PHENOMENON, onto_plane
+from tests.oracles.exhibits import showing
 
 START = PHENOMENON.start
 CORNERS = np.array([(x, y, z) for x in (-1.5, 1.5) for y in (0.0, 5.0) for z in (-0.5, 0.5)])
 SUBJECT = Subject((-1.5, 0.0, -0.5), (1.5, 5.0, 0.5), CORNERS)
 
 
-def show(projection: Projection = START, **settings: Any) -> Exhibit:
-    return PHENOMENON.show(projection, PHENOMENON.checked(settings), SUBJECT)
+show = showing(PHENOMENON, SUBJECT)
 
 
 def readings(exhibit: Exhibit) -> dict[str, Any]:
