@@ -41,6 +41,9 @@ from app.scenes.phenomena import PHENOMENA
 from app.scenes.scene import load
 from tests import PATIENCE_S
 from tests.oracles import exact
+from tests.support.commands import comma_locale, refused, refused_by_a_process, run, run_here
+
+__all__ = ["comma_locale"]
 
 # Numbers that a hand can follow: cot(90/2) = 1, the aspect is 2, near 1 and far 9.
 BY_HAND = Document(
@@ -53,83 +56,9 @@ BY_HAND = Document(
 )
 
 
-def run(
-    *arguments: str | Path, text: str | bytes = b"", **environment: str | None
-) -> subprocess.CompletedProcess[str]:
-    """Run the program; an environment variable that is None is not set."""
-    variables = {**os.environ, **environment}
-    done = subprocess.run(
-        [sys.executable, "-m", "app", *map(str, arguments)],
-        cwd=ROOT,
-        env={name: value for name, value in variables.items() if value is not None},
-        input=text.encode() if isinstance(text, str) else text,
-        capture_output=True,
-        check=False,
-        timeout=PATIENCE_S,
-    )
-    return subprocess.CompletedProcess(
-        done.args, done.returncode, done.stdout.decode(), done.stderr.decode()
-    )
-
-
-def run_here(*arguments: str | Path, text: str | bytes = b"") -> subprocess.CompletedProcess[str]:
-    """The same in this process, but for windows: a new one takes half a second to come to it."""
-    typed, out, said = (io.TextIOWrapper(io.BytesIO(), encoding="utf-8") for _ in range(3))
-    typed.buffer.write(text.encode() if isinstance(text, str) else text)
-    typed.seek(0)
-    with (
-        pytest.MonkeyPatch.context() as patch,
-        contextlib.redirect_stdout(out),
-        contextlib.redirect_stderr(said),
-    ):
-        patch.chdir(ROOT)
-        patch.setattr(sys, "stdin", typed)
-        status = cli.main([str(argument) for argument in arguments])
-    for stream in (out, said):
-        stream.seek(0)
-    return subprocess.CompletedProcess(arguments, status, out.read(), said.read())
-
-
-def one_sentence(done: subprocess.CompletedProcess[str], status: int) -> str:
-    """What was refused, and nothing else, in one sentence that says why."""
-    assert done.returncode == status, done
-    assert done.stdout == ""
-    assert done.stderr.endswith((".\n", "?\n")) and done.stderr.count("\n") == 1, done.stderr
-    return done.stderr
-
-
-def refused_by_a_process(*arguments: str | Path, status: int = 2) -> str:
-    """Run what must be refused, and return the one sentence that says why."""
-    return one_sentence(run(*arguments), status)
-
-
-def refused(*arguments: str | Path, text: str | bytes = b"", status: int = 2) -> str:
-    """The same in this process."""
-    return one_sentence(run_here(*arguments, text=text), status)
-
-
 def test_what_is_refused_ends_a_process_with_its_sentence_and_status() -> None:
     for arguments in (("matrices", "--set", "lens.near=abc"), ("export", "no-picture.txt")):
         assert refused_by_a_process(*arguments) == refused(*arguments)
-
-
-@pytest.fixture(scope="session")
-def comma_locale(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
-    """The environment of a locale that writes 0,5, built here: a bare machine has none."""
-    folder = tmp_path_factory.mktemp("locale")
-    (folder / "comma").write_text(
-        'LC_NUMERIC\ndecimal_point ","\nthousands_sep "."\ngrouping 3;3\nEND LC_NUMERIC\n'
-    )
-    codes = "\n".join(f"<U{code:04X}> /x{code:02x}" for code in range(128))
-    (folder / "ascii").write_text(
-        "<code_set_name> ANSI_X3.4-1968\n<comment_char> %\n<escape_char> /\n"
-        f"CHARMAP\n{codes}\nEND CHARMAP\n"
-    )
-    # It complains of all that a locale has besides, and status 1 says that it did.
-    command = ["localedef", "-c", "-i", "comma", "-f", "ascii", "./xx_XX"]
-    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
-    assert (folder / "xx_XX" / "LC_NUMERIC").exists(), done.stderr
-    return {"LOCPATH": str(folder), "LC_ALL": "xx_XX", "PYTHONUTF8": "1"}
 
 
 @pytest.fixture
@@ -1030,7 +959,7 @@ def test_help_names_every_command_and_none_that_is_not_there() -> None:
 
 @pytest.mark.parametrize("command", list(cli.COMMANDS))
 def test_each_command_has_help(command: str) -> None:
-    done = run(command, "--help")
+    done = run_here(command, "--help")
     assert done.returncode == 0
     assert done.stdout.startswith(f"usage: python3 -m app {command} [options]")
 
@@ -1133,28 +1062,11 @@ def test_set_without_a_value_is_refused() -> None:
     ("value", "words"),
     [
         ("lens.near=0", "lens.near = 0: must be greater than 0"),
-        ("lens.near=-1", "lens.near = -1: must be greater than 0"),
-        ("lens.near=30", "lens.near = 30: must be less than far, which is 30"),
-        ("lens.near=nan", "lens.near = 'nan': must be a finite number"),
-        ("lens.far=1e400", "lens.far = '1e400': must be a finite number or inf."),
-        ("lens.far=abc", "lens.far = 'abc': must be a finite number or inf."),
-        ("lens.far=0.5", "lens.far = 0.5: must be greater than near, which is 1."),
-        ("lens.near=abc", "lens.near = 'abc': must be a finite number."),
         ("lens.fov_y_deg=0", "lens.fov_y_deg = 0: must lie between 0 and 180"),
-        ("lens.fov_y_deg=180", "lens.fov_y_deg = 180: must lie between 0 and 180"),
-        ("lens.fov_y_deg=-1", "lens.fov_y_deg = -1: must lie between 0 and 180"),
-        ("lens.fov_y_deg=200", "lens.fov_y_deg = 200: must lie between 0 and 180"),
         ("camera.eye=0,2.2,0", "camera.eye = (0, 2.2, 0): must differ from the target"),
         ("camera.target=6,5,9", "camera.target = (6, 5, 9): must differ from the eye"),
         ("camera.up=0,0,0", "camera.up = (0, 0, 0): must not be the zero vector"),
         ("camera.up=6,2.8,9", "camera.up = (6, 2.8, 9): must not be parallel"),
-        ("camera.eye=1,2", "camera.eye = '1,2': must be three finite numbers"),
-        ("image.width=0", "image.width = 0: must be a whole number of pixels from 1 to 16384"),
-        ("image.height=100000", "image.height = 100000: must be a whole number of pixels"),
-        (
-            "lens.kind=fisheye",
-            "lens.kind = 'fisheye': must be one of perspective, frustum, orthographic, obl",
-        ),
         ("depth=metal", "depth = 'metal': must be one of opengl, direct3d, reversed"),
     ],
 )
@@ -1169,11 +1081,7 @@ def test_bad_value_is_refused_with_field_value_and_bound(value: str, words: str)
     [
         ("lens.far=abc", "lens.far = 'abc': must be a finite number."),
         ("lens.far=-5", "lens.far = -5: must be greater than near, which is 1."),
-        ("lens.right=-9", "lens.right = -9: must be greater than left, which is -4."),
-        ("lens.top=-9", "lens.top = -9: must be greater than bottom, which is -4."),
-        ("lens.left=9", "lens.left = 9: must be less than right, which is 4."),
         ("lens.left=9 lens.right=8", "lens.left = 9: must be less than right, which is 8."),
-        ("lens.near=9 lens.far=8", "lens.near = 9: must be less than far, which is 8."),
     ],
 )
 def test_what_was_set_is_blamed_and_not_its_neighbour(
@@ -1256,9 +1164,11 @@ def test_a_mesh_brings_the_camera_that_shows_it(tmp_path: Path) -> None:
 
 
 def export(out: Path, *arguments: str | Path, **environment: str | None) -> np.ndarray:
+    """The picture, made in a process of its own where that has an environment of its own."""
     import pyvista as pv
 
-    done = run("export", out, *arguments, **environment)
+    words = ("export", out, *arguments)
+    done = run(*words, **environment) if environment else run_here(*words)
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
     # VTK's reader has the first row at the bottom.
     image = pv.read(out)
@@ -1271,7 +1181,7 @@ def test_export_has_the_same_pixels_with_and_without_a_display(
 ) -> None:
     size = ("--size", "600x200")
     assert os.environ["DISPLAY"]
-    with_one = export(tmp_path / "a.png", by_hand, *size)
+    with_one = export(tmp_path / "a.png", by_hand, *size, DISPLAY=os.environ["DISPLAY"])
     without = export(tmp_path / "b.png", by_hand, *size, DISPLAY=None, WAYLAND_DISPLAY=None)
     assert with_one.shape == (200, 600, 3)
     assert len(np.unique(with_one.reshape(-1, 3), axis=0)) > 20  # a picture, not a blank
@@ -1519,7 +1429,7 @@ def test_a_free_matrix_is_exported(tmp_path: Path) -> None:
     for name, settings in (("flat", FREE), ("sheared", (*FREE[:3], "lens.clip_from_view="
                             "1.4,0.5,0,0, 0,2.4,0,0, 0,0,-1,-2, 0,0,-1,0"))):  # fmt: skip
         out = tmp_path / f"{name}.png"
-        done = run("export", out, *settings, "--size=300x100")
+        done = run_here("export", out, *settings, "--size=300x100")
         assert (done.returncode, done.stderr) == (0, "")
         assert run_here("matrices", out).stdout == run_here("matrices", *settings).stdout
 
@@ -1581,11 +1491,11 @@ def test_an_exported_phenomenon_carries_its_settings_and_its_mesh(tmp_path: Path
     out, plain = tmp_path / "figure.png", tmp_path / "plain.png"
     scene = ("--set", "scene=similar-triangles", "--set", "settings.distance=-3")
     options = ("--panes", "world,image", "--size", "300x150")
-    done = run("export", out, *scene, "--set", f"mesh={mesh}", *options)
+    done = run_here("export", out, *scene, "--set", f"mesh={mesh}", *options)
     assert done.returncode == 0, done.stderr
     document = read(out)
     assert document.settings["distance"] == -3.0 and document.mesh == str(mesh)
-    assert run("export", plain, *scene, *options).returncode == 0
+    assert run_here("export", plain, *scene, *options).returncode == 0
     with Image.open(out) as with_mesh, Image.open(plain) as without:
         assert np.mean(np.asarray(with_mesh) != np.asarray(without)) > 0.01
     missing = refused("export", out, *scene, "--set", f"mesh={tmp_path / 'gone.obj'}")
@@ -1615,5 +1525,5 @@ def test_what_the_window_warns_of_an_export_says_too(
 
 
 def test_the_help_says_that_there_are_settings() -> None:
-    said = " ".join(run("export", "--help").stdout.split())
+    said = " ".join(run_here("export", "--help").stdout.split())
     assert "mesh" in said and "settings.NAME of the scene's own" in said

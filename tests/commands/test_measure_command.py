@@ -13,6 +13,7 @@ from pathlib import Path
 
 import pytest
 
+from app.bootstrap import ROOT
 from app.commands.arguments import check_out
 from app.commands.options import CliError
 from app.measure import NEED_OPENGL, TRADES
@@ -20,7 +21,7 @@ from app.measure.arithmetic import SWEEPS
 from app.measure.meaning import cheapest, meaning
 from app.measure.results import Choice, Trade, from_json, to_csv
 from tests import PATIENCE_S
-from tests.commands.test_cli import ROOT, refused, run
+from tests.support.commands import refused, run, run_here
 
 
 def test_a_trade_and_a_sweep_are_printed_and_written(tmp_path: Path) -> None:
@@ -45,13 +46,14 @@ def test_a_trade_and_a_sweep_are_printed_and_written(tmp_path: Path) -> None:
 
 
 def test_json_can_go_to_standard_output() -> None:
-    done = run("measure", "--trade", "interpolation", "--quick", "--json", "-")
+    done = run_here("measure", "--trade", "interpolation", "--quick", "--json", "-")
     assert [trade.name for trade in from_json(done.stdout).trades] == ["interpolation"]
 
 
 def test_tables_can_go_to_standard_output_as_csv(tmp_path: Path) -> None:
     out = tmp_path / "out.json"
-    done = run("measure", "--trade=depth", "--sweep=near=1:2", "--quick", "--csv=-", "--json", out)
+    words = ("--trade=depth", "--sweep=near=1:2", "--quick", "--csv=-", "--json", out)
+    done = run_here("measure", *words)
     results = from_json(out.read_text())
     assert done.stdout == "\n".join(map(to_csv, (*results.trades, *results.sweeps)))
     assert not (ROOT / "-").exists()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
@@ -12,13 +12,11 @@ import pytest
 import pyvista as pv
 from numpy.typing import NDArray
 from PySide6.QtWidgets import QWidget
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow, vtkUnsignedCharArray
 
 from app.drawings import WORDS
 from app.drawings.image import ImageDrawing
 from app.drawings.stage import StageDrawing
-from app.drawings.style import DARK, LIGHT, Style, contrast, rgb
+from app.drawings.style import DARK, LIGHT, Style, contrast
 from app.lecture.typed_matrix import shown, with_cell
 from app.model.projection import (
     DEPTH_RANGES,
@@ -33,73 +31,13 @@ from app.model.projection import (
 )
 from app.model.refusal import Refusal
 from app.scenes.scene import BUILT_IN, Scene, load
+from tests.support.drawings import OffScreen, drawn, off_screen, scene_of, to_bytes
 
-Pixels = NDArray[np.uint8]
-
-
-class OffScreen:
-    """A plotter without a window, its drawing, and the picture it makes."""
-
-    def __init__(self, width: int, height: int) -> None:
-        self.plotter: Any = pv.Plotter(off_screen=True, window_size=[width, height], border=False)
-        self.window = self.plotter.render_window
-        self.window.SetMultiSamples(0)
-
-    def pixels(self) -> Pixels:
-        """Render once; (height, width, 3), the first row on top."""
-        self.window.Render()
-        width, height = self.window.GetSize()
-        buffer = vtkUnsignedCharArray()
-        self.window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, buffer)
-        return np.array(vtk_to_numpy(buffer).reshape(height, width, 4)[::-1, :, :3])
-
-
-@pytest.fixture
-def off_screen() -> Iterator[Callable[[int, int], OffScreen]]:
-    """Make off-screen plotters, closed after the test; VTK must have had nothing to say."""
-    said, before = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
-    vtkOutputWindow.SetInstance(said)
-    made: list[OffScreen] = []
-
-    def make(width: int, height: int) -> OffScreen:
-        made.append(OffScreen(width, height))
-        return made[-1]
-
-    yield make
-    for one in made:
-        one.plotter.close()
-    vtkOutputWindow.SetInstance(before)
-    assert said.GetOutput() == ""
-
-
-def scene_of(
-    points: Any, faces: Any, colours: Any, origin: tuple[float, float, float] = (0.0, 0.0, 0.0)
-) -> Scene:
-    """A scene of polygons in these colours; points are relative to the origin."""
-    mesh = pv.PolyData(
-        np.array(points, dtype=float), faces=np.hstack([[len(f), *f] for f in faces])
-    )
-    mesh.cell_data["rgb"] = np.array(colours, dtype=np.uint8)
-    return replace(
-        load("cube"),
-        origin=origin,
-        surface=mesh,
-        lines=None,
-        lower=(-3.0, -3.0, -3.0),
-        upper=(3.0, 3.0, 3.0),
-    )
+__all__ = ["off_screen"]
 
 
 def without_lines(scene: Scene) -> Scene:
     return replace(scene, lines=None)
-
-
-def drawn(image: Pixels, colour: Any) -> NDArray[np.bool_]:
-    return (image == np.array(colour, dtype=np.uint8)).all(axis=-1)
-
-
-def to_bytes(colour: str) -> list[int]:
-    return [round(255 * part) for part in rgb(colour)]
 
 
 # --------------------------------------------------------------------------- the picture
@@ -439,9 +377,7 @@ def test_ndc_is_wholly_in_view_at_any_pane_size(
 )
 @pytest.mark.parametrize("pane", [(500, 560), (301, 400), (1280, 720)])
 def test_the_picture_lies_exactly_in_its_rectangle(
-    image_size: tuple[int, int],
-    pane: tuple[int, int],
-    off_screen: Callable[[int, int], OffScreen],
+    image_size: tuple[int, int], pane: tuple[int, int], off_screen: Callable[[int, int], OffScreen]
 ) -> None:
     red = (201, 33, 32)
     wall = [(-9e3, -9e3, -5), (9e3, -9e3, -5), (9e3, 9e3, -5), (-9e3, 9e3, -5)]
@@ -464,6 +400,13 @@ def test_the_picture_lies_exactly_in_its_rectangle(
     assert width == pytest.approx(height * aspect, abs=0.5 * max(1.0, aspect) + 1e-9) or (
         1 in (width, height)
     )
+    # And what is pointed at beside it is no pixel of the image.
+    inside, middle = (left + 0.5, top + 0.5), (left + width / 2, top + height / 2)
+    assert drawing.image_pixel(*inside) is not None
+    for x, y in ((left - 1, middle[1]), (left + width + 1, middle[1])):
+        assert drawing.image_pixel(x, y) is None
+    for x, y in ((middle[0], top - 1), (middle[0], top + height + 1)):
+        assert drawing.image_pixel(x, y) is None
     # As large as the margins allow: one more em on both sides would not fit.
     em = LIGHT.font_size
     assert width > pane[0] - 9 * em or height > pane[1] - 9 * em

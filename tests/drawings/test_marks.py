@@ -22,7 +22,7 @@ from app.lecture.stages import IMAGE, NDC, VIEW
 from app.model.projection import DEPTH_RANGES, Camera, Orthographic, Perspective, Projection
 from app.scenes.phenomena.illustration import Copy, Dot, Exhibit, Face, Line, Marks, Text
 from app.scenes.scene import Scene, load
-from tests.drawings.test_drawings import Pixels, drawn, off_screen, scene_of, to_bytes
+from tests.support.drawings import Pixels, drawn, off_screen, scene_of, to_bytes
 from widgets.panes.pane import Pane
 
 __all__ = ["off_screen"]

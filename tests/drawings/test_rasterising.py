@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -11,8 +11,7 @@ import numpy as np
 import pytest
 import pyvista as pv
 from numpy.typing import NDArray
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow, vtkUnsignedCharArray
+from vtkmodules.vtkCommonCore import vtkStringOutputWindow
 
 from app.drawings import WORDS, rasterising
 from app.drawings.image import ImageDrawing
@@ -34,19 +33,11 @@ from app.model.projection import (
 from app.scenes.phenomena import depth_buffer, interpolation, popping
 from app.scenes.phenomena.illustration import Exhibit, Phenomenon
 from app.scenes.scene import Scene, load
+from tests.support.drawings import heard, rendered
 
 Pixels = NDArray[np.uint8]
 SIZE = (480, 270)
 PHENOMENA = {p.name: p for p in (m.PHENOMENON for m in (depth_buffer, interpolation, popping))}
-
-
-def pixels_of(window: Any) -> Pixels:
-    """Render once; (height, width, 3), the first row on top."""
-    window.Render()
-    width, height = SIZE
-    buffer = vtkUnsignedCharArray()
-    window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, buffer)
-    return np.array(vtk_to_numpy(buffer).reshape(height, width, 4)[::-1, :, :3])
 
 
 class Picture:
@@ -73,7 +64,7 @@ class Picture:
 
     def pixels(self) -> Pixels:
         """Render once; (height, width, 3), the first row on top."""
-        return pixels_of(self.window)
+        return rendered(self.window)
 
     @property
     def actors(self) -> list[Any]:
@@ -85,10 +76,8 @@ class Picture:
 @pytest.fixture
 def said() -> Iterator[vtkStringOutputWindow]:
     """What VTK has to say: nothing, unless the test takes it away."""
-    window, before = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
-    vtkOutputWindow.SetInstance(window)
-    yield window
-    vtkOutputWindow.SetInstance(before)
+    with heard() as window:
+        yield window
     assert window.GetOutput() == ""
 
 
@@ -369,7 +358,7 @@ def test_the_other_panes_show_the_texture_as_it_is(said: Any, kind: Any) -> None
             settings = interpolation.PHENOMENON.checked({"interpolation": choice})
             exhibit = interpolation.PHENOMENON.show(scene.start, settings, scene.subject)
             drawing.show_projection(scene.start, Exhibit((), rendering=exhibit.rendering))
-        shown.append(pixels_of(plotter.render_window).astype(int))
+        shown.append(rendered(plotter.render_window).astype(int))
     plain, affine, correct = shown
     darker = (plain - affine).max(axis=-1) > 60
     assert darker.mean() > 0.003, "there are checks"
@@ -459,7 +448,7 @@ def test_each_level_is_drawn_where_it_is_due(
     picture = make("far-plane-popping").show(**settings)
     plain = ImageDrawing(plotter, tree_scene(level), WORDS, LIGHT, framed=False)
     plain.show_projection(replace(picture.phenomenon.start, image_size=SIZE))
-    expected = pixels_of(plotter.render_window)
+    expected = rendered(plotter.render_window)
     drawn = picture.pixels()
     trees = (drawn[..., 1] > 1.3 * drawn[..., 0]).sum()
     assert trees > 5000
@@ -519,15 +508,6 @@ def test_a_step_builds_no_shader_and_adds_no_actor(
 # --------------------------------------------------------------------------- refused
 
 
-def heard_during(action: Callable[[], object]) -> str:
-    """What VTK says meanwhile, which is kept from everybody else."""
-    window, before = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
-    vtkOutputWindow.SetInstance(window)
-    action()
-    vtkOutputWindow.SetInstance(before)
-    return window.GetOutput()
-
-
 @pytest.mark.parametrize(
     ("name", "part"),
     [
@@ -538,16 +518,15 @@ def heard_during(action: Callable[[], object]) -> str:
     ],
 )
 def test_an_opengl_that_refuses_the_shader_is_named(
-    make: Any,
-    monkeypatch: pytest.MonkeyPatch,
-    name: str,
-    part: str,
+    make: Any, monkeypatch: pytest.MonkeyPatch, name: str, part: str
 ) -> None:
     """After the first rendering, which finds out; the next draws the ordinary picture."""
     monkeypatch.setattr(rasterising, part, "this is no GLSL;")
     picture = make(name).show()
     assert picture.drawing.problem is None
-    assert "this is no GLSL" in heard_during(picture.pixels)
+    with heard() as said:
+        picture.pixels()
+    assert "this is no GLSL" in said.GetOutput()
     assert picture.drawing.problem.template == REFUSED
     refused = picture.show().pixels()
     ordinary = make(name, replace(picture.scene, phenomenon=None))
@@ -562,13 +541,11 @@ def test_a_refusal_leaves_the_count_out(plotter: Any, monkeypatch: pytest.Monkey
     monkeypatch.setattr(rasterising, "_DEPTH", "this is no GLSL;")
     scene = load("depth-buffer")
     behind = depth_buffer.moved_behind(scene.start, 0.1)
-    counted: list[float | None] = []
 
-    def count() -> None:
-        counted.append(counted_wrong_share(plotter, scene, scene.start, DepthBuffer(), behind))
-
-    assert "this is no GLSL" in heard_during(count)
-    assert counted == [None]
+    with heard() as said:
+        counted = counted_wrong_share(plotter, scene, scene.start, DepthBuffer(), behind)
+    assert "this is no GLSL" in said.GetOutput()
+    assert counted is None
 
 
 # --------------------------------------------------------------------------- any camera

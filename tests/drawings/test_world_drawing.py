@@ -14,8 +14,6 @@ import numpy as np
 import pytest
 import pyvista as pv
 from numpy.typing import NDArray
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow, vtkUnsignedCharArray
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkTextActor
 
@@ -24,7 +22,7 @@ from app.drawings.camera import view_matrices
 from app.drawings.frustum import matrices_between
 from app.drawings.labels import _SAMPLES
 from app.drawings.near_picture import SLAB, flatten, flatten_free
-from app.drawings.style import DARK, LIGHT, Style, rgb
+from app.drawings.style import DARK, LIGHT, Style
 from app.drawings.world import WorldDrawing
 from app.lecture.typed_matrix import with_cell
 from app.model.projection import (
@@ -44,6 +42,7 @@ from app.model.projection import (
 )
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.scene import Scene, load
+from tests.support.drawings import heard, rendered, to_bytes
 from tests.support.frustum import corners_world
 
 Pixels = NDArray[np.uint8]
@@ -66,12 +65,7 @@ class View:
         self.scene = scene
 
     def pixels(self) -> Pixels:
-        """Render once; (height, width, 3), the first row on top."""
-        self.window.Render()
-        width, height = self.window.GetSize()
-        buffer = vtkUnsignedCharArray()
-        self.window.GetPixelData(0, 0, width - 1, height - 1, 0, buffer, 0)
-        return np.array(vtk_to_numpy(buffer).reshape(height, width, 3)[::-1])
+        return rendered(self.window)
 
     def pixel_of(self, points_world: Any) -> Array:
         """Column and row, (..., 2), by VTK's own camera; to be called after a rendering."""
@@ -124,8 +118,6 @@ def plotter() -> Iterator[Any]:
 @pytest.fixture
 def make_view(plotter: Any) -> Iterator[MakeView]:
     """Make world panes, one after the other; VTK must have had nothing to say."""
-    said, before = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
-    vtkOutputWindow.SetInstance(said)
     made: list[View] = []
 
     def make(scene: Scene | str = "letter-f", *args: Any, **options: Any) -> View:
@@ -136,10 +128,10 @@ def make_view(plotter: Any) -> Iterator[MakeView]:
         )
         return made[-1]
 
-    yield make
-    for view in made:
-        view.drawing.remove()
-    vtkOutputWindow.SetInstance(before)
+    with heard() as said:
+        yield make
+        for view in made:
+            view.drawing.remove()
     assert said.GetOutput() == ""
 
 
@@ -150,10 +142,6 @@ def to_array(matrix: vtkMatrix4x4) -> Array:
 def applied(matrix: Array, points: Any) -> Array:
     clip = np.asarray(points) @ matrix[:, :3].T + matrix[:, 3]
     return np.asarray(clip[..., :3] / clip[..., 3:])
-
-
-def to_bytes(colour: str) -> list[int]:
-    return [round(255 * part) for part in rgb(colour)]
 
 
 def with_lens(**values: Any) -> Projection:
@@ -1058,9 +1046,7 @@ def test_a_frustum_up_to_100_degrees_is_framed_whole(make_view: MakeView, fov_y_
     assert ((spots > 0) & (spots < (412, 670))).all()
 
 
-def test_a_frustum_too_wide_to_be_framed_does_not_make_the_scene_tiny(
-    make_view: MakeView,
-) -> None:
+def test_a_frustum_too_wide_to_be_framed_does_not_make_the_scene_tiny(make_view: MakeView) -> None:
     view = make_view("letter-f", 412, 670)
     tall = []
     for projection in (START, with_lens(fov_y_deg=179.0), replace(START, image_size=(4000, 100))):

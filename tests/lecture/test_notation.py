@@ -129,6 +129,7 @@ def test_every_formula_is_its_number(lens: str, depth: str, letters: Letters, ro
 def test_products_are_products(lens: str, depth: str, letters: Letters, rows: bool) -> None:
     shown = matrices(projection_of(lens, depth), letters, rows=rows, running=True)
     by_name = {matrix.name: np.array(matrix.values) for matrix in shown}
+    assert len(by_name) == len(shown), "none is there twice"
     checked = 0
     for matrix in shown:
         parts = [by_name[name] for name in matrix.product] or [

@@ -252,6 +252,7 @@ def test_the_planes_are_open_then_close_then_cut_at_the_volume(lens: Lens) -> No
         shown = euclid(scene @ strip.display_from_local(position).T)
         planes = strip.planes_display(position)
         assert (shown @ planes[:, :3].T + planes[:, 3] >= 0.0).all(), position
+    assert planes[:, 3].min() > 1.49 * RADIUS, "they do not jump when they begin to close"
     random = np.random.default_rng(5)
     box = np.column_stack([random.uniform((-3, -3, -1), (3, 3, 2), (500, 3)), np.ones(500)])
     x, y, z, w = box.T

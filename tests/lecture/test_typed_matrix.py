@@ -544,3 +544,12 @@ def test_the_planes_of_a_free_matrix_are_those_of_the_lens_that_has_it(depth: An
     outside = mine.outside
     np.testing.assert_array_equal(outside, theirs.outside)
     assert (outside.sum(axis=0) > 10).all() and (~outside).any(axis=0).all()
+
+
+def test_where_infinity_lies_in_the_volume_there_is_no_frustum() -> None:
+    """Un-projected, w is x + 1/2: of one sign at all corners only where the shift is above 1."""
+    for shift, sign in ((0.5, 0), (-0.5, 0), (2.0, 1), (-2.0, -1)):
+        inverse = np.eye(4)
+        inverse[3] = 1.0, 0.0, 0.0, shift
+        cells: Any = np.linalg.inv(inverse).tolist()
+        assert Projection(lens=FreeMatrix(cells)).frustum_sign == sign, shift

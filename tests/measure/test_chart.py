@@ -23,9 +23,6 @@ from app.measure.results import (
     COLUMNS,
     JUDGED,
     WORDS,
-    Choice,
-    Curve,
-    Results,
     Sweep,
     Trade,
     named,
@@ -34,48 +31,8 @@ from app.measure.results import (
 )
 from app.model.projection import Projection
 from app.scenes.phenomena.illustration import Diagram, Spot
-from tests.commands.test_cli import refused, run
-
-
-def choice(name: str, cost: float | None, error: float | None, note: str = "") -> Choice:
-    return Choice(name, cost, cost, error, note=note, use={"rung": name})
-
-
-TRADE = Trade(
-    "arithmetic", "ns", "px",
-    (
-        choice("fast", 1.0, 1.0), choice("bad", 5.0, 2.0), choice("good", 10.0, 1e-6),
-        choice("right", 100.0, 0.0), choice("endless", 2.0, math.inf),
-        choice("absent", None, None, "not installed"),
-    ),
-    5,
-)  # fmt: skip
-
-
-def sweep(parameter: str, values: tuple[float, ...], curves: dict[str, Curve]) -> Sweep:
-    return Sweep(parameter, "", values, curves)
-
-
-def curve(errors: tuple[float | None, ...], notes: tuple[str, ...]) -> Curve:
-    return Curve(errors, errors, errors, errors, notes)
-
-
-SWEEP = sweep(
-    "near", (0.01, 0.1, 1.0, 10.0),
-    {
-        "float32": curve((None, None, 1e-3, 1e-4), ("answers NaN", "answers NaN", "", "")),
-        "VTK": curve((1e-9, 1e-9, 1e-9, 1e-2), ("", "", "", "clamps")),
-    },
-)  # fmt: skip
-RESULTS = Results(
-    "2026-11-21T08:46:06+00:00", {"system": "Box 7", "cores": "2", "opengl": "softpipe"},
-    {"frustum-lab": "1"},
-    {
-        "scene": "letter-f", "camera": {"eye": [6, 5, 9], "target": [0, 2.25, 0]},
-        "lens": {"kind": "perspective", "fov_y_deg": 45},
-    },
-    (TRADE,), (SWEEP,),
-)  # fmt: skip
+from tests.support.commands import refused, run
+from tests.support.results import RESULTS, SWEEP, TRADE, choice, curve, sweep
 
 
 def spots(diagram: Diagram) -> dict[str, Spot]:

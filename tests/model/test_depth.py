@@ -13,11 +13,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from app.model.depth import FORMATS, MAPPINGS, DepthBuffer
+from app.model.limits import Cells
 from app.model.projection import (
     DEPTH_RANGES,
     Array,
     Camera,
-    Cells,
     FreeMatrix,
     Orthographic,
     Perspective,

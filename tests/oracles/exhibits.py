@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import random
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 
 import numpy as np
@@ -30,9 +30,25 @@ def subject_of(phenomenon: Phenomenon) -> Subject:
     return Subject((lower[0], lower[1], lower[2]), (upper[0], upper[1], upper[2]), points)
 
 
+def showing(phenomenon: Phenomenon, subject: Subject) -> Callable[..., Exhibit]:
+    """What a phenomenon shows of a projection, its start if none is given, with some settings."""
+
+    def show(projection: Projection = phenomenon.start, **settings: object) -> Exhibit:
+        return phenomenon.show(projection, phenomenon.checked(settings), subject)
+
+    return show
+
+
 def reading(exhibit: Exhibit, label: str) -> Reading:
     """The one reading whose label contains the words."""
     (found,) = (r for r in exhibit.readings if label in r.label)
+    return found
+
+
+def value(exhibit: Exhibit, label: str) -> float:
+    """The number that it reads."""
+    found = reading(exhibit, label).value
+    assert isinstance(found, float), label
     return found
 
 
@@ -73,6 +89,8 @@ def projections(phenomenon: Phenomenon) -> Iterator[Projection]:
     for lens in lenses:
         yield replace(start, lens=lens)
         yield replace(start, lens=lens, camera=cameras[0])
+    away = Camera(start.camera.target, start.camera.eye, start.camera.up)
+    yield replace(start, camera=away)
     for size in ((1, 1), (1, 16384), (16384, 1), (1279, 721)):
         yield replace(start, image_size=size)
 
@@ -92,12 +110,16 @@ def random_projection(dice: random.Random, start: Projection) -> Projection:
     return replace(seen, lens=replace(seen.lens, **window))
 
 
-def assert_sound(exhibit: Exhibit, projection: Projection) -> None:
+def assert_sound(phenomenon: Phenomenon, exhibit: Exhibit, projection: Projection) -> None:
     """Numbers are finite or missing with a reason, marks are finite and in their pane's space."""
+    assert len(exhibit.copies) == phenomenon.copies
+    for copy in exhibit.copies:
+        assert np.isfinite(copy.world_from_world).all()
     for one in exhibit.readings:
         assert one.label
         if one.value is None:
-            assert one.note is not None and one.note.sentence(), one.label
+            said = one.counted or (one.note is not None and one.note.sentence())
+            assert said, f"{one.label} has no value and says nothing"
         elif isinstance(one.value, tuple):
             assert all(map(math.isfinite, one.value)), one
         elif not isinstance(one.value, str):
@@ -110,6 +132,7 @@ def assert_sound(exhibit: Exhibit, projection: Projection) -> None:
     ]:
         assert -1e-6 <= place[0] <= width + 1e-6 and -1e-6 <= place[1] <= height + 1e-6
     for diagram in exhibit.diagrams:
+        assert diagram.curves, diagram.title
         window = (diagram.left, diagram.right, diagram.bottom, diagram.top)
         assert all(map(math.isfinite, window))
         assert diagram.left < diagram.right and diagram.bottom != diagram.top
@@ -126,10 +149,14 @@ def _assert_marks(marks: Marks, size: int) -> None:
     for shape in (*marks.lines, *marks.faces):
         assert shape.points.ndim == 2 and shape.points.shape[1] == size
         assert np.isfinite(shape.points).all()
-        assert hasattr(LIGHT, shape.colour)
+        assert _is_colour(shape.colour)
     for face in marks.faces:
         assert len(face.points) >= 3
     for mark in (*marks.dots, *marks.texts):
         assert np.shape(mark.point) == (size,)
         assert np.isfinite(mark.point).all()
-        assert not mark.colour or hasattr(LIGHT, mark.colour)
+        assert not mark.colour or _is_colour(mark.colour)
+
+
+def _is_colour(name: str) -> bool:
+    return name.startswith("#") or hasattr(LIGHT, name)

@@ -295,6 +295,14 @@ def test_handles_stand_in_the_pane_and_not_on_one_another() -> None:
             where = at(projection, handle, (1.0, 30.0), sight)
             assert math.dist(where, spot) <= 1e-9
     assert faces == {"near", "far"}
+    # Of a near face that is wide, but low, as well.
+    low = replace(projection, lens=Orthographic(-3.0, 3.0, -0.1, 0.1, 1.0, 30.0))
+    pane = Projection(
+        Camera((20.0, 14.0, 25.0), (4.0, 4.0, 6.0)), Perspective(50.0, 0.1, 1e5), SIZE
+    )
+    sight = Sight.of(pane)
+    found = shown(low, (1.0, 30.0), sight, SIZE, 12.0)
+    assert {handle.face for handle, _ in found if handle.name == "corner"} == {"far"}
 
 
 def test_what_is_held_stays_whatever_it_stands_on() -> None:
@@ -311,6 +319,11 @@ def test_what_is_held_stays_whatever_it_stands_on() -> None:
 def test_nothing_is_near_a_place_behind_the_pane() -> None:
     assert nearest([(EYE, (math.nan, math.nan))], (3.0, 3.0), 9.0) is None
     assert nearest([(EYE, (3.0, 13.0))], (3.0, 3.0), 9.0) is None
+
+
+def test_of_several_in_reach_the_nearest_is_taken() -> None:
+    handles = [(EYE, (3.0, 4.0)), (TARGET, (3.0, 9.0))]
+    assert nearest(handles, (3.0, 3.0), 9.0) == nearest(handles[::-1], (3.0, 3.0), 9.0) == EYE
 
 
 def test_fields_are_read_and_written_back() -> None:

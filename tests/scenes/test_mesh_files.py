@@ -20,7 +20,7 @@ from app.model.refusal import Cancelled, Refusal
 from app.scenes import mesh_files as meshes
 from app.scenes import reading
 from app.scenes.mesh_files import Mesh
-from tests.scenes.test_scene import PYRAMID, gltf_parts, obj_file, ply_file, write_gltf
+from tests.support.meshes import PYRAMID, gltf_parts, obj_file, ply_file, write_gltf
 
 THREE = "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
 POSIX = pytest.mark.skipif(sys.platform == "win32", reason="a file of POSIX systems")

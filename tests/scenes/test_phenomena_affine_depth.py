@@ -231,38 +231,6 @@ def test_a_segment_outside_has_none() -> None:
     assert values(along)[0] == 0.0
 
 
-@pytest.mark.parametrize("depth", ["opengl", "direct3d", "reversed"])
-@pytest.mark.parametrize(
-    "lens",
-    [
-        Perspective(60.0, 0.5, 30.0),
-        Perspective(60.0, 1.0, 1.0 + 1e-15),
-        Perspective(1e-90, 1e-205, math.inf),
-        Perspective(1e-90, 1e-205, 2e-205),
-        Perspective(179.999999, 1e-205, 1e100),
-        Frustum(-1e-98, 1e-98, -1.0, 1.0, 1.0, 2.0),
-        Frustum(1e89, 9e89, -1e88, 1e88, 1.0, 3.0),
-        Orthographic(),
-        Oblique(-1e100, 1e100, -1.0, 1.0, -1e100, 1e100, "stretch", 1e-4, 179.0),
-    ],
-)
-def test_extremes_leave_no_nan(lens: Lens, depth: Any) -> None:
-    ends = [(0.0, 0.0, 0.0), (1e100, -1e100, 1e100), (-1e100, 1e100, -1e100), (1e-300, 0, 1e-300),
-            (0.0, 0.0, 1e100), (0.0, 0.0, -1e100), (3.0, 1.0, -4.0)]  # fmt: skip
-    for camera in (PHENOMENON.start.camera, Camera((1e100, 0, 0), (0, 0, 0)), EYE):
-        projection = Projection(camera, lens, (1280, 720), depth)
-        for start in ends:
-            for end in ends:
-                exhibit = show(projection, start, end)
-                for marks in (exhibit.world, exhibit.ndc):
-                    for shape in (*marks.lines,):
-                        assert np.isfinite(shape.points).all()
-                    for mark in (*marks.dots, *marks.texts):
-                        assert np.isfinite(mark.point).all()
-                for value in values(exhibit):
-                    assert value is None or (math.isfinite(value) and value >= 0.0)
-
-
 def test_a_mesh_takes_the_letter_s_place() -> None:
     """Its edges become bows, and the worst of them is the searched one."""
     camera = Camera((3.0, 3.0, 9.0), (0.0, 2.5, 0.0))

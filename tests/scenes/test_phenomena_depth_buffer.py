@@ -18,19 +18,18 @@ from app.model.depth import DepthBuffer
 from app.model.projection import Array, Camera, Orthographic, Perspective, Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena.depth_buffer import PHENOMENON, buffer_of, distances, moved_behind
-from app.scenes.phenomena.illustration import Exhibit, Phrase, Subject
+from app.scenes.phenomena.illustration import Phrase, Subject
 from app.scenes.phenomena.sampling import seen_distances
 from app.scenes.scene import load
 from app.scenes.shapes import box_faces
-from tests.oracles.exhibits import projections
+from tests.oracles.exhibits import projections, showing
 
 RAMP = np.array([(-5.0, 0, 4), (5, 0, 4), (5, 6, -44), (-5, 6, -44)])
 RANGES = [name for name, _ in next(s.choices for s in PHENOMENON.settings if s.name == "range")]
 SUBJECT = Subject((-5.0, 0.0, -44.0), (5.0, 6.0, 4.0), RAMP[[2, 0, 3, 1]])
 
 
-def shown(projection: Projection, **settings: object) -> Exhibit:
-    return PHENOMENON.show(projection, PHENOMENON.checked(settings), SUBJECT)
+shown = showing(PHENOMENON, SUBJECT)
 
 
 def random_projection(random: np.random.Generator, number: int) -> Projection:

@@ -12,22 +12,14 @@ import pytest
 from app.model.projection import Camera, Perspective, Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena.field_of_view import PHENOMENON, preset_view
-from app.scenes.phenomena.illustration import Exhibit
 from tests.oracles.exact import Exact, dot, minus, mp, vector
-from tests.oracles.exhibits import random_projection, reading, subject_of
+from tests.oracles.exhibits import random_projection, reading, showing, subject_of, value
 
 SUBJECT = subject_of(PHENOMENON)
 PRESETS = ("wide", "tele", "eye", "monitor", "phone")
 
 
-def shown(projection: Projection) -> Exhibit:
-    return PHENOMENON.show(projection, PHENOMENON.defaults, SUBJECT)
-
-
-def value(exhibit: Exhibit, label: str) -> float:
-    found = reading(exhibit, label).value
-    assert isinstance(found, float), label
-    return found
+shown = showing(PHENOMENON, SUBJECT)
 
 
 def followed(projection: Projection, **settings: object) -> Projection:

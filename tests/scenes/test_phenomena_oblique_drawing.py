@@ -11,26 +11,18 @@ import pytest
 
 from app.model.projection import Camera, Oblique, Orbit, Projection
 from app.model.refusal import Refusal
-from app.scenes.phenomena.illustration import Exhibit
 from app.scenes.phenomena.oblique_drawing import PHENOMENON, oblique
 from tests.oracles.exact import cotangent_deg, mp
-from tests.oracles.exhibits import random_projection, reading, subject_of
+from tests.oracles.exhibits import random_projection, reading, showing, subject_of, value
 
 SUBJECT = subject_of(PHENOMENON)
 
 
-def shown(projection: Projection) -> Exhibit:
-    return PHENOMENON.show(projection, PHENOMENON.defaults, SUBJECT)
+shown = showing(PHENOMENON, SUBJECT)
 
 
 def followed(projection: Projection, **settings: object) -> Projection:
     return PHENOMENON.follow(projection, PHENOMENON.defaults, PHENOMENON.checked(settings))
-
-
-def value(exhibit: Exhibit, label: str) -> float:
-    found = reading(exhibit, label).value
-    assert isinstance(found, float), label
-    return found
 
 
 def angle_between(one_deg: float, other_deg: float) -> float:

@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 
 from app.model.projection import Frustum, Projection
-from app.scenes.phenomena.illustration import Exhibit
 from app.scenes.phenomena.off_axis_window import (
     PHENOMENON,
     halves,
@@ -18,13 +17,12 @@ from app.scenes.phenomena.off_axis_window import (
     largest_difference_px,
 )
 from tests.oracles.exact import Exact, mp
-from tests.oracles.exhibits import random_projection, reading, subject_of
+from tests.oracles.exhibits import random_projection, reading, showing, subject_of
 
 SUBJECT = subject_of(PHENOMENON)
 
 
-def shown(projection: Projection, **settings: object) -> Exhibit:
-    return PHENOMENON.show(projection, PHENOMENON.checked(settings), SUBJECT)
+shown = showing(PHENOMENON, SUBJECT)
 
 
 def moved(projection: Projection, before: float, after: float) -> Projection:

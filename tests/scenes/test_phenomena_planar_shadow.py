@@ -12,7 +12,6 @@ import pytest
 
 from app.model.clipping import clip_segments
 from app.model.projection import (
-    Array,
     Camera,
     Frustum,
     Lens,
@@ -25,6 +24,7 @@ from app.model.refusal import Refusal
 from app.scenes.phenomena.illustration import Exhibit, Subject
 from app.scenes.phenomena.planar_shadow import PHENOMENON, cast, shadow_matrix
 from app.scenes.shapes import letter_f
+from tests.oracles.exhibits import showing
 
 mp.mp.dps = 40
 
@@ -34,8 +34,7 @@ OFF = "from there to the ray's end"
 HIGH = "vertices not below the light"
 
 
-def show(projection: Projection = PHENOMENON.start, **settings: Any) -> Exhibit:
-    return PHENOMENON.show(projection, PHENOMENON.checked(settings), SUBJECT)
+show = showing(PHENOMENON, SUBJECT)
 
 
 def value(exhibit: Exhibit, label: str) -> Any:
@@ -218,43 +217,6 @@ def test_a_light_in_the_object_or_under_all_of_it_says_so() -> None:
     assert exhibit.warning is not None and "every vertex" in exhibit.warning.template
     assert value(exhibit, OFF) is None
     assert value(exhibit, HIGH) == len(SUBJECT.points)
-
-
-def finite(marks: Any, largest: float) -> None:
-    shapes: list[Array] = [line.points for line in marks.lines]
-    shapes += [face.points for face in marks.faces]
-    shapes += [dot.point for dot in marks.dots] + [text.point for text in marks.texts]
-    for shape in shapes:
-        assert (np.abs(shape) <= largest).all()
-
-
-@pytest.mark.parametrize(
-    "settings",
-    [
-        {"light": (1e100, 1e100, -1e100)},
-        {"light": (1e100, 1e-300, -1e100)},
-        {"light": (0.0, 5e-324, 0.0)},
-        {"light": (3.0, 5.0, 3.0), "clip": False},  # some vertices just as high as the light
-        {"light": (0.0, 1e100, 0.0), "height": -1e6},
-        {"kind": "sun", "light": (1e100, 1e-300, 0.0)},
-        {"kind": "sun", "light": (0.0, 5e-324, 0.0)},
-        {"kind": "sun", "light": (1.0, 1e-40, 0.0), "height": -1e6},
-    ],
-)
-@pytest.mark.parametrize(
-    "lens", [Perspective(1e-90, 1e-205, math.inf), Perspective(179.999, 1.0, 2.0), Orthographic()]
-)
-def test_extremes_leave_no_nan(settings: dict[str, Any], lens: Lens) -> None:
-    for clip in (False, True):
-        exhibit = show(replace(PHENOMENON.start, lens=lens), **{**settings, "clip": clip})
-        finite(exhibit.world, 2e100)
-        finite(exhibit.image, math.inf)
-        for copy in exhibit.copies:
-            assert np.abs(copy.world_from_world).max() <= 1.0
-        for reading in exhibit.readings:
-            assert (reading.value is not None) or reading.note is not None
-            if reading.value is not None:
-                assert np.isfinite(reading.value).all()  # type: ignore[arg-type]
 
 
 def test_far_lights_are_read_as_exactly_as_near_ones() -> None:

@@ -10,7 +10,7 @@ import pytest
 
 from app.model.projection import Camera, Perspective, Projection
 from app.model.refusal import Refusal
-from app.scenes.phenomena.illustration import Exhibit, Subject
+from app.scenes.phenomena.illustration import Subject
 from app.scenes.phenomena.popping import (
     HEIGHT,
     PHENOMENON,
@@ -24,12 +24,12 @@ from app.scenes.phenomena.popping import (
     popped_per_second,
     trees_in_view,
 )
+from tests.oracles.exhibits import showing
 
 SUBJECT = Subject((0.0, 0.0, 0.0), (1.0, 1.0, 1.0), np.zeros((1, 3)))
 
 
-def shown(projection: Projection, **settings: object) -> Exhibit:
-    return PHENOMENON.show(projection, PHENOMENON.checked(settings), SUBJECT)
+shown = showing(PHENOMENON, SUBJECT)
 
 
 def random_projection(random: np.random.Generator) -> Projection:

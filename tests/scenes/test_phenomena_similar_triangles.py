@@ -11,7 +11,6 @@ import numpy as np
 import pytest
 
 from app.model.projection import (
-    DEPTH_RANGES,
     Camera,
     Frustum,
     Oblique,
@@ -22,14 +21,14 @@ from app.model.projection import (
 from app.model.refusal import Refusal
 from app.scenes.phenomena.illustration import Exhibit, Marks, Subject
 from app.scenes.phenomena.similar_triangles import PHENOMENON, onto_plane
+from tests.oracles.exhibits import showing
 
 START = PHENOMENON.start
 CORNERS = np.array([(x, y, z) for x in (-1.5, 1.5) for y in (0.0, 5.0) for z in (-0.5, 0.5)])
 SUBJECT = Subject((-1.5, 0.0, -0.5), (1.5, 5.0, 0.5), CORNERS)
 
 
-def show(projection: Projection = START, **settings: Any) -> Exhibit:
-    return PHENOMENON.show(projection, PHENOMENON.checked(settings), SUBJECT)
+show = showing(PHENOMENON, SUBJECT)
 
 
 def readings(exhibit: Exhibit) -> dict[str, Any]:
@@ -204,21 +203,3 @@ def test_a_parallel_lens_has_no_projectors_that_meet(lens: Any) -> None:
     assert exhibit.warning is not None and "parallel" in exhibit.warning.sentence()
     assert exhibit.readings == () and exhibit.world.lines == ()
     assert exhibit.copies == ()
-
-
-@pytest.mark.parametrize("depth", DEPTH_RANGES)
-@pytest.mark.parametrize(
-    "lens",
-    [
-        Perspective(1e-6, 1e-3, math.inf), Perspective(179.99999, 1e-6, 1e9),
-        Perspective(45, 1e-9, 1e-8), Perspective(45, 1e8, 1e9), Frustum(-1, 3, 0.5, 2, 1, 30),
-    ],
-)  # fmt: skip
-@pytest.mark.parametrize("distance", [1e-300, -1e-300, 1e-9, -1e6, 1e6])
-def test_extremes_bring_no_nan(distance: float, lens: Any, depth: str) -> None:
-    for eye in (START.camera.eye, (1e9, 1e9, 1e9), (0.3, 2.4, 1e-9)):
-        camera = Camera(eye, (0.3, 2.4, 0.0))
-        for place in ((1.5, 5.0, 0.5), (1e100, -1e100, 1e100), (0.3, 2.4, 0.0)):
-            exhibit = show(Projection(camera, lens, depth=depth), distance=distance, point=place)
-            assert finite(exhibit)
-            assert len(exhibit.copies) == 1

@@ -19,14 +19,13 @@ from app.scenes.phenomena.vanishing_points import (
     vanishing,
 )
 from tests.oracles.exact import Exact, mp
-from tests.oracles.exhibits import random_projection, reading, subject_of
+from tests.oracles.exhibits import random_projection, reading, showing, subject_of
 
 SUBJECT = subject_of(PHENOMENON)
 AXES = ("x", "y", "z")
 
 
-def shown(projection: Projection, **settings: object) -> Exhibit:
-    return PHENOMENON.show(projection, PHENOMENON.checked(settings), SUBJECT)
+shown = showing(PHENOMENON, SUBJECT)
 
 
 def turned(points: str, projection: Projection = PHENOMENON.start) -> Projection:

@@ -10,16 +10,14 @@ import numpy as np
 import pytest
 
 from app.model.projection import Frustum, Perspective, Projection
-from app.scenes.phenomena.illustration import Exhibit
 from app.scenes.phenomena.view_volumes import PHENOMENON, POINTS, cone_of, held, volume
 from tests.oracles.exact import Exact, mp
-from tests.oracles.exhibits import random_projection, reading, subject_of
+from tests.oracles.exhibits import random_projection, reading, showing, subject_of
 
 SUBJECT = subject_of(PHENOMENON)
 
 
-def shown(projection: Projection, **settings: object) -> Exhibit:
-    return PHENOMENON.show(projection, PHENOMENON.checked(settings), SUBJECT)
+shown = showing(PHENOMENON, SUBJECT)
 
 
 def section_area(projection: Projection, w: mp.mpf, cone: bool) -> mp.mpf:

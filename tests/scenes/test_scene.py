@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import base64
 import json
 import math
 import os
 import struct
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from itertools import pairwise, product
 from pathlib import Path
 from typing import Any
@@ -22,7 +22,25 @@ from app.model.projection import Camera, Perspective, Projection
 from app.model.refusal import Cancelled, Refusal
 from app.scenes import scene as scene_module
 from app.scenes.phenomena import PHENOMENA
-from app.scenes.scene import BUILT_IN, ENDINGS, SUBJECT_TRIANGLES, Scene, frame_camera, load
+from app.scenes.scene import (
+    BUILT_IN,
+    ENDINGS,
+    SUBJECT_SAMPLE,
+    SUBJECT_TRIANGLES,
+    Scene,
+    frame_camera,
+    load,
+)
+from tests.support.meshes import (
+    PYRAMID,
+    QUAD_AND_TRIANGLES,
+    TRIANGLES,
+    gltf_parts,
+    obj_file,
+    ply_file,
+    ply_header,
+    write_gltf,
+)
 
 SIDES = ("+x", "-x", "+y", "-y", "+z", "-z")
 
@@ -218,6 +236,8 @@ def test_a_scene_knows_its_phenomenon_and_its_subject() -> None:
     }
     grid = np.abs(segments(scene)).max()
     assert np.abs(subject.points).max() < grid  # without the ground
+    large = replace(scene, surface=pv.PolyData(np.zeros((2 * SUBJECT_SAMPLE - 1, 3))))
+    assert SUBJECT_SAMPLE / 2 <= len(large.subject.points) <= SUBJECT_SAMPLE
 
 
 # --------------------------------------------------------------------------- files to read
@@ -225,15 +245,6 @@ def test_a_scene_knows_its_phenomenon_and_its_subject() -> None:
 # A square pyramid: one quad and four triangles, offset by 1e7 with steps of k/8, exact in float64
 # and lost in float32, whose step at 1e7 is 1.
 FAR = 1e7
-PYRAMID = np.array(
-    [[0.125, 0, 0.25], [3, 0, 0.375], [3.25, 0, 3], [0.5, 0, 3.125], [1.625, 2.875, 1.5]]
-)
-TRIANGLES = np.array([[0, 4, 1], [1, 4, 2], [2, 4, 3], [3, 4, 0], [0, 1, 2], [0, 2, 3]])
-
-
-def obj_file(path: Path, points: np.ndarray) -> None:
-    rows = [f"v {x!r} {y!r} {z!r}" for x, y, z in points.tolist()]
-    path.write_text("\n".join(rows) + "\nf 1 2 3 4\nf 1 5 2\nf 2 5 3\nf 3 5 4\nf -2 -1 -5\n")
 
 
 def stl_text_file(path: Path, points: np.ndarray) -> None:
@@ -251,20 +262,6 @@ def stl_file(path: Path, points: np.ndarray, header: bytes = b"solid but binary"
     path.write_bytes(data)
 
 
-def ply_header(
-    encoding: str, vertices: int, faces: int, vertex_more: str = "", face_more: str = ""
-) -> str:
-    return (
-        f"ply\nformat {encoding} 1.0\ncomment by a test\nelement vertex {vertices}\n"
-        "property double x\nproperty double y\nproperty double z\n"
-        f"{vertex_more}element face {faces}\nproperty list uchar int vertex_indices\n"
-        f"{face_more}end_header\n"
-    )
-
-
-QUAD_AND_TRIANGLES = ([0, 1, 2, 3], [0, 4, 1], [1, 4, 2], [2, 4, 3], [3, 4, 0])
-
-
 def ply_text_file(path: Path, points: np.ndarray) -> None:
     text = ply_header("ascii", len(points), 5)
     text += "".join(f"{x!r} {y!r} {z!r}\n" for x, y, z in points.tolist())
@@ -272,63 +269,8 @@ def ply_text_file(path: Path, points: np.ndarray) -> None:
     path.write_text(text)
 
 
-def ply_file(path: Path, points: np.ndarray, order: str = "<") -> None:
-    encoding = {"<": "binary_little_endian", ">": "binary_big_endian"}[order]
-    data = ply_header(encoding, len(points), 5).encode() + points.astype(order + "f8").tobytes()
-    for face in QUAD_AND_TRIANGLES:
-        data += struct.pack(f"{order}B{len(face)}i", len(face), *face)
-    path.write_bytes(data)
-
-
 def ply_big_endian_file(path: Path, points: np.ndarray) -> None:
     ply_file(path, points, ">")
-
-
-def gltf_parts(
-    points: np.ndarray, translation: list[float] | None = None, scale: float = 1.0
-) -> tuple[dict[str, Any], bytes]:
-    """A glTF description with a node in a node, and the bytes of its buffer."""
-    positions = points.astype("<f4").tobytes()
-    indices = TRIANGLES.astype("<u2").tobytes()
-    content: dict[str, Any] = {
-        "asset": {"version": "2.0"},
-        "scene": 0,
-        "scenes": [{"nodes": [0]}],
-        "nodes": [
-            {"children": [1], "translation": translation or [0, 0, 0]},
-            {"mesh": 0, "scale": [scale] * 3},
-        ],
-        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
-        "accessors": [
-            {"bufferView": 0, "componentType": 5126, "count": len(points), "type": "VEC3",
-             "min": points.min(axis=0).tolist(), "max": points.max(axis=0).tolist()},
-            {"bufferView": 1, "componentType": 5123, "count": TRIANGLES.size, "type": "SCALAR"},
-        ],
-        "bufferViews": [
-            {"buffer": 0, "byteLength": len(positions)},
-            {"buffer": 0, "byteOffset": len(positions), "byteLength": len(indices)},
-        ],
-        "buffers": [{"byteLength": len(positions) + len(indices)}],
-    }  # fmt: skip
-    return content, positions + indices
-
-
-def write_gltf(path: Path, content: dict[str, Any], body: bytes) -> None:
-    if path.suffix == ".gltf":
-        address = "data:application/octet-stream;base64," + base64.b64encode(body).decode()
-        content["buffers"][0]["uri"] = address
-        path.write_text(json.dumps(content))
-        return
-    text = json.dumps(content).encode()
-    text += b" " * (-len(text) % 4)
-    body += b"\0" * (-len(body) % 4)
-    path.write_bytes(
-        struct.pack("<4sII", b"glTF", 2, 28 + len(text) + len(body))
-        + struct.pack("<I4s", len(text), b"JSON")
-        + text
-        + struct.pack("<I4s", len(body), b"BIN\0")
-        + body
-    )
 
 
 def gltf_file(path: Path, points: np.ndarray) -> None:

@@ -45,10 +45,21 @@ from app.model.projection import (
 from app.model.refusal import Refusal
 from app.scenes import mesh_files as meshes
 from app.scenes import scene
+from tests.support.controls import (
+    KEY,
+    NONSENSE,
+    Record,
+    choice,
+    drag,
+    enter,
+    number,
+    press,
+    release,
+)
 from tests.support.shown import show
 from widgets.controls.controls import Controls
 from widgets.parts import messages
-from widgets.parts.fields import ChoiceRow, Linear, Log, NumberRow, parse_number, short_text
+from widgets.parts.fields import Linear, Log, NumberRow, parse_number, short_text
 from widgets.parts.messages import sentence
 
 START = Projection(Camera((6.0, 5.0, 9.0), (0.0, 2.0, 0.0)), Perspective(45.0, 1.0, 30.0))
@@ -56,22 +67,6 @@ BOX = replace(START, lens=Orthographic(-4.0, 4.0, -3.0, 3.0, 1.0, 30.0))
 SLANTED = replace(START, lens=Oblique(near=2.0))
 """Cabinet, rising at 45 degrees."""
 OFF_AXIS = replace(START, lens=Frustum(-0.25, 0.75, -0.5, 1.5, 1.0, 30.0))
-KEY = Qt.Key
-
-
-class Record:
-    """What the column says, in order."""
-
-    def __init__(self, controls: Controls) -> None:
-        self.edits: list[Projection] = []
-        self.events: list[str] = []
-        controls.edited.connect(self._edited)
-        controls.gesture_started.connect(lambda: self.events.append("start"))
-        controls.gesture_finished.connect(lambda: self.events.append("finish"))
-
-    def _edited(self, edit: Projection) -> None:
-        self.edits.append(edit)
-        self.events.append("edit")
 
 
 @pytest.fixture
@@ -91,60 +86,6 @@ def controls(display: Any, qtbot: Any) -> Iterator[Controls]:
 @pytest.fixture
 def record(controls: Controls) -> Record:
     return Record(controls)
-
-
-def number(controls: Controls, key: str) -> NumberRow:
-    row = controls.rows[key]
-    assert isinstance(row, NumberRow)
-    return row
-
-
-def choice(controls: Controls, key: str) -> ChoiceRow:
-    row = controls.rows[key]
-    assert isinstance(row, ChoiceRow)
-    return row
-
-
-def enter(row: NumberRow, text: str) -> None:
-    """Type over what the field holds, and press Return."""
-    row.field.setFocus()
-    row.field.selectAll()
-    QTest.keyClick(row.field, KEY.Key_Delete)
-    if text.isascii():
-        QTest.keyClicks(row.field, text)
-    else:  # as an input method hands it over
-        event = QInputMethodEvent()
-        event.setCommitString(text)
-        QApplication.sendEvent(row.field, event)
-    QTest.keyClick(row.field, KEY.Key_Return)
-
-
-def handle(slider: QSlider) -> QPoint:
-    """Where the slider's handle is."""
-    from PySide6.QtWidgets import QStyle, QStyleOptionSlider
-
-    option = QStyleOptionSlider()
-    slider.initStyleOption(option)
-    part = QStyle.SubControl.SC_SliderHandle
-    control = QStyle.ComplexControl.CC_Slider
-    return slider.style().subControlRect(control, option, part, slider).center()
-
-
-def press(slider: QSlider) -> QPoint:
-    place = handle(slider)
-    QTest.mousePress(slider, Qt.MouseButton.LeftButton, pos=place)
-    assert slider.isSliderDown()
-    return place
-
-
-def drag(slider: QSlider, position: int) -> None:
-    """Move the pressed slider to a position, as the mouse does."""
-    slider.setSliderPosition(position)
-
-
-def release(slider: QSlider) -> None:
-    QTest.mouseRelease(slider, Qt.MouseButton.LeftButton, pos=handle(slider))
-    assert not slider.isSliderDown()
 
 
 def in_mode(controls: Controls, key: str) -> None:
@@ -864,10 +805,6 @@ def test_far_may_be_typed_as_infinity(controls: Controls, record: Record, text: 
     enter(number(controls, "far"), text)
     assert record.edits[0].lens.far == math.inf
     assert number(controls, "far").field.text() == "∞"
-
-
-NONSENSE = ["nan", "0x10", "1_000", "", " ", "abc", "1,2,3", "1.2.3", "--1", "1e", "٣", "1 2", "-∞",
-            "1/0", "1/", "/3", "1/2/3", "1//2", "1/-0", "inf/2"]  # fmt: skip
 
 
 def test_nonsense_is_refused_in_every_field(controls: Controls) -> None:

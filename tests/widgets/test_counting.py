@@ -2,24 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import pytest
-from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 
-from app.document.document import Document
 from app.drawings import rasterising
-from app.scenes.scene import load
-
-MakeWindow = Callable[..., Any]
-
-
-@pytest.fixture
-def make_depth(make_window: MakeWindow) -> MakeWindow:
-    return lambda: make_window(Document("depth-buffer", load("depth-buffer").start))
+from tests.support.drawings import heard
+from tests.support.window import show_scene
+from widgets.window.main_window import MainWindow
 
 
 def shown(window: Any) -> list[str]:
@@ -27,10 +19,8 @@ def shown(window: Any) -> list[str]:
     return [value.text() for label, value, _ in lines if not label.isHidden()]
 
 
-def test_the_counted_share_stands_beside_the_predicted_one(
-    make_depth: MakeWindow, qtbot: Any
-) -> None:
-    window = make_depth()
+def test_the_counted_share_stands_beside_the_predicted_one(window: MainWindow, qtbot: Any) -> None:
+    show_scene(window, "depth-buffer")
     qtbot.waitUntil(lambda: shown(window)[1] != "–")
     predicted, counted = map(float, shown(window)[:2])
     assert 5.0 < predicted < 95.0 and counted == pytest.approx(predicted, abs=5.0)
@@ -46,8 +36,8 @@ def test_the_counted_share_stands_beside_the_predicted_one(
     assert shown(window)[1] == "–"
 
 
-def test_nothing_is_counted_while_the_hand_moves(make_depth: MakeWindow, qtbot: Any) -> None:
-    window = make_depth()
+def test_nothing_is_counted_while_the_hand_moves(window: MainWindow, qtbot: Any) -> None:
+    show_scene(window, "depth-buffer")
     qtbot.waitUntil(lambda: shown(window)[1] != "–")
     window.store.begin_gesture()
     window.store.set_settings({"gap": 0.3})
@@ -58,9 +48,9 @@ def test_nothing_is_counted_while_the_hand_moves(make_depth: MakeWindow, qtbot: 
 
 
 def test_what_was_counted_for_a_folded_panel_stands_there_when_it_is_opened(
-    make_depth: MakeWindow, qtbot: Any
+    window: MainWindow, qtbot: Any
 ) -> None:
-    window = make_depth()
+    show_scene(window, "depth-buffer")
     qtbot.waitUntil(lambda: shown(window)[1] != "–")
     window.panels.open(None)
     with qtbot.waitSignal(window.counting.counted):
@@ -71,38 +61,31 @@ def test_what_was_counted_for_a_folded_panel_stands_there_when_it_is_opened(
 
 
 def test_a_large_mesh_is_not_counted(
-    make_depth: MakeWindow, qtbot: Any, monkeypatch: pytest.MonkeyPatch
+    window: MainWindow, qtbot: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("widgets.panes.counting.MOST_FACES", 0)
-    window = make_depth()
+    show_scene(window, "depth-buffer")
     with qtbot.assertNotEmitted(window.counting.counted, wait=1000):
         pass
     assert shown(window)[1] == "–"
 
 
-@pytest.fixture
-def unheard() -> Iterator[Any]:
-    """What VTK says of a shader that is none is kept from everybody else."""
-    heard, before = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
-    vtkOutputWindow.SetInstance(heard)
-    yield heard
-    vtkOutputWindow.SetInstance(before)
-
-
 def test_a_refused_shader_is_told_and_the_picture_drawn_the_ordinary_way(
-    make_depth: MakeWindow, qtbot: Any, monkeypatch: pytest.MonkeyPatch, unheard: Any
+    window: MainWindow, qtbot: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(rasterising, "_DEPTH", "this is no GLSL;")
-    window = make_depth()
     panel, pane = window.scene_panel, window.panes["image"]
-    qtbot.waitUntil(lambda: "does not take the shader" in panel.warning.text())
+    with heard() as said:
+        show_scene(window, "depth-buffer")
+        qtbot.waitUntil(lambda: "does not take the shader" in panel.warning.text())
     assert not panel.warning.isHidden() and shown(window)[1] == "–"
 
     def orange() -> int:
         image = pane.canvas.screenshot(return_img=True)
         return int((np.abs(image.astype(int) - (230, 159, 0)).sum(axis=-1) < 6).sum())
 
-    qtbot.waitUntil(lambda: orange() > 500)
-    assert "this is no GLSL" in unheard.GetOutput()
+    with heard():
+        qtbot.waitUntil(lambda: orange() > 500)
+    assert "this is no GLSL" in said.GetOutput()
     window.guide.choose("similar-triangles")
     assert panel.warning.isHidden()

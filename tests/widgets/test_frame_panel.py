@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import replace
 from itertools import pairwise
 from typing import Any
@@ -14,7 +13,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QImage, QTextDocumentFragment
+from PySide6.QtGui import QTextDocumentFragment
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
@@ -31,37 +30,20 @@ from app.lecture.typed_matrix import with_cell
 from app.model.projection import Camera, Perspective, Projection
 from app.model.refusal import Refusal, format_value
 from app.scenes.scene import load
-from tests import PATIENCE_MS
+from tests.support.window import MakeWindow, activate, click, pixels, settle
 from widgets.panels.frame_panel import FramePanel
 from widgets.window.main_window import MainWindow
 
 START = load("letter-f").start
-MakeWindow = Callable[..., MainWindow]
 
 
-def settle() -> None:
-    for _ in range(3):
-        QApplication.processEvents()
-
-
-def pixels(window: MainWindow, name: str = "world") -> np.ndarray:
-    image = window.panes[name].canvas.grabFramebuffer().convertToFormat(QImage.Format.Format_RGB888)
-    array = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), image.bytesPerLine())
-    return array[:, : 3 * image.width()].reshape(image.height(), image.width(), 3).copy()
-
-
-def opened(make_window: MakeWindow) -> MainWindow:
-    window = make_window()
-    window.activateWindow()
-    assert QTest.qWaitForWindowActive(window, PATIENCE_MS)
+@pytest.fixture
+def window(window: MainWindow) -> MainWindow:
+    """With the panel open."""
+    activate(window)
     window.panels.open(window.frame_panel)
     settle()
     return window
-
-
-def click(button: Any) -> None:
-    QTest.mouseClick(button, Qt.MouseButton.LeftButton)
-    settle()
 
 
 def numbers(panel: FramePanel) -> str:
@@ -165,8 +147,7 @@ def test_the_arrows_are_the_vectors() -> None:
 # -- the panel
 
 
-def test_steps_by_its_buttons(make_window: MakeWindow) -> None:
-    window = opened(make_window)
+def test_steps_by_its_buttons(window: MainWindow) -> None:
     panel = window.frame_panel
     assert panel.step == 0 and not panel.back.isEnabled()
     titles = [panel.title.text()]
@@ -182,8 +163,7 @@ def test_steps_by_its_buttons(make_window: MakeWindow) -> None:
     assert panel.step == 6
 
 
-def test_playing_goes_through_all_steps_and_stops(make_window: MakeWindow, qtbot: Any) -> None:
-    window = opened(make_window)
+def test_playing_goes_through_all_steps_and_stops(window: MainWindow, qtbot: Any) -> None:
     panel = window.frame_panel
     panel._timer.setInterval(1)
     seen: list[int] = []
@@ -205,8 +185,7 @@ def test_playing_goes_through_all_steps_and_stops(make_window: MakeWindow, qtbot
     "camera",
     [START.camera, Camera((0.1, -3.0, 1e6), (1 / 3, 0.0, 0.0), (1.0, 2.0, 0.5))],
 )
-def test_the_numbers_are_the_models(make_window: MakeWindow, camera: Camera) -> None:
-    window = opened(make_window)
+def test_the_numbers_are_the_models(window: MainWindow, camera: Camera) -> None:
     window.store.set_projection(replace(window.store.document.projection, camera=camera))
     panel = window.frame_panel
     projection = window.store.document.projection
@@ -231,6 +210,7 @@ def test_folded_it_computes_nothing_and_opens_with_the_present_camera(
     make_window: MakeWindow, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     window = make_window()
+    settle()
     asked: list[Camera] = []
     real = up_and_view
 
@@ -252,8 +232,7 @@ def test_folded_it_computes_nothing_and_opens_with_the_present_camera(
     assert asked == []  # another lens is the same camera
 
 
-def test_a_row_turns_up_and_undo_brings_it_back(make_window: MakeWindow) -> None:
-    window = opened(make_window)
+def test_a_row_turns_up_and_undo_brings_it_back(window: MainWindow) -> None:
     panel, before = window.frame_panel, window.store.document.projection
     window.controls.rows["camera_mode"].choose("vectors")
     panel.angle.field.setFocus()
@@ -271,8 +250,7 @@ def test_a_row_turns_up_and_undo_brings_it_back(make_window: MakeWindow) -> None
     assert panel.warning.text() == "" and panel.angle.value() == pytest.approx(104.513, rel=1e-5)
 
 
-def test_a_drag_of_the_row_is_one_step(make_window: MakeWindow) -> None:
-    window = opened(make_window)
+def test_a_drag_of_the_row_is_one_step(window: MainWindow) -> None:
     panel, before = window.frame_panel, window.store.document.projection
     panel.angle.slider.sliderPressed.emit()
     for position in (200, 150, 100):
@@ -283,8 +261,7 @@ def test_a_drag_of_the_row_is_one_step(make_window: MakeWindow) -> None:
     assert window.store.document.projection == before and not window.store.can_undo
 
 
-def test_the_refused_case_says_the_models_sentence(make_window: MakeWindow) -> None:
-    window = opened(make_window)
+def test_the_refused_case_says_the_models_sentence(window: MainWindow) -> None:
     panel, before = window.frame_panel, window.store.document.projection
     panel.angle.field.selectAll()
     QTest.keyClicks(panel.angle.field, "0")
@@ -295,8 +272,7 @@ def test_the_refused_case_says_the_models_sentence(make_window: MakeWindow) -> N
     assert panel.angle.error == ""
 
 
-def test_the_warning_comes_at_one_degree(make_window: MakeWindow) -> None:
-    window = opened(make_window)
+def test_the_warning_comes_at_one_degree(window: MainWindow) -> None:
     panel = window.frame_panel
     for angle_deg, warned in ((1.01, False), (0.99, True), (179.5, True), (178.5, False)):
         window.store.set_projection(replace(START, camera=turned_up(START.camera, angle_deg)))
@@ -306,8 +282,7 @@ def test_the_warning_comes_at_one_degree(make_window: MakeWindow) -> None:
         assert panel.warning.text().endswith(f"by up to {turned}°.")
 
 
-def test_under_a_typed_view_matrix_it_says_whose_frame_it_shows(make_window: MakeWindow) -> None:
-    window = opened(make_window)
+def test_under_a_typed_view_matrix_it_says_whose_frame_it_shows(window: MainWindow) -> None:
     panel, start = window.frame_panel, window.store.document.projection
     window.store.set_projection(with_cell(start, "clip_from_view", 3, 0, 0.1))
     assert panel.nudge.isEnabled() and not panel.warning.text()  # the camera is still there
@@ -318,8 +293,7 @@ def test_under_a_typed_view_matrix_it_says_whose_frame_it_shows(make_window: Mak
     assert panel.nudge.isEnabled() and panel.angle.isEnabled() and not panel.warning.text()
 
 
-def test_a_nudge_turns_the_picture_as_it_is_said(make_window: MakeWindow) -> None:
-    window = opened(make_window)
+def test_a_nudge_turns_the_picture_as_it_is_said(window: MainWindow) -> None:
     window.store.set_projection(replace(START, camera=turned_up(START.camera, 1.0)))
     before = window.store.document.projection.camera
     click(window.frame_panel.nudge)
@@ -354,8 +328,7 @@ def test_each_step_is_seen_and_all_comes_back(make_window: MakeWindow) -> None:
         assert np.array_equal(pixels(window, name), picture), name
 
 
-def test_steps_add_no_actor_after_the_first(make_window: MakeWindow) -> None:
-    window = opened(make_window)
+def test_steps_add_no_actor_after_the_first(window: MainWindow) -> None:
     renderer = window.panes["world"].canvas.renderer
     props = list(renderer.GetViewProps())
     click(window.frame_panel.all)
@@ -367,8 +340,7 @@ def test_steps_add_no_actor_after_the_first(make_window: MakeWindow) -> None:
     assert list(renderer.GetViewProps()) == props
 
 
-def test_one_step_is_one_repaint_of_the_world_and_idle_is_none(make_window: MakeWindow) -> None:
-    window = opened(make_window)
+def test_one_step_is_one_repaint_of_the_world_and_idle_is_none(window: MainWindow) -> None:
     counts = dict.fromkeys(window.panes, 0)
     observers = []
     for name, pane in window.panes.items():
@@ -392,8 +364,7 @@ def test_one_step_is_one_repaint_of_the_world_and_idle_is_none(make_window: Make
         view.RemoveObserver(tag)
 
 
-def test_another_theme_keeps_the_step_and_a_hidden_pane_catches_up(make_window: MakeWindow) -> None:
-    window = opened(make_window)
+def test_another_theme_keeps_the_step_and_a_hidden_pane_catches_up(window: MainWindow) -> None:
     window.frame_panel.go_to(6)
     settle()
     stepped = pixels(window)
@@ -413,9 +384,8 @@ def test_another_theme_keeps_the_step_and_a_hidden_pane_catches_up(make_window: 
     assert np.array_equal(pixels(window), stepped)
 
 
-def test_up_is_drawn_where_it_is(make_window: MakeWindow) -> None:
+def test_up_is_drawn_where_it_is(window: MainWindow) -> None:
     """The arrow's shaft has its colour half-way along up, seen from the eye."""
-    window = opened(make_window)
     window.pane_row.enlarge("world")
     camera = Camera(START.camera.eye, START.camera.target, (0.3, 1.0, -0.4))
     window.store.set_projection(replace(START, camera=camera))
@@ -445,8 +415,7 @@ def test_figures_do_not_show_the_steps(make_window: MakeWindow) -> None:
     assert QApplication.clipboard().image() == before and not before.isNull()
 
 
-def test_the_formula_is_linked(make_window: MakeWindow) -> None:
-    window = opened(make_window)
+def test_the_formula_is_linked(window: MainWindow) -> None:
     panel = window.frame_panel
     panel.go_to(3)
     settle()
@@ -463,8 +432,7 @@ def test_the_formula_is_linked(make_window: MakeWindow) -> None:
     assert not panel.formula.is_marked
 
 
-def test_the_row_and_the_arrow_of_up_are_linked(make_window: MakeWindow) -> None:
-    window = opened(make_window)
+def test_the_row_and_the_arrow_of_up_are_linked(window: MainWindow) -> None:
     window.frame_panel.go_to(2)
     settle()
     row, before = window.frame_panel.angle, pixels(window)
@@ -486,8 +454,7 @@ def test_the_row_and_the_arrow_of_up_are_linked(make_window: MakeWindow) -> None
     assert window.attention.now == {"up"} and row.is_marked
 
 
-def test_cameras_at_their_ends_are_drawn(make_window: MakeWindow) -> None:
-    window = opened(make_window)
+def test_cameras_at_their_ends_are_drawn(window: MainWindow) -> None:
     window.frame_panel.go_to(6)
     for camera in (
         turned_up(START.camera, 1e-12),
@@ -502,9 +469,8 @@ def test_cameras_at_their_ends_are_drawn(make_window: MakeWindow) -> None:
         assert "nan" not in window.frame_panel.figures.text()
 
 
-def test_the_view_matrix_s_formula_is_the_lecture_s(make_window: MakeWindow) -> None:
+def test_the_view_matrix_s_formula_is_the_lecture_s(window: MainWindow) -> None:
     """Lecture 004: R^T has u, v, n as columns; R is (u, v, n)^T, with them as rows."""
-    window = opened(make_window)
     panel = window.frame_panel
     for step in range(len(STEPS)):
         panel.go_to(step)

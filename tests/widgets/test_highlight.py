@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
 
@@ -21,19 +18,14 @@ from app.lecture.notation import letters_in, matrices
 from app.lecture.stages import VIEW, WORLD
 from app.model.projection import DEPTH_RANGES, LENSES, Camera, Perspective, Projection
 from app.scenes.scene import load
-from tests import PATIENCE_MS
 from tests.support.frustum import corners_world
+from tests.support.window import activate, counted_repaints, pixels, settle
 from widgets.panels.matrix_view import MatrixView
 from widgets.parts.highlight import Attended
 from widgets.window.main_window import MainWindow
 
 START = load("letter-f").start
 PLANES = {"near", "far", "left", "right", "bottom", "top"}
-
-
-def settle() -> None:
-    for _ in range(3):
-        QApplication.processEvents()
 
 
 def hover(window: MainWindow, widget: QWidget, place: QPoint | None = None) -> None:
@@ -53,12 +45,6 @@ def leave(window: MainWindow) -> None:
     hover(window, window.menuBar(), QPoint(window.menuBar().width() - 2, 2))
 
 
-def pixels(window: MainWindow, name: str) -> np.ndarray:
-    image = window.panes[name].canvas.grabFramebuffer().convertToFormat(QImage.Format.Format_RGB888)
-    array = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), image.bytesPerLine())
-    return array[:, : 3 * image.width()].copy()
-
-
 def pictures(window: MainWindow) -> dict[str, np.ndarray]:
     return {name: pixels(window, name) for name in window.panes}
 
@@ -67,36 +53,16 @@ def changed(before: dict[str, np.ndarray], after: dict[str, np.ndarray]) -> set[
     return {name for name in before if not np.array_equal(before[name], after[name])}
 
 
-@contextmanager
-def counted_repaints(window: MainWindow) -> Iterator[dict[str, int]]:
-    counts = dict.fromkeys(window.panes, 0)
-    observers = []
-    for name, pane in window.panes.items():
-
-        def count(_window: object, _event: str, name: str = name) -> None:
-            counts[name] += 1
-
-        view = pane.canvas.render_window
-        observers.append((view, view.AddObserver("EndEvent", count)))
-    yield counts
-    for view, tag in observers:
-        view.RemoveObserver(tag)
-
-
 def marked(window: MainWindow) -> set[str]:
     """The rows in use that are marked."""
     rows = window.controls.rows.items()
     return {name for name, row in rows if row.is_marked and row.isVisibleTo(window)}
 
 
-MakeWindow = Callable[..., MainWindow]
-
-
-def opened(make_window: MakeWindow) -> MainWindow:
-    """A window with the mouse on nothing."""
-    window = make_window()
-    window.activateWindow()
-    assert QTest.qWaitForWindowActive(window, PATIENCE_MS)
+@pytest.fixture
+def window(window: MainWindow) -> MainWindow:
+    """With the mouse on nothing."""
+    activate(window)
     leave(window)
     return window
 
@@ -190,8 +156,7 @@ def test_the_frontmost_face_by_its_depth_there() -> None:
 # -- from a control to the panes
 
 
-def test_a_hovered_row_is_seen_in_every_pane_that_has_it(make_window: MakeWindow) -> None:
-    window = opened(make_window)
+def test_a_hovered_row_is_seen_in_every_pane_that_has_it(window: MainWindow) -> None:
     before = pictures(window)
     with counted_repaints(window) as counts:
         hover(window, window.controls.rows["near"])
@@ -209,8 +174,7 @@ def test_a_hovered_row_is_seen_in_every_pane_that_has_it(make_window: MakeWindow
     assert changed(before, pictures(window)) == {"world", "ndc"}
 
 
-def test_rows_show_what_they_are_about(make_window: MakeWindow) -> None:
-    window = opened(make_window)
+def test_rows_show_what_they_are_about(window: MainWindow) -> None:
     for row, panes, rows in [
         ("far", {"world", "ndc"}, {"far"}),
         ("fov_y_deg", {"world", "image"}, {"fov_y_deg", "fov_x_deg", "focal_length_mm", "e"}),
@@ -226,8 +190,7 @@ def test_rows_show_what_they_are_about(make_window: MakeWindow) -> None:
         assert marked(window) == rows | {row}
 
 
-def test_the_keyboard_in_a_row_counts_too(make_window: MakeWindow) -> None:
-    window = opened(make_window)
+def test_the_keyboard_in_a_row_counts_too(window: MainWindow) -> None:
     near, far = window.controls.rows["near"], window.controls.rows["far"]
     near.field.setFocus(Qt.FocusReason.TabFocusReason)
     settle()
@@ -244,8 +207,7 @@ def test_the_keyboard_in_a_row_counts_too(make_window: MakeWindow) -> None:
     assert window.attention.now == NOTHING
 
 
-def test_a_click_leaves_no_attention_behind(make_window: MakeWindow) -> None:
-    window = opened(make_window)
+def test_a_click_leaves_no_attention_behind(window: MainWindow) -> None:
     near = window.controls.rows["near"]
     hover(window, near)
     QTest.mouseClick(near.field, Qt.MouseButton.LeftButton)
@@ -256,9 +218,8 @@ def test_a_click_leaves_no_attention_behind(make_window: MakeWindow) -> None:
 # -- from the panes
 
 
-def test_the_world_knows_what_is_under_the_mouse(make_window: MakeWindow) -> None:
+def test_the_world_knows_what_is_under_the_mouse(window: MainWindow) -> None:
     """By the pane's own sight, which is tested against VTK's camera."""
-    window = opened(make_window)
     projection = window.store.document.projection
     window.pane_row.enlarge("world")
     settle()
@@ -285,8 +246,7 @@ def test_the_world_knows_what_is_under_the_mouse(make_window: MakeWindow) -> Non
     assert made_of(window.attention.now) <= PLANES
 
 
-def test_a_label_can_be_pointed_at(make_window: MakeWindow) -> None:
-    window = opened(make_window)
+def test_a_label_can_be_pointed_at(window: MainWindow) -> None:
     for text in ["near", "far"]:
         drawing: Any = window.panes["world"].drawing
         label = drawing.labels.named[text]
@@ -295,8 +255,7 @@ def test_a_label_can_be_pointed_at(make_window: MakeWindow) -> None:
         assert window.attention.now == {text} and text in marked(window)
 
 
-def test_the_cube_knows_what_is_under_the_mouse(make_window: MakeWindow) -> None:
-    window = opened(make_window)
+def test_the_cube_knows_what_is_under_the_mouse(window: MainWindow) -> None:
     drawing: Any = window.panes["ndc"].drawing
 
     def at(ndc: Any) -> frozenset[str]:
@@ -324,8 +283,7 @@ def test_the_cube_knows_what_is_under_the_mouse(make_window: MakeWindow) -> None
         assert changed(before, pictures(window)) == set()
 
 
-def test_the_image_knows_its_sides_and_corners(make_window: MakeWindow) -> None:
-    window = opened(make_window)
+def test_the_image_knows_its_sides_and_corners(window: MainWindow) -> None:
     drawing = window.panes["image"].drawing
     left, top, width, height = drawing.picture_rectangle_px  # type: ignore[union-attr]
     for x_px, y_px, named in (
@@ -348,8 +306,7 @@ def test_the_image_knows_its_sides_and_corners(make_window: MakeWindow) -> None:
     assert changed(before, pictures(window)) == {"world", "ndc", "image"}
 
 
-def test_the_worlds_axes_at_the_strip_are_not_the_cameras(make_window: MakeWindow) -> None:
-    window = opened(make_window)
+def test_the_worlds_axes_at_the_strip_are_not_the_cameras(window: MainWindow) -> None:
     for stop, shown in ((WORLD, False), (VIEW, True)):
         window.strip.go_to(float(stop))
         settle()
@@ -362,8 +319,7 @@ def test_the_worlds_axes_at_the_strip_are_not_the_cameras(make_window: MakeWindo
         assert np.array_equal(before, pixels(window, "ndc"))
 
 
-def test_turning_a_pane_picks_nothing(make_window: MakeWindow) -> None:
-    window = opened(make_window)
+def test_turning_a_pane_picks_nothing(window: MainWindow) -> None:
     pane, handle = window.panes["world"], window.windowHandle()
     hover(window, pane.canvas)
     asked: list[QPointF] = []
@@ -383,8 +339,7 @@ def test_turning_a_pane_picks_nothing(make_window: MakeWindow) -> None:
 # -- matrices, probes, status line
 
 
-def test_a_cell_marks_the_rows_that_it_depends_on(make_window: MakeWindow) -> None:
-    window = opened(make_window)
+def test_a_cell_marks_the_rows_that_it_depends_on(window: MainWindow) -> None:
     window.panels.open(window.matrices)
     settle()
     before = pictures(window)
@@ -403,8 +358,7 @@ def test_a_cell_marks_the_rows_that_it_depends_on(make_window: MakeWindow) -> No
     assert marked(window) == set() and changed(before, pictures(window)) == set()
 
 
-def test_a_row_marks_the_cells_that_depend_on_it(make_window: MakeWindow) -> None:
-    window = opened(make_window)
+def test_a_row_marks_the_cells_that_depend_on_it(window: MainWindow) -> None:
     window.panels.open(window.matrices)
     settle()
     hover(window, window.controls.rows["near"])
@@ -419,8 +373,7 @@ def test_a_row_marks_the_cells_that_depend_on_it(make_window: MakeWindow) -> Non
     assert view.is_marked(0, 0) and view.is_marked(1, 2) and not view.is_marked(2, 0)
 
 
-def test_a_cell_under_the_cursor_counts_and_marks_reach_the_screen(make_window: MakeWindow) -> None:
-    window = opened(make_window)
+def test_a_cell_under_the_cursor_counts_and_marks_reach_the_screen(window: MainWindow) -> None:
     window.panels.open(window.matrices)
     settle()
     view = window.matrices.views["view_from_world"]
@@ -436,8 +389,7 @@ def test_a_cell_under_the_cursor_counts_and_marks_reach_the_screen(make_window: 
     assert window.attention.now == NOTHING and other.grab().toImage() == before
 
 
-def test_the_words_of_a_probe_that_is_outside(make_window: MakeWindow) -> None:
-    window = opened(make_window)
+def test_the_words_of_a_probe_that_is_outside(window: MainWindow) -> None:
     window.panels.open(window.probe_panel)
     settle()
     camera = window.store.document.projection.camera
@@ -460,8 +412,7 @@ def test_the_words_of_a_probe_that_is_outside(make_window: MakeWindow) -> None:
     assert model.data(inside, Qt.ItemDataRole.BackgroundRole) is None
 
 
-def test_a_corner_marks_the_figure_that_its_drag_changes(make_window: MakeWindow) -> None:
-    window = opened(make_window)
+def test_a_corner_marks_the_figure_that_its_drag_changes(window: MainWindow) -> None:
     for kind in ["perspective", "frustum", "orthographic"]:
         window.store.set_projection(START.with_lens(kind))
         settle()
@@ -481,8 +432,7 @@ def test_a_corner_marks_the_figure_that_its_drag_changes(make_window: MakeWindow
         assert {name for name, label in labels.items() if label.text() != before[name]} == {"fov"}
 
 
-def test_a_figure_of_the_status_line(make_window: MakeWindow) -> None:
-    window = opened(make_window)
+def test_a_figure_of_the_status_line(window: MainWindow) -> None:
     for figure, named in [
         ("fov", {"fov"}),
         ("planes", {"near", "far"}),
@@ -500,8 +450,7 @@ def test_a_figure_of_the_status_line(make_window: MakeWindow) -> None:
 # -- what it costs
 
 
-def test_a_step_with_attention_costs_what_it_costs_without(make_window: MakeWindow) -> None:
-    window = opened(make_window)
+def test_a_step_with_attention_costs_what_it_costs_without(window: MainWindow) -> None:
     hover(window, window.controls.rows["near"])
     settle()
     props = {name: list(pane.canvas.renderer.GetViewProps()) for name, pane in window.panes.items()}
@@ -517,9 +466,8 @@ def test_a_step_with_attention_costs_what_it_costs_without(make_window: MakeWind
 
 
 def test_a_hidden_pane_is_told_when_it_appears(
-    make_window: MakeWindow, monkeypatch: pytest.MonkeyPatch
+    window: MainWindow, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    window = opened(make_window)
     before = pictures(window)
     window.pane_row.enlarge("image")
     settle()
@@ -534,8 +482,7 @@ def test_a_hidden_pane_is_told_when_it_appears(
     assert told and changed(before, pictures(window)) >= {"world"}
 
 
-def test_another_theme_keeps_the_attention(make_window: MakeWindow) -> None:
-    window = opened(make_window)
+def test_another_theme_keeps_the_attention(window: MainWindow) -> None:
     window.look.set_theme("dark")
     settle()
     before = pictures(window)
@@ -548,8 +495,7 @@ def test_another_theme_keeps_the_attention(make_window: MakeWindow) -> None:
     assert changed(attentive, pictures(window)) == set()
 
 
-def test_a_copied_picture_is_never_highlighted(make_window: MakeWindow) -> None:
-    window = opened(make_window)
+def test_a_copied_picture_is_never_highlighted(window: MainWindow) -> None:
     window.pictures.copy()
     settle()  # its message takes room
     before = QApplication.clipboard().image()
@@ -559,8 +505,7 @@ def test_a_copied_picture_is_never_highlighted(make_window: MakeWindow) -> None:
     assert QApplication.clipboard().image() == before and not before.isNull()
 
 
-def test_a_camera_far_away_and_lenses_at_their_ends_can_be_hovered(make_window: MakeWindow) -> None:
-    window = opened(make_window)
+def test_a_camera_far_away_and_lenses_at_their_ends_can_be_hovered(window: MainWindow) -> None:
     for projection in (
         Projection(Camera((6e11, 5e11, 9e11), (0.0, 2.2, 0.0))),
         Projection(START.camera, Perspective(179.9, 1e-9, math.inf)),

@@ -24,18 +24,9 @@ from app.model.projection import (
     Perspective,
     Projection,
 )
+from tests.support.controls import NONSENSE, Record, choice, drag, enter, number, press, release
 from tests.support.frustum import corners_world
 from tests.support.shown import show
-from tests.widgets.test_controls import (
-    NONSENSE,
-    Record,
-    choice,
-    drag,
-    enter,
-    number,
-    press,
-    release,
-)
 from widgets.controls.controls import Controls
 from widgets.parts.fields import Linear, Log, NumberRow
 

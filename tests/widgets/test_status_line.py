@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
@@ -18,6 +17,7 @@ from app.precision.levels import drawing_bound_px, predict
 from app.precision.quality import Quality
 from app.scenes.scene import Scene, load
 from tests.support.shown import show
+from tests.support.window import MakeWindow
 from widgets.parts.number_dialog import NumberDialog
 from widgets.window import status_line
 from widgets.window.status_line import StatusLine
@@ -78,6 +78,10 @@ def test_rungs_are_predicted_when_the_hand_rests(
     assert texts[0].endswith("(drawn)") and texts[1].endswith("(read)")
     assert f"{predictions['float32'].px:.2g} px" in texts[0]
     assert texts[-1] == "Drawing tolerance 0.01 px…"
+    # Whatever computes it, a rasteriser is handed float32: 1280 px in 24 bits.
+    line.show_quality(Quality(rung="float64"), [])
+    rested(qtbot, line, replace(EVERYDAY, image_size=(1280, 720)), scene)
+    assert line.rung.text().startswith("drawn float64 ±8e-05 px, read float64 ±")
 
 
 def test_an_error_without_a_bound_is_told_in_a_sentence(
@@ -206,7 +210,7 @@ def test_the_tolerance_decides_what_draws(qtbot: QtBot, line: StatusLine, scene:
     qtbot.waitUntil(lambda: line.rung.text().startswith("drawn float64"))
 
 
-def test_the_tolerance_is_kept_in_the_settings(make_window: Callable[..., Any]) -> None:
+def test_the_tolerance_is_kept_in_the_settings(make_window: MakeWindow) -> None:
     window = make_window(Document())
     window.status.tolerance_edited.emit(0.5)
     assert window.settings.tolerance_px == 0.5

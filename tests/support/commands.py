@@ -1,0 +1,90 @@
+"""The command line as a user types it: in a process of its own, or quicker in this one."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from app.bootstrap import ROOT
+from app.commands import cli
+from tests import PATIENCE_S
+
+
+def run(
+    *arguments: str | Path, text: str | bytes = b"", **environment: str | None
+) -> subprocess.CompletedProcess[str]:
+    """Run the program; an environment variable that is None is not set."""
+    variables = {**os.environ, **environment}
+    done = subprocess.run(
+        [sys.executable, "-m", "app", *map(str, arguments)],
+        cwd=ROOT,
+        env={name: value for name, value in variables.items() if value is not None},
+        input=text.encode() if isinstance(text, str) else text,
+        capture_output=True,
+        check=False,
+        timeout=PATIENCE_S,
+    )
+    return subprocess.CompletedProcess(
+        done.args, done.returncode, done.stdout.decode(), done.stderr.decode()
+    )
+
+
+def run_here(*arguments: str | Path, text: str | bytes = b"") -> subprocess.CompletedProcess[str]:
+    """The same in this process, but for windows: a new one takes half a second to come to it."""
+    typed, out, said = (io.TextIOWrapper(io.BytesIO(), encoding="utf-8") for _ in range(3))
+    typed.buffer.write(text.encode() if isinstance(text, str) else text)
+    typed.seek(0)
+    with (
+        pytest.MonkeyPatch.context() as patch,
+        contextlib.redirect_stdout(out),
+        contextlib.redirect_stderr(said),
+    ):
+        patch.chdir(ROOT)
+        patch.setattr(sys, "stdin", typed)
+        status = cli.main([str(argument) for argument in arguments])
+    for stream in (out, said):
+        stream.seek(0)
+    return subprocess.CompletedProcess(arguments, status, out.read(), said.read())
+
+
+def one_sentence(done: subprocess.CompletedProcess[str], status: int) -> str:
+    """What was refused, and nothing else, in one sentence that says why."""
+    assert done.returncode == status, done
+    assert done.stdout == ""
+    assert done.stderr.endswith((".\n", "?\n")) and done.stderr.count("\n") == 1, done.stderr
+    return done.stderr
+
+
+def refused_by_a_process(*arguments: str | Path, status: int = 2) -> str:
+    """Run what must be refused, and return the one sentence that says why."""
+    return one_sentence(run(*arguments), status)
+
+
+def refused(*arguments: str | Path, text: str | bytes = b"", status: int = 2) -> str:
+    """The same in this process."""
+    return one_sentence(run_here(*arguments, text=text), status)
+
+
+@pytest.fixture(scope="session")
+def comma_locale(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
+    """The environment of a locale that writes 0,5, built here: a bare machine has none."""
+    folder = tmp_path_factory.mktemp("locale")
+    (folder / "comma").write_text(
+        'LC_NUMERIC\ndecimal_point ","\nthousands_sep "."\ngrouping 3;3\nEND LC_NUMERIC\n'
+    )
+    codes = "\n".join(f"<U{code:04X}> /x{code:02x}" for code in range(128))
+    (folder / "ascii").write_text(
+        "<code_set_name> ANSI_X3.4-1968\n<comment_char> %\n<escape_char> /\n"
+        f"CHARMAP\n{codes}\nEND CHARMAP\n"
+    )
+    # It complains of all that a locale has besides, and status 1 says that it did.
+    command = ["localedef", "-c", "-i", "comma", "-f", "ascii", "./xx_XX"]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    assert (folder / "xx_XX" / "LC_NUMERIC").exists(), done.stderr
+    return {"LOCPATH": str(folder), "LC_ALL": "xx_XX", "PYTHONUTF8": "1"}

@@ -1,0 +1,92 @@
+"""The control column under a test: what a hand does to it, and what it says."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QInputMethodEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import (
+    QApplication,
+    QSlider,
+)
+
+from app.model.projection import (
+    Projection,
+)
+from widgets.controls.controls import Controls
+from widgets.parts.fields import ChoiceRow, NumberRow
+
+KEY = Qt.Key
+
+
+class Record:
+    """What the column says, in order."""
+
+    def __init__(self, controls: Controls) -> None:
+        self.edits: list[Projection] = []
+        self.events: list[str] = []
+        controls.edited.connect(self._edited)
+        controls.gesture_started.connect(lambda: self.events.append("start"))
+        controls.gesture_finished.connect(lambda: self.events.append("finish"))
+
+    def _edited(self, edit: Projection) -> None:
+        self.edits.append(edit)
+        self.events.append("edit")
+
+
+def number(controls: Controls, key: str) -> NumberRow:
+    row = controls.rows[key]
+    assert isinstance(row, NumberRow)
+    return row
+
+
+def choice(controls: Controls, key: str) -> ChoiceRow:
+    row = controls.rows[key]
+    assert isinstance(row, ChoiceRow)
+    return row
+
+
+def enter(row: NumberRow, text: str) -> None:
+    """Type over what the field holds, and press Return."""
+    row.field.setFocus()
+    row.field.selectAll()
+    QTest.keyClick(row.field, KEY.Key_Delete)
+    if text.isascii():
+        QTest.keyClicks(row.field, text)
+    else:  # as an input method hands it over
+        event = QInputMethodEvent()
+        event.setCommitString(text)
+        QApplication.sendEvent(row.field, event)
+    QTest.keyClick(row.field, KEY.Key_Return)
+
+
+def handle(slider: QSlider) -> QPoint:
+    """Where the slider's handle is."""
+    from PySide6.QtWidgets import QStyle, QStyleOptionSlider
+
+    option = QStyleOptionSlider()
+    slider.initStyleOption(option)
+    part = QStyle.SubControl.SC_SliderHandle
+    control = QStyle.ComplexControl.CC_Slider
+    return slider.style().subControlRect(control, option, part, slider).center()
+
+
+def press(slider: QSlider) -> QPoint:
+    place = handle(slider)
+    QTest.mousePress(slider, Qt.MouseButton.LeftButton, pos=place)
+    assert slider.isSliderDown()
+    return place
+
+
+def drag(slider: QSlider, position: int) -> None:
+    """Move the pressed slider to a position, as the mouse does."""
+    slider.setSliderPosition(position)
+
+
+def release(slider: QSlider) -> None:
+    QTest.mouseRelease(slider, Qt.MouseButton.LeftButton, pos=handle(slider))
+    assert not slider.isSliderDown()
+
+
+NONSENSE = ["nan", "0x10", "1_000", "", " ", "abc", "1,2,3", "1.2.3", "--1", "1e", "٣", "1 2", "-∞",
+            "1/0", "1/", "/3", "1/2/3", "1//2", "1/-0", "inf/2"]  # fmt: skip

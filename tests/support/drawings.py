@@ -1,0 +1,92 @@
+"""Drawings without a window, and what is on their pictures."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+import pyvista as pv
+from numpy.typing import NDArray
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow, vtkUnsignedCharArray
+
+from app.drawings.style import rgb
+from app.scenes.scene import Scene, load
+
+Pixels = NDArray[np.uint8]
+
+
+class OffScreen:
+    """A plotter without a window, its drawing, and the picture it makes."""
+
+    def __init__(self, width: int, height: int) -> None:
+        self.plotter: Any = pv.Plotter(off_screen=True, window_size=[width, height], border=False)
+        self.window = self.plotter.render_window
+        self.window.SetMultiSamples(0)
+
+    def pixels(self) -> Pixels:
+        return rendered(self.window)
+
+
+def rendered(window: Any) -> Pixels:
+    """Render once; (height, width, 3), the first row on top."""
+    window.Render()
+    width, height = window.GetSize()
+    buffer = vtkUnsignedCharArray()
+    window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, buffer)
+    return np.array(vtk_to_numpy(buffer).reshape(height, width, 4)[::-1, :, :3])
+
+
+@contextmanager
+def heard() -> Iterator[vtkStringOutputWindow]:
+    """What VTK says meanwhile, which is kept from everybody else."""
+    said, before = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
+    vtkOutputWindow.SetInstance(said)
+    yield said
+    vtkOutputWindow.SetInstance(before)
+
+
+@pytest.fixture
+def off_screen() -> Iterator[Callable[[int, int], OffScreen]]:
+    """Make off-screen plotters, closed after the test; VTK must have had nothing to say."""
+    made: list[OffScreen] = []
+
+    def make(width: int, height: int) -> OffScreen:
+        made.append(OffScreen(width, height))
+        return made[-1]
+
+    with heard() as said:
+        yield make
+        for one in made:
+            one.plotter.close()
+    assert said.GetOutput() == ""
+
+
+def scene_of(
+    points: Any, faces: Any, colours: Any, origin: tuple[float, float, float] = (0.0, 0.0, 0.0)
+) -> Scene:
+    """A scene of polygons in these colours; points are relative to the origin."""
+    mesh = pv.PolyData(
+        np.array(points, dtype=float), faces=np.hstack([[len(f), *f] for f in faces])
+    )
+    mesh.cell_data["rgb"] = np.array(colours, dtype=np.uint8)
+    return replace(
+        load("cube"),
+        origin=origin,
+        surface=mesh,
+        lines=None,
+        lower=(-3.0, -3.0, -3.0),
+        upper=(3.0, 3.0, 3.0),
+    )
+
+
+def drawn(image: Pixels, colour: Any) -> NDArray[np.bool_]:
+    return (image == np.array(colour, dtype=np.uint8)).all(axis=-1)
+
+
+def to_bytes(colour: str) -> list[int]:
+    return [round(255 * part) for part in rgb(colour)]
