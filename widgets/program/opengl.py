@@ -57,6 +57,16 @@ class OpenGL:
     software: bool
 
 
+NO_OPENGL = OpenGL("", "", "", software=True)
+"""Qt has none: VTK draws off the screen, by what it finds."""
+_WITHOUT_OPENGL = ("offscreen", "minimal", "vnc", "linuxfb")
+
+
+def canvas(found: OpenGL) -> str:
+    """Name the quicker way to draw the panes, of those of ``--canvas``."""
+    return "raster" if found.software else "opengl"
+
+
 def is_software(renderer: str) -> bool:
     """Whether a renderer's name is that of a program rather than of a graphics card."""
     return any(name in renderer.lower() for name in _SOFTWARE)
@@ -80,6 +90,9 @@ def probe() -> OpenGL:
     DisplayError
         If there is none, or less than 3.2.
     """
+    platform = QGuiApplication.platformName()
+    if platform in _WITHOUT_OPENGL:  # some give a context, and show garbage
+        raise DisplayError(f"Qt's platform {platform} shows no OpenGL windows. {ADVICE}")
     surface = QOffscreenSurface()
     surface.create()
     context = QOpenGLContext()

@@ -60,6 +60,7 @@ from widgets.panels.measure_panel import MeasurePanel
 from widgets.panels.probe_panel import ProbePanel
 from widgets.panels.scene_panel import ScenePanel
 from widgets.panes.adaptive import Adaptive
+from widgets.panes.canvas import CANVASES
 from widgets.panes.counting import Counting
 from widgets.panes.manipulation import Manipulation
 from widgets.panes.pane import SCALES, SMOOTHINGS, Pane
@@ -105,6 +106,8 @@ class MainWindow(QMainWindow):
         The file that was opened.
     scene : Scene, optional
         The document's scene, if it is loaded already.
+    canvas : {"raster", "opengl"}
+        How the panes draw.
 
     Raises
     ------
@@ -121,6 +124,7 @@ class MainWindow(QMainWindow):
         saved: Document | None = None,
         path: Path | None = None,
         scene: Scene | None = None,
+        canvas: str = "raster",
     ) -> None:
         super().__init__()
         self.setObjectName("mainWindow")
@@ -181,8 +185,9 @@ class MainWindow(QMainWindow):
             self,
         )
 
+        make_canvas = CANVASES[canvas]
         self.panes = {
-            name: Pane(title, DRAWINGS[name], orbits=name != "image")
+            name: Pane(title, DRAWINGS[name], orbits=name != "image", make_canvas=make_canvas)
             for name, title in self._titles.items()
         }
         self.adaptive = Adaptive(
@@ -420,7 +425,7 @@ class MainWindow(QMainWindow):
         self.attention.changed.connect(controls.show_attention)
         self.scene_panel.settings_edited.connect(self._set_settings)
         self.manipulation.setting_edited.connect(self._set_by_hand)
-        rendered = self.panes["image"].canvas.frameSwapped
+        rendered = self.panes["image"].canvas.shown
         rendered.connect(self._tell_problem)  # which only a rendering finds out
         self.counting.counted.connect(self.scene_panel.show_count)
         self.scene_panel.mesh_wanted.connect(self.files.mesh_dialog)
