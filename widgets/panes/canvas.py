@@ -101,10 +101,6 @@ class GlCanvas(QtInteractor):
         """Ask Qt for one repaint, however often it is asked before the next paint."""
         QWidget.update(self)
 
-    def picture(self) -> QImage:
-        """What it shows."""
-        return self.grabFramebuffer()
-
     def resizeGL(self, w: int, h: int) -> None:
         super().resizeGL(w, h)  # type: ignore[no-untyped-call]
         window: Any = self.render_window
@@ -180,10 +176,6 @@ class RasterCanvas(QWidget):
         """Ask Qt for one repaint, however often it is asked before the next paint."""
         self._is_stale = True
         self.update()
-
-    def picture(self) -> QImage:
-        """What it shows."""
-        return self.grab().toImage()
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         sides = (self.width(), self.height())

@@ -59,7 +59,8 @@ class OpenGL:
 
 NO_OPENGL = OpenGL("", "", "", software=True)
 """Qt has none: VTK draws off the screen, by what it finds."""
-_WITHOUT_OPENGL = ("offscreen", "minimal", "vnc", "linuxfb")
+WITHOUT_OPENGL = ("offscreen", "minimal", "vnc")
+"""Qt's platforms on which its windows show no OpenGL."""
 
 
 def canvas(found: OpenGL) -> str:
@@ -91,7 +92,7 @@ def probe() -> OpenGL:
         If there is none, or less than 3.2.
     """
     platform = QGuiApplication.platformName()
-    if platform in _WITHOUT_OPENGL:  # some give a context, and show garbage
+    if platform in WITHOUT_OPENGL:  # some give a context, and show garbage
         raise DisplayError(f"Qt's platform {platform} shows no OpenGL windows. {ADVICE}")
     surface = QOffscreenSurface()
     surface.create()
