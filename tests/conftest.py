@@ -7,7 +7,6 @@ import itertools
 import os
 import subprocess
 import sys
-import weakref
 from collections.abc import Callable, Generator, Iterator
 from pathlib import Path
 from typing import Any
@@ -103,31 +102,43 @@ def display(qapp: Any) -> Any:
     return qapp
 
 
+@pytest.fixture(scope="module")
+def lent(display: Any, homes: Iterator[Path]) -> Iterator[Any]:
+    """One window for all tests of a file that do not ask for more than that it is open."""
+    from app.document.document import Document
+    from app.scenes.scene import load
+    from tests.support.shared import Lent, opened
+    from widgets.window.settings import Settings
+
+    start = Document("letter-f", load("letter-f").start)
+    lent = Lent(lambda: opened(start, settings=Settings(None)))
+    yield lent
+    lent.put_away()
+
+
 @pytest.fixture
-def make_window(display: Any, qtbot: Any, own_home: Path) -> Iterator[Callable[..., Any]]:
+def window(lent: Any) -> Iterator[Any]:
+    """A window on the letter F as it opens, at rest."""
+    yield lent.lend()
+    lent.take_back()
+
+
+@pytest.fixture
+def make_window(lent: Any, own_home: Path) -> Iterator[Callable[..., Any]]:
     """Open main windows; after the test all are closed and no interactor survives."""
     from app.document.document import Document
     from app.scenes.scene import load
-    from widgets.window.main_window import MainWindow
+    from tests.support.shared import close, opened
     from widgets.window.settings import Settings
 
     windows: list[Any] = []
-    canvases: list[weakref.ref[Any]] = []
+    lent.put_away()
 
-    def make(document: Document | None = None, *, shown: bool = True, **options: Any) -> Any:
-        document = document or Document("letter-f", load("letter-f").start)
+    def make(document: Document | None = None, **options: Any) -> Any:
         options.setdefault("settings", Settings(own_home / "settings.ini"))
-        options.setdefault("software_rendering", True)
-        window = MainWindow(document, **options)
-        windows.append(window)
-        canvases.extend(weakref.ref(pane.canvas) for pane in window.panes.values())
-        if shown:
-            window.show()
-            qtbot.waitExposed(window)
-            panes = window.panes.values()
-            views = [pane.canvas.render_window for pane in panes]
-            qtbot.waitUntil(lambda: not any(view.GetNeverRendered() for view in views))
-        return window
+        document = document or Document("letter-f", load("letter-f").start)
+        windows.append(opened(document, **options))
+        return windows[-1]
 
     def forget(window: Any) -> None:
         windows.remove(window)
@@ -135,13 +146,11 @@ def make_window(display: Any, qtbot: Any, own_home: Path) -> Iterator[Callable[.
 
     make.forget = forget  # type: ignore[attr-defined]
     yield make
-    while windows:
-        windows[-1].setFocus()  # or what a test has left in a field is entered, and asked about
-        windows[-1].store.mark_saved()
-        windows[-1].close()
-        windows.pop().deleteLater()
-    display.processEvents()
-    display.sendPostedEvents(None, 52)  # QEvent.DeferredDelete, which no nested loop delivers
-    gc.collect()
-    survivors = [ref for ref in canvases if ref() is not None]
-    assert not survivors, f"{len(survivors)} interactors outlive their windows"
+    close(windows)
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """In each file first the tests that are lent a window, one after the other."""
+    files = {path: number for number, path in enumerate(dict.fromkeys(i.path for i in items))}
+    items.sort(key=lambda i: (files[i.path], "window" not in getattr(i, "fixturenames", ())))

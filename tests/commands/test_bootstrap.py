@@ -694,10 +694,7 @@ def lacking(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.mark.parametrize("root", ["sudo sh -c", "su - -c"])
 @pytest.mark.usefixtures("lacking")
 def test_an_ordinary_user_is_told_the_one_command(
-    root: str,
-    programs: Path,
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
+    root: str, programs: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     program(programs, "apt-get", "exit 99")
     program(programs, root.partition(" ")[0])
@@ -780,10 +777,7 @@ def test_root_installs_what_is_missing_and_says_so(
 @pytest.mark.parametrize("script", ["echo 'E: No space left' >&2; exit 100", ""])
 @pytest.mark.usefixtures("lacking")
 def test_an_installation_that_fails_or_brings_nothing_is_one_sentence(
-    script: str,
-    programs: Path,
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
+    script: str, programs: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     program(programs, "apt-get", script)
     monkeypatch.setattr(os, "geteuid", lambda: 0)

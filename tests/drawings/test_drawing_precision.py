@@ -31,6 +31,7 @@ from app.scenes.scene import Scene, load
 from tests.drawings.test_drawings import OffScreen, drawn, off_screen, scene_of, to_bytes
 from tests.oracles.exact import dot as exact_dot
 from tests.oracles.exact import frame, minus, mp, vector
+from widgets.window.main_window import MainWindow
 
 __all__ = ["off_screen"]
 
@@ -320,9 +321,7 @@ def test_a_thin_slab_is_cut_where_the_model_says(
     assert wrong["float32"] > 20
 
 
-def test_lines_are_cut_where_the_model_says(
-    off_screen: Callable[[int, int], OffScreen],
-) -> None:
+def test_lines_are_cut_where_the_model_says(off_screen: Callable[[int, int], OffScreen]) -> None:
     """One that passes the eye at a hand's breadth, and one 1e6 pictures long across it."""
     random = np.random.default_rng(3)
     screen = off_screen(200, 150)
@@ -524,8 +523,7 @@ def test_there_and_back_is_the_picture_of_a_fresh_drawing(
     ] == actors
 
 
-def test_the_windows_tolerance_chooses_the_rung(make_window: Callable[..., Any]) -> None:
-    window = make_window()
+def test_the_windows_tolerance_chooses_the_rung(window: MainWindow) -> None:
     used = {name: window.panes[name].drawing.rung for name in ("ndc", "image")}
     assert used == {"ndc": "float32", "image": "float32"}
     for tolerance_px, rung in ((1e-4, "float64"), (1.0, "float32")):

@@ -438,9 +438,7 @@ def test_ndc_is_wholly_in_view_at_any_pane_size(
 )
 @pytest.mark.parametrize("pane", [(500, 560), (301, 400), (1280, 720)])
 def test_the_picture_lies_exactly_in_its_rectangle(
-    image_size: tuple[int, int],
-    pane: tuple[int, int],
-    off_screen: Callable[[int, int], OffScreen],
+    image_size: tuple[int, int], pane: tuple[int, int], off_screen: Callable[[int, int], OffScreen]
 ) -> None:
     red = (201, 33, 32)
     wall = [(-9e3, -9e3, -5), (9e3, -9e3, -5), (9e3, 9e3, -5), (-9e3, 9e3, -5)]

@@ -58,9 +58,7 @@ def run_script(**changes: str | None) -> subprocess.CompletedProcess[str]:
     )
 
 
-def test_the_pixels_are_the_same_with_and_without_a_display_and_at_any_scale(
-    display: Any,
-) -> None:
+def test_the_pixels_are_the_same_with_and_without_a_display_and_at_any_scale(display: Any) -> None:
     here = run_script()
     assert here.returncode == 0, here.stderr
     bare = run_script(DISPLAY=None, WAYLAND_DISPLAY=None)

@@ -532,10 +532,7 @@ def heard_during(action: Callable[[], object]) -> str:
     ],
 )
 def test_an_opengl_that_refuses_the_shader_is_named(
-    make: Any,
-    monkeypatch: pytest.MonkeyPatch,
-    name: str,
-    part: str,
+    make: Any, monkeypatch: pytest.MonkeyPatch, name: str, part: str
 ) -> None:
     """After the first rendering, which finds out; the next draws the ordinary picture."""
     monkeypatch.setattr(rasterising, part, "this is no GLSL;")

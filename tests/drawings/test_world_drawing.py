@@ -1057,9 +1057,7 @@ def test_a_frustum_up_to_100_degrees_is_framed_whole(make_view: MakeView, fov_y_
     assert ((spots > 0) & (spots < (412, 670))).all()
 
 
-def test_a_frustum_too_wide_to_be_framed_does_not_make_the_scene_tiny(
-    make_view: MakeView,
-) -> None:
+def test_a_frustum_too_wide_to_be_framed_does_not_make_the_scene_tiny(make_view: MakeView) -> None:
     view = make_view("letter-f", 412, 670)
     tall = []
     for projection in (START, with_lens(fov_y_deg=179.0), replace(START, image_size=(4000, 100))):

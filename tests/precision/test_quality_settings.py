@@ -24,7 +24,7 @@ from app.model.refusal import Refusal
 from app.precision.quality import AUTOMATIC, SMOOTHINGS, Quality
 from app.scenes.fewer_triangles import SHARES, is_made, reduced, shares_for_dragging
 from app.scenes.scene import Scene, load
-from tests.widgets.test_window import counted_repaints, pixels, settle
+from tests.support.window import MakeWindow, counted_repaints, pixels, settle
 from widgets.panes import adaptive, pane
 from widgets.parts.number_dialog import NumberDialog
 from widgets.window.main_window import MainWindow
@@ -49,7 +49,7 @@ def ball(mesh: str) -> Scene:
 
 
 def pictures(window: MainWindow) -> dict[str, np.ndarray]:
-    settle(window)
+    settle()
     return {name: pixels(window, name) for name in PANES}
 
 
@@ -120,12 +120,11 @@ def test_the_names_are_those_of_the_measurements() -> None:
 # -- the panes
 
 
-def test_a_rung_is_used_and_undone(make_window: Callable[..., MainWindow]) -> None:
-    window = make_window()
+def test_a_rung_is_used_and_undone(window: MainWindow) -> None:
     before = pictures(window)
     for rung in ("float64", "float32"):
         window._use({"rung": rung})
-        settle(window)
+        settle()
         assert {window.panes[name].drawing.rung for name in ("ndc", "image")} == {rung}
     window.store.undo()
     window.store.undo()
@@ -133,7 +132,7 @@ def test_a_rung_is_used_and_undone(make_window: Callable[..., MainWindow]) -> No
     assert same(pictures(window), before) == ALL_SAME
 
 
-def test_float32_draws_even_where_it_is_wrong(make_window: Callable[..., MainWindow]) -> None:
+def test_float32_draws_even_where_it_is_wrong(make_window: MakeWindow) -> None:
     """A corner so close that float32 puts it elsewhere."""
     scene = load("letter-f")
     camera = replace(scene.start.camera, target=scene.upper)
@@ -147,10 +146,7 @@ def test_float32_draws_even_where_it_is_wrong(make_window: Callable[..., MainWin
     assert (pictures(window)["image"] == exact).all()
 
 
-def test_a_smoothing_is_used_in_every_pane_and_stays_while_one_drags(
-    make_window: Callable[..., MainWindow],
-) -> None:
-    window = make_window()
+def test_a_smoothing_is_used_in_every_pane_and_stays_while_one_drags(window: MainWindow) -> None:
     window.resize(940, 560)  # quickly drawn
     before = pictures(window)
     window._use({"smoothing": "none"})
@@ -168,7 +164,7 @@ def test_a_smoothing_is_used_in_every_pane_and_stays_while_one_drags(
             assert np.abs(sides - pane.SCALES.get(name, 1.0) * shown).max() <= 1.0, name
         window.store.begin_gesture()
         window.store.set_projection(replace(window.store.document.projection, depth="direct3d"))
-        settle(window)
+        settle()
         assert (pixels(window, "image") == chosen["image"]).all(), "it does not wait for the hand"
         window.store.end_gesture()
         window._use({"smoothing": "auto", "depth_format": ""})
@@ -176,11 +172,10 @@ def test_a_smoothing_is_used_in_every_pane_and_stays_while_one_drags(
         assert same(pictures(window), before) == ALL_SAME, name
 
 
-def test_supersampling_averages_four_pixels(make_window: Callable[..., MainWindow]) -> None:
+def test_supersampling_averages_four_pixels(window: MainWindow) -> None:
     """Between the two colours of a slanted edge there are three steps and no other."""
-    window = make_window()
     window._use({"smoothing": "supersampling 2 x 2"})
-    settle(window)
+    settle()
     part = window.panes["image"]
     rectangle = part.drawing.picture_rectangle_px
     finer = pictures(window)["image"].astype(int)
@@ -195,12 +190,9 @@ def test_supersampling_averages_four_pixels(make_window: Callable[..., MainWindo
 
 
 @pytest.mark.parametrize("name", ["none", "half resolution", "supersampling 2 x 2"])
-def test_a_click_hits_the_same_vertex_at_any_scale(
-    make_window: Callable[..., MainWindow], name: str
-) -> None:
-    window = make_window()
+def test_a_click_hits_the_same_vertex_at_any_scale(window: MainWindow, name: str) -> None:
     window._use({"smoothing": name})
-    settle(window)
+    settle()
     corner = np.array(load("letter-f").upper)
     part = window.panes["image"]
     ((x, y),) = part.drawing.sight.seen([corner.tolist()]).tolist()
@@ -208,22 +200,19 @@ def test_a_click_hits_the_same_vertex_at_any_scale(
     place = QPoint(math.floor(x * shown_px / drawn_px), math.floor(y * shown_px / drawn_px))
     assert part.canvas.rect().contains(place)
     QTest.mouseClick(part.canvas, Qt.MouseButton.LeftButton, pos=place)
-    settle(window)
+    settle()
     (probe,) = window.probe_panel.probes
     assert probe.point is not None and np.allclose(probe.point, corner)
 
 
-def test_what_a_pane_cannot_do_is_said_and_it_stays_as_it_was(
-    make_window: Callable[..., MainWindow],
-) -> None:
-    window = make_window()
+def test_what_a_pane_cannot_do_is_said_and_it_stays_as_it_was(window: MainWindow) -> None:
     before = pictures(window)
     window._use({"smoothing": "supersampling 3 x 3"})
     assert same(pictures(window), before) == ALL_SAME
     sentence = "A pane cannot draw with supersampling 3 x 3: it smooths as ever."
     assert sentence in window.status.health.toolTip().splitlines()
     window.store.undo()
-    settle(window)
+    settle()
     assert sentence not in window.status.health.toolTip()
 
 
@@ -235,7 +224,7 @@ def test_what_a_pane_cannot_do_is_said_and_it_stays_as_it_was(
     ],
 )
 def test_what_a_scene_cannot_have_is_said_and_it_stays_as_it_was(
-    make_window: Callable[..., MainWindow], scene: str, choice: dict[str, str], sentence: str
+    make_window: MakeWindow, scene: str, choice: dict[str, str], sentence: str
 ) -> None:
     window = make_window(Document(scene, load(scene).start))
     before = pictures(window)
@@ -243,21 +232,20 @@ def test_what_a_scene_cannot_have_is_said_and_it_stays_as_it_was(
     assert same(pictures(window), before) == ALL_SAME
     assert sentence in window.status.health.toolTip().splitlines()
     window.store.undo()
-    settle(window)
+    settle()
     assert sentence not in window.status.health.toolTip()
 
 
-def test_too_few_samples_are_told(make_window: Callable[..., MainWindow]) -> None:
-    window = make_window()
+def test_too_few_samples_are_told(window: MainWindow) -> None:
     window._use({"smoothing": "MSAA 8"})
-    settle(window)
+    settle()
     given = window.panes["image"].samples
     sentence = f"This computer's OpenGL gives {given} samples a pixel instead of MSAA 8."
     assert (sentence in window.status.health.toolTip().splitlines()) == (given < 8)
 
 
 def test_fewer_triangles_are_drawn_and_undone(
-    make_window: Callable[..., MainWindow], mesh: str, ball: Scene
+    make_window: MakeWindow, mesh: str, ball: Scene
 ) -> None:
     window = make_window(Document(mesh, ball.start))
     whole = pictures(window)
@@ -270,9 +258,7 @@ def test_fewer_triangles_are_drawn_and_undone(
     assert same(pictures(opened), chosen) == ALL_SAME
 
 
-def test_a_depth_buffer_is_drawn_with_in_any_scene(
-    make_window: Callable[..., MainWindow],
-) -> None:
+def test_a_depth_buffer_is_drawn_with_in_any_scene(make_window: MakeWindow) -> None:
     document = Document("letter-f", load("letter-f").start)
     deep = replace(document.projection, lens=Perspective(45.0, 0.1, 1000.0))
     window = make_window(replace(document, projection=deep))
@@ -288,7 +274,7 @@ def test_a_depth_buffer_is_drawn_with_in_any_scene(
     assert (pictures(window)["image"] == coarse["image"]).all()
     # A slider moves what is fought over: the buffer follows the lens.
     window.store.set_projection(replace(deep, lens=Perspective(45.0, 9.0, 15.0)))
-    settle(window)
+    settle()
     near = pictures(window)["image"]
     window._use({"depth_format": "", "depth_mapping": ""})
     assert (pictures(window)["image"] != near).any(axis=-1).mean() < wrong / 2.0
@@ -303,7 +289,7 @@ def test_a_depth_buffer_is_drawn_with_in_any_scene(
     ],
 )
 def test_a_depth_buffer_that_a_lens_cannot_have_is_told(
-    make_window: Callable[..., MainWindow], mapping: str, lens: Any, field: str
+    make_window: MakeWindow, mapping: str, lens: Any, field: str
 ) -> None:
     start = load("letter-f").start
     projection = replace(start, lens=lens or FreeMatrix(start.clip_from_view.tolist()))
@@ -318,13 +304,11 @@ def test_a_depth_buffer_that_a_lens_cannot_have_is_told(
     )
     assert field in sentence or sentence.endswith("must be a finite number.")
     window.store.set_projection(start)
-    settle(window)
+    settle()
     assert "ordinary depth buffer" not in window.status.health.toolTip()
 
 
-def test_a_scene_about_a_depth_buffer_keeps_its_own(
-    make_window: Callable[..., MainWindow],
-) -> None:
+def test_a_scene_about_a_depth_buffer_keeps_its_own(make_window: MakeWindow) -> None:
     scene = load("depth-buffer")
     window = make_window(Document("depth-buffer", scene.start))
     before = pictures(window)["image"]
@@ -332,20 +316,14 @@ def test_a_scene_about_a_depth_buffer_keeps_its_own(
     assert (pictures(window)["image"] == before).all()
 
 
-def test_what_is_no_quality_is_refused_and_nothing_changes(
-    make_window: Callable[..., MainWindow],
-) -> None:
-    window = make_window()
+def test_what_is_no_quality_is_refused_and_nothing_changes(window: MainWindow) -> None:
     document = window.store.document
     window._use({"rung": "float8"})
     assert window.store.document is document
     assert window.messages.text == "quality.rung = 'float8': must be one of auto, float32, float64."
 
 
-def test_the_status_line_shows_the_choice_and_leads_back(
-    make_window: Callable[..., MainWindow],
-) -> None:
-    window = make_window()
+def test_the_status_line_shows_the_choice_and_leads_back(window: MainWindow) -> None:
     button = window.status.quality
     assert not button.isVisible()
     window._use({"rung": "float64"})
@@ -444,7 +422,7 @@ def test_without_a_target_nothing_gives_way() -> None:
 def step(window: MainWindow, i: int) -> None:
     projection = window.store.document.projection
     window.store.set_projection(replace(projection, lens=replace(projection.lens, fov_y_deg=i)))
-    settle(window)
+    settle()
 
 
 def triangles(window: MainWindow) -> dict[str, int]:
@@ -459,7 +437,7 @@ def triangles(window: MainWindow) -> dict[str, int]:
 
 @pytest.mark.parametrize(("subject", "rung"), [("itself", "float32"), ("planar-shadow", "float64")])
 def test_quality_gives_way_while_one_drags_and_comes_back_whole(
-    make_window: Callable[..., MainWindow], mesh: str, rung: str, subject: str
+    make_window: MakeWindow, mesh: str, rung: str, subject: str
 ) -> None:
     """No frame is ever as short as is asked for here: the coarsest is drawn, and whole at rest."""
     if subject == "itself":
@@ -469,7 +447,7 @@ def test_quality_gives_way_while_one_drags_and_comes_back_whole(
         document = Document(subject, start, mesh=mesh, quality=Quality(rung))
     window = make_window(document)
     window.adaptive.set_target(0.001)
-    settle(window)
+    settle()
     window.store.begin_gesture()
     for i in range(16):
         step(window, 40.0 + i)
@@ -479,7 +457,7 @@ def test_quality_gives_way_while_one_drags_and_comes_back_whole(
     assert late.endswith("ms a frame, not 33.")
     window.store.end_gesture()
     assert said_to_be_late(window) == []
-    settle(window)
+    settle()
     fresh = make_window(window.store.document)
     rested, full = pictures(window), pictures(fresh)
     assert same(rested, full) == ALL_SAME
@@ -492,12 +470,8 @@ def said_to_be_late(window: MainWindow) -> list[str]:
     return [line for line in window.status.health.toolTip().splitlines() if "coarsest" in line]
 
 
-def test_that_frames_are_late_is_said_while_one_drags_and_at_no_cost(
-    make_window: Callable[..., MainWindow],
-) -> None:
+def test_that_frames_are_late_is_said_while_one_drags_and_at_no_cost(window: MainWindow) -> None:
     """At rest nothing is late; the next drag says it again with its first frame."""
-    window = make_window()
-    settle(window)
     told: list[int] = []
     window.adaptive.changed.connect(lambda: told.append(len(said_to_be_late(window))))
     drawn: list[tuple[dict[str, int], dict[str, int]]] = []
@@ -514,7 +488,7 @@ def test_that_frames_are_late_is_said_while_one_drags_and_at_no_cost(
         with counted_repaints(window) as resting:
             window.store.end_gesture()
             assert said_to_be_late(window) == []
-            settle(window)
+            settle()
         assert said_to_be_late(window) == []
         assert (at_first, late) == {20.0: (0, 0), 40.0: (0, 1), 60.0: (1, 1)}[first]
         drawn.append((dragging, resting))
@@ -544,16 +518,13 @@ def test_what_dragging_may_leave_out_depends_on_how_much_there_is(
 
 @pytest.mark.parametrize("software", [True, False])
 def test_the_first_step_of_a_drag_waits_for_no_large_mesh(
-    make_window: Callable[..., MainWindow],
-    mesh: str,
-    monkeypatch: pytest.MonkeyPatch,
-    software: bool,
+    make_window: MakeWindow, mesh: str, monkeypatch: pytest.MonkeyPatch, software: bool
 ) -> None:
     """A software renderer starts with few triangles and takes more while it is in time."""
     monkeypatch.setattr("widgets.panes.adaptive.AT_FIRST", 3_000)
     window = make_window(Document(mesh, load(mesh).start), software_rendering=software)
     window.adaptive.set_target(10_000.0)
-    settle(window)
+    settle()
     whole = triangles(window)
     window.store.begin_gesture()
     step(window, 40.0)
@@ -569,15 +540,13 @@ def test_the_first_step_of_a_drag_waits_for_no_large_mesh(
     window.store.end_gesture()
 
 
-def test_a_mesh_of_middling_size_gives_way_as_well(
-    make_window: Callable[..., MainWindow], tmp_path: Path
-) -> None:
+def test_a_mesh_of_middling_size_gives_way_as_well(make_window: MakeWindow, tmp_path: Path) -> None:
     """Without a word: its coarser versions are made at once."""
     path = tmp_path / "small.ply"
     pv.Sphere(theta_resolution=50, phi_resolution=50).save(path)
     window = make_window(Document(str(path), load(str(path)).start))
     window.adaptive.set_target(0.001)
-    settle(window)
+    settle()
     whole = triangles(window)
     window.store.begin_gesture()
     for i in range(6):
@@ -586,12 +555,12 @@ def test_a_mesh_of_middling_size_gives_way_as_well(
     fewer = triangles(window)
     assert all(fewer[name] < 0.3 * whole[name] for name in PANES), (fewer, whole)
     window.store.end_gesture()
-    settle(window)
+    settle()
     assert triangles(window) == whole
 
 
 def test_while_a_small_mesh_is_made_coarser_unseen_nothing_comes_between(
-    make_window: Callable[..., MainWindow], tmp_path: Path
+    make_window: MakeWindow, tmp_path: Path
 ) -> None:
     """No dialog keeps the user from the window, so that neither a key nor a click may reach it."""
     path = tmp_path / "small.ply"
@@ -607,28 +576,28 @@ def test_while_a_small_mesh_is_made_coarser_unseen_nothing_comes_between(
 
 
 def test_a_pane_that_was_hidden_meanwhile_is_whole_as_well(
-    make_window: Callable[..., MainWindow], mesh: str, ball: Scene
+    make_window: MakeWindow, mesh: str, ball: Scene
 ) -> None:
     window = make_window(Document(mesh, ball.start))
-    settle(window)
+    settle()
     window.adaptive.set_target(0.001)
-    settle(window)
+    settle()
     window.store.begin_gesture()
     for i in range(6):
         step(window, 40.0 + i)
     window.pane_row.enlarge("world")
     window.store.end_gesture()
-    settle(window)
+    settle()
     window.pane_row.enlarge("world")
     fresh = make_window(window.store.document)
     assert same(pictures(window), pictures(fresh)) == ALL_SAME
 
 
 def test_antialiasing_gives_way_first_where_it_does_not_wait_anyway(
-    make_window: Callable[..., MainWindow],
+    make_window: MakeWindow,
 ) -> None:
     window = make_window(software_rendering=False)
-    settle(window)
+    settle()
     window.store.begin_gesture()
     step(window, 41.0)
     smooth = pixels(window, "image")
@@ -638,16 +607,14 @@ def test_antialiasing_gives_way_first_where_it_does_not_wait_anyway(
     rough = pixels(window, "image")
     assert (rough != smooth).any()
     window.store.end_gesture()
-    settle(window)
+    settle()
     assert (pixels(window, "image") == smooth).all()
 
 
-def test_a_drag_that_is_in_time_costs_no_repaint_more(
-    make_window: Callable[..., MainWindow],
-) -> None:
+def test_a_drag_that_is_in_time_costs_no_repaint_more(make_window: MakeWindow) -> None:
     window = make_window(software_rendering=False)
     window.adaptive.set_target(1000.0)
-    settle(window)
+    settle()
     with counted_repaints(window) as counts:
         window.store.begin_gesture()
         for i in range(4):
@@ -657,13 +624,13 @@ def test_a_drag_that_is_in_time_costs_no_repaint_more(
 
 
 def test_levels_are_made_when_a_large_scene_is_opened_and_can_be_refused(
-    make_window: Callable[..., MainWindow], mesh: str, own_home: Path, qtbot: Any
+    make_window: MakeWindow, mesh: str, own_home: Path, qtbot: Any
 ) -> None:
     settings = Settings(own_home / "settings.ini")
     settings.frame_ms = 0.0
     scene = load(mesh)
     window = make_window(Document(mesh, scene.start), scene=scene, settings=settings)
-    settle(window)
+    settle()
     assert not any(is_made(scene, share) for share in SHARES), "nobody asked for it"
 
     told: list[str] = []
@@ -679,7 +646,7 @@ def test_levels_are_made_when_a_large_scene_is_opened_and_can_be_refused(
     QTimer.singleShot(0, cancel)
     window.adaptive.set_target(33.0)
     qtbot.waitUntil(lambda: bool(told))
-    settle(window)
+    settle()
     assert told == ["Making coarser versions of the scene"]
     assert not is_made(scene, 0.005)
     window.adaptive.set_target(33.0)
@@ -689,11 +656,8 @@ def test_levels_are_made_when_a_large_scene_is_opened_and_can_be_refused(
 
 
 def test_the_target_is_a_setting(
-    make_window: Callable[..., MainWindow],
-    own_home: Path,
-    monkeypatch: pytest.MonkeyPatch,
+    window: MainWindow, own_home: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    window = make_window()
     assert window.settings.frame_ms == 33.0 == window.adaptive.pace.target_ms
     asked: list[str] = []
 

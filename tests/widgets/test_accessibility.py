@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from types import SimpleNamespace
 from typing import Any
 
@@ -24,6 +24,7 @@ from pytestqt.qtbot import QtBot
 from app.bootstrap import ROOT
 from app.document.document import Document
 from app.scenes.scene import load
+from tests.support.window import MakeWindow, activate
 from widgets.parts.diagram import DiagramView
 
 SAID = QAccessible.Text
@@ -56,7 +57,7 @@ def mnemonics(actions: Iterable[QAction]) -> Iterator[list[str]]:
             yield from mnemonics(action.menu().actions())
 
 
-def test_a_screen_reader_hears_what_is_shown(make_window: Callable[..., Any]) -> None:
+def test_a_screen_reader_hears_what_is_shown(make_window: MakeWindow) -> None:
     window = make_window(Document("depth-buffer", load("depth-buffer").start))
     window.panels.open(window.matrices)
     window.matrices.explanation.setText("a sentence")
@@ -80,7 +81,7 @@ def test_a_screen_reader_hears_what_is_shown(make_window: Callable[..., Any]) ->
 
 
 def test_a_message_is_announced_and_esc_closes_it(
-    make_window: Callable[..., Any], qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+    make_window: MakeWindow, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     heard: list[str] = []
     monkeypatch.setattr(
@@ -88,8 +89,7 @@ def test_a_message_is_announced_and_esc_closes_it(
         SimpleNamespace(updateAccessibility=lambda event: heard.append(event.message())),
     )
     window = make_window()
-    window.activateWindow()
-    qtbot.waitUntil(window.isActiveWindow)
+    activate(window)
     window.probe_panel.follow(point=(0.0, 0.0, 0.0))
     field, escape = window.controls.rows["near"].field, Qt.Key.Key_Escape
     field.setFocus()
@@ -120,11 +120,10 @@ def stops(window: Any) -> list[QWidget]:
     return been
 
 
-def test_tab_goes_as_one_sees_and_is_seen(make_window: Callable[..., Any], qtbot: QtBot) -> None:
+def test_tab_goes_as_one_sees_and_is_seen(make_window: MakeWindow, qtbot: QtBot) -> None:
     window = make_window(Document("depth-buffer", load("depth-buffer").start))
     window.resize(1366, 768)
-    window.activateWindow()
-    qtbot.waitUntil(window.isActiveWindow)
+    activate(window)
     name = next(
         widget for widget in window.panels.findChildren(QWidget) if said(widget) == "Measure"
     )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any
 
@@ -13,8 +13,7 @@ from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 from app.document.document import Document
 from app.drawings import rasterising
 from app.scenes.scene import load
-
-MakeWindow = Callable[..., Any]
+from tests.support.window import MakeWindow
 
 
 @pytest.fixture

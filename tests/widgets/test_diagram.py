@@ -12,11 +12,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QImage
+from PySide6.QtGui import QColor
 from pytestqt.qtbot import QtBot
 
 from app.drawings.style import DARK, LIGHT
 from app.scenes.phenomena.illustration import Curve, Diagram, Spot
+from tests.support.window import rgb_of
 from widgets.parts.diagram import DiagramView, decade_ticks, round_ticks, segments
 from widgets.parts.messages import figure_text
 
@@ -36,9 +37,7 @@ def view(qtbot: QtBot) -> DiagramView:
 
 
 def pixels(view: DiagramView) -> np.ndarray:
-    image = view.grab().toImage().convertToFormat(QImage.Format.Format_RGB888)
-    rows = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), image.bytesPerLine())
-    return rows[:, : 3 * image.width()].reshape(image.height(), image.width(), 3).astype(int)
+    return rgb_of(view.grab().toImage()).astype(int)
 
 
 def near(view: DiagramView, place: QPointF, colour: str, within: int = 2) -> bool:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
@@ -15,8 +14,10 @@ from pytestqt.qtbot import QtBot
 from app.document.document import Document
 from app.model.projection import Perspective
 from app.scenes.scene import load
+from tests.support.window import MakeWindow, activate
 from widgets.parts.panel import EVERYTHING, Changed, Panel, Shown
 from widgets.window.drawer import Panels
+from widgets.window.main_window import MainWindow
 
 
 class Toy(Panel):
@@ -106,10 +107,7 @@ def heights(window: Any) -> list[int]:
 
 
 @pytest.mark.parametrize("size", [(1366, 768), (1920, 1080)])
-def test_from_name_to_name_the_panels_only_grow(
-    make_window: Callable[..., Any], size: tuple[int, int]
-) -> None:
-    window = make_window()
+def test_from_name_to_name_the_panels_only_grow(window: MainWindow, size: tuple[int, int]) -> None:
     window.resize(*size)
     QApplication.processEvents()
     found = heights(window)
@@ -124,9 +122,7 @@ def test_from_name_to_name_the_panels_only_grow(
         assert all(pane.height() >= 400 for pane in window.panes.values())
 
 
-def test_an_open_panel_has_its_part_of_a_window_that_grows(
-    make_window: Callable[..., Any],
-) -> None:
+def test_an_open_panel_has_its_part_of_a_window_that_grows(make_window: MakeWindow) -> None:
     window = make_window(Document("depth-buffer", load("depth-buffer").start))
     window.resize(1366, 768)
     window.panels.open(window.scene_panel)
@@ -143,8 +139,7 @@ def test_an_open_panel_has_its_part_of_a_window_that_grows(
     assert window.panels.height() == chosen
 
 
-def test_a_height_that_the_hand_has_chosen_stays(make_window: Callable[..., Any]) -> None:
-    window = make_window()
+def test_a_height_that_the_hand_has_chosen_stays(window: MainWindow) -> None:
     window.panels.open(window.matrices)
     QApplication.processEvents()
     handle = window.column.handle(1)
@@ -165,8 +160,7 @@ def test_a_height_that_the_hand_has_chosen_stays(make_window: Callable[..., Any]
         assert window.panels.height() == chosen
 
 
-def test_a_chosen_height_is_not_that_of_a_lower_window(make_window: Callable[..., Any]) -> None:
-    window = make_window()
+def test_a_chosen_height_is_not_that_of_a_lower_window(window: MainWindow) -> None:
     window.resize(1600, 1050)
     window.panels.open(window.matrices)
     QApplication.processEvents()
@@ -179,12 +173,8 @@ def test_a_chosen_height_is_not_that_of_a_lower_window(make_window: Callable[...
 
 
 @pytest.mark.parametrize("panel", ["matrices", "frame_panel", "probe_panel", "measure_panel"])
-def test_tab_goes_all_round_the_window(
-    make_window: Callable[..., Any], qtbot: QtBot, panel: str
-) -> None:
-    window = make_window()
-    window.activateWindow()
-    qtbot.waitUntil(window.isActiveWindow)
+def test_tab_goes_all_round_the_window(window: MainWindow, qtbot: QtBot, panel: str) -> None:
+    activate(window)
     window.probe_panel.follow(point=(0.0, 0.0, 0.0))
     window.panels.open(getattr(window, panel))
     QApplication.processEvents()

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import replace
 from itertools import pairwise
 from typing import Any
@@ -14,7 +13,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QImage, QTextDocumentFragment
+from PySide6.QtGui import QTextDocumentFragment
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
@@ -31,37 +30,19 @@ from app.lecture.typed_matrix import with_cell
 from app.model.projection import Camera, Perspective, Projection
 from app.model.refusal import Refusal, format_value
 from app.scenes.scene import load
-from tests import PATIENCE_MS
+from tests.support.window import MakeWindow, activate, click, pixels, settle
 from widgets.panels.frame_panel import FramePanel
 from widgets.window.main_window import MainWindow
 
 START = load("letter-f").start
-MakeWindow = Callable[..., MainWindow]
-
-
-def settle() -> None:
-    for _ in range(3):
-        QApplication.processEvents()
-
-
-def pixels(window: MainWindow, name: str = "world") -> np.ndarray:
-    image = window.panes[name].canvas.grabFramebuffer().convertToFormat(QImage.Format.Format_RGB888)
-    array = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), image.bytesPerLine())
-    return array[:, : 3 * image.width()].reshape(image.height(), image.width(), 3).copy()
 
 
 def opened(make_window: MakeWindow) -> MainWindow:
     window = make_window()
-    window.activateWindow()
-    assert QTest.qWaitForWindowActive(window, PATIENCE_MS)
+    activate(window)
     window.panels.open(window.frame_panel)
     settle()
     return window
-
-
-def click(button: Any) -> None:
-    QTest.mouseClick(button, Qt.MouseButton.LeftButton)
-    settle()
 
 
 def numbers(panel: FramePanel) -> str:
@@ -228,9 +209,8 @@ def test_the_numbers_are_the_models(make_window: MakeWindow, camera: Camera) -> 
 
 
 def test_folded_it_computes_nothing_and_opens_with_the_present_camera(
-    make_window: MakeWindow, monkeypatch: pytest.MonkeyPatch
+    window: MainWindow, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    window = make_window()
     asked: list[Camera] = []
     real = up_and_view
 
@@ -333,9 +313,7 @@ def test_a_nudge_turns_the_picture_as_it_is_said(make_window: MakeWindow) -> Non
 # -- the world pane
 
 
-def test_each_step_is_seen_and_all_comes_back(make_window: MakeWindow) -> None:
-    window = make_window()
-    settle()
+def test_each_step_is_seen_and_all_comes_back(window: MainWindow) -> None:
     before = {name: pixels(window, name) for name in window.panes}
     window.panels.open(window.frame_panel)
     settle()
@@ -432,9 +410,7 @@ def test_up_is_drawn_where_it_is(make_window: MakeWindow) -> None:
     assert np.abs(near_by - accent).sum(axis=1).min() < 30
 
 
-def test_figures_do_not_show_the_steps(make_window: MakeWindow) -> None:
-    window = make_window()
-    settle()
+def test_figures_do_not_show_the_steps(window: MainWindow) -> None:
     window.pictures.copy()
     settle()
     before = QApplication.clipboard().image()

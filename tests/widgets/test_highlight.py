@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
 
@@ -21,18 +18,13 @@ from app.lecture.notation import letters_in, matrices
 from app.lecture.stages import VIEW, WORLD
 from app.model.projection import DEPTH_RANGES, LENSES, Camera, Perspective, Projection
 from app.scenes.scene import load
-from tests import PATIENCE_MS
+from tests.support.window import MakeWindow, activate, counted_repaints, pixels, settle
 from widgets.panels.matrix_view import MatrixView
 from widgets.parts.highlight import Attended
 from widgets.window.main_window import MainWindow
 
 START = load("letter-f").start
 PLANES = {"near", "far", "left", "right", "bottom", "top"}
-
-
-def settle() -> None:
-    for _ in range(3):
-        QApplication.processEvents()
 
 
 def hover(window: MainWindow, widget: QWidget, place: QPoint | None = None) -> None:
@@ -52,12 +44,6 @@ def leave(window: MainWindow) -> None:
     hover(window, window.menuBar(), QPoint(window.menuBar().width() - 2, 2))
 
 
-def pixels(window: MainWindow, name: str) -> np.ndarray:
-    image = window.panes[name].canvas.grabFramebuffer().convertToFormat(QImage.Format.Format_RGB888)
-    array = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), image.bytesPerLine())
-    return array[:, : 3 * image.width()].copy()
-
-
 def pictures(window: MainWindow) -> dict[str, np.ndarray]:
     return {name: pixels(window, name) for name in window.panes}
 
@@ -66,36 +52,16 @@ def changed(before: dict[str, np.ndarray], after: dict[str, np.ndarray]) -> set[
     return {name for name in before if not np.array_equal(before[name], after[name])}
 
 
-@contextmanager
-def counted_repaints(window: MainWindow) -> Iterator[dict[str, int]]:
-    counts = dict.fromkeys(window.panes, 0)
-    observers = []
-    for name, pane in window.panes.items():
-
-        def count(_window: object, _event: str, name: str = name) -> None:
-            counts[name] += 1
-
-        view = pane.canvas.render_window
-        observers.append((view, view.AddObserver("EndEvent", count)))
-    yield counts
-    for view, tag in observers:
-        view.RemoveObserver(tag)
-
-
 def marked(window: MainWindow) -> set[str]:
     """The rows in use that are marked."""
     rows = window.controls.rows.items()
     return {name for name, row in rows if row.is_marked and row.isVisibleTo(window)}
 
 
-MakeWindow = Callable[..., MainWindow]
-
-
 def opened(make_window: MakeWindow) -> MainWindow:
     """A window with the mouse on nothing."""
     window = make_window()
-    window.activateWindow()
-    assert QTest.qWaitForWindowActive(window, PATIENCE_MS)
+    activate(window)
     leave(window)
     return window
 

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 import pyvista as pv
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QImage, QMouseEvent, QWheelEvent
+from PySide6.QtGui import QMouseEvent, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
@@ -31,10 +31,11 @@ from app.model.projection import (
 )
 from app.picking.handles import EYE, TARGET, Handle
 from app.scenes.scene import load
+from tests.support.window import LEFT, MakeWindow, pixels, point_of, settle
 from widgets.panes.pane import ZOOM_PER_WHEEL_STEP
 from widgets.window.main_window import MainWindow
 
-LEFT, NONE = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
+NONE = Qt.KeyboardModifier.NoModifier
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 LENSES: dict[str, Lens] = {
     "perspective": Perspective(45.0, 1.0, 16.0),
@@ -62,15 +63,6 @@ def marks(window: MainWindow) -> dict[Handle, tuple[float, float]]:
 
 def mark(window: MainWindow, name: str) -> tuple[Handle, tuple[float, float]]:
     return next((handle, spot) for handle, spot in marks(window).items() if handle.name == name)
-
-
-def settle() -> None:
-    for _ in range(3):
-        QApplication.processEvents()
-
-
-def point(place: tuple[float, float]) -> QPoint:
-    return QPoint(math.floor(place[0]), math.floor(place[1]))
 
 
 def move(window: MainWindow, name: str, to: QPoint, key: Any = NONE, button: Any = LEFT) -> None:
@@ -107,12 +99,6 @@ def view(window: MainWindow) -> tuple[float, ...]:
     return (*camera.GetPosition(), *camera.GetFocalPoint())
 
 
-def pixels(window: MainWindow, name: str) -> np.ndarray:
-    image = window.panes[name].canvas.grabFramebuffer().convertToFormat(QImage.Format.Format_RGB888)
-    array = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), image.bytesPerLine())
-    return array[:, : 3 * image.width()].reshape(image.height(), image.width(), 3).copy()
-
-
 def wheel(window: MainWindow, steps: float, name: str = "image") -> None:
     canvas = window.panes[name].canvas
     place = QPointF(canvas.rect().center())
@@ -136,7 +122,7 @@ def along(window: MainWindow, handle: Handle, **fields: float) -> tuple[int, int
     return round(after[0] - before[0]), round(after[1] - before[1])
 
 
-def opened(make_window: Callable[..., MainWindow]) -> MainWindow:
+def opened(make_window: MakeWindow) -> MainWindow:
     """The world pane alone, where the near face is large enough for its corners."""
     window = make_window()
     window.store.set_projection(replace(model(window), lens=LENSES["perspective"]))
@@ -150,9 +136,7 @@ def opened(make_window: Callable[..., MainWindow]) -> MainWindow:
 # -- the world pane
 
 
-def test_a_handle_goes_with_the_hand_and_the_view_stays(
-    make_window: Callable[..., MainWindow],
-) -> None:
+def test_a_handle_goes_with_the_hand_and_the_view_stays(make_window: MakeWindow) -> None:
     window = opened(make_window)
     for lens in LENSES.values():
         window.store.set_projection(replace(model(window), lens=lens))
@@ -175,15 +159,15 @@ def drag_a_handle(window: MainWindow, lens: Lens, name: str) -> None:
     elif name == "corner" and lens.kind == "perspective":
         way = along(window, handle, fov_y_deg=60.0)
     assert max(map(abs, way)) >= 10
-    press(window, "world", point(spot))
+    press(window, "world", point_of(spot))
     half = way[0] // 2, way[1] // 2
-    move(window, "world", point(spot) + QPoint(*half))
-    move(window, "world", point(spot) + QPoint(*way))
+    move(window, "world", point_of(spot) + QPoint(*half))
+    move(window, "world", point_of(spot) + QPoint(*way))
     assert view(window) == place
     x, y = marks(window)[handle]
     assert math.dist((x, y), (spot[0] + way[0], spot[1] + way[1])) <= 1.0  # whole pixels off rail
     end = model(window)
-    release(window, "world", point(spot) + QPoint(*way))
+    release(window, "world", point_of(spot) + QPoint(*way))
     assert model(window) == end != start
     assert (end.camera == start.camera) == (name not in ("eye", "target"))
     assert (end.lens == start.lens) == (name in ("eye", "target"))
@@ -197,12 +181,12 @@ def drag_a_handle(window: MainWindow, lens: Lens, name: str) -> None:
 
 @pytest.mark.parametrize("name", ["world", "image"])
 def test_neither_wheel_nor_another_button_takes_what_is_held_out_of_the_hand(
-    make_window: Callable[..., MainWindow], name: str
+    make_window: MakeWindow, name: str
 ) -> None:
     window = opened(make_window)
     if name == "world":
         _, spot = mark(window, "eye")
-        at = point(spot)
+        at = point_of(spot)
     else:
         left, top, *_ = picture(window).picture_rectangle_px
         at = QPoint(left + 20, top + 20)
@@ -227,32 +211,28 @@ def test_neither_wheel_nor_another_button_takes_what_is_held_out_of_the_hand(
     assert (model(window), view(window)) != (start, place)
 
 
-def test_the_eye_goes_up_and_down_with_shift(make_window: Callable[..., MainWindow]) -> None:
+def test_the_eye_goes_up_and_down_with_shift(make_window: MakeWindow) -> None:
     window = opened(make_window)
     start, place = model(window).camera, view(window)
     _, spot = mark(window, "eye")
-    drag(window, "world", point(spot), (9, -20), (18, -40), key=SHIFT)
+    drag(window, "world", point_of(spot), (9, -20), (18, -40), key=SHIFT)
     eye = model(window).camera.eye
     assert (eye[0], eye[2]) == (start.eye[0], start.eye[2]) and eye[1] > start.eye[1] + 0.1
     assert model(window).camera.target == start.target
     assert view(window)[:3] != place[:3] or window.panes["world"].view is None
 
 
-def test_a_drag_beside_the_handles_still_turns_the_view(
-    make_window: Callable[..., MainWindow],
-) -> None:
+def test_a_drag_beside_the_handles_still_turns_the_view(make_window: MakeWindow) -> None:
     window = opened(make_window)
     start, place = model(window), view(window)
     x, y = mark(window, "far")[1]
-    empty = point((x, y - 40.0))
+    empty = point_of((x, y - 40.0))
     assert world(window).handle_at((x, y - 40.0), 9.0) is None
     drag(window, "world", empty, (20, 5), (40, 10))
     assert view(window) != place and model(window) == start and not window.store.in_gesture
 
 
-def test_hovering_says_what_a_drag_does_and_costs_one_repaint(
-    make_window: Callable[..., MainWindow],
-) -> None:
+def test_hovering_says_what_a_drag_does_and_costs_one_repaint(make_window: MakeWindow) -> None:
     window = opened(make_window)
     canvas, hand = window.panes["world"].canvas, window.manipulation
     handle, spot = mark(window, "near")
@@ -260,7 +240,7 @@ def test_hovering_says_what_a_drag_does_and_costs_one_repaint(
     counts = []
     observer = canvas.render_window.AddObserver("EndEvent", lambda *_: counts.append(1))
     for way in ((0, 0), (1, 0), (1, 1), (0, 0)):
-        move(window, "world", point(spot) + QPoint(*way), button=Qt.MouseButton.NoButton)
+        move(window, "world", point_of(spot) + QPoint(*way), button=Qt.MouseButton.NoButton)
     assert len(counts) == 1 and world(window).held == handle
     assert "near plane" in hand.said and "Near = 1" in hand.said
     assert canvas.toolTip() == hand.said != tip
@@ -270,27 +250,25 @@ def test_hovering_says_what_a_drag_does_and_costs_one_repaint(
     # The mark; and, as everywhere, the plane that it belongs to.
     assert (np.abs(changed - (spot[1], spot[0])).max(axis=1) < 16.0).sum() > 20
     counts.clear()
-    away = point((3.0, 3.0))
+    away = point_of((3.0, 3.0))
     for _ in range(2):
         move(window, "world", away, button=Qt.MouseButton.NoButton)
     assert len(counts) == 1 and world(window).held is None
     assert (hand.said, canvas.toolTip()) == ("", tip)
     assert canvas.cursor().shape() == Qt.CursorShape.ArrowCursor
     assert (pixels(window, "world") == before).all()
-    move(window, "world", point(spot), button=Qt.MouseButton.NoButton)
+    move(window, "world", point_of(spot), button=Qt.MouseButton.NoButton)
     QApplication.sendEvent(canvas, QEvent(QEvent.Type.Leave))
     assert world(window).held is None
     canvas.render_window.RemoveObserver(observer)
 
 
-def test_what_is_said_of_a_handle_is_seen_whole_and_does_not_jump(
-    make_window: Callable[..., MainWindow],
-) -> None:
+def test_what_is_said_of_a_handle_is_seen_whole_and_does_not_jump(make_window: MakeWindow) -> None:
     """Beside the title where there is room, otherwise in a line over the pane; never in both."""
     window = opened(make_window)
     hand, pane = window.manipulation, window.panes["world"]
     _, spot = mark(window, "eye")
-    at = point(spot)
+    at = point_of(spot)
 
     def place() -> str:
         line, note = hand._line, pane.note
@@ -316,23 +294,23 @@ def test_what_is_said_of_a_handle_is_seen_whole_and_does_not_jump(
     move(window, "world", at + QPoint(12, 2))
     assert place() == "line", "it stays where it is while it is held"
     release(window, "world", at + QPoint(12, 2))
-    move(window, "world", point((3.0, 3.0)), button=Qt.MouseButton.NoButton)
+    move(window, "world", point_of((3.0, 3.0)), button=Qt.MouseButton.NoButton)
     assert hand.said == "" and place() == "title"
-    move(window, "world", point(mark(window, "near")[1]), button=Qt.MouseButton.NoButton)
+    move(window, "world", point_of(mark(window, "near")[1]), button=Qt.MouseButton.NoButton)
     assert "Near = 1" in hand.said
     place()
 
 
 @pytest.mark.parametrize("change", ["scene", "style"])
 def test_what_is_said_of_a_handle_goes_with_the_drawing_that_it_was_in(
-    make_window: Callable[..., MainWindow], change: str
+    make_window: MakeWindow, change: str
 ) -> None:
     window = opened(make_window)
     hand, pane = window.manipulation, window.panes["world"]
     tip = pane.canvas.toolTip()
     pane.title.setMinimumWidth(pane.width() // 2)
     settle()
-    move(window, "world", point(mark(window, "eye")[1]), button=Qt.MouseButton.NoButton)
+    move(window, "world", point_of(mark(window, "eye")[1]), button=Qt.MouseButton.NoButton)
     assert hand.said and hand._line.isVisible()
     if change == "scene":
         window.choose_scene("cube")
@@ -344,7 +322,7 @@ def test_what_is_said_of_a_handle_goes_with_the_drawing_that_it_was_in(
 
 
 def test_a_refusal_takes_the_place_of_what_is_said_and_gives_it_back(
-    make_window: Callable[..., MainWindow],
+    make_window: MakeWindow,
 ) -> None:
     window = opened(make_window)
     hand = window.manipulation
@@ -352,14 +330,14 @@ def test_a_refusal_takes_the_place_of_what_is_said_and_gives_it_back(
     settle()
     handle, spot = mark(window, "near")
     far = along(window, handle, near=15.9)
-    press(window, "world", point(spot))
-    move(window, "world", point(spot) + QPoint(round(1.3 * far[0]), round(1.3 * far[1])))
+    press(window, "world", point_of(spot))
+    move(window, "world", point_of(spot) + QPoint(round(1.3 * far[0]), round(1.3 * far[1])))
     assert hand.message.isVisible() and not hand._line.isVisible()
-    release(window, "world", point(spot))
+    release(window, "world", point_of(spot))
     assert not hand.message.isVisible() and "Near = " in hand.said and hand._line.isVisible()
 
 
-def test_every_handle_is_named_for_every_lens(make_window: Callable[..., MainWindow]) -> None:
+def test_every_handle_is_named_for_every_lens(make_window: MakeWindow) -> None:
     window = opened(make_window)
     texts = set()
     for lens in LENSES.values():
@@ -367,7 +345,7 @@ def test_every_handle_is_named_for_every_lens(make_window: Callable[..., MainWin
         window.panes["world"].reset_view()
         settle()
         for spot in marks(window).values():
-            move(window, "world", point(spot), button=Qt.MouseButton.NoButton)
+            move(window, "world", point_of(spot), button=Qt.MouseButton.NoButton)
             texts.add(window.manipulation.said)
         QApplication.sendEvent(window.panes["world"].canvas, QEvent(QEvent.Type.Leave))
     said = " | ".join(texts)
@@ -378,58 +356,56 @@ def test_every_handle_is_named_for_every_lens(make_window: Callable[..., MainWin
 
 
 def test_near_past_far_is_refused_in_a_sentence_that_goes_with_the_hand(
-    make_window: Callable[..., MainWindow],
+    make_window: MakeWindow,
 ) -> None:
     window = opened(make_window)
     bar = window.manipulation.message
     handle, spot = mark(window, "near")
     size = window.panes["world"].canvas.size()
     far = along(window, handle, near=15.9)
-    press(window, "world", point(spot))
-    move(window, "world", point(spot) + QPoint(far[0] // 2, far[1] // 2))
+    press(window, "world", point_of(spot))
+    move(window, "world", point_of(spot) + QPoint(far[0] // 2, far[1] // 2))
     good = model(window)
     assert good.lens.near > 1.0 and bar.text == ""
     past = QPoint(round(1.3 * far[0]), round(1.3 * far[1]))
-    move(window, "world", point(spot) + past)
+    move(window, "world", point_of(spot) + past)
     assert model(window) == good
     assert bar.text.startswith("Near = ") and bar.text.endswith(
         "must be less than far, which is 16."
     )
     assert bar.isVisible() and window.panes["world"].canvas.size() == size  # nothing was pushed
-    move(window, "world", point(spot) + QPoint(far[0] // 3, far[1] // 3))
+    move(window, "world", point_of(spot) + QPoint(far[0] // 3, far[1] // 3))
     assert bar.text == "" and model(window) != good
-    move(window, "world", point(spot) + past)
+    move(window, "world", point_of(spot) + past)
     assert bar.text
     held = model(window)
-    release(window, "world", point(spot) + past)
+    release(window, "world", point_of(spot) + past)
     assert bar.text == "" and model(window) == held
 
 
-def test_far_before_near_speaks_of_far_and_the_fov_of_its_bounds(
-    make_window: Callable[..., MainWindow],
-) -> None:
+def test_far_before_near_speaks_of_far_and_the_fov_of_its_bounds(make_window: MakeWindow) -> None:
     window = opened(make_window)
     bar = window.manipulation.message
     handle, spot = mark(window, "far")
     way = along(window, handle, far=1.5)
-    press(window, "world", point(spot))
-    move(window, "world", point(spot) + QPoint(round(1.2 * way[0]), round(1.2 * way[1])))
+    press(window, "world", point_of(spot))
+    move(window, "world", point_of(spot) + QPoint(round(1.2 * way[0]), round(1.2 * way[1])))
     assert bar.text.startswith("Far = ")
     assert bar.text.endswith("must be greater than near, which is 1.")
     # Behind the eye there is no distance for it: what is named is the plane that stops it.
-    move(window, "world", point(spot) + QPoint(2 * way[0], 2 * way[1]))
+    move(window, "world", point_of(spot) + QPoint(2 * way[0], 2 * way[1]))
     assert bar.text == "Far = 1: must be greater than near, which is 1."
-    release(window, "world", point(spot))
+    release(window, "world", point_of(spot))
     window.store.set_projection(replace(model(window), lens=LENSES["perspective"]))
     handle, spot = mark(window, "corner")
     way = along(window, handle, fov_y_deg=1.0)
-    press(window, "world", point(spot))
-    move(window, "world", point(spot) + QPoint(round(1.5 * way[0]), round(1.5 * way[1])))
+    press(window, "world", point_of(spot))
+    move(window, "world", point_of(spot) + QPoint(round(1.5 * way[0]), round(1.5 * way[1])))
     assert bar.text == "Vertical fov = 0: must lie between 0 and 180, both excluded."
-    release(window, "world", point(spot))
+    release(window, "world", point_of(spot))
 
 
-def test_a_window_turned_inside_out_is_refused(make_window: Callable[..., MainWindow]) -> None:
+def test_a_window_turned_inside_out_is_refused(make_window: MakeWindow) -> None:
     window = opened(make_window)
     lens = LENSES["orthographic"]
     window.store.set_projection(replace(model(window), lens=lens))
@@ -438,18 +414,16 @@ def test_a_window_turned_inside_out_is_refused(make_window: Callable[..., MainWi
     corners = {handle.at: spot for handle, spot in marks(window).items() if handle.name == "corner"}
     (x, y), (to_x, to_y) = corners[(1.0, 1.0)], corners[(-1.0, 1.0)]
     way = round(1.5 * (to_x - x)), round(1.5 * (to_y - y))
-    press(window, "world", point((x, y)))
-    move(window, "world", point((x, y)) + QPoint(*way))
+    press(window, "world", point_of((x, y)))
+    move(window, "world", point_of((x, y)) + QPoint(*way))
     text = window.manipulation.message.text
     assert text.startswith("Right = -") and text.endswith("must be greater than left, which is -4.")
     assert model(window).lens == lens
-    release(window, "world", point((x, y)) + QPoint(*way))
+    release(window, "world", point_of((x, y)) + QPoint(*way))
 
 
 @pytest.mark.parametrize("focus", ["nothing", "field"])
-def test_escape_puts_back_what_is_dragged(
-    make_window: Callable[..., MainWindow], focus: str
-) -> None:
+def test_escape_puts_back_what_is_dragged(make_window: MakeWindow, focus: str) -> None:
     window = opened(make_window)
     window.probe_panel.follow(point=(0.0, 0.5, 0.5))
     field: Any = window.controls.rows["near"].field  # type: ignore[attr-defined]
@@ -462,18 +436,18 @@ def test_escape_puts_back_what_is_dragged(
     window.store.mark_saved()
     steps = len(window.store._undo)
     _, spot = mark(window, "target")
-    press(window, "world", point(spot))
-    move(window, "world", point(spot) + QPoint(30, 12))
+    press(window, "world", point_of(spot))
+    move(window, "world", point_of(spot) + QPoint(30, 12))
     assert model(window) != start
-    move(window, "world", point(spot), button=Qt.MouseButton.NoButton)  # late, from before
+    move(window, "world", point_of(spot), button=Qt.MouseButton.NoButton)  # late, from before
     assert world(window).held == TARGET
     receiver = QApplication.focusWidget() or window
     assert (receiver is field) == (focus == "field")
     QTest.keyClick(receiver, Qt.Key.Key_Escape)
     assert model(window) == start
-    move(window, "world", point(spot) + QPoint(50, 30))  # the drag is over
+    move(window, "world", point_of(spot) + QPoint(50, 30))  # the drag is over
     assert model(window) == start
-    release(window, "world", point(spot) + QPoint(50, 30))
+    release(window, "world", point_of(spot) + QPoint(50, 30))
     assert model(window) == start and not window.store.modified
     assert len(window.store._undo) == steps
     assert len(window.probe_panel.probes) == 1
@@ -481,31 +455,29 @@ def test_escape_puts_back_what_is_dragged(
     assert window.probe_panel.probes == ()
 
 
-def test_another_lens_under_the_hand_ends_the_drag(make_window: Callable[..., MainWindow]) -> None:
+def test_another_lens_under_the_hand_ends_the_drag(make_window: MakeWindow) -> None:
     window = opened(make_window)
     _, spot = mark(window, "corner")
-    press(window, "world", point(spot))
-    move(window, "world", point(spot) + QPoint(8, 8))
+    press(window, "world", point_of(spot))
+    move(window, "world", point_of(spot) + QPoint(8, 8))
     window.store.set_projection(replace(model(window), lens=LENSES["orthographic"]))
-    move(window, "world", point(spot) + QPoint(20, 20))
+    move(window, "world", point_of(spot) + QPoint(20, 20))
     assert model(window).lens == LENSES["orthographic"]
-    release(window, "world", point(spot) + QPoint(20, 20))
+    release(window, "world", point_of(spot) + QPoint(20, 20))
     assert not window.store.in_gesture
 
 
-def test_a_drag_while_the_animation_plays_moves_its_own_field_only(
-    make_window: Callable[..., MainWindow],
-) -> None:
+def test_a_drag_while_the_animation_plays_moves_its_own_field_only(make_window: MakeWindow) -> None:
     window = opened(make_window)
     handle, spot = mark(window, "near")
     way = along(window, handle, near=4.0)
-    press(window, "world", point(spot))
-    move(window, "world", point(spot) + QPoint(way[0] // 2, way[1] // 2))
+    press(window, "world", point_of(spot))
+    move(window, "world", point_of(spot) + QPoint(way[0] // 2, way[1] // 2))
     elsewhere = Camera((-6.0, 5.0, 9.0), (0.0, 2.2, 0.0))
     window.store.set_projection(replace(model(window), camera=elsewhere))
-    move(window, "world", point(spot) + QPoint(*way))
+    move(window, "world", point_of(spot) + QPoint(*way))
     assert model(window).camera == elsewhere and model(window).lens.near > 2.0
-    release(window, "world", point(spot) + QPoint(*way))
+    release(window, "world", point_of(spot) + QPoint(*way))
 
 
 # -- the marks
@@ -531,7 +503,7 @@ def test_a_step_adds_and_removes_nothing_and_a_figure_has_no_marks() -> None:
     assert counts[1] == counts[0] + 1
 
 
-def test_marks_are_seen_in_every_style(make_window: Callable[..., MainWindow]) -> None:
+def test_marks_are_seen_in_every_style(make_window: MakeWindow) -> None:
     """A rim of ink round a fill: in dark and light, and larger for the back row."""
     window = opened(make_window)
     for projector in [False, True]:
@@ -550,9 +522,7 @@ def test_marks_are_seen_in_every_style(make_window: Callable[..., MainWindow]) -
                     assert (off <= 6.0).sum() >= least, (name, colour)
 
 
-def test_the_marks_of_a_moved_view_are_where_the_view_shows_them(
-    make_window: Callable[..., MainWindow],
-) -> None:
+def test_the_marks_of_a_moved_view_are_where_the_view_shows_them(make_window: MakeWindow) -> None:
     window = opened(make_window)
     before = marks(window)
     drag(window, "world", QPoint(30, 30), (20, 5), (60, 10))
@@ -581,9 +551,7 @@ def target_px(window: MainWindow) -> np.ndarray:
     return np.array([left + x * width / 1280, top + y * height / 720])
 
 
-def test_the_picture_is_dragged_with_what_is_as_far_as_the_target(
-    make_window: Callable[..., MainWindow],
-) -> None:
+def test_the_picture_is_dragged_with_what_is_as_far_as_the_target(make_window: MakeWindow) -> None:
     window = opened(make_window)
     for lens in LENSES.values():
         window.store.set_projection(replace(model(window), lens=lens))
@@ -601,10 +569,7 @@ def test_the_picture_is_dragged_with_what_is_as_far_as_the_target(
         assert model(window) == start and not window.store.modified
 
 
-def test_a_drag_beside_the_picture_and_one_on_a_probe_leave_the_camera(
-    make_window: Callable[..., MainWindow],
-) -> None:
-    window = make_window()
+def test_a_drag_beside_the_picture_and_one_on_a_probe_leave_the_camera(window: MainWindow) -> None:
     window.probe_panel.follow(point=(1.5, 5.0, 0.5))
     settle()
     start = model(window)
@@ -612,12 +577,12 @@ def test_a_drag_beside_the_picture_and_one_on_a_probe_leave_the_camera(
     assert model(window) == start
     left, top, width, height = picture(window).picture_rectangle_px
     x, y = model(window).trace((1.5, 5.0, 0.5)).image
-    drag(window, "image", point((left + x * width / 1280, top + y * height / 720)), (20, 12))
+    drag(window, "image", point_of((left + x * width / 1280, top + y * height / 720)), (20, 12))
     assert model(window) == start
     assert window.probe_panel.probes[0].point != (1.5, 5.0, 0.5)
 
 
-def test_escape_puts_the_picture_back(make_window: Callable[..., MainWindow]) -> None:
+def test_escape_puts_the_picture_back(make_window: MakeWindow) -> None:
     window = opened(make_window)
     start = model(window)
     left, top, *_ = picture(window).picture_rectangle_px
@@ -630,9 +595,7 @@ def test_escape_puts_the_picture_back(make_window: Callable[..., MainWindow]) ->
     assert model(window) == start
 
 
-def test_the_wheel_dollies_and_a_burst_is_one_step(
-    make_window: Callable[..., MainWindow], qtbot: Any
-) -> None:
+def test_the_wheel_dollies_and_a_burst_is_one_step(make_window: MakeWindow, qtbot: Any) -> None:
     window = opened(make_window)
     start = model(window)
     with qtbot.waitSignal(window.manipulation.gesture_finished):
@@ -650,9 +613,7 @@ def test_the_wheel_dollies_and_a_burst_is_one_step(
     assert model(window).camera.distance == pytest.approx(distance * ZOOM_PER_WHEEL_STEP)
 
 
-def test_the_wheel_stops_before_the_target_and_says_so(
-    make_window: Callable[..., MainWindow], qtbot: Any
-) -> None:
+def test_the_wheel_stops_before_the_target_and_says_so(make_window: MakeWindow, qtbot: Any) -> None:
     window = opened(make_window)
     near = Camera((1.0 + 2.0**-52, 2.0, 3.0), (1.0, 2.0, 3.0))
     window.store.set_projection(replace(model(window), camera=near))
@@ -675,7 +636,7 @@ def test_a_held_handle_is_known_by_its_name() -> None:
 
 
 @pytest.fixture
-def make_scene(make_window: Callable[..., MainWindow]) -> Callable[[str], MainWindow]:
+def make_scene(make_window: MakeWindow) -> Callable[[str], MainWindow]:
     return lambda name: make_window(Document(name, load(name).start))
 
 
@@ -697,7 +658,7 @@ def test_a_point_of_the_scene_goes_where_the_hand_goes_and_that_is_one_step(
     settle()  # or the panel may still grow by a line of its text
     before, seen_before = window.store.document, view(window)
     _, spot = grip(window, setting)
-    drag(window, "world", point(spot), (6, 0), (14, -9))
+    drag(window, "world", point_of(spot), (6, 0), (14, -9))
     assert window.store.document.settings[setting] != before.settings[setting]
     now = grip(window, setting)[1]
     assert np.subtract(now, spot) == pytest.approx((14, -9), abs=1.0)
@@ -713,7 +674,7 @@ def test_the_panes_stand_still_under_the_hand_though_the_readout_grows(
     settle()
     pane, column = window.panes["world"], window.scene_panel._readout_column
     height = pane.height()
-    at = point(grip(window, "start")[1])
+    at = point_of(grip(window, "start")[1])
     press(window, "world", at)
     move(window, "world", at + QPoint(30, 0))
     window.scene_panel.warning.setText("Such a long warning that there is no room for it. " * 5)
@@ -729,7 +690,7 @@ def test_the_sun_is_held_by_its_direction(make_scene: Callable[[str], MainWindow
     window.store.set_settings({"kind": "sun", "light": (-1.0, 2.0, 1.0)})
     settle()
     _, spot = grip(window, "light")
-    at = point(spot)
+    at = point_of(spot)
     drag(window, "world", at, (-20, 0))
     turned = np.array(window.store.document.settings["light"])
     assert np.subtract(grip(window, "light")[1], spot)[0] < -5.0
@@ -749,7 +710,7 @@ def test_a_light_that_is_dragged_under_the_plane_is_refused_over_the_pane(
 ) -> None:
     window = make_scene("planar-shadow")
     _, spot = grip(window, "light")
-    at = point(spot)
+    at = point_of(spot)
     press(window, "world", at)
     move(window, "world", at + QPoint(0, 20))
     last = window.store.document.settings["light"]
@@ -773,12 +734,10 @@ def test_a_scene_without_points_has_no_grips(make_scene: Callable[[str], MainWin
 
 
 @pytest.mark.parametrize("name", ["world", "image"])
-def test_another_scene_under_the_hand_ends_the_drag(
-    make_window: Callable[..., MainWindow], name: str
-) -> None:
+def test_another_scene_under_the_hand_ends_the_drag(make_window: MakeWindow, name: str) -> None:
     """Its own camera stays, and undo goes back to where the drag had come to."""
     window = opened(make_window)
-    at = point(mark(window, "target")[1])
+    at = point_of(mark(window, "target")[1])
     if name == "image":
         drawing = window.panes["image"].drawing
         assert isinstance(drawing, ImageDrawing)

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import math
 import re
-from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
@@ -25,11 +24,13 @@ from app.lecture.typed_matrix import with_cell
 from app.model.formula import ARROW
 from app.model.projection import Camera, FreeMatrix, Frustum, Oblique, Perspective, Projection
 from app.picking.picking import Probe
+from tests.support.window import activate
 from widgets.panels import matrix_panel
 from widgets.panels.matrix_panel import MatrixPanel
 from widgets.panels.matrix_view import MatrixView, _runs, _width, first_change, rich
 from widgets.parts.fields import short_text
 from widgets.parts.messages import stage_title
+from widgets.window.main_window import MainWindow
 
 OFF_AXIS = Projection(
     Camera((6.0, 5.0, 9.0), (0.5, 2.0, -0.25)), Frustum(-0.7, 0.9, -0.4, 0.65, 1.5, 40.0)
@@ -286,9 +287,8 @@ def test_notes_are_shown(panel: MatrixPanel, qtbot: QtBot, lens: Any) -> None:
 
 
 def test_the_window_shows_the_current_value_when_the_panel_opens(
-    make_window: Callable[..., Any], qtbot: QtBot
+    window: MainWindow, qtbot: QtBot
 ) -> None:
-    window = make_window()
     panel = window.matrices
     assert not panel.shown
     window.panels.open(panel)
@@ -368,10 +368,7 @@ def test_what_is_made_of_a_fraction_is_said(
     assert len(told) == 1 and "must be a number" in panel.explanation.text()
 
 
-def test_what_is_being_typed_goes_when_its_matrix_does(
-    make_window: Callable[..., Any], qtbot: QtBot
-) -> None:
-    window = make_window()
+def test_what_is_being_typed_goes_when_its_matrix_does(window: MainWindow, qtbot: QtBot) -> None:
     start, panel = window.store.document, window.matrices
     window.panels.open(panel)
     qtbot.waitUntil(panel.isVisible)
@@ -387,13 +384,9 @@ def test_what_is_being_typed_goes_when_its_matrix_does(
     assert all(view.field is None for view in panel.views.values())
 
 
-def test_a_matrix_that_is_gone_tells_nothing_any_more(
-    make_window: Callable[..., Any], qtbot: QtBot
-) -> None:
-    window = make_window()
+def test_a_matrix_that_is_gone_tells_nothing_any_more(window: MainWindow, qtbot: QtBot) -> None:
     start, panel = window.store.document.projection, window.matrices
-    window.activateWindow()
-    qtbot.waitUntil(window.isActiveWindow)
+    activate(window)
     window.panels.open(panel)
     qtbot.waitUntil(panel.isVisible)
     free = with_cell(start, "clip_from_view", 3, 0, 0.1)
@@ -460,9 +453,8 @@ def test_a_bad_cell_is_named_and_the_good_state_stays(
 @pytest.mark.parametrize("size", [(1920, 1080), (1366, 768)])
 @pytest.mark.parametrize("open_first", [True, False])
 def test_what_is_said_of_a_free_matrix_is_seen_whole(
-    make_window: Callable[..., Any], qtbot: QtBot, size: tuple[int, int], open_first: bool
+    window: MainWindow, qtbot: QtBot, size: tuple[int, int], open_first: bool
 ) -> None:
-    window = make_window()
     window.resize(*size)
     panel = window.matrices
     if open_first:
@@ -485,9 +477,8 @@ def test_what_is_said_of_a_free_matrix_is_seen_whole(
 
 @pytest.mark.parametrize("scrolled", [0.0, 0.5, 1.0])
 def test_a_matrix_stays_under_the_hand_when_its_neighbours_vanish_and_come_back(
-    make_window: Callable[..., Any], qtbot: QtBot, scrolled: float
+    window: MainWindow, qtbot: QtBot, scrolled: float
 ) -> None:
-    window = make_window()
     panel = window.matrices
     window.panels.open(panel)
     qtbot.waitUntil(lambda: panel._scroll.horizontalScrollBar().maximum() > 500)
@@ -652,9 +643,8 @@ def test_titles_are_given_to_translators(panel: MatrixPanel) -> None:
 
 
 def test_typing_reaches_the_whole_window_and_can_be_undone(
-    make_window: Callable[..., Any], qtbot: QtBot
+    window: MainWindow, qtbot: QtBot
 ) -> None:
-    window = make_window()
     window.panels.open(window.matrices)
     qtbot.waitUntil(window.matrices.isVisible)
     store, controls = window.store, window.controls
@@ -687,9 +677,8 @@ def test_typing_reaches_the_whole_window_and_can_be_undone(
 
 @pytest.mark.parametrize("depth", ["direct3d", "reversed"])
 def test_the_depth_range_of_a_free_matrix_can_be_changed(
-    make_window: Callable[..., Any], qtbot: QtBot, depth: str
+    window: MainWindow, qtbot: QtBot, depth: str
 ) -> None:
-    window = make_window()
     free = window.store.document.projection.with_lens("matrix")
     window.store.set_projection(free)
     window.controls.rows["depth"].choose(depth)
@@ -709,9 +698,8 @@ FREE_CELLS = (
 
 
 def test_every_pane_probe_and_stop_takes_any_matrix(
-    make_window: Callable[..., Any], qtbot: QtBot, display: Any
+    window: MainWindow, qtbot: QtBot, display: Any
 ) -> None:
-    window = make_window()
     window.resize(940, 560)  # quickly drawn
     window.panels.open(window.probe_panel)
     start = window.store.document.projection
@@ -748,10 +736,7 @@ def test_what_is_said_of_a_cell_is_of_its_value_now(panel: MatrixPanel, qtbot: Q
     assert panel.explanation.text() == panel.sentence(matrix, 0, 0)
 
 
-def test_undone_the_matrix_stays_under_the_hand(
-    make_window: Callable[..., Any], qtbot: QtBot
-) -> None:
-    window = make_window()
+def test_undone_the_matrix_stays_under_the_hand(window: MainWindow, qtbot: QtBot) -> None:
     panel = window.matrices
     window.panels.open(panel)
     bar = panel._scroll.horizontalScrollBar()
@@ -861,10 +846,9 @@ def test_no_formula_is_cut(panel: MatrixPanel, letters: Letters) -> None:
 
 
 def test_a_cell_that_is_held_while_its_matrix_goes_says_nothing_more(
-    make_window: Callable[..., Any], qtbot: QtBot
+    window: MainWindow, qtbot: QtBot
 ) -> None:
     """As with the other hand on the keyboard; what it said reached a widget that was deleted."""
-    window = make_window()
     start, panel = window.store.document.projection, window.matrices
     window.panels.open(panel)
     qtbot.waitUntil(panel.isVisible)

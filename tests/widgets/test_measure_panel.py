@@ -28,6 +28,7 @@ from app.measure.results import Choice, Results, Trade, from_json, table, to_csv
 from app.model.projection import Camera, Perspective
 from app.scenes.scene import load
 from tests.measure.test_chart import RESULTS, TRADE
+from tests.support.window import settle
 from widgets.panels import measuring
 from widgets.panels.measure_panel import MeasurePanel
 from widgets.panels.measuring import Measuring
@@ -472,9 +473,7 @@ def test_everything_has_a_name_and_a_tip(panel: MeasurePanel) -> None:
     assert panel.progress.accessibleName() and panel.where.accessibleName()
 
 
-def test_every_name_of_a_choice_is_put_together_from_translated_parts(
-    document: Document,
-) -> None:
+def test_every_name_of_a_choice_is_put_together_from_translated_parts(document: Document) -> None:
     """Each part is either a format's or a program's own name, or is looked up."""
     looked_up: list[str] = []
 
@@ -584,30 +583,23 @@ def test_notes_take_the_room_that_a_panel_comes_to_have(
 # -- in the window
 
 
-def settle(window: MainWindow) -> None:
-    for _ in range(5):
-        QApplication.processEvents()
-
-
 @pytest.mark.parametrize("size", [(1366, 768), (1920, 1080)])
 def test_the_panes_have_room_above_it(
-    make_window: Callable[..., MainWindow], size: tuple[int, int], tmp_path: Path
+    window: MainWindow, size: tuple[int, int], tmp_path: Path
 ) -> None:
-    window = make_window()
     window.resize(*size)
-    settle(window)
+    settle()
     window.panels.open(window.measure_panel)
     window.measure_panel.load(write(tmp_path / "a.json", RESULTS))
-    settle(window)
+    settle()
     assert window.measure_panel.isVisible() and (window.width(), window.height()) == size
     for pane in window.panes.values():
         assert pane.width() >= 300 and pane.height() >= 400
 
 
 def test_a_drag_in_the_window_makes_it_wait_and_a_sentence_reaches_the_bar(
-    make_window: Callable[..., MainWindow], tmp_path: Path
+    window: MainWindow, tmp_path: Path
 ) -> None:
-    window = make_window()
     panel = window.measure_panel
     for source in (window.controls, window.controls.animation, window.manipulation, window.strip):
         source.gesture_started.emit()
@@ -620,16 +612,15 @@ def test_a_drag_in_the_window_makes_it_wait_and_a_sentence_reaches_the_bar(
 
 
 def test_what_the_panel_refused_is_said_until_it_is_used_again(
-    make_window: Callable[..., MainWindow], tmp_path: Path
+    window: MainWindow, tmp_path: Path
 ) -> None:
-    window = make_window()
     panel, bar = window.measure_panel, window.messages
     window.panels.open(panel)
     alone = replace(TRADE.choices[0], name="float16", use={})
     usable = replace(TRADE.choices[2], name="float64", use={"rung": "float64"})
     trade = replace(TRADE, choices=(alone, usable))
     panel.load(write(tmp_path / "a.json", replace(RESULTS, trades=(trade,), sweeps=())))
-    settle(window)
+    settle()
 
     def refuse() -> None:
         panel.table.cellClicked.emit(0, 0)
@@ -654,10 +645,7 @@ def test_what_the_panel_refused_is_said_until_it_is_used_again(
     assert bar.text == "Something else went wrong.", "that is not the panel's to take back"
 
 
-def test_the_window_says_what_the_panes_are_drawn_with(
-    make_window: Callable[..., MainWindow],
-) -> None:
-    window = make_window()
+def test_the_window_says_what_the_panes_are_drawn_with(window: MainWindow) -> None:
     assert window._in_use()["rung"] == "float32"
     assert window._in_use()["depth_mapping"] == "opengl"
     projection = window.store.document.projection
@@ -679,26 +667,20 @@ def run_until_it_goes(panel: MeasurePanel, qtbot: QtBot) -> int:
     return int(process.processId())
 
 
-def test_closing_the_window_ends_the_measurement(
-    make_window: Callable[..., MainWindow], qtbot: QtBot
-) -> None:
-    window = make_window()
+def test_closing_the_window_ends_the_measurement(window: MainWindow, qtbot: QtBot) -> None:
     number = run_until_it_goes(window.measure_panel, qtbot)
     window.close()
     assert not psutil.pid_exists(number)
 
 
-def test_the_window_goes_on_during_a_measurement(
-    make_window: Callable[..., MainWindow], qtbot: QtBot
-) -> None:
-    window = make_window()
+def test_the_window_goes_on_during_a_measurement(window: MainWindow, qtbot: QtBot) -> None:
     panel = window.measure_panel
     number = run_until_it_goes(panel, qtbot)
     ours, its = psutil.Process(), psutil.Process(number)
     assert its.nice() == min(19, ours.nice() + 10), "the window's steps come first"
     projection = window.store.document.projection
     window.store.set_projection(replace(projection, lens=Perspective(30.0, 1.0, 30.0)))
-    settle(window)
+    settle()
     assert window.status.labels["fov"].text().startswith("fov 30°")
     assert panel.measuring.running
 
@@ -707,15 +689,14 @@ def test_the_window_goes_on_during_a_measurement(
 
 
 def test_the_cost_of_a_step_is_shown_for_every_pane_that_is_seen(
-    make_window: Callable[..., MainWindow], qtbot: QtBot
+    window: MainWindow, qtbot: QtBot
 ) -> None:
-    window = make_window()
     assert not window.status.cost.isVisible()
     pane = window.panes["image"]
     spies = [QSignalSpy(each.timed) for each in window.panes.values()]
     projection = window.store.document.projection
     window.store.set_projection(replace(projection, lens=Perspective(30.0, 1.0, 30.0)))
-    settle(window)
+    settle()
     assert [spy.count() for spy in spies] == [0, 0, 0] and window._costs == {}
     window.menus.show_cost.trigger()
     assert window.status.cost.isVisible()
@@ -732,7 +713,7 @@ def test_the_cost_of_a_step_is_shown_for_every_pane_that_is_seen(
     window.menus.show_cost.trigger()
     counts = [spy.count() for spy in spies]
     window.store.set_projection(projection)
-    settle(window)
+    settle()
     assert [spy.count() for spy in spies] == counts and not window.status.cost.isVisible()
 
 

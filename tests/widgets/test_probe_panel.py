@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import math
 import threading
-from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -13,7 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QImage, QMouseEvent
+from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
@@ -38,6 +37,7 @@ from app.model.projection import (
 from app.model.refusal import format_value
 from app.picking.picking import Probe, Sight, Surface
 from app.scenes.scene import load
+from tests.support.window import MakeWindow, activate, click, pixels
 from widgets.panels.probe_panel import MOST_PROBES, ProbePanel
 from widgets.window.main_window import MainWindow
 
@@ -52,18 +52,14 @@ def start() -> Projection:
 
 def marked(window: MainWindow, name: str, place_px: Any) -> bool:
     """Whether the probe's colour is on the screen around a place of a pane's canvas."""
-    image = window.panes[name].canvas.grabFramebuffer().convertToFormat(QImage.Format.Format_RGB888)
-    array = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), image.bytesPerLine())
-    array = array[:, : 3 * image.width()].reshape(image.height(), image.width(), 3)
+    array = pixels(window, name)
     x, y = (round(part) for part in place_px)
     near = array[max(0, y - 2) : y + 3, max(0, x - 2) : x + 3].reshape(-1, 3).astype(float)
     return len(near) > 0 and bool((np.abs(near - ACCENT).max(axis=1) <= 12).any())
 
 
 def any_mark(window: MainWindow, name: str) -> bool:
-    image = window.panes[name].canvas.grabFramebuffer().convertToFormat(QImage.Format.Format_RGB888)
-    array = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), image.bytesPerLine())
-    array = array[:, : 3 * image.width()].reshape(image.height(), image.width(), 3).astype(float)
+    array = pixels(window, name).astype(float)
     return int((np.abs(array - ACCENT).max(axis=2) <= 3).sum()) > 20
 
 
@@ -88,13 +84,6 @@ def place_in(window: MainWindow, name: str, point: Any) -> tuple[float, float]:
     return x, pane.canvas.render_window.GetSize()[1] - y
 
 
-def click(window: MainWindow, name: str, place: tuple[float, float]) -> None:
-    canvas = window.panes[name].canvas
-    pos = QPoint(math.floor(place[0]), math.floor(place[1]))
-    QTest.mouseClick(canvas, Qt.MouseButton.LeftButton, pos=pos)
-    QApplication.processEvents()
-
-
 def cells(panel: ProbePanel, block: int, row: int) -> list[str]:
     model = panel.table.model()
     texts = [model.data(model.index(row, 1 + 4 * block + part)) for part in range(4)]
@@ -105,11 +94,8 @@ def cells(panel: ProbePanel, block: int, row: int) -> list[str]:
 
 
 @pytest.mark.parametrize("name", ["world", "ndc", "image"])
-def test_a_click_on_a_vertex_in_any_pane_marks_it_in_all(
-    make_window: Callable[..., MainWindow], name: str
-) -> None:
-    window = make_window()
-    click(window, name, place_in(window, name, CORNER))
+def test_a_click_on_a_vertex_in_any_pane_marks_it_in_all(window: MainWindow, name: str) -> None:
+    click(window.panes[name].canvas, place_in(window, name, CORNER))
     (probe,) = window.probe_panel.probes
     assert probe.point == pytest.approx(CORNER, abs=1e-5 * load("letter-f").size)
     for other in window.panes:
@@ -160,7 +146,7 @@ def is_seen(sight: Sight, vertex: Array, triangles: Array, lines: Array) -> bool
 @pytest.mark.parametrize("eye", EYES)
 @pytest.mark.parametrize("lens", LENSES)
 def test_a_click_on_or_beside_a_vertex_that_is_seen_gives_it_in_every_pane(
-    make_window: Callable[..., MainWindow], lens: str, eye: str
+    make_window: MakeWindow, lens: str, eye: str
 ) -> None:
     """0 and 2 px to each side: the edges that run to it or past it are not what is meant."""
     window, scene = make_window(), load("letter-f")
@@ -192,10 +178,7 @@ def test_a_click_on_or_beside_a_vertex_that_is_seen_gives_it_in_every_pane(
     assert min(clicks.values()) >= 60, clicks
 
 
-def test_a_double_click_resets_the_view_and_follows_nothing(
-    make_window: Callable[..., MainWindow],
-) -> None:
-    window = make_window()
+def test_a_double_click_resets_the_view_and_follows_nothing(window: MainWindow) -> None:
     canvas = window.panes["world"].canvas
     place = place_in(window, "world", CORNER)
     pos = QPoint(math.floor(place[0]), math.floor(place[1]))
@@ -215,16 +198,13 @@ def test_a_double_click_resets_the_view_and_follows_nothing(
 
 
 @pytest.mark.parametrize("name", ["world", "ndc", "image"])
-def test_a_click_on_a_face_in_any_pane_follows_its_point(
-    make_window: Callable[..., MainWindow], name: str
-) -> None:
-    window = make_window()
+def test_a_click_on_a_face_in_any_pane_follows_its_point(window: MainWindow, name: str) -> None:
     window.panes["image"].show()
     window.pane_row.enlarge(name)  # the cubes are small: no vertex may be within 6 pixels
     QApplication.processEvents()
     on_face = (0.0, 2.5, 0.5)
     x, y = (math.floor(part) + 0.5 for part in place_in(window, name, on_face))
-    click(window, name, (x, y))
+    click(window.panes[name].canvas, (x, y))
     (probe,) = window.probe_panel.probes
     assert probe.point is not None and probe.point[2] == pytest.approx(0.5, abs=1e-6)
     assert place_in(window, name, probe.point) == pytest.approx((x, y), abs=0.5)
@@ -232,13 +212,12 @@ def test_a_click_on_a_face_in_any_pane_follows_its_point(
 
 @pytest.mark.parametrize("name", ["world", "ndc", "image"])
 def test_a_click_on_a_line_of_the_ground_follows_its_nearest_point(
-    make_window: Callable[..., MainWindow], name: str
+    window: MainWindow, name: str
 ) -> None:
-    window = make_window()
     window.pane_row.enlarge(name)
     QApplication.processEvents()
     x, y = (math.floor(part) + 0.5 for part in place_in(window, name, (3.0, 0.0, 1.4)))
-    click(window, name, (x, y))
+    click(window.panes[name].canvas, (x, y))
     (probe,) = window.probe_panel.probes
     assert probe.point is not None
     assert probe.point == pytest.approx((3.0, 0.0, 1.4), abs=0.1)
@@ -247,7 +226,7 @@ def test_a_click_on_a_line_of_the_ground_follows_its_nearest_point(
 
 
 def test_what_a_click_needs_is_made_when_the_scene_is_opened_beside_the_window(
-    make_window: Callable[..., MainWindow], monkeypatch: pytest.MonkeyPatch, qtbot: QtBot
+    make_window: MakeWindow, monkeypatch: pytest.MonkeyPatch, qtbot: QtBot
 ) -> None:
     made: list[str] = []
 
@@ -258,16 +237,15 @@ def test_what_a_click_needs_is_made_when_the_scene_is_opened_beside_the_window(
 
     monkeypatch.setattr(probes, "Surface", Counted)
     window = make_window()
-    click(window, "world", place_in(window, "world", CORNER))
-    click(window, "image", place_in(window, "image", CORNER))
+    click(window.panes["world"].canvas, place_in(window, "world", CORNER))
+    click(window.panes["image"].canvas, place_in(window, "image", CORNER))
     assert window.probe_panel.probes and len(made) == 1
     assert made[0] != threading.main_thread().name
     window.files.choose_scene("cube")
     qtbot.waitUntil(lambda: len(made) == 2)  # before any click
 
 
-def test_a_drag_makes_no_probe(make_window: Callable[..., MainWindow]) -> None:
-    window = make_window()
+def test_a_drag_makes_no_probe(window: MainWindow) -> None:
     canvas = window.panes["world"].canvas
     QTest.mousePress(canvas, Qt.MouseButton.LeftButton, pos=QPoint(150, 200))
     QTest.mouseMove(canvas, QPoint(190, 210))
@@ -277,10 +255,7 @@ def test_a_drag_makes_no_probe(make_window: Callable[..., MainWindow]) -> None:
     assert window.probe_panel.probes == ()
 
 
-def test_a_mark_is_dragged_in_the_image_in_its_plane_or_along_its_ray(
-    make_window: Callable[..., MainWindow],
-) -> None:
-    window = make_window()
+def test_a_mark_is_dragged_in_the_image_in_its_plane_or_along_its_ray(window: MainWindow) -> None:
     window.probe_panel.follow(point=CORNER)
     window.probe_panel.pin.click()
     window.probe_panel.follow(point=(0.0, 0.5, 0.5))
@@ -321,11 +296,9 @@ def test_a_mark_is_dragged_in_the_image_in_its_plane_or_along_its_ray(
 
 @pytest.mark.parametrize("focus", ["window", "field", "canvas"])
 def test_escape_puts_a_dragged_probe_back_and_ends_the_drag(
-    make_window: Callable[..., MainWindow], qtbot: QtBot, focus: str
+    window: MainWindow, qtbot: QtBot, focus: str
 ) -> None:
-    window = make_window()
-    window.activateWindow()
-    qtbot.waitUntil(window.isActiveWindow)
+    activate(window)
     panel, canvas = window.probe_panel, window.panes["image"].canvas
     window.panels.open(panel)
     panel.follow(point=CORNER)
@@ -355,9 +328,8 @@ def test_escape_puts_a_dragged_probe_back_and_ends_the_drag(
 
 
 def test_a_probe_that_ends_with_its_scene_under_the_hand_does_not_come_back(
-    make_window: Callable[..., MainWindow],
+    window: MainWindow,
 ) -> None:
-    window = make_window()
     panel, canvas = window.probe_panel, window.panes["image"].canvas
     panel.follow(point=CORNER)
     x, y = (math.floor(part) for part in place_in(window, "image", CORNER))
@@ -370,10 +342,7 @@ def test_a_probe_that_ends_with_its_scene_under_the_hand_does_not_come_back(
     assert not panel._readable.in_gesture
 
 
-def test_a_hand_that_trembles_still_clicks_and_turns_nothing(
-    make_window: Callable[..., MainWindow],
-) -> None:
-    window = make_window()
+def test_a_hand_that_trembles_still_clicks_and_turns_nothing(window: MainWindow) -> None:
     canvas = window.panes["world"].canvas
     x, y = (math.floor(part) for part in place_in(window, "world", CORNER))
     position = canvas.own_camera.GetPosition()
@@ -384,12 +353,11 @@ def test_a_hand_that_trembles_still_clicks_and_turns_nothing(
     assert canvas.own_camera.GetPosition() == position
 
 
-def test_a_click_on_empty_image_space_shows_the_ray(make_window: Callable[..., MainWindow]) -> None:
-    window = make_window()
+def test_a_click_on_empty_image_space_shows_the_ray(window: MainWindow) -> None:
     drawing: Any = window.panes["image"].drawing
     left, top, width, height = drawing.picture_rectangle_px
     place = left + width // 10, top + height // 8
-    click(window, "image", place)
+    click(window.panes["image"].canvas, place)
     (probe,) = window.probe_panel.probes
     assert probe.point is None and probe.pixel is not None
     x, y = (place[0] + 0.5 - left) / width * 1280, (place[1] + 0.5 - top) / height * 720
@@ -403,10 +371,7 @@ def test_a_click_on_empty_image_space_shows_the_ray(make_window: Callable[..., M
     assert marked(window, "ndc", place_in(window, "ndc", half_way))
 
 
-def test_a_ray_without_a_frustum_is_drawn_or_it_is_said_why_not(
-    make_window: Callable[..., MainWindow],
-) -> None:
-    window = make_window()
+def test_a_ray_without_a_frustum_is_drawn_or_it_is_said_why_not(window: MainWindow) -> None:
     for last, words, is_drawn in [
         ((0.1, 0.0, -1.0, 0.3), "the pixel's ray, as far as it is in front of the eye", True),
         ((0.0, 0.0, -1.0, 2.2 / 1.1), "no ray in the world: the matrix has no inverse", False),
@@ -434,21 +399,17 @@ def test_inside_a_free_matrix_cube_is_said_without_ones(panel: ProbePanel) -> No
         assert panel._model.formulas[-1] == f"|x|, |y| ≤ w;  {formula}"
 
 
-def test_a_click_beside_the_picture_or_beside_the_scene_does_nothing(
-    make_window: Callable[..., MainWindow],
-) -> None:
-    window = make_window()
-    click(window, "image", (3, 3))
-    click(window, "world", (3, 3))
-    click(window, "ndc", (3, 3))
+def test_a_click_beside_the_picture_or_beside_the_scene_does_nothing(window: MainWindow) -> None:
+    click(window.panes["image"].canvas, (3, 3))
+    click(window.panes["world"].canvas, (3, 3))
+    click(window.panes["ndc"].canvas, (3, 3))
     assert window.probe_panel.probes == ()
 
 
 # -- marks
 
 
-def test_marks_follow_every_change_of_the_model(make_window: Callable[..., MainWindow]) -> None:
-    window = make_window()
+def test_marks_follow_every_change_of_the_model(window: MainWindow) -> None:
     window.probe_panel.follow(point=CORNER)
     for changes in (
         {"camera": Camera((-5.0, 4.0, 8.0), (0.0, 2.2, 0.0))},
@@ -462,10 +423,7 @@ def test_marks_follow_every_change_of_the_model(make_window: Callable[..., MainW
             assert marked(window, name, place_in(window, name, CORNER)), (name, changes)
 
 
-def test_the_projector_runs_from_the_eye_and_along_z(
-    make_window: Callable[..., MainWindow],
-) -> None:
-    window = make_window()
+def test_the_projector_runs_from_the_eye_and_along_z(window: MainWindow) -> None:
     window.probe_panel.follow(point=CORNER)
     QApplication.processEvents()
     eye = np.array(start().camera.eye)
@@ -481,10 +439,7 @@ def test_the_projector_runs_from_the_eye_and_along_z(
     assert marked(window, "ndc", (place_x, height - place_y))
 
 
-def test_no_mirrored_mark_anywhere_at_or_behind_the_eye(
-    make_window: Callable[..., MainWindow],
-) -> None:
-    window = make_window()
+def test_no_mirrored_mark_anywhere_at_or_behind_the_eye(window: MainWindow) -> None:
     for along in [0.0, -1.0]:
         camera = start().camera
         # Beside the eye, or behind it and a little aside; mirrored, that would be in the picture.
@@ -499,10 +454,7 @@ def test_no_mirrored_mark_anywhere_at_or_behind_the_eye(
             assert any_mark(window, name), name
 
 
-def test_a_probe_costs_one_repaint_and_a_hidden_pane_none(
-    make_window: Callable[..., MainWindow],
-) -> None:
-    window = make_window()
+def test_a_probe_costs_one_repaint_and_a_hidden_pane_none(window: MainWindow) -> None:
     window.panes["ndc"].hide()
     QApplication.processEvents()
     counts = dict.fromkeys(window.panes, 0)
@@ -520,10 +472,7 @@ def test_a_probe_costs_one_repaint_and_a_hidden_pane_none(
     assert marked(window, "ndc", place_in(window, "ndc", CORNER))
 
 
-def test_probes_survive_edits_and_themes_and_end_with_the_scene(
-    make_window: Callable[..., MainWindow],
-) -> None:
-    window = make_window()
+def test_probes_survive_edits_and_themes_and_end_with_the_scene(window: MainWindow) -> None:
     window.probe_panel.follow(point=CORNER)
     window.store.set_projection(replace(start(), lens=Perspective(50.0, 1.0, 30.0)))
     window.store.undo()
@@ -620,11 +569,8 @@ def test_lines_and_numbers_grow_with_the_font(panel: ProbePanel) -> None:
     assert table.rowHeight(2) > 1.5 * height and table.columnWidth(1) > 1.5 * width
 
 
-def test_an_open_panel_is_whole_in_projector_mode_and_back(
-    make_window: Callable[..., MainWindow],
-) -> None:
+def test_an_open_panel_is_whole_in_projector_mode_and_back(window: MainWindow) -> None:
     """Every formula, and all nine lines; back, it takes less room again."""
-    window = make_window()
     window.resize(1366, 768)
     panel = window.probe_panel
     window.panels.open(panel)
@@ -726,10 +672,7 @@ def test_nonsense_is_one_sentence_and_the_last_good_point_stays(
     assert panel.probes == (Probe(1, CORNER),)
 
 
-def test_escape_in_the_window_removes_the_chosen_probe(
-    make_window: Callable[..., MainWindow], qtbot: QtBot
-) -> None:
-    window = make_window()
+def test_escape_in_the_window_removes_the_chosen_probe(window: MainWindow, qtbot: QtBot) -> None:
     window.activateWindow()
     window.probe_panel.follow(point=CORNER)
     window.probe_panel.pin.click()
@@ -744,10 +687,7 @@ def test_escape_in_the_window_removes_the_chosen_probe(
 
 
 @pytest.mark.parametrize("theme", ["dark", "light"])
-def test_a_pinned_probe_s_button_is_seen_to_be_down(
-    make_window: Callable[..., MainWindow], theme: str
-) -> None:
-    window = make_window()
+def test_a_pinned_probe_s_button_is_seen_to_be_down(window: MainWindow, theme: str) -> None:
     window.set_theme(theme)
     panel = window.probe_panel
     window.panels.open(panel)
@@ -776,9 +716,8 @@ def test_everything_has_a_name_for_a_screen_reader(panel: ProbePanel) -> None:
 
 
 def test_probes_are_traced_once_for_all_panes(
-    make_window: Callable[..., Any], monkeypatch: pytest.MonkeyPatch
+    window: MainWindow, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    window = make_window()
     window.probe_panel.follow(point=(0.125, 1.0, 0.25))
     QApplication.processEvents()
     traced, whole = [], Projection.trace

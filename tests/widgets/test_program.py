@@ -28,10 +28,10 @@ from app.model.projection import Projection
 from app.scenes.scene import load as load_scene
 from tests import PATIENCE_S
 from tests.commands.test_cli import ROOT, comma_locale, refused, refused_by_a_process, run
+from tests.support.window import MakeWindow
 from widgets.program import application, logs, opengl, report
 from widgets.program import display as screen
 from widgets.window.files import Files
-from widgets.window.main_window import MainWindow
 from widgets.window.settings import Settings, data_folder, log_path, settings_path
 
 __all__ = ["comma_locale"]
@@ -355,7 +355,7 @@ def test_two_windows_do_not_undo_each_others_settings(ini: Path) -> None:
 
 
 def test_two_windows_do_not_lose_each_others_recent_files(
-    ini: Path, tmp_path: Path, make_window: Callable[..., MainWindow]
+    ini: Path, tmp_path: Path, make_window: MakeWindow
 ) -> None:
     paths = [tmp_path / name for name in ("one.json", "other.json", "given.json")]
     for path in paths:
@@ -474,9 +474,7 @@ def test_the_log_does_not_grow_for_ever(
 
 
 def test_a_log_on_a_full_disk_ends_with_one_line(
-    own_logging: logging.Logger,
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
+    own_logging: logging.Logger, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setattr(logs, "log_path", lambda: Path("/dev/full"))
     assert logs.start_log() is not None

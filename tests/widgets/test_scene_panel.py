@@ -19,7 +19,6 @@ from PySide6.QtWidgets import (
     QApplication,
     QComboBox,
     QFileDialog,
-    QLineEdit,
     QSlider,
     QToolTip,
 )
@@ -33,10 +32,12 @@ from app.scenes.phenomena import PHENOMENA
 from app.scenes.phenomena.illustration import Exhibit, Phrase, Reading, Setting, Settings, Subject
 from app.scenes.scene import load
 from tests.support.phenomenon import EVERYTHING
+from tests.support.window import MakeWindow, enter
 from widgets.panels.scene_panel import NONE, Player, ScenePanel, make_row, scale_of
 from widgets.parts import palette
 from widgets.parts.fields import CheckRow, ChoiceRow, NumberRow, VectorRow
 from widgets.parts.messages import Words, number_text
+from widgets.window.main_window import MainWindow
 
 SUBJECT = Subject((0.0, 0.0, 0.0), (1.0, 1.0, 1.0), np.zeros((1, 3)))
 
@@ -89,14 +90,6 @@ def number_row(panel: ScenePanel, name: str) -> NumberRow:
     row = panel.rows[name]
     assert isinstance(row, NumberRow)
     return row
-
-
-def enter(field: QLineEdit, text: str) -> None:
-    field.setFocus()
-    field.selectAll()
-    QTest.keyClick(field, Qt.Key.Key_Delete)
-    QTest.keyClicks(field, text)
-    QTest.keyClick(field, Qt.Key.Key_Return)
 
 
 def readings(panel: ScenePanel) -> list[tuple[str, str, str]]:
@@ -498,9 +491,7 @@ def test_every_place_of_a_slider_is_a_value_of_its_setting(name: str, setting: S
     assert [scale.position_of(value) for value in values] == list(range(scale.last + 1))
 
 
-def test_the_parts_of_the_board_can_be_doubled_up_to_its_bound(
-    make_window: Callable[..., Any],
-) -> None:
+def test_the_parts_of_the_board_can_be_doubled_up_to_its_bound(make_window: MakeWindow) -> None:
     window = make_window(Document("interpolation", load("interpolation").start))
     row = window.scene_panel.rows["subdivision"]
     for key, parts in (
@@ -672,7 +663,7 @@ def test_the_phenomena_s_texts_are_in_the_window_s_language(
 
 @pytest.mark.parametrize("scene", ["letter-f", "planar-shadow"])
 def test_a_burst_of_keys_ends_with_its_scene(
-    make_window: Callable[..., Any], qtbot: QtBot, scene: str
+    make_window: MakeWindow, qtbot: QtBot, scene: str
 ) -> None:
     window = make_window(Document("similar-triangles", load("similar-triangles").start))
     row = next(row for row in window.scene_panel.rows.values() if isinstance(row, NumberRow))
@@ -688,7 +679,7 @@ def test_a_burst_of_keys_ends_with_its_scene(
 # -- settings that move camera and lens, which others move too
 
 
-def opened(make_window: Callable[..., Any], scene: str) -> tuple[Any, Any]:
+def opened(make_window: MakeWindow, scene: str) -> tuple[Any, Any]:
     window = make_window(Document(scene, load(scene).start))
     window.resize(1366, 768)
     window.show()
@@ -714,7 +705,7 @@ def choose(window: Any, name: str, key: str) -> None:
 
 
 def test_the_view_volume_is_that_of_the_lens_and_can_be_chosen_again(
-    make_window: Callable[..., Any],
+    make_window: MakeWindow,
 ) -> None:
     store, window = opened(make_window, "view-volumes")
     start = store.document
@@ -731,9 +722,7 @@ def test_the_view_volume_is_that_of_the_lens_and_can_be_chosen_again(
     assert shown(window, "volume") == ["oblique"]
 
 
-def test_a_camera_that_was_turned_is_free_and_can_be_turned_back(
-    make_window: Callable[..., Any],
-) -> None:
+def test_a_camera_that_was_turned_is_free_and_can_be_turned_back(make_window: MakeWindow) -> None:
     store, window = opened(make_window, "vanishing-points")
     start = store.document.projection
     assert shown(window, "points") == ["2"]
@@ -751,9 +740,7 @@ def test_a_camera_that_was_turned_is_free_and_can_be_turned_back(
     assert shown(window, "points") == ["2"]
 
 
-def test_an_oblique_drawing_is_as_its_lens_is(
-    make_window: Callable[..., Any],
-) -> None:
+def test_an_oblique_drawing_is_as_its_lens_is(make_window: MakeWindow) -> None:
     store, window = opened(make_window, "oblique-drawing")
     start = store.document.projection
     rows = window.scene_panel.rows
@@ -785,7 +772,7 @@ def test_an_oblique_drawing_is_as_its_lens_is(
 
 
 def test_a_photograph_is_none_any_more_when_the_camera_has_been_moved(
-    make_window: Callable[..., Any],
+    make_window: MakeWindow,
 ) -> None:
     store, window = opened(make_window, "field-of-view")
     start = store.document.projection
@@ -817,9 +804,7 @@ def test_a_photograph_is_none_any_more_when_the_camera_has_been_moved(
     assert store.document.projection.camera == far
 
 
-def test_the_eye_is_beside_the_middle_that_the_window_has(
-    make_window: Callable[..., Any],
-) -> None:
+def test_the_eye_is_beside_the_middle_that_the_window_has(make_window: MakeWindow) -> None:
     store, window = opened(make_window, "off-axis-window")
     start = store.document.projection
     assert shown(window, "shift") == [1.5]
@@ -838,9 +823,7 @@ def test_the_eye_is_beside_the_middle_that_the_window_has(
     assert store.document.projection.window == pytest.approx(start.window)
 
 
-def test_the_drive_is_as_far_as_the_camera_is(
-    make_window: Callable[..., Any],
-) -> None:
+def test_the_drive_is_as_far_as_the_camera_is(make_window: MakeWindow) -> None:
     store, window = opened(make_window, "far-plane-popping")
     start = store.document.projection
     for z, position in ((-20.0, 30.0), (-400.0, 410.0)):
@@ -853,9 +836,7 @@ def test_the_drive_is_as_far_as_the_camera_is(
     assert store.document.projection.camera.eye == pytest.approx(start.camera.eye)
 
 
-def test_a_setting_without_effect_says_with_what_it_would_have_one(
-    make_window: Callable[..., Any],
-) -> None:
+def test_a_setting_without_effect_says_with_what_it_would_have_one(make_window: MakeWindow) -> None:
     store, window = opened(make_window, "far-plane-popping")
     rows = window.scene_panel.rows
 
@@ -880,7 +861,7 @@ def test_a_setting_without_effect_says_with_what_it_would_have_one(
     assert enabled() == always | {"fog_density", "detail_1", "detail_2"}
 
 
-def test_a_bound_is_written_as_all_numbers_are(make_window: Callable[..., Any]) -> None:
+def test_a_bound_is_written_as_all_numbers_are(make_window: MakeWindow) -> None:
     store, window = opened(make_window, "far-plane-popping")
     store.set_settings({"fog": "linear"})
     row = number_row(window.scene_panel, "fog_end")
@@ -892,7 +873,7 @@ def test_a_bound_is_written_as_all_numbers_are(make_window: Callable[..., Any]) 
 
 
 def test_a_diagram_goes_to_the_clipboard_and_into_a_file_with_the_document(
-    make_window: Callable[..., Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    make_window: MakeWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     window = make_window(Document("eye-plane", load("eye-plane").start))
     window.set_theme("dark")
@@ -916,8 +897,7 @@ def test_a_diagram_goes_to_the_clipboard_and_into_a_file_with_the_document(
     assert "cannot be written" in window.messages.text
 
 
-def test_where_there_is_no_diagram_none_is_copied(make_window: Callable[..., Any]) -> None:
-    window = make_window()
+def test_where_there_is_no_diagram_none_is_copied(window: MainWindow) -> None:
     window.panels.open(window.measure_panel)
     (view,) = window.measure_panel.diagrams
     assert not any(action.isEnabled() for action in view.actions())

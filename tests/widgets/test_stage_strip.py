@@ -27,6 +27,7 @@ from app.drawings.style import DARK, LIGHT, Style, rgb
 from app.lecture.stages import IMAGE, NDC, STOPS, VIEW, WORLD, Morph
 from app.model.projection import Frustum, Lens, Oblique, Perspective
 from app.scenes.scene import load
+from tests.support.window import MakeWindow, activate, settle
 from widgets.panes.stage_strip import CATCH, REST_S, STEP_S, STEPS, StageStrip
 from widgets.window.main_window import MainWindow
 
@@ -79,11 +80,6 @@ def lit(pixels: Pixels, colour: str) -> NDArray[np.bool_]:
     wanted = np.round(np.array(rgb(colour)) * 255.0)
     close: NDArray[np.bool_] = (np.abs(pixels.astype(int) - wanted) <= 3).all(axis=-1)
     return close
-
-
-def settle() -> None:
-    for _ in range(3):
-        QApplication.processEvents()
 
 
 # -- the drawing
@@ -242,16 +238,14 @@ def test_a_step_of_the_strip_touches_no_actor(shown: Callable[..., Shown]) -> No
 # -- the window
 
 
-def test_the_window_opens_at_ndc(make_window: Callable[..., MainWindow]) -> None:
-    window = make_window()
+def test_the_window_opens_at_ndc(window: MainWindow) -> None:
     assert window.strip.position == NDC
     assert window.panes["ndc"].title.text() == "NDC cube"
     assert window.strip.words.text() == "x, y ±1, z −1 … 1"
     assert [button.isChecked() for button in window.strip.stops].index(True) == NDC
 
 
-def test_arrow_keys_go_from_stop_to_stop(make_window: Callable[..., MainWindow]) -> None:
-    window = make_window()
+def test_arrow_keys_go_from_stop_to_stop(window: MainWindow) -> None:
     strip, key = window.strip, Qt.Key
     seen: list[float] = []
     strip.moved.connect(seen.append)
@@ -267,8 +261,7 @@ def test_arrow_keys_go_from_stop_to_stop(make_window: Callable[..., MainWindow])
     assert strip.position == 1.0
 
 
-def test_a_drag_is_caught_by_the_stops(make_window: Callable[..., MainWindow]) -> None:
-    window = make_window()
+def test_a_drag_is_caught_by_the_stops(window: MainWindow) -> None:
     slider = window.strip.slider
     slider.setSliderDown(True)
     for steps, position in (
@@ -284,11 +277,9 @@ def test_a_drag_is_caught_by_the_stops(make_window: Callable[..., MainWindow]) -
 
 @pytest.mark.parametrize("before", [4.0, 2.25, 1.0 + 0.3 / STEPS])
 def test_escape_puts_the_slider_back_and_removes_no_probe(
-    make_window: Callable[..., MainWindow], qtbot: QtBot, before: float
+    window: MainWindow, qtbot: QtBot, before: float
 ) -> None:
-    window = make_window()
-    window.activateWindow()
-    qtbot.waitUntil(window.isActiveWindow)
+    activate(window)
     window.probe_panel.follow(point=(1.5, 5.0, 0.5))
     strip, slider = window.strip, window.strip.slider
     strip._stand_at(before)  # as played, also between the slider's steps
@@ -319,10 +310,7 @@ def test_escape_puts_the_slider_back_and_removes_no_probe(
     assert window.probe_panel.probes == ()  # the slider is let go of
 
 
-def test_a_name_goes_to_its_stop_and_the_header_says_so(
-    make_window: Callable[..., MainWindow],
-) -> None:
-    window = make_window()
+def test_a_name_goes_to_its_stop_and_the_header_says_so(window: MainWindow) -> None:
     pane, wanted = window.panes["ndc"], {
         0: ("World", "x, y, z in world units"),
         1: ("View", "u, v, n in world units"),
@@ -343,11 +331,8 @@ def test_a_name_goes_to_its_stop_and_the_header_says_so(
     assert window.strip.words.text() == "near z −1, far −∞ (scaled by 1/n)"
 
 
-def test_the_stops_of_a_parallel_lens_are_named_what_they_are(
-    make_window: Callable[..., MainWindow],
-) -> None:
+def test_the_stops_of_a_parallel_lens_are_named_what_they_are(window: MainWindow) -> None:
     """It has its box at once; that M_pp is the identity is said where nothing moves."""
-    window = make_window()
     strip, pane, start = window.strip, window.panes["ndc"], window.store.document.projection
     window.store.set_projection(start.with_lens("orthographic"))
     names = [button.text() for button in strip.stops]
@@ -370,9 +355,8 @@ def test_the_stops_of_a_parallel_lens_are_named_what_they_are(
 
 @pytest.mark.parametrize("projector", [False, True])
 def test_what_is_said_of_a_stage_is_whole_in_a_small_window_and_moves_nothing(
-    make_window: Callable[..., MainWindow], projector: bool
+    window: MainWindow, projector: bool
 ) -> None:
-    window = make_window()
     window.resize(1366, 768)
     window.set_projector(projector)
     start, words, heights = window.store.document.projection, window.strip.words, set()
@@ -386,11 +370,7 @@ def test_what_is_said_of_a_stage_is_whole_in_a_small_window_and_moves_nothing(
     assert len(heights) == 1
 
 
-def test_the_strip_moves_its_own_pane_only_and_not_the_document(
-    make_window: Callable[..., MainWindow],
-) -> None:
-    window = make_window()
-    settle()
+def test_the_strip_moves_its_own_pane_only_and_not_the_document(window: MainWindow) -> None:
     document = window.store.document
     counts = dict.fromkeys(window.panes, 0)
     tags = []
@@ -417,9 +397,8 @@ def test_the_strip_moves_its_own_pane_only_and_not_the_document(
 
 
 def test_a_hidden_pane_takes_the_stage_when_it_appears(
-    make_window: Callable[..., MainWindow], monkeypatch: pytest.MonkeyPatch
+    window: MainWindow, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    window = make_window()
     shown: list[float] = []
     drawing = window.panes["ndc"].drawing
     assert isinstance(drawing, NdcDrawing)
@@ -433,8 +412,7 @@ def test_a_hidden_pane_takes_the_stage_when_it_appears(
     assert shown == [2.0]
 
 
-def test_a_new_drawing_stands_where_the_strip_is(make_window: Callable[..., MainWindow]) -> None:
-    window = make_window()
+def test_a_new_drawing_stands_where_the_strip_is(window: MainWindow) -> None:
     window.set_theme("light")
     window.strip.go_to(5.0)
     settle()
@@ -447,8 +425,7 @@ def test_a_new_drawing_stands_where_the_strip_is(make_window: Callable[..., Main
     assert window.panes["ndc"].canvas.grabFramebuffer() == light
 
 
-def test_an_exported_figure_shows_ndc(make_window: Callable[..., MainWindow]) -> None:
-    window = make_window()
+def test_an_exported_figure_shows_ndc(window: MainWindow) -> None:
     projection = window.store.document.projection
     scene = load("letter-f")
     before = render(scene, projection, ("ndc",), (200, 150))
@@ -457,9 +434,7 @@ def test_an_exported_figure_shows_ndc(make_window: Callable[..., MainWindow]) ->
     assert window._views_now() == {}  # the strip's own framing is nobody's turn of the view
 
 
-def test_play_runs_to_the_picture_resting_at_each_stop(
-    make_window: Callable[..., MainWindow],
-) -> None:
+def test_play_runs_to_the_picture_resting_at_each_stop(make_window: MakeWindow) -> None:
     strip = make_window().strip
     strip.go_to(5.0)
     seen: list[float] = []
@@ -487,9 +462,8 @@ def test_play_runs_to_the_picture_resting_at_each_stop(
 
 
 def test_play_moves_by_itself_and_a_hand_or_a_hidden_pane_stops_it(
-    make_window: Callable[..., MainWindow], qtbot: object
+    window: MainWindow, qtbot: object
 ) -> None:
-    window = make_window()
     strip: StageStrip = window.strip
     strip.go_to(0.0)
     strip.play()
@@ -504,9 +478,8 @@ def test_play_moves_by_itself_and_a_hand_or_a_hidden_pane_stops_it(
 
 @pytest.mark.parametrize(("size", "projector"), [((1366, 768), True), ((1920, 1080), False)])
 def test_near_and_far_are_written_in_the_pane_all_the_way(
-    make_window: Callable[..., MainWindow], size: tuple[int, int], projector: bool
+    window: MainWindow, size: tuple[int, int], projector: bool
 ) -> None:
-    window = make_window()
     window.resize(*size)
     window.set_projector(projector)
     start, cut = window.store.document.projection, []

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
@@ -17,6 +16,7 @@ from app.model.projection import Camera, Orthographic, Perspective, Projection
 from app.precision.levels import drawing_bound_px, predict
 from app.precision.quality import Quality
 from app.scenes.scene import Scene, load
+from tests.support.window import MakeWindow
 from widgets.parts.number_dialog import NumberDialog
 from widgets.window import status_line
 from widgets.window.status_line import StatusLine
@@ -205,7 +205,7 @@ def test_the_tolerance_decides_what_draws(qtbot: QtBot, line: StatusLine, scene:
     qtbot.waitUntil(lambda: line.rung.text().startswith("drawn float64"))
 
 
-def test_the_tolerance_is_kept_in_the_settings(make_window: Callable[..., Any]) -> None:
+def test_the_tolerance_is_kept_in_the_settings(make_window: MakeWindow) -> None:
     window = make_window(Document())
     window.status.tolerance_edited.emit(0.5)
     assert window.settings.tolerance_px == 0.5

@@ -12,8 +12,6 @@ import re
 import subprocess
 import sys
 import weakref
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -56,73 +54,36 @@ from app.scenes.scene import load
 from app.scenes.shapes import GRID_RGB
 from tests import PATIENCE_MS, PATIENCE_S
 from tests.support.phenomenon import EVERYTHING
+from tests.support.window import MakeWindow, activate, counted_repaints, pixels, seen, settle
 from widgets.parts.messages import number_text, sentence
 from widgets.window.autosave import Autosave
 from widgets.window.export_dialog import ExportChoice, ExportDialog
 from widgets.window.main_window import MainWindow
 from widgets.window.settings import Settings
 
-
-@contextmanager
-def counted_repaints(window: MainWindow) -> Iterator[dict[str, int]]:
-    """Count VTK's renderings of each pane."""
-    counts = dict.fromkeys(window.panes, 0)
-    observers = []
-    for name, pane in window.panes.items():
-        render_window = pane.canvas.render_window
-
-        def count(_window: object, _event: str, name: str = name) -> None:
-            counts[name] += 1
-
-        observers.append((render_window, render_window.AddObserver("EndEvent", count)))
-    yield counts
-    for render_window, tag in observers:
-        render_window.RemoveObserver(tag)
-
-
-def settle(window: MainWindow) -> None:
-    """Let Qt do all that is asked of it, until it has nothing more to do."""
-    for _ in range(3):
-        QApplication.processEvents()
-
-
-def seen(window: MainWindow, **changes: Any) -> Projection:
-    return replace(window.store.document.projection, **changes)
-
-
-def pixels(window: MainWindow, name: str) -> np.ndarray:
-    image = window.panes[name].canvas.grabFramebuffer().convertToFormat(QImage.Format.Format_RGB888)
-    array = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), image.bytesPerLine())
-    return array[:, : 3 * image.width()].reshape(image.height(), image.width(), 3).copy()
-
-
 # -- one model, three panes
 
 
-def test_every_pane_shows_an_edit(make_window: Callable[..., MainWindow]) -> None:
-    window = make_window()
+def test_every_pane_shows_an_edit(window: MainWindow) -> None:
     before = {name: pixels(window, name) for name in window.panes}
     window.store.set_projection(seen(window, camera=Camera((-7.0, 3.0, 6.0))))
-    settle(window)
+    settle()
     for name, picture in before.items():
         assert (pixels(window, name) != picture).mean() > 0.005, name
 
 
-def test_one_change_is_one_repaint_of_each_pane(make_window: Callable[..., MainWindow]) -> None:
-    window = make_window()
-    settle(window)
+def test_one_change_is_one_repaint_of_each_pane(window: MainWindow) -> None:
     with counted_repaints(window) as counts:
         for step in range(5):
             window.store.set_projection(seen(window, lens=Perspective(46.0 + step, 1.0, 30.0)))
-            settle(window)
+            settle()
     assert counts == {"world": 5, "ndc": 5, "image": 5}
 
 
-def test_nothing_under_a_canvas_is_painted(make_window: Callable[..., MainWindow]) -> None:
+def test_nothing_under_a_canvas_is_painted(window: MainWindow) -> None:
     """Qt would, and hand all of it to OpenGL, whenever a slider is painted beside the canvases."""
-    window = make_window()
     slider = window.controls.rows["fov_y_deg"].slider
-    settle(window)
+    settle()
     painted: list[QObject] = []
 
     class Watch(QObject):
@@ -135,45 +96,40 @@ def test_nothing_under_a_canvas_is_painted(make_window: Callable[..., MainWindow
     for widget in (slider, *window.panes.values()):
         widget.installEventFilter(watch)
     slider.setValue(slider.value() + 1)
-    settle(window)
+    settle()
     assert painted == [slider]
 
 
-def test_a_drag_repaints_once_a_step_and_once_to_refine(
-    make_window: Callable[..., MainWindow],
-) -> None:
+def test_a_drag_repaints_once_a_step_and_once_to_refine(make_window: MakeWindow) -> None:
     window = make_window(software_rendering=True)
-    settle(window)
+    settle()
     with counted_repaints(window) as counts:
         window.store.begin_gesture()
         for step in range(4):
             window.store.set_projection(seen(window, lens=Perspective(46.0 + step, 1.0, 30.0)))
-            settle(window)
+            settle()
         assert counts == {"world": 4, "ndc": 4, "image": 4}
         window.store.end_gesture()
-        settle(window)
+        settle()
     assert counts == {"world": 5, "ndc": 5, "image": 5}
 
 
-def test_a_gpu_smooths_during_a_drag_too(make_window: Callable[..., MainWindow]) -> None:
+def test_a_gpu_smooths_during_a_drag_too(make_window: MakeWindow) -> None:
     window = make_window(software_rendering=False)
-    settle(window)
+    settle()
     with counted_repaints(window) as counts:
         window.store.begin_gesture()
         # Nothing that moves a label, which the end of a gesture would place afresh.
         window.store.set_projection(seen(window, depth="direct3d"))
-        settle(window)
+        settle()
         window.store.end_gesture()
-        settle(window)
+        settle()
     assert counts == {"world": 1, "ndc": 1, "image": 1}
 
 
-def test_a_hidden_pane_neither_computes_nor_draws_and_catches_up(
-    make_window: Callable[..., MainWindow],
-) -> None:
-    window = make_window()
+def test_a_hidden_pane_neither_computes_nor_draws_and_catches_up(window: MainWindow) -> None:
     window.pane_row.enlarge("world")
-    settle(window)
+    settle()
     asked: list[Projection] = []
     drawing = window.panes["image"].drawing
     show = drawing.show_projection
@@ -184,78 +140,67 @@ def test_a_hidden_pane_neither_computes_nor_draws_and_catches_up(
     with counted_repaints(window) as counts:
         for step in range(3):
             window.store.set_projection(seen(window, lens=Perspective(46.0 + step, 1.0, 30.0)))
-            settle(window)
+            settle()
     assert asked == []
     assert counts == {"world": 3, "ndc": 0, "image": 0}
     window.pane_row.enlarge("world")
-    settle(window)
+    settle()
     assert asked == [window.store.document.projection]
 
 
-def test_a_pane_that_appears_again_is_as_if_it_had_been_there(
-    make_window: Callable[..., MainWindow],
-) -> None:
+def test_a_pane_that_appears_again_is_as_if_it_had_been_there(make_window: MakeWindow) -> None:
     """The end of a gesture, which fits its view and places its labels, may have passed it by."""
     window, pictures = make_window(), []
     start = window.store.document.projection
     for hidden in (False, True):
         window.store.set_projection(start)
         window.pane_row.reset_views()
-        settle(window)
+        settle()
         if hidden:
             window.pane_row.enlarge("image")
-            settle(window)
+            settle()
         window.store.set_projection(seen(window, lens=Perspective(100.0, 1.0, 30.0)))
-        settle(window)
+        settle()
         if hidden:
             window.pane_row.enlarge("image")
-            settle(window)
+            settle()
         pictures.append(pixels(window, "world"))
     assert pictures[0].shape == pictures[1].shape and (pictures[0] == pictures[1]).all()
 
 
-def test_a_window_that_opens_draws_each_pane_once(
-    make_window: Callable[..., MainWindow], qtbot: Any
-) -> None:
+def test_a_window_that_opens_draws_each_pane_once(make_window: MakeWindow, qtbot: Any) -> None:
     """Qt would have it drawn as soon as it has a size, and again when it is shown."""
     window = make_window(shown=False)
     with counted_repaints(window) as counts:
         window.show()
         qtbot.waitExposed(window)
         qtbot.waitUntil(lambda: all(counts.values()))
-        settle(window)
+        settle()
     assert counts == {"world": 1, "ndc": 1, "image": 1}
 
 
-def test_idle_draws_nothing(make_window: Callable[..., MainWindow], qtbot: Any) -> None:
-    window = make_window()
-    settle(window)
+def test_idle_draws_nothing(window: MainWindow, qtbot: Any) -> None:
     with counted_repaints(window) as counts:
         QTest.qWait(700)
     assert counts == {"world": 0, "ndc": 0, "image": 0}
 
 
-def test_a_slider_moves_all_three_and_undo_brings_them_back(
-    make_window: Callable[..., MainWindow],
-) -> None:
-    window = make_window()
+def test_a_slider_moves_all_three_and_undo_brings_them_back(window: MainWindow) -> None:
     start = window.store.document.projection
     before = pixels(window, "image")
     window.controls.edited.emit(replace(start, lens=Perspective(80.0, 1.0, 30.0)))
-    settle(window)
+    settle()
     assert (pixels(window, "image") != before).any()
     window.store.undo()
-    settle(window)
+    settle()
     assert window.store.document.projection == start
     assert (pixels(window, "image") == before).all()
 
 
-def test_the_image_pane_shows_what_the_model_computes(
-    make_window: Callable[..., MainWindow],
-) -> None:
+def test_the_image_pane_shows_what_the_model_computes(make_window: MakeWindow) -> None:
     """The topmost corner of the letter F, in the pane's pixels, is where its colour ends."""
     window = make_window(Document("letter-f", Projection(camera=Camera((0.0, 2.5, 12.0)))))
-    settle(window)
+    settle()
     scene = load("letter-f")
     rectangle = window.panes["image"].drawing.picture_rectangle_px
     left, top, width, _ = rectangle
@@ -275,11 +220,7 @@ def test_the_image_pane_shows_what_the_model_computes(
 # -- the panes' own views
 
 
-def test_the_mouse_turns_the_view_and_never_the_model(
-    make_window: Callable[..., MainWindow],
-) -> None:
-    window = make_window()
-    settle(window)
+def test_the_mouse_turns_the_view_and_never_the_model(window: MainWindow) -> None:
     for name in ["world", "ndc"]:
         before = window.store.document
         canvas = window.panes[name].canvas
@@ -298,19 +239,16 @@ def test_the_mouse_turns_the_view_and_never_the_model(
         assert window.store.document == before
 
 
-def test_the_world_stands_still_during_a_drag_and_fits_itself_after_it(
-    make_window: Callable[..., MainWindow],
-) -> None:
-    window = make_window()
+def test_the_world_stands_still_during_a_drag_and_fits_itself_after_it(window: MainWindow) -> None:
     camera = window.panes["world"].canvas.own_camera
     place = camera.GetPosition()
     window.store.begin_gesture()
     window.store.set_projection(seen(window, lens=Perspective(110.0, 1.0, 30.0)))
-    settle(window)
+    settle()
     assert camera.GetPosition() == place
     with counted_repaints(window) as counts:
         window.store.end_gesture()
-        settle(window)
+        settle()
     assert counts["world"] == 1
     assert math.dist(camera.GetPosition(), camera.GetFocalPoint()) > 1.05 * math.dist(
         place, camera.GetFocalPoint()
@@ -318,8 +256,7 @@ def test_the_world_stands_still_during_a_drag_and_fits_itself_after_it(
     assert window.panes["world"].view is None
 
 
-def test_turning_stops_at_the_pole(make_window: Callable[..., MainWindow]) -> None:
-    window = make_window()
+def test_turning_stops_at_the_pole(window: MainWindow) -> None:
     canvas = window.panes["world"].canvas
     for _ in range(5):
         canvas._orbit(0.0, 300.0)
@@ -328,25 +265,21 @@ def test_turning_stops_at_the_pole(make_window: Callable[..., MainWindow]) -> No
         assert y / math.hypot(x, y, z) < math.sin(math.radians(89.1))
 
 
-def test_keys_on_a_pane_change_nothing(make_window: Callable[..., MainWindow]) -> None:
-    window = make_window()
-    settle(window)
+def test_keys_on_a_pane_change_nothing(window: MainWindow) -> None:
     before = pixels(window, "world")
     canvas = window.panes["world"].canvas
     for key in "3wsqerfp":
         QTest.keyClick(canvas, key)
-    settle(window)
+    settle()
     assert (pixels(window, "world") == before).all()
     assert window.isVisible()
 
 
 def test_keys_turn_move_and_zoom_a_pane_that_tab_has_reached(
-    make_window: Callable[..., MainWindow], qtbot: Any
+    window: MainWindow, qtbot: Any
 ) -> None:
-    window = make_window()
-    window.activateWindow()
-    qtbot.waitUntil(window.isActiveWindow)
-    settle(window)
+    activate(window)
+    settle()
     keys, shift = Qt.Key, Qt.KeyboardModifier.ShiftModifier
     canvas, model = window.panes["world"].canvas, window.store.document
     camera = canvas.own_camera
@@ -364,7 +297,7 @@ def test_keys_turn_move_and_zoom_a_pane_that_tab_has_reached(
     ):
         with counted_repaints(window) as counts:
             QTest.keyClick(canvas, *there)
-            settle(window)
+            settle()
         assert counts["world"] == 1
         moved = camera.GetPosition(), camera.GetFocalPoint()
         is_panned = there == (keys.Key_Right, shift)
@@ -377,8 +310,7 @@ def test_keys_turn_move_and_zoom_a_pane_that_tab_has_reached(
     assert (camera.GetPosition(), window.panes["world"].view) == (start[0], None)
 
 
-def test_enlarging_and_back(make_window: Callable[..., MainWindow]) -> None:
-    window = make_window()
+def test_enlarging_and_back(window: MainWindow) -> None:
     header = window.panes["ndc"].header
     QTest.mouseDClick(header, Qt.MouseButton.LeftButton, pos=header.rect().center())
     assert [pane.isVisible() for pane in window.panes.values()] == [False, True, False]
@@ -387,63 +319,57 @@ def test_enlarging_and_back(make_window: Callable[..., MainWindow]) -> None:
 
 
 def test_a_floating_pane_still_draws_and_docks_again(
-    make_window: Callable[..., MainWindow], qtbot: Any, qtlog: Any
+    window: MainWindow, qtbot: Any, qtlog: Any
 ) -> None:
-    window = make_window()
     pane = window.panes["ndc"]
     window.pane_row.toggle_float("ndc")
     qtbot.waitExposed(pane)
     assert pane.isWindow()
     before = pixels(window, "ndc")
     window.store.set_projection(seen(window, camera=Camera((-7.0, 3.0, 6.0))))
-    settle(window)
+    settle()
     assert (pixels(window, "ndc") != before).any()
     assert len(np.unique(pixels(window, "ndc").reshape(-1, 3), axis=0)) > 10
     pane.close()  # its own close button docks it
-    settle(window)
+    settle()
     said = [record.message for record in qtlog.records]
     assert not [message for message in said if "QRhi" in message], "of the window it has left"
     assert not pane.isWindow() and pane.isVisible()
     assert window.pane_row.indexOf(pane) == 1
     window.store.set_projection(seen(window, camera=Camera((7.0, 3.0, 6.0))))
-    settle(window)
+    settle()
     assert len(np.unique(pixels(window, "ndc").reshape(-1, 3), axis=0)) > 10
 
 
 # -- room
 
 
-def test_the_panes_have_room(make_window: Callable[..., MainWindow]) -> None:
-    window = make_window()
+def test_the_panes_have_room(window: MainWindow) -> None:
     for size in [(1366, 768), (1920, 1080)]:
         window.resize(*size)
-        settle(window)
+        settle()
         assert window.size().width() == size[0] and window.size().height() == size[1]
         for pane in window.panes.values():
             assert pane.width() >= 300 and pane.height() >= 400
 
 
-def test_the_strip_plays_on_while_its_pane_goes_to_a_window_and_back(
-    make_window: Callable[..., MainWindow],
-) -> None:
-    window = make_window()
+def test_the_strip_plays_on_while_its_pane_goes_to_a_window_and_back(window: MainWindow) -> None:
     window.strip.play()
     for floats in (True, False):
         window.pane_row.toggle_float("ndc")
-        settle(window)
+        settle()
         assert window.panes["ndc"].isWindow() == floats and window.strip.playing
     window.strip.pause()
     window.pane_row.toggle_float("ndc")
     assert not window.strip.playing
 
 
-def test_themes_and_projector_mode_dress_every_pane(make_window: Callable[..., MainWindow]) -> None:
-    window = make_window()
+def test_themes_and_projector_mode_dress_every_pane(window: MainWindow) -> None:
     for theme in ["light", "dark"]:
         window.set_theme(theme)
         size = window.font().pointSizeF()
         window.set_projector(True)
-        settle(window)
+        settle()
         assert QApplication.font().pointSizeF() > 1.2 * size
         background = np.median(pixels(window, "world").reshape(-1, 3), axis=0).mean()
         assert (background < 128) == (theme == "dark")
@@ -452,9 +378,7 @@ def test_themes_and_projector_mode_dress_every_pane(make_window: Callable[..., M
         assert QApplication.font().pointSizeF() == pytest.approx(size)
 
 
-def test_a_window_that_starts_in_projector_mode_is_large_all_over(
-    make_window: Callable[..., MainWindow],
-) -> None:
+def test_a_window_that_starts_in_projector_mode_is_large_all_over(make_window: MakeWindow) -> None:
     size = make_window().controls.sections["lens"].heading.font().pointSizeF()
     settings = Settings(None)
     settings.projector = True
@@ -464,8 +388,7 @@ def test_a_window_that_starts_in_projector_mode_is_large_all_over(
     window.set_projector(False)
 
 
-def test_everything_has_a_name_and_a_tip(make_window: Callable[..., MainWindow]) -> None:
-    window = make_window()
+def test_everything_has_a_name_and_a_tip(window: MainWindow) -> None:
     for button in window.findChildren(QPushButton):
         assert button.text() or button.accessibleName()
     for button in window.findChildren(QToolButton):
@@ -477,10 +400,7 @@ def test_everything_has_a_name_and_a_tip(make_window: Callable[..., MainWindow])
 # -- files
 
 
-def test_save_open_and_the_unsaved_mark(
-    make_window: Callable[..., MainWindow], tmp_path: Path
-) -> None:
-    window = make_window()
+def test_save_open_and_the_unsaved_mark(window: MainWindow, tmp_path: Path) -> None:
     assert not window.isWindowModified()
     window.store.set_projection(seen(window, lens=Perspective(60.0, 2.0, math.inf)))
     assert window.isWindowModified()
@@ -503,7 +423,7 @@ def test_save_open_and_the_unsaved_mark(
 
 
 def test_a_bad_file_gives_one_sentence_and_leaves_the_window_as_it_was(
-    make_window: Callable[..., MainWindow], tmp_path: Path
+    make_window: MakeWindow, tmp_path: Path
 ) -> None:
     window = make_window(shown=False)
     for name, content in [
@@ -528,9 +448,7 @@ def test_a_bad_file_gives_one_sentence_and_leaves_the_window_as_it_was(
         assert window.files.recent == []
 
 
-def test_a_missing_file_and_a_folder(
-    make_window: Callable[..., MainWindow], tmp_path: Path
-) -> None:
+def test_a_missing_file_and_a_folder(make_window: MakeWindow, tmp_path: Path) -> None:
     window = make_window(shown=False)
     for path in (tmp_path / "missing.json", tmp_path, tmp_path / "missing.obj"):
         window.messages.hide()
@@ -538,9 +456,7 @@ def test_a_missing_file_and_a_folder(
         assert path.name in window.messages.text
 
 
-def test_a_document_whose_mesh_is_gone_is_named(
-    make_window: Callable[..., MainWindow], tmp_path: Path
-) -> None:
+def test_a_document_whose_mesh_is_gone_is_named(make_window: MakeWindow, tmp_path: Path) -> None:
     window = make_window(shown=False)
     path, gone = tmp_path / "lesson.json", tmp_path / "gone.stl"
     for document in (Document(str(gone)), on_triangles(mesh=str(gone))):
@@ -551,9 +467,7 @@ def test_a_document_whose_mesh_is_gone_is_named(
     assert window.messages.text.startswith(f"{gone}: there is no such file")
 
 
-def test_saving_where_nothing_can_be_saved(
-    make_window: Callable[..., MainWindow], tmp_path: Path
-) -> None:
+def test_saving_where_nothing_can_be_saved(make_window: MakeWindow, tmp_path: Path) -> None:
     window = make_window(shown=False)
     window.store.set_projection(seen(window, lens=Perspective(60.0, 2.0, 20.0)))
     assert not window.files.save_to(tmp_path / "no such folder" / "lesson.json")
@@ -569,13 +483,10 @@ def drop(window: MainWindow, path: Path) -> None:
         Qt.KeyboardModifier.NoModifier,
     )  # fmt: skip
     window.dropEvent(event)
-    settle(window)
+    settle()
 
 
-def test_a_mesh_is_opened_by_dropping_it(
-    make_window: Callable[..., MainWindow], tmp_path: Path
-) -> None:
-    window = make_window()
+def test_a_mesh_is_opened_by_dropping_it(window: MainWindow, tmp_path: Path) -> None:
     mesh = tmp_path / "tetra.obj"
     mesh.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 1 3 4\nf 2 3 4\n")
     drop(window, mesh)
@@ -585,10 +496,7 @@ def test_a_mesh_is_opened_by_dropping_it(
     assert len(np.unique(pixels(window, "image").reshape(-1, 3), axis=0)) > 3
 
 
-def test_an_exported_picture_brings_the_state_back(
-    make_window: Callable[..., MainWindow], tmp_path: Path
-) -> None:
-    window = make_window()
+def test_an_exported_picture_brings_the_state_back(window: MainWindow, tmp_path: Path) -> None:
     window.store.set_projection(seen(window, lens=Perspective(61.25, 0.5, math.inf)))
     wanted = window.store.document
     path = tmp_path / "figure.png"
@@ -604,7 +512,7 @@ def test_an_exported_picture_brings_the_state_back(
 
 
 def test_a_picture_written_through_a_link_finds_its_mesh(
-    make_window: Callable[..., MainWindow], tmp_path: Path
+    make_window: MakeWindow, tmp_path: Path
 ) -> None:
     window = make_window(shown=False)
     mesh = tetrahedron(tmp_path)
@@ -618,7 +526,7 @@ def test_a_picture_written_through_a_link_finds_its_mesh(
 
 
 def test_a_picture_of_any_name_is_no_place_to_save_a_document_in(
-    make_window: Callable[..., MainWindow], tmp_path: Path
+    make_window: MakeWindow, tmp_path: Path
 ) -> None:
     window = make_window(shown=False)
     path = tmp_path / "pic.dat"
@@ -633,13 +541,12 @@ def turn(window: MainWindow, name: str) -> None:
     QTest.mouseMove(canvas, QPoint(180, 130))
     QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=QPoint(180, 130))
     canvas.zoom(1.2)
-    settle(window)
+    settle()
 
 
 def test_a_picture_shows_the_panes_as_they_were_turned_and_so_does_its_document(
-    make_window: Callable[..., MainWindow], tmp_path: Path
+    window: MainWindow, tmp_path: Path
 ) -> None:
-    window = make_window()
     straight, turned = tmp_path / "straight.png", tmp_path / "turned.png"
     choice = ExportChoice(("world", "ndc"), (800, 400), 1.0, False)
     window.pictures.export(straight, choice)
@@ -657,7 +564,7 @@ def test_a_picture_shows_the_panes_as_they_were_turned_and_so_does_its_document(
     assert (again == picture).all()
 
     window.pane_row.reset_views()
-    settle(window)
+    settle()
     assert any((pixels(window, name) != before[name]).any() for name in before)
     drop(window, turned)
     for name, there in before.items():
@@ -667,9 +574,8 @@ def test_a_picture_shows_the_panes_as_they_were_turned_and_so_does_its_document(
 
 
 def test_the_views_of_panes_that_this_program_does_not_have_are_kept(
-    make_window: Callable[..., MainWindow], tmp_path: Path
+    window: MainWindow, tmp_path: Path
 ) -> None:
-    window = make_window()
     tree = json.loads(to_json(Document("cube")))
     other = tree["camera"] | {"note": "mine"}
     path = tmp_path / "lesson.json"
@@ -681,23 +587,17 @@ def test_the_views_of_panes_that_this_program_does_not_have_are_kept(
     assert json.loads(path.read_text())["views"] == {"second-screen": other}
 
 
-def test_another_theme_keeps_the_panes_as_they_were_turned(
-    make_window: Callable[..., MainWindow],
-) -> None:
-    window = make_window()
+def test_another_theme_keeps_the_panes_as_they_were_turned(window: MainWindow) -> None:
     turn(window, "world")
     view = window.panes["world"].view
     assert view is not None
     window.set_theme("dark")
-    settle(window)
+    settle()
     assert window.panes["world"].view == view
     assert window.panes["ndc"].view is None
 
 
-def test_the_picture_on_the_clipboard_carries_the_document(
-    make_window: Callable[..., MainWindow],
-) -> None:
-    window = make_window()
+def test_the_picture_on_the_clipboard_carries_the_document(window: MainWindow) -> None:
     window.pictures.copy()
     data = QApplication.clipboard().mimeData()
     assert data.hasImage()
@@ -706,9 +606,8 @@ def test_the_picture_on_the_clipboard_carries_the_document(
 
 
 def test_an_export_can_be_cancelled(
-    make_window: Callable[..., MainWindow], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    window: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    window = make_window()
     monkeypatch.setattr("widgets.window.pictures.SHOW_PROGRESS_AFTER_MS", 0)
     seen_dialogs = []
 
@@ -731,7 +630,7 @@ def test_an_export_can_be_cancelled(
 
 
 def test_a_message_goes_when_the_next_try_succeeds_and_an_offer_stays(
-    make_window: Callable[..., MainWindow], tmp_path: Path
+    make_window: MakeWindow, tmp_path: Path
 ) -> None:
     window = make_window(shown=False)
     assert not window.files.save_to(tmp_path / "no such folder" / "lesson.json")
@@ -762,9 +661,7 @@ def test_a_message_goes_when_the_next_try_succeeds_and_an_offer_stays(
     assert messages.text == ""
 
 
-def test_the_export_dialog_refuses_what_cannot_be_drawn(
-    make_window: Callable[..., MainWindow],
-) -> None:
+def test_the_export_dialog_refuses_what_cannot_be_drawn(make_window: MakeWindow) -> None:
     window = make_window(shown=False)
     dialog = ExportDialog(window._titles, (640, 360), window)
     save = dialog._buttons.button(dialog._buttons.StandardButton.Save)
@@ -816,10 +713,7 @@ def answer(button: QMessageBox.StandardButton) -> None:
     QTimer.singleShot(0, press)
 
 
-def test_closing_with_unsaved_work_asks(
-    make_window: Callable[..., MainWindow], tmp_path: Path
-) -> None:
-    window = make_window()
+def test_closing_with_unsaved_work_asks(window: MainWindow, tmp_path: Path) -> None:
     window.store.set_projection(seen(window, lens=Perspective(60.0, 2.0, 20.0)))
     answer(QMessageBox.StandardButton.Cancel)
     assert not window.close()
@@ -831,7 +725,7 @@ def test_closing_with_unsaved_work_asks(
 
 
 def test_what_another_program_wrote_is_not_saved_over_unasked(
-    make_window: Callable[..., MainWindow], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    make_window: MakeWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     window, path = make_window(shown=False), tmp_path / "lesson.json"
     asked: list[str] = []
@@ -882,9 +776,8 @@ def fov_deg(document: Document) -> float:
 
 
 def test_what_is_typed_and_not_entered_is_asked_about_at_closing(
-    make_window: Callable[..., MainWindow], qtbot: Any
+    window: MainWindow, qtbot: Any
 ) -> None:
-    window = make_window()
     being_typed(window, qtbot, "67")
     assert not window.store.modified
     answer(QMessageBox.StandardButton.Cancel)
@@ -896,9 +789,8 @@ def test_what_is_typed_and_not_entered_is_asked_about_at_closing(
 
 
 def test_what_is_typed_and_not_entered_is_saved(
-    make_window: Callable[..., MainWindow], qtbot: Any, tmp_path: Path
+    window: MainWindow, qtbot: Any, tmp_path: Path
 ) -> None:
-    window = make_window()
     window.files.path = tmp_path / "kept.json"
     being_typed(window, qtbot, "67")
     window.menus.save.trigger()
@@ -906,10 +798,7 @@ def test_what_is_typed_and_not_entered_is_saved(
     assert not window.store.modified
 
 
-def test_closing_in_the_middle_of_a_drag_and_of_a_play(
-    make_window: Callable[..., MainWindow],
-) -> None:
-    window = make_window()
+def test_closing_in_the_middle_of_a_drag_and_of_a_play(window: MainWindow) -> None:
     window.store.begin_gesture()
     window.store.set_projection(seen(window, lens=Perspective(60.0, 2.0, 20.0)))
     window.controls.animation.toggle()
@@ -917,10 +806,7 @@ def test_closing_in_the_middle_of_a_drag_and_of_a_play(
     assert window.close()
 
 
-def test_shortcuts_work_in_the_window_of_a_floated_pane(
-    make_window: Callable[..., MainWindow], qtbot: Any
-) -> None:
-    window = make_window()
+def test_shortcuts_work_in_the_window_of_a_floated_pane(window: MainWindow, qtbot: Any) -> None:
     start = window.store.document
     pane = window.panes["world"]
     window.pane_row.toggle_float("world")
@@ -931,16 +817,13 @@ def test_shortcuts_work_in_the_window_of_a_floated_pane(
     assert window.store.document == start
     qtbot.keyClick(pane, Qt.Key.Key_F9)
     assert not pane.isWindow()
-    window.activateWindow()
-    qtbot.waitUntil(window.isActiveWindow)
+    activate(window)
     window.redo()
     qtbot.keyClick(window, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
     assert window.store.document == start
 
 
-def test_the_title_names_what_is_shown(
-    make_window: Callable[..., MainWindow], tmp_path: Path
-) -> None:
+def test_the_title_names_what_is_shown(make_window: MakeWindow, tmp_path: Path) -> None:
     window = make_window(shown=False)
     mesh = tetrahedron(tmp_path)
     assert "Untitled" in window.windowTitle()
@@ -952,9 +835,7 @@ def test_the_title_names_what_is_shown(
     assert mesh.name in window.windowTitle()
 
 
-def test_the_keys_that_help_names_are_those_of_the_window(
-    make_window: Callable[..., MainWindow],
-) -> None:
+def test_the_keys_that_help_names_are_those_of_the_window(make_window: MakeWindow) -> None:
     window = make_window(shown=False)
     window.help.show_keys()
     box = window.findChild(QMessageBox)
@@ -968,14 +849,14 @@ def test_the_keys_that_help_names_are_those_of_the_window(
 
 
 def test_unsaved_work_is_offered_after_a_crash_and_never_opened_by_itself(
-    make_window: Callable[..., MainWindow], qtbot: Any
+    make_window: MakeWindow, qtbot: Any
 ) -> None:
     crashed = make_window(shown=False)
     crashed.store.set_projection(seen(crashed, lens=Perspective(61.0, 2.0, 20.0)))
     crashed.recovery.autosave.save_now()
     lost = crashed.store.document
     window = make_window(shown=False)
-    settle(window)
+    settle()
     assert window.messages.text == "", "the work of a window that lives is not offered"
     crashed.recovery.autosave._lock.unlock()  # what the system does when a process dies
     window.recovery.offer()
@@ -1007,9 +888,7 @@ os.kill(os.getpid(), signal.SIGKILL if hasattr(signal, "SIGKILL") else signal.SI
 """
 
 
-def test_a_killed_process_leaves_its_work_to_the_next(
-    make_window: Callable[..., MainWindow],
-) -> None:
+def test_a_killed_process_leaves_its_work_to_the_next(make_window: MakeWindow) -> None:
     window = make_window(shown=False)
     folder = window.recovery.autosave._folder
     killed = subprocess.run([sys.executable, "-c", DIES, str(folder)], cwd=ROOT, check=False)
@@ -1022,7 +901,7 @@ def test_a_killed_process_leaves_its_work_to_the_next(
 
 
 def test_the_lock_of_a_killed_window_without_unsaved_work_is_removed(
-    make_window: Callable[..., MainWindow],
+    make_window: MakeWindow,
 ) -> None:
     window = make_window(shown=False)
     folder = window.recovery.autosave._folder
@@ -1035,8 +914,7 @@ def test_the_lock_of_a_killed_window_without_unsaved_work_is_removed(
     ]
 
 
-def test_a_good_close_leaves_no_autosave(make_window: Callable[..., MainWindow]) -> None:
-    window = make_window()
+def test_a_good_close_leaves_no_autosave(window: MainWindow) -> None:
     window.store.set_projection(seen(window, lens=Perspective(61.0, 2.0, 20.0)))
     window.recovery.autosave.save_now()
     folder = window.recovery.autosave._folder
@@ -1046,9 +924,7 @@ def test_a_good_close_leaves_no_autosave(make_window: Callable[..., MainWindow])
     assert not list(folder.glob("autosave-*"))
 
 
-def test_a_broken_autosave_is_one_sentence(
-    make_window: Callable[..., MainWindow],
-) -> None:
+def test_a_broken_autosave_is_one_sentence(make_window: MakeWindow) -> None:
     window = make_window(shown=False)
     broken = window.recovery.autosave._folder / "autosave-1-aaaa.json"
     broken.write_text("{")
@@ -1072,9 +948,7 @@ def test_a_broken_autosave_is_one_sentence(
 
 
 def test_recovered_work_is_in_a_copy_at_every_moment(
-    make_window: Callable[..., MainWindow],
-    monkeypatch: pytest.MonkeyPatch,
-    caplog: pytest.LogCaptureFixture,
+    make_window: MakeWindow, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
     window = make_window(shown=False)
     lost = window.recovery.autosave._folder / "autosave-1-aaaa.json"
@@ -1098,7 +972,7 @@ def test_recovered_work_is_in_a_copy_at_every_moment(
 
 
 def test_work_whose_mesh_is_not_there_can_be_recovered_when_it_is(
-    make_window: Callable[..., MainWindow], tmp_path: Path
+    make_window: MakeWindow, tmp_path: Path
 ) -> None:
     window = make_window(shown=False)
     mesh = tetrahedron(tmp_path)
@@ -1127,9 +1001,7 @@ def test_the_autosave_folder_may_be_unusable(display: Any, tmp_path: Path) -> No
 
 
 def test_a_copy_that_cannot_be_removed_keeps_no_window_open(
-    make_window: Callable[..., MainWindow],
-    monkeypatch: pytest.MonkeyPatch,
-    caplog: pytest.LogCaptureFixture,
+    make_window: MakeWindow, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
     window = make_window(shown=False)
     other = window.recovery.autosave._folder / "autosave-1-aaaa.json"
@@ -1152,9 +1024,7 @@ def test_a_copy_that_cannot_be_removed_keeps_no_window_open(
 
 
 def test_that_no_copy_can_be_kept_is_said_in_the_window(
-    make_window: Callable[..., MainWindow],
-    monkeypatch: pytest.MonkeyPatch,
-    caplog: pytest.LogCaptureFixture,
+    make_window: MakeWindow, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
     window = make_window(shown=False)
 
@@ -1177,24 +1047,21 @@ def test_that_no_copy_can_be_kept_is_said_in_the_window(
 # -- scenes
 
 
-def test_the_scene_menu_changes_the_scene_and_undo_brings_it_back(
-    make_window: Callable[..., MainWindow],
-) -> None:
-    window = make_window()
+def test_the_scene_menu_changes_the_scene_and_undo_brings_it_back(window: MainWindow) -> None:
     before = pixels(window, "image")
     window.choose_scene("posts")
-    settle(window)
+    settle()
     assert window.store.document.scene == "posts"
     assert window.menus.scene_box.currentData() == "posts"
     assert (pixels(window, "image") != before).any()
     window.store.undo()
-    settle(window)
+    settle()
     assert window.store.document.scene == "letter-f"
     assert window.menus.scene_box.currentData() == "letter-f"
     assert (pixels(window, "image") == before).all()
 
 
-def test_status_line_in_figures(make_window: Callable[..., MainWindow]) -> None:
+def test_status_line_in_figures(make_window: MakeWindow) -> None:
     # tan(45/2) 16/9 = 0.73637 -> 2 atan = 72.73 deg; 43.267/2 / (tan(22.5) sqrt(1+(16/9)^2)) =
     # 21.6333/(0.414214*2.039741) = 25.605 mm
     window = make_window(shown=False)
@@ -1206,9 +1073,7 @@ def test_status_line_in_figures(make_window: Callable[..., MainWindow]) -> None:
     assert "far ∞" in " ".join(label.text() for label in window.statusBar().findChildren(QLabel))
 
 
-def test_the_status_line_shows_no_fov_that_no_lens_has(
-    make_window: Callable[..., MainWindow],
-) -> None:
+def test_the_status_line_shows_no_fov_that_no_lens_has(make_window: MakeWindow) -> None:
     window = make_window(shown=False)
     for fov_y_deg, text in [
         (180.0 - 3e-12, "fov 180-3e-12° × 180-2e-12°"),
@@ -1227,7 +1092,7 @@ def resident() -> int:
 
 
 def test_windows_opened_and_closed_leave_nothing_behind(
-    make_window: Callable[..., MainWindow], display: QApplication
+    make_window: MakeWindow, display: QApplication
 ) -> None:
     """The benchmark does it 20 times; a leak of one window shows in fewer."""
     sizes, canvases = [], []
@@ -1245,8 +1110,7 @@ def test_windows_opened_and_closed_leave_nothing_behind(
     assert sizes[-1] - sizes[1] < 20e6
 
 
-def test_random_changes_do_not_pile_up(make_window: Callable[..., MainWindow]) -> None:
-    window = make_window()
+def test_random_changes_do_not_pile_up(window: MainWindow) -> None:
     window.resize(940, 420)  # quickly drawn
     window.store.begin_gesture()
     rng = random.Random(2)
@@ -1306,13 +1170,10 @@ def everything(monkeypatch: pytest.MonkeyPatch) -> Document:
     return Document("everything", EVERYTHING.start)
 
 
-def test_choosing_a_phenomenon_opens_its_panel_and_leaving_it_folds_it(
-    make_window: Callable[..., MainWindow],
-) -> None:
-    window = make_window()
+def test_choosing_a_phenomenon_opens_its_panel_and_leaving_it_folds_it(window: MainWindow) -> None:
     assert window.panels.open_panel is None
     window.choose_scene("similar-triangles")
-    settle(window)
+    settle()
     assert window.panels.open_panel is window.scene_panel
     assert window.scene_panel.title.text() == "Similar triangles"
     assert list(window.scene_panel.rows) == ["distance", "point"]
@@ -1330,11 +1191,11 @@ def test_choosing_a_phenomenon_opens_its_panel_and_leaving_it_folds_it(
     assert window.store.document.scene == "letter-f" and window.panels.open_panel is None
 
 
-def test_the_panes_have_room_above_a_phenomenon(make_window: Callable[..., MainWindow]) -> None:
+def test_the_panes_have_room_above_a_phenomenon(make_window: MakeWindow) -> None:
     window = make_window(on_triangles())
     for size in [(1366, 768), (1920, 1080)]:
         window.resize(*size)
-        settle(window)
+        settle()
         assert window.scene_panel.isVisible()
         assert (window.width(), window.height()) == size
         for pane in window.panes.values():
@@ -1344,7 +1205,7 @@ def test_the_panes_have_room_above_a_phenomenon(make_window: Callable[..., MainW
 
 
 def test_scenes_are_listed_in_the_order_of_the_lectures_by_their_titles(
-    make_window: Callable[..., MainWindow],
+    make_window: MakeWindow,
 ) -> None:
     window = make_window(shown=False)
     names = [action.data() for action in window.menus.scene_group.actions()]
@@ -1362,7 +1223,7 @@ def test_scenes_are_listed_in_the_order_of_the_lectures_by_their_titles(
 
 
 def test_an_exhibit_is_computed_once_a_change_and_shown_everywhere(
-    make_window: Callable[..., MainWindow], everything: Document, monkeypatch: pytest.MonkeyPatch
+    make_window: MakeWindow, everything: Document, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     made: list[Any] = []
 
@@ -1373,14 +1234,14 @@ def test_an_exhibit_is_computed_once_a_change_and_shown_everywhere(
     counting = replace(EVERYTHING, show=show)
     monkeypatch.setitem(app.scenes.scene.PHENOMENA, "everything", counting)  # type: ignore[arg-type]
     window = make_window(everything)
-    settle(window)
+    settle()
     made.clear()
     given = exhibits_of(window)
     with counted_repaints(window) as counts:
         window.store.set_settings({"gap": 3.0})
-        settle(window)
+        settle()
         window.store.set_projection(seen(window, camera=Camera((-7.0, 3.0, 6.0))))
-        settle(window)
+        settle()
     assert len(made) == 2
     assert given == dict.fromkeys(window.panes, made)
     assert counts == {"world": 2, "ndc": 2, "image": 2}
@@ -1389,17 +1250,15 @@ def test_an_exhibit_is_computed_once_a_change_and_shown_everywhere(
     assert made[-1].readings[0].value == 3.0
 
 
-def test_idle_with_an_open_panel_draws_nothing(make_window: Callable[..., MainWindow]) -> None:
+def test_idle_with_an_open_panel_draws_nothing(make_window: MakeWindow) -> None:
     window = make_window(on_triangles())
-    settle(window)
+    settle()
     with counted_repaints(window) as counts:
         QTest.qWait(300)
     assert counts == {"world": 0, "ndc": 0, "image": 0}
 
 
-def test_no_exhibit_of_one_scene_is_shown_in_another(
-    make_window: Callable[..., MainWindow],
-) -> None:
+def test_no_exhibit_of_one_scene_is_shown_in_another(make_window: MakeWindow) -> None:
     window = make_window(on_triangles())
     given = exhibits_of(window)
     window.choose_scene("posts")
@@ -1409,9 +1268,7 @@ def test_no_exhibit_of_one_scene_is_shown_in_another(
         assert shown[0] is None and shown[1] is not None and len(shown) == 2
 
 
-def test_a_setting_is_changed_from_its_row_and_undone_into_it(
-    make_window: Callable[..., MainWindow],
-) -> None:
+def test_a_setting_is_changed_from_its_row_and_undone_into_it(make_window: MakeWindow) -> None:
     window = make_window(on_triangles())
     row: Any = window.scene_panel.rows["distance"]
     row.slider.setSliderDown(True)
@@ -1430,9 +1287,7 @@ def test_a_setting_is_changed_from_its_row_and_undone_into_it(
     assert row.value() == distance
 
 
-def test_a_setting_that_cannot_be_is_refused_at_its_row(
-    make_window: Callable[..., MainWindow],
-) -> None:
+def test_a_setting_that_cannot_be_is_refused_at_its_row(make_window: MakeWindow) -> None:
     window = make_window(on_triangles())
     row: Any = window.scene_panel.rows["distance"]
     row.field.setFocus()
@@ -1444,9 +1299,7 @@ def test_a_setting_that_cannot_be_is_refused_at_its_row(
     assert not window.store.can_undo
 
 
-def test_the_camera_follows_in_the_same_step(
-    make_window: Callable[..., MainWindow], everything: Document
-) -> None:
+def test_the_camera_follows_in_the_same_step(make_window: MakeWindow, everything: Document) -> None:
     window = make_window(everything)
     row: Any = window.scene_panel.rows["light"]
     field = row.fields[1]
@@ -1460,10 +1313,7 @@ def test_the_camera_follows_in_the_same_step(
     assert window.store.document == everything and not window.store.can_undo
 
 
-def test_undo_while_the_camera_walks_takes_back_what_was_done_last(
-    make_window: Callable[..., MainWindow],
-) -> None:
-    window = make_window()
+def test_undo_while_the_camera_walks_takes_back_what_was_done_last(window: MainWindow) -> None:
     walk, row = window.controls.animation, window.controls.rows["fov_y_deg"]
     start = window.store.document.projection
     walk.play()
@@ -1483,23 +1333,20 @@ def test_undo_while_the_camera_walks_takes_back_what_was_done_last(
     assert window.store.document.projection.lens == replace(start.lens, fov_y_deg=70.0)
 
 
-def test_reset_while_the_camera_walks_puts_all_back(
-    make_window: Callable[..., MainWindow],
-) -> None:
-    window = make_window()
+def test_reset_while_the_camera_walks_puts_all_back(window: MainWindow) -> None:
     start = window.store.document
     window.controls.animation.play()
     window.controls.animation.advance(0.2)
     walked = window.store.document
     window.reset()
-    settle(window)
+    settle()
     assert window.store.document == start and not window.controls.animation.playing
     window.menus.undo.trigger()
     assert window.store.document == walked
 
 
 def test_a_play_is_one_step_of_undo_and_ends_with_the_scene(
-    make_window: Callable[..., MainWindow], everything: Document
+    make_window: MakeWindow, everything: Document
 ) -> None:
     window = make_window(everything)
     player = window.scene_panel.players["turn"]
@@ -1515,9 +1362,7 @@ def test_a_play_is_one_step_of_undo_and_ends_with_the_scene(
     assert not player.playing and not window.store.in_gesture
 
 
-def test_closing_while_a_setting_plays(
-    make_window: Callable[..., MainWindow], everything: Document
-) -> None:
+def test_closing_while_a_setting_plays(make_window: MakeWindow, everything: Document) -> None:
     window = make_window(everything)
     player = window.scene_panel.players["turn"]
     player.play()
@@ -1528,7 +1373,7 @@ def test_closing_while_a_setting_plays(
 
 
 def test_a_reset_of_all_resets_the_settings_and_keeps_the_mesh(
-    make_window: Callable[..., MainWindow], tmp_path: Path
+    make_window: MakeWindow, tmp_path: Path
 ) -> None:
     mesh = tetrahedron(tmp_path)
     window = make_window(on_triangles(mesh=str(mesh), settings={"distance": -3.0}))
@@ -1546,7 +1391,7 @@ def tetrahedron(folder: Path) -> Path:
 
 
 def test_a_picture_asks_for_a_mesh_that_is_not_beside_it(
-    make_window: Callable[..., MainWindow], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    make_window: MakeWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     for name in ("here", "there"):
         (tmp_path / name).mkdir()
@@ -1569,12 +1414,12 @@ def test_a_picture_asks_for_a_mesh_that_is_not_beside_it(
 
 
 def test_a_mesh_of_the_user_s_takes_the_place_of_the_objects_and_leaves_it(
-    make_window: Callable[..., MainWindow], tmp_path: Path
+    make_window: MakeWindow, tmp_path: Path
 ) -> None:
     window = make_window(on_triangles(settings={"distance": 5.0}))
     own = pixels(window, "image")
     assert window.files.use_mesh(str(tetrahedron(tmp_path)))
-    settle(window)
+    settle()
     assert (pixels(window, "image") != own).mean() > 0.005
     assert window.store.document.settings["distance"] == 5.0
     assert window.scene_panel.remove_mesh.isVisible()
@@ -1582,7 +1427,7 @@ def test_a_mesh_of_the_user_s_takes_the_place_of_the_objects_and_leaves_it(
     assert window.files.save_to(tmp_path / "lesson.json")
     assert read(tmp_path / "lesson.json") == document
     window.scene_panel.remove_mesh.click()
-    settle(window)
+    settle()
     assert window.store.document.mesh == ""
     assert (pixels(window, "image") == own).all()
     window.store.undo()
@@ -1595,10 +1440,9 @@ def test_a_mesh_of_the_user_s_takes_the_place_of_the_objects_and_leaves_it(
 
 @pytest.mark.parametrize("as_document", [False, True])
 def test_a_file_that_is_opened_again_is_read_again(
-    make_window: Callable[..., MainWindow], tmp_path: Path, as_document: bool
+    window: MainWindow, tmp_path: Path, as_document: bool
 ) -> None:
     """Out of a modelling program, look, change, out again, look: the same name each time."""
-    window = make_window()
     path = mesh = tetrahedron(tmp_path)
     assert window.files.open(mesh)
     if as_document:
@@ -1619,23 +1463,21 @@ def test_a_file_that_is_opened_again_is_read_again(
         assert window.shown.scene is shown
 
 
-def test_a_mesh_that_is_used_again_is_read_again(
-    make_window: Callable[..., MainWindow], tmp_path: Path
-) -> None:
+def test_a_mesh_that_is_used_again_is_read_again(make_window: MakeWindow, tmp_path: Path) -> None:
     window = make_window(on_triangles())
     mesh = tetrahedron(tmp_path)
     assert window.files.use_mesh(str(mesh))
     before = pixels(window, "image")
     mesh.write_text(mesh.read_text().replace("v 1 0 0", "v 3 0 0"))
     assert window.files.use_mesh(str(mesh))
-    settle(window)
+    settle()
     assert (pixels(window, "image") != before).mean() > 0.005
     window.store.undo()
     assert window.store.document == on_triangles()
 
 
 def test_a_mesh_that_cannot_be_used_is_a_sentence_and_nothing_else(
-    make_window: Callable[..., MainWindow], tmp_path: Path
+    make_window: MakeWindow, tmp_path: Path
 ) -> None:
     window = make_window(on_triangles())
     for empty in ("empty.obj", "notes.txt"):
@@ -1648,7 +1490,7 @@ def test_a_mesh_that_cannot_be_used_is_a_sentence_and_nothing_else(
 
 
 def test_an_exported_phenomenon_brings_its_settings_back(
-    make_window: Callable[..., MainWindow], tmp_path: Path
+    make_window: MakeWindow, tmp_path: Path
 ) -> None:
     window = make_window(on_triangles(mesh=str(tetrahedron(tmp_path))))
     window.store.set_settings({"distance": -2.0, "point": (0.0, 1.0, 0.25)})
@@ -1663,9 +1505,8 @@ def test_an_exported_phenomenon_brings_its_settings_back(
 
 
 def test_a_picture_that_is_copied_makes_a_failed_export_good(
-    make_window: Callable[..., MainWindow], tmp_path: Path
+    window: MainWindow, tmp_path: Path
 ) -> None:
-    window = make_window()
     choice = ExportChoice(("image",), (64, 64), 1.0, False)
     assert not window.pictures.export(tmp_path / "no folder" / "figure.png", choice)
     assert "figure.png" in window.messages.text
@@ -1673,27 +1514,24 @@ def test_a_picture_that_is_copied_makes_a_failed_export_good(
     assert window.messages.text == ""
 
 
-def test_a_long_name_leaves_window_and_panel_as_wide(
-    make_window: Callable[..., MainWindow], tmp_path: Path
-) -> None:
-    window = make_window()
+def test_a_long_name_leaves_window_and_panel_as_wide(window: MainWindow, tmp_path: Path) -> None:
     window.resize(1366, 768)
     path = tmp_path / f"{'x' * 200}.obj"
     path.write_text("")
     assert not window.files.open(path)
-    settle(window)
+    settle()
     assert path.name in window.messages.text and window.messages.isVisible()
     assert window.width() == 1366
     path = tmp_path / f"{'x' * 100}\n{'y' * 100}.obj"  # which Linux allows
     path.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
     assert window.files.open(path)
     window.panels.open(window.scene_panel)
-    settle(window)
+    settle()
     assert window.menus.scene_box.currentText() == path.name.replace("\n", " ")
     assert window.scene_panel._text_column.horizontalScrollBar().maximum() == 0
     assert window.scene_panel.height() < 130, "for a name and a sentence"
     window.files.choose_scene("depth-buffer")
-    settle(window)
+    settle()
     assert window.scene_panel.height() >= 200
 
 
@@ -1712,15 +1550,14 @@ def text_boxes(window: MainWindow) -> dict[str, tuple[float, float, float, float
 
 
 def test_on_a_small_projector_no_number_and_no_text_of_a_scene_is_hidden(
-    make_window: Callable[..., MainWindow],
+    window: MainWindow,
 ) -> None:
-    window = make_window()
     window.resize(1366, 768)
     window.set_projector(True)
     seen = 0
     for name in PHENOMENA:
         window.choose_scene(name)
-        settle(window)
+        settle()
         panel = window.scene_panel
         for column in (panel._settings_column, panel._readout_column):
             assert column.horizontalScrollBar().maximum() == 0, name
@@ -1736,19 +1573,18 @@ def test_on_a_small_projector_no_number_and_no_text_of_a_scene_is_hidden(
 
 
 def test_full_hd_at_a_screen_scale_of_two_holds_the_window_of_a_projector(
-    make_window: Callable[..., MainWindow],
+    window: MainWindow,
 ) -> None:
-    window = make_window()
     window.set_projector(True)
     for name in ("letter-f", *PHENOMENA):
         window.choose_scene(name)
-        settle(window)
+        settle()
         window.resize(960, 540)
-        settle(window)
+        settle()
         assert (window.width(), window.height()) == (960, 540), name
     for panel in (window.matrices, window.frame_panel, window.probe_panel, window.measure_panel):
         window.panels.open(panel)
-        settle(window)
+        settle()
         assert window.minimumSizeHint().width() <= 960
     line = window.status
     assert line.rung.geometry().right() < line.width() and line.rung.text()
@@ -1760,11 +1596,8 @@ def share_of(window: MainWindow, colour: Any) -> float:
     return float(same.all(axis=2).mean())
 
 
-def test_edges_that_run_far_behind_the_pane_are_lines(
-    make_window: Callable[..., MainWindow],
-) -> None:
+def test_edges_that_run_far_behind_the_pane_are_lines(window: MainWindow) -> None:
     """Only a window draws lines by VTK's shader; off the screen OpenGL makes them wide."""
-    window = make_window()
     window.pane_row.enlarge("world")
     for image_size in [(16384, 1), (4000, 100)]:
         start = window.store.document.projection
@@ -1774,8 +1607,7 @@ def test_edges_that_run_far_behind_the_pane_are_lines(
             assert 0.001 < share_of(window, rgb(colour)) < 0.008
 
 
-def test_a_grid_that_runs_behind_the_pane_is_lines(make_window: Callable[..., MainWindow]) -> None:
-    window = make_window()
+def test_a_grid_that_runs_behind_the_pane_is_lines(window: MainWindow) -> None:
     window.pane_row.enlarge("world")
     QApplication.processEvents()
     canvas = window.panes["world"].canvas
@@ -1787,7 +1619,7 @@ def test_a_grid_that_runs_behind_the_pane_is_lines(make_window: Callable[..., Ma
 
 
 def test_lines_are_drawn_where_their_shader_declares_itself_in_other_words(
-    make_window: Callable[..., MainWindow], monkeypatch: pytest.MonkeyPatch
+    make_window: MakeWindow, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """As another VTK may write it; what is put into its text has to be compiled there as well."""
     cut_behind = actors._cut_behind
@@ -1805,9 +1637,8 @@ def test_lines_are_drawn_where_their_shader_declares_itself_in_other_words(
 
 
 def test_a_note_beside_a_panes_title_ends_in_an_ellipsis_where_it_is_cut(
-    make_window: Callable[..., MainWindow],
+    window: MainWindow,
 ) -> None:
-    window = make_window()
     note = window.panes["ndc"].note
     text = "u, v, n in world units, as the camera has them"
     note.setText(text)
@@ -1825,9 +1656,7 @@ def test_a_note_beside_a_panes_title_ends_in_an_ellipsis_where_it_is_cut(
     assert QLabel.text(note) == ""
 
 
-def test_a_panes_title_has_all_the_room_there_is_before_its_note(
-    make_window: Callable[..., MainWindow],
-) -> None:
+def test_a_panes_title_has_all_the_room_there_is_before_its_note(make_window: MakeWindow) -> None:
     pane = make_window().panes["image"]
     title, note, whole = pane.title, pane.note, pane.title.text()
     for width in range(120, 400, 7):
@@ -1844,9 +1673,8 @@ def test_a_panes_title_has_all_the_room_there_is_before_its_note(
 
 
 def test_both_panes_share_what_float64_has_projected(
-    make_window: Callable[..., MainWindow], monkeypatch: pytest.MonkeyPatch
+    window: MainWindow, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    window = make_window()
     cut, whole = [0], rungs._cut
 
     def counted(*given: Any) -> Any:
@@ -1862,14 +1690,13 @@ def test_both_panes_share_what_float64_has_projected(
     for name, shown in pictures.items():  # each for itself draws the same
         rungs._projected.clear()
         window.panes[name].show_projection(window.store.document.projection)
-        settle(window)
+        settle()
         assert (pixels(window, name) == shown).all(), name
     window.store.set_projection(seen(window, lens=Perspective(45.0, 1.0, 30.0)))
     assert not len(rungs._projected)
 
 
-def test_esc_puts_back_what_a_slider_has_dragged(make_window: Callable[..., MainWindow]) -> None:
-    window = make_window()
+def test_esc_puts_back_what_a_slider_has_dragged(window: MainWindow) -> None:
     for key in ["fov_x_deg", "far", "azimuth_deg"]:
         window.probe_panel.follow(point=(0.0, 0.0, 0.0))  # which Esc would remove otherwise
         before, could_undo = window.store.document, window.store.can_undo
@@ -1884,16 +1711,16 @@ def test_esc_puts_back_what_a_slider_has_dragged(make_window: Callable[..., Main
         left = Qt.MouseButton.LeftButton
         QTest.mousePress(slider, left, pos=place)
         QTest.mouseMove(slider, place + QPoint(15, 0))
-        settle(window)
+        settle()
         assert window.store.document != before
         QTest.keyClick(slider, Qt.Key.Key_Escape)
-        settle(window)
+        settle()
         assert window.store.document == before and not window.store.in_gesture
         assert (row.field.text(), window.store.can_undo) == (text, could_undo)
         assert len(window.probe_panel.probes) == 1
         QTest.mouseMove(slider, place + QPoint(30, 0))  # the hand has let go of it
         QTest.mouseRelease(slider, left, pos=place + QPoint(30, 0))
-        settle(window)
+        settle()
         assert window.store.document == before
         QTest.mousePress(slider, left, pos=place)
         QTest.mouseMove(slider, place + QPoint(15, 0))

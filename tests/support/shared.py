@@ -1,0 +1,161 @@
+"""Windows for tests: opened, closed without a trace, and one that is lent to many tests.
+
+A test that only wants the window as it opens, on the letter F and at rest, is lent one. After it
+the window is put back by what a user would do, and all that can be seen of it is compared with how
+it opened. Where anything differs it is closed, and the next test is lent another: so no test can
+tell whether it is the first, and nothing needs to be known of what the one before did.
+"""
+
+from __future__ import annotations
+
+import gc
+import weakref
+from collections.abc import Callable, Iterator
+from types import FunctionType
+from typing import Any
+
+from PySide6.QtCore import QEvent, QObject, QPoint, QTimer
+from PySide6.QtGui import QAction
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QWidget
+
+from app.document.document import Document
+from tests import PATIENCE_MS
+from tests.support.window import pixels, settle
+from widgets.window.main_window import MainWindow
+
+
+def opened(document: Document, *, shown: bool = True, **options: Any) -> MainWindow:
+    """A window, with all panes drawn if it is shown."""
+    options.setdefault("software_rendering", True)
+    window = MainWindow(document, **options)
+    if shown:
+        window.show()
+        assert QTest.qWaitForWindowExposed(window, PATIENCE_MS)
+        views = [pane.canvas.render_window for pane in window.panes.values()]
+        for _ in range(PATIENCE_MS):
+            if not any(view.GetNeverRendered() for view in views):
+                break
+            QTest.qWait(1)
+    return window
+
+
+def close(windows: list[MainWindow]) -> None:
+    """Close windows, the last first, and see that no interactor outlives them."""
+    canvases = [weakref.ref(pane.canvas) for window in windows for pane in window.panes.values()]
+    while windows:
+        windows[-1].setFocus()  # or what a test has left in a field is entered, and asked about
+        windows[-1].store.mark_saved()
+        windows[-1].close()
+        windows.pop().deleteLater()
+    QApplication.processEvents()
+    # Which no nested loop delivers.
+    QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete.value)
+    gc.collect()
+    survivors = [ref for ref in canvases if ref() is not None]
+    assert not survivors, f"{len(survivors)} interactors outlive their windows"
+
+
+READ = (
+    *("text", "value", "minimum", "maximum", "isChecked", "currentIndex", "placeholderText"),
+    *("toolTip", "accessibleName", "accessibleDescription", "isHidden", "isEnabled", "isWindow"),
+    *("geometry", "cursorPosition", "selectedText", "count", "styleSheet", "hasFocus"),
+)
+"""What can be seen of a widget, or heard."""
+
+
+class Lent:
+    """A window that is lent to one test after the other.
+
+    Parameters
+    ----------
+    make : callable
+        Opens one.
+    """
+
+    def __init__(self, make: Callable[[], MainWindow]) -> None:
+        self._make = make
+        self._windows: list[MainWindow] = []
+        self._put_back: Callable[[], None] = settle
+        self._as_opened: list[Any] = []
+        self._is_good = True
+
+    def lend(self) -> MainWindow:
+        """The window as it opens, at rest."""
+        if not self._is_good:
+            self.put_away()
+        if not self._windows:
+            window = self._make()
+            self._windows.append(window)
+            settle()
+            document, stage = window.store.document, window.strip.position
+
+            def put_back() -> None:
+                window = self._windows[-1]
+                window.setFocus()
+                while window.store.in_gesture:
+                    window.store.end_gesture()
+                window.undo()  # and all that plays stands still
+                window.strip.go_to(stage)
+                window.probe_panel.clear()
+                window.panels.open(None)
+                window.messages.hide()
+                window.store.open(document)
+                window.pane_row.reset_views()
+                QTest.mouseMove(window.windowHandle(), QPoint(window.width() - 2, 2))
+                settle()
+                _let_time_pass(window)
+
+            self._put_back = put_back
+            put_back()
+            self._as_opened = list(_seen(window))
+        return self._windows[-1]
+
+    def take_back(self) -> None:
+        """Put the window back as it opened, or see to it that nobody is lent it any more."""
+        self._is_good = self._is_as_it_opened()
+
+    def put_away(self) -> None:
+        """Close the window, if there is one."""
+        self._is_good, self._as_opened = True, []
+        close(self._windows)
+
+    def _is_as_it_opened(self) -> bool:
+        window = self._windows[-1]
+        if not window.isVisible() or QApplication.activeModalWidget() is not None:
+            return False
+        try:
+            self._put_back()
+        except Exception:  # by what the test has put into the place of something
+            return False
+        return list(_seen(window)) == self._as_opened
+
+
+def _let_time_pass(window: MainWindow) -> None:
+    """What waits for the hand to rest happens now."""
+    for timer in window.findChildren(QTimer):
+        if timer.isActive() and timer.isSingleShot():
+            interval = timer.interval()
+            timer.start(0)
+            settle()
+            if not timer.isActive():
+                timer.setInterval(interval)
+    settle()
+
+
+def _seen(window: MainWindow) -> Iterator[Any]:
+    """All that can be seen of a window, and which methods are not its own any more."""
+    yield window.windowTitle(), window.isWindowModified(), QApplication.font().toString()
+    yield window.store.document, window.store.can_undo, window.store.can_redo
+    yield repr(vars(window.settings))
+    for action in window.findChildren(QAction):
+        yield action.text(), action.isEnabled(), action.isChecked(), action.isVisible()
+    for widget in (window, *window.findChildren(QWidget)):
+        read = (getattr(widget, name, None) for name in READ)
+        yield type(widget), *(value() if callable(value) else value for value in read)
+    drawings = [pane.drawing for pane in window.panes.values()]
+    for owner in (*window.findChildren(QObject), *drawings):
+        put = (name for name, value in vars(owner).items() if isinstance(value, FunctionType))
+        yield [name for name in put if hasattr(type(owner), name)]
+    for name in window.panes:
+        yield pixels(window, name).tobytes()

@@ -1,0 +1,88 @@
+"""A window under test: what is done to it, and what reaches its screen."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QImage
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QLineEdit
+
+from app.model.projection import Projection
+from tests import PATIENCE_MS
+from widgets.window.main_window import MainWindow
+
+MakeWindow = Callable[..., MainWindow]
+LEFT = Qt.MouseButton.LeftButton
+
+
+def settle() -> None:
+    """Let Qt do all that is asked of it, until it has nothing more to do."""
+    for _ in range(3):
+        QApplication.processEvents()
+
+
+def activate(window: MainWindow) -> None:
+    """Wait until the keyboard is the window's."""
+    window.activateWindow()
+    assert QTest.qWaitForWindowActive(window, PATIENCE_MS)
+
+
+def seen(window: MainWindow, **changes: Any) -> Projection:
+    """The model with something changed."""
+    return replace(window.store.document.projection, **changes)
+
+
+def rgb_of(image: QImage) -> np.ndarray:
+    """A picture's pixels, (height, width, 3) of uint8."""
+    image = image.convertToFormat(QImage.Format.Format_RGB888)
+    array = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), image.bytesPerLine())
+    return array[:, : 3 * image.width()].reshape(image.height(), image.width(), 3).copy()
+
+
+def pixels(window: MainWindow, name: str = "world") -> np.ndarray:
+    """What a pane shows."""
+    return rgb_of(window.panes[name].canvas.grabFramebuffer())
+
+
+@contextmanager
+def counted_repaints(window: MainWindow) -> Iterator[dict[str, int]]:
+    """Count VTK's renderings of each pane."""
+    counts = dict.fromkeys(window.panes, 0)
+    observers = []
+    for name, pane in window.panes.items():
+        render_window = pane.canvas.render_window
+
+        def count(_window: object, _event: str, name: str = name) -> None:
+            counts[name] += 1
+
+        observers.append((render_window, render_window.AddObserver("EndEvent", count)))
+    yield counts
+    for render_window, tag in observers:
+        render_window.RemoveObserver(tag)
+
+
+def point_of(place: tuple[float, float]) -> QPoint:
+    """The whole pixel that a place is in."""
+    return QPoint(math.floor(place[0]), math.floor(place[1]))
+
+
+def click(widget: Any, place: tuple[float, float] | None = None) -> None:
+    """Click a widget, in its middle unless a place is given, and let it happen."""
+    QTest.mouseClick(widget, LEFT, pos=QPoint() if place is None else point_of(place))
+    settle()
+
+
+def enter(field: QLineEdit, text: str) -> None:
+    """Type a text over what a field has, and enter it."""
+    field.setFocus()
+    field.selectAll()
+    QTest.keyClick(field, Qt.Key.Key_Delete)
+    QTest.keyClicks(field, text)
+    QTest.keyClick(field, Qt.Key.Key_Return)
