@@ -13,7 +13,7 @@ from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 from app.document.document import Document
 from app.drawings import rasterising
 from app.scenes.scene import load
-from tests.support.window import MakeWindow
+from tests.support.window import MakeWindow, pixels
 
 
 @pytest.fixture
@@ -93,12 +93,12 @@ def test_a_refused_shader_is_told_and_the_picture_drawn_the_ordinary_way(
 ) -> None:
     monkeypatch.setattr(rasterising, "_DEPTH", "this is no GLSL;")
     window = make_depth()
-    panel, pane = window.scene_panel, window.panes["image"]
+    panel = window.scene_panel
     qtbot.waitUntil(lambda: "does not take the shader" in panel.warning.text())
     assert not panel.warning.isHidden() and shown(window)[1] == "–"
 
     def orange() -> int:
-        image = pane.canvas.screenshot(return_img=True)
+        image = pixels(window, "image")
         return int((np.abs(image.astype(int) - (230, 159, 0)).sum(axis=-1) < 6).sum())
 
     qtbot.waitUntil(lambda: orange() > 500)

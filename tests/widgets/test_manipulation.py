@@ -95,7 +95,7 @@ def drag(
 
 
 def view(window: MainWindow) -> tuple[float, ...]:
-    camera = window.panes["world"].canvas.own_camera
+    camera = window.panes["world"].hand.camera
     return (*camera.GetPosition(), *camera.GetFocalPoint())
 
 

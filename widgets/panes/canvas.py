@@ -74,11 +74,15 @@ class GlCanvas(QtInteractor):
             wanted.setOption(_WIDE_LINES)
             self.setFormat(wanted)
         self.setAcceptDrops(False)  # the window takes drops; pyvistaqt would add the file here
-        self.plotter = self
         self.timed = False
         self._finer = 1.0
         self._resizing = False
         self.frameSwapped.connect(self.shown)
+
+    @property
+    def plotter(self) -> Any:
+        """What drawings are made in."""
+        return self
 
     def initializeGL(self) -> None:
         super().initializeGL()  # type: ignore[no-untyped-call]
