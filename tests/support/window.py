@@ -49,7 +49,12 @@ def rgb_of(image: QImage) -> np.ndarray:
 
 def pixels(window: MainWindow, name: str = "world") -> np.ndarray:
     """What a pane shows."""
-    return rgb_of(picture(window.panes[name].canvas))
+    return pixels_of(window.panes[name].canvas)
+
+
+def pixels_of(canvas: Any) -> np.ndarray:
+    """What a canvas shows."""
+    return rgb_of(picture(canvas))
 
 
 def picture(canvas: Any) -> QImage:

@@ -65,7 +65,7 @@ class GlCanvas(QtInteractor):
     shown = Signal()
     """What was painted has reached the screen."""
 
-    def __init__(self, parent: QWidget) -> None:
+    def __init__(self, parent: QWidget | None) -> None:
         super().__init__(parent, auto_update=False, multi_samples=0)
         if QGuiApplication.platformName() in ("xcb", "windows"):
             # As VTK's own windows are: else it widens lines in a shader, to other pixels. (Not on
@@ -153,7 +153,7 @@ class RasterCanvas(QWidget):
     shown = Signal()
     """What was painted has reached the screen."""
 
-    def __init__(self, parent: QWidget) -> None:
+    def __init__(self, parent: QWidget | None) -> None:
         super().__init__(parent)
         self.plotter: Any = off_screen_plotter(120, 120)
         self.render_window: Any = self.plotter.render_window

@@ -12,7 +12,7 @@ import json
 import sys
 from dataclasses import asdict, dataclass
 
-from PySide6.QtCore import QCoreApplication, Qt
+from PySide6.QtCore import QCoreApplication, Qt, qInstallMessageHandler
 from PySide6.QtGui import (
     QGuiApplication,
     QOffscreenSurface,
@@ -94,10 +94,14 @@ def probe() -> OpenGL:
     platform = QGuiApplication.platformName()
     if platform in WITHOUT_OPENGL:  # some give a context, and show garbage
         raise DisplayError(f"Qt's platform {platform} shows no OpenGL windows. {ADVICE}")
-    surface = QOffscreenSurface()
-    surface.create()
-    context = QOpenGLContext()
-    if not surface.isValid() or not context.create() or not context.makeCurrent(surface):
+    surface, context = QOffscreenSurface(), QOpenGLContext()
+    before = qInstallMessageHandler(lambda *_said: None)  # it is said below, in one sentence
+    try:
+        surface.create()
+        is_usable = surface.isValid() and context.create() and context.makeCurrent(surface)
+    finally:
+        qInstallMessageHandler(before)
+    if not is_usable:
         raise DisplayError(f"No OpenGL could be started, and 3.2 is needed. {ADVICE}")
     try:
         functions = context.functions()
