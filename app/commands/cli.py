@@ -34,7 +34,6 @@ from app.commands.arguments import (
     load_scene,
     with_values,
 )
-from app.commands.doctor import check_off_screen
 from app.commands.options import (
     CANNOT_DRAW,
     CliError,
@@ -124,7 +123,7 @@ def _window(arguments: Sequence[str]) -> int:
             raise CliError(f"The settings cannot be deleted: {error}.") from error
     path = None if file is None else Path(os.path.abspath(file))
     screenshot = None if found.screenshot is None else Path(found.screenshot)
-    options = application.Options(found.theme, found.size, screenshot)
+    options = application.Options(found.theme, found.size, screenshot, found.canvas)
     try:
         return application.run_window(document, saved, path, options, scene)
     except DisplayError as error:
@@ -147,16 +146,16 @@ def _export(arguments: Sequence[str]) -> int:
     document = document_of(shown, found.set)
     scene = load_scene(document.scene, document.mesh, shown)
     try:
+        with bootstrap.for_good():
+            from app.drawings.figures import render, write_png
+            from app.drawings.off_screen import check_off_screen
+            from app.drawings.style import DARK, LIGHT
+    except ImportError as error:
+        raise cannot_import(error) from error
+    try:
         check_off_screen()
     except RuntimeError as error:
         raise CliError(str(error), CANNOT_DRAW) from error
-    try:
-        with bootstrap.for_good():
-            from app.drawings.figures import render, write_png
-            from app.drawings.style import DARK, LIGHT
-            from app.model.refusal import Refusal
-    except ImportError as error:
-        raise cannot_import(error) from error
     try:
         pixels = render(
             scene,

@@ -199,32 +199,10 @@ def _try(command: list[str], environment: dict[str, str]) -> tuple[dict[str, Any
     return answer, ""
 
 
-def check_off_screen() -> None:
-    """Make sure that VTK can draw without a window: with less OpenGL it ends the process.
-
-    Raises
-    ------
-    RuntimeError
-        If it cannot: what to do, in one sentence.
-    """
-    import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (without it no window is one of OpenGL)
-    from vtkmodules.vtkCommonCore import vtkLogger
-    from vtkmodules.vtkRenderingCore import vtkRenderWindow
-
-    # A search through X, EGL and Mesa that leads to a picture is nothing to warn of.
-    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_ERROR)
-    window: Any = vtkRenderWindow()
-    window.SetOffScreenRendering(1)
-    # Its last resort, a library that is not there, says yes untested.
-    if not window.SupportsOpenGL() or "Not tested" in window.GetOpenGLSupportMessage():
-        raise RuntimeError(
-            "There is no OpenGL 3.2 to draw with: update the graphics driver; on Linux install "
-            "Mesa (libegl1 libegl-mesa0 libgl1-mesa-dri) or start with LIBGL_ALWAYS_SOFTWARE=1."
-        )
-
-
 def _draw_off_screen() -> None:
     """Draw a red square without a window, make sure that it is there, print by what."""
+    from app.drawings.off_screen import check_off_screen
+
     try:
         check_off_screen()
     except RuntimeError as error:

@@ -11,7 +11,6 @@ from contextlib import contextmanager
 
 from app import measure
 from app.commands.arguments import check_out, document_of, load_scene
-from app.commands.doctor import check_off_screen
 from app.commands.options import (
     CANNOT_DRAW,
     INTERRUPTED,
@@ -23,6 +22,7 @@ from app.commands.options import (
     write_out,
 )
 from app.document.document import write_bytes_atomically
+from app.drawings.off_screen import check_off_screen
 from app.measure import chart
 from app.measure.arithmetic import SWEEPS
 from app.measure.meaning import meaning

@@ -34,6 +34,7 @@ SUMMARIES = {
 """The words that the command line may begin with, and what each is for."""
 
 THEMES = ("light", "dark")
+CANVASES = ("opengl", "raster")
 RUNGS = ("float32", "float64", "exact")
 MATRIX_FORMATS = ("text", "json", "latex")
 PROJECT_FORMATS = ("table", "csv", "json")
@@ -245,6 +246,9 @@ def _window() -> Parser:
     )
     parser.add_set()
     parser.add_choice("--theme", THEMES, "colours for this once")
+    parser.add_choice(
+        "--canvas", CANVASES, "how panes draw (opengl with a graphics card, raster without)"
+    )
     parser.add_argument(
         "--reset", action="store_true", help="delete the settings, then open the window"
     )

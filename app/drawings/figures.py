@@ -11,14 +11,12 @@ from __future__ import annotations
 import io
 import os
 import sys
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from types import MappingProxyType
 from typing import Any
 
 import numpy as np
-import pyvista as pv
 from numpy.typing import NDArray
 from PIL import Image
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -28,6 +26,7 @@ from vtkmodules.vtkRenderingCore import vtkTextActor
 from app.document.document import embed, write_bytes_atomically
 from app.drawings import WORDS
 from app.drawings.image import ImageDrawing
+from app.drawings.off_screen import off_screen
 from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT, Style
 from app.drawings.world import WorldDrawing
@@ -57,7 +56,6 @@ _DRAWINGS: dict[str, type[WorldDrawing] | type[StageDrawing] | type[ImageDrawing
 }
 _LARGEST_DRAWN_PX = 8192  # side of what is averaged; every driver can draw it
 _MOST_DRAWN_PX = 40_000_000  # of one pane before averaging: about 0.5 GB with depth and copies
-_WINDOW_CHOICE = "VTK_DEFAULT_OPENGL_WINDOW"
 
 NO_PANES = QT_TRANSLATE_NOOP("Refusal", "panes = {0}: must name at least one of {1}.")
 UNKNOWN_PANE = QT_TRANSLATE_NOOP("Refusal", "pane = {0}: must be one of {1}.")
@@ -324,29 +322,3 @@ def _averaged(drawn: Pixels, factor: int, transparent: bool) -> Pixels:
     pixels[..., :3] = np.minimum(colours, 255)
     pixels[..., 3:] = (alpha + count // 2) // count
     return pixels
-
-
-@contextmanager
-def off_screen(width: int, height: int) -> Iterator[Any]:
-    """An off-screen plotter that is closed afterwards, whatever happens."""
-    with _reachable_opengl():
-        plotter: Any = pv.Plotter(off_screen=True, window_size=[width, height], border=False)
-    try:
-        plotter.render_window.SetMultiSamples(0)
-        plotter.render_window.SetAlphaBitPlanes(1)
-        yield plotter
-    finally:
-        plotter.close()
-
-
-@contextmanager
-def _reachable_opengl() -> Iterator[None]:
-    """Make VTK's next window where there is no display, without a try that ends in a warning."""
-    if sys.platform != "linux" or os.environ.get("DISPLAY") or _WINDOW_CHOICE in os.environ:
-        yield
-        return
-    os.environ[_WINDOW_CHOICE] = "vtkEGLRenderWindow"
-    try:
-        yield
-    finally:
-        del os.environ[_WINDOW_CHOICE]

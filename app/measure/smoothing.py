@@ -15,8 +15,9 @@ import pyvista as pv
 from numpy.typing import NDArray
 
 from app.drawings import WORDS
-from app.drawings.figures import Pixels, off_screen, pixels_of
+from app.drawings.figures import Pixels, pixels_of
 from app.drawings.image import ImageDrawing
+from app.drawings.off_screen import off_screen
 from app.drawings.style import LIGHT
 from app.measure.results import Choice, Trade
 from app.measure.run import Watch, in_turns, unwatched

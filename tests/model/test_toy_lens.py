@@ -35,6 +35,7 @@ from app.model.projection import Frustum, Projection
 from app.model.refusal import Refusal
 from app.precision import levels as precision
 from app.scenes.scene import load
+from tests.support.shown import show
 from tests.widgets.test_controls import choice, enter, number
 from widgets.controls.controls import Controls
 
@@ -223,7 +224,7 @@ def test_it_is_in_the_dock(display: Any, qtbot: Any) -> None:
     qtbot.addWidget(column)
     column.resize(320, 900)
     column.set_scene(6.0, Projection())
-    column.show_projection(Projection())
+    show(column, Projection())
     column.edited.connect(taken.append)
     column.show()
     qtbot.waitExposed(column)
@@ -234,7 +235,7 @@ def test_it_is_in_the_dock(display: Any, qtbot: Any) -> None:
     assert not number(column, "rise").isVisible()
     menu.activated.emit(len(texts) - 2)
     assert taken[-1].lens.kind == "shift"
-    column.show_projection(Projection(lens=SHIFT))
+    show(column, Projection(lens=SHIFT))
     for key, value in (("rise", 0.4), ("fov_y_deg", 50.0), ("near", 1.0), ("far", 40.0)):
         assert number(column, key).isVisible() and number(column, key).value() == value
     assert not number(column, "fov_x_deg").isVisible()  # whose window is no longer symmetric

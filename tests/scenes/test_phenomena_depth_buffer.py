@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 import pyvista as pv
 
-from app.drawings.figures import off_screen
+from app.drawings.off_screen import off_screen
 from app.drawings.rasterising import counted_wrong_share
 from app.model.depth import DepthBuffer
 from app.model.projection import Array, Camera, Orthographic, Perspective, Projection

@@ -10,9 +10,10 @@ from typing import Any
 
 import numpy as np
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QImage
+from PySide6.QtGui import QImage, QRegion
+from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLineEdit
+from PySide6.QtWidgets import QApplication, QLineEdit, QWidget
 
 from app.document.document import Document
 from app.model.projection import Projection
@@ -57,7 +58,23 @@ def rgb_of(image: QImage) -> np.ndarray:
 
 def pixels(window: MainWindow, name: str = "world") -> np.ndarray:
     """What a pane shows."""
-    return rgb_of(window.panes[name].canvas.grabFramebuffer())
+    return pixels_of(window.panes[name].canvas)
+
+
+def pixels_of(canvas: Any) -> np.ndarray:
+    """What a canvas shows."""
+    return rgb_of(picture(canvas))
+
+
+def picture(canvas: Any) -> QImage:
+    """What a pane's canvas shows, in the screen's pixels, without what lies over it."""
+    if isinstance(canvas, QOpenGLWidget):
+        return canvas.grabFramebuffer()
+    ratio = canvas.devicePixelRatioF()
+    image = QImage(canvas.size() * ratio, QImage.Format.Format_RGB32)
+    image.setDevicePixelRatio(ratio)
+    canvas.render(image, QPoint(), QRegion(), QWidget.RenderFlag(0))
+    return image
 
 
 @contextmanager

@@ -10,7 +10,7 @@ import pytest
 
 from app.drawings import rasterising
 from tests.support.drawings import heard
-from tests.support.window import show_scene
+from tests.support.window import pixels, show_scene
 from widgets.window.main_window import MainWindow
 
 
@@ -74,14 +74,14 @@ def test_a_refused_shader_is_told_and_the_picture_drawn_the_ordinary_way(
     window: MainWindow, qtbot: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(rasterising, "_DEPTH", "this is no GLSL;")
-    panel, pane = window.scene_panel, window.panes["image"]
+    panel = window.scene_panel
     with heard() as said:
         show_scene(window, "depth-buffer")
         qtbot.waitUntil(lambda: "does not take the shader" in panel.warning.text())
     assert not panel.warning.isHidden() and shown(window)[1] == "–"
 
     def orange() -> int:
-        image = pane.canvas.screenshot(return_img=True)
+        image = pixels(window, "image")
         return int((np.abs(image.astype(int) - (230, 159, 0)).sum(axis=-1) < 6).sum())
 
     with heard():

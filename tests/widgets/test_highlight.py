@@ -323,7 +323,7 @@ def test_turning_a_pane_picks_nothing(window: MainWindow) -> None:
     pane, handle = window.panes["world"], window.windowHandle()
     hover(window, pane.canvas)
     asked: list[QPointF] = []
-    pane.canvas.hovered.connect(asked.append)
+    pane.hand.hovered.connect(asked.append)
     centre = pane.canvas.mapTo(window, pane.canvas.rect().center())
     QTest.mousePress(handle, Qt.MouseButton.LeftButton, pos=centre)
     for step in range(1, 5):

@@ -32,7 +32,7 @@ from app.model.projection import (
 from app.picking.handles import EYE, TARGET, Handle
 from app.scenes.scene import load
 from tests.support.window import LEFT, MakeWindow, pixels, point_of, settle, show_scene
-from widgets.panes.pane import ZOOM_PER_WHEEL_STEP
+from widgets.panes.canvas import ZOOM_PER_WHEEL_STEP
 from widgets.window.main_window import MainWindow
 
 NONE = Qt.KeyboardModifier.NoModifier
@@ -95,7 +95,7 @@ def drag(
 
 
 def view(window: MainWindow) -> tuple[float, ...]:
-    camera = window.panes["world"].canvas.own_camera
+    camera = window.panes["world"].hand.camera
     return (*camera.GetPosition(), *camera.GetFocalPoint())
 
 

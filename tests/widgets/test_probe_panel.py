@@ -332,26 +332,28 @@ def test_a_probe_that_ends_with_its_scene_under_the_hand_does_not_come_back(
     window: MainWindow,
 ) -> None:
     panel, canvas = window.probe_panel, window.panes["image"].canvas
+    hand = window.panes["image"].hand
     panel.follow(point=CORNER)
     x, y = (math.floor(part) for part in place_in(window, "image", CORNER))
     QTest.mousePress(canvas, Qt.MouseButton.LeftButton, pos=QPoint(x, y))
-    canvas.drag_started.emit(QPointF(x, y))
+    hand.drag_started.emit(QPointF(x, y))
     window.files.choose_scene("cube")
-    canvas.dragged.emit(QPointF(20.0, 20.0), False)
+    hand.dragged.emit(QPointF(20.0, 20.0), False)
     assert panel.probes == ()
-    canvas.drag_ended.emit()
+    hand.drag_ended.emit()
     assert not panel._readable.in_gesture
 
 
 def test_a_hand_that_trembles_still_clicks_and_turns_nothing(window: MainWindow) -> None:
     canvas = window.panes["world"].canvas
     x, y = (math.floor(part) for part in place_in(window, "world", CORNER))
-    position = canvas.own_camera.GetPosition()
+    camera = window.panes["world"].hand.camera
+    position = camera.GetPosition()
     QTest.mousePress(canvas, Qt.MouseButton.LeftButton, pos=QPoint(x, y))
     QTest.mouseMove(canvas, QPoint(x + 2, y + 1))
     QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=QPoint(x + 2, y + 1))
     assert len(window.probe_panel.probes) == 1
-    assert canvas.own_camera.GetPosition() == position
+    assert camera.GetPosition() == position
 
 
 def test_a_click_on_empty_image_space_shows_the_ray(window: MainWindow) -> None:

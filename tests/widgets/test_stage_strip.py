@@ -27,7 +27,7 @@ from app.lecture.stages import IMAGE, NDC, STOPS, VIEW, WORLD, Morph, morph_of
 from app.model.projection import DEPTH_RANGES, Frustum, Lens, Oblique, Perspective
 from app.scenes.scene import load
 from tests.support.drawings import rendered
-from tests.support.window import activate, settle
+from tests.support.window import activate, picture, settle
 from widgets.panes.stage_strip import CATCH, REST_S, STEP_S, STEPS, StageStrip
 from widgets.window.main_window import MainWindow
 
@@ -438,13 +438,13 @@ def test_the_strip_moves_its_own_pane_only_and_not_the_document(window: MainWind
         tags.append(
             (pane.canvas.render_window, pane.canvas.render_window.AddObserver("EndEvent", count))
         )
-    before = window.panes["ndc"].canvas.grabFramebuffer()
+    before = picture(window.panes["ndc"].canvas)
     for name in counts:
         counts[name] = 0
     window.strip.go_to(1.0)
     settle()
     assert counts == {"world": 0, "ndc": 1, "image": 0}
-    assert window.panes["ndc"].canvas.grabFramebuffer() != before
+    assert picture(window.panes["ndc"].canvas) != before
     for view, tag in tags:
         view.RemoveObserver(tag)
     assert window.store.document == document
@@ -472,13 +472,13 @@ def test_a_new_drawing_stands_where_the_strip_is(window: MainWindow) -> None:
     window.look.set_theme("light")
     window.strip.go_to(5.0)
     settle()
-    light = window.panes["ndc"].canvas.grabFramebuffer()
+    light = picture(window.panes["ndc"].canvas)
     window.look.set_theme("dark")
     settle()
-    assert window.panes["ndc"].canvas.grabFramebuffer() != light
+    assert picture(window.panes["ndc"].canvas) != light
     window.look.set_theme("light")
     settle()
-    assert window.panes["ndc"].canvas.grabFramebuffer() == light
+    assert picture(window.panes["ndc"].canvas) == light
 
 
 def test_an_exported_figure_shows_ndc(window: MainWindow) -> None:

@@ -70,6 +70,7 @@ from widgets.panels.matrix_panel import MatrixPanel
 from widgets.panes.counting import Counting
 from widgets.panes.stage_strip import StageStrip
 from widgets.parts.messages import number_text, sentence
+from widgets.parts.panel import PROJECTION
 from widgets.window.autosave import Autosave
 from widgets.window.export_dialog import ExportChoice, ExportDialog
 from widgets.window.files import Files
@@ -279,23 +280,23 @@ def test_the_mouse_turns_the_view_and_never_the_model(window: MainWindow) -> Non
     for name in ["world", "ndc"]:
         before = window.store.document
         canvas = window.panes[name].canvas
-        place = canvas.own_camera.GetPosition()
+        camera = window.panes[name].hand.camera
+        place = camera.GetPosition()
         QTest.mousePress(canvas, Qt.MouseButton.LeftButton, pos=QPoint(100, 100))
         QTest.mouseMove(canvas, QPoint(160, 130))
         QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=QPoint(160, 130))
-        moved = canvas.own_camera.GetPosition()
+        moved = camera.GetPosition()
         assert math.dist(place, moved) > 0.1
-        assert math.dist(canvas.own_camera.GetFocalPoint(), moved) == pytest.approx(
-            math.dist(canvas.own_camera.GetFocalPoint(), place)
+        assert math.dist(camera.GetFocalPoint(), moved) == pytest.approx(
+            math.dist(camera.GetFocalPoint(), place)
         )
-        canvas.zoom(1.5)
         QTest.mouseDClick(canvas, Qt.MouseButton.LeftButton, pos=QPoint(100, 100))
-        assert math.dist(place, canvas.own_camera.GetPosition()) < 1e-9
+        assert math.dist(place, camera.GetPosition()) < 1e-9
         assert window.store.document == before
 
 
 def test_the_world_stands_still_during_a_drag_and_fits_itself_after_it(window: MainWindow) -> None:
-    camera = window.panes["world"].canvas.own_camera
+    camera = window.panes["world"].hand.camera
     place = camera.GetPosition()
     window.store.begin_gesture()
     window.store.set_projection(seen(window, lens=Perspective(110.0, 1.0, 30.0)))
@@ -312,11 +313,11 @@ def test_the_world_stands_still_during_a_drag_and_fits_itself_after_it(window: M
 
 
 def test_turning_stops_at_the_pole(window: MainWindow) -> None:
-    canvas = window.panes["world"].canvas
-    for _ in range(5):
-        canvas._orbit(0.0, 300.0)
-        assert canvas.own_camera.GetViewUp()[1] > 0.0
-        x, y, z = np.subtract(canvas.own_camera.GetPosition(), canvas.own_camera.GetFocalPoint())
+    canvas, camera = window.panes["world"].canvas, window.panes["world"].hand.camera
+    for _ in range(30):
+        QTest.keyClick(canvas, Qt.Key.Key_Down)
+        assert camera.GetViewUp()[1] > 0.0
+        x, y, z = np.subtract(camera.GetPosition(), camera.GetFocalPoint())
         assert y / math.hypot(x, y, z) < math.sin(math.radians(89.1))
 
 
@@ -337,7 +338,7 @@ def test_keys_turn_move_and_zoom_a_pane_that_tab_has_reached(
     settle()
     keys, shift = Qt.Key, Qt.KeyboardModifier.ShiftModifier
     canvas, model = window.panes["world"].canvas, window.store.document
-    camera = canvas.own_camera
+    camera = window.panes["world"].hand.camera
     assert not window.panes["image"].canvas.focusPolicy() & Qt.FocusPolicy.TabFocus
     window.panes["world"]._float.setFocus()
     QTest.keyClick(window.panes["world"]._float, keys.Key_Tab)
@@ -598,7 +599,7 @@ def turn(window: MainWindow, name: str) -> None:
     QTest.mousePress(canvas, Qt.MouseButton.LeftButton, pos=QPoint(100, 100))
     QTest.mouseMove(canvas, QPoint(180, 130))
     QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=QPoint(180, 130))
-    canvas.zoom(1.2)
+    QTest.keyClick(canvas, Qt.Key.Key_Plus)
     settle()
 
 
@@ -1664,10 +1665,10 @@ def test_edges_that_run_far_behind_the_pane_are_lines(window: MainWindow) -> Non
 def test_a_grid_that_runs_behind_the_pane_is_lines(window: MainWindow) -> None:
     window.pane_row.enlarge("world")
     QApplication.processEvents()
-    canvas = window.panes["world"].canvas
-    canvas.own_camera.SetPosition(0.3, 0.4, 3.2)
-    canvas.own_camera.SetFocalPoint(0.0, 0.3, -3.0)
-    canvas.moved.emit()
+    hand = window.panes["world"].hand
+    hand.camera.SetPosition(0.3, 0.4, 3.2)
+    hand.camera.SetFocalPoint(0.0, 0.3, -3.0)
+    hand.moved.emit()
     QApplication.processEvents()
     assert 0.001 < share_of(window, np.array(GRID_RGB) / 255.0) < 0.0125
 
@@ -1743,7 +1744,7 @@ def test_both_panes_share_what_float64_has_projected(
     pictures = {name: pixels(window, name) for name in ("ndc", "image")}
     for name, shown in pictures.items():  # each for itself draws the same
         rungs._projected.clear()
-        window.panes[name].show_projection(window.store.document.projection)
+        window.panes[name].take(window.shown, PROJECTION)
         settle()
         assert (pixels(window, name) == shown).all(), name
     window.store.set_projection(seen(window, lens=Perspective(45.0, 1.0, 30.0)))

@@ -70,7 +70,7 @@ class Adaptive(QObject):
         self._idle.timeout.connect(self._prepare)
         self.pace = Pace([Level(False, 1.0)], 0.0)
         for pane in panes.values():
-            pane.canvas.frameSwapped.connect(self._swapped)
+            pane.canvas.shown.connect(self._swapped)
 
     def show(self, scene: Scene, quality: Quality) -> None:
         """Take over what is drawn; the panes are to be built anew for it."""

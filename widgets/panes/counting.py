@@ -16,7 +16,7 @@ from collections.abc import Callable
 from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtGui import QOpenGLContext
 
-from app.drawings.figures import off_screen
+from app.drawings.off_screen import off_screen
 from app.drawings.rasterising import counted_wrong_share
 from app.model.projection import Projection
 from app.scenes.phenomena.illustration import Exhibit

@@ -2,7 +2,7 @@
 
 ::
 
-    canvas.drag_started, dragged --> app.picking.handles: what it makes of a field --> edited
+    hand.drag_started, dragged --> app.picking.handles: what it makes of a field --> edited
                                                   or of the scene's setting --> setting_edited
                                                              Refusal --> a sentence over
                                                                                  the pane
@@ -41,7 +41,8 @@ from app.picking.handles import (
 )
 from app.picking.picking import Sight
 from app.scenes.phenomena.illustration import Grip, Settings
-from widgets.panes.pane import ZOOM_PER_WHEEL_STEP, Pane
+from widgets.panes.canvas import ZOOM_PER_WHEEL_STEP
+from widgets.panes.pane import Pane
 from widgets.parts.escape import EscapeKey
 from widgets.parts.fields import QUIET_MS, short_text
 from widgets.parts.message_bar import MessageBar
@@ -96,15 +97,15 @@ class Manipulation(QObject):
         self._quiet.setSingleShot(True)
         self._quiet.setInterval(QUIET_MS)
         self._quiet.timeout.connect(self._finish)
-        canvas = world.canvas
-        canvas.setToolTip(self._plain_tip)
-        canvas.hovered.connect(self._hover)
-        canvas.left.connect(self.leave)
-        canvas.drag_started.connect(self._take_handle)
+        world.canvas.setToolTip(self._plain_tip)
+        hand = world.hand
+        hand.hovered.connect(self._hover)
+        hand.left.connect(self.leave)
+        hand.drag_started.connect(self._take_handle)
         for pane in (world, image):
-            pane.canvas.dragged.connect(self._move)
-            pane.canvas.drag_ended.connect(self.let_go)
-        image.canvas.scrolled.connect(self._dolly)
+            pane.hand.dragged.connect(self._move)
+            pane.hand.drag_ended.connect(self.let_go)
+        image.hand.scrolled.connect(self._dolly)
 
     def take(self, shown: Shown, changed: Changed) -> None:
         """Take the new values over: what the next drag begins with."""
@@ -217,7 +218,7 @@ class Manipulation(QObject):
         handle = self._handle_at(drawing, pixel)
         if handle is None:
             return
-        self._world.canvas.keep_view()
+        self._world.hand.keep_view()
         self._point_out(drawing, handle)
         sight, drawn = drawing.sight, drawing.planes_drawn
         held = self._grips.get(handle.setting)

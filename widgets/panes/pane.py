@@ -3,19 +3,12 @@
 How a change reaches the screen, and why it is drawn once::
 
     take(shown, changed) --> drawing.show_projection(p)   matrices only, draws nothing
-                         --> QWidget.update(canvas)       coalesced by Qt
-    mouse on the canvas -> vtkCamera of this pane only -> QWidget.update(canvas)
-                                                   |
-                              Qt's paint event --> paintGL --> one VTK render
-
-`plotter.render()` is never called: it draws at once *and* again in paintGL. The mouse does not go
-through VTK's interactor styles, which render by themselves, rewrite the clipping range at every
-drag, and bind plain keys to changes of the scene.
+                         --> canvas.redraw()              coalesced by Qt
+    mouse on the canvas -> vtkCamera of this pane only -> canvas.redraw()
 """
 
 from __future__ import annotations
 
-import math
 import sys
 import time
 from collections.abc import Callable, Sequence
@@ -29,40 +22,24 @@ from PySide6.QtGui import (
     QMoveEvent,
     QResizeEvent,
     QShowEvent,
-    QWheelEvent,
 )
 from PySide6.QtWidgets import (
-    QApplication,
     QFrame,
     QHBoxLayout,
     QToolButton,
     QVBoxLayout,
     QWidget,
 )
-from pyvistaqt import QtInteractor
 
 from app.lecture.highlight import NOTHING, Attention
 from app.model.projection import Camera, Projection
 from app.picking.picking import Probe, Sight
 from app.scenes.phenomena.illustration import Exhibit
 from app.scenes.scene import Scene
-from widgets.parts.focus import FocusRing
+from widgets.panes.canvas import AnyCanvas, Hand
 from widgets.parts.note import Note, Title
 from widgets.parts.panel import PROJECTION, Changed, Shown
 
-ORBIT_DEG_PER_PX = 0.4
-ZOOM_PER_WHEEL_STEP = 1.15
-HIGHEST_DEG = 89.0
-KEY_PX = 25.0
-"""What the mouse would be moved by for an arrow key: it turns by 10 degrees."""
-_ARROWS = {
-    Qt.Key.Key_Left: (-KEY_PX, 0.0),
-    Qt.Key.Key_Right: (KEY_PX, 0.0),
-    Qt.Key.Key_Up: (0.0, -KEY_PX),
-    Qt.Key.Key_Down: (0.0, KEY_PX),
-}
-_ZOOM_STEPS = {Qt.Key.Key_Plus: 1, Qt.Key.Key_Equal: 1, Qt.Key.Key_Minus: -1}
-"""Plus is on the key of = of many keyboards."""
 SCALES = {"half resolution": 0.5, "supersampling 2 x 2": 2.0}
 """Pixels that are drawn for one that is shown, along each side, where that is not one."""
 SMOOTHINGS = ("none", "FXAA", "MSAA 2", "MSAA 4", "MSAA 8", *SCALES)
@@ -131,233 +108,6 @@ class SteppedDrawing(Drawing, Protocol):
         """Build it up to a step, or show what is always shown; draw nothing yet."""
 
 
-class _Canvas(QtInteractor):
-    """The VTK surface; turns mouse and keys into moves of its own camera, and nothing else."""
-
-    moved = Signal()
-    clicked = Signal(QPointF)
-    """Pressed and released in one place: the middle of that pixel, in device pixels."""
-    drag_started = Signal(QPointF)
-    """The left button has left the place, in device pixels, where it was pressed."""
-    dragged = Signal(QPointF, bool)
-    """How far it is from there, in device pixels, and whether Shift is held."""
-    drag_ended = Signal()
-    hovered = Signal(QPointF)
-    """The mouse is over this place, no button held: the middle of that pixel, in device pixels."""
-    left = Signal()
-    """The mouse is over the canvas no more."""
-    painted = Signal(float)
-    """A repaint was done, in so many ms; only while `timed`."""
-    scrolled = Signal(float)
-    """The wheel was turned by so many steps, away from the user, where it is not a zoom."""
-
-    def __init__(self, parent: QWidget, *, orbits: bool) -> None:
-        super().__init__(parent, auto_update=False, multi_samples=0)
-        # Or Qt paints the window under it, and uploads that, whenever it draws a slider as well.
-        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
-        self.setMouseTracking(True)
-        self.setAcceptDrops(False)  # the window takes drops; pyvistaqt would add the file here
-        # By Tab alone: a click leaves the focus in a field that is typed in.
-        self.setFocusPolicy(Qt.FocusPolicy.TabFocus if orbits else Qt.FocusPolicy.NoFocus)
-        FocusRing(self)
-        self.setMinimumSize(120, 120)
-        self.timed = False
-        self._orbits = orbits
-        self._last: QPointF | None = None
-        self._pressed: QPointF | None = None
-        """Where the left button went down, as long as it may be a click."""
-        self._dragged_from: QPointF | None = None
-        self._finer = 1.0
-        self._resizing = False
-
-    @property
-    def pixel_ratio(self) -> float:
-        """Pixels that VTK draws for one of Qt's, along each side."""
-        return self.devicePixelRatioF() * self._finer
-
-    def draw_finer(self, times: float) -> None:
-        """Draw so many pixels for one that the screen shows, along each side."""
-        if times != self._finer:
-            self._finer = times
-            self.resizeGL(self.width(), self.height())
-
-    def resizeGL(self, w: int, h: int) -> None:
-        super().resizeGL(w, h)  # type: ignore[no-untyped-call]
-        window: Any = self.render_window
-        if self._finer != 1.0:
-            sides = (max(1, round(side * self.pixel_ratio)) for side in (w, h))
-            window.GetInteractor().UpdateSize(*sides)
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        self._resizing = True
-        try:
-            super().resizeEvent(event)
-        finally:
-            self._resizing = False
-
-    def paintGL(self) -> None:
-        window: Any = self.render_window
-        if self._resizing and window.GetNeverRendered():
-            return  # Qt has given it its first size; it will show it, and draw it then
-        began = time.perf_counter()
-        super().paintGL()  # type: ignore[no-untyped-call]
-        if not self.timed:
-            return
-        window.WaitForCompletion()  # drawing goes on after the call otherwise
-        self.painted.emit(1e3 * (time.perf_counter() - began))
-
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        modifiers, key = event.modifiers(), event.key()
-        is_shifted = bool(modifiers & Qt.KeyboardModifier.ShiftModifier)
-        plain = Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.KeypadModifier
-        event.ignore()
-        if not self._orbits or self._dragged_from is not None or modifiers & ~plain:
-            return
-        if key in _ARROWS:
-            (self._pan if is_shifted else self._orbit)(*_ARROWS[Qt.Key(key)])
-            self.moved.emit()
-            event.accept()
-        elif key in _ZOOM_STEPS:
-            self.zoom(ZOOM_PER_WHEEL_STEP ** _ZOOM_STEPS[Qt.Key(key)])
-            event.accept()
-
-    def keyReleaseEvent(self, event: Any) -> None:
-        event.ignore()
-
-    def enterEvent(self, event: Any) -> None:
-        event.ignore()
-
-    def leaveEvent(self, event: Any) -> None:
-        event.ignore()
-        self.left.emit()
-
-    def mousePressEvent(self, event: QMouseEvent) -> None:
-        if self._dragged_from is not None:  # another button is no part of a drag
-            event.accept()
-            return
-        self._last = event.position()
-        is_left = event.button() == Qt.MouseButton.LeftButton
-        self._pressed = event.position() if is_left else None
-        event.accept()
-
-    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        if event.buttons() == Qt.MouseButton.NoButton:
-            self._last = None
-        event.accept()
-        if self._dragged_from is not None and event.button() == Qt.MouseButton.LeftButton:
-            self._dragged_from = None
-            self.drag_ended.emit()
-        if self._pressed is not None and event.button() == Qt.MouseButton.LeftButton:
-            middle = self._middle(self._pressed)
-            self._pressed = None
-            self.clicked.emit(middle)
-
-    def _middle(self, position: QPointF) -> QPointF:
-        """Of the pixel at a position, in device pixels."""
-        return (position + QPointF(0.5, 0.5)) * self.pixel_ratio
-
-    def keep_view(self) -> None:
-        """The drag that has just started is about what was under it: the view stays."""
-        self._last = None
-
-    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
-        self._pressed = None
-        event.ignore()  # the pane resets the view
-
-    def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        event.accept()
-        if event.buttons() == Qt.MouseButton.NoButton:
-            self.hovered.emit(self._middle(event.position()))
-            return
-        if self._pressed is not None:
-            moved = (event.position() - self._pressed).manhattanLength()
-            if moved < QApplication.startDragDistance():  # a hand that trembles turns nothing
-                return
-            self._dragged_from, self._pressed = self._pressed, None
-            self.drag_started.emit(self._dragged_from * self.pixel_ratio)
-        if self._dragged_from is not None:
-            shift = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
-            away = (event.position() - self._dragged_from) * self.pixel_ratio
-            self.dragged.emit(away, shift)
-        if self._last is None or not self._orbits:
-            return
-        step = event.position() - self._last
-        self._last = event.position()
-        if event.buttons() == Qt.MouseButton.LeftButton and not (
-            event.modifiers() & Qt.KeyboardModifier.ShiftModifier
-        ):
-            self._orbit(step.x(), step.y())
-        else:
-            self._pan(step.x(), step.y())
-        self.moved.emit()
-
-    def wheelEvent(self, event: QWheelEvent) -> None:
-        event.accept()
-        steps = event.angleDelta().y() / 120.0
-        if self._dragged_from is not None:  # what is held would leave the hand
-            return
-        if self._orbits:
-            self.zoom(ZOOM_PER_WHEEL_STEP**steps)
-        elif steps:
-            self.scrolled.emit(steps)
-
-    def gesture_event(self, event: Any) -> bool:
-        pinch = event.gesture(Qt.GestureType.PinchGesture)
-        if pinch is not None and self._orbits:
-            event.accept(pinch)
-            self.zoom(pinch.scaleFactor())
-        return True
-
-    @property
-    def own_camera(self) -> Any:
-        """The pane's own camera; pyvista's `camera` would first put it where pyvista likes."""
-        return self.renderer.GetActiveCamera()
-
-    def zoom(self, factor: float) -> None:
-        """Bring the pane's own camera nearer by `factor`."""
-        camera = self.own_camera
-        if camera.GetParallelProjection():
-            camera.SetParallelScale(camera.GetParallelScale() / factor)
-        else:
-            camera.Dolly(factor)
-        self.moved.emit()
-
-    def _orbit(self, right_px: float, down_px: float) -> None:
-        camera = self.own_camera
-        camera.Azimuth(-ORBIT_DEG_PER_PX * right_px)
-        # Turntable, not trackball: the world's vertical stays vertical, so the pole is a stop.
-        elevation_deg = _elevation_deg(camera)
-        turned = elevation_deg + ORBIT_DEG_PER_PX * down_px
-        camera.Elevation(max(-HIGHEST_DEG, min(HIGHEST_DEG, turned)) - elevation_deg)
-
-    def _pan(self, right_px: float, down_px: float) -> None:
-        camera = self.own_camera
-        if camera.GetParallelProjection():
-            half_height = camera.GetParallelScale()
-        else:
-            half_angle = math.radians(camera.GetViewAngle()) / 2.0
-            half_height = camera.GetDistance() * math.tan(half_angle)
-        unit = 2.0 * half_height / max(1, self.height())
-        matrix = camera.GetViewTransformMatrix()
-        shift = [
-            unit * (down_px * matrix.GetElement(1, i) - right_px * matrix.GetElement(0, i))
-            for i in range(3)
-        ]
-        for get, put in (
-            (camera.GetPosition, camera.SetPosition),
-            (camera.GetFocalPoint, camera.SetFocalPoint),
-        ):
-            put(*(p + s for p, s in zip(get(), shift, strict=True)))
-
-
-def _elevation_deg(camera: Any) -> float:
-    up = camera.GetViewUp()
-    away = [-d for d in camera.GetDirectionOfProjection()]
-    length = math.hypot(*up)
-    sine = sum(a * b for a, b in zip(away, up, strict=True)) / length
-    return math.degrees(math.asin(max(-1.0, min(1.0, sine))))
-
-
 class _WholePixels(QWidget):
     """Holds a canvas so that its edges are on whole pixels of the screen.
 
@@ -413,6 +163,8 @@ class Pane(QFrame):
         that `build` is given.
     orbits : bool
         Whether the mouse moves this pane's own camera.
+    make_canvas : class
+        `GlCanvas` or `RasterCanvas`.
     """
 
     concerns = PROJECTION | {"exhibit"}
@@ -435,6 +187,7 @@ class Pane(QFrame):
         make_drawing: Callable[..., Drawing],
         *,
         orbits: bool,
+        make_canvas: type[AnyCanvas],
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
@@ -477,12 +230,13 @@ class Pane(QFrame):
         for button in (self._reset, self._enlarge, self._float):
             bar.addWidget(button)
 
-        self.canvas = _Canvas(self, orbits=orbits)
+        self.canvas = make_canvas(self)
+        self.hand = Hand(self.canvas, orbits=orbits)
         self.canvas.setAccessibleName(title)
-        self.canvas.moved.connect(self._view_moved)
-        self.canvas.clicked.connect(self.clicked)
-        self.canvas.hovered.connect(self._hovered)
-        self.canvas.left.connect(self._left)
+        self.hand.moved.connect(self._view_moved)
+        self.hand.clicked.connect(self.clicked)
+        self.hand.hovered.connect(self._hovered)
+        self.hand.left.connect(self._left)
         self.canvas.painted.connect(lambda ms: self.timed.emit(self._matrices_ms, ms))
         if orbits:
             self.canvas.setToolTip(
@@ -607,7 +361,7 @@ class Pane(QFrame):
         if self._to_build is not None:
             if self.drawing is not None:
                 self.drawing.remove()
-            self.drawing = self._make_drawing(self.canvas, *self._to_build)
+            self.drawing = self._make_drawing(self.canvas.plotter, *self._to_build)
             self._to_build = None
             self._step_is_stale = self._step is not None
             self._attention_is_stale = True
@@ -687,7 +441,7 @@ class Pane(QFrame):
 
     def request_repaint(self) -> None:
         """Ask Qt for one repaint, however often it is asked before the next paint."""
-        QWidget.update(self.canvas)
+        self.canvas.redraw()
 
     def reset_view(self) -> None:
         """Put the pane's own camera back; the model is not touched."""

@@ -43,6 +43,7 @@ from PySide6.QtWidgets import (
 
 from app import __version__, bootstrap
 from app.document.document import Document, write_bytes_atomically
+from app.drawings.off_screen import check_off_screen
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from widgets.program import opengl
 from widgets.program.display import display
@@ -78,11 +79,14 @@ class Options:
     screenshot : Path or None
         Where to put a picture of the window, which closes then. The user's settings are neither
         read nor written, and the theme is light, so that the picture is the same everywhere.
+    canvas : str or None
+        ``"opengl"`` or ``"raster"``: how the panes draw; None for the quicker one.
     """
 
     theme: str | None = None
     size: tuple[int, int] | None = None
     screenshot: Path | None = None
+    canvas: str | None = None
 
 
 def make_application() -> QApplication:
@@ -197,7 +201,7 @@ def run_window(
         the screenshot cannot be written.
     """
     application = make_application()
-    found = opengl.probe()
+    found = _probe(options)
     file_log = start_log()
     qInstallMessageHandler(log_qt)
     watch = ExceptionWatch(log_path() if file_log else None)
@@ -207,7 +211,7 @@ def run_window(
         log.info(
             "Frustum Lab %s, Python %s, PySide6 %s, %s, OpenGL %s on %s",
             __version__, platform.python_version(), pyside_version, platform.platform(),
-            found.version, found.renderer,
+            found.version or "none", found.renderer or application.platformName(),
         )  # fmt: skip
         settings = Settings(None if options.screenshot else settings_path())
         if options.theme or options.screenshot:
@@ -223,6 +227,7 @@ def run_window(
                 document,
                 settings=settings,
                 software_rendering=found.software,
+                canvas=options.canvas or opengl.canvas(found),
                 saved=document if options.screenshot else saved,  # and closes without a question
                 path=path,
                 scene=scene,
@@ -249,6 +254,20 @@ def run_window(
         watch.remove()
         qInstallMessageHandler(None)
     return 1 if failed else 0
+
+
+def _probe(options: Options) -> opengl.OpenGL:
+    """What OpenGL Qt has: none will do as well, if VTK can draw off the screen."""
+    try:
+        return opengl.probe()
+    except opengl.DisplayError as error:
+        if options.canvas == "opengl":
+            raise
+        try:
+            check_off_screen()
+        except RuntimeError as why:
+            raise opengl.DisplayError(str(why)) from error
+        return opengl.NO_OPENGL
 
 
 def show_window(window: QWidget) -> None:

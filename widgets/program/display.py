@@ -12,7 +12,7 @@ from functools import partial
 
 from PySide6.QtCore import QLibraryInfo
 
-from widgets.program.opengl import DisplayError
+from widgets.program.opengl import WITHOUT_OPENGL, DisplayError
 
 WITHOUT_DISPLAY = "“export”, “project” and “matrices” need none."
 X_RETRIES_S = (0.1, 0.4, 0.0)
@@ -46,10 +46,10 @@ def _reach_display() -> Callable[[], object] | None:
     wayland = not names or any(name.startswith("wayland") for name in names)
     x11 = not names or "xcb" in names
     if not wayland and not x11:
-        raise DisplayError(
-            f"QT_QPA_PLATFORM = {wanted}: must be xcb or wayland, because no other shows OpenGL "
-            "windows here; unset it."
-        )
+        if names[0] in WITHOUT_OPENGL:
+            return None  # without a screen, or with one of its own
+        known = ", ".join(("xcb", "wayland", *WITHOUT_OPENGL))
+        raise DisplayError(f"QT_QPA_PLATFORM = {wanted}: must be one of {known}; unset it.")
     if wayland and _wayland_answers():
         return None
     display = os.environ.get("DISPLAY", "")

@@ -12,7 +12,7 @@ import json
 import sys
 from dataclasses import asdict, dataclass
 
-from PySide6.QtCore import QCoreApplication, Qt
+from PySide6.QtCore import QCoreApplication, Qt, qInstallMessageHandler
 from PySide6.QtGui import (
     QGuiApplication,
     QOffscreenSurface,
@@ -57,6 +57,17 @@ class OpenGL:
     software: bool
 
 
+NO_OPENGL = OpenGL("", "", "", software=True)
+"""Qt has none: VTK draws off the screen, by what it finds."""
+WITHOUT_OPENGL = ("offscreen", "minimal", "vnc")
+"""Qt's platforms on which its windows show no OpenGL."""
+
+
+def canvas(found: OpenGL) -> str:
+    """Name the quicker way to draw the panes, of those of ``--canvas``."""
+    return "raster" if found.software else "opengl"
+
+
 def is_software(renderer: str) -> bool:
     """Whether a renderer's name is that of a program rather than of a graphics card."""
     return any(name in renderer.lower() for name in _SOFTWARE)
@@ -80,10 +91,17 @@ def probe() -> OpenGL:
     DisplayError
         If there is none, or less than 3.2.
     """
-    surface = QOffscreenSurface()
-    surface.create()
-    context = QOpenGLContext()
-    if not surface.isValid() or not context.create() or not context.makeCurrent(surface):
+    platform = QGuiApplication.platformName()
+    if platform in WITHOUT_OPENGL:  # some give a context, and show garbage
+        raise DisplayError(f"Qt's platform {platform} shows no OpenGL windows. {ADVICE}")
+    surface, context = QOffscreenSurface(), QOpenGLContext()
+    before = qInstallMessageHandler(lambda *_said: None)  # it is said below, in one sentence
+    try:
+        surface.create()
+        is_usable = surface.isValid() and context.create() and context.makeCurrent(surface)
+    finally:
+        qInstallMessageHandler(before)
+    if not is_usable:
         raise DisplayError(f"No OpenGL could be started, and 3.2 is needed. {ADVICE}")
     try:
         functions = context.functions()

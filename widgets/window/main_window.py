@@ -49,6 +49,7 @@ from widgets.panels.matrix_panel import MatrixPanel
 from widgets.panels.measure_panel import MeasurePanel
 from widgets.panels.probe_panel import ProbePanel
 from widgets.panels.scene_panel import ScenePanel
+from widgets.panes.canvas import CANVASES
 from widgets.panes.counting import Counting
 from widgets.panes.manipulation import Manipulation
 from widgets.panes.pane import SMOOTHINGS, Pane
@@ -96,6 +97,8 @@ class MainWindow(QMainWindow):
         The file that was opened.
     scene : Scene, optional
         The document's scene, if it is loaded already.
+    canvas : {"raster", "opengl"}
+        How the panes draw.
 
     Raises
     ------
@@ -112,6 +115,7 @@ class MainWindow(QMainWindow):
         saved: Document | None = None,
         path: Path | None = None,
         scene: Scene | None = None,
+        canvas: str = "raster",
     ) -> None:
         super().__init__()
         self.setObjectName("mainWindow")
@@ -125,8 +129,9 @@ class MainWindow(QMainWindow):
             "ndc": self.tr("NDC cube"),
             "image": self.tr("Image"),
         }
+        make_canvas = CANVASES[canvas]
         self.panes = {
-            name: Pane(title, DRAWINGS[name], orbits=name != "image")
+            name: Pane(title, DRAWINGS[name], orbits=name != "image", make_canvas=make_canvas)
             for name, title in titles.items()
         }
         self.look = Look(

@@ -57,10 +57,10 @@ class Probing(QObject):
         for name, pane in panes.items():
             pane.clicked.connect(partial(self._follow, name))
             pane.double_clicked.connect(self._unfollow)
-        canvas = panes["image"].canvas
-        canvas.drag_started.connect(self._hold)
-        canvas.dragged.connect(self._drag)
-        canvas.drag_ended.connect(self._let_go)
+        hand = panes["image"].hand
+        hand.drag_started.connect(self._hold)
+        hand.dragged.connect(self._drag)
+        hand.drag_ended.connect(self._let_go)
 
     def take(self, shown: Shown, changed: Changed) -> None:
         """Forget every probe, also the held one: their scene is gone."""

@@ -76,7 +76,7 @@ class SceneGuide(QObject):
         document, phenomenon = shown.document, shown.scene.phenomenon
         asks = bool(shown.scene.requires & RASTERISED) or document.quality.has_depth
         if asks != self._asks:
-            self._asks, rendered = asks, self._image.canvas.frameSwapped
+            self._asks, rendered = asks, self._image.canvas.shown
             if asks:
                 rendered.connect(self._tell_problem)  # only a rendering finds it out
             else:

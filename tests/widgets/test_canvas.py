@@ -1,0 +1,226 @@
+"""Both kinds of canvas: the same pictures, the same hand, the same counts of repaints."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from PIL import Image
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QWidget
+
+from app.bootstrap import ROOT
+from app.document.document import Document
+from app.model.projection import Perspective
+from app.precision.quality import Quality
+from app.scenes.phenomena import PHENOMENA
+from app.scenes.scene import load
+from tests import PATIENCE_S
+from tests.support.window import (
+    MakeWindow,
+    activate,
+    click,
+    counted_repaints,
+    pixels,
+    pixels_of,
+    seen,
+    settle,
+)
+from widgets.panes.canvas import CANVASES
+from widgets.panes.pane import SCALES
+from widgets.window.main_window import MainWindow
+
+CANVAS = sorted(CANVASES)
+Opened = Callable[[], MainWindow]
+PLAIN = Quality(smoothing="none")
+
+
+def document_of(scene: str) -> Document:
+    return Document(scene, load(scene).start, quality=PLAIN)
+
+
+@pytest.fixture(params=CANVAS)
+def opened(request: pytest.FixtureRequest, make_window: MakeWindow) -> Opened:
+    """Opens a window with canvases of either kind."""
+
+    def open_window() -> MainWindow:
+        window = make_window(canvas=request.param)
+        settle()
+        return window
+
+    return open_window
+
+
+def test_both_show_the_same_pixels_of_every_scene(make_window: MakeWindow) -> None:
+    windows = [make_window(document_of("letter-f"), canvas=canvas) for canvas in CANVAS]
+    for scene in ("letter-f", "posts", *PHENOMENA):
+        for each in windows:
+            each.store.open(document_of(scene))
+        settle()
+        for name in windows[0].panes:
+            first, second = (pixels(each, name) for each in windows)
+            assert len(np.unique(first.reshape(-1, 3), axis=0)) > 3, (scene, name)
+            assert np.array_equal(first, second), (scene, name)
+
+
+@pytest.mark.parametrize("scale", SCALES)
+def test_both_draw_finer_and_coarser_pictures_of_the_same_things(
+    scale: str, make_window: MakeWindow
+) -> None:
+    document = replace(document_of("letter-f"), quality=Quality(smoothing=scale))
+    first, second = (
+        pixels(make_window(document, canvas=canvas), "image").astype(int) for canvas in CANVAS
+    )
+    assert first.shape == second.shape
+    assert (np.abs(first - second).max(axis=2) > 16).mean() < 0.01
+
+
+def test_a_change_is_one_repaint_of_each_pane_and_none_of_a_hidden_one(opened: Opened) -> None:
+    window = opened()
+    with counted_repaints(window) as counts:
+        window.store.set_projection(seen(window, lens=Perspective(50.0, 1.0, 30.0)))
+        settle()
+        assert counts == {"world": 1, "ndc": 1, "image": 1}
+        settle()
+        assert counts == {"world": 1, "ndc": 1, "image": 1}
+        window.panes["ndc"].hide()
+        settle()
+        before = dict(counts)
+        window.store.set_projection(seen(window, lens=Perspective(51.0, 1.0, 30.0)))
+        settle()
+    assert counts["ndc"] == before["ndc"]
+
+
+def test_a_slider_beside_it_draws_no_picture_anew(opened: Opened) -> None:
+    window = opened()
+    with counted_repaints(window) as counts:
+        window.controls.rows["near"].slider.update()
+        settle()
+    if window.panes["world"].canvas.plotter is not window.panes["world"].canvas:
+        assert set(counts.values()) == {0}
+
+
+def test_the_hand_turns_moves_and_zooms_the_view_alone(opened: Opened) -> None:
+    window = opened()
+    pane, document = window.panes["world"], window.store.document
+    canvas, camera = pane.canvas, pane.hand.camera
+    activate(window)
+    place, target = camera.GetPosition(), camera.GetFocalPoint()
+    QTest.mousePress(canvas, Qt.MouseButton.LeftButton, pos=QPoint(90, 90))
+    QTest.mouseMove(canvas, QPoint(150, 110))
+    QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=QPoint(150, 110))
+    assert camera.GetPosition() != place and camera.GetFocalPoint() == target
+    canvas.setFocus(Qt.FocusReason.TabFocusReason)
+    QTest.keyClick(canvas, Qt.Key.Key_Left, Qt.KeyboardModifier.ShiftModifier)
+    assert camera.GetFocalPoint() != target
+    away = camera.GetDistance() / camera.GetParallelScale()
+    QTest.keyClick(canvas, Qt.Key.Key_Plus)
+    assert camera.GetDistance() / camera.GetParallelScale() != away or camera.GetDistance() != away
+    QTest.keyClick(canvas, Qt.Key.Key_Home)
+    settle()
+    assert camera.GetPosition() == pytest.approx(place, abs=1e-9)
+    assert window.store.document == document
+
+
+def test_it_tells_where_it_is_clicked_dragged_hovered_over_and_left(opened: Opened) -> None:
+    window = opened()
+    pane, told = window.panes["image"], []
+    ratio = pane.canvas.pixel_ratio
+
+    def note(name: str) -> Any:
+        return lambda *what: told.append((name, *what))
+
+    for name in ("clicked", "drag_started", "dragged", "drag_ended", "hovered", "scrolled"):
+        getattr(pane.hand, name).connect(note(name))
+    for place in (QPoint(90, 90), QPoint(60, 61)):  # the mouse may be there already
+        QTest.mouseMove(window.windowHandle(), pane.canvas.mapTo(window, place))
+        settle()
+    assert told[-1] == ("hovered", QPointF(60.5, 61.5) * ratio)
+    told.clear()
+    click(pane.canvas, (40.0, 50.0))
+    assert told == [("clicked", QPointF(40.5, 50.5) * ratio)]
+    told.clear()
+    QTest.mousePress(pane.canvas, Qt.MouseButton.LeftButton, pos=QPoint(40, 50))
+    QTest.mouseMove(pane.canvas, QPoint(70, 50))
+    QTest.mouseRelease(pane.canvas, Qt.MouseButton.LeftButton, pos=QPoint(70, 50))
+    assert [name for name, *_ in told] == ["drag_started", "dragged", "drag_ended"]
+    assert told[0][1] == QPointF(40, 50) * ratio and told[1][1] == QPointF(30, 0) * ratio
+
+
+def test_keys_it_does_not_know_go_on_to_the_window(opened: Opened) -> None:
+    window = opened()
+    before = pixels(window)
+    for key in "3wsqerfp":
+        QTest.keyClick(window.panes["world"].canvas, key)
+    settle()
+    assert np.array_equal(pixels(window), before)
+    assert window.isVisible()
+
+
+def test_a_pane_floats_and_comes_back_with_its_picture(opened: Opened) -> None:
+    window = opened()
+    canvas = window.panes["image"].canvas
+    for _ in range(2):
+        window.pane_row.toggle_float("image")
+        settle()
+        shown = pixels(window, "image")
+        assert shown.shape == (canvas.height(), canvas.width(), 3)
+        assert len(np.unique(shown.reshape(-1, 3), axis=0)) > 10
+
+
+@pytest.mark.parametrize("kind", CANVAS)
+def test_a_canvas_of_any_size_is_drawn(kind: str, display: Any) -> None:
+    canvas = CANVASES[kind](None)
+    canvas.show()
+    for size in ((0, 0), (3, 2), (8000, 4000), (300, 200)):
+        canvas.resize(*size)
+        settle()
+        canvas.redraw()
+        settle()
+    assert pixels_of(canvas).shape == (200, 300, 3)
+    assert canvas.render_window.GetSize() == (300, 200)
+    canvas.close()
+
+
+def test_without_a_screen_and_without_qts_opengl_it_draws_all_the_same(tmp_path: Path) -> None:
+    pictures = []
+    for without in (
+        {"DISPLAY": None, "QT_QPA_PLATFORM": "offscreen"},
+        {"QT_XCB_GL_INTEGRATION": "none"},
+    ):
+        variables = {**os.environ, **without}
+        out = tmp_path / f"{len(pictures)}.png"
+        done = subprocess.run(
+            [sys.executable, "-m", "app", "--screenshot", out, "--size", "1000x600"],
+            cwd=ROOT, env={name: value for name, value in variables.items() if value is not None},
+            capture_output=True, text=True, timeout=PATIENCE_S, check=False,
+        )  # fmt: skip
+        assert (done.returncode, done.stdout) == (0, ""), done.stderr
+        pictures.append(np.asarray(Image.open(out).convert("RGB")))
+    assert pictures[0].shape == (600, 1000, 3)
+    assert len(np.unique(pictures[0].reshape(-1, 3), axis=0)) > 50
+    assert (pictures[0] != pictures[1]).any(axis=2).mean() < 0.02  # letters of two platforms
+
+
+def test_a_canvas_that_is_forced_and_cannot_be_had_is_refused(tmp_path: Path) -> None:
+    done = subprocess.run(
+        [sys.executable, "-m", "app", "--canvas", "opengl", "--screenshot", tmp_path / "a.png"],
+        cwd=ROOT, env={**os.environ, "QT_QPA_PLATFORM": "offscreen"},
+        capture_output=True, text=True, timeout=PATIENCE_S, check=False,
+    )  # fmt: skip
+    assert done.returncode == 3
+    assert "platform offscreen shows no OpenGL" in done.stderr and done.stderr.count("\n") == 1
+
+
+def test_it_takes_no_drops_which_are_the_windows(opened: Opened) -> None:
+    window = opened()
+    canvases: list[QWidget] = [pane.canvas for pane in window.panes.values()]
+    assert not any(canvas.acceptDrops() for canvas in canvases)

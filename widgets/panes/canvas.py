@@ -1,0 +1,429 @@
+"""The surface that a pane draws on: one of two small canvases, with one hand for mouse and keys.
+
+::
+
+    redraw() --> QWidget.update, coalesced by Qt --> Qt's paint event --> one VTK render --> drawn
+
+- `GlCanvas` is pyvistaqt's interactor: VTK draws into a QOpenGLWidget of Qt's.
+- `RasterCanvas` is a plain widget: VTK draws off the screen, as for a figure, and the widget paints
+  the pixels. Where OpenGL is software that takes half the time, as Qt composes no textures then,
+  and a slider beside it is repainted without the canvases. It needs no OpenGL of Qt's.
+
+`plotter.render()` is never called: it draws at once *and* again in the paint event. The mouse does
+not go through VTK's interactor styles, which render by themselves, rewrite the clipping range at
+every drag, and bind plain keys to changes of the scene: `Hand` has mouse and keys of either canvas.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from typing import Any, TypeAlias
+
+from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, Qt, QTimer, Signal
+from PySide6.QtGui import (
+    QCloseEvent,
+    QGuiApplication,
+    QImage,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QResizeEvent,
+    QSurfaceFormat,
+    QWheelEvent,
+)
+from PySide6.QtWidgets import QApplication, QGestureEvent, QPinchGesture, QWidget
+from pyvistaqt import QtInteractor
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
+
+from app.drawings.off_screen import off_screen_plotter
+from widgets.parts.focus import FocusRing
+
+ORBIT_DEG_PER_PX = 0.4
+ZOOM_PER_WHEEL_STEP = 1.15
+HIGHEST_DEG = 89.0
+KEY_PX = 25.0
+"""What the mouse would be moved by for an arrow key: it turns by 10 degrees."""
+_ARROWS = {
+    Qt.Key.Key_Left: (-KEY_PX, 0.0),
+    Qt.Key.Key_Right: (KEY_PX, 0.0),
+    Qt.Key.Key_Up: (0.0, -KEY_PX),
+    Qt.Key.Key_Down: (0.0, KEY_PX),
+}
+_ZOOM_STEPS = {Qt.Key.Key_Plus: 1, Qt.Key.Key_Equal: 1, Qt.Key.Key_Minus: -1}
+"""Plus is on the key of = of many keyboards."""
+_WIDE_LINES = QSurfaceFormat.FormatOption.DeprecatedFunctions
+
+
+class GlCanvas(QtInteractor):
+    """VTK draws into a QOpenGLWidget: where there is a graphics card."""
+
+    painted = Signal(float)
+    """A repaint was done, in so many ms; only while `timed`."""
+    shown = Signal()
+    """What was painted has reached the screen."""
+
+    def __init__(self, parent: QWidget | None) -> None:
+        super().__init__(parent, auto_update=False, multi_samples=0)
+        if QGuiApplication.platformName() in ("xcb", "windows"):
+            # As VTK's own windows are: else it widens lines in a shader, to other pixels. (Not on
+            # Wayland, where a widget with a format of its own stays black.)
+            wanted = self.format()
+            wanted.setOption(_WIDE_LINES)
+            self.setFormat(wanted)
+        self.setAcceptDrops(False)  # the window takes drops; pyvistaqt would add the file here
+        self.timed = False
+        self._finer = 1.0
+        self._resizing = False
+        self.frameSwapped.connect(self.shown)
+
+    @property
+    def plotter(self) -> Any:
+        """What drawings are made in."""
+        return self
+
+    def initializeGL(self) -> None:
+        super().initializeGL()  # type: ignore[no-untyped-call]
+        if self.context().format().testOption(_WIDE_LINES):
+            window: Any = self.render_window
+            window.SetForceMaximumHardwareLineWidth(0.0)  # pyvistaqt's is 1
+
+    @property
+    def pixel_ratio(self) -> float:
+        """Pixels that VTK draws for one of Qt's, along each side."""
+        return self.devicePixelRatioF() * self._finer
+
+    def draw_finer(self, times: float) -> None:
+        """Draw so many pixels for one that the screen shows, along each side."""
+        if times != self._finer:
+            self._finer = times
+            self.resizeGL(self.width(), self.height())
+
+    def redraw(self) -> None:
+        """Ask Qt for one repaint, however often it is asked before the next paint."""
+        QWidget.update(self)
+
+    def resizeGL(self, w: int, h: int) -> None:
+        super().resizeGL(w, h)  # type: ignore[no-untyped-call]
+        window: Any = self.render_window
+        if self._finer != 1.0:
+            sides = (max(1, round(side * self.pixel_ratio)) for side in (w, h))
+            window.GetInteractor().UpdateSize(*sides)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        self._resizing = True
+        try:
+            super().resizeEvent(event)
+        finally:
+            self._resizing = False
+
+    def paintGL(self) -> None:
+        window: Any = self.render_window
+        if self._resizing and window.GetNeverRendered():
+            return  # Qt has given it its first size; it will show it, and draw it then
+        began = time.perf_counter()
+        super().paintGL()  # type: ignore[no-untyped-call]
+        if not self.timed:
+            return
+        window.WaitForCompletion()  # drawing goes on after the call otherwise
+        self.painted.emit(1e3 * (time.perf_counter() - began))
+
+    # What the hand has left is for the pane, and nothing of it for VTK.
+
+    def keyPressEvent(self, event: Any) -> None:
+        event.ignore()
+
+    def keyReleaseEvent(self, event: Any) -> None:
+        event.ignore()
+
+    def enterEvent(self, event: Any) -> None:
+        event.ignore()
+
+    def leaveEvent(self, event: Any) -> None:
+        event.ignore()
+
+
+class RasterCanvas(QWidget):
+    """A widget that paints what VTK has drawn off the screen."""
+
+    painted = Signal(float)
+    """A repaint was done, in so many ms; only while `timed`."""
+    shown = Signal()
+    """What was painted has reached the screen."""
+
+    def __init__(self, parent: QWidget | None) -> None:
+        super().__init__(parent)
+        self.plotter: Any = off_screen_plotter(120, 120)
+        self.render_window: Any = self.plotter.render_window
+        self.renderer: Any = self.plotter.renderer
+        self.render_window.SwapBuffersOff()
+        self.grabGesture(Qt.GestureType.PinchGesture)
+        self.timed = False
+        self._finer = 1.0
+        self._is_stale = True
+        self._pixels = vtkUnsignedCharArray()
+        self._image = QImage()
+
+    @property
+    def pixel_ratio(self) -> float:
+        """Pixels that VTK draws for one of Qt's, along each side."""
+        return self.devicePixelRatioF() * self._finer
+
+    def draw_finer(self, times: float) -> None:
+        """Draw so many pixels for one that the screen shows, along each side."""
+        self._finer = times
+        self.redraw()
+
+    def redraw(self) -> None:
+        """Ask Qt for one repaint, however often it is asked before the next paint."""
+        self._is_stale = True
+        self.update()
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        sides = (self.width(), self.height())
+        size = [max(1, round(side * self.pixel_ratio)) for side in sides]
+        if self._is_stale or size != [self._image.width(), self._image.height()]:
+            self._draw(*size)
+        painter = QPainter(self)
+        if self._finer != 1.0:
+            painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
+        painter.scale(1.0, -1.0)  # OpenGL's first row is the lowest
+        painter.drawImage(QRectF(0, -self.height(), self.width(), self.height()), self._image)
+        painter.end()
+        QTimer.singleShot(0, self, self.shown.emit)  # Qt flushes when all of a window is painted
+
+    def _draw(self, width: int, height: int) -> None:
+        began = time.perf_counter()
+        window = self.render_window
+        if window.GetSize() != (width, height):
+            window.SetSize(width, height)
+        self._is_stale = False
+        window.Render()
+        window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, self._pixels)
+        data = vtk_to_numpy(self._pixels).data  # type: ignore[no-untyped-call]
+        self._image = QImage(data, width, height, QImage.Format.Format_RGBX8888)
+        if self.timed:
+            self.painted.emit(1e3 * (time.perf_counter() - began))
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        self._image = QImage()
+        self.plotter.close()
+        super().closeEvent(event)
+
+
+AnyCanvas: TypeAlias = GlCanvas | RasterCanvas
+CANVASES: dict[str, type[AnyCanvas]] = {"opengl": GlCanvas, "raster": RasterCanvas}
+
+
+class Hand(QObject):
+    """Mouse and keys on a canvas: they move its own camera, or are told.
+
+    Places are in device pixels from the canvas' top left.
+
+    Parameters
+    ----------
+    canvas : GlCanvas or RasterCanvas
+    orbits : bool
+        Whether it moves the canvas' own camera.
+    """
+
+    moved = Signal()
+    """The canvas' own camera was moved."""
+    clicked = Signal(QPointF)
+    """Pressed and released in one place: the middle of that pixel."""
+    drag_started = Signal(QPointF)
+    """The left button has left the place where it was pressed."""
+    dragged = Signal(QPointF, bool)
+    """How far it is from there, and whether Shift is held."""
+    drag_ended = Signal()
+    hovered = Signal(QPointF)
+    """The mouse is over this place, no button held: the middle of that pixel."""
+    left = Signal()
+    """The mouse is over the canvas no more."""
+    scrolled = Signal(float)
+    """The wheel was turned by so many steps, away from the user, where it is not a zoom."""
+
+    def __init__(self, canvas: AnyCanvas, *, orbits: bool) -> None:
+        super().__init__(canvas)
+        self._canvas = canvas
+        self._orbits = orbits
+        self._last: QPointF | None = None
+        self._pressed: QPointF | None = None
+        """Where the left button went down, as long as it may be a click."""
+        self._dragged_from: QPointF | None = None
+        # Or Qt paints the window under it, and uploads that, whenever it draws a slider as well.
+        canvas.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
+        canvas.setMouseTracking(True)
+        # By Tab alone: a click leaves the focus in a field that is typed in.
+        canvas.setFocusPolicy(Qt.FocusPolicy.TabFocus if orbits else Qt.FocusPolicy.NoFocus)
+        FocusRing(canvas)
+        canvas.setMinimumSize(120, 120)
+        kinds = QEvent.Type
+        self._takes: dict[QEvent.Type, Any] = {
+            kinds.MouseButtonPress: self._press,
+            kinds.MouseButtonRelease: self._release,
+            kinds.MouseButtonDblClick: self._double_click,
+            kinds.MouseMove: self._move,
+            kinds.Wheel: self._wheel,
+            kinds.KeyPress: self._key,
+            kinds.Leave: self._leave,
+            kinds.Gesture: self._gesture,
+        }
+        canvas.installEventFilter(self)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        take = self._takes.get(event.type())
+        return watched is self._canvas and take is not None and bool(take(event))
+
+    def keep_view(self) -> None:
+        """The drag that has just started is about what was under it: the view stays."""
+        self._last = None
+
+    # Each returns whether the event goes no further in the canvas: ignored, it goes to the pane.
+
+    def _key(self, event: QKeyEvent) -> bool:
+        modifiers, key = event.modifiers(), event.key()
+        is_shifted = bool(modifiers & Qt.KeyboardModifier.ShiftModifier)
+        plain = Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.KeypadModifier
+        if not self._orbits or self._dragged_from is not None or modifiers & ~plain:
+            return False
+        if key in _ARROWS:
+            (self._pan if is_shifted else self._orbit)(*_ARROWS[Qt.Key(key)])
+            self.moved.emit()
+        elif key in _ZOOM_STEPS:
+            self._zoom(ZOOM_PER_WHEEL_STEP ** _ZOOM_STEPS[Qt.Key(key)])
+        else:
+            return False
+        event.accept()
+        return True
+
+    def _leave(self, _event: QEvent) -> bool:
+        self.left.emit()
+        return False
+
+    def _press(self, event: QMouseEvent) -> bool:
+        event.accept()
+        if self._dragged_from is None:  # another button is no part of a drag
+            self._last = event.position()
+            is_left = event.button() == Qt.MouseButton.LeftButton
+            self._pressed = event.position() if is_left else None
+        return True
+
+    def _release(self, event: QMouseEvent) -> bool:
+        event.accept()
+        if event.buttons() == Qt.MouseButton.NoButton:
+            self._last = None
+        if event.button() != Qt.MouseButton.LeftButton:
+            return True
+        if self._dragged_from is not None:
+            self._dragged_from = None
+            self.drag_ended.emit()
+        if self._pressed is not None:
+            middle = self._middle(self._pressed)
+            self._pressed = None
+            self.clicked.emit(middle)
+        return True
+
+    def _middle(self, position: QPointF) -> QPointF:
+        """Of the pixel at a position, in device pixels."""
+        return (position + QPointF(0.5, 0.5)) * self._canvas.pixel_ratio
+
+    def _double_click(self, event: QMouseEvent) -> bool:
+        self._pressed = None
+        event.ignore()  # the pane resets the view
+        return True
+
+    def _move(self, event: QMouseEvent) -> bool:
+        event.accept()
+        if event.buttons() == Qt.MouseButton.NoButton:
+            self.hovered.emit(self._middle(event.position()))
+            return True
+        ratio = self._canvas.pixel_ratio
+        is_shifted = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
+        if self._pressed is not None:
+            moved = (event.position() - self._pressed).manhattanLength()
+            if moved < QApplication.startDragDistance():  # a hand that trembles turns nothing
+                return True
+            self._dragged_from, self._pressed = self._pressed, None
+            self.drag_started.emit(self._dragged_from * ratio)
+        if self._dragged_from is not None:
+            self.dragged.emit((event.position() - self._dragged_from) * ratio, is_shifted)
+        if self._last is None or not self._orbits:
+            return True
+        step = event.position() - self._last
+        self._last = event.position()
+        turns = event.buttons() == Qt.MouseButton.LeftButton and not is_shifted
+        (self._orbit if turns else self._pan)(step.x(), step.y())
+        self.moved.emit()
+        return True
+
+    def _wheel(self, event: QWheelEvent) -> bool:
+        event.accept()
+        steps = event.angleDelta().y() / 120.0
+        if self._dragged_from is not None:  # what is held would leave the hand
+            return True
+        if self._orbits:
+            self._zoom(ZOOM_PER_WHEEL_STEP**steps)
+        elif steps:
+            self.scrolled.emit(steps)
+        return True
+
+    def _gesture(self, event: QGestureEvent) -> bool:
+        pinch = event.gesture(Qt.GestureType.PinchGesture)
+        if isinstance(pinch, QPinchGesture) and self._orbits:
+            event.accept(pinch)
+            self._zoom(pinch.scaleFactor())
+        return True
+
+    # -- the canvas' own camera
+
+    @property
+    def camera(self) -> Any:
+        """The canvas' own; pyvista's `camera` would first put it where pyvista likes."""
+        return self._canvas.renderer.GetActiveCamera()
+
+    def _zoom(self, factor: float) -> None:
+        """Bring the camera nearer by `factor`."""
+        camera = self.camera
+        if camera.GetParallelProjection():
+            camera.SetParallelScale(camera.GetParallelScale() / factor)
+        else:
+            camera.Dolly(factor)
+        self.moved.emit()
+
+    def _orbit(self, right_px: float, down_px: float) -> None:
+        camera = self.camera
+        camera.Azimuth(-ORBIT_DEG_PER_PX * right_px)
+        # Turntable, not trackball: the world's vertical stays vertical, so the pole is a stop.
+        elevation_deg = _elevation_deg(camera)
+        turned = elevation_deg + ORBIT_DEG_PER_PX * down_px
+        camera.Elevation(max(-HIGHEST_DEG, min(HIGHEST_DEG, turned)) - elevation_deg)
+
+    def _pan(self, right_px: float, down_px: float) -> None:
+        camera = self.camera
+        if camera.GetParallelProjection():
+            half_height = camera.GetParallelScale()
+        else:
+            half_angle = math.radians(camera.GetViewAngle()) / 2.0
+            half_height = camera.GetDistance() * math.tan(half_angle)
+        unit = 2.0 * half_height / max(1, self._canvas.height())
+        matrix = camera.GetViewTransformMatrix()
+        shift = [
+            unit * (down_px * matrix.GetElement(1, i) - right_px * matrix.GetElement(0, i))
+            for i in range(3)
+        ]
+        for get, put in (
+            (camera.GetPosition, camera.SetPosition),
+            (camera.GetFocalPoint, camera.SetFocalPoint),
+        ):
+            put(*(p + s for p, s in zip(get(), shift, strict=True)))
+
+
+def _elevation_deg(camera: Any) -> float:
+    up = camera.GetViewUp()
+    away = [-d for d in camera.GetDirectionOfProjection()]
+    length = math.hypot(*up)
+    sine = sum(a * b for a, b in zip(away, up, strict=True)) / length
+    return math.degrees(math.asin(max(-1.0, min(1.0, sine))))
