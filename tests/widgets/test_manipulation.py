@@ -32,7 +32,7 @@ from app.model.projection import (
 from app.picking.handles import EYE, TARGET, Handle
 from app.scenes.scene import load
 from tests.support.window import LEFT, MakeWindow, pixels, point_of, settle, show_scene
-from widgets.panes.canvas import ZOOM_PER_WHEEL_STEP
+from widgets.panes.canvas import CANVASES, ZOOM_PER_WHEEL_STEP
 from widgets.window.main_window import MainWindow
 
 NONE = Qt.KeyboardModifier.NoModifier
@@ -72,7 +72,6 @@ def move(window: MainWindow, name: str, to: QPoint, key: Any = NONE, button: Any
         Qt.MouseButton.NoButton, button, key,
     )  # fmt: skip
     QApplication.sendEvent(canvas, event)
-    settle()
 
 
 def press(window: MainWindow, name: str, at: QPoint, key: Any = NONE) -> None:
@@ -100,6 +99,12 @@ def view(window: MainWindow) -> tuple[float, ...]:
 
 
 def wheel(window: MainWindow, steps: float, name: str = "image") -> None:
+    turn_wheel(window, steps, name)
+    settle()
+
+
+def turn_wheel(window: MainWindow, steps: float, name: str = "image") -> None:
+    """The event alone: what is said of it is said as long as the wheel turns."""
     canvas = window.panes[name].canvas
     place = QPointF(canvas.rect().center())
     event = QWheelEvent(
@@ -598,12 +603,23 @@ def test_the_wheel_stops_before_the_target_and_says_so(window: MainWindow, qtbot
     window.store.set_projection(replace(model(window), camera=near))
     bar = window.manipulation.message
     with qtbot.waitSignal(window.manipulation.gesture_finished):
-        wheel(window, 20.0)
+        turn_wheel(window, 20.0)
         assert model(window).camera == near
         assert bar.text == (
             "Eye = (1, 2, 3): must differ from the target, or the camera looks nowhere."
         )
     assert bar.text == ""
+
+
+@pytest.mark.parametrize("canvas", CANVASES)
+def test_a_wheel_that_stands_still_after_the_window_has_closed_is_nothing(
+    canvas: str, make_window: MakeWindow, qtbot: Any
+) -> None:
+    window = make_window(canvas=canvas)
+    with qtbot.waitSignal(window.manipulation.gesture_finished):
+        turn_wheel(window, 1.0)
+        window.store.mark_saved()
+        window.close()
 
 
 def test_a_held_handle_is_known_by_its_name() -> None:

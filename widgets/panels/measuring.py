@@ -27,7 +27,8 @@ from app.model.refusal import Refusal
 from widgets.parts.messages import sentence
 
 PAUSE, RESUME, CANCEL = b"pause\n", b"resume\n", b"cancel\n"
-_KILLED_WITHIN_MS = 3000
+_KILLED_WITHIN_MS = 30_000
+"""It ends at once, but for a machine that is busy with much else."""
 
 
 class Measuring(QObject):

@@ -426,6 +426,7 @@ class MainWindow(QMainWindow):
         self.measure_panel.close_process()
         self.settings.geometry = bytes(self.saveGeometry().data())
         self.recovery.autosave.close()
+        self.store.blockSignals(True)  # a wheel may still be turning, and end its gesture
         for pane in self.panes.values():
             pane.close_canvas()
             if pane.isWindow():
