@@ -161,12 +161,14 @@ def _display() -> Iterator[Finding]:
     yield Finding("Display", f"{answer['platform']} {place}".rstrip())
     for name, width, height, scale in answer["screens"]:
         yield Finding("Screen", f"{name}: {width} x {height} at scale {scale:g}")
-    if "error" in answer:
-        yield Finding("OpenGL", "not usable", answer["error"])
+    if "error" in answer:  # which keeps no window from opening, if pictures can be exported
+        yield Finding("OpenGL", f"none for windows: {answer['error']}")
     else:
         how = "software, without a graphics card" if answer["software"] else "graphics card"
         text = f"{answer['version']}, {answer['renderer']} ({how})"
         yield Finding("OpenGL", text)
+    ways = {"opengl": "drawn in the window", "raster": "drawn off the screen, pixels painted"}
+    yield Finding("Panes", f"{ways[answer['canvas']]} (--canvas {answer['canvas']})")
 
 
 def _off_screen() -> Finding:

@@ -132,10 +132,13 @@ def main() -> int:
             for screen in application.screens()
         ],
     }  # fmt: skip
+    found = NO_OPENGL
     try:
-        answer |= asdict(probe())
+        found = probe()
+        answer |= asdict(found)
     except DisplayError as error:
         answer["error"] = str(error)
+    answer["canvas"] = canvas(found)
     print(json.dumps(answer))
     return 0
 
