@@ -1,10 +1,10 @@
 """Matrices as somebody types them: which are a lens or a camera after all, and what the others do.
 
 A typed matrix is recognised where a lens, or a camera, has it: up to a positive factor of the
-lens, which no picture shows, and up to what rounding the lens' own fields to float64 costs
-(`_ROUNDING`). Of fields that fit, those in hand are taken, then short decimals: who types the
-matrix of ``near = 1`` gets 1, not 0.9999999999999999. What is decided about a matrix without
-an answer (its rank, the sign of its determinant, where w vanishes) is decided in rationals.
+lens, which no picture shows, and up to what rounding the lens' own fields to float64 costs. Of
+fields that fit, those in hand are taken, then short decimals (`app.model.lenses.solving`). What is
+decided about a matrix without an answer (its rank, the sign of its determinant, where w vanishes)
+is decided in rationals.
 """
 
 from __future__ import annotations

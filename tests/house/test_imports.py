@@ -14,6 +14,7 @@ from graphlib import TopologicalSorter
 import pytest
 
 from app.bootstrap import ROOT, requirements
+from app.model.lenses import LENSES, FreeMatrix
 
 VTK = ("pyvista", "vtkmodules")
 QT = ("PySide6",)
@@ -190,6 +191,32 @@ def test_no_files_import_each_other_in_a_circle() -> None:
         for module, path in modules.items()
     }
     assert len(list(TopologicalSorter(graph).static_order())) >= len(modules) - 20  # or CycleError
+
+
+def questions(source: str) -> list[str]:
+    """Where a source file asks which lens it is: ``isinstance``, and ``.parallel``."""
+    classes = {"Lens", "ClosedForm", "Central", "Parallel", "Windowed"}
+    classes |= {lens.__name__ for lens in (*LENSES.values(), FreeMatrix)}
+    found = []
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, ast.Attribute) and node.attr == "parallel":
+            found.append(ast.unparse(node))
+        elif isinstance(node, ast.Call) and ast.unparse(node.func) == "isinstance":
+            names = {ast.unparse(part) for part in ast.walk(node.args[1])}
+            if names & classes:
+                found.append(ast.unparse(node))
+    return found
+
+
+def test_hardly_anybody_outside_asks_which_lens_it_is() -> None:
+    """What differs between lenses is a number or a method of theirs (DESIGN section 2)."""
+    assert questions("x = isinstance(a.lens, Frustum | Oblique) or lens.parallel") != []
+    asked = {
+        path: questions(read(path))
+        for path in sources()
+        if not path.startswith("app/model/lenses/")
+    }
+    assert sum(map(len, asked.values())) <= 10, {path: q for path, q in asked.items() if q}
 
 
 @pytest.mark.parametrize(

@@ -156,9 +156,9 @@ class Central(ClosedForm):
     # -- points
 
     def _pictured(
-        self, setup: Setup, x: Array, y: Array, z: Array
+        self, setup: Setup, x: Array, y: Array, distance: Array
     ) -> tuple[tuple[Array, Array], Array, tuple[Array, Array]]:
-        w, near, (x_axis, y_axis) = -z, self.near, setup.axes
+        w, near, (x_axis, y_axis) = distance, self.near, setup.axes
         ndc = x_axis.across(near * (x / w)), y_axis.across(near * (y / w))
         # Where w is 0 there is no quotient, but still a point in clip space.
         x_clip = 2.0 * near / x_axis.extent * x - x_axis.skew * w

@@ -112,7 +112,7 @@ class ClosedForm(Lens):
         rows, rest = setup.view(traced.world)
         x, y, z = rows
         distance = -z
-        (x_clip, y_clip), w, (x_ndc, y_ndc) = self._pictured(setup, x, y, z)
+        (x_clip, y_clip), w, (x_ndc, y_ndc) = self._pictured(setup, x, y, distance)
         numerator, depth = self._depth_over_w(distance, rest, reverse=setup.depth == "reversed")
         opengl = setup.depth == "opengl"
         z_clip = 2.0 * numerator - w if opengl else numerator
@@ -134,15 +134,17 @@ class ClosedForm(Lens):
         if not in_front.all():
             for array in (traced.ndc, traced.image, traced.depth):
                 array[~in_front] = np.nan
-        beyond, minus_w = traced.outside.T, -w
+        beyond = traced.outside.T
         np.less(distance, self.near, out=beyond[0])
         np.greater(distance, self.far, out=beyond[1])
-        for i, row in ((2, x_clip), (4, y_clip)):
-            np.less(row, minus_w, out=beyond[i])
-            np.greater(row, w, out=beyond[i + 1])
+        np.greater(x_clip, w, out=beyond[3])
+        np.greater(y_clip, w, out=beyond[5])
+        minus_w = np.negative(w, out=w)  # in its place: nobody asks for w any more
+        np.less(x_clip, minus_w, out=beyond[2])
+        np.less(y_clip, minus_w, out=beyond[4])
 
     def _pictured(
-        self, setup: Setup, x: Array, y: Array, z: Array
+        self, setup: Setup, x: Array, y: Array, distance: Array
     ) -> tuple[tuple[Array, Array], Array, tuple[Array, Array]]:
         """x and y of clip space, w, and x and y of the cube."""
         raise NotImplementedError

@@ -82,13 +82,13 @@ class Parallel(ClosedForm):
     # -- points
 
     def _pictured(
-        self, setup: Setup, x: Array, y: Array, z: Array
+        self, setup: Setup, x: Array, y: Array, distance: Array
     ) -> tuple[tuple[Array, Array], Array, tuple[Array, Array]]:
         cot_alpha, cot_beta = self.shear
-        before = self.near + z
+        before = self.near - distance
         x_axis, y_axis = setup.axes
         ndc = x_axis.across(x + cot_alpha * before), y_axis.across(y + cot_beta * before)
-        return ndc, np.ones_like(z), ndc
+        return ndc, np.ones_like(distance), ndc
 
     def _depth_over_w(self, distance: Array, rest: Array, *, reverse: bool) -> tuple[Array, Array]:
         near, far = self.near, self.far

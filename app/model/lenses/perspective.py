@@ -233,9 +233,9 @@ class Perspective(Central):
         return Intrinsics(focal, focal, (width - 1) / 2.0, (height - 1) / 2.0)
 
     def _pictured(
-        self, setup: Setup, x: Array, y: Array, z: Array
+        self, setup: Setup, x: Array, y: Array, distance: Array
     ) -> tuple[tuple[Array, Array], Array, tuple[Array, Array]]:
-        w, scale_y = -z, self.cot_half_fov_y
+        w, scale_y = distance, self.cot_half_fov_y
         scale_x = scale_y / setup.aspect
         return (scale_x * x, scale_y * y), w, (scale_x * (x / w), scale_y * (y / w))
 
