@@ -129,6 +129,14 @@ def test_every_row_makes_its_edit(owner: Owner) -> None:
     ]  # fmt: skip
 
 
+def test_undo_in_a_field_is_the_windows_once_its_number_is_taken(owner: Owner) -> None:
+    """What the field could undo is its text alone, while the document has the number."""
+    field: Any = owner.panel.rows["light"].fields[1]  # type: ignore[attr-defined]
+    enter(field, "2")
+    assert owner.settings["light"] == (1.0, 2.0, 3.0)
+    assert not field.isUndoAvailable()
+
+
 def test_a_refusal_goes_when_another_setting_is_accepted(owner: Owner) -> None:
     panel = owner.panel
     light: Any = panel.rows["light"]
