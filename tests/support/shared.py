@@ -65,6 +65,7 @@ READ = (
     *("cursorPosition", "selectedText", "count", "styleSheet"),
 )
 """What can be seen of a widget, or heard."""
+CHOSEN = ("value", "isChecked", "currentIndex")
 
 
 class Lent:
@@ -174,7 +175,8 @@ def _seen(window: MainWindow) -> Iterator[Any]:
 
 
 def _of_widget(widget: QWidget) -> str:
-    read = (getattr(widget, name, None) for name in READ)
-    seen = [value() if callable(value) else value for value in read]
-    told = [value for value in seen if isinstance(value, str | int | float)]
-    return repr((type(widget), told, widget.isVisible() and widget.geometry().getRect()))
+    seen = widget.isVisible()  # or its words are written when it is shown, as it was chosen to be
+    read = (getattr(widget, name, None) for name in (READ if seen else CHOSEN))
+    values = [value() if callable(value) else value for value in read]
+    told = [value for value in values if isinstance(value, str | int | float)]
+    return repr((type(widget), told, seen and widget.geometry().getRect()))
