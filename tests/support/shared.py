@@ -65,7 +65,7 @@ READ = (
     *("cursorPosition", "selectedText", "count", "styleSheet"),
 )
 """What can be seen of a widget, or heard."""
-CHOSEN = ("value", "isChecked", "currentIndex")
+CHOSEN = ("isChecked", "currentIndex")
 
 
 class Lent:
