@@ -158,8 +158,7 @@ def _let_time_pass(window: MainWindow) -> None:
             interval = timer.interval()
             timer.start(0)
             settle()
-            if not timer.isActive():
-                timer.setInterval(interval)
+            timer.setInterval(interval)
     settle()
 
 
