@@ -120,7 +120,7 @@ def lent(display: Any, homes: Iterator[Path]) -> Iterator[Any]:
 def window(request: pytest.FixtureRequest, lent: Any) -> Iterator[Any]:
     """A window on the letter F as it opens, at rest."""
     yield lent.lend()
-    request.node.funcargs.pop("window", None)  # pytest's hold on it, should it be closed now
+    request.node.funcargs.clear()  # pytest's hold on it, should it be closed now
     lent.take_back()
 
 

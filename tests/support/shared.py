@@ -12,11 +12,11 @@ import gc
 import weakref
 from collections.abc import Callable, Iterator
 from types import FunctionType
-from typing import Any
+from typing import Any, ClassVar
 
-from PySide6.QtCore import QEvent, QObject, QPoint, QTimer
+from PySide6.QtCore import QEvent, QObject, QPoint, QSize, QTimer
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QMenu, QWidget
+from PySide6.QtWidgets import QApplication, QMenu, QStackedWidget, QWidget
 
 from app.document.document import Document
 from tests import PATIENCE_MS
@@ -65,6 +65,7 @@ READ = (
     *("cursorPosition", "selectedText", "count", "styleSheet"),
 )
 """What can be seen of a widget, or heard."""
+CHOSEN = ("isChecked", "currentIndex")
 
 
 class Lent:
@@ -76,11 +77,13 @@ class Lent:
         Opens one.
     """
 
+    _as_opened: ClassVar[list[Any]] = []
+    """What is seen of the first that was put back; they all open alike."""
+
     def __init__(self, make: Callable[[], MainWindow]) -> None:
         self._make = make
         self._windows: list[MainWindow] = []
-        self._put_back: Callable[[], None] = settle
-        self._as_opened: list[Any] = []
+        self._start: tuple[Document, float, QSize]
         self._is_good = True
 
     def lend(self) -> MainWindow:
@@ -89,36 +92,12 @@ class Lent:
             self.put_away()
         if not self._windows:
             window = self._make()
-            self._windows.append(window)
             settle()
-            document, stage, size = window.store.document, window.strip.position, window.size()
-
-            def put_back() -> None:
-                window = self._windows[-1]
-                window.setFocus()
-                window.resize(size)
-                while window.store.in_gesture:
-                    window.store.end_gesture()
-                window.controls.animation.pause()
-                window.scene_panel.pause()
-                window.strip.go_to(stage)
-                window.frame_panel.go_to(0)
-                window.probe_panel.clear()
-                window.panels.open(None)
-                window.pane_row.show_all()
-                window.messages.hide()
-                window.store.open(document)
-                window.pane_row.reset_views()
-                QTest.mouseMove(window.windowHandle(), QPoint(window.width() - 2, 2))
-                for pane in window.panes.values():  # or it knows nothing of it: it was sent events
-                    QApplication.sendEvent(pane.canvas, QEvent(QEvent.Type.Leave))
-                settle()
-                delete_what_is_due()
-                _let_time_pass(window)
-
-            self._put_back = put_back
-            put_back()
-            self._as_opened = list(_seen(window))
+            self._windows.append(window)
+            self._start = window.store.document, window.strip.position, window.size()
+            if not self._as_opened:
+                self._put_back()
+                self._as_opened.extend(_seen(window))
         return self._windows[-1]
 
     def take_back(self) -> None:
@@ -127,18 +106,49 @@ class Lent:
 
     def put_away(self) -> None:
         """Close the window, if there is one."""
-        self._is_good, self._as_opened = True, []
+        self._is_good = True
         close(self._windows)
 
     def _is_as_it_opened(self) -> bool:
         window = self._windows[-1]
         if not window.isVisible() or QApplication.activeModalWidget() is not None:
             return False
+        if _lasting(window) != self._as_opened[0]:
+            return False
         try:
             self._put_back()
         except Exception:  # by what the test has put into the place of something
             return False
         return list(_seen(window)) == self._as_opened
+
+    def _put_back(self) -> None:
+        window, (document, stage, size) = self._windows[-1], self._start
+        window.setFocus()
+        window.resize(size)
+        while window.store.in_gesture:
+            window.store.end_gesture()
+        window.controls.animation.pause()
+        window.scene_panel.pause()
+        window.strip.go_to(stage)
+        window.frame_panel.go_to(0)
+        window.probe_panel.clear()
+        window.panels.open(None)
+        window.pane_row.show_all()
+        window.messages.hide()
+        window.store.open(document)
+        window.pane_row.reset_views()
+        QTest.mouseMove(window.windowHandle(), QPoint(window.width() - 2, 2))
+        for pane in window.panes.values():  # or it knows nothing of it: it was sent events
+            QApplication.sendEvent(pane.canvas, QEvent(QEvent.Type.Leave))
+        settle()
+        delete_what_is_due()
+        _let_time_pass(window)
+
+
+def _lasting(window: MainWindow) -> tuple[str, ...]:
+    """What is not put back: the file's name, the look, the settings."""
+    font = QApplication.font().toString()
+    return window.windowTitle(), font, repr(vars(window.settings))
 
 
 def _let_time_pass(window: MainWindow) -> None:
@@ -148,16 +158,15 @@ def _let_time_pass(window: MainWindow) -> None:
             interval = timer.interval()
             timer.start(0)
             settle()
-            if not timer.isActive():
-                timer.setInterval(interval)
+            timer.setInterval(interval)
     settle()
 
 
 def _seen(window: MainWindow) -> Iterator[Any]:
     """All that can be seen of a window, and which methods are not its own any more."""
-    yield window.windowTitle(), window.isWindowModified(), QApplication.font().toString()
-    yield window.store.document, window.store.can_undo, window.store.can_redo
-    yield repr(vars(window.settings))
+    yield _lasting(window)
+    yield window.isWindowModified(), window.store.can_undo, window.store.can_redo
+    yield window.store.document
     # In no order: a pane that was in a window of its own comes last of its brothers.
     menus = window.menuBar().findChildren(QMenu)
     actions = [action for menu in menus for action in menu.actions()]
@@ -174,7 +183,10 @@ def _seen(window: MainWindow) -> Iterator[Any]:
 
 
 def _of_widget(widget: QWidget) -> str:
-    read = (getattr(widget, name, None) for name in READ)
-    seen = [value() if callable(value) else value for value in read]
-    told = [value for value in seen if isinstance(value, str | int | float)]
-    return repr((type(widget), told, widget.isVisible() and widget.geometry().getRect()))
+    seen = widget.isVisible()  # or its words are written when it is shown, as it was chosen to be
+    read = (getattr(widget, name, None) for name in (READ if seen else CHOSEN))
+    values = [value() if callable(value) else value for value in read]
+    told = [value for value in values if isinstance(value, str | int | float)]
+    if isinstance(widget, QStackedWidget):  # which of the folded was open is nobody's choice
+        told = []
+    return repr((type(widget), told, seen and widget.geometry().getRect()))

@@ -374,11 +374,13 @@ def test_a_name_goes_to_its_stop_and_the_header_says_so(window: MainWindow) -> N
         5: ("Image", "1280 × 720 pixels, y down"),
     }  # fmt: skip
     for stop, (title, note) in wanted.items():
-        window.strip.play()
         QTest.mouseClick(window.strip.stops[stop], Qt.MouseButton.LeftButton)
-        assert not window.strip.playing
         assert (window.strip.position, pane.title.text()) == (stop, title)
         assert window.strip.words.text() == note
+    window.strip.go_to(2.0)
+    window.strip.play()
+    QTest.mouseClick(window.strip.stops[2], Qt.MouseButton.LeftButton)  # where it stands
+    assert not window.strip.playing
     window.strip.go_to(2.5)
     assert pane.title.text() == "Pyramid → Box"
     window.strip.go_to(2.0)
