@@ -265,8 +265,8 @@ def _probe(options: Options) -> opengl.OpenGL:
             raise
         try:
             check_off_screen()
-        except RuntimeError as why:
-            raise opengl.DisplayError(str(why)) from error
+        except RuntimeError:
+            raise error from None
         return opengl.NO_OPENGL
 
 
