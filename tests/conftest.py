@@ -102,38 +102,15 @@ def display(qapp: Any) -> Any:
     return qapp
 
 
-@pytest.fixture(scope="module")
-def lent(display: Any, homes: Iterator[Path]) -> Iterator[Any]:
-    """One window for all tests of a file that do not ask for more than that it is open."""
-    from app.document.document import Document
-    from app.scenes.scene import load
-    from tests.support.shared import Lent, opened
-    from widgets.window.settings import Settings
-
-    start = Document("letter-f", load("letter-f").start)
-    lent = Lent(lambda: opened(start, settings=Settings(None)))
-    yield lent
-    lent.put_away()
-
-
 @pytest.fixture
-def window(request: pytest.FixtureRequest, lent: Any) -> Iterator[Any]:
-    """A window on the letter F as it opens, at rest."""
-    yield lent.lend()
-    request.node.funcargs.clear()  # pytest's hold on it, should it be closed now
-    lent.take_back()
-
-
-@pytest.fixture
-def make_window(lent: Any, own_home: Path) -> Iterator[Callable[..., Any]]:
+def make_window(display: Any, own_home: Path) -> Iterator[Callable[..., Any]]:
     """Open main windows; after the test all are closed and no interactor survives."""
     from app.document.document import Document
     from app.scenes.scene import load
-    from tests.support.shared import close, opened
+    from tests.support.opened import close, opened
     from widgets.window.settings import Settings
 
     windows: list[Any] = []
-    lent.put_away()
 
     def make(document: Document | None = None, **options: Any) -> Any:
         options.setdefault("settings", Settings(own_home / "settings.ini"))
@@ -150,13 +127,18 @@ def make_window(lent: Any, own_home: Path) -> Iterator[Callable[..., Any]]:
     close(windows)
 
 
+@pytest.fixture
+def window(request: pytest.FixtureRequest, make_window: Callable[..., Any]) -> Iterator[Any]:
+    """A window on the letter F as it opens, at rest."""
+    from tests.support.window import settle
+
+    window = make_window()
+    settle()
+    yield window
+    request.node.funcargs.clear()  # pytest's hold on it, before survivors are sought
+
+
 @pytest.hookimpl(trylast=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """First what takes longest alone; in each file the tests that are lent a window together."""
-    files = {path: number for number, path in enumerate(dict.fromkeys(i.path for i in items))}
-
-    def place(item: pytest.Item) -> tuple[bool, int, bool]:
-        lent = "window" in getattr(item, "fixturenames", ())
-        return item.path.name != "test_quality.py", files[item.path], not lent
-
-    items.sort(key=place)
+    """First what takes longest alone."""
+    items.sort(key=lambda item: item.path.name != "test_quality.py")

@@ -23,6 +23,7 @@ from app.model.projection import DEPTH_RANGES, Camera, Orthographic, Perspective
 from app.scenes.phenomena.illustration import Copy, Dot, Exhibit, Face, Line, Marks, Text
 from app.scenes.scene import Scene, load
 from tests.support.drawings import Pixels, drawn, off_screen, scene_of, to_bytes
+from widgets.panes.canvas import RasterCanvas
 from widgets.panes.pane import Pane
 
 __all__ = ["off_screen"]
@@ -594,7 +595,7 @@ def test_a_hidden_pane_computes_nothing_and_a_visible_one_paints_once(
 
     window = QWidget()
     qtbot.addWidget(window)
-    pane = Pane("World", Counting, orbits=True, parent=window)
+    pane = Pane("World", Counting, orbits=True, make_canvas=RasterCanvas, parent=window)
     pane.resize(400, 300)
     window.resize(400, 300)
     pane.build(START, None, None, LETTER, WORDS, LIGHT)

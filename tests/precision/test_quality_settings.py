@@ -123,7 +123,7 @@ def test_the_names_are_those_of_the_measurements() -> None:
 def test_a_rung_is_used_and_undone(window: MainWindow) -> None:
     before = pictures(window)
     for rung in ("float64", "float32"):
-        window.measure_panel.used.emit({"rung": rung})
+        window.quality.use({"rung": rung})
         settle()
         assert {window.panes[name].drawing.rung for name in ("ndc", "image")} == {rung}
     window.store.undo()
@@ -140,19 +140,19 @@ def test_float32_draws_even_where_it_is_wrong(make_window: MakeWindow) -> None:
     window = make_window(Document("letter-f", close))
     exact = pictures(window)["image"]
     assert window.panes["image"].drawing.rung == "float64"
-    window.measure_panel.used.emit({"rung": "float32"})
+    window.quality.use({"rung": "float32"})
     assert (pictures(window)["image"] != exact).mean() > 0.002
-    window.measure_panel.used.emit({"rung": "auto"})
+    window.quality.use({"rung": "auto"})
     assert (pictures(window)["image"] == exact).all()
 
 
 def test_a_smoothing_is_used_in_every_pane_and_stays_while_one_drags(window: MainWindow) -> None:
     window.resize(940, 560)  # quickly drawn
     before = pictures(window)
-    window.measure_panel.used.emit({"smoothing": "none"})
+    window.quality.use({"smoothing": "none"})
     rough = pictures(window)
     for name in pane.SMOOTHINGS:
-        window.measure_panel.used.emit({"smoothing": name})
+        window.quality.use({"smoothing": name})
         chosen = pictures(window)
         others = {"none": before, "FXAA": rough}.get(name, rough)
         assert not any(same(chosen, others).values()), name
@@ -167,19 +167,19 @@ def test_a_smoothing_is_used_in_every_pane_and_stays_while_one_drags(window: Mai
         settle()
         assert (pixels(window, "image") == chosen["image"]).all(), "it does not wait for the hand"
         window.store.end_gesture()
-        window.measure_panel.used.emit({"smoothing": "auto", "depth_format": ""})
+        window.quality.use({"smoothing": "auto", "depth_format": ""})
         window.store.set_projection(replace(window.store.document.projection, depth="opengl"))
         assert same(pictures(window), before) == ALL_SAME, name
 
 
 def test_supersampling_averages_four_pixels(window: MainWindow) -> None:
     """Between the two colours of a slanted edge there are three steps and no other."""
-    window.measure_panel.used.emit({"smoothing": "supersampling 2 x 2"})
+    window.quality.use({"smoothing": "supersampling 2 x 2"})
     settle()
     part = window.panes["image"]
     rectangle = part.drawing.picture_rectangle_px
     finer = pictures(window)["image"].astype(int)
-    window.measure_panel.used.emit({"smoothing": "none"})
+    window.quality.use({"smoothing": "none"})
     plain = pictures(window)["image"].astype(int)
     left, top, width, height = (side // 2 for side in rectangle)
     inside = np.s_[top + 2 : top + height - 2, left + 2 : left + width - 2]
@@ -191,7 +191,7 @@ def test_supersampling_averages_four_pixels(window: MainWindow) -> None:
 
 @pytest.mark.parametrize("name", ["none", "half resolution", "supersampling 2 x 2"])
 def test_a_click_hits_the_same_vertex_at_any_scale(window: MainWindow, name: str) -> None:
-    window.measure_panel.used.emit({"smoothing": name})
+    window.quality.use({"smoothing": name})
     settle()
     corner = np.array(load("letter-f").upper)
     part = window.panes["image"]
@@ -207,7 +207,7 @@ def test_a_click_hits_the_same_vertex_at_any_scale(window: MainWindow, name: str
 
 def test_what_a_pane_cannot_do_is_said_and_it_stays_as_it_was(window: MainWindow) -> None:
     before = pictures(window)
-    window.measure_panel.used.emit({"smoothing": "supersampling 3 x 3"})
+    window.quality.use({"smoothing": "supersampling 3 x 3"})
     assert same(pictures(window), before) == ALL_SAME
     sentence = "A pane cannot draw with supersampling 3 x 3: it smooths as ever."
     assert sentence in window.status.health.toolTip().splitlines()
@@ -228,7 +228,7 @@ def test_what_a_scene_cannot_have_is_said_and_it_stays_as_it_was(
 ) -> None:
     window = make_window(Document(scene, load(scene).start))
     before = pictures(window)
-    window.measure_panel.used.emit(choice)
+    window.quality.use(choice)
     assert same(pictures(window), before) == ALL_SAME
     assert sentence in window.status.health.toolTip().splitlines()
     window.store.undo()
@@ -237,7 +237,7 @@ def test_what_a_scene_cannot_have_is_said_and_it_stays_as_it_was(
 
 
 def test_too_few_samples_are_told(window: MainWindow) -> None:
-    window.measure_panel.used.emit({"smoothing": "MSAA 8"})
+    window.quality.use({"smoothing": "MSAA 8"})
     settle()
     given = window.panes["image"].samples
     sentence = f"This computer's OpenGL gives {given} samples a pixel instead of MSAA 8."
@@ -249,7 +249,7 @@ def test_fewer_triangles_are_drawn_and_undone(
 ) -> None:
     window = make_window(Document(mesh, ball.start))
     whole = pictures(window)
-    window.measure_panel.used.emit({"detail": "0.01"})
+    window.quality.use({"detail": "0.01"})
     chosen = pictures(window)
     assert not any(same(chosen, whole).values())
     window.store.undo()
@@ -263,11 +263,11 @@ def test_a_depth_buffer_is_drawn_with_in_any_scene(make_window: MakeWindow) -> N
     deep = replace(document.projection, lens=Perspective(45.0, 0.1, 1000.0))
     window = make_window(replace(document, projection=deep))
     before = pictures(window)
-    window.measure_panel.used.emit({"depth_format": "fixed8", "depth_mapping": "direct3d"})
+    window.quality.use({"depth_format": "fixed8", "depth_mapping": "direct3d"})
     coarse = pictures(window)
     assert same(coarse, before) == {"world": True, "ndc": True, "image": False}
     wrong = (coarse["image"] != before["image"]).any(axis=-1).mean()
-    window.measure_panel.used.emit({"depth_format": "float32", "depth_mapping": "reversed"})
+    window.quality.use({"depth_format": "float32", "depth_mapping": "reversed"})
     fine = (pictures(window)["image"] != before["image"]).any(axis=-1).mean()
     assert wrong > 0.005 and fine < wrong / 3.0
     window.store.undo()
@@ -276,7 +276,7 @@ def test_a_depth_buffer_is_drawn_with_in_any_scene(make_window: MakeWindow) -> N
     window.store.set_projection(replace(deep, lens=Perspective(45.0, 9.0, 15.0)))
     settle()
     near = pictures(window)["image"]
-    window.measure_panel.used.emit({"depth_format": "", "depth_mapping": ""})
+    window.quality.use({"depth_format": "", "depth_mapping": ""})
     assert (pictures(window)["image"] != near).any(axis=-1).mean() < wrong / 2.0
 
 
@@ -295,7 +295,7 @@ def test_a_depth_buffer_that_a_lens_cannot_have_is_told(
     projection = replace(start, lens=lens or FreeMatrix(start.clip_from_view.tolist()))
     window = make_window(Document("letter-f", projection))
     before = pictures(window)["image"]
-    window.measure_panel.used.emit({"depth_mapping": mapping})
+    window.quality.use({"depth_mapping": mapping})
     assert (pictures(window)["image"] == before).all()
     (sentence,) = (
         line
@@ -312,13 +312,13 @@ def test_a_scene_about_a_depth_buffer_keeps_its_own(make_window: MakeWindow) -> 
     scene = load("depth-buffer")
     window = make_window(Document("depth-buffer", scene.start))
     before = pictures(window)["image"]
-    window.measure_panel.used.emit({"depth_format": "fixed8"})
+    window.quality.use({"depth_format": "fixed8"})
     assert (pictures(window)["image"] == before).all()
 
 
 def test_what_is_no_quality_is_refused_and_nothing_changes(window: MainWindow) -> None:
     document = window.store.document
-    window.measure_panel.used.emit({"rung": "float8"})
+    window.quality.use({"rung": "float8"})
     assert window.store.document is document
     assert window.messages.text == "quality.rung = 'float8': must be one of auto, float32, float64."
 
@@ -326,8 +326,8 @@ def test_what_is_no_quality_is_refused_and_nothing_changes(window: MainWindow) -
 def test_the_status_line_shows_the_choice_and_leads_back(window: MainWindow) -> None:
     button = window.status.quality
     assert not button.isVisible()
-    window.measure_panel.used.emit({"rung": "float64"})
-    window.measure_panel.used.emit({"detail": "0.2"})
+    window.quality.use({"rung": "float64"})
+    window.quality.use({"detail": "0.2"})
     assert button.isVisible() and button.text() == "quality: float64, 20 %"
     button.click()
     assert window.store.document.quality == AUTOMATIC and not button.isVisible()

@@ -72,6 +72,7 @@ def move(window: MainWindow, name: str, to: QPoint, key: Any = NONE, button: Any
         Qt.MouseButton.NoButton, button, key,
     )  # fmt: skip
     QApplication.sendEvent(canvas, event)
+    settle()
 
 
 def press(window: MainWindow, name: str, at: QPoint, key: Any = NONE) -> None:
@@ -98,13 +99,7 @@ def view(window: MainWindow) -> tuple[float, ...]:
     return (*camera.GetPosition(), *camera.GetFocalPoint())
 
 
-def wheel(window: MainWindow, steps: float, name: str = "image") -> None:
-    turn_wheel(window, steps, name)
-    settle()
-
-
-def turn_wheel(window: MainWindow, steps: float, name: str = "image") -> None:
-    """The event alone: what is said of it is said as long as the wheel turns."""
+def wheel(window: MainWindow, steps: float, name: str = "image", *, wait: bool = True) -> None:
     canvas = window.panes[name].canvas
     place = QPointF(canvas.rect().center())
     event = QWheelEvent(
@@ -112,7 +107,8 @@ def turn_wheel(window: MainWindow, steps: float, name: str = "image") -> None:
         Qt.MouseButton.NoButton, NONE, Qt.ScrollPhase.NoScrollPhase, False,
     )  # fmt: skip
     QApplication.sendEvent(canvas, event)
-    settle()
+    if wait:
+        settle()
 
 
 def along(window: MainWindow, handle: Handle, **fields: float) -> tuple[int, int]:
@@ -603,7 +599,7 @@ def test_the_wheel_stops_before_the_target_and_says_so(window: MainWindow, qtbot
     window.store.set_projection(replace(model(window), camera=near))
     bar = window.manipulation.message
     with qtbot.waitSignal(window.manipulation.gesture_finished):
-        turn_wheel(window, 20.0)
+        wheel(window, 20.0, wait=False)  # half a second later it goes
         assert model(window).camera == near
         assert bar.text == (
             "Eye = (1, 2, 3): must differ from the target, or the camera looks nowhere."
@@ -617,7 +613,7 @@ def test_a_wheel_that_stands_still_after_the_window_has_closed_is_nothing(
 ) -> None:
     window = make_window(canvas=canvas)
     with qtbot.waitSignal(window.manipulation.gesture_finished):
-        turn_wheel(window, 1.0)
+        wheel(window, 1.0, wait=False)
         window.store.mark_saved()
         window.close()
 

@@ -109,10 +109,9 @@ def test_a_wayland_that_is_not_there_is_no_screen(tmp_path: Path) -> None:
     assert "WAYLAND_DISPLAY leads to none" in said
 
 
-@pytest.mark.parametrize("platform", ["offscreen", "minimal", "nonsense"])
-def test_a_platform_that_shows_no_opengl_is_refused(platform: str) -> None:
-    assert f"QT_QPA_PLATFORM = {platform}: must be xcb or wayland" in no_window(
-        QT_QPA_PLATFORM=platform
+def test_a_platform_that_there_is_not_is_refused() -> None:
+    assert "QT_QPA_PLATFORM = nonsense: must be one of xcb, wayland" in no_window(
+        QT_QPA_PLATFORM="nonsense"
     )
 
 

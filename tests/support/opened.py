@@ -1,0 +1,50 @@
+"""Windows for tests: opened with all panes drawn, and closed without a trace."""
+
+from __future__ import annotations
+
+import gc
+import weakref
+from typing import Any
+
+from PySide6.QtCore import QEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+
+from app.document.document import Document
+from tests import PATIENCE_MS
+from widgets.window.main_window import MainWindow
+
+
+def opened(document: Document, *, shown: bool = True, **options: Any) -> MainWindow:
+    """A window, with all panes drawn if it is shown."""
+    options.setdefault("software_rendering", True)
+    window = MainWindow(document, **options)
+    if shown:
+        window.show()
+        assert QTest.qWaitForWindowExposed(window, PATIENCE_MS)
+        views = [pane.canvas.render_window for pane in window.panes.values()]
+        for _ in range(PATIENCE_MS):
+            if not any(view.GetNeverRendered() for view in views):
+                break
+            QTest.qWait(1)
+    return window
+
+
+def close(windows: list[MainWindow]) -> None:
+    """Close windows, the last first, and see that no interactor outlives them."""
+    canvases = [weakref.ref(pane.canvas) for window in windows for pane in window.panes.values()]
+    while windows:
+        windows[-1].setFocus()  # or what a test has left in a field is entered, and asked about
+        windows[-1].store.mark_saved()
+        windows[-1].close()
+        windows.pop().deleteLater()
+    QApplication.processEvents()
+    delete_what_is_due()
+    gc.collect()
+    survivors = [ref for ref in canvases if ref() is not None]
+    assert not survivors, f"{len(survivors)} interactors outlive their windows"
+
+
+def delete_what_is_due() -> None:
+    """What no nested loop does: deliver the events of `deleteLater`."""
+    QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete.value)
