@@ -12,6 +12,7 @@ import pytest
 from numpy.typing import NDArray
 from PySide6.QtWidgets import QWidget
 
+from app.document.document import Document
 from app.drawings import WORDS
 from app.drawings.image import ImageDrawing
 from app.drawings.marks import DOT, MarksDrawing
@@ -25,6 +26,7 @@ from app.scenes.scene import Scene, load
 from tests.support.drawings import Pixels, drawn, off_screen, scene_of, to_bytes
 from widgets.panes.canvas import RasterCanvas
 from widgets.panes.pane import Pane
+from widgets.parts.panel import Shown
 
 __all__ = ["off_screen"]
 
@@ -598,13 +600,18 @@ def test_a_hidden_pane_computes_nothing_and_a_visible_one_paints_once(
     pane = Pane("World", Counting, orbits=True, make_canvas=RasterCanvas, parent=window)
     pane.resize(400, 300)
     window.resize(400, 300)
-    pane.build(START, None, None, LETTER, WORDS, LIGHT)
+    document = Document("letter-f", START)
+
+    def take(exhibit: Exhibit | None) -> None:
+        pane.take(Shown(document, LETTER, exhibit), frozenset({"exhibit"}))
+
+    pane.build(Shown(document, LETTER, None), None, LETTER, WORDS, LIGHT)
 
     def exhibit(x: float) -> Exhibit:
         return Exhibit((), world=dots(np.array([(x, 5.0, 0.5)])))
 
     first, second = exhibit(0.0), exhibit(1.0)
-    pane.show_projection(START, first)
+    take(first)
     assert calls == []
     with qtbot.waitExposed(window):
         window.show()
@@ -616,18 +623,18 @@ def test_a_hidden_pane_computes_nothing_and_a_visible_one_paints_once(
     observer = render_window.AddObserver("EndEvent", lambda *_: painted.append(1))
     display.processEvents()
     painted.clear()
-    pane.show_projection(START, second)
+    take(second)
     qtbot.waitUntil(lambda: bool(painted))
     display.processEvents()
     assert (calls, len(painted)) == ([second], 1)
     pane.hide()
-    pane.show_projection(START, first)
-    pane.show_projection(START, None)
+    take(first)
+    take(None)
     assert calls == [second]
     pane.show()
     assert calls == [second, None]
     # Another style: the drawing is made anew.
-    pane.build(START, second, None, LETTER, WORDS, DARK)
+    pane.build(Shown(document, LETTER, second), None, LETTER, WORDS, DARK)
     assert calls[2:] == [None, second]  # its own start, then what the pane shows
     image = pane.canvas.grab().toImage()
     ratio = pane.canvas.devicePixelRatioF()
