@@ -329,7 +329,7 @@ def adaptive(scale: float) -> dict[str, Any]:
                     row.slider.setValue(row.slider.value() + (1 if turn // 40 % 2 else -1))
                     app.processEvents()
                     frames.append(time.perf_counter() - began)
-                level, late_ms = window.look.adaptive.pace.level, window.look.adaptive.late_ms
+                level, late_ms = window.look.adaptive.budget.level, window.look.adaptive.late_ms
                 window.store.end_gesture()
                 settle(app)
             name = f"target {target:g} ms" if target else "no target"

@@ -319,10 +319,10 @@ def outputs_of(case: dict[str, Any]) -> dict[str, str]:
     for form in ("text", "json", "latex"):
         found[f"matrices {form}"] = called(["matrices", *named, *options, "--format", form])
     for form in ("table", "csv", "json"):
-        for rung in ("", "float32", "float64", "exact"):
+        for precision in ("", "float32", "float64", "exact"):
             words = ["project", *named, "points.csv", *options, "--format", form]
-            words += ["--rung", rung] if rung else []
-            found[f"project {form} {rung}".strip()] = called(words)
+            words += ["--rung", precision] if precision else []
+            found[f"project {form} {precision}".strip()] = called(words)
     return found
 
 

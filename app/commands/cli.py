@@ -59,7 +59,7 @@ from app.model.projection import (
     Trace,
 )
 from app.model.refusal import Refusal, format_value
-from app.precision.levels import Prediction, Rung, predict, rung_for_reading, trace
+from app.precision.levels import Precision, Prediction, precision_for_reading, predict, trace
 
 LARGEST_INPUT = 2**30
 """Most bytes of points that are read."""
@@ -175,9 +175,9 @@ def _export(arguments: Sequence[str]) -> int:
         raise CliError(f"{'--size ' if of_size else ''}{error}") from error
     if scene.phenomenon is not None:
         settings = scene.phenomenon.checked(document.settings)
-        exhibit = scene.phenomenon.exhibit(document.projection, settings, scene.subject)
-        if exhibit.warning is not None:  # the picture is written, but shows less than it could
-            complain(f"{document.scene}: {exhibit.warning.sentence()}.", 0)
+        illustration = scene.phenomenon.illustration(document.projection, settings, scene.subject)
+        if illustration.warning is not None:  # the picture is written, but shows less than it could
+            complain(f"{document.scene}: {illustration.warning.sentence()}.", 0)
     return 0
 
 
@@ -192,13 +192,15 @@ def _project(arguments: Sequence[str]) -> int:
     projection = document_of(file[0] if file else None, found.set).projection
     points = _read_points(source)
     predictions = predict(projection, points)
-    rung = found.rung or rung_for_reading(predictions)
-    traced = trace(projection, points, rung)
+    precision = found.rung or precision_for_reading(predictions)
+    traced = trace(projection, points, precision)
     beyond = ~np.isfinite(np.column_stack([traced.view, traced.clip])).all(axis=1)
     if beyond.any():  # float32 ends at 3e38, a document and its points do not
         number = int(beyond.argmax()) + 1
-        raise CliError(f"--rung = {rung!r}: point {number} leads to numbers that it cannot hold.")
-    answer = _Answer(projection, traced, rung, predictions)
+        raise CliError(
+            f"--rung = {precision!r}: point {number} leads to numbers that it cannot hold."
+        )
+    answer = _Answer(projection, traced, precision, predictions)
     if found.format == "table":
         write_out([f"{_lens_line(projection)}\n\n"])
     write_out(_PROJECT_FORMATS[found.format](answer))
@@ -228,8 +230,8 @@ class _Answer(NamedTuple):
 
     projection: Projection
     trace: Trace
-    rung: Rung
-    predictions: dict[Rung, Prediction] | None
+    precision: Precision
+    predictions: dict[Precision, Prediction] | None
 
 
 _POINTS = re.compile(r"(?=.*\d)[-+.\deE\s,;()\[\]]+")
@@ -398,12 +400,12 @@ def _project_json(answer: _Answer) -> Iterator[str]:
     matrices = {stage.name: _plain(stage.matrix) for stage in stages if stage.name in names}
     yield f'\n],\n"matrices": {json.dumps(matrices, allow_nan=False)},\n'
     errors = {
-        rung: {"px": _finite_or_text(error.px), "depth": _finite_or_text(error.depth)}
-        for rung, error in (answer.predictions or {}).items()
+        precision: {"px": _finite_or_text(error.px), "depth": _finite_or_text(error.depth)}
+        for precision, error in (answer.predictions or {}).items()
     }
     chosen = {
-        "rung": answer.rung,
-        "predicted_error_px": errors[answer.rung]["px"] if errors else None,
+        "rung": answer.precision,
+        "predicted_error_px": errors[answer.precision]["px"] if errors else None,
         "predictions": errors,
     }
     yield json.dumps(chosen, allow_nan=False)[1:] + "\n"
@@ -473,10 +475,12 @@ def _project_table(answer: _Answer) -> Iterator[str]:
         yield "".join(lines)
     if answer.predictions is not None:
         errors = [
-            f"{rung} {error.px:.1e} px" if math.isfinite(error.px) else f"{rung} has no bound"
-            for rung, error in answer.predictions.items()
+            f"{precision} {error.px:.1e} px"
+            if math.isfinite(error.px)
+            else f"{precision} has no bound"
+            for precision, error in answer.predictions.items()
         ]
-        yield f"\ncomputed in {answer.rung}; errors are below: {', '.join(errors)}\n"
+        yield f"\ncomputed in {answer.precision}; errors are below: {', '.join(errors)}\n"
 
 
 _PROJECT_FORMATS: dict[str, Callable[[_Answer], Iterator[str]]] = {

@@ -35,7 +35,7 @@ SUMMARIES = {
 
 THEMES = ("light", "dark")
 CANVASES = ("opengl", "raster")
-RUNGS = ("float32", "float64", "exact")
+PRECISIONS = ("float32", "float64", "exact")
 MATRIX_FORMATS = ("text", "json", "latex")
 PROJECT_FORMATS = ("table", "csv", "json")
 TRADES = ("arithmetic", "interpolation", "depth", "smoothing", "detail")
@@ -291,7 +291,7 @@ def _project() -> Parser:
     )
     parser = Parser("project", "[FILE] POINTS", text)
     parser.add_choice("--format", PROJECT_FORMATS, "form of the output (table)", "table")
-    parser.add_choice("--rung", RUNGS, "arithmetic (float64, or exact where that is needed)")
+    parser.add_choice("--rung", PRECISIONS, "arithmetic (float64, or exact where that is needed)")
     parser.add_set()
     return parser
 

@@ -3,7 +3,8 @@
 Every drawing is made once per scene, ``Drawing(plotter, scene, words, style)``, into a pyvista
 plotter that it does not own, and has
 
-- ``show_projection(projection, exhibit=None)``: takes the model over by setting matrices, and what
+- ``show_projection(projection, illustration=None)``: takes the model over by setting matrices, and
+what
   a phenomenon shows for it; never renders,
 - ``reset_view()``: puts the pane's own camera back,
 - ``refit()``: at a gesture's end, fits a view that nobody has moved to what has left it,

@@ -5,7 +5,7 @@ How a slider step reaches the screen without any work per vertex::
     Space.set(matrix)  writes 16 numbers into a vtkMatrix4x4 that all its actors hold
                        as their user matrix; the GPU divides by w
 
-(`rungs` has the other way, for pictures that float32 cannot draw.)
+(`precisions` has the other way, for pictures that float32 cannot draw.)
 
 Such a matrix is projective, so that what VTK computes from bounds is useless: the actors give
 no bounds, the renderer has no cullers, and the drawings set their cameras' clipping ranges.

@@ -35,7 +35,7 @@ from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal, format_valu
 from app.precision.levels import DRAWING_TOLERANCE_PX
 from app.precision.quality import AUTOMATIC, Quality
 from app.scenes.fewer_triangles import reduced
-from app.scenes.phenomena.illustration import Exhibit
+from app.scenes.phenomena.illustration import Illustration
 from app.scenes.scene import Scene
 
 Pixels = NDArray[np.uint8]
@@ -136,10 +136,10 @@ def render(
     """
     width, height = checked_size(projection.image_size, panes, size, scale)
     style = replace(style, margin=style.background).enlarged(scale)
-    exhibit = None
+    illustration = None
     if scene.phenomenon is not None:
         chosen = scene.phenomenon.checked(settings or {})
-        exhibit = scene.phenomenon.exhibit(projection, chosen, scene.subject)
+        illustration = scene.phenomenon.illustration(projection, chosen, scene.subject)
     scene = reduced(scene, quality.detail)
     edges = [round(i * width / len(panes)) for i in range(len(panes) + 1)]
     parts: list[Pixels] = []
@@ -151,7 +151,7 @@ def render(
                 pane,
                 scene,
                 projection,
-                exhibit,
+                illustration,
                 (right - left, height),
                 transparent,
                 style,
@@ -232,7 +232,7 @@ def _render_pane(
     pane: str,
     scene: Scene,
     projection: Projection,
-    exhibit: Exhibit | None,
+    illustration: Illustration | None,
     size: tuple[int, int],
     transparent: bool,
     style: Style,
@@ -251,7 +251,7 @@ def _render_pane(
     with off_screen(width, height) as plotter:
         window = plotter.render_window
         drawing = _DRAWINGS[pane](plotter, scene, words, style.enlarged(factor), **options)
-        drawing.show_projection(projection, exhibit)
+        drawing.show_projection(projection, illustration)
         drawing.reset_view()
         if view is not None:
             drawing.show_view(view)

@@ -42,7 +42,7 @@ class Level(NamedTuple):
         return self.share * (_SMOOTH_COSTS if self.smooth else 1.0)
 
 
-class Pace:
+class FrameBudget:
     """Chooses a level frame by frame.
 
     Parameters

@@ -1,7 +1,7 @@
 """The image pane: exactly the picture, as large as the pane allows, and its pixel axes.
 
 The scene stands under ``clip_from_world`` and nothing else: this pane's camera is the identity.
-Where float32 cannot hold that, its vertices are clip coordinates already (`rungs`).
+Where float32 cannot hold that, its vertices are clip coordinates already (`precisions`).
 The picture does not depend on the depth range, and so it is always drawn with OpenGL's, which is
 what the depth buffer here takes.
 """
@@ -24,13 +24,13 @@ from app.drawings.precision import ModelActors, least_tolerance
 from app.drawings.probes import Probes
 from app.drawings.rasterising import RASTERISED, Rasteriser
 from app.drawings.style import Style, rgb
-from app.lecture.highlight import SIDES, Attention, corner_at
+from app.lecture.highlight import SIDES, Highlight, corner_at
 from app.model.projection import Array, Camera, Projection
 from app.model.refusal import Refusal
 from app.picking.picking import Probe, Sight
-from app.precision.levels import DRAWING_TOLERANCE_PX, Rung
+from app.precision.levels import DRAWING_TOLERANCE_PX, Precision
 from app.precision.quality import AUTOMATIC, Quality
-from app.scenes.phenomena.illustration import Exhibit, Marks, Phrase, Rendering
+from app.scenes.phenomena.illustration import Illustration, Marks, Phrase, Rendering
 from app.scenes.scene import Scene
 
 _SQUARE = ((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (1.0, 1.0, 0.0), (0.0, 1.0, 0.0))
@@ -110,11 +110,11 @@ class ImageDrawing:
             self._add_axes(words)
             self._add_sides()
 
-    def show_attention(self, attended: Attention) -> bool:
-        """Let what is attended to stand out, and nothing else; tell whether that is a change."""
-        return self._emphasis.show(attended)
+    def show_highlight(self, highlighted: Highlight) -> bool:
+        """Let what is highlighted stand out, and nothing else; tell whether that is a change."""
+        return self._emphasis.show(highlighted)
 
-    def attention_at(self, x_px: float, y_px: float) -> Attention:
+    def highlight_at(self, x_px: float, y_px: float) -> Highlight:
         """What is at a pixel from the pane's top left: a side or a corner of the picture."""
         found = self._emphasis.label_at(x_px, y_px)
         if found:
@@ -141,11 +141,13 @@ class ImageDrawing:
         return self._fit(*self._canvas.window.GetSize())
 
     @property
-    def rung(self) -> Rung:
+    def precision(self) -> Precision:
         """The arithmetic that the picture is drawn with."""
-        return self._model.rung
+        return self._model.precision
 
-    def show_projection(self, projection: Projection, exhibit: Exhibit | None = None) -> None:
+    def show_projection(
+        self, projection: Projection, illustration: Illustration | None = None
+    ) -> None:
         """Take the model's matrices, and what a phenomenon shows for it; draws nothing yet."""
         if projection.image_size != self._image_size:
             self._image_size = projection.image_size
@@ -155,7 +157,7 @@ class ImageDrawing:
         clip_from_vertex = self._model.show_projection(seen)
         self._surface_space.set_projective(clip_from_vertex)
         self._line_space.set_projective(lifted(clip_from_vertex, seen, self._scene))
-        self._show_exhibit(exhibit)
+        self._show_illustration(illustration)
         if self._probes.probes:
             self._place_probes()
 
@@ -175,11 +177,11 @@ class ImageDrawing:
         """In OpenGL's range, whatever the model's: the picture is the same."""
         return self._projection.with_depth("opengl")
 
-    def _show_exhibit(self, exhibit: Exhibit | None) -> None:
-        rendering = None if exhibit is None else exhibit.rendering
+    def _show_illustration(self, illustration: Illustration | None) -> None:
+        rendering = None if illustration is None else illustration.rendering
         self._rendering = rendering or Rendering()
         if self._marks is None:
-            if exhibit is None:
+            if illustration is None:
                 if self._scene.phenomenon is None:  # else copies of its faces are still to come
                     self._rasterise()
                 return
@@ -199,8 +201,10 @@ class ImageDrawing:
             np.array([-1.0, 1.0, _MARKS_DEPTH]),
             _FARTHEST_MARK,
         )
-        self._marks.show(Marks() if exhibit is None else exhibit.image, placing)
-        copies = [] if exhibit is None else [c for c in exhibit.copies if "image" in c.panes]
+        self._marks.show(Marks() if illustration is None else illustration.image, placing)
+        copies = (
+            [] if illustration is None else [c for c in illustration.copies if "image" in c.panes]
+        )
         self._marks.show_copies(copies)
         if copies:
             seen, scene = self._seen, self._scene
@@ -364,7 +368,7 @@ class ImageDrawing:
         self._y_label = label(words["y"], (1, 1), style.v)
 
     def _add_sides(self) -> None:
-        """Bars and squares over the frame that show while a side or a corner is attended to."""
+        """Bars and squares over the frame that show while a side or a corner is highlighted."""
         self._side_bars = {side: Space() for side in SIDES}
         self._corner_squares = [Space() for _ in SIDES]
         for side, space in self._side_bars.items():
@@ -469,6 +473,6 @@ class ImageDrawing:
         move(self._y_label, left - head - gap, bottom + thin + gap)
 
 
-def _at_corner(i: int) -> Attention:
+def _at_corner(i: int) -> Highlight:
     """The corners of the view volume that are seen in a corner of the picture."""
     return corner_at(SIDES[i - 1], SIDES[i])

@@ -9,9 +9,9 @@ dots, texts   before everything else, of constant size      the same; pixels of 
 copies        the scene's own faces under a further 4x4     16 numbers
 ============  ============================================  =====================================
 
-Actors are made when an exhibit has more to show than any before it, and never taken out: a slider
-step shows, hides and moves. Marks reach the GPU relative to the scene's origin, subtracted in
-float64, and cut to a box that float32 can hold; a copy's matrix is moved there likewise::
+Actors are made when an illustration has more to show than any before it, and never taken out: a
+slider step shows, hides and moves. Marks reach the GPU relative to the scene's origin, subtracted
+in float64, and cut to a box that float32 can hold; a copy's matrix is moved there likewise::
 
     local_from_local = world_to_origin . world_from_world . origin_to_world
 """
@@ -85,7 +85,7 @@ class Placing(NamedTuple):
 
 
 class MarksDrawing:
-    """An exhibit in one pane.
+    """An illustration in one pane.
 
     Parameters
     ----------

@@ -1,6 +1,6 @@
-"""Pointing in a pane: what is under a pixel, and what stands out while it is attended to.
+"""Pointing in a pane: what is under a pixel, and what stands out while it is highlighted.
 
-Everything that stands out is made with its drawing and waits there: what is attended to changes
+Everything that stands out is made with its drawing and waits there: what is highlighted changes
 line widths, point sizes and visibilities, never the number of actors, and no slider step knows.
 """
 
@@ -23,7 +23,7 @@ from app.drawings.actors import (
     point_actor,
 )
 from app.drawings.style import Style
-from app.lecture.highlight import CORNERS, NOTHING, SIDES, Attention
+from app.lecture.highlight import CORNERS, NOTHING, SIDES, Highlight
 from app.model.projection import Array
 
 NEAR_FACE, FAR_FACE = (0, 1, 2, 3), (4, 5, 6, 7)
@@ -32,7 +32,7 @@ FACES = {
     "far": FAR_FACE,
     **{side: (i, (i + 1) % 4, (i + 1) % 4 + 4, i + 4) for i, side in enumerate(SIDES)},
 }
-"""The corners of each plane's face, in the order of `attention.CORNERS`."""
+"""The corners of each plane's face, in the order of `highlight.CORNERS`."""
 
 _WIDER, _LARGER = 2.4, 1.7
 _TINT = 0.22
@@ -40,17 +40,17 @@ _POINT_EM, _LINE_EM = 0.65, 0.45  # so near is on it
 
 Spot: TypeAlias = tuple[float, float, float]
 """Pixels from the pane's left and top, and an order that is linear there: smaller in front."""
-Segment: TypeAlias = tuple[Attention, Spot, Spot]
+Segment: TypeAlias = tuple[Highlight, Spot, Spot]
 
 
 class Emphasis:
-    """What of one drawing stands out, and while what is attended to."""
+    """What of one drawing stands out, and while what is highlighted."""
 
     def __init__(self, canvas: Canvas) -> None:
         self._canvas = canvas
-        self._lines: list[tuple[Attention, Any, float]] = []
-        self._points: list[tuple[Attention, Any, float]] = []
-        self._hidden: list[tuple[Attention, Any]] = []
+        self._lines: list[tuple[Highlight, Any, float]] = []
+        self._points: list[tuple[Highlight, Any, float]] = []
+        self._hidden: list[tuple[Highlight, Any]] = []
         self._labels: list[tuple[str, Label]] = []
         self._shown = NOTHING
         self._names = NOTHING
@@ -76,14 +76,14 @@ class Emphasis:
         self._labels.append((name, label))
 
     def volume(self, space: Space, corners: Array, corner_size: float, style: Style) -> list[Any]:
-        """Make faces, outlines and corners of a view volume that only show when attended to.
+        """Make faces, outlines and corners of a view volume that only show when highlighted.
 
         Parameters
         ----------
         space : Space
             What the corners stand under.
         corners : (8, 3) array
-            In the order of `attention.CORNERS`.
+            In the order of `highlight.CORNERS`.
         corner_size : float
             Pixels.
         style : Style
@@ -110,14 +110,14 @@ class Emphasis:
             self.hidden(point, name)
         return faces
 
-    def _known(self, names: Iterable[str]) -> Attention:
+    def _known(self, names: Iterable[str]) -> Highlight:
         added = frozenset(names)
         self._names |= added
         return added
 
-    def show(self, attended: Attention) -> bool:
-        """Let what is attended to stand out, and nothing else; tell whether that is a change."""
-        shown = attended & self._names
+    def show(self, highlighted: Highlight) -> bool:
+        """Let what is highlighted stand out, and nothing else; tell whether that is a change."""
+        shown = highlighted & self._names
         if shown == self._shown:
             return False
         self._shown = shown
@@ -131,7 +131,7 @@ class Emphasis:
             label.set_framed(name in shown)
         return True
 
-    def label_at(self, x_px: float, y_px: float) -> Attention:
+    def label_at(self, x_px: float, y_px: float) -> Highlight:
         """What the label at a pixel from the pane's top left is about."""
         height_px = self._canvas.window.GetSize()[1]
         for name, label in self._labels:
@@ -155,10 +155,10 @@ def volume_edges(spots: Sequence[Spot]) -> list[Segment]:
 def pointed_at(
     place: tuple[float, float],
     em: float,
-    points: Iterable[tuple[Attention, Spot]],
+    points: Iterable[tuple[Highlight, Spot]],
     segments: Iterable[Segment],
     corners: Sequence[Spot] = (),
-) -> Attention:
+) -> Highlight:
     """What is at a pixel: the nearest point, else the nearest line, else the foremost face.
 
     Parameters

@@ -1,7 +1,7 @@
 """The scene as the model's camera sees it, in the cheaper arithmetic that is exact enough.
 
 ==========  ================================================================================
-rung        how vertices get their clip coordinates
+precision        how vertices get their clip coordinates
 ==========  ================================================================================
 float32     on the GPU, by one concatenated matrix; a step of a slider sets that matrix
 float64     here, eye first, by `Projection.trace`; the GPU is handed the results
@@ -39,7 +39,7 @@ from vtkmodules.vtkRenderingCore import vtkActor
 from app.drawings.actors import Detail, scene_actors
 from app.drawings.style import Style
 from app.model.projection import Array, Projection
-from app.precision.levels import Rung, rung_for_drawing
+from app.precision.levels import Precision, precision_for_drawing
 from app.scenes.scene import Scene
 
 _WIDE = 2.0  # of the picture: beyond, wide lines and points do not reach into it
@@ -74,7 +74,7 @@ class ModelActors:
     Attributes
     ----------
     surface, lines : vtkActor or None
-    rung : {"float32", "float64"}
+    precision : {"float32", "float64"}
         The arithmetic of the last projection shown.
     """
 
@@ -86,7 +86,7 @@ class ModelActors:
         self.surface, self.lines = scene_actors(scene, style, clip)
         self._detail = Detail(self.surface)
         self._made: list[_Made] = []
-        self.rung: Rung = "float32"
+        self.precision: Precision = "float32"
         self.show_detail(None)
 
     def show_detail(self, fewer: Scene | None) -> None:
@@ -97,7 +97,7 @@ class ModelActors:
         self._made = [_Made(actor) for actor in (self.surface, self.lines) if actor is not None]
 
     def show_projection(self, projection: Projection) -> Array:
-        """Choose the rung and give the actors its vertices.
+        """Choose the precision and give the actors its vertices.
 
         Parameters
         ----------
@@ -112,18 +112,18 @@ class ModelActors:
         scene = self._scene
         if (
             self._made
-            and rung_for_drawing(projection, scene.corners, scene.origin, self._tolerance_px)
+            and precision_for_drawing(projection, scene.corners, scene.origin, self._tolerance_px)
             == "float64"
         ):
-            self.rung = "float64"
+            self.precision = "float64"
             return self._project(projection)
         self.show_local()
         return projection.clip_from_world_at(scene.origin)
 
     def show_local(self) -> None:
         """Give the actors the scene's own vertices, scene-local, whatever they stand under."""
-        if self.rung != "float32":
-            self.rung = "float32"
+        if self.precision != "float32":
+            self.precision = "float32"
             _projected.pop(self._scene, None)
             for made in self._made:
                 made.restore()

@@ -36,12 +36,12 @@ from app.drawings.rasterising import Rasteriser
 from app.drawings.stage_box import StageBox
 from app.drawings.stage_view import StageView
 from app.drawings.style import Style
-from app.lecture.highlight import AXES, CORNERS, NOTHING, Attention
+from app.lecture.highlight import AXES, CORNERS, NOTHING, Highlight
 from app.lecture.stages import NDC, WORLD, Morph, morph_of
 from app.model.projection import Array, Camera, Projection
 from app.picking.picking import Probe, Sight
-from app.precision.levels import DRAWING_TOLERANCE_PX, Rung
-from app.scenes.phenomena.illustration import Exhibit, Marks
+from app.precision.levels import DRAWING_TOLERANCE_PX, Precision
+from app.scenes.phenomena.illustration import Illustration, Marks
 from app.scenes.scene import Scene
 
 _FARTHEST_MARK = 1e3  # where lines toward infinity end
@@ -94,28 +94,30 @@ class StageDrawing:
         self.box = StageBox(self._canvas, words)
         self._emphasis = Emphasis(self._canvas)
         self.box.make_emphasis(self._emphasis)
-        self._attended = NOTHING
+        self._highlighted = NOTHING
         self._probes = Probes(self._canvas, style)
         self._marks: MarksDrawing | None = None
         self._rasteriser: Rasteriser | None = None
-        self._exhibit: Exhibit | None = None
+        self._illustration: Illustration | None = None
         self._take(scene.start)
         self.reset_view()
 
     @property
-    def rung(self) -> Rung:
+    def precision(self) -> Precision:
         """The arithmetic that the scene is drawn with."""
-        return self._model.rung
+        return self._model.precision
 
     # -- the model, and where it is on the strip
 
-    def show_projection(self, projection: Projection, exhibit: Exhibit | None = None) -> None:
+    def show_projection(
+        self, projection: Projection, illustration: Illustration | None = None
+    ) -> None:
         """Take the model's matrices, and what a phenomenon shows for it; draws nothing yet.
 
         Marks and copies are those of NDC: at any other stop of the strip there are none.
         """
         reshaped = projection.image_size != self._projection.image_size
-        self._exhibit = exhibit
+        self._illustration = illustration
         self._take(projection)
         self._rasterise()
         self._show_marks()
@@ -170,7 +172,7 @@ class StageDrawing:
             for plane, (*normal, offset) in zip(self._planes, planes, strict=True):
                 plane.SetNormal(*normal)
                 plane.SetOrigin(*(-offset * part for part in normal))
-            self._show_attended()
+            self._show_highlighted()
         if at_ndc:  # what the volume holds is all that is shown, in the arithmetic that it needs
             clip_from_vertex = self._model.show_projection(self._seen)
             self._space.set_projective(self._display_from_ndc @ clip_from_vertex)
@@ -195,7 +197,7 @@ class StageDrawing:
 
     def _rasterise(self) -> None:
         """Lay the texture over the faces, at every stop of the strip."""
-        rendering = None if self._exhibit is None else self._exhibit.rendering
+        rendering = None if self._illustration is None else self._illustration.rendering
         surface = self._model.surface
         if rendering is None or surface is None or "texture" not in self._scene.requires:
             return
@@ -212,7 +214,7 @@ class StageDrawing:
 
     def _show_marks(self) -> None:
         if self._marks is None:
-            if self._exhibit is None:
+            if self._illustration is None:
                 return
             self._marks = MarksDrawing(
                 self._canvas,
@@ -222,14 +224,14 @@ class StageDrawing:
                 clip=self._planes,
                 lifts_copies=True,
             )
-        marks, exhibit = self._marks, self._exhibit
-        if exhibit is None or self._position != NDC:
+        marks, illustration = self._marks, self._illustration
+        if illustration is None or self._position != NDC:
             marks.show(Marks(), Placing(np.ones(3), np.zeros(3), 1.0))
             marks.show_copies(())
             return
         shown = self._morph.display_from_stage(NDC)
-        marks.show(exhibit.ndc, Placing(np.diag(shown)[:3], shown[:3, 3], _FARTHEST_MARK))
-        copies = [copy for copy in exhibit.copies if "ndc" in copy.panes]
+        marks.show(illustration.ndc, Placing(np.diag(shown)[:3], shown[:3, 3], _FARTHEST_MARK))
+        copies = [copy for copy in illustration.copies if "ndc" in copy.panes]
         marks.show_copies(copies)
         if copies:
             clip_from_local = self._seen.clip_from_world_at(self._scene.origin)
@@ -307,20 +309,20 @@ class StageDrawing:
 
     # -- pointing
 
-    def show_attention(self, attended: Attention) -> bool:
-        """Let what is attended to stand out, and nothing else; tell whether that is a change."""
-        self._attended = attended
-        return self._show_attended()
+    def show_highlight(self, highlighted: Highlight) -> bool:
+        """Let what is highlighted stand out, and nothing else; tell whether that is a change."""
+        self._highlighted = highlighted
+        return self._show_highlighted()
 
-    def _show_attended(self) -> bool:
-        return self._emphasis.show(self._attended - self._strangers)
+    def _show_highlighted(self) -> bool:
+        return self._emphasis.show(self._highlighted - self._strangers)
 
     @property
     def _strangers(self) -> frozenset[str]:
         """At the world's stop the axes are x, y and z of the world, not the camera's."""
         return frozenset(AXES) if self.box.stop == WORLD else NOTHING
 
-    def attention_at(self, x_px: float, y_px: float) -> Attention:
+    def highlight_at(self, x_px: float, y_px: float) -> Highlight:
         """What is at a pixel from the pane's top left."""
         found = self._emphasis.label_at(x_px, y_px)
         if not found:

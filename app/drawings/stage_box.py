@@ -141,7 +141,7 @@ class StageBox:
         )
 
     def make_emphasis(self, emphasis: Emphasis) -> None:
-        """Let faces, edges, corners, axes and words stand out while they are attended to."""
+        """Let faces, edges, corners, axes and words stand out while they are highlighted."""
         style = self._canvas.style
         for face in emphasis.volume(self._space, CUBE, 6.0 * style.line_width, style):
             put_behind(face)

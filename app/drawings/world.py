@@ -31,11 +31,11 @@ from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at, volume_ed
 from app.drawings.probes import Probes
 from app.drawings.rasterising import Rasteriser
 from app.drawings.style import Style
-from app.lecture.highlight import CORNERS, Attention
+from app.lecture.highlight import CORNERS, Highlight
 from app.model.projection import Array, Camera, Projection
 from app.picking.handles import Handle, nearest, shown
 from app.picking.picking import Probe, Sight
-from app.scenes.phenomena.illustration import Exhibit, Marks, Rendering
+from app.scenes.phenomena.illustration import Illustration, Marks, Rendering
 from app.scenes.scene import Scene
 
 _WHOLE, _NEARBY = 3.0, 1.1  # of the extent: a frustum that is framed whole; else only so far
@@ -105,7 +105,7 @@ class WorldDrawing:
             self._emphasis.label(label, name)
         self._probes = Probes(canvas, style)
         self.handles = HandleMarks(canvas, style) if live else None
-        self._attended: Attention = frozenset()
+        self._highlighted: Highlight = frozenset()
         self._marks: MarksDrawing | None = None
         self._marked = self._subject = np.empty((0, 3))
         self._grips: dict[str, Array] = {}
@@ -131,10 +131,10 @@ class WorldDrawing:
 
     # -- pointing
 
-    def show_attention(self, attended: Attention) -> bool:
-        """Let what is attended to stand out, and nothing else; tell whether that is a change."""
-        self._attended = attended
-        return self._emphasis.show(attended)
+    def show_highlight(self, highlighted: Highlight) -> bool:
+        """Let what is highlighted stand out, and nothing else; tell whether that is a change."""
+        self._highlighted = highlighted
+        return self._emphasis.show(highlighted)
 
     def show_step(self, step: int | None) -> None:
         """Build the camera's frame up to a step before a dimmed frustum; None for neither.
@@ -170,9 +170,9 @@ class WorldDrawing:
         ):
             self._emphasis.line(shaft, thing)
             self._emphasis.label(self.labels.add_arrow(name, colour), thing)
-        self._emphasis.show(self._attended)
+        self._emphasis.show(self._highlighted)
 
-    def attention_at(self, x_px: float, y_px: float) -> Attention:
+    def highlight_at(self, x_px: float, y_px: float) -> Highlight:
         """What is at a pixel from the pane's top left."""
         found = self._emphasis.label_at(x_px, y_px)
         if found:
@@ -209,13 +209,15 @@ class WorldDrawing:
         if self._marks is not None:
             self._marks.show_detail(fewer)
 
-    def show_projection(self, projection: Projection, exhibit: Exhibit | None = None) -> None:
+    def show_projection(
+        self, projection: Projection, illustration: Illustration | None = None
+    ) -> None:
         """Take over the model's matrices, and what a phenomenon shows for it; draw nothing yet.
 
         Parameters
         ----------
         projection : Projection
-        exhibit : Exhibit or None
+        illustration : Illustration or None
             Nothing of another one stays.
         """
         self._projection = projection
@@ -223,8 +225,8 @@ class WorldDrawing:
             self._standing = self._stand(projection.camera)
             self.camera.show(self._standing)
         self.frustum.show(projection, self._standing)
-        is_first = self._marks is None and exhibit is not None
-        self._show_exhibit(exhibit)
+        is_first = self._marks is None and illustration is not None
+        self._show_illustration(illustration)
         if is_first and not self.own.was_moved:
             self.reset_view()
         else:
@@ -402,19 +404,21 @@ class WorldDrawing:
         self._probes.probes = probes
         self._place_probes()
 
-    def _show_exhibit(self, exhibit: Exhibit | None) -> None:
+    def _show_illustration(self, illustration: Illustration | None) -> None:
         """What a phenomenon shows, but for its texts."""
-        self._rasterise(None if exhibit is None else exhibit.rendering)
+        self._rasterise(None if illustration is None else illustration.rendering)
         if self._marks is None:
-            if exhibit is None:
+            if illustration is None:
                 return
             self._subject = spread_over(self._scene)
             self._marks = MarksDrawing(self._canvas, self._scene, self._canvas.style, self._words)
         marks, limit = self._marks, _FARTHEST_MARK * self._stands.extent
-        self._grips = {} if exhibit is None else {g.setting: g.point for g in exhibit.grips}
-        copies = () if exhibit is None else exhibit.copies
+        self._grips = (
+            {} if illustration is None else {g.setting: g.point for g in illustration.grips}
+        )
+        copies = () if illustration is None else illustration.copies
         marks.show(
-            Marks() if exhibit is None else exhibit.world,
+            Marks() if illustration is None else illustration.world,
             Placing(np.ones(3), -self._origin, limit),
         )
         marks.show_copies([copy for copy in copies if "world" in copy.panes])

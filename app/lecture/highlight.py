@@ -19,10 +19,10 @@ from __future__ import annotations
 
 from typing import TypeAlias
 
-Attention: TypeAlias = frozenset[str]
-"""The things that are attended to; empty for none."""
+Highlight: TypeAlias = frozenset[str]
+"""The things that are highlighted; empty for none."""
 
-NOTHING: Attention = frozenset()
+NOTHING: Highlight = frozenset()
 AXES = ("u", "v", "n")
 CORNERS = tuple(
     f"{depth}_{corner}"
@@ -34,12 +34,12 @@ SIDES = ("bottom", "right", "top", "left")
 """The sides between one of those corners and the next."""
 
 
-def made_of(attended: Attention) -> Attention:
+def made_of(highlighted: Highlight) -> Highlight:
     """The same things, and of corners also the planes that meet there: they have the numbers."""
-    planes = (name for corner in attended & set(CORNERS) for name in corner.split("_"))
-    return attended.union(planes)
+    planes = (name for corner in highlighted & set(CORNERS) for name in corner.split("_"))
+    return highlighted.union(planes)
 
 
-def corner_at(*sides: str) -> Attention:
+def corner_at(*sides: str) -> Highlight:
     """The corners where some planes meet: two for left and top, one with near or far as well."""
     return frozenset(name for name in CORNERS if set(sides) <= set(name.split("_")))

@@ -19,7 +19,7 @@ from app.arithmetic.rationals import product
 from app.lecture.algebra import SYMBOLS, Ratio, number, ratio
 from app.lecture.algebra import Letters as Quantities
 from app.lecture.dependence import FIELDS, State, reach, state_of
-from app.lecture.highlight import Attention
+from app.lecture.highlight import Highlight
 from app.model import formula
 from app.model.formula import ARROW, Difference, Formula, Pair, Quotient, Sum, parse
 from app.model.lenses.lens import LensTable
@@ -143,7 +143,7 @@ def matrices(
                  for stage, names in shown)  # fmt: skip
 
 
-def letters_in(matrix: Matrix, row: int, column: int) -> Attention:
+def letters_in(matrix: Matrix, row: int, column: int) -> Highlight:
     """The things that a cell's formula speaks of, by the names of `app.lecture.highlight`.
 
     An axis of the camera's frame stands for what it is made of: eye, target and up are not named

@@ -27,7 +27,7 @@ from app.measure.results import Choice, Curve, Sweep, Trade
 from app.measure.run import Watch, in_turns, unwatched
 from app.model.projection import Array, Camera, Frustum, Perspective, Projection, Vector
 from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal
-from app.precision.levels import Prediction, Rung, predict, trace
+from app.precision.levels import Precision, Prediction, predict, trace
 
 Rows: TypeAlias = NDArray[Any]
 """(3, n): x and y in pixels, depth in [0, 1]; NaN or infinite where the way has no answer."""
@@ -35,12 +35,12 @@ Rows: TypeAlias = NDArray[Any]
 MOST_POINTS = 8192
 """Points of a scene that are projected: as many as every way does in one go."""
 _BLOCK = 8192
-_RUNGS: dict[str, Rung] = {
+_PRECISIONS: dict[str, Precision] = {
     "float32": "float32",
     "float64, every stage": "float64",
     "exact": "exact",
 }
-"""Which ways are rungs of the model, that it predicts and can draw or read with."""
+"""Which ways are precisions of the model, that it predicts and can draw or read with."""
 
 NO_POINTS = QT_TRANSLATE_NOOP(
     "Measure", "no vertex is in front of the eye, so that there is nothing to measure"
@@ -92,10 +92,10 @@ def ways(projection: Projection, world: Array, origin: Vector) -> dict[str, Way]
     }
     for kind in ("float32", "float64"):
         found[f"{kind}, eye first"] = Way(summed(projection, world, None, kind), same)
-    for name, rung in _RUNGS.items():
-        if rung != "float32":  # that one is above, without what nobody reads
+    for name, precision in _PRECISIONS.items():
+        if precision != "float32":  # that one is above, without what nobody reads
             found[name] = Way(
-                partial(trace, projection, world, rung),
+                partial(trace, projection, world, precision),
                 lambda traced: np.vstack([traced.image.T, traced.depth]),
             )
     return found
@@ -115,7 +115,8 @@ def summed(
         which moves: it is then subtracted in every run.
     kind : str
         Of numpy's floats, ``"float16"``, ``"float32"`` or ``"float64"``. With an origin and float32
-        it is the rung ``float32`` of `app.precision.levels` without what nobody reads, to the bit.
+        it is the precision ``float32`` of `app.precision.levels` without what nobody reads, to the
+        bit.
     """
     number = np.dtype(kind).type
     columns = np.ascontiguousarray(world.T)
@@ -267,7 +268,7 @@ def measure(
             times, complete = cancelled.partial, False
     choices = []
     for name, (errors, note) in found.items():
-        prediction = predicted.get(_RUNGS[name]) if name in _RUNGS else None
+        prediction = predicted.get(_PRECISIONS[name]) if name in _PRECISIONS else None
         values = {} if errors is None else {"error_depth": errors.depth}
         if prediction is not None:
             values["predicted_depth"] = prediction.depth
@@ -281,7 +282,7 @@ def measure(
                 None if prediction is None else prediction.px,
                 values,
                 note,
-                {"rung": _RUNGS[name]} if name in _RUNGS and name != "exact" else {},
+                {"rung": _PRECISIONS[name]} if name in _PRECISIONS and name != "exact" else {},
             )
         )
     choices += [Choice(name, None, None, None, note=note) for name, note in missing.items()]
@@ -418,7 +419,7 @@ def sweep(
     values: Sequence[float],
     watch: Watch = unwatched,
 ) -> Sweep:
-    """The error of every rung, and of VTK's own camera, over a parameter's range.
+    """The error of every precision, and of VTK's own camera, over a parameter's range.
 
     The points are the scene's, kept inside the view volume as it changes: scaled about the eye
     into the part of the line of sight between near and far, so that there is always something to
@@ -438,7 +439,7 @@ def sweep(
     Cancelled
         By `watch`; with the values done.
     """
-    names = (*_RUNGS, "VTK's camera")
+    names = (*_PRECISIONS, "VTK's camera")
     found: dict[str, list[_Answer]] = {name: [] for name in names}
     complete, done = True, 0
     for done, value in enumerate(values):
@@ -482,17 +483,17 @@ def _at(
     try:
         there, moved = SWEEPS[parameter].set(projection, value)
     except Refusal as error:
-        return {name: (None, None, str(error)) for name in (*_RUNGS, "VTK's camera")}
+        return {name: (None, None, str(error)) for name in (*_PRECISIONS, "VTK's camera")}
     world = in_view(there, points_world + moved)
     reference = truth(there, world)
     origin = tuple(moved.tolist())
     predicted = predict(there, world, origin) or {}
     found: dict[str, _Answer] = {}
     with np.errstate(all="ignore"):
-        for name, rung in _RUNGS.items():
-            traced = trace(there, world, rung, origin)
+        for name, precision in _PRECISIONS.items():
+            traced = trace(there, world, precision, origin)
             errors, note = _largest(reference, np.column_stack([traced.image, traced.depth]))
-            found[name] = (errors, predicted.get(rung), note)
+            found[name] = (errors, predicted.get(precision), note)
         found["VTK's camera"] = _vtk_camera(there, world, reference)
     return found
 

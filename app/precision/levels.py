@@ -1,4 +1,4 @@
-"""Arithmetic rungs: how exactly points are projected, and what each rung's error will be.
+"""Arithmetic precisions: how exactly points are projected, and what each precision's error will be.
 
 ==========  =================================================================================
 float32     as a GPU does it: the concatenated matrix and the points rounded to 24 bits
@@ -7,9 +7,9 @@ exact       double-double with a running error bound, rounded once; where the bo
             tell how to round, rationals. Within 0.5001 ulp of the true value, every number
 ==========  =================================================================================
 
-A rung's error is bounded before anything is computed, from the roundings of its operations (Higham,
-Accuracy and Stability of Numerical Algorithms, 3.1) and the sizes of what they round: for every
-point by itself, in half of the time of projecting it. The bound is some ten times the largest
+A precision's error is bounded before anything is computed, from the roundings of its operations
+(Higham, Accuracy and Stability of Numerical Algorithms, 3.1) and the sizes of what they round: for
+every point by itself, in half of the time of projecting it. The bound is some ten times the largest
 error that is found, and infinite where a rounding can bring w to 0.
 """
 
@@ -36,8 +36,8 @@ from app.model.projection import (
 )
 from app.model.refusal import Refusal
 
-Rung: TypeAlias = Literal["float32", "float64", "exact"]
-RUNGS: tuple[Rung, ...] = ("float32", "float64", "exact")
+Precision: TypeAlias = Literal["float32", "float64", "exact"]
+PRECISIONS: tuple[Precision, ...] = ("float32", "float64", "exact")
 """From the cheapest to the most exact."""
 
 DRAWING_TOLERANCE_PX = 0.01
@@ -45,7 +45,7 @@ DRAWING_TOLERANCE_PX = 0.01
 LEAST_TOLERANCE_PX, LARGEST_TOLERANCE_PX = 1e-4, 100.0
 """Between which it can be set: below, no drawing in pixels could hold it."""
 READING_TOLERANCE_PX = 1e-9
-"""Error of float64 from which numbers are read from the exact rung."""
+"""Error of float64 from which numbers are read from the exact precision."""
 READING_TOLERANCE_DEPTH = 1e-12
 
 _UNIT_32, _UNIT_64 = 2.0**-24, 2.0**-53
@@ -56,12 +56,12 @@ _ROUNDED_UP = 1.0 + 2.0**-10  # for products of roundings, and for those of the 
 
 
 class Prediction(NamedTuple):
-    """Bounds of the largest errors of a rung over some points.
+    """Bounds of the largest errors of a precision over some points.
 
     Attributes
     ----------
     px : float
-        Of x or y in the image, in pixels; ``inf`` where the rung cannot tell.
+        Of x or y in the image, in pixels; ``inf`` where the precision cannot tell.
     depth : float
         Of the depth in [0, 1].
     """
@@ -76,7 +76,7 @@ class Reference(NamedTuple):
     Attributes
     ----------
     numbers : (n, 3) float64 array
-        x and y in pixels and depth, by the exact rung; NaN where there is no picture.
+        x and y in pixels and depth, by the exact precision; NaN where there is no picture.
     rests : (n, 3) float64 array
         What its rounding cut off.
     """
@@ -116,8 +116,8 @@ class Reference(NamedTuple):
 
 def predict(
     projection: Projection, points_world: ArrayLike, origin: Vector = (0.0, 0.0, 0.0)
-) -> dict[Rung, Prediction] | None:
-    """Bound every rung's largest error over points, from the roundings of its operations.
+) -> dict[Precision, Prediction] | None:
+    """Bound every precision's largest error over points, from the roundings of its operations.
 
     Parameters
     ----------
@@ -130,7 +130,7 @@ def predict(
 
     Returns
     -------
-    dict from rung to Prediction, or None if no point has a picture
+    dict from precision to Prediction, or None if no point has a picture
 
     Notes
     -----
@@ -146,13 +146,13 @@ def predict(
     largest = np.max(found, axis=0)
     largest[np.isnan(largest)] = math.inf
     return {
-        rung: Prediction(max(x_px, y_px), depth)
-        for rung, (x_px, y_px, depth) in zip(RUNGS, largest.tolist(), strict=True)
+        precision: Prediction(max(x_px, y_px), depth)
+        for precision, (x_px, y_px, depth) in zip(PRECISIONS, largest.tolist(), strict=True)
     }
 
 
 class _Bounds:
-    """What bounds every rung's errors at any points under a projection.
+    """What bounds every precision's errors at any points under a projection.
 
     What is divided are the *numerators*: x and y of clip space, the depth times w, and w.
     """
@@ -182,7 +182,7 @@ class _Bounds:
         self._weights[7, 4:] = 2.0**-38 * by_distance[3]
 
     def of(self, world: Array) -> Array | None:
-        """The largest errors of x and y in pixels and of the depth by each of `RUNGS`, (3, 3).
+        """The largest errors of x and y in pixels and of the depth by each of `PRECISIONS`, (3, 3).
 
         None if no point has a picture.
         """
@@ -369,19 +369,20 @@ def _least_w_seen(clip: Array, sizes: Array) -> float:
     return float(cut.min(axis=(1, 2)).max())
 
 
-def rung_for_drawing(
+def precision_for_drawing(
     projection: Projection,
     corners_world: Array,
     origin: Vector = (0.0, 0.0, 0.0),
     tolerance_px: float = DRAWING_TOLERANCE_PX,
-) -> Rung:
-    """The cheaper of the two rungs that can be drawn, if what it can lose is below a tolerance."""
+) -> Precision:
+    """The cheaper of the two precisions that can be drawn, if what it can lose is below a
+    tolerance."""
     bound_px = drawing_bound_px(projection, corners_world, origin)
     return "float32" if bound_px <= tolerance_px else "float64"
 
 
-def rung_for_reading(predictions: Mapping[Rung, Prediction] | None) -> Rung:
-    """The rung of numbers that somebody reads: float64 where it is good enough, else exact."""
+def precision_for_reading(predictions: Mapping[Precision, Prediction] | None) -> Precision:
+    """The precision of numbers that somebody reads: float64 where it is good enough, else exact."""
     if predictions is None:
         return "float64"
     px, depth = predictions["float64"]
@@ -389,38 +390,38 @@ def rung_for_reading(predictions: Mapping[Rung, Prediction] | None) -> Rung:
     return "float64" if good else "exact"
 
 
-# --------------------------------------------------------------------------- the rungs
+# --------------------------------------------------------------------------- the precisions
 
 
 def trace(
     projection: Projection,
     points_world: ArrayLike,
-    rung: Rung = "float64",
+    precision: Precision = "float64",
     origin: Vector = (0.0, 0.0, 0.0),
 ) -> Trace:
-    """Follow points through every stage with the arithmetic of a rung.
+    """Follow points through every stage with the arithmetic of a precision.
 
     Parameters
     ----------
     projection : Projection
     points_world : (..., 3) array_like
-    rung : {"float32", "float64", "exact"}
+    precision : {"float32", "float64", "exact"}
     origin : Vector
         World point from which the GPU's vertices are measured; `float32` only.
 
     Raises
     ------
     Refusal
-        For coordinates that are not finite numbers, or another rung.
+        For coordinates that are not finite numbers, or another precision.
     """
-    if rung not in RUNGS:
-        raise Refusal("rung", rung, ONE_OF, ", ".join(RUNGS))
-    if rung == "float64":
+    if precision not in PRECISIONS:
+        raise Refusal("rung", precision, ONE_OF, ", ".join(PRECISIONS))
+    if precision == "float64":
         return projection.trace(points_world)
     world = checked_points(points_world)
     flat = world.reshape(-1, 3)
     with np.errstate(all="ignore"):
-        if rung == "float32":
+        if precision == "float32":
             parts = _trace_float32(projection, flat, origin)
         else:
             parts = _trace_exact(projection, flat)

@@ -16,7 +16,7 @@ from app.model.projection import FINITE_NUMBER, ONE_OF, Projection
 from app.model.refusal import Refusal
 
 AUTO = "auto"
-RUNGS = (AUTO, "float32", "float64")
+PRECISIONS = (AUTO, "float32", "float64")
 SMOOTHINGS = (
     AUTO, "none", "half resolution", "FXAA", "MSAA 2", "MSAA 4", "MSAA 8",
     "supersampling 2 x 2", "supersampling 3 x 3",
@@ -24,7 +24,7 @@ SMOOTHINGS = (
 LEAST_DETAIL = 0.01
 """Share of the triangles that is kept at the least."""
 _CHOICES = {
-    "rung": RUNGS,
+    "rung": PRECISIONS,
     "smoothing": SMOOTHINGS,
     "depth_format": ("", *FORMATS),
     "depth_mapping": ("", *MAPPINGS),
@@ -37,7 +37,7 @@ class Quality:
 
     Parameters
     ----------
-    rung : one of `RUNGS`
+    rung : one of `PRECISIONS`
         The arithmetic that the image and the NDC cube are drawn with.
     smoothing : one of `SMOOTHINGS`
         Of the panes; figures are always averaged.

@@ -14,7 +14,7 @@ from app.model.depth import DepthBuffer
 from app.model.limits import INVERTIBLE
 from app.model.projection import PLANES, Projection, Vector
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-from app.precision.levels import Prediction, Rung, rung_for_reading
+from app.precision.levels import Precision, Prediction, precision_for_reading
 
 NO_GAP = QT_TRANSLATE_NOOP(
     "Health", "At the target, a 24-bit depth buffer cannot tell any two surfaces apart"
@@ -77,9 +77,9 @@ def risks(
     projection: Projection,
     lower: Vector,
     upper: Vector,
-    drawn: Rung,
+    drawn: Precision,
     drawing_px: float,
-    predictions: Mapping[Rung, Prediction] | None,
+    predictions: Mapping[Precision, Prediction] | None,
 ) -> list[Risk]:
     """Name what the numbers in hand put at risk, the worst first.
 
@@ -89,10 +89,10 @@ def risks(
     lower, upper : Vector
         World bounds of the scene's objects.
     drawn : {"float32", "float64"}
-        The rung that the panes are drawn with.
+        The precision that the panes are drawn with.
     drawing_px : float
         What float32 can lose in the picture, as `precision.drawing_bound_px` gives it.
-    predictions : dict from rung to Prediction, or None
+    predictions : dict from precision to Prediction, or None
         As `precision.predict` gives them for the scene's vertices.
     """
     found = []
@@ -109,7 +109,7 @@ def risks(
     if drawn != "float32" and drawing_px >= _SEEN_PX:
         rough = Risk(ROUGH_DRAWING, (f"{drawing_px:.2g}",))
         found.append(rough if drawing_px < math.inf else Risk(NO_FLOAT32))
-    if predictions is not None and rung_for_reading(predictions) == "exact":
+    if predictions is not None and precision_for_reading(predictions) == "exact":
         found.append(Risk(FEW_DIGITS, tuple(map(_decimals, predictions["float64"]))))
     if lens.fov_y_deg is not None:
         if lens.fov_y_deg > _LARGEST_VTK_FOV_DEG:

@@ -36,7 +36,7 @@ from app.model.projection import (
     Projection,
     Stage,
 )
-from app.precision.levels import RUNGS, Rung, predict, trace
+from app.precision.levels import PRECISIONS, Precision, predict, trace
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.scene import load
 from tests import PATIENCE_S
@@ -167,7 +167,7 @@ def test_json_is_exactly_the_trace_of_the_model(by_hand: Path) -> None:
     assert any(point["ndc"] is None for point in answer["points"])
     predictions = predict(projection, points)
     assert predictions is not None and answer["rung"] == "float64"
-    assert answer["predictions"] == {rung: p._asdict() for rung, p in predictions.items()}
+    assert answer["predictions"] == {precision: p._asdict() for precision, p in predictions.items()}
     assert answer["predicted_error_px"] == predictions["float64"].px
 
 
@@ -181,29 +181,29 @@ def stage_of(projection: Projection, name: str) -> Stage:
     return stage
 
 
-@pytest.mark.parametrize("rung", RUNGS)
-def test_a_forced_rung_computes_the_numbers(by_hand: Path, rung: Rung) -> None:
+@pytest.mark.parametrize("precision", PRECISIONS)
+def test_a_forced_precision_computes_the_numbers(by_hand: Path, precision: Precision) -> None:
     done = run_here(
-        "project", by_hand, "-", "--format=json", f"--rung={rung}", text="0.1,0.7,-1e-3\n"
+        "project", by_hand, "-", "--format=json", f"--rung={precision}", text="0.1,0.7,-1e-3\n"
     )
     answer = json.loads(done.stdout)
     points = np.array([[0.1, 0.7, -1e-3]])
     predictions = predict(BY_HAND.projection, points)
     assert predictions is not None
-    assert (answer["rung"], answer["predicted_error_px"]) == (rung, predictions[rung].px)
-    (point,), traced = answer["points"], trace(BY_HAND.projection, points, rung)
+    assert (answer["rung"], answer["predicted_error_px"]) == (precision, predictions[precision].px)
+    (point,), traced = answer["points"], trace(BY_HAND.projection, points, precision)
     for name in ("view", "clip", "ndc", "image"):
         assert point[name] == getattr(traced, name)[0].tolist()
     assert point["depth"] == traced.depth[0]
     true = exact.Exact(BY_HAND.projection)(points[0])
     error = max(abs(float(a - b)) for a, b in zip(point["image"], true.image, strict=True))
-    low, high = {"float32": (1e-7, 1e-4), "float64": (0.0, 1e-13), "exact": (0.0, 1e-14)}[rung]
-    assert low <= error <= predictions[rung].px <= high
-    table = run_here("project", by_hand, "-", f"--rung={rung}", text="0.1,0.7,-1e-3\n").stdout
-    assert f"\ncomputed in {rung}; errors are below: float32 " in table
+    low, high = {"float32": (1e-7, 1e-4), "float64": (0.0, 1e-13), "exact": (0.0, 1e-14)}[precision]
+    assert low <= error <= predictions[precision].px <= high
+    table = run_here("project", by_hand, "-", f"--rung={precision}", text="0.1,0.7,-1e-3\n").stdout
+    assert f"\ncomputed in {precision}; errors are below: float32 " in table
 
 
-def test_a_rung_that_is_none_is_refused(by_hand: Path) -> None:
+def test_a_precision_that_is_none_is_refused(by_hand: Path) -> None:
     assert refused("project", by_hand, "-", "--rung", "float16", text="0,0,0") == (
         "--rung = 'float16': must be one of float32, float64, exact.\n"
     )
@@ -247,7 +247,9 @@ def test_points_without_a_picture_have_no_error_and_an_infinite_one_is_written_i
 
 
 @pytest.mark.parametrize("form", ["table", "csv", "json"])
-def test_a_point_beyond_the_numbers_of_a_forced_rung_is_refused(by_hand: Path, form: str) -> None:
+def test_a_point_beyond_the_numbers_of_a_forced_precision_is_refused(
+    by_hand: Path, form: str
+) -> None:
     arguments = ("project", by_hand, "-", "--rung=float32", f"--format={form}")
     assert refused(*arguments, text="x,y,z\n0,0,0\n0,1e39,-1e40\n") == (
         "--rung = 'float32': point 2 leads to numbers that it cannot hold.\n"
@@ -1019,7 +1021,7 @@ def test_the_names_in_the_help_are_those_that_there_are() -> None:
 
     paths = {"scene", "mesh", "depth", *document.model_paths().values()} - {"lens.former"}
     assert set(options.SETTABLE) == paths | {f"quality.{key}" for key in document._QUALITY}
-    assert options.RUNGS == RUNGS
+    assert options.PRECISIONS == PRECISIONS
     assert tuple(measure.TRADES) == options.TRADES
     assert tuple(SWEEPS) == options.SWEEPS
     assert tuple(cli._PROJECT_FORMATS) == options.PROJECT_FORMATS
@@ -1420,8 +1422,8 @@ def test_points_go_through_a_free_matrix() -> None:
     assert point["outside_of"] == ["top"] and not point["inside"]
     for hidden in (in_plane, behind):
         assert hidden["ndc"] is hidden["image"] is hidden["depth"] is None
-    for rung in ("float32", "float64", "exact"):
-        done = run_here("project", "-", "--rung", rung, *settings, text="1,2,1\n")
+    for precision in ("float32", "float64", "exact"):
+        done = run_here("project", "-", "--rung", precision, *settings, text="1,2,1\n")
         assert done.returncode == 0
 
 

@@ -13,7 +13,7 @@ import pyvista as pv
 from numpy.typing import NDArray
 
 from app.drawings import WORDS
-from app.drawings import precision as rungs
+from app.drawings import precision as precisions
 from app.drawings.image import ImageDrawing
 from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT
@@ -210,7 +210,7 @@ def test_the_picture_is_right_where_float32_is_not(
             projection, points.astype(float) + np.array(origin, dtype=float), SIZE, band_px
         )
         assert must.sum() > 2000 and must_not.sum() > 2000
-        wrong[drawing.rung] = int((must & ~lit).sum() + (must_not & lit).sum())
+        wrong[drawing.precision] = int((must & ~lit).sum() + (must_not & lit).sum())
     assert wrong["float64"] == 0
     assert wrong["float32"] > 20, "not an extreme"
 
@@ -241,7 +241,7 @@ def test_the_cube_is_right_where_float32_is_not(
                 lit = drawn(screen.pixels(), RED)
                 must, must_not = expected(projection, world, size, 0.5)
                 # The axes of the cube lie before it here and there.
-                wrong[drawing.rung] = (must & ~lit).sum() / must.sum() + (must_not & lit).sum()
+                wrong[drawing.precision] = (must & ~lit).sum() / must.sum() + (must_not & lit).sum()
             assert wrong["float64"] < 0.025, (name, depth)
             assert wrong["float32"] > 5, (name, depth)
 
@@ -286,7 +286,7 @@ def test_triangles_are_cut_where_the_model_says(
         drawing.show_projection(projection)
         lit = drawn(screen.pixels(), RED)
         must, must_not = expected(projection, points, (160, 120), 0.02)
-        assert drawing.rung == "float64" or not must.any()  # what is not seen costs nothing
+        assert drawing.precision == "float64" or not must.any()  # what is not seen costs nothing
         assert not (must & ~lit).any() and not (must_not & lit).any(), (number, projection, points)
         seen += bool(must.any())
         behind += bool(must.any() and (projection.trace(points).clip[:, 3] < 0.0).any())
@@ -316,7 +316,7 @@ def test_a_thin_slab_is_cut_where_the_model_says(
         lit = drawn(screen.pixels(), RED)
         must, must_not = expected(projection, points.astype(float) + origin, SIZE, 0.02)
         assert must.sum() > 2000 and must_not.sum() > 2000
-        wrong[drawing.rung] = int((must & ~lit).sum() + (must_not & lit).sum())
+        wrong[drawing.precision] = int((must & ~lit).sum() + (must_not & lit).sum())
     assert wrong["float64"] == 0
     assert wrong["float32"] > 20
 
@@ -342,7 +342,7 @@ def test_lines_are_cut_where_the_model_says(off_screen: Callable[[int, int], Off
         scene = replace(load("cube"), surface=None, lines=lines)
         drawing = ImageDrawing(screen.plotter, scene, WORDS, LIGHT, framed=False)
         drawing.show_projection(projection)
-        assert drawing.rung == "float64"
+        assert drawing.precision == "float64"
         lit = drawn(screen.pixels(), RED)
         drawing.remove()
         # A ribbon of 4 pixels about the line, made in view space from where it is seen.
@@ -409,7 +409,7 @@ def test_what_is_near_is_drawn_however_large_the_scene(
     assert not (must & ~lit).any() and not (must_not & lit).any()
 
 
-# --------------------------------------------------------------------------- both rungs
+# --------------------------------------------------------------------------- both precisions
 
 
 def everyday() -> list[tuple[str, Projection]]:
@@ -430,7 +430,7 @@ def test_an_everyday_step_does_nothing_per_vertex(
     kind: Any, off_screen: Callable[[int, int], OffScreen], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     calls: list[str] = []
-    trace, cut = Projection.trace, rungs._cut
+    trace, cut = Projection.trace, precisions._cut
 
     def traced(*args: Any) -> Any:
         calls.append("trace")
@@ -441,7 +441,7 @@ def test_an_everyday_step_does_nothing_per_vertex(
         return cut(*args)
 
     monkeypatch.setattr(Projection, "trace", traced)
-    monkeypatch.setattr(rungs, "_cut", was_cut)
+    monkeypatch.setattr(precisions, "_cut", was_cut)
     for name, projection in everyday():
         screen = off_screen(200, 150)
         scene = load(name)
@@ -450,15 +450,15 @@ def test_an_everyday_step_does_nothing_per_vertex(
             eye = tuple(part + 0.01 * step for part in projection.camera.eye)
             camera = replace(projection.camera, eye=eye)
             drawing.show_projection(replace(projection, camera=camera))
-            assert drawing.rung == "float32"
+            assert drawing.precision == "float32"
     assert calls == []
     drawing.show_projection(replace(projection, lens=Perspective(1e-3, 1, 30)))
-    assert drawing.rung == "float64"
+    assert drawing.precision == "float64"
     assert calls == ["trace", "cut"] * 2  # faces and lines
 
 
 @pytest.mark.parametrize("kind", [ImageDrawing, StageDrawing])
-def test_both_rungs_draw_the_same_everyday_picture(
+def test_both_precisions_draw_the_same_everyday_picture(
     kind: Any, off_screen: Callable[[int, int], OffScreen]
 ) -> None:
     """Also from within the scene, where faces, grid and colours are cut."""
@@ -476,7 +476,7 @@ def test_both_rungs_draw_the_same_everyday_picture(
             drawing = kind(screen.plotter, scene, WORDS, LIGHT, tolerance_px)
             drawing.show_projection(projection)
             pictures.append(screen.pixels())
-            used.append(drawing.rung)
+            used.append(drawing.precision)
         assert used == ["float32", "float64"]
         empty = np.array(to_bytes(LIGHT.background))
         assert (pictures[0] != empty).any(axis=-1).sum() > 5000
@@ -507,7 +507,7 @@ def test_there_and_back_is_the_picture_of_a_fresh_drawing(
         ("narrow", narrow), ("near", near),
     ):  # fmt: skip
         drawing.show_projection(projection)
-        used.append(drawing.rung)
+        used.append(drawing.precision)
         picture = screens[0].pixels()
         assert (pictures.setdefault(name, picture) == picture).all()
     assert used == ["float32", "float64", "float64", "float32", "float64", "float64", "float32"]
@@ -523,10 +523,10 @@ def test_there_and_back_is_the_picture_of_a_fresh_drawing(
     ] == actors
 
 
-def test_the_windows_tolerance_chooses_the_rung(window: MainWindow) -> None:
-    used = {name: window.panes[name].drawing.rung for name in ("ndc", "image")}
+def test_the_windows_tolerance_chooses_the_precision(window: MainWindow) -> None:
+    used = {name: window.panes[name].drawing.precision for name in ("ndc", "image")}
     assert used == {"ndc": "float32", "image": "float32"}
-    for tolerance_px, rung in ((1e-4, "float64"), (1.0, "float32")):
+    for tolerance_px, precision in ((1e-4, "float64"), (1.0, "float32")):
         window.status.tolerance_edited.emit(tolerance_px)
-        used = {name: window.panes[name].drawing.rung for name in ("ndc", "image")}
-        assert used == {"ndc": rung, "image": rung}
+        used = {name: window.panes[name].drawing.precision for name in ("ndc", "image")}
+        assert used == {"ndc": precision, "image": precision}

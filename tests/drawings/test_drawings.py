@@ -722,7 +722,7 @@ def test_a_vertex_under_a_free_matrix_lights_its_pixel(
     for actor in drawing.picture_renderer.GetActors():
         actor.GetProperty().SetPointSize(3.0)
     random = np.random.default_rng(21)
-    checked, worst, rungs = 0, 0.0, set()
+    checked, worst, precisions = 0, 0.0, set()
     for number in range(60):
         start = replace(letter.start, image_size=size).with_depth(list(DEPTH_RANGES)[number % 3])
         name = ("clip_from_view", "view_from_world")[number % 4 == 3]
@@ -730,7 +730,7 @@ def test_a_vertex_under_a_free_matrix_lights_its_pixel(
         value = shown(start, name)[row][column] + random.uniform(-0.2, 0.2)
         projection = with_cell(start, name, int(row), int(column), value)
         drawing.show_projection(projection)
-        rungs.add(drawing.rung)
+        precisions.add(drawing.precision)
         image = screen.pixels()
         trace = projection.trace(points)
         rows, columns = np.nonzero(drawn(image[..., 1:], (0, 200)))
@@ -749,4 +749,4 @@ def test_a_vertex_under_a_free_matrix_lights_its_pixel(
                 worst = max(worst, abs(off_x), abs(off_y))
                 checked += 1
     assert checked > 200 and worst <= 0.26
-    assert rungs == {"float32"} if tolerance_px > 1.0 else "float64" in rungs
+    assert precisions == {"float32"} if tolerance_px > 1.0 else "float64" in precisions

@@ -21,12 +21,12 @@ from app.drawings.style import DARK, LIGHT, rgb
 from app.drawings.world import WorldDrawing
 from app.lecture.stages import IMAGE, NDC, VIEW
 from app.model.projection import DEPTH_RANGES, Camera, Orthographic, Perspective, Projection
-from app.scenes.phenomena.illustration import Copy, Dot, Exhibit, Face, Line, Marks, Text
+from app.scenes.phenomena.illustration import Copy, Dot, Face, Illustration, Line, Marks, Text
 from app.scenes.scene import Scene, load
 from tests.support.drawings import Pixels, drawn, off_screen, scene_of, to_bytes
 from widgets.panes.canvas import RasterCanvas
 from widgets.panes.pane import Pane
-from widgets.parts.panel import Shown
+from widgets.parts import panel
 
 __all__ = ["off_screen"]
 
@@ -61,17 +61,17 @@ class Shown:
         if pane == "world":
             self.drawing.show_view(CLOSE)
 
-    def show(self, exhibit: Exhibit | None) -> Pixels:
-        self.drawing.show_projection(self.projection, exhibit)
+    def show(self, illustration: Illustration | None) -> Pixels:
+        self.drawing.show_projection(self.projection, illustration)
         pixels: Pixels = self.screen.pixels()
         return pixels
 
-    def marks(self, points: Any, make: Callable[[NDArray[np.float64]], Marks]) -> Exhibit:
-        """An exhibit that marks world points in this pane, in its own coordinates."""
+    def marks(self, points: Any, make: Callable[[NDArray[np.float64]], Marks]) -> Illustration:
+        """An illustration that marks world points in this pane, in its own coordinates."""
         points = np.asarray(points, dtype=np.float64)
         trace = self.projection.trace(points)
         where = {"world": points, "ndc": trace.ndc, "image": trace.image}[self.pane]
-        return Exhibit((), **{self.pane: make(where)})
+        return Illustration((), **{self.pane: make(where)})
 
     def seen(self, points: Any) -> NDArray[np.float64]:
         """Where the pane shows world points, pixels from its top left."""
@@ -189,7 +189,7 @@ def test_a_line_of_each_width_and_colour(shown: Callable[..., Shown]) -> None:
         Line(np.array([(left, y), (right, y)]), colour, width)
         for y, colour, width in ((100.0, RED, 1.0), (150.0, GREEN, 3.0), (200.0, BLUE, 6.0))
     )
-    image = one.show(Exhibit((), image=Marks(lines)))
+    image = one.show(Illustration((), image=Marks(lines)))
     inks = [drawn(image, to_bytes(colour)).sum() for colour in (RED, GREEN, BLUE)]
     assert inks[1] / inks[0] == pytest.approx(3.0, rel=0.35)
     assert inks[2] / inks[1] == pytest.approx(2.0, rel=0.2)
@@ -197,7 +197,7 @@ def test_a_line_of_each_width_and_colour(shown: Callable[..., Shown]) -> None:
     for style in (LIGHT, DARK):
         one = shown("image", style=style)
         line = replace(lines[2], colour="accent")
-        assert drawn(one.show(Exhibit((), image=Marks((line,)))), to_bytes(style.accent)).any()
+        assert drawn(one.show(Illustration((), image=Marks((line,)))), to_bytes(style.accent)).any()
 
 
 @pytest.mark.parametrize("pane", PANES)
@@ -208,8 +208,8 @@ def test_a_face_tints_what_is_behind_it(pane: str, shown: Callable[..., Shown]) 
     before = one.show(None)[centre[1], centre[0]].astype(float)
 
     def colour(opacity: float) -> NDArray[np.float64]:
-        exhibit = one.marks(corners, lambda p: Marks(faces=(Face(p, BLUE, opacity),)))
-        return one.show(exhibit)[centre[1], centre[0]].astype(float)
+        illustration = one.marks(corners, lambda p: Marks(faces=(Face(p, BLUE, opacity),)))
+        return one.show(illustration)[centre[1], centre[0]].astype(float)
 
     assert colour(1.0).tolist() == [0.0, 0.0, 255.0]
     expected = 0.6 * before + 0.4 * np.array([0.0, 0.0, 255.0])
@@ -265,7 +265,7 @@ def test_texts_of_one_place_do_not_hide_one_another(shown: Callable[..., Shown])
     one = shown("image")
     middle_px = np.array(START.image_size) * (0.25, 0.4)
     texts = tuple(Text("P", middle_px, colour) for colour in (RED, GREEN, BLUE))
-    image = one.show(Exhibit((), image=Marks(texts=texts)))
+    image = one.show(Illustration((), image=Marks(texts=texts)))
     inks = [drawn(image, to_bytes(colour)).sum() for colour in (RED, GREEN, BLUE)]
     assert min(inks) > 0.9 * max(inks) > 0
 
@@ -274,7 +274,7 @@ def test_marks_of_the_picture_lie_over_the_scene(shown: Callable[..., Shown]) ->
     one = shown("image")
     x, y = START.trace((-1.0, 2.5, 0.5)).image
     corners = np.array([(x - 20, y - 20), (x + 20, y - 20), (x + 20, y + 20), (x - 20, y + 20)])
-    image = one.show(Exhibit((), image=Marks(faces=(Face(corners, RED, 1.0),))))
+    image = one.show(Illustration((), image=Marks(faces=(Face(corners, RED, 1.0),))))
     left, top, width, _ = one.drawing.picture_rectangle_px
     scale = width / START.image_size[0]
     lit = drawn(image, (255, 0, 0))
@@ -323,7 +323,7 @@ def test_a_copy_is_drawn_where_its_matrix_says(
     one = shown(pane, scene)
     before = one.show(None)
     copy = Copy(COPIES[kind], (pane,), RED)
-    image = one.show(Exhibit((), copies=(copy,)))
+    image = one.show(Illustration((), copies=(copy,)))
     assert scene.surface is not None
     corners = one.seen(moved(COPIES[kind], scene.surface.points))
     rows, columns = np.mgrid[: SIZE[1], : SIZE[0]] + 0.5
@@ -351,12 +351,12 @@ def test_a_copy_keeps_the_faces_own_colours_unless_it_is_given_one(
     scene = square(0.0, (10, 120, 10))
     one = shown("world", scene)
     alone = drawn(one.show(None), (10, 120, 10)).sum()
-    own = one.show(Exhibit((), copies=(Copy(TRANSLATED),)))
+    own = one.show(Illustration((), copies=(Copy(TRANSLATED),)))
     assert drawn(own, (10, 120, 10)).sum() > 1.5 * alone
-    red = one.show(Exhibit((), copies=(Copy(TRANSLATED, colour=RED),)))
+    red = one.show(Illustration((), copies=(Copy(TRANSLATED, colour=RED),)))
     assert drawn(red, (255, 0, 0)).sum() > 0.5 * alone
     assert drawn(red, (10, 120, 10)).sum() <= alone
-    again = one.show(Exhibit((), copies=(Copy(TRANSLATED),)))
+    again = one.show(Illustration((), copies=(Copy(TRANSLATED),)))
     assert (again == own).all()
 
 
@@ -366,8 +366,10 @@ def test_a_copy_stands_only_in_its_panes(shown: Callable[..., Shown]) -> None:
         one = shown(pane, scene)
         before = one.show(None)
         others = tuple(name for name in PANES if name != pane)
-        assert (one.show(Exhibit((), copies=(Copy(TRANSLATED, others, RED),))) == before).all()
-        assert (one.show(Exhibit((), copies=(Copy(TRANSLATED, (pane,), RED),))) != before).any()
+        assert (one.show(Illustration((), copies=(Copy(TRANSLATED, others, RED),))) == before).all()
+        assert (
+            one.show(Illustration((), copies=(Copy(TRANSLATED, (pane,), RED),))) != before
+        ).any()
 
 
 def test_a_shadow_does_not_fight_with_the_ground_it_lies_on(shown: Callable[..., Shown]) -> None:
@@ -383,7 +385,7 @@ def test_a_shadow_does_not_fight_with_the_ground_it_lies_on(shown: Callable[...,
         # Of a copy, the ground is flattened onto itself: all ground is in shadow.
         # By a matrix whose products float32 cannot hold, so that depths come out differently.
         matrix = shadow((-0.37, 1.1, -1.3, 0.0), (0.0, 0.7, 0.0, 0.0))
-        image = one.show(Exhibit((), copies=(Copy(matrix, (pane,), BLUE),)))
+        image = one.show(Illustration((), copies=(Copy(matrix, (pane,), BLUE),)))
         assert drawn(image, (0, 0, 255)).sum() > 20_000
         assert drawn(image, (200, 200, 90)).sum() == 0
 
@@ -402,7 +404,7 @@ def test_a_copy_is_cut_by_the_view_volume_as_the_scene_is(
     aside[:3, 3] = 14.0 * camera.frame[0]
     before = one.show(None)
     for matrix in (behind_far, before_near, aside):
-        assert (one.show(Exhibit((), copies=(Copy(matrix, (pane,), RED),))) == before).all()
+        assert (one.show(Illustration((), copies=(Copy(matrix, (pane,), RED),))) == before).all()
 
 
 @pytest.mark.parametrize("pane", PANES)
@@ -440,7 +442,7 @@ def test_a_copy_of_a_scene_far_from_the_origin_is_as_exact_as_near_it(
 @pytest.mark.parametrize("pane", PANES)
 def test_nothing_smears_that_is_far_away_or_nowhere(pane: str, shown: Callable[..., Shown]) -> None:
     one = shown(pane)
-    before = one.show(Exhibit(()))
+    before = one.show(Illustration(()))
     k = 2 if pane == "image" else 3
     for value in (1e30, -1e300, math.inf, -math.inf, math.nan, 1.7e308):
         point = np.full(k, value)
@@ -451,11 +453,11 @@ def test_nothing_smears_that_is_far_away_or_nowhere(pane: str, shown: Callable[.
             (Dot(point, RED), Dot(mixed, RED)),
             (Text("far", point, RED),),
         )
-        image = one.show(Exhibit((), **{pane: marks}))
+        image = one.show(Illustration((), **{pane: marks}))
         assert not drawn(image, (255, 0, 0)).any()
         assert (image == before).all()
     for matrix in (np.full((4, 4), math.nan), np.zeros((4, 4)), np.full((4, 4), math.inf)):
-        assert (one.show(Exhibit((), copies=(Copy(matrix, (pane,), RED),))) == before).all()
+        assert (one.show(Illustration((), copies=(Copy(matrix, (pane,), RED),))) == before).all()
 
 
 @pytest.mark.parametrize("pane", PANES)
@@ -472,18 +474,18 @@ def test_a_line_toward_infinity_keeps_its_direction(pane: str, shown: Callable[.
     for length in (1e9, 1e30, 1e200):
         line = np.stack([ends[0], ends[0] + length * direction])
         assert line.shape == (2, k)
-        image = one.show(Exhibit((), **{pane: Marks((Line(line, RED, 2.0),))}))
+        image = one.show(Illustration((), **{pane: Marks((Line(line, RED, 2.0),))}))
         x, y = one.seen([start, along]).astype(int).T
         assert drawn(image, (255, 0, 0))[y[1], x[1]]
 
 
 @pytest.mark.parametrize("pane", PANES)
-def test_nothing_remains_after_another_exhibit_and_the_way_back_is_the_same(
+def test_nothing_remains_after_another_illustration_and_the_way_back_is_the_same(
     pane: str, shown: Callable[..., Shown]
 ) -> None:
     one = shown(pane)
 
-    def exhibit(count: int, colour: str) -> Exhibit:
+    def illustration(count: int, colour: str) -> Illustration:
         def make(points: NDArray[np.float64]) -> Marks:
             return Marks(
                 tuple(Line(points[[i, i + 1]], colour, 1.0 + i) for i in range(count)),
@@ -500,15 +502,15 @@ def test_nothing_remains_after_another_exhibit_and_the_way_back_is_the_same(
             ),
         )
 
-    few = one.show(exhibit(1, RED))
-    many = one.show(exhibit(3, BLUE))
+    few = one.show(illustration(1, RED))
+    many = one.show(illustration(3, BLUE))
     assert not drawn(many, (255, 0, 0)).any()
     count = actors_of(one)
-    assert (one.show(exhibit(1, RED)) == few).all()
+    assert (one.show(illustration(1, RED)) == few).all()
     assert not drawn(few, (0, 0, 255)).any()
-    assert (one.show(exhibit(3, BLUE)) == many).all()
+    assert (one.show(illustration(3, BLUE)) == many).all()
     assert actors_of(one) == count  # shown and hidden, never added or taken out
-    nothing = one.show(Exhibit(()))
+    nothing = one.show(Illustration(()))
     assert not drawn(nothing, (255, 0, 0)).any() and not drawn(nothing, (0, 0, 255)).any()
     assert (one.show(None) == nothing).all()
     assert actors_of(one) == count
@@ -518,12 +520,12 @@ def test_nothing_remains_after_another_exhibit_and_the_way_back_is_the_same(
 
 def test_marks_of_ndc_are_hidden_at_every_other_stop(shown: Callable[..., Shown]) -> None:
     one = shown("ndc")
-    exhibit = replace(one.marks([PLACES[0]], dots), copies=(Copy(TRANSLATED, ("ndc",), BLUE),))
-    at_ndc = one.show(exhibit)
+    illustration = replace(one.marks([PLACES[0]], dots), copies=(Copy(TRANSLATED, ("ndc",), BLUE),))
+    at_ndc = one.show(illustration)
     assert drawn(at_ndc, (255, 0, 0)).any() and drawn(at_ndc, (0, 0, 255)).any()
     for position in (VIEW, 3.5, IMAGE):
         one.drawing.show_stage(position)
-        for pixels in (one.screen.pixels(), one.show(exhibit)):
+        for pixels in (one.screen.pixels(), one.show(illustration)):
             assert not drawn(pixels, (255, 0, 0)).any() and not drawn(pixels, (0, 0, 255)).any()
     one.drawing.show_stage(NDC)
     assert (one.screen.pixels() == at_ndc).all()
@@ -588,12 +590,14 @@ def test_a_scene_without_a_phenomenon_builds_nothing(
 def test_a_hidden_pane_computes_nothing_and_a_visible_one_paints_once(
     display: Any, qtbot: Any
 ) -> None:
-    calls: list[Exhibit | None] = []
+    calls: list[Illustration | None] = []
 
     class Counting(WorldDrawing):
-        def show_projection(self, projection: Projection, exhibit: Exhibit | None = None) -> None:
-            calls.append(exhibit)
-            super().show_projection(projection, exhibit)
+        def show_projection(
+            self, projection: Projection, illustration: Illustration | None = None
+        ) -> None:
+            calls.append(illustration)
+            super().show_projection(projection, illustration)
 
     window = QWidget()
     qtbot.addWidget(window)
@@ -602,15 +606,15 @@ def test_a_hidden_pane_computes_nothing_and_a_visible_one_paints_once(
     window.resize(400, 300)
     document = Document("letter-f", START)
 
-    def take(exhibit: Exhibit | None) -> None:
-        pane.take(Shown(document, LETTER, exhibit), frozenset({"exhibit"}))
+    def take(illustration: Illustration | None) -> None:
+        pane.take(panel.Shown(document, LETTER, illustration), frozenset({"illustration"}))
 
-    pane.build(Shown(document, LETTER, None), None, LETTER, WORDS, LIGHT)
+    pane.build(panel.Shown(document, LETTER, None), None, LETTER, WORDS, LIGHT)
 
-    def exhibit(x: float) -> Exhibit:
-        return Exhibit((), world=dots(np.array([(x, 5.0, 0.5)])))
+    def illustration(x: float) -> Illustration:
+        return Illustration((), world=dots(np.array([(x, 5.0, 0.5)])))
 
-    first, second = exhibit(0.0), exhibit(1.0)
+    first, second = illustration(0.0), illustration(1.0)
     take(first)
     assert calls == []
     with qtbot.waitExposed(window):
@@ -634,7 +638,7 @@ def test_a_hidden_pane_computes_nothing_and_a_visible_one_paints_once(
     pane.show()
     assert calls == [second, None]
     # Another style: the drawing is made anew.
-    pane.build(Shown(document, LETTER, second), None, LETTER, WORDS, DARK)
+    pane.build(panel.Shown(document, LETTER, second), None, LETTER, WORDS, DARK)
     assert calls[2:] == [None, second]  # its own start, then what the pane shows
     image = pane.canvas.grab().toImage()
     ratio = pane.canvas.devicePixelRatioF()

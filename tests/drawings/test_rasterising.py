@@ -31,7 +31,7 @@ from app.model.projection import (
     Projection,
 )
 from app.scenes.phenomena import depth_buffer, interpolation, popping
-from app.scenes.phenomena.illustration import Exhibit, Phenomenon
+from app.scenes.phenomena.illustration import Illustration, Phenomenon
 from app.scenes.scene import Scene, load
 from tests.support.drawings import heard, rendered
 
@@ -50,15 +50,17 @@ class Picture:
         self.window = self.plotter.render_window
         self.window.SetMultiSamples(0)
         self.drawing = ImageDrawing(self.plotter, self.scene, WORDS, LIGHT, framed=False)
-        self.exhibit = Exhibit(())
+        self.illustration = Illustration(())
 
     def show(self, projection: Projection | None = None, **settings: Any) -> Picture:
         """Take these over; draws nothing."""
         projection = replace(projection or self.phenomenon.start, image_size=SIZE)
         checked = self.phenomenon.checked(settings)
-        self.exhibit = self.phenomenon.show(projection, checked, self.scene.subject)
+        self.illustration = self.phenomenon.show(projection, checked, self.scene.subject)
         # Texts and dots would cover what is looked at here.
-        bare = replace(self.exhibit, image=replace(self.exhibit.image, lines=(), dots=(), texts=()))
+        bare = replace(
+            self.illustration, image=replace(self.illustration.image, lines=(), dots=(), texts=())
+        )
         self.drawing.show_projection(projection, bare)
         return self
 
@@ -147,8 +149,8 @@ def test_the_predicted_share_of_wrong_pixels_is_the_counted_one(plotter: Any) ->
     worst, seen, between = 0.0, set(), 0
     while len(seen) < 50:
         projection, settings = depth_settings(random)
-        exhibit = show(projection, settings, scene.subject)
-        reading, buffer = exhibit.readings[0], depth_buffer.buffer_of(projection, settings)
+        illustration = show(projection, settings, scene.subject)
+        reading, buffer = illustration.readings[0], depth_buffer.buffer_of(projection, settings)
         if reading.note is not None:  # too fine, or not in the picture
             continue
         assert isinstance(reading.value, float) and isinstance(buffer, DepthBuffer)
@@ -217,7 +219,7 @@ def test_the_image_pane_shows_the_stripes_that_are_counted(plotter: Any, make: A
     pixels = picture.pixels().astype(int)
     front, back = ((pixels == rgb_).all(axis=-1) for rgb_ in ((230, 159, 0), (0, 114, 178)))
     share = back.sum() / (front | back).sum()
-    assert 100.0 * share == pytest.approx(picture.exhibit.readings[0].value, abs=5.0)
+    assert 100.0 * share == pytest.approx(picture.illustration.readings[0].value, abs=5.0)
     fine = picture.show(format="fixed24").pixels().astype(int)
     assert not (fine == (0, 114, 178)).all(axis=-1)[SIZE[1] // 2 :].any()
     again = picture.show().pixels()
@@ -239,7 +241,7 @@ def test_without_a_depth_buffer_that_lens_can_have_nothing_is_rounded(make: Any)
     endless = replace(start, lens=Perspective(45.0, 1.0, math.inf))
     plain = picture.show(endless, range="standard", format="fixed24").pixels()
     refused = picture.show(endless, range="logarithmic", format="fixed8").pixels()
-    assert picture.exhibit.warning is not None and picture.exhibit.rendering is None
+    assert picture.illustration.warning is not None and picture.illustration.rendering is None
     assert (plain == refused).all()
 
 
@@ -321,7 +323,7 @@ def test_the_largest_error_is_the_one_in_the_picture(make: Any) -> None:
             continue
         settings = {"pattern": "coordinates", "subdivision": parts}
         affine = picture.show(projection, **settings).pixels().astype(float)
-        texels = picture.exhibit.readings[0].value
+        texels = picture.illustration.readings[0].value
         correct = picture.show(projection, interpolation="correct", **settings).pixels()
         board = (affine[..., 2] == 0) & (correct[..., 2] == 0)
         off = (affine - correct)[board][:, :2] / 255.0 * interpolation.TEXELS
@@ -339,10 +341,10 @@ def test_affine_and_correct_are_the_same_where_w_is_constant(make: Any) -> None:
     affine = picture.show(above, interpolation="affine").pixels()
     correct = picture.show(above, interpolation="correct").pixels()
     assert (affine != correct).any(axis=-1).mean() < 1e-3
-    assert picture.exhibit.readings[0].value == pytest.approx(0.0, abs=1e-9)
+    assert picture.illustration.readings[0].value == pytest.approx(0.0, abs=1e-9)
     parallel = picture.phenomenon.start.with_lens("orthographic")
     picture.show(parallel)
-    assert picture.exhibit.readings[0].value == 0.0
+    assert picture.illustration.readings[0].value == 0.0
 
 
 @pytest.mark.parametrize("kind", [WorldDrawing, StageDrawing])
@@ -356,8 +358,8 @@ def test_the_other_panes_show_the_texture_as_it_is(said: Any, kind: Any) -> None
     for choice in (None, "affine", "correct"):
         if choice is not None:
             settings = interpolation.PHENOMENON.checked({"interpolation": choice})
-            exhibit = interpolation.PHENOMENON.show(scene.start, settings, scene.subject)
-            drawing.show_projection(scene.start, Exhibit((), rendering=exhibit.rendering))
+            illustration = interpolation.PHENOMENON.show(scene.start, settings, scene.subject)
+            drawing.show_projection(scene.start, Illustration((), rendering=illustration.rendering))
         shown.append(rendered(plotter.render_window).astype(int))
     plain, affine, correct = shown
     darker = (plain - affine).max(axis=-1) > 60
@@ -574,8 +576,8 @@ BOUND = ("fog_start", "fog_end", "detail_1", "detail_2", "subdivision")
 """Settings that do not go together at their ends, or take long there."""
 
 
-def finite_marks(exhibit: Exhibit) -> bool:
-    marks = [getattr(exhibit, pane) for pane in ("world", "ndc", "image")]
+def finite_marks(illustration: Illustration) -> bool:
+    marks = [getattr(illustration, pane) for pane in ("world", "ndc", "image")]
     points = [np.ravel(line.points) for mark in marks for line in mark.lines]
     points += [np.ravel(at.point) for mark in marks for at in (*mark.dots, *mark.texts)]
     return all(np.isfinite(part).all() for part in points)
@@ -601,15 +603,15 @@ def test_no_camera_makes_a_number_that_is_none(phenomenon: Phenomenon, make: Any
                     if setting.name not in BOUND
                 }
                 picture.show(projection, **settings)
-                exhibit = picture.exhibit
-                for reading in exhibit.readings:
+                illustration = picture.illustration
+                for reading in illustration.readings:
                     if reading.value is None:
                         assert reading.note is not None or reading.counted, reading.label
                     else:
                         assert math.isfinite(reading.value), (reading.label, projection)  # type: ignore[arg-type]
-                assert exhibit.readings or exhibit.warning is not None
-                assert finite_marks(exhibit)
-                for diagram in exhibit.diagrams:
+                assert illustration.readings or illustration.warning is not None
+                assert finite_marks(illustration)
+                for diagram in illustration.diagrams:
                     assert diagram.left < diagram.right
                     assert all(np.isfinite(curve.points).all() for curve in diagram.curves)
                 picture.window.Render()

@@ -725,10 +725,10 @@ def test_no_label_lies_on_another_in_any_scene_of_a_lecture(
     view = make_view(name, *size_px, replace(LIGHT, font_size=22.0))
     scene = load(name)
     shown = scene.phenomenon
-    exhibit = None
+    illustration = None
     if shown is not None:
-        exhibit = shown.exhibit(scene.start, shown.defaults, scene.subject)
-    view.drawing.show_projection(scene.start, exhibit)
+        illustration = shown.illustration(scene.start, shown.defaults, scene.subject)
+    view.drawing.show_projection(scene.start, illustration)
     view.drawing.reset_view()
     boxes = view.label_boxes()
     own = {"eye", "target", "u", "v", "n", *(b for b in boxes if b.startswith(("near", "far")))}

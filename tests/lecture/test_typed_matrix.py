@@ -482,7 +482,7 @@ def test_points_are_the_products_of_the_shown_matrices(projection: Projection) -
         single = precision.trace(projection, points, "float32")
         seen = plain.in_front & single.in_front
         off = np.abs(single.image[seen] - trace.image[seen]).max(initial=0.0)
-        rounded = 1e-12 * np.abs(trace.image[seen]).max(initial=0.0)  # the exact rung's own
+        rounded = 1e-12 * np.abs(trace.image[seen]).max(initial=0.0)  # the exact precision's own
         assert off <= predictions["float32"].px + rounded
         off = np.abs(plain.image[seen] - trace.image[seen]).max(initial=0.0)
         assert off <= predictions["float64"].px + rounded

@@ -159,18 +159,18 @@ def test_the_output_says_what_its_errors_are() -> None:
     assert table(measure_depth(START))[0][-1] == ""
 
 
-def test_every_way_costs_time_and_the_rungs_can_be_used() -> None:
+def test_every_way_costs_time_and_the_precisions_can_be_used() -> None:
     trade = measure(START, POINTS, seconds=0.0)
     assert trade.complete and trade.rounds >= 5
-    rungs = {choice.use["rung"] for choice in trade.choices if choice.use}
-    assert rungs == {"float32", "float64"}  # the exact one reads, and draws nothing
+    precisions = {choice.use["rung"] for choice in trade.choices if choice.use}
+    assert precisions == {"float32", "float64"}  # the exact one reads, and draws nothing
     for choice in trade.choices:
         if choice.note != NOT_INSTALLED:
             assert choice.cost is not None and choice.cost_p95 is not None
             assert 0.0 < choice.cost <= choice.cost_p95
 
 
-def test_float32_is_the_models_rung_to_the_bit() -> None:
+def test_float32_is_the_models_precision_to_the_bit() -> None:
     origin = (1.0, 2.0, 3.0)
     for depth in ("opengl", "direct3d", "reversed"):
         projection = replace(START, depth=depth)

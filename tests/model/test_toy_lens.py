@@ -140,10 +140,10 @@ def test_it_projects(depth: Any, far: float) -> None:
     other = same(projection)
     for name in ("clip_from_view", "view_from_clip", "world_from_clip"):
         assert np.allclose(getattr(projection, name), getattr(other, name), rtol=1e-13, atol=1e-13)
-    for rung in precision.RUNGS:
-        mine, its = (precision.trace(p, POINTS, rung) for p in (projection, other))
+    for level in precision.PRECISIONS:
+        mine, its = (precision.trace(p, POINTS, level) for p in (projection, other))
         assert np.allclose(
-            mine.image, its.image, rtol=1e-3 if rung == "float32" else 1e-12, equal_nan=True
+            mine.image, its.image, rtol=1e-3 if level == "float32" else 1e-12, equal_nan=True
         )
         assert (mine.outside == its.outside).all() and mine.in_front.any()
     pixels = np.column_stack([mine.image, mine.depth])[mine.in_front]

@@ -1,4 +1,4 @@
-"""The arithmetic rungs against an oracle of hundreds of digits, and their predicted errors."""
+"""The arithmetic precisions against an oracle of hundreds of digits, and their predicted errors."""
 
 from __future__ import annotations
 
@@ -37,14 +37,14 @@ from app.model.projection import (
 from app.model.refusal import Refusal
 from app.precision import levels as precision
 from app.precision.levels import (
+    PRECISIONS,
     READING_TOLERANCE_DEPTH,
     READING_TOLERANCE_PX,
-    RUNGS,
-    Rung,
+    Precision,
     drawing_bound_px,
+    precision_for_drawing,
+    precision_for_reading,
     predict,
-    rung_for_drawing,
-    rung_for_reading,
     trace,
 )
 from app.scenes.scene import BUILT_IN, load
@@ -81,7 +81,7 @@ def numbers(traced: Trace) -> Array:
 
 
 def worst_ulp(projection: Projection, points: Array) -> float:
-    """Largest error of the exact rung in units of the last place of the true value."""
+    """Largest error of the exact level in units of the last place of the true value."""
     traced = trace(projection, points, "exact")
     worst = 0.0
     with exact.mp.workdps(DIGITS):
@@ -228,7 +228,7 @@ def wild(rng: np.random.Generator) -> Projection:
             continue
 
 
-# --------------------------------------------------------------------------- the exact rung
+# --------------------------------------------------------------------------- the exact level
 
 
 def test_exact_is_rounded_once_over_all_the_figures() -> None:
@@ -433,25 +433,25 @@ def test_a_field_of_view_of_90_degrees_has_a_cotangent_of_exactly_1() -> None:
     assert dd.cotangent_deg(Fraction(45)) == 1 == -dd.cotangent_deg(Fraction(135))
 
 
-def test_every_rung_keeps_the_shape_of_the_points_and_takes_none() -> None:
+def test_every_level_keeps_the_shape_of_the_points_and_takes_none() -> None:
     points = np.arange(24.0).reshape(2, 4, 3)
-    for rung in RUNGS:
-        traced = trace(Projection(), points, rung)
+    for level in PRECISIONS:
+        traced = trace(Projection(), points, level)
         assert traced.clip.shape == (2, 4, 4) and traced.outside.shape == (2, 4, 6)
         assert traced.depth.shape == (2, 4) and traced.image.dtype == np.float64
-        assert trace(Projection(), np.empty((0, 3)), rung).image.shape == (0, 2)
-        assert trace(Projection(), (1.0, 2.0, 3.0), rung).ndc.shape == (3,)
+        assert trace(Projection(), np.empty((0, 3)), level).image.shape == (0, 2)
+        assert trace(Projection(), (1.0, 2.0, 3.0), level).ndc.shape == (3,)
 
 
-def test_a_rung_that_is_none_and_points_that_are_none_are_refused() -> None:
+def test_a_level_that_is_none_and_points_that_are_none_are_refused() -> None:
     with pytest.raises(Refusal, match="rung = 'float16': must be one of float32, float64"):
         trace(Projection(), [(0.0, 0.0, 0.0)], "float16")  # type: ignore[arg-type]
-    for rung in RUNGS:
+    for level in PRECISIONS:
         with pytest.raises(Refusal, match=r"points = .*: must be three finite numbers"):
-            trace(Projection(), [(0.0, math.nan, 0.0)], rung)
+            trace(Projection(), [(0.0, math.nan, 0.0)], level)
 
 
-# --------------------------------------------------------------------------- the float32 rung
+# --------------------------------------------------------------------------- the float32 level
 
 
 @pytest.mark.parametrize("depth", DEPTH_RANGES)
@@ -498,7 +498,7 @@ def test_float32_beyond_its_range_is_infinite_and_never_chosen() -> None:
     assert predictions is not None
     assert predictions["float32"] == (math.inf, math.inf)
     assert predictions["float64"].px < 1e-11
-    assert rung_for_reading(predictions) == "float64"
+    assert precision_for_reading(predictions) == "float64"
     assert drawing_bound_px(projection, corners(points)) == math.inf
 
 
@@ -520,10 +520,10 @@ def test_float32_below_its_range_is_never_chosen() -> None:
 
 
 def measured(
-    projection: Projection, points: Array, rung: Rung, origin: Vector, digits: int = 120
+    projection: Projection, points: Array, level: Precision, origin: Vector, digits: int = 120
 ) -> tuple[float, float]:
     """Largest error in pixels and in depth against the oracle; infinite where a number is gone."""
-    traced = trace(projection, points, rung, origin)
+    traced = trace(projection, points, level, origin)
     found = np.column_stack([traced.image, traced.depth])
     px = depth = 0.0
     with exact.mp.workdps(digits):
@@ -542,10 +542,10 @@ def check_predictions(
     predictions = predict(projection, points, origin)
     assert predictions is not None
     ratios = []
-    for rung in RUNGS:
-        errors = measured(projection, points, rung, origin)
-        for predicted, error in zip(predictions[rung], errors, strict=True):
-            assert error <= predicted, (name, rung, error, predicted)
+    for level in PRECISIONS:
+        errors = measured(projection, points, level, origin)
+        for predicted, error in zip(predictions[level], errors, strict=True):
+            assert error <= predicted, (name, level, error, predicted)
             if 0.0 < error < math.inf:
                 ratios.append(predicted / error)
     return ratios
@@ -562,7 +562,7 @@ def test_predictions_over_the_figures_hold() -> None:
 
 
 def test_float64_is_within_what_the_readme_says() -> None:
-    """By a rung of more digits: the worst of 11.7 million points was 6.2e-13."""
+    """By a level of more digits: the worst of 11.7 million points was 6.2e-13."""
     rng = np.random.default_rng(19)
     worst, count = 0.0, 0
     for name, projection in figures(rng):
@@ -684,24 +684,24 @@ def test_no_point_of_a_cloud_is_off_by_more_than_predicted(
     predictions = [predict(projection, points[part], origin) for part in parts]
     for part, prediction in zip(parts, predictions, strict=True):
         assert (prediction is None) is not (part & has_picture).any()
-    for rung in RUNGS:
+    for level in PRECISIONS:
         answers = reference.numbers
-        if rung != "exact":
-            traced = trace(projection, points, rung, origin)
+        if level != "exact":
+            traced = trace(projection, points, level, origin)
             answers = np.column_stack([traced.image, traced.depth])
         errors = reference.errors(answers)
         for part, prediction in zip(parts, predictions, strict=True):
             if prediction is not None:
                 px, off = largest(errors[part & has_picture])
-                bound = prediction[rung]
-                assert px <= bound.px and off <= bound.depth, (rung, points[part][:3], px, bound)
+                bound = prediction[level]
+                assert px <= bound.px and off <= bound.depth, (level, points[part][:3], px, bound)
         # And by the oracle, which shares nothing with us: the worst, and some.
         worst = np.argsort(np.nan_to_num(errors[:, :2].max(axis=1)))[-5:]
         for i in {*worst.tolist(), *rng.integers(0, len(points), 5).tolist()}:
             alone = predict(projection, points[i : i + 1], origin)
             if alone is not None:
-                px, off = measured(projection, points[i : i + 1], rung, origin, 200)
-                assert px <= alone[rung].px and off <= alone[rung].depth
+                px, off = measured(projection, points[i : i + 1], level, origin, 200)
+                assert px <= alone[level].px and off <= alone[level].depth
     cloud = predictions[len(kind_of)]
     assert cloud is not None and np.isfinite(list(cloud.values())).all()
 
@@ -713,15 +713,15 @@ def test_one_point_far_to_the_side_or_deep_in_the_volume_counts() -> None:
     aside[12_345] += 3e6 * SLANTED.frame[0]
     deep[12_345] = SLANTED.eye - 9e5 * SLANTED.frame[2]
     box = Orthographic(-4.0, 4.0, -3.0, 3.0, 1.0, 1e6)
-    for lens, cloud, rung, least in (
+    for lens, cloud, level, least in (
         (Perspective(45.0, 1.0, 30.0), aside, "float64", 1e-9),
         (box, deep, "float32", 0.1),
     ):
         projection = Projection(SLANTED, lens, HD)
-        px, _ = measured(projection, cloud[12_345:12_346], rung, (0.0, 0.0, 0.0))
+        px, _ = measured(projection, cloud[12_345:12_346], level, (0.0, 0.0, 0.0))
         without, whole = (predict(projection, some) for some in (points, cloud))
         assert without is not None and whole is not None
-        assert without[rung].px < least < px <= whole[rung].px < 100.0 * px
+        assert without[level].px < least < px <= whole[level].px < 100.0 * px
 
 
 @given(
@@ -744,14 +744,14 @@ def test_no_points_anywhere_are_off_by_more_than_predicted(
     assert (together is None) is (len(points) == 0)
     if together is None:
         return
-    for rung in RUNGS:
-        assert not np.isnan(together[rung]).any()
-        alone = [predict(projection, point[None], origin)[rung] for point in points]  # type: ignore[index]
+    for level in PRECISIONS:
+        assert not np.isnan(together[level]).any()
+        alone = [predict(projection, point[None], origin)[level] for point in points]  # type: ignore[index]
         # A bound of points is the largest of theirs.
-        np.testing.assert_allclose(together[rung], np.max(alone, axis=0), rtol=1e-6)
+        np.testing.assert_allclose(together[level], np.max(alone, axis=0), rtol=1e-6)
         for point, bound in zip(points, alone, strict=True):
-            px, off = measured(projection, point[None], rung, origin, 200)
-            assert px <= bound.px and off <= bound.depth, (rung, point, px, off, bound)
+            px, off = measured(projection, point[None], level, origin, 200)
+            assert px <= bound.px and off <= bound.depth, (level, point, px, off, bound)
 
 
 DRAWN_IN_FLOAT64 = {"posts", "field-of-view", "eye-plane", "far-plane-popping", "focus"}
@@ -775,11 +775,11 @@ def test_predictions_of_the_readmes_documents_are_no_looser_than_it_says() -> No
             points = scene.vertices[projection.trace(scene.vertices).in_front]
             reference = precision.Reference.of(projection, points)
             predictions = predict(projection, scene.vertices, scene.origin)
-            assert predictions is not None and rung_for_reading(predictions) == "float64"
-            for rung in RUNGS:
-                traced = trace(projection, points, rung, scene.origin)
+            assert predictions is not None and precision_for_reading(predictions) == "float64"
+            for level in PRECISIONS:
+                traced = trace(projection, points, level, scene.origin)
                 errors = largest(reference.errors(np.column_stack([traced.image, traced.depth])))
-                pairs = list(zip(predictions[rung], errors, strict=True))
+                pairs = list(zip(predictions[level], errors, strict=True))
                 # What the reference does not know is added to the error: 2^-16 of an ulp.
                 assert all(error <= bound * (1.0 + 2.0**-14) for bound, error in pairs)
                 ratios += [bound / error for bound, error in pairs]
@@ -787,7 +787,8 @@ def test_predictions_of_the_readmes_documents_are_no_looser_than_it_says() -> No
     drawn = {
         name
         for name in BUILT_IN
-        if rung_for_drawing(load(name).start, load(name).corners, load(name).origin) == "float64"
+        if precision_for_drawing(load(name).start, load(name).corners, load(name).origin)
+        == "float64"
     }
     assert drawn == DRAWN_IN_FLOAT64
 
@@ -799,7 +800,7 @@ def test_points_without_a_picture_have_no_prediction() -> None:
     # Those that have none do not count beside others that have.
     alone = predict(projection, [(0.1, 0.2, 0.3)])
     assert predict(projection, [(0.1, 0.2, 0.3), (0.0, 1.0, 5.0), (1.0, 1.0, 7.0)]) == alone
-    assert rung_for_reading(None) == "float64"
+    assert precision_for_reading(None) == "float64"
 
 
 # --------------------------------------------------------------------------- the choice
@@ -811,7 +812,7 @@ def test_numbers_are_read_from_float64_by_everyday_cameras() -> None:
         for offset in (0.0, 1e3, 1e6, 1e9):
             projection = Projection(camera_at(rng, offset), lens(), HD)
             points = points_in_view(projection, rng, 50)
-            assert rung_for_reading(predict(projection, points)) == "float64"
+            assert precision_for_reading(predict(projection, points)) == "float64"
 
 
 def test_numbers_are_exact_where_near_is_next_to_far() -> None:
@@ -823,7 +824,7 @@ def test_numbers_are_exact_where_near_is_next_to_far() -> None:
     assert predictions["float64"].px < READING_TOLERANCE_PX
     assert predictions["float64"].depth > 10.0 * READING_TOLERANCE_DEPTH
     assert predictions["exact"].depth <= 2.0**-53 * 1.001
-    assert rung_for_reading(predictions) == "exact"
+    assert precision_for_reading(predictions) == "exact"
 
 
 def test_numbers_are_exact_where_a_window_is_far_off_the_axis() -> None:
@@ -836,7 +837,7 @@ def test_numbers_are_exact_where_a_window_is_far_off_the_axis() -> None:
     assert predictions["float64"].px > 10.0 * READING_TOLERANCE_PX
     assert predictions["float64"].depth < READING_TOLERANCE_DEPTH
     assert predictions["exact"].px < READING_TOLERANCE_PX
-    assert rung_for_reading(predictions) == "exact"
+    assert precision_for_reading(predictions) == "exact"
 
 
 def corners(points: Array) -> Array:
@@ -886,7 +887,7 @@ def test_a_box_beside_the_eye_is_bound_by_where_it_comes_into_view() -> None:
 # --------------------------------------------------------------------------- nothing is lost
 
 
-def test_where_float64_has_a_number_every_other_rung_has_a_prediction() -> None:
+def test_where_float64_has_a_number_every_other_level_has_a_prediction() -> None:
     """Warnings are errors: no overflow is loud, and no number silently gone."""
     rng = np.random.default_rng(14)
     for _ in range(400):
@@ -896,7 +897,7 @@ def test_where_float64_has_a_number_every_other_rung_has_a_prediction() -> None:
         camera = projection.camera
         points = np.concatenate([points, anywhere, [camera.eye, camera.target]])
         points = points[(np.abs(points) <= LARGEST).all(axis=1)]
-        plain, exactly = (trace(projection, points, rung) for rung in ("float64", "exact"))
+        plain, exactly = (trace(projection, points, level) for level in ("float64", "exact"))
         assert np.array_equal(plain.in_front, exactly.in_front), projection
         for name in ("view", "clip"):
             assert np.isfinite(getattr(exactly, name)).all(), projection

@@ -17,7 +17,7 @@ from PySide6.QtWidgets import QApplication, QProgressDialog
 
 from app.document.document import Document, parse, set_values, to_json
 from app.drawings.figures import render
-from app.drawings.frame_budget import Level, Pace
+from app.drawings.frame_budget import FrameBudget, Level
 from app.measure import smoothing
 from app.model.projection import FreeMatrix, Orthographic, Perspective
 from app.model.refusal import Refusal
@@ -120,12 +120,12 @@ def test_the_names_are_those_of_the_measurements() -> None:
 # -- the panes
 
 
-def test_a_rung_is_used_and_undone(window: MainWindow) -> None:
+def test_a_precision_is_used_and_undone(window: MainWindow) -> None:
     before = pictures(window)
-    for rung in ("float64", "float32"):
-        window.quality.use({"rung": rung})
+    for precision in ("float64", "float32"):
+        window.quality.use({"rung": precision})
         settle()
-        assert {window.panes[name].drawing.rung for name in ("ndc", "image")} == {rung}
+        assert {window.panes[name].drawing.precision for name in ("ndc", "image")} == {precision}
     window.store.undo()
     window.store.undo()
     assert window.store.document.quality == AUTOMATIC
@@ -139,7 +139,7 @@ def test_float32_draws_even_where_it_is_wrong(make_window: MakeWindow) -> None:
     close = replace(scene.start, camera=camera, lens=Perspective(1e-6, 1.0, 30.0))
     window = make_window(Document("letter-f", close))
     exact = pictures(window)["image"]
-    assert window.panes["image"].drawing.rung == "float64"
+    assert window.panes["image"].drawing.precision == "float64"
     window.quality.use({"rung": "float32"})
     assert (pictures(window)["image"] != exact).mean() > 0.002
     window.quality.use({"rung": "auto"})
@@ -346,15 +346,15 @@ def test_figures_obey_the_document(ball: Scene) -> None:
     assert (picture(depth_format="fixed8") != whole).any()
 
 
-# -- the pace
+# -- the budget
 
 
-def dragged(pace: Pace, cost: Callable[[Level], float], frames: int) -> list[float]:
+def dragged(budget: FrameBudget, cost: Callable[[Level], float], frames: int) -> list[float]:
     """Frame times of a drag."""
     times = []
     for _ in range(frames):
-        times.append(cost(pace.level))
-        pace.frame(times[-1])
+        times.append(cost(budget.level))
+        budget.frame(times[-1])
     return times
 
 
@@ -363,60 +363,60 @@ LEVELS = (Level(True, 1.0), Level(False, 1.0), *(Level(False, share) for share i
 
 @pytest.mark.parametrize("fixed_ms", [2.0, 15.0, 25.0])
 @pytest.mark.parametrize("whole_ms", [1.0, 30.0, 100.0, 500.0])
-def test_the_pace_holds_the_target_with_the_finest_that_does(
+def test_the_frame_budget_holds_the_target_with_the_finest_that_does(
     fixed_ms: float, whole_ms: float
 ) -> None:
     def cost(level: Level) -> float:
         return fixed_ms + whole_ms * level.share * (1.5 if level.smooth else 1.0)
 
-    pace = Pace(LEVELS, 33.0)
-    times = dragged(pace, cost, 300)
+    budget = FrameBudget(LEVELS, 33.0)
+    times = dragged(budget, cost, 300)
     assert max(times[12:]) <= 33.0
-    finer = LEVELS[: LEVELS.index(pace.level)]
+    finer = LEVELS[: LEVELS.index(budget.level)]
     assert all(cost(level) > 0.7 * 33.0 for level in finer), "there was no room for more"
 
 
-def test_the_pace_rises_again_when_there_is_room() -> None:
-    pace = Pace(LEVELS, 33.0)
-    dragged(pace, lambda level: 500.0 * level.weight, 40)
-    assert pace.level.share < 0.2
-    dragged(pace, lambda level: 10.0 * level.weight, 1000)
-    assert pace.level == LEVELS[0]
+def test_the_frame_budget_rises_again_when_there_is_room() -> None:
+    budget = FrameBudget(LEVELS, 33.0)
+    dragged(budget, lambda level: 500.0 * level.weight, 40)
+    assert budget.level.share < 0.2
+    dragged(budget, lambda level: 10.0 * level.weight, 1000)
+    assert budget.level == LEVELS[0]
 
 
 def test_one_late_frame_changes_nothing() -> None:
-    pace = Pace(LEVELS, 33.0)
+    budget = FrameBudget(LEVELS, 33.0)
     for frame in range(200):
-        pace.frame(90.0 if frame % 40 == 30 else 20.0)
-        assert pace.level == LEVELS[0]
+        budget.frame(90.0 if frame % 40 == 30 else 20.0)
+        assert budget.level == LEVELS[0]
 
 
-def test_the_pace_says_when_even_the_coarsest_is_late() -> None:
-    pace = Pace(LEVELS, 33.0)
-    dragged(pace, lambda level: 50.0 + level.weight, 60)
-    assert pace.level == LEVELS[-1] and pace.is_late and pace.frame_ms == pytest.approx(50.01)
-    dragged(pace, lambda level: 5.0 + level.weight, 60)
-    assert not pace.is_late
+def test_the_frame_budget_says_when_even_the_coarsest_is_late() -> None:
+    budget = FrameBudget(LEVELS, 33.0)
+    dragged(budget, lambda level: 50.0 + level.weight, 60)
+    assert budget.level == LEVELS[-1] and budget.is_late and budget.frame_ms == pytest.approx(50.01)
+    dragged(budget, lambda level: 5.0 + level.weight, 60)
+    assert not budget.is_late
 
 
 def test_frames_that_vary_are_in_time_as_well() -> None:
     """One in twelve takes half as long again: it is those that the target is held for."""
-    pace = Pace(LEVELS, 33.0)
+    budget = FrameBudget(LEVELS, 33.0)
     times = []
     for frame in range(400):
         spread = 1.5 if frame % 12 == 3 else 1.0
-        times.append(spread * (18.0 + 8.0 * pace.level.weight))
-        pace.frame(times[-1])
+        times.append(spread * (18.0 + 8.0 * budget.level.weight))
+        budget.frame(times[-1])
     assert sum(ms > 33.0 for ms in times) <= 0.05 * len(times)
 
 
 def test_without_a_target_nothing_gives_way() -> None:
-    pace = Pace(LEVELS, 0.0)
-    dragged(pace, lambda level: 1e4, 50)
-    assert pace.level == LEVELS[0] and not pace.is_late
+    budget = FrameBudget(LEVELS, 0.0)
+    dragged(budget, lambda level: 1e4, 50)
+    assert budget.level == LEVELS[0] and not budget.is_late
 
 
-# -- the window's pace
+# -- the window's budget
 
 
 def step(window: MainWindow, i: int) -> None:
@@ -435,23 +435,25 @@ def triangles(window: MainWindow) -> dict[str, int]:
     return counts
 
 
-@pytest.mark.parametrize(("subject", "rung"), [("itself", "float32"), ("planar-shadow", "float64")])
+@pytest.mark.parametrize(
+    ("subject", "precision"), [("itself", "float32"), ("planar-shadow", "float64")]
+)
 def test_quality_gives_way_while_one_drags_and_comes_back_whole(
-    make_window: MakeWindow, mesh: str, rung: str, subject: str
+    make_window: MakeWindow, mesh: str, precision: str, subject: str
 ) -> None:
     """No frame is ever as short as is asked for here: the coarsest is drawn, and whole at rest."""
     if subject == "itself":
-        document = Document(mesh, load(mesh).start, quality=Quality(rung))
+        document = Document(mesh, load(mesh).start, quality=Quality(precision))
     else:
         start = load(subject, mesh=mesh).start
-        document = Document(subject, start, mesh=mesh, quality=Quality(rung))
+        document = Document(subject, start, mesh=mesh, quality=Quality(precision))
     window = make_window(document)
     window.look.adaptive.set_target(0.001)
     settle()
     window.store.begin_gesture()
     for i in range(16):
         step(window, 40.0 + i)
-    assert window.look.adaptive.pace.level == Level(False, 0.005)
+    assert window.look.adaptive.budget.level == Level(False, 0.005)
     dragged_pictures = pictures(window)
     (late,) = said_to_be_late(window)
     assert late.endswith("ms a frame, not 33.")
@@ -476,7 +478,7 @@ def test_that_frames_are_late_is_said_while_one_drags_and_at_no_cost(window: Mai
     window.look.adaptive.changed.connect(lambda: told.append(len(said_to_be_late(window))))
     drawn: list[tuple[dict[str, int], dict[str, int]]] = []
     for target_ms, first in ((1000.0, 20.0), (0.001, 40.0), (0.001, 60.0)):
-        if target_ms != window.look.adaptive.pace.target_ms:
+        if target_ms != window.look.adaptive.budget.target_ms:
             window.look.adaptive.set_target(target_ms)
         window.store.begin_gesture()
         with counted_repaints(window) as dragging:
@@ -528,15 +530,15 @@ def test_the_first_step_of_a_drag_waits_for_no_large_mesh(
     whole = triangles(window)
     window.store.begin_gesture()
     step(window, 40.0)
-    assert (window.look.adaptive.pace.level.share < 1.0) == software
+    assert (window.look.adaptive.budget.level.share < 1.0) == software
     fewer = triangles(window)
     assert all((fewer[name] < whole[name]) == software for name in PANES)
     for i in range(80):
         step(window, 41.0 + 0.1 * i)
-        if window.look.adaptive.pace.level.share == 1.0:
+        if window.look.adaptive.budget.level.share == 1.0:
             break
     step(window, 50.0)
-    assert window.look.adaptive.pace.level.share == 1.0 and triangles(window) == whole
+    assert window.look.adaptive.budget.level.share == 1.0 and triangles(window) == whole
     window.store.end_gesture()
 
 
@@ -551,7 +553,7 @@ def test_a_mesh_of_middling_size_gives_way_as_well(make_window: MakeWindow, tmp_
     window.store.begin_gesture()
     for i in range(6):
         step(window, 40.0 + i)
-    assert window.look.adaptive.pace.level == Level(False, 0.2)
+    assert window.look.adaptive.budget.level == Level(False, 0.2)
     fewer = triangles(window)
     assert all(fewer[name] < 0.3 * whole[name] for name in PANES), (fewer, whole)
     window.store.end_gesture()
@@ -658,7 +660,7 @@ def test_levels_are_made_when_a_large_scene_is_opened_and_can_be_refused(
 def test_the_target_is_a_setting(
     window: MainWindow, own_home: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    assert window.settings.frame_ms == 33.0 == window.look.adaptive.pace.target_ms
+    assert window.settings.frame_ms == 33.0 == window.look.adaptive.budget.target_ms
     asked: list[str] = []
 
     def answer(dialog: NumberDialog) -> int:
@@ -668,14 +670,16 @@ def test_the_target_is_a_setting(
         return dialog.result()
 
     monkeypatch.setattr(NumberDialog, "exec", answer)
-    window.status.rung.menu().aboutToShow.emit()
-    (action,) = [a for a in window.status.rung.menu().actions() if a.text().startswith("Frames")]
+    window.status.precision.menu().aboutToShow.emit()
+    (action,) = [
+        a for a in window.status.precision.menu().actions() if a.text().startswith("Frames")
+    ]
     assert action.text() == "Frames of at most 33 ms while dragging…"
     action.trigger()
     assert asked == ["33"]
-    assert window.settings.frame_ms == 16.0 == window.look.adaptive.pace.target_ms
-    window.status.rung.menu().aboutToShow.emit()
-    texts = [action.text() for action in window.status.rung.menu().actions()]
+    assert window.settings.frame_ms == 16.0 == window.look.adaptive.budget.target_ms
+    window.status.precision.menu().aboutToShow.emit()
+    texts = [action.text() for action in window.status.precision.menu().actions()]
     assert "Frames of at most 16 ms while dragging…" in texts
     for bad in ("-1", "nan", "1e9", "soon"):
         settings = Settings(None)

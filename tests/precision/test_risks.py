@@ -11,7 +11,7 @@ import pytest
 
 from app.model.projection import Camera, FreeMatrix, Lens, Orthographic, Perspective, Projection
 from app.precision import risks as health
-from app.precision.levels import drawing_bound_px, predict, rung_for_drawing
+from app.precision.levels import drawing_bound_px, precision_for_drawing, predict
 from app.precision.risks import (
     FEW_DIGITS,
     LARGE_INVERSE,
@@ -37,7 +37,7 @@ def found(projection: Projection, size: float = 5.0) -> dict[str, tuple[str, ...
     """The risks' figures by template, with letter F's vertices."""
     scene = load("letter-f")
     predictions = predict(projection, scene.sample, scene.origin)
-    drawn = rung_for_drawing(projection, scene.corners, scene.origin)
+    drawn = precision_for_drawing(projection, scene.corners, scene.origin)
     half = size / math.sqrt(12.0)  # of a cube of this diagonal round the target
     lower, upper = ((sign * half, 2.2 + sign * half, sign * half) for sign in (-1.0, 1.0))
     drawing_px = drawing_bound_px(projection, scene.corners, scene.origin)
@@ -50,7 +50,7 @@ def found(projection: Projection, size: float = 5.0) -> dict[str, tuple[str, ...
 def test_a_scene_as_it_opens_is_healthy(name: str) -> None:
     scene = load(name)
     predictions = predict(scene.start, scene.sample, scene.origin)
-    drawn = rung_for_drawing(scene.start, scene.corners, scene.origin)
+    drawn = precision_for_drawing(scene.start, scene.corners, scene.origin)
     drawing_px = drawing_bound_px(scene.start, scene.corners, scene.origin)
     assert risks(scene.start, scene.lower, scene.upper, drawn, drawing_px, predictions) == []
 

@@ -15,13 +15,13 @@ from app.bootstrap import ROOT
 from app.model.refusal import Refusal
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.phenomena.illustration import (
-    Exhibit,
+    Illustration,
     Phenomenon,
     Phrase,
     Setting,
     Settings,
 )
-from tests.oracles.exhibits import assert_sound, projections, subject_of
+from tests.oracles.illustrations import assert_sound, projections, subject_of
 
 EVERY = pytest.mark.parametrize("phenomenon", PHENOMENA.values(), ids=list(PHENOMENA))
 LEAST_SEEN = {
@@ -102,10 +102,10 @@ def test_the_defaults_keep_the_start(phenomenon: Phenomenon) -> None:
 
 @EVERY
 def test_the_defaults_read_and_draw_something(phenomenon: Phenomenon) -> None:
-    exhibit = phenomenon.show(phenomenon.start, phenomenon.defaults, subject_of(phenomenon))
-    assert_sound(phenomenon, exhibit, phenomenon.start)
-    assert exhibit.warning is None
-    assert any(reading.value is not None for reading in exhibit.readings)
+    illustration = phenomenon.show(phenomenon.start, phenomenon.defaults, subject_of(phenomenon))
+    assert_sound(phenomenon, illustration, phenomenon.start)
+    assert illustration.warning is None
+    assert any(reading.value is not None for reading in illustration.readings)
 
 
 @EVERY
@@ -152,16 +152,18 @@ def test_a_phrase_is_translated_before_it_is_filled_in() -> None:
     assert phrase.sentence({"{0} of {1}": "{1} od {0}"}.__getitem__) == "2 od 1"
 
 
-def texts_shown(exhibit: Exhibit) -> set[str]:
-    """Every text of an exhibit that must be translated."""
-    found = {reading.label for reading in exhibit.readings}
-    found |= {reading.value for reading in exhibit.readings if isinstance(reading.value, str)}
-    found |= {reading.note.template for reading in exhibit.readings if reading.note is not None}
-    for diagram in exhibit.diagrams:
+def texts_shown(illustration: Illustration) -> set[str]:
+    """Every text of an illustration that must be translated."""
+    found = {reading.label for reading in illustration.readings}
+    found |= {reading.value for reading in illustration.readings if isinstance(reading.value, str)}
+    found |= {
+        reading.note.template for reading in illustration.readings if reading.note is not None
+    }
+    for diagram in illustration.diagrams:
         found |= {diagram.title, diagram.x_label, diagram.y_label}
         found |= {curve.label for curve in diagram.curves}
-    if exhibit.warning is not None:
-        found.add(exhibit.warning.template)
+    if illustration.warning is not None:
+        found.add(illustration.warning.template)
     return found
 
 
@@ -210,8 +212,8 @@ def test_where_a_parallel_lens_makes_the_explanation_untrue_that_is_said(
     }
     for kind in ("orthographic", "oblique"):
         projection = phenomenon.start.with_lens(kind)
-        exhibit = phenomenon.show(projection, phenomenon.defaults, subject_of(phenomenon))
-        said = [exhibit.warning, *(reading.note for reading in exhibit.readings)]
+        illustration = phenomenon.show(projection, phenomenon.defaults, subject_of(phenomenon))
+        said = [illustration.warning, *(reading.note for reading in illustration.readings)]
         assert any(
             note is not None and re.search("parallel lens|perspective lens", note.template)
             for note in said

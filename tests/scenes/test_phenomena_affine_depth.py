@@ -21,7 +21,7 @@ from app.model.projection import (
     Projection,
 )
 from app.scenes.phenomena.affine_depth import PHENOMENON, bow, inside
-from app.scenes.phenomena.illustration import Exhibit, OwnMesh, Subject
+from app.scenes.phenomena.illustration import Illustration, OwnMesh, Subject
 from app.scenes.shapes import edges_of, letter_f
 
 mp.mp.dps = 30
@@ -38,16 +38,18 @@ LABELS = (
 )
 
 
-def show(projection: Projection, start: Any, end: Any) -> Exhibit:
+def show(projection: Projection, start: Any, end: Any) -> Illustration:
     return PHENOMENON.show(projection, PHENOMENON.checked({"start": start, "end": end}), SUBJECT)
 
 
-def values(exhibit: Exhibit) -> list[Any]:
-    labels = [reading.label.replace("P'", "P").replace("Q'", "Q") for reading in exhibit.readings]
+def values(illustration: Illustration) -> list[Any]:
+    labels = [
+        reading.label.replace("P'", "P").replace("Q'", "Q") for reading in illustration.readings
+    ]
     assert labels == list(LABELS)
-    for reading in exhibit.readings:
+    for reading in illustration.readings:
         assert (reading.value is not None) or (reading.note is not None)
-    return [reading.value for reading in exhibit.readings]
+    return [reading.value for reading in illustration.readings]
 
 
 def bent(projection: Projection, view: Any) -> Any:
@@ -126,14 +128,14 @@ def test_what_is_cut_is_said_to_be_cut_and_read_between_its_own_ends() -> None:
     for _ in range(300):
         projection, ends = draw(rng)
         ends = ends.mean(axis=0) + rng.choice([0.9, 1.5, 4.0]) * (ends - ends.mean(axis=0))
-        exhibit = show(projection, *map(tuple, ends.tolist()))
+        illustration = show(projection, *map(tuple, ends.tolist()))
         shares = np.linspace(0.0, 1.0, 4001)[:, None]
         trace = projection.trace((1.0 - shares) * ends[0] + shares * ends[1])
         inner = np.flatnonzero(~trace.outside.any(axis=1))
         if len(inner) < 100:
             continue
         cut = len(inner) < len(shares)
-        deviation, where, _ = exhibit.readings
+        deviation, where, _ = illustration.readings
         said = deviation.note is not None and "cuts PQ" in deviation.note.template
         assert said == cut == ("P'" in where.label) == ("Q'" in where.label)
         counted[cut] += 1
@@ -183,11 +185,11 @@ def test_the_marks_are_the_bow_and_the_straight_image() -> None:
     rng = np.random.default_rng(4)
     for _ in range(20):
         projection, ends = draw(rng)
-        exhibit = show(projection, *map(tuple, ends.tolist()))
-        (curve,) = [line.points for line in exhibit.ndc.lines if len(line.points) == 65]
-        straight = next(line for line in exhibit.ndc.lines if line.colour == "accent").points
+        illustration = show(projection, *map(tuple, ends.tolist()))
+        (curve,) = [line.points for line in illustration.ndc.lines if len(line.points) == 65]
+        straight = next(line for line in illustration.ndc.lines if line.colour == "accent").points
         np.testing.assert_allclose(straight, projection.trace(ends).ndc, atol=1e-9)
-        (over,) = exhibit.image.lines
+        (over,) = illustration.image.lines
         np.testing.assert_allclose(over.points, projection.trace(ends).image, atol=1e-6)
         # Points of the bow are images of points of the segment, at their own w.
         t = np.array([0.0, 0.3, 0.5, 0.8, 1.0])
@@ -197,7 +199,7 @@ def test_the_marks_are_the_bow_and_the_straight_image() -> None:
             steps /= np.sum((curve[-1, :2] - curve[0, :2]) ** 2)
             got = bow(projection, inside(projection, ends[None]), np.array([steps]))[0, 0]
             np.testing.assert_allclose(got, image, atol=1e-8)
-        dot = exhibit.ndc.dots[0].point
+        dot = illustration.ndc.dots[0].point
         percent, _ = searched(projection, *ends.tolist())
         chord = curve[-1] - curve[0]
         aside = np.linalg.norm(np.cross(dot - curve[0], chord)) / np.linalg.norm(chord)
@@ -206,25 +208,27 @@ def test_the_marks_are_the_bow_and_the_straight_image() -> None:
 
 @pytest.mark.parametrize("lens", [Orthographic(), Oblique()])
 def test_a_parallel_lens_bends_nothing(lens: Lens) -> None:
-    exhibit = show(Projection(Camera(), lens), (3.0, 2.0, 2.0), (-2.0, 3.0, -1.0))
-    assert values(exhibit) == [0.0, None, 0.0]
-    assert exhibit.warning is not None
-    assert all(len(line.points) == 2 for line in exhibit.ndc.lines)
-    assert len(exhibit.ndc.lines) > 1
+    illustration = show(Projection(Camera(), lens), (3.0, 2.0, 2.0), (-2.0, 3.0, -1.0))
+    assert values(illustration) == [0.0, None, 0.0]
+    assert illustration.warning is not None
+    assert all(len(line.points) == 2 for line in illustration.ndc.lines)
+    assert len(illustration.ndc.lines) > 1
 
 
 def test_an_infinite_far_plane_has_no_affine_z() -> None:
-    exhibit = show(Projection(Camera(), Perspective(45.0, 1.0, math.inf)), (0, 0, 0), (1, 1, 1))
-    assert values(exhibit) == [None, None, None]
-    assert exhibit.warning is not None
+    illustration = show(
+        Projection(Camera(), Perspective(45.0, 1.0, math.inf)), (0, 0, 0), (1, 1, 1)
+    )
+    assert values(illustration) == [None, None, None]
+    assert illustration.warning is not None
 
 
 def test_a_segment_outside_has_none() -> None:
     projection = Projection(EYE, Perspective(60.0, 1.0, 10.0))
     for ends in (((0, 0, 1), (1, 1, 5)), ((0, 0, -11), (0, 0, -20)), ((50, 0, -2), (50, 1, -2))):
-        exhibit = show(projection, *ends)
-        assert values(exhibit)[:2] == [None, None]
-        assert exhibit.warning is not None
+        illustration = show(projection, *ends)
+        assert values(illustration)[:2] == [None, None]
+        assert illustration.warning is not None
     point = show(projection, (0, 0, -2), (0, 0, -2))
     assert values(point)[:2] == [None, None]
     along = show(projection, (0, 0, -2), (0, 0, -8))  # in the cube along z: nowhere to bend to
@@ -241,12 +245,12 @@ def test_a_mesh_takes_the_letter_s_place() -> None:
     worst = max(searched(projection, *ends.tolist())[0] for ends in trace.view)
     for count in (9, 999):
         subject = replace(SUBJECT, mesh=OwnMesh(edges, count, np.empty((0, 3, 3))))
-        exhibit = PHENOMENON.show(projection, PHENOMENON.defaults, subject)
-        reading = exhibit.readings[-1]
+        illustration = PHENOMENON.show(projection, PHENOMENON.defaults, subject)
+        reading = illustration.readings[-1]
         assert reading.label == "worst edge of the mesh, inside"
         assert reading.value == pytest.approx(float(worst), rel=1e-9)
         assert (reading.note and reading.note.values) == (("200", "999") if count > 200 else None)
-        bows = [line.points for line in exhibit.ndc.lines if len(line.points) == 9]
+        bows = [line.points for line in illustration.ndc.lines if len(line.points) == 9]
         ends = trace.ndc[..., :2]
         np.testing.assert_allclose([points[[0, -1], :2] for points in bows], ends, atol=1e-9)
     away = Projection(Camera((3.0, 3.0, 9.0), (3.0, 3.0, 90.0)), projection.lens)

@@ -22,7 +22,7 @@ from app.scenes.phenomena.illustration import Phrase, Subject
 from app.scenes.phenomena.sampling import seen_distances
 from app.scenes.scene import load
 from app.scenes.shapes import box_faces
-from tests.oracles.exhibits import projections, showing
+from tests.oracles.illustrations import projections, showing
 
 RAMP = np.array([(-5.0, 0, 4), (5, 0, 4), (5, 6, -44), (-5, 6, -44)])
 RANGES = [name for name, _ in next(s.choices for s in PHENOMENON.settings if s.name == "range")]
@@ -134,8 +134,8 @@ def test_a_ramp_of_less_than_a_pixel_has_no_share() -> None:
     """At 179 degrees it has some pixels, which may be too few to count."""
     lens = PHENOMENON.start.lens
     for fov, known, why in ((179.9, False, "no pixel"), (179.0, True, "too few")):
-        exhibit = shown(replace(PHENOMENON.start, lens=replace(lens, fov_y_deg=fov)))
-        computed, counted = exhibit.readings[:2]
+        illustration = shown(replace(PHENOMENON.start, lens=replace(lens, fov_y_deg=fov)))
+        computed, counted = illustration.readings[:2]
         assert (computed.value is not None) == (computed.note is None) == known
         assert counted.note is not None and counted.note.sentence().startswith(why)
 
@@ -169,17 +169,17 @@ def test_the_share_of_a_mesh_is_that_of_its_pixels(name: str, tmp_path: Path) ->
         ):
             if projection.lens.parallel and settings.get("range") == "logarithmic":
                 continue
-            exhibit = PHENOMENON.show(projection, PHENOMENON.checked(settings), scene.subject)
-            assert exhibit.rendering is not None and exhibit.rendering.buffer is not None
+            illustration = PHENOMENON.show(projection, PHENOMENON.checked(settings), scene.subject)
+            assert illustration.rendering is not None and illustration.rendering.buffer is not None
             with off_screen(640, 360) as plotter:
                 counted = counted_wrong_share(
                     plotter,
                     scene,
                     projection,
-                    exhibit.rendering.buffer,
-                    exhibit.copies[0].world_from_world,
+                    illustration.rendering.buffer,
+                    illustration.copies[0].world_from_world,
                 )
-            predicted = exhibit.readings[0].value
+            predicted = illustration.readings[0].value
             assert counted is not None and isinstance(predicted, float)
             assert abs(predicted - 100.0 * counted) <= 5.0, (projection.lens.kind, settings)
             between += 10.0 < predicted < 90.0
@@ -236,9 +236,9 @@ def test_what_the_lens_cannot_have_is_said() -> None:
         (flat, "infinite"),
         (endless, "logarithmic"),
     ):
-        exhibit = shown(projection, range=chosen)
-        assert isinstance(exhibit.warning, Phrase) and exhibit.rendering is None
-        assert len(exhibit.copies) == 1
+        illustration = shown(projection, range=chosen)
+        assert isinstance(illustration.warning, Phrase) and illustration.rendering is None
+        assert len(illustration.copies) == 1
     away = replace(start, camera=Camera((0.0, 6.0, 12.0), (0.0, 6.0, 40.0), (0.0, 1.0, 0.0)))
     reading = shown(away).readings[0]
     assert reading.value is None and reading.note is not None

@@ -27,7 +27,7 @@ from app.scenes.phenomena.eye_plane import (
     pictures,
     principal_point,
 )
-from app.scenes.phenomena.illustration import Exhibit, OwnMesh, Subject
+from app.scenes.phenomena.illustration import Illustration, OwnMesh, Subject
 from app.scenes.shapes import edges_of, letter_f
 
 mp.mp.dps = 40
@@ -42,12 +42,12 @@ FACES = letter_f()[0].reshape(-1, 3)
 SUBJECT = Subject((-1.5, 0.0, -0.5), (1.5, 5.0, 0.5), np.unique(FACES, axis=0))
 
 
-def show(projection: Projection, start: Any, end: Any) -> Exhibit:
+def show(projection: Projection, start: Any, end: Any) -> Illustration:
     return PHENOMENON.show(projection, PHENOMENON.checked({"start": start, "end": end}), SUBJECT)
 
 
-def value(exhibit: Exhibit, label: str) -> Any:
-    (reading,) = (r for r in exhibit.readings if r.label == label)
+def value(illustration: Illustration, label: str) -> Any:
+    (reading,) = (r for r in illustration.readings if r.label == label)
     assert reading.value is not None or reading.note is not None
     return reading.value
 
@@ -152,20 +152,22 @@ def test_every_case_and_length_is_the_formula_s() -> None:
     drawn_wrongly = cut_off = 0
     for _ in range(50):
         projection, start, end = draw(rng)
-        exhibit = show(projection, start, end)
+        illustration = show(projection, start, end)
         naive, cut, right = lengths(projection, start, end)
         za, zb = (view_of(projection.camera, p)[2] for p in (start, end))
         case = {(True, True): 1, (False, False): 2, (False, True): 3, (True, False): 4}[
             (za <= EYE_Z, zb <= EYE_Z)
         ]
         seen.add(case)
-        assert value(exhibit, "case, by the cut at z = −0.01") == CASES[case - 1]
+        assert value(illustration, "case, by the cut at z = −0.01") == CASES[case - 1]
         both = za < 0 and zb < 0
         close = {"abs": 1e-8, "rel": 1e-10}
-        wrong = value(exhibit, "AB drawn wrongly")
+        wrong = value(illustration, "AB drawn wrongly")
         assert wrong == pytest.approx(0.0 if both else float(naive), **close)
-        assert value(exhibit, "AB missed") == pytest.approx(0.0 if both else float(right), **close)
-        left_out = value(exhibit, "AB left out by the cut at z = −0.01")
+        assert value(illustration, "AB missed") == pytest.approx(
+            0.0 if both else float(right), **close
+        )
+        left_out = value(illustration, "AB left out by the cut at z = −0.01")
         assert left_out == pytest.approx(float(right - cut), **close)
         drawn_wrongly += wrong > 10.0
         cut_off += left_out > 10.0
@@ -182,10 +184,10 @@ def test_the_letter_is_the_sum_of_its_edges() -> None:
         if any(view_of(projection.camera, p)[2] >= 0 for p in (start, end)):
             naive, _, right = lengths(projection, start, end)
             wrong, missed = wrong + naive, missed + right
-    exhibit = PHENOMENON.show(projection, PHENOMENON.defaults, SUBJECT)
+    illustration = PHENOMENON.show(projection, PHENOMENON.defaults, SUBJECT)
     assert float(wrong) > 500.0
-    assert value(exhibit, "F drawn wrongly") == pytest.approx(float(wrong), rel=1e-9)
-    assert value(exhibit, "F missed") == pytest.approx(float(missed), abs=1e-9)
+    assert value(illustration, "F drawn wrongly") == pytest.approx(float(wrong), rel=1e-9)
+    assert value(illustration, "F missed") == pytest.approx(float(missed), abs=1e-9)
 
 
 def test_the_mirrored_end_is_the_formula_s_and_the_frame_minus_the_right_one() -> None:
@@ -195,8 +197,8 @@ def test_the_mirrored_end_is_the_formula_s_and_the_frame_minus_the_right_one() -
     while min(counted.values()) < 15 or sum(counted.values()) < 50:
         projection, start, end = draw(rng)
         behind = [p for p in (end, start) if view_of(projection.camera, p)[2] > 0]
-        exhibit = show(projection, start, end)
-        got = value(exhibit, "mirrored end"), value(exhibit, "frame size minus right end")
+        illustration = show(projection, start, end)
+        got = value(illustration, "mirrored end"), value(illustration, "frame size minus right end")
         if not behind:
             assert got == (None, None)
             continue
@@ -217,7 +219,7 @@ def test_the_mirrored_end_is_the_formula_s_and_the_frame_minus_the_right_one() -
             together = [m + r for m, r in zip(mirrored, right, strict=True)]
             assert together == pytest.approx([2 * part for part in principal], abs=1e-11 * scale)
             assert got[0] != pytest.approx(got[1], abs=1.0)
-            note = exhibit.readings[-1].note
+            note = illustration.readings[-1].note
             assert note is not None and note.values == tuple(
                 f"{p:.6g}".replace("-", "\N{MINUS SIGN}") for p in principal
             )
@@ -231,13 +233,15 @@ def test_by_hand() -> None:
     """
     lens = Perspective(90.0, 1.0, 10.0)
     projection = Projection(Camera((0, 0, 0), (0, 0, -1)), lens, (200, 200))
-    exhibit = show(projection, (0, 0, -2), (1, 2, 4))
-    assert value(exhibit, "mirrored end") == pytest.approx((75.0, 150.0), abs=1e-12)
-    assert value(exhibit, "frame size minus right end") == pytest.approx((75.0, 150.0), abs=1e-12)
-    assert value(exhibit, "case, by the cut at z = −0.01") == CASES[3]
+    illustration = show(projection, (0, 0, -2), (1, 2, 4))
+    assert value(illustration, "mirrored end") == pytest.approx((75.0, 150.0), abs=1e-12)
+    assert value(illustration, "frame size minus right end") == pytest.approx(
+        (75.0, 150.0), abs=1e-12
+    )
+    assert value(illustration, "case, by the cut at z = −0.01") == CASES[3]
     # From (100, 100) to (75, 150); the right arc leaves the other way, along (1, -2), to y = 0.
-    assert value(exhibit, "AB drawn wrongly") == pytest.approx(math.hypot(25, 50), rel=1e-12)
-    assert value(exhibit, "AB missed") == pytest.approx(math.hypot(50, 100), rel=1e-12)
+    assert value(illustration, "AB drawn wrongly") == pytest.approx(math.hypot(25, 50), rel=1e-12)
+    assert value(illustration, "AB missed") == pytest.approx(math.hypot(50, 100), rel=1e-12)
 
 
 def test_the_circle_has_the_two_arcs() -> None:
@@ -293,27 +297,29 @@ def test_pictures_stay_in_the_frame_and_the_cut_is_part_of_the_right_one() -> No
 )
 def test_a_segment_that_points_at_the_eye_has_one_point(end: tuple[float, ...]) -> None:
     projection = Projection(Camera((0, 0, 0), (0, 0, -1)), LENSES[0], SIZE)
-    exhibit = show(projection, (0, 0, -2), end)
-    assert exhibit.warning is not None
-    assert value(exhibit, "AB missed") == 0.0
-    segment = exhibit.diagrams[2].curves[2].points[:2]
+    illustration = show(projection, (0, 0, -2), end)
+    assert illustration.warning is not None
+    assert value(illustration, "AB missed") == 0.0
+    segment = illustration.diagrams[2].curves[2].points[:2]
     np.testing.assert_allclose(segment, [(640, 360), (640, 360)], atol=1e-9)
 
 
 def test_an_end_in_the_eye_plane_has_its_image_at_infinity() -> None:
     projection = Projection(Camera((0, 0, 0), (0, 0, -1)), Perspective(90.0), (200, 200))
-    exhibit = show(projection, (0, 0, -2), (1, 0, 0))
-    assert value(exhibit, "mirrored end") is None
-    assert value(exhibit, "AB drawn wrongly") == 0.0
-    assert value(exhibit, "AB missed") == pytest.approx(100.0)  # from the middle to the right side
+    illustration = show(projection, (0, 0, -2), (1, 0, 0))
+    assert value(illustration, "mirrored end") is None
+    assert value(illustration, "AB drawn wrongly") == 0.0
+    assert value(illustration, "AB missed") == pytest.approx(
+        100.0
+    )  # from the middle to the right side
     near_zero = show(projection, (0, 0, -2), (1, 0, 5e-324))
     assert value(near_zero, "mirrored end") is None
     assert near_zero.readings[-1].note is not None
 
 
 def test_the_image_pane_shows_both_images() -> None:
-    exhibit = PHENOMENON.show(PHENOMENON.start, PHENOMENON.defaults, SUBJECT)
-    wrong, right = exhibit.image.lines
+    illustration = PHENOMENON.show(PHENOMENON.start, PHENOMENON.defaults, SUBJECT)
+    wrong, right = illustration.image.lines
     assert (wrong.colour, right.colour) == ("u", "accent")
     # Both leave the image of A, to opposite sides along the same line.
     start = PHENOMENON.start.trace(PHENOMENON.defaults["start"]).image
@@ -343,18 +349,20 @@ def test_a_mesh_takes_the_letter_s_place() -> None:
             wrong, missed = wrong + naive, missed + right
     for count in (12, 999):
         subject = replace(SUBJECT, mesh=OwnMesh(edges, count, np.empty((0, 3, 3))))
-        exhibit = PHENOMENON.show(PHENOMENON.start, PHENOMENON.defaults, subject)
+        illustration = PHENOMENON.show(PHENOMENON.start, PHENOMENON.defaults, subject)
         assert float(wrong) > 100.0
-        assert value(exhibit, "mesh drawn wrongly") == pytest.approx(float(wrong), rel=1e-9)
-        assert value(exhibit, "mesh missed") == pytest.approx(float(missed), rel=1e-9)
-        assert not any(reading.label.startswith("F ") for reading in exhibit.readings)
-        notes = {r.note.values for r in exhibit.readings if r.note and r.label.startswith("mesh")}
+        assert value(illustration, "mesh drawn wrongly") == pytest.approx(float(wrong), rel=1e-9)
+        assert value(illustration, "mesh missed") == pytest.approx(float(missed), rel=1e-9)
+        assert not any(reading.label.startswith("F ") for reading in illustration.readings)
+        notes = {
+            r.note.values for r in illustration.readings if r.note and r.label.startswith("mesh")
+        }
         assert notes == ({("12", "999")} if count > 12 else set())
-        told = [r.value for r in exhibit.readings if r.label.startswith("edges of the mesh")]
+        told = [r.value for r in illustration.readings if r.label.startswith("edges of the mesh")]
         assert told == ([(12.0, 999.0)] if count > 12 else [])
         trace = PHENOMENON.start.trace(edges)
         drawn = pictures(PHENOMENON.start, trace.view, trace.clip)
-        for diagram, part in zip(exhibit.diagrams, drawn[:3], strict=False):
+        for diagram, part in zip(illustration.diagrams, drawn[:3], strict=False):
             shown = diagram.curves[1].points.reshape(-1, 3, 2)[:, :2]
             np.testing.assert_allclose(shown, part)
 
@@ -372,24 +380,26 @@ def test_of_a_large_mesh_the_edges_that_cross_the_eye_plane_are_counted_first() 
     lengths_world = np.linalg.norm(edges[:, 1] - edges[:, 0], axis=1)
     assert lengths_world[:1500].min() > lengths_world[1500:].max()
     subject = replace(SUBJECT, mesh=OwnMesh(edges, len(edges), np.empty((0, 3, 3))))
-    exhibit = PHENOMENON.show(PHENOMENON.start, PHENOMENON.defaults, subject)
+    illustration = PHENOMENON.show(PHENOMENON.start, PHENOMENON.defaults, subject)
     trace = PHENOMENON.start.trace(edges)
     every = pictures(PHENOMENON.start, trace.view, trace.clip)
     assert every.wrong_px.sum() > 1000.0
-    assert value(exhibit, "mesh drawn wrongly") == pytest.approx(every.wrong_px.sum(), rel=1e-9)
-    (told,) = [r.value for r in exhibit.readings if r.label.startswith("edges of the mesh")]
+    assert value(illustration, "mesh drawn wrongly") == pytest.approx(
+        every.wrong_px.sum(), rel=1e-9
+    )
+    (told,) = [r.value for r in illustration.readings if r.label.startswith("edges of the mesh")]
     assert told == (300.0, 1800.0)
 
 
 def test_nothing_is_named_that_is_not_drawn() -> None:
     """Both ends behind: only the naive divide draws AB; and the text is true of it."""
     behind = PHENOMENON.checked({"start": (2.5, 1.8, 2.5), "end": (3.0, 2.0, 4.0)})
-    exhibit = PHENOMENON.show(PHENOMENON.start, behind, SUBJECT)
-    assert exhibit.readings[0].value == CASES[1]
-    for diagram in exhibit.diagrams:
+    illustration = PHENOMENON.show(PHENOMENON.start, behind, SUBJECT)
+    assert illustration.readings[0].value == CASES[1]
+    for diagram in illustration.diagrams:
         for curve in diagram.curves:
             assert not curve.label or np.isfinite(curve.points).any(), (diagram.title, curve.label)
-    named = [{curve.label for curve in diagram.curves} for diagram in exhibit.diagrams]
+    named = [{curve.label for curve in diagram.curves} for diagram in illustration.diagrams]
     assert "AB" in named[0] and "AB" not in named[1] | named[2]
     assert "image of AB" not in named[3]
     start = PHENOMENON.show(PHENOMENON.start, PHENOMENON.defaults, SUBJECT)
@@ -409,20 +419,20 @@ def test_between_the_cut_and_the_eye_nothing_is_said_to_be_behind_the_eye(
     start: Any, end: Any, case: int
 ) -> None:
     """Lecture 004's cases ask on which side of z = -0.01 an end is, not of the eye."""
-    exhibit = show(PHENOMENON.start, start, end)
-    assert value(exhibit, "case, by the cut at z = −0.01") == CASES[case - 1]
+    illustration = show(PHENOMENON.start, start, end)
+    assert value(illustration, "case, by the cut at z = −0.01") == CASES[case - 1]
     assert "eye" not in CASES[case - 1]
-    assert value(exhibit, "mirrored end") is None
-    assert value(exhibit, "AB drawn wrongly") == 0.0
-    assert "wrong" not in [text.text for text in exhibit.image.texts]
+    assert value(illustration, "mirrored end") is None
+    assert value(illustration, "AB drawn wrongly") == 0.0
+    assert "wrong" not in [text.text for text in illustration.image.texts]
 
 
 def test_wrong_is_written_just_where_something_is_drawn_wrongly() -> None:
     rng = np.random.default_rng(11)
     counted = {True: 0, False: 0}
     for _ in range(300):
-        exhibit = show(*draw(rng))
-        wrong = "wrong" in [text.text for text in exhibit.image.texts]
-        assert wrong == (value(exhibit, "AB drawn wrongly") > 0.0)
+        illustration = show(*draw(rng))
+        wrong = "wrong" in [text.text for text in illustration.image.texts]
+        assert wrong == (value(illustration, "AB drawn wrongly") > 0.0)
         counted[wrong] += 1
     assert min(counted.values()) > 30

@@ -13,7 +13,7 @@ from app.model.projection import Camera, Perspective, Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena.field_of_view import PHENOMENON, preset_view
 from tests.oracles.exact import Exact, dot, minus, mp, vector
-from tests.oracles.exhibits import random_projection, reading, showing, subject_of, value
+from tests.oracles.illustrations import random_projection, reading, showing, subject_of, value
 
 SUBJECT = subject_of(PHENOMENON)
 PRESETS = ("wide", "tele", "eye", "monitor", "phone")
@@ -42,7 +42,7 @@ def test_readings_are_the_formulas_for_fifty_random_rides() -> None:
             distance=dice.uniform(0.9, 8.0),
             enlarged=dice.random() < 0.5,
         )
-        exhibit = shown(seen)
+        illustration = shown(seen)
         lens = seen.lens
         assert isinstance(lens, Perspective)
         exact = Exact(seen)
@@ -65,12 +65,14 @@ def test_readings_are_the_formulas_for_fifty_random_rides() -> None:
         }
         for label, formula in expected.items():
             if min(depths) <= 0 and label == "foreshortening":
-                assert reading(exhibit, label).value is None
+                assert reading(illustration, label).value is None
                 continue
             if label == "subject's height" and aspect * distance * up < bar_at:
-                assert reading(exhibit, label).value is None  # the picture is too narrow for it
+                assert (
+                    reading(illustration, label).value is None
+                )  # the picture is too narrow for it
                 continue
-            assert value(exhibit, label) == pytest.approx(float(formula), rel=1e-11), label
+            assert value(illustration, label) == pytest.approx(float(formula), rel=1e-11), label
 
 
 @pytest.mark.parametrize("preset", PRESETS)
@@ -138,12 +140,12 @@ def test_a_ride_keeps_the_size_with_every_lens() -> None:
 
 def test_the_height_is_that_of_the_targets_plane_and_only_of_what_is_seen() -> None:
     """A part of the subject nearer than the target is drawn larger: the name says which plane."""
-    exhibit = shown(PHENOMENON.start)
-    found = reading(exhibit, "subject's height")
+    illustration = shown(PHENOMENON.start)
+    found = reading(illustration, "subject's height")
     assert "target" in found.label
     drawn = PHENOMENON.start.trace(SUBJECT.points).image[:, 1]
-    assert float(np.ptp(drawn)) > 1.05 * value(exhibit, "subject's height")
-    bar = [line for line in exhibit.image.lines if line.colour == "accent"]
+    assert float(np.ptp(drawn)) > 1.05 * value(illustration, "subject's height")
+    bar = [line for line in illustration.image.lines if line.colour == "accent"]
     assert len(bar) == 3
     camera = PHENOMENON.start.camera
     back = tuple(2 * e - t for e, t in zip(camera.eye, camera.target, strict=True))
@@ -175,21 +177,21 @@ def test_a_subject_round_the_eye_has_no_foreshortening() -> None:
 
 
 def test_a_parallel_lens_has_no_field_of_view() -> None:
-    exhibit = shown(PHENOMENON.start.with_lens("orthographic"))
-    assert reading(exhibit, "vertical").value is None
-    assert value(exhibit, "foreshortening") == 1.0
+    illustration = shown(PHENOMENON.start.with_lens("orthographic"))
+    assert reading(illustration, "vertical").value is None
+    assert value(illustration, "foreshortening") == 1.0
 
 
 def test_the_two_squares_on_the_image_have_the_ratio() -> None:
-    exhibit = shown(PHENOMENON.start)
+    illustration = shown(PHENOMENON.start)
     heights = {}
     for colour in ("near", "far"):
         points = np.concatenate(
-            [line.points for line in exhibit.image.lines if line.colour == colour]
+            [line.points for line in illustration.image.lines if line.colour == colour]
         )
         heights[colour] = np.ptp(points[:, 1])
     ratio = heights["near"] / heights["far"]
-    assert ratio == pytest.approx(value(exhibit, "foreshortening"), rel=1e-9)
+    assert ratio == pytest.approx(value(illustration, "foreshortening"), rel=1e-9)
 
 
 @pytest.mark.parametrize(

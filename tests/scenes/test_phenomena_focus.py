@@ -20,8 +20,8 @@ from app.model.projection import (
 )
 from app.model.refusal import Refusal
 from app.scenes.phenomena.focus import PHENOMENON, blur_mm, sharpness
-from app.scenes.phenomena.illustration import Exhibit, Subject
-from tests.oracles.exhibits import showing
+from app.scenes.phenomena.illustration import Illustration, Subject
+from tests.oracles.illustrations import showing
 
 mp.mp.dps = 40
 
@@ -33,11 +33,11 @@ EYE = Camera((0.0, 0.0, 0.0), (0.0, 0.0, -5.0))
 show = showing(PHENOMENON, SUBJECT)
 
 
-def values(exhibit: Exhibit) -> dict[str, Any]:
-    for reading in exhibit.readings:
+def values(illustration: Illustration) -> dict[str, Any]:
+    for reading in illustration.readings:
         explained = reading.value is None or isinstance(reading.value, tuple)
         assert explained == (reading.note is not None)
-    return {reading.label: reading.value for reading in exhibit.readings}
+    return {reading.label: reading.value for reading in illustration.readings}
 
 
 class ThinLens:
@@ -137,10 +137,10 @@ def test_in_a_stretched_picture_the_disc_has_a_width_and_a_height() -> None:
     """The film is sqrt(36^2 + 24^2) mm across its corners and shaped like the window, 16 : 9."""
     window = (-0.4, 0.4, -0.225, 0.225)
     stretched = Frustum(*window, 1.0, 30.0, "stretch")
-    exhibit = show(Projection(EYE, stretched, (600, 1800)), focus=3.0)
+    illustration = show(Projection(EYE, stretched, (600, 1800)), focus=3.0)
     f_mm = math.hypot(36, 24) / math.hypot(0.8, 0.45)
     disc_mm = float(ThinLens(f_mm, PHENOMENON.defaults["aperture"], 3.0).disc(5.0))
-    reading = exhibit.readings[-1]
+    reading = illustration.readings[-1]
     film_mm = 0.8 * f_mm, 0.45 * f_mm
     assert reading.value == pytest.approx((disc_mm * 600 / film_mm[0], disc_mm * 1800 / film_mm[1]))
     assert reading.note is not None and "stretched" in reading.note.sentence()
@@ -172,25 +172,25 @@ def test_the_planes_stand_where_the_limits_are() -> None:
         camera = Camera(tuple(rng.uniform(-5, 5, 3)), tuple(rng.uniform(-5, 5, 3)))
         projection = Projection(camera, Perspective(40.0, 2.0, 20.0), (1280, 720))
         focus = float(rng.uniform(1, 25))
-        exhibit = show(projection, focus=focus)
-        got = values(exhibit)
+        illustration = show(projection, focus=focus)
+        got = values(illustration)
         expected = [
             d for d in (got["sharp from"], focus, got["sharp to"]) if d and 2.0 <= d <= 20.0
         ]
-        assert len(exhibit.world.faces) == len(exhibit.world.texts) == len(expected)
-        for face, distance in zip(exhibit.world.faces, expected, strict=True):
+        assert len(illustration.world.faces) == len(illustration.world.texts) == len(expected)
+        for face, distance in zip(illustration.world.faces, expected, strict=True):
             trace = projection.trace(face.points)
             np.testing.assert_allclose(-trace.view[:, 2], distance, rtol=1e-12)
             corners = [(0, 720), (1280, 720), (1280, 0), (0, 0)]
             np.testing.assert_allclose(trace.image, corners, atol=1e-9)
             counted += 1
         # Thick edges run from the near limit to the far one, inside the frustum.
-        edges = [line for line in exhibit.world.lines if len(line.points) == 2]
+        edges = [line for line in illustration.world.lines if len(line.points) == 2]
         for edge in edges:
             w = -projection.trace(edge.points).view[:, 2]
             bounds = max(2.0, got["sharp from"]), min(20.0, got["sharp to"] or 20.0)
             np.testing.assert_allclose(w, bounds, rtol=1e-12)
-        (diagram,) = exhibit.diagrams
+        (diagram,) = illustration.diagrams
         assert diagram.left < got["sharp from"] < focus < diagram.right
         curve = diagram.curves[1].points
         assert curve[:, 1].min() == 0.0
@@ -215,14 +215,14 @@ def test_bad_input_is_refused_in_one_sentence(settings: dict[str, Any], said: st
 
 def test_what_cannot_be_focused_says_why() -> None:
     tele = Projection(EYE, Perspective(1.0, 0.5, 30.0))  # 1215 mm
-    exhibit = show(tele, focus=1.0)
-    assert exhibit.warning is not None
-    assert exhibit.warning.values[0] == "1"
-    assert float(exhibit.warning.values[1]) == pytest.approx(
+    illustration = show(tele, focus=1.0)
+    assert illustration.warning is not None
+    assert illustration.warning.values[0] == "1"
+    assert float(illustration.warning.values[1]) == pytest.approx(
         focal_length_35mm(1.0, 16 / 9) / 1000, rel=1e-5
     )
-    assert values(exhibit)["sharp from"] is None
-    assert values(exhibit)["focal length f"] is not None
+    assert values(illustration)["sharp from"] is None
+    assert values(illustration)["focal length f"] is not None
     for lens in (Orthographic(), Oblique()):
         parallel = show(Projection(EYE, lens))
         assert parallel.warning is not None

@@ -11,7 +11,7 @@ import pytest
 
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import Refusal
-from app.scenes.phenomena.illustration import Exhibit, OwnMesh, Subject
+from app.scenes.phenomena.illustration import Illustration, OwnMesh, Subject
 from app.scenes.phenomena.interpolation import (
     PHENOMENON,
     TEXELS,
@@ -26,7 +26,7 @@ TRIANGLES = np.array([BOARD[[0, 1, 3]], BOARD[[1, 2, 3]]])
 BOARD_TEXTURE = planar_texture(SUBJECT)
 
 
-def shown(projection: Projection, subject: Subject = SUBJECT, **settings: object) -> Exhibit:
+def shown(projection: Projection, subject: Subject = SUBJECT, **settings: object) -> Illustration:
     return PHENOMENON.show(projection, PHENOMENON.checked(settings), subject)
 
 
@@ -105,17 +105,17 @@ def test_half_way_on_the_screen_is_less_in_the_world() -> None:
     marked = 0
     for _ in range(50):
         projection = random_projection(random)
-        exhibit = shown(projection)
+        illustration = shown(projection)
         ends = projection.trace(BOARD[[0, 3]])
-        part = float(exhibit.readings[2].value) / 100.0  # type: ignore[arg-type]
+        part = float(illustration.readings[2].value) / 100.0  # type: ignore[arg-type]
         place = BOARD[0] + part * (BOARD[3] - BOARD[0])
         assert projection.trace(place).image == pytest.approx(ends.image.mean(axis=0), abs=1e-8)
-        world = exhibit.world.dots
+        world = illustration.world.dots
         assert world[1].point == pytest.approx(place)
         assert world[0].point == pytest.approx((BOARD[0] + BOARD[3]) / 2.0)
         halves = projection.trace(np.array([world[0].point, place]))
         expected = halves.image[~halves.outside.any(axis=1)]
-        drawn = [dot.point for dot in exhibit.image.dots]
+        drawn = [dot.point for dot in illustration.image.dots]
         assert np.ravel(drawn) == pytest.approx(np.ravel(expected))
         marked += len(drawn)
     assert 50 < marked < 100
@@ -147,10 +147,10 @@ def test_twice_as_many_parts_leave_a_quarter_in_the_limit_and_more_before() -> N
 
 def test_a_board_that_near_cuts_has_no_error() -> None:
     above = Camera((0.0, 1.0, 3.0), (0.0, 0.5, -4.0), (0.0, 1.0, 0.0))
-    exhibit = shown(replace(PHENOMENON.start, camera=above))
-    assert exhibit.warning is not None and not exhibit.image.dots
-    assert all(reading.value is None and reading.note for reading in exhibit.readings)
-    assert exhibit.rendering is not None and exhibit.rendering.texture is not None
+    illustration = shown(replace(PHENOMENON.start, camera=above))
+    assert illustration.warning is not None and not illustration.image.dots
+    assert all(reading.value is None and reading.note for reading in illustration.readings)
+    assert illustration.rendering is not None and illustration.rendering.texture is not None
 
 
 def test_a_mesh_has_its_texture_over_its_two_largest_extents() -> None:
@@ -210,8 +210,8 @@ def test_the_readings_of_a_mesh_are_those_that_a_search_finds() -> None:
                         texels = max(texels, float(np.hypot(*off.T).max()) * TEXELS)
                         off = (line - part) * (other - one)
                         px = max(px, float(np.hypot(*off.T).max()))
-        exhibit = shown(projection, subject, subdivision=parts)
-        readings = exhibit.readings
+        illustration = shown(projection, subject, subdivision=parts)
+        readings = illustration.readings
         assert readings[0].value == pytest.approx(texels, rel=1e-4)
         assert readings[1].value == pytest.approx(px, rel=1e-4)
         (longest, *_) = subject.mesh.edges  # type: ignore[union-attr]
@@ -219,7 +219,7 @@ def test_the_readings_of_a_mesh_are_those_that_a_search_finds() -> None:
         half = longest[0] + float(readings[2].value) / 100.0 * (longest[1] - longest[0])  # type: ignore[arg-type]
         ends = projection.trace(longest).image
         assert projection.trace(half).image == pytest.approx(ends.mean(axis=0), abs=1e-8)
-        assert exhibit.world.dots[1].point == pytest.approx(half, abs=1e-9)
+        assert illustration.world.dots[1].point == pytest.approx(half, abs=1e-9)
         said = readings[0].note
         assert said is not None and "two largest extents" in said.template and not said.values
 
@@ -236,6 +236,6 @@ def test_of_a_large_mesh_so_many_triangles_are_looked_at_as_is_said() -> None:
 
 def test_a_mesh_that_near_cuts_has_no_error() -> None:
     above = Camera((0.0, 1.0, 3.0), (0.0, 0.5, -4.0), (0.0, 1.0, 0.0))
-    exhibit = shown(replace(PHENOMENON.start, camera=above), own(TRIANGLES))
-    assert exhibit.warning is not None and exhibit.warning.template.startswith("the mesh")
-    assert all(reading.value is None and reading.note for reading in exhibit.readings)
+    illustration = shown(replace(PHENOMENON.start, camera=above), own(TRIANGLES))
+    assert illustration.warning is not None and illustration.warning.template.startswith("the mesh")
+    assert all(reading.value is None and reading.note for reading in illustration.readings)

@@ -13,7 +13,7 @@ from app.model.projection import Camera, Oblique, Orbit, Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena.oblique_drawing import PHENOMENON, oblique
 from tests.oracles.exact import cotangent_deg, mp
-from tests.oracles.exhibits import random_projection, reading, showing, subject_of, value
+from tests.oracles.illustrations import random_projection, reading, showing, subject_of, value
 
 SUBJECT = subject_of(PHENOMENON)
 
@@ -41,18 +41,18 @@ def test_what_is_drawn_is_what_was_set_for_fifty_random_drawings() -> None:
             seen = replace(seen, lens=replace(seen.lens, keep="y", **wider))
         scale, angle_deg, morph = dice.uniform(0, 2), dice.uniform(-180, 180), dice.uniform(0.1, 1)
         seen = followed(seen, drawing="free", receding=scale, angle_deg=angle_deg, morph=morph)
-        exhibit = shown(seen)
-        assert value(exhibit, "receding scale") == pytest.approx(scale * morph, abs=1e-9)
-        drawn_deg = value(exhibit, "receding angle")
+        illustration = shown(seen)
+        assert value(illustration, "receding scale") == pytest.approx(scale * morph, abs=1e-9)
+        drawn_deg = value(illustration, "receding angle")
         assert angle_between(drawn_deg, angle_deg) * scale * morph < 1e-7
         # And that is what the angles of the projectors give, with 80 digits.
         lens = seen.lens
         assert isinstance(lens, Oblique)
         x, y = -cotangent_deg(lens.alpha_deg), -cotangent_deg(lens.beta_deg)
-        assert value(exhibit, "√") == pytest.approx(float(mp.sqrt(x * x + y * y)), rel=1e-12)
-        assert value(exhibit, "√") == pytest.approx(scale * morph, rel=1e-12)
+        assert value(illustration, "√") == pytest.approx(float(mp.sqrt(x * x + y * y)), rel=1e-12)
+        assert value(illustration, "√") == pytest.approx(scale * morph, rel=1e-12)
         formula_deg = float(mp.atan2(y, x) * 180 / mp.pi)
-        assert angle_between(value(exhibit, "atan2"), formula_deg) < 1e-9
+        assert angle_between(value(illustration, "atan2"), formula_deg) < 1e-9
         assert angle_between(drawn_deg, formula_deg) * scale * morph < 1e-7
 
 
@@ -65,22 +65,22 @@ def test_a_stretched_picture_is_measured_in_its_pixels_and_said_to_be_stretched(
         lens = replace(lens, keep="stretch")
         seen = replace(PHENOMENON.start, lens=lens, image_size=(720, round(720 * stretch)))
         seen = followed(seen, drawing="free", receding=scale, angle_deg=angle_deg)
-        exhibit = shown(seen)
+        illustration = shown(seen)
         turned = math.radians(angle_deg)
         x, y = scale * math.cos(turned), stretch * scale * math.sin(turned)
-        drawn = value(exhibit, "receding scale"), value(exhibit, "receding angle")
+        drawn = value(illustration, "receding scale"), value(illustration, "receding angle")
         assert drawn[0] == pytest.approx(math.hypot(x, y), rel=1e-9)
         assert angle_between(drawn[1], math.degrees(math.atan2(y, x))) < 1e-7
-        note = reading(exhibit, "receding scale").note
+        note = reading(illustration, "receding scale").note
         assert (None if note is None else note.values) == (
             None if stretch == 1.0 else (f"{stretch:.3g}",)
         )
-        plates = {text.text for text in exhibit.world.texts}
+        plates = {text.text for text in illustration.world.texts}
         assert {
             "u: 1 \N{MULTIPLICATION SIGN}",
             f"v: {stretch:.3g} \N{MULTIPLICATION SIGN}",
         } < plates
-        before = reading(exhibit, "√").note
+        before = reading(illustration, "√").note
         assert (before is None) == (note is None)
         # And on the pixels themselves.
         front, back = seen.trace([(1, 0, 1), (1, 0, -1)]).image
@@ -93,9 +93,9 @@ def test_a_stretched_picture_is_measured_in_its_pixels_and_said_to_be_stretched(
 def test_the_textbooks_drawings(name: str, scale: float, angle_deg: float) -> None:
     """The cube's edges, by hand: 2 units along u are 2 k px, along n 2 k times the scale."""
     seen = followed(PHENOMENON.start, drawing=name, angle_deg=angle_deg)
-    exhibit = shown(seen)
-    assert value(exhibit, "receding scale") == pytest.approx(scale, rel=1e-12)
-    assert angle_between(value(exhibit, "receding angle"), angle_deg) < 1e-10
+    illustration = shown(seen)
+    assert value(illustration, "receding scale") == pytest.approx(scale, rel=1e-12)
+    assert angle_between(value(illustration, "receding angle"), angle_deg) < 1e-10
     front, right, back = seen.trace([(1, 0, 1), (-1, 0, 1), (1, 0, -1)]).image
     k = 720 / 4.2  # the window is 4.2 high
     assert front - right == pytest.approx([2 * k, 0.0], abs=1e-9)
@@ -151,8 +151,8 @@ def test_projectors_end_where_the_picture_has_their_points() -> None:
         replace(PHENOMENON.start, camera=Camera.from_orbit((0, 1, 0), Orbit(20.0, 15.0, 8.0))),
         angle_deg=30.0,
     )
-    exhibit = shown(seen)
-    projectors = [line.points for line in exhibit.world.lines if line.colour == "accent"]
+    illustration = shown(seen)
+    projectors = [line.points for line in illustration.world.lines if line.colour == "accent"]
     assert len(projectors) == 8
     for corner, foot in projectors:
         trace = seen.trace([corner, foot])
@@ -161,9 +161,9 @@ def test_projectors_end_where_the_picture_has_their_points() -> None:
 
 
 def test_a_perspective_lens_has_no_receding_scale() -> None:
-    exhibit = shown(PHENOMENON.start.with_lens("perspective"))
-    assert exhibit.warning is not None
-    assert reading(exhibit, "receding scale").value is None
+    illustration = shown(PHENOMENON.start.with_lens("perspective"))
+    assert illustration.warning is not None
+    assert reading(illustration, "receding scale").value is None
 
 
 @pytest.mark.parametrize(
@@ -194,7 +194,7 @@ def test_the_angle_is_named_for_what_it_is_in_every_quadrant() -> None:
 def test_no_scale_is_written_where_there_is_none() -> None:
     written = {text.text for text in shown(PHENOMENON.start).image.texts}
     assert "u: 1 \N{MULTIPLICATION SIGN}" in written
-    exhibit = shown(PHENOMENON.start.with_lens("perspective"))
-    assert exhibit.warning is not None
-    assert {text.text for text in exhibit.world.texts} == {"u", "v", "n"}
-    assert not any("1 " in text.text for text in exhibit.image.texts)
+    illustration = shown(PHENOMENON.start.with_lens("perspective"))
+    assert illustration.warning is not None
+    assert {text.text for text in illustration.world.texts} == {"u", "v", "n"}
+    assert not any("1 " in text.text for text in illustration.image.texts)

@@ -17,7 +17,7 @@ from app.scenes.phenomena.off_axis_window import (
     largest_difference_px,
 )
 from tests.oracles.exact import Exact, mp
-from tests.oracles.exhibits import random_projection, reading, showing, subject_of
+from tests.oracles.illustrations import random_projection, reading, showing, subject_of
 
 SUBJECT = subject_of(PHENOMENON)
 
@@ -140,28 +140,28 @@ def test_off_the_axis_by_hand() -> None:
 
 
 def test_one_screen_has_no_join() -> None:
-    exhibit = shown(PHENOMENON.start, screens="1")
-    found = reading(exhibit, "error of the join")
+    illustration = shown(PHENOMENON.start, screens="1")
+    found = reading(illustration, "error of the join")
     assert found.value is None and found.note is not None
-    assert reading(exhibit, "l, r of the window").value == PHENOMENON.start.window[:2]
-    assert not exhibit.ndc.lines
+    assert reading(illustration, "l, r of the window").value == PHENOMENON.start.window[:2]
+    assert not illustration.ndc.lines
 
 
 def test_a_picture_one_pixel_wide_is_not_split() -> None:
-    exhibit = shown(replace(PHENOMENON.start, image_size=(1, 100)))
-    assert exhibit.warning is not None
-    assert reading(exhibit, "error of the join").value is None
+    illustration = shown(replace(PHENOMENON.start, image_size=(1, 100)))
+    assert illustration.warning is not None
+    assert reading(illustration, "error of the join").value is None
 
 
 def test_the_join_is_marked_where_the_pixels_part() -> None:
     seen = replace(PHENOMENON.start, image_size=(1281, 720))
-    exhibit = shown(seen)
+    illustration = shown(seen)
     left, _ = halves(seen)
     assert left.image_size[0] == 640
-    (join,) = [line for line in exhibit.image.lines if line.colour == "accent"]
+    (join,) = [line for line in illustration.image.lines if line.colour == "accent"]
     assert (join.points[:, 0] == 640.0).all()
-    (face,) = exhibit.ndc.faces
+    (face,) = illustration.ndc.faces
     assert face.points[:, 0] == pytest.approx(2 * 640 / 1281 - 1)
     # In the world it lies on the window's plane, and is seen where the image has it.
-    (join,) = [line for line in exhibit.world.lines if line.colour == "accent"]
+    (join,) = [line for line in illustration.world.lines if line.colour == "accent"]
     assert seen.trace(join.points).image[:, 0] == pytest.approx(640.0, abs=1e-9)

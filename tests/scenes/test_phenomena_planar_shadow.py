@@ -21,10 +21,10 @@ from app.model.projection import (
     Projection,
 )
 from app.model.refusal import Refusal
-from app.scenes.phenomena.illustration import Exhibit, Subject
+from app.scenes.phenomena.illustration import Illustration, Subject
 from app.scenes.phenomena.planar_shadow import PHENOMENON, cast, shadow_matrix
 from app.scenes.shapes import letter_f
-from tests.oracles.exhibits import showing
+from tests.oracles.illustrations import showing
 
 mp.mp.dps = 40
 
@@ -37,8 +37,8 @@ HIGH = "vertices not below the light"
 show = showing(PHENOMENON, SUBJECT)
 
 
-def value(exhibit: Exhibit, label: str) -> Any:
-    (reading,) = (r for r in exhibit.readings if r.label == label)
+def value(illustration: Illustration, label: str) -> Any:
+    (reading,) = (r for r in illustration.readings if r.label == label)
     assert reading.value is not None or reading.note is not None
     return reading.value
 
@@ -68,12 +68,12 @@ def test_shadow_and_count_are_the_ray_s() -> None:
     seen = {"some": 0, "none": 0, "anti": 0}
     for _ in range(50):
         settings = draw(rng)
-        exhibit = show(**settings)
+        illustration = show(**settings)
         sun, height = settings["kind"] == "sun", settings["height"]
         light = [*settings["light"], 0.0 if sun else 1.0]
         above = [p for p in SUBJECT.points if not sun and p[1] >= light[1]]
-        assert value(exhibit, HIGH) == len(above)
-        place = value(exhibit, "vertex P")
+        assert value(illustration, HIGH) == len(above)
+        place = value(illustration, "vertex P")
         if len(above) == len(SUBJECT.points):
             assert place is None
             continue
@@ -81,10 +81,12 @@ def test_shadow_and_count_are_the_ray_s() -> None:
         assert sun or place[1] < light[1]
         expected = met(light, height, place)
         scale = max(map(abs, expected)) + 10
-        assert value(exhibit, "its shadow S·P / w") == pytest.approx(expected, abs=1e-13 * scale)
-        assert value(exhibit, OFF) <= 1e-13 * scale
+        assert value(illustration, "its shadow S·P / w") == pytest.approx(
+            expected, abs=1e-13 * scale
+        )
+        assert value(illustration, OFF) <= 1e-13 * scale
         # The matrix as read casts every vertex below the light as its ray does.
-        matrix = np.array([value(exhibit, f"S, {row}") for row in range(1, 5)])
+        matrix = np.array([value(illustration, f"S, {row}") for row in range(1, 5)])
         shadows = cast(matrix, SUBJECT.points)
         for point, shadow, w in zip(SUBJECT.points, shadows.places, shadows.w, strict=True):
             assert (w > 0.0) == (sun or point[1] < light[1])
@@ -92,7 +94,7 @@ def test_shadow_and_count_are_the_ray_s() -> None:
                 there = met(light, height, point)
                 assert shadow == pytest.approx(there, abs=1e-12 * (max(map(abs, there)) + 10))
         assert np.linalg.matrix_rank(matrix) == 3
-        shown, *anti = exhibit.copies
+        shown, *anti = illustration.copies
         scaled = shown.world_from_world * (matrix[0, 0] / shown.world_from_world[0, 0])
         np.testing.assert_allclose(scaled, matrix, rtol=1e-14)
         assert shown.world_from_world[0, 0] > 0.0
@@ -110,15 +112,15 @@ def test_shadow_and_count_are_the_ray_s() -> None:
 def test_s_is_what_the_formula_beside_it_says(kind: str) -> None:
     """From the numbers in the sentence alone: (p L) I - L p^T."""
     light, height = (1.25, 2.125, -3.375), -2.5
-    exhibit = show(kind=kind, light=light, height=height)
-    note = exhibit.readings[0].note
+    illustration = show(kind=kind, light=light, height=height)
+    note = illustration.readings[0].note
     assert note is not None and "S = (p·L) I − L pᵀ" in note.template
     offset, *said = (float(part.replace("\N{MINUS SIGN}", "-")) for part in note.values)
     plane = np.array([0.0, 1.0, 0.0, offset])
     place = np.array([*said[:3], float(kind == "point")])
     expected = (plane @ place) * np.eye(4) - np.outer(place, plane)
     for row in range(4):
-        assert value(exhibit, f"S, {row + 1}") == pytest.approx(expected[row], abs=1e-5)
+        assert value(illustration, f"S, {row + 1}") == pytest.approx(expected[row], abs=1e-5)
     factor = said[3] if kind == "sun" else 1.0
     assert place[:3] * factor == pytest.approx(light, rel=1e-5)
 
@@ -127,9 +129,9 @@ def test_p_and_its_shadow_are_marked_where_the_picture_shows_them() -> None:
     """P is 12.3, its shadow 15.1 before the eye plane."""
     lens = PHENOMENON.start.lens
     for far, marks in ((24.0, 2), (13.0, 1), (9.0, 0)):
-        exhibit = show(replace(PHENOMENON.start, lens=replace(lens, far=far)))
-        assert len(exhibit.image.dots) == marks, far
-        assert len(exhibit.world.dots) == 3
+        illustration = show(replace(PHENOMENON.start, lens=replace(lens, far=far)))
+        assert len(illustration.image.dots) == marks, far
+        assert len(illustration.world.dots) == 3
 
 
 def test_by_hand() -> None:
@@ -141,9 +143,9 @@ def test_by_hand() -> None:
     high = cast(matrix, np.array([[1.0, 6.0, 1.0]]))
     assert (high.places.tolist(), high.w.tolist()) == ([[-2.0, 0.0, -2.0]], [-2.0])
     # The sun in the direction (1, 2, 0): a point 4 high is moved 2 to the left; w stays 1.
-    exhibit = show(kind="sun", light=(1.0, 2.0, 0.0))
-    assert value(exhibit, "S, 1") == (1.0, -0.5, 0.0, 0.0)
-    assert value(exhibit, "S, 4") == (0.0, 0.0, 0.0, 1.0)
+    illustration = show(kind="sun", light=(1.0, 2.0, 0.0))
+    assert value(illustration, "S, 1") == (1.0, -0.5, 0.0, 0.0)
+    assert value(illustration, "S, 4") == (0.0, 0.0, 0.0, 1.0)
     # What is just as high as the light has no shadow either: the letter's top, 8 vertices.
     assert value(show(light=(4.0, 5.0, 0.0)), HIGH) == np.sum(SUBJECT.points[:, 1] == 5.0) == 8
     # The sun's distance has no meaning.
@@ -213,16 +215,16 @@ def test_a_light_in_the_object_or_under_all_of_it_says_so() -> None:
     assert inside is not None and "inside" in inside.template
     on_its_side = show(light=(1.5, 2.0, 0.1)).warning
     assert on_its_side is not None
-    exhibit = show(light=(4.0, -0.5, 0.0), height=-1.0)
-    assert exhibit.warning is not None and "every vertex" in exhibit.warning.template
-    assert value(exhibit, OFF) is None
-    assert value(exhibit, HIGH) == len(SUBJECT.points)
+    illustration = show(light=(4.0, -0.5, 0.0), height=-1.0)
+    assert illustration.warning is not None and "every vertex" in illustration.warning.template
+    assert value(illustration, OFF) is None
+    assert value(illustration, HIGH) == len(SUBJECT.points)
 
 
 def test_far_lights_are_read_as_exactly_as_near_ones() -> None:
-    exhibit = show(light=(1e100, 1e100, -1e100))
-    assert value(exhibit, OFF) <= 1e-14
+    illustration = show(light=(1e100, 1e100, -1e100))
+    assert value(illustration, OFF) <= 1e-14
     # As the sun in the same direction.
     sun = show(kind="sun", light=(1.0, 1.0, -1.0))
     shadow = value(sun, "its shadow S·P / w")
-    assert value(exhibit, "its shadow S·P / w") == pytest.approx(shadow, abs=1e-14)
+    assert value(illustration, "its shadow S·P / w") == pytest.approx(shadow, abs=1e-14)

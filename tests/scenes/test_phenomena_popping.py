@@ -24,7 +24,7 @@ from app.scenes.phenomena.popping import (
     popped_per_second,
     trees_in_view,
 )
-from tests.oracles.exhibits import showing
+from tests.oracles.illustrations import showing
 
 SUBJECT = Subject((0.0, 0.0, 0.0), (1.0, 1.0, 1.0), np.zeros((1, 3)))
 

@@ -19,9 +19,9 @@ from app.model.projection import (
     Projection,
 )
 from app.model.refusal import Refusal
-from app.scenes.phenomena.illustration import Exhibit, Marks, Subject
+from app.scenes.phenomena.illustration import Illustration, Marks, Subject
 from app.scenes.phenomena.similar_triangles import PHENOMENON, onto_plane
-from tests.oracles.exhibits import showing
+from tests.oracles.illustrations import showing
 
 START = PHENOMENON.start
 CORNERS = np.array([(x, y, z) for x in (-1.5, 1.5) for y in (0.0, 5.0) for z in (-0.5, 0.5)])
@@ -31,8 +31,8 @@ SUBJECT = Subject((-1.5, 0.0, -0.5), (1.5, 5.0, 0.5), CORNERS)
 show = showing(PHENOMENON, SUBJECT)
 
 
-def readings(exhibit: Exhibit) -> dict[str, Any]:
-    return {reading.label: reading.value for reading in exhibit.readings}
+def readings(illustration: Illustration) -> dict[str, Any]:
+    return {reading.label: reading.value for reading in illustration.readings}
 
 
 def in_view(camera: Camera, place: Any) -> list[Any]:
@@ -65,14 +65,16 @@ def random_projection(random: np.random.Generator) -> Projection:
     return Projection(Camera(tuple(eye), tuple(target)), lens, (640, 480))
 
 
-def finite(exhibit: Exhibit) -> bool:
+def finite(illustration: Illustration) -> bool:
     parts: list[Any] = []
-    for marks in (exhibit.world, exhibit.ndc, exhibit.image):
+    for marks in (illustration.world, illustration.ndc, illustration.image):
         assert isinstance(marks, Marks)
         parts += [part.points for part in (*marks.lines, *marks.faces)]
         parts += [part.point for part in (*marks.dots, *marks.texts)]
-    parts += [copy.world_from_world for copy in exhibit.copies]
-    parts += [reading.value for reading in exhibit.readings if isinstance(reading.value, float)]
+    parts += [copy.world_from_world for copy in illustration.copies]
+    parts += [
+        reading.value for reading in illustration.readings if isinstance(reading.value, float)
+    ]
     return all(bool(np.isfinite(part).all()) for part in parts)
 
 
@@ -84,12 +86,12 @@ def test_image_scale_and_sign_are_those_of_the_formula() -> None:
         projection = random_projection(random)
         place = random.normal(size=3) * 4.0
         distance = float(random.choice([-1.0, 1.0]) * 10.0 ** random.uniform(-2, 3))
-        exhibit = show(projection, distance=distance, point=tuple(place))
-        said = readings(exhibit)
+        illustration = show(projection, distance=distance, point=tuple(place))
+        said = readings(illustration)
         x, y, z = in_view(projection.camera, place)
         if z >= 0:
             assert said["x_p = d·x / w"] is None and said["scale d / w"] is None
-            assert exhibit.readings[0].note is not None
+            assert illustration.readings[0].note is not None
             continue
         checked += 1
         w = -z
@@ -128,43 +130,43 @@ def test_by_hand() -> None:
 
 @pytest.mark.parametrize("distance", [4.0, 9.5, 20.0, -3.0])
 def test_what_is_marked_lies_on_the_plane_and_on_its_projector(distance: float) -> None:
-    exhibit = show(distance=distance)
+    illustration = show(distance=distance)
     camera = START.camera
-    at = {text.text[0] + text.text[-1]: np.asarray(text.point) for text in exhibit.world.texts}
+    at = {text.text[0] + text.text[-1]: np.asarray(text.point) for text in illustration.world.texts}
     place, hit = at["PP"], at["P'"]
     eye = np.array(camera.eye)
     assert camera.frame[2] @ (eye - hit) == pytest.approx(distance)
     assert np.linalg.norm(np.cross(hit - eye, place - eye)) < 1e-9 * np.linalg.norm(place - eye)
-    plane = exhibit.world.faces[0].points
+    plane = illustration.world.faces[0].points
     assert np.allclose((eye - plane) @ camera.frame[2], distance)
     # The plane's border is the window of the lens, d/near times as large.
     left, right, _, _ = START.window
     width = np.linalg.norm(plane[1] - plane[0])
     assert width == pytest.approx((right - left) / START.lens.near * abs(distance))
     # The two triangles share the eye and two directions: that is what makes them similar.
-    large, small = (face.points for face in exhibit.world.faces[1:])
+    large, small = (face.points for face in illustration.world.faces[1:])
     sides = [np.linalg.norm(t - np.roll(t, -1, axis=0), axis=1) for t in (large, small)]
     assert np.ptp(sides[1] / sides[0]) < 1e-12
-    scale = readings(exhibit)["scale d / w"]
+    scale = readings(illustration)["scale d / w"]
     assert (sides[1] / sides[0])[0] == pytest.approx(abs(scale))
     # The chosen point is marked in the other panes where the model has it.
     trace = START.trace(place)
-    assert exhibit.image.dots[0].point.tolist() == trace.image.tolist()
-    assert exhibit.ndc.dots[0].point.tolist() == trace.ndc.tolist()
+    assert illustration.image.dots[0].point.tolist() == trace.image.tolist()
+    assert illustration.ndc.dots[0].point.tolist() == trace.ndc.tolist()
 
 
 def test_a_point_outside_the_view_volume_is_marked_in_the_world_only() -> None:
     """P is 9.6 before the eye plane: beyond a far plane at 8; and beside the picture."""
     short = show(replace(START, lens=Perspective(40.0, 1.0, 8.0)))
     aside = show(point=(20.0, 5.0, 0.5))
-    for exhibit in (short, aside):
-        assert exhibit.ndc.dots == exhibit.image.dots == exhibit.image.texts == ()
-        assert exhibit.world.dots and readings(exhibit)["scale d / w"] is not None
+    for illustration in (short, aside):
+        assert illustration.ndc.dots == illustration.image.dots == illustration.image.texts == ()
+        assert illustration.world.dots and readings(illustration)["scale d / w"] is not None
 
 
 def test_projectors_start_at_vertices_of_the_subject() -> None:
-    exhibit = show(distance=4.0)
-    thin = [line.points for line in exhibit.world.lines if line.colour == "muted"]
+    illustration = show(distance=4.0)
+    thin = [line.points for line in illustration.world.lines if line.colour == "muted"]
     assert len(thin) == 8
     assert {tuple(np.round(ends[1], 9)) for ends in thin} == set(map(tuple, CORNERS.tolist()))
     assert all(np.allclose(ends[0], START.camera.eye) for ends in thin)
@@ -175,13 +177,13 @@ def test_a_point_behind_the_eye_has_no_image_and_says_why() -> None:
     beside = tuple(np.array(START.camera.eye) + START.camera.frame[0])
     for place in (behind, beside, START.camera.eye):
         for distance in (4.0, -3.0):
-            exhibit = show(distance=distance, point=place)
-            said = exhibit.readings
+            illustration = show(distance=distance, point=place)
+            said = illustration.readings
             if place != beside or said[0].value is None:  # beside it is a rounding's breadth
                 assert [reading.value for reading in said[:3]] == [None] * 3
                 assert all(r.note is not None and "behind" in r.note.sentence() for r in said[:3])
-                assert not exhibit.image.dots and not exhibit.world.dots
-            assert finite(exhibit)
+                assert not illustration.image.dots and not illustration.world.dots
+            assert finite(illustration)
 
 
 def test_a_plane_through_the_eye_is_refused() -> None:
@@ -199,7 +201,7 @@ def test_a_plane_through_the_eye_is_refused() -> None:
 
 @pytest.mark.parametrize("lens", [Orthographic(-4, 4, -3, 3, 1, 30), Oblique(-4, 4, -3, 3, 1, 30)])
 def test_a_parallel_lens_has_no_projectors_that_meet(lens: Any) -> None:
-    exhibit = show(replace(START, lens=lens))
-    assert exhibit.warning is not None and "parallel" in exhibit.warning.sentence()
-    assert exhibit.readings == () and exhibit.world.lines == ()
-    assert exhibit.copies == ()
+    illustration = show(replace(START, lens=lens))
+    assert illustration.warning is not None and "parallel" in illustration.warning.sentence()
+    assert illustration.readings == () and illustration.world.lines == ()
+    assert illustration.copies == ()

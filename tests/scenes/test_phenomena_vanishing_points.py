@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from app.model.projection import Camera, Orbit, Perspective, Projection
-from app.scenes.phenomena.illustration import Exhibit
+from app.scenes.phenomena.illustration import Illustration
 from app.scenes.phenomena.picture import box_corners
 from app.scenes.phenomena.vanishing_points import (
     PHENOMENON,
@@ -19,7 +19,7 @@ from app.scenes.phenomena.vanishing_points import (
     vanishing,
 )
 from tests.oracles.exact import Exact, mp
-from tests.oracles.exhibits import random_projection, reading, showing, subject_of
+from tests.oracles.illustrations import random_projection, reading, showing, subject_of
 
 SUBJECT = subject_of(PHENOMENON)
 AXES = ("x", "y", "z")
@@ -33,8 +33,8 @@ def turned(points: str, projection: Projection = PHENOMENON.start) -> Projection
     return PHENOMENON.follow(projection, before, PHENOMENON.checked({"points": points}))
 
 
-def pixel(exhibit: Exhibit, label: str) -> tuple[float, float]:
-    found = reading(exhibit, label).value
+def pixel(illustration: Illustration, label: str) -> tuple[float, float]:
+    found = reading(illustration, label).value
     assert isinstance(found, tuple) and len(found) == 2, label
     return found[0], found[1]
 
@@ -58,18 +58,18 @@ def test_vanishing_points_are_the_limits_of_fifty_random_pictures() -> None:
     perspectives = 0
     for _ in range(50):
         seen = random_projection(dice, PHENOMENON.start)
-        exhibit = shown(seen)
-        kind = reading(exhibit, "kind of projection").value
+        illustration = shown(seen)
+        kind = reading(illustration, "kind of projection").value
         if seen.lens.parallel:
             assert kind == "parallel projection"
-            assert all(reading(exhibit, f"edges along {axis}").value is None for axis in AXES)
+            assert all(reading(illustration, f"edges along {axis}").value is None for axis in AXES)
             continue
         perspectives += 1
         assert kind == "3-point perspective"
         for index, axis in enumerate(AXES):
             expected = exact_vanishing(seen, index)
             size = max(1.0, *map(abs, expected))
-            found = pixel(exhibit, f"edges along {axis}")
+            found = pixel(illustration, f"edges along {axis}")
             # What n . D keeps of the frame's digits, which is little for the far ones.
             assert found == pytest.approx(expected, abs=1e-12 * size * size)
     assert perspectives > 10
@@ -80,12 +80,12 @@ def test_vanishing_points_by_hand() -> None:
 
     With 70 degrees up and 720 px, the plane at distance 1 has 360/tan 35 = 514.13 px a unit.
     """
-    exhibit = shown(PHENOMENON.start)
+    illustration = shown(PHENOMENON.start)
     k = 360 / math.tan(math.radians(35))
     right, left = math.tan(math.radians(40)), 1 / math.tan(math.radians(40))
-    assert pixel(exhibit, "along z") == pytest.approx((640 + k * right, 360.0), abs=1e-9)
-    assert pixel(exhibit, "along x") == pytest.approx((640 - k * left, 360.0), abs=1e-9)
-    found = reading(exhibit, "along y")
+    assert pixel(illustration, "along z") == pytest.approx((640 + k * right, 360.0), abs=1e-9)
+    assert pixel(illustration, "along x") == pytest.approx((640 - k * left, 360.0), abs=1e-9)
+    found = reading(illustration, "along y")
     assert found.value is None and found.note is not None and found.note.values == ("y", "90")
 
 
@@ -99,11 +99,11 @@ def test_the_presets_have_as_many_as_they_say(
 ) -> None:
     camera = Camera.from_orbit(target, Orbit(-77.0, 21.0, 6.3))
     seen = turned(points, replace(PHENOMENON.start, camera=camera))
-    exhibit = shown(seen)
-    kind = reading(exhibit, "kind of projection").value
+    illustration = shown(seen)
+    kind = reading(illustration, "kind of projection").value
     assert isinstance(kind, str) and kind.startswith(word)
     for axis in AXES:
-        found = reading(exhibit, f"edges along {axis}")
+        found = reading(illustration, f"edges along {axis}")
         assert (found.value is not None) == (axis in finite)
         if found.value is None:
             assert found.note is not None
@@ -158,18 +158,20 @@ def test_the_running_point_goes_to_the_vanishing_point() -> None:
         axis = dice.choice(AXES)
         gaps = []
         for t in (0.9, 0.99, 0.999, 0.9999, 1.0):
-            exhibit = shown(seen, edge=axis, t=t)
-            found = reading(exhibit, "image of P")
+            illustration = shown(seen, edge=axis, t=t)
+            found = reading(illustration, "image of P")
             if found.value is None:
                 gaps.append(math.inf)
                 continue
-            rest = reading(exhibit, "from P to V").value
+            rest = reading(illustration, "from P to V").value
             assert isinstance(rest, float)
-            expected = math.dist(pixel(exhibit, "image of P"), pixel(exhibit, f"along {axis}"))
+            expected = math.dist(
+                pixel(illustration, "image of P"), pixel(illustration, f"along {axis}")
+            )
             assert rest == pytest.approx(expected, abs=1e-9)
             gaps.append(rest)
-            assert reading(exhibit, "w of P").value == pytest.approx(1.0 - t, abs=1e-15)
-        x, y = pixel(exhibit, f"along {axis}")
+            assert reading(illustration, "w of P").value == pytest.approx(1.0 - t, abs=1e-15)
+        x, y = pixel(illustration, f"along {axis}")
         assert gaps[-1] <= 1e-12 * math.hypot(x, y)  # at t = 1 it is there
         if gaps[0] < math.inf and gaps[2] > 1e-6:
             converged += 1
@@ -182,20 +184,22 @@ def test_the_running_point_has_the_pixel_of_its_world_point() -> None:
     """While it is in front; from infinity on it comes from behind, and goes on beyond V."""
     seen = turned("2")
     for t in (0.0, 0.3, 0.7, 0.95):
-        exhibit = shown(seen, t=t)
-        (dot,) = [d for d in exhibit.world.dots if d.colour == "accent"]
-        assert seen.trace(dot.point).image == pytest.approx(pixel(exhibit, "image of P"), abs=1e-9)
+        illustration = shown(seen, t=t)
+        (dot,) = [d for d in illustration.world.dots if d.colour == "accent"]
+        assert seen.trace(dot.point).image == pytest.approx(
+            pixel(illustration, "image of P"), abs=1e-9
+        )
     vanishing_x = pixel(shown(seen), "along z")[0]
     before, after = (pixel(shown(seen, t=t), "image of P")[0] for t in (0.9, 1.05))
     assert before < vanishing_x < after
     # t = 1.5: P = C - 3 s D, six units towards the viewer from a corner that is 5 away.
-    exhibit = shown(seen, t=1.5)
-    (dot,) = [d for d in exhibit.world.dots if d.colour == "accent"]
+    illustration = shown(seen, t=1.5)
+    (dot,) = [d for d in illustration.world.dots if d.colour == "accent"]
     trace = seen.trace(dot.point)
     assert not trace.in_front
     mirrored = trace.clip[:2] / trace.clip[3]
     expected = ((mirrored[0] + 1) * 640, (1 - mirrored[1]) * 360)
-    assert pixel(exhibit, "image of P") == pytest.approx(expected, rel=1e-9)
+    assert pixel(illustration, "image of P") == pytest.approx(expected, rel=1e-9)
 
 
 def test_a_direction_at_infinity_takes_its_point_there() -> None:
@@ -256,15 +260,15 @@ def test_guide_lines_go_through_their_vanishing_point() -> None:
         *(turned(points) for points in ("1", "2", "3")),
         replace(PHENOMENON.start, camera=opposite),
     ):
-        exhibit = shown(seen)
+        illustration = shown(seen)
         corners = seen.trace(box_corners(SUBJECT.lower, SUBJECT.upper))
         for axis, colour in zip(AXES, ("u", "v", "n"), strict=True):
-            guides = [line.points for line in exhibit.image.lines if line.colour == colour]
-            if reading(exhibit, f"along {axis}").value is None:
+            guides = [line.points for line in illustration.image.lines if line.colour == colour]
+            if reading(illustration, f"along {axis}").value is None:
                 assert not guides
                 continue
             assert len(guides) >= 2
-            at = np.array(pixel(exhibit, f"along {axis}"))
+            at = np.array(pixel(illustration, f"along {axis}"))
             for start, end in guides:
                 along, rest = end - start, at - start
                 across = along[0] * rest[1] - along[1] * rest[0]
@@ -278,21 +282,21 @@ def test_guide_lines_go_through_their_vanishing_point() -> None:
 
 def test_rays_from_the_eye_meet_the_near_plane_at_the_vanishing_points() -> None:
     seen = turned("3")
-    exhibit = shown(seen)
-    names = {text.text: text.point for text in exhibit.world.texts}
+    illustration = shown(seen)
+    names = {text.text: text.point for text in illustration.world.texts}
     for axis in AXES:
         trace = seen.trace(names[f"V_{axis}"])
         assert trace.view[2] == pytest.approx(-seen.lens.near, abs=1e-12)
-        assert trace.image == pytest.approx(pixel(exhibit, f"along {axis}"), abs=1e-8)
+        assert trace.image == pytest.approx(pixel(illustration, f"along {axis}"), abs=1e-8)
         index = AXES.index(axis)
         ray = np.delete(names[f"V_{axis}"] - np.array(seen.camera.eye), index)
         assert np.abs(ray).max() == 0.0  # parallel to the axis
 
 
 def test_the_diagram_shows_vanishing_points_beside_the_frame() -> None:
-    exhibit = shown(turned("3"))
-    (diagram,) = exhibit.diagrams
-    _, below = pixel(exhibit, "along y")
+    illustration = shown(turned("3"))
+    (diagram,) = illustration.diagrams
+    _, below = pixel(illustration, "along y")
     assert below > 720  # not in the picture
     assert diagram.bottom > below and diagram.top < 0 and diagram.left < 0
     assert {curve.label for curve in diagram.curves} >= {"V_x", "V_y", "V_z", "horizon"}

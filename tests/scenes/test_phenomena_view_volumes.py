@@ -12,7 +12,7 @@ import pytest
 from app.model.projection import Frustum, Perspective, Projection
 from app.scenes.phenomena.view_volumes import PHENOMENON, POINTS, cone_of, held, volume
 from tests.oracles.exact import Exact, mp
-from tests.oracles.exhibits import random_projection, reading, showing, subject_of
+from tests.oracles.illustrations import random_projection, reading, showing, subject_of
 
 SUBJECT = subject_of(PHENOMENON)
 
@@ -82,10 +82,10 @@ def test_points_inside_are_those_of_the_definition_for_fifty_random_lenses() -> 
         for name, here in zip(POINTS, inside, strict=True):
             expected = exactly_inside(seen, POINTS[name], cone)
             assert expected is None or bool(here) == expected, (name, seen)
-        exhibit = shown(seen, volume="cone" if cone else "pyramid")
+        illustration = shown(seen, volume="cone" if cone else "pyramid")
         names = [name for name, here in zip(POINTS, inside, strict=True) if here]
-        assert reading(exhibit, "test points inside").value == len(names)
-        assert reading(exhibit, "these are").value == (", ".join(names) or "none")
+        assert reading(illustration, "test points inside").value == len(names)
+        assert reading(illustration, "these are").value == (", ".join(names) or "none")
         counts.add(len(names))
     assert len(counts) > 3
 
@@ -101,15 +101,15 @@ def test_the_cone_is_inscribed() -> None:
     dice = random.Random(5)
     for _ in range(20):
         seen = random_projection(dice, PHENOMENON.start).with_lens("frustum")
-        exhibit = shown(seen, volume="cone")
-        for line in exhibit.ndc.lines:
+        illustration = shown(seen, volume="cone")
+        for line in illustration.ndc.lines:
             assert np.abs(line.points).max() <= 1.0 + 1e-12
         # It touches the shorter sides of the picture, and the marks in the world are the same.
-        (ellipse,) = exhibit.image.lines
+        (ellipse,) = illustration.image.lines
         width, height = seen.image_size
         spans = np.ptp(ellipse.points, axis=0) / (width, height)
         assert spans.max() == pytest.approx(1.0, abs=1e-12)
-        near_circle = exhibit.world.lines[0].points
+        near_circle = illustration.world.lines[0].points
         image = seen.trace(near_circle + 1e-12 * (near_circle - seen.camera.eye)).image
         assert np.allclose(image, ellipse.points, atol=1e-6)
 

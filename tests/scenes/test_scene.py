@@ -442,7 +442,7 @@ def test_a_mesh_of_points_in_a_phenomenon_has_an_edge(tmp_path: Path) -> None:
         mesh, phenomenon = scene.subject.mesh, scene.phenomenon
         assert mesh is not None and mesh.edges.shape == (1, 2, 3)
         assert phenomenon is not None
-        phenomenon.exhibit(scene.start, phenomenon.checked({}), scene.subject)
+        phenomenon.illustration(scene.start, phenomenon.checked({}), scene.subject)
 
 
 def test_a_flat_mesh_and_one_of_another_scale_stand_there_too(tmp_path: Path) -> None:

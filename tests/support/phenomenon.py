@@ -12,7 +12,7 @@ from app.scenes.phenomena.illustration import (
     Curve,
     Diagram,
     Dot,
-    Exhibit,
+    Illustration,
     Marks,
     Phenomenon,
     Phrase,
@@ -29,12 +29,12 @@ from app.scenes.phenomena.similar_triangles import PHENOMENON as SIMILAR_TRIANGL
 BELOW_COUNT = "must be less than the count, which is {0}"
 
 
-def _show(projection: Projection, settings: Settings, _subject: Subject) -> Exhibit:
+def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illustration:
     gap, light = number(settings, "gap"), np.array(point(settings, "light"))
     why = Phrase("the light is behind the eye at {0}", ("z = 3",))
     behind = projection.trace(light).view[2] >= 0.0
     across = np.linspace(0.0, 1.0, 5)
-    return Exhibit(
+    return Illustration(
         (
             Reading("gap", gap, "mm"),
             Reading("kind", str(settings["kind"])),

@@ -75,7 +75,7 @@ def test_a_screen_reader_hears_what_is_shown(window: MainWindow) -> None:
     letters = list(mnemonics(window.menuBar().actions()))
     assert len(letters) > 5 and all(len(menu) == len(set(menu)) for menu in letters), letters
     window.status.quality.setText("quality: 50 %")
-    for button in (window.status.rung, window.status.quality):
+    for button in (window.status.precision, window.status.quality):
         assert said(button) == button.text()
 
 

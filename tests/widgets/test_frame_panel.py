@@ -422,11 +422,11 @@ def test_the_formula_is_linked(window: MainWindow) -> None:
     place = panel.formula.mapTo(window, panel.formula.rect().center())
     QTest.mouseMove(window.windowHandle(), place)
     settle()
-    assert window.attention.now == {"n"} and panel.formula.is_marked
+    assert window.highlighter.now == {"n"} and panel.formula.is_marked
     QTest.mouseMove(window.windowHandle(), QPoint(window.width() - 4, 2))
     settle()
-    assert window.attention.now == frozenset() and not panel.formula.is_marked
-    window.attention.attend("test", frozenset(("n",)))
+    assert window.highlighter.now == frozenset() and not panel.formula.is_marked
+    window.highlighter.mark("test", frozenset(("n",)))
     assert panel.formula.is_marked
     panel.go_to(4)
     assert not panel.formula.is_marked
@@ -438,7 +438,7 @@ def test_the_row_and_the_arrow_of_up_are_linked(window: MainWindow) -> None:
     row, before = window.frame_panel.angle, pixels(window)
     QTest.mouseMove(window.windowHandle(), row.mapTo(window, row.rect().center()))
     settle()
-    assert window.attention.now == {"up"} and row.is_marked
+    assert window.highlighter.now == {"up"} and row.is_marked
     assert not np.array_equal(pixels(window), before)  # its arrow and its word
     QTest.mouseMove(window.windowHandle(), QPoint(window.width() - 4, 2))
     settle()
@@ -451,7 +451,7 @@ def test_the_row_and_the_arrow_of_up_are_linked(window: MainWindow) -> None:
     place = canvas.mapTo(window, QPoint(math.floor(x_px), math.floor(y_px)))
     QTest.mouseMove(window.windowHandle(), place)
     settle()
-    assert window.attention.now == {"up"} and row.is_marked
+    assert window.highlighter.now == {"up"} and row.is_marked
 
 
 def test_cameras_at_their_ends_are_drawn(window: MainWindow) -> None:

@@ -1,4 +1,4 @@
-"""Linked attention: what is pointed at in one place stands out in all the others."""
+"""Linked highlight: what is pointed at in one place stands out in all the others."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from app.scenes.scene import load
 from tests.support.frustum import corners_world
 from tests.support.window import activate, counted_repaints, pixels, settle
 from widgets.panels.matrix_view import MatrixView
-from widgets.parts.highlight import Attended
+from widgets.parts.highlight import Highlighter
 from widgets.window.main_window import MainWindow
 
 START = load("letter-f").start
@@ -79,16 +79,16 @@ def test_a_corner_has_its_planes_for_a_name() -> None:
 
 
 def test_the_latest_counts_and_the_one_before_comes_back(qtbot: Any) -> None:
-    attended, seen = Attended(), []
-    attended.changed.connect(seen.append)
+    highlighted, seen = Highlighter(), []
+    highlighted.changed.connect(seen.append)
     near, far = frozenset(("near",)), frozenset(("far",))
-    attended.attend("keyboard", far)
-    attended.attend("mouse", near)
-    attended.attend("mouse", near)
-    attended.attend("other", NOTHING)
-    attended.attend("mouse", NOTHING)
-    attended.attend("keyboard", NOTHING)
-    assert seen == [far, near, far, NOTHING] and attended.now == NOTHING
+    highlighted.mark("keyboard", far)
+    highlighted.mark("mouse", near)
+    highlighted.mark("mouse", near)
+    highlighted.mark("other", NOTHING)
+    highlighted.mark("mouse", NOTHING)
+    highlighted.mark("keyboard", NOTHING)
+    assert seen == [far, near, far, NOTHING] and highlighted.now == NOTHING
 
 
 def test_a_cell_speaks_of_its_letters() -> None:
@@ -160,7 +160,7 @@ def test_a_hovered_row_is_seen_in_every_pane_that_has_it(window: MainWindow) -> 
     before = pictures(window)
     with counted_repaints(window) as counts:
         hover(window, window.controls.rows["near"])
-        assert window.attention.now == {"near"}
+        assert window.highlighter.now == {"near"}
         assert counts == {"world": 1, "ndc": 1, "image": 0}
         hover(window, window.controls.rows["near"], QPoint(4, 4))  # still on it
         assert counts == {"world": 1, "ndc": 1, "image": 0}
@@ -194,25 +194,25 @@ def test_the_keyboard_in_a_row_counts_too(window: MainWindow) -> None:
     near, far = window.controls.rows["near"], window.controls.rows["far"]
     near.field.setFocus(Qt.FocusReason.TabFocusReason)
     settle()
-    assert window.attention.now == {"near"}
+    assert window.highlighter.now == {"near"}
     QTest.keyClick(near.field, Qt.Key.Key_Tab)
     settle()
-    assert far.slider.hasFocus() and window.attention.now == {"far"}
+    assert far.slider.hasFocus() and window.highlighter.now == {"far"}
     hover(window, window.controls.rows["fov_y_deg"])
-    assert window.attention.now == {"fov"}
+    assert window.highlighter.now == {"fov"}
     leave(window)
-    assert window.attention.now == {"far"}
+    assert window.highlighter.now == {"far"}
     far.slider.clearFocus()
     settle()
-    assert window.attention.now == NOTHING
+    assert window.highlighter.now == NOTHING
 
 
-def test_a_click_leaves_no_attention_behind(window: MainWindow) -> None:
+def test_a_click_leaves_no_highlight_behind(window: MainWindow) -> None:
     near = window.controls.rows["near"]
     hover(window, near)
     QTest.mouseClick(near.field, Qt.MouseButton.LeftButton)
     leave(window)
-    assert near.field.hasFocus() and window.attention.now == NOTHING
+    assert near.field.hasFocus() and window.highlighter.now == NOTHING
 
 
 # -- from the panes
@@ -231,7 +231,7 @@ def test_the_world_knows_what_is_under_the_mouse(window: MainWindow) -> None:
     def at(point: Any) -> frozenset[str]:
         ((x_px, y_px),) = drawing.sight.seen([point])
         point_at(window, "world", x_px, y_px)
-        return window.attention.now
+        return window.highlighter.now
 
     assert at(camera.eye) == {"eye"}
     assert at(camera.target) == {"target"}
@@ -243,7 +243,7 @@ def test_the_world_knows_what_is_under_the_mouse(window: MainWindow) -> None:
     assert at(0.5 * corners[0] + 0.5 * far[0]) == {"left", "bottom"}
     assert at(0.4 * np.array(camera.eye) + 0.6 * corners[3]) == {"fov"}
     assert len(at(0.25 * far.sum(axis=0))) == 1  # some face
-    assert made_of(window.attention.now) <= PLANES
+    assert made_of(window.highlighter.now) <= PLANES
 
 
 def test_a_label_can_be_pointed_at(window: MainWindow) -> None:
@@ -252,7 +252,7 @@ def test_a_label_can_be_pointed_at(window: MainWindow) -> None:
         label = drawing.labels.named[text]
         x_px, y_px, _ = label._place.GetValue()
         point_at(window, "world", x_px, window.panes["world"].canvas.height() - y_px)
-        assert window.attention.now == {text} and text in marked(window)
+        assert window.highlighter.now == {text} and text in marked(window)
 
 
 def test_the_cube_knows_what_is_under_the_mouse(window: MainWindow) -> None:
@@ -266,7 +266,7 @@ def test_the_cube_knows_what_is_under_the_mouse(window: MainWindow) -> None:
         weights = [(1 - x, x)[cx] * (1 - y, y)[cy] * (1 - z, z)[i // 4] for i, (cx, cy) in ends]
         x_px, y_px = np.array(weights) @ seen
         point_at(window, "ndc", x_px, y_px)
-        return window.attention.now
+        return window.highlighter.now
 
     for depth in sorted(DEPTH_RANGES):
         window.store.set_projection(replace(window.store.document.projection, depth=depth))
@@ -296,7 +296,7 @@ def test_the_image_knows_its_sides_and_corners(window: MainWindow) -> None:
         (left + width / 2, top + height / 2, set()),
     ):
         point_at(window, "image", x_px, y_px)
-        assert window.attention.now == named
+        assert window.highlighter.now == named
     before = pictures(window)
     with counted_repaints(window) as counts:
         point_at(window, "image", left, top + height / 2)
@@ -311,10 +311,10 @@ def test_the_worlds_axes_at_the_strip_are_not_the_cameras(window: MainWindow) ->
         window.strip.go_to(float(stop))
         settle()
         before = pixels(window, "ndc")
-        window.attention.attend("test", frozenset(("u",)))
+        window.highlighter.mark("test", frozenset(("u",)))
         settle()
         assert np.array_equal(before, pixels(window, "ndc")) is not shown
-        window.attention.attend("test", NOTHING)
+        window.highlighter.mark("test", NOTHING)
         settle()
         assert np.array_equal(before, pixels(window, "ndc"))
 
@@ -346,7 +346,7 @@ def test_a_cell_marks_the_rows_that_it_depends_on(window: MainWindow) -> None:
     view = window.matrices.views["view_from_world"]
     assert isinstance(view, MatrixView)
     hover(window, view, view._cell_rect(2, 0).center().toPoint())
-    assert window.attention.now == {"n"}
+    assert window.highlighter.now == {"n"}
     assert marked(window) == {"azimuth_deg", "elevation_deg"}
     assert changed(before, pictures(window)) == {"world", "ndc"}
     assert view.is_marked(2, 1) and not view.is_marked(0, 0) and not view.is_marked(3, 3)
@@ -368,7 +368,7 @@ def test_a_row_marks_the_cells_that_depend_on_it(window: MainWindow) -> None:
     }
     assert (2, 3) in marks["clip_from_world"] and marks["view_from_world"] == set()
     assert marks["image_from_ndc"] == set()
-    window.attention.attend("test", frozenset(("up",)))
+    window.highlighter.mark("test", frozenset(("up",)))
     view = window.matrices.views["view_from_world"]
     assert view.is_marked(0, 0) and view.is_marked(1, 2) and not view.is_marked(2, 0)
 
@@ -381,12 +381,12 @@ def test_a_cell_under_the_cursor_counts_and_marks_reach_the_screen(window: MainW
     before = other.grab().toImage()
     view.setFocus(Qt.FocusReason.TabFocusReason)
     settle()
-    assert window.attention.now == {"u"} and other.grab().toImage() != before
+    assert window.highlighter.now == {"u"} and other.grab().toImage() != before
     QTest.keyClick(view, Qt.Key.Key_Down)
-    assert window.attention.now == {"v"}
+    assert window.highlighter.now == {"v"}
     view.clearFocus()
     settle()
-    assert window.attention.now == NOTHING and other.grab().toImage() == before
+    assert window.highlighter.now == NOTHING and other.grab().toImage() == before
 
 
 def test_the_words_of_a_probe_that_is_outside(window: MainWindow) -> None:
@@ -402,13 +402,13 @@ def test_the_words_of_a_probe_that_is_outside(window: MainWindow) -> None:
     assert model.data(inside, Qt.ItemDataRole.BackgroundRole) is None
     table.scrollTo(inside)
     hover(window, table.viewport(), table.visualRect(inside).center())
-    assert window.attention.now == {"near"} and marked(window) == {"near"}
+    assert window.highlighter.now == {"near"} and marked(window) == {"near"}
     assert model.data(inside, Qt.ItemDataRole.BackgroundRole) is not None
     hover(window, table.viewport(), table.visualRect(model.index(model.rowCount() - 2, 1)).center())
-    assert window.attention.now == NOTHING
-    window.attention.attend("test", frozenset(("near_left_top",)))
+    assert window.highlighter.now == NOTHING
+    window.highlighter.mark("test", frozenset(("near_left_top",)))
     assert model.data(inside, Qt.ItemDataRole.BackgroundRole) is not None
-    window.attention.attend("test", frozenset(("far",)))
+    window.highlighter.mark("test", frozenset(("far",)))
     assert model.data(inside, Qt.ItemDataRole.BackgroundRole) is None
 
 
@@ -422,7 +422,7 @@ def test_a_corner_marks_the_figure_that_its_drag_changes(window: MainWindow) -> 
         labels = window.status.labels
         before = {name: label.text() for name, label in labels.items()}
         point_at(window, "world", x_px / canvas.pixel_ratio, y_px / canvas.pixel_ratio)
-        assert window.attention.now < set(CORNERS)
+        assert window.highlighter.now < set(CORNERS)
         assert {name for name, label in labels.items() if label.is_marked} == {"fov"}
         start = QPoint(math.floor(x_px), math.floor(y_px))
         QTest.mousePress(canvas, Qt.MouseButton.LeftButton, pos=start)
@@ -441,16 +441,16 @@ def test_a_figure_of_the_status_line(window: MainWindow) -> None:
         label = window.status.labels[figure]
         before = label.grab().toImage()
         hover(window, label)
-        assert window.attention.now == named and label.is_marked
+        assert window.highlighter.now == named and label.is_marked
         assert label.grab().toImage() != before
         leave(window)
-        assert window.attention.now == NOTHING and label.grab().toImage() == before
+        assert window.highlighter.now == NOTHING and label.grab().toImage() == before
 
 
 # -- what it costs
 
 
-def test_a_step_with_attention_costs_what_it_costs_without(window: MainWindow) -> None:
+def test_a_step_with_highlight_costs_what_it_costs_without(window: MainWindow) -> None:
     hover(window, window.controls.rows["near"])
     settle()
     props = {name: list(pane.canvas.renderer.GetViewProps()) for name, pane in window.panes.items()}
@@ -473,8 +473,8 @@ def test_a_hidden_pane_is_told_when_it_appears(
     settle()
     told: list[object] = []
     drawing = window.panes["world"].drawing
-    real = drawing.show_attention  # type: ignore[union-attr]
-    monkeypatch.setattr(drawing, "show_attention", lambda a: (told.append(a), real(a))[1])
+    real = drawing.show_highlight  # type: ignore[union-attr]
+    monkeypatch.setattr(drawing, "show_highlight", lambda a: (told.append(a), real(a))[1])
     hover(window, window.controls.rows["near"])
     assert told == []
     window.pane_row.enlarge("image")
@@ -482,7 +482,7 @@ def test_a_hidden_pane_is_told_when_it_appears(
     assert told and changed(before, pictures(window)) >= {"world"}
 
 
-def test_another_theme_keeps_the_attention(window: MainWindow) -> None:
+def test_another_theme_keeps_the_highlight(window: MainWindow) -> None:
     window.look.set_theme("dark")
     settle()
     before = pictures(window)
@@ -500,7 +500,7 @@ def test_a_copied_picture_is_never_highlighted(window: MainWindow) -> None:
     settle()  # its message takes room
     before = QApplication.clipboard().image()
     hover(window, window.controls.rows["near"])
-    assert window.attention.now == {"near"}
+    assert window.highlighter.now == {"near"}
     window.pictures.copy()
     assert QApplication.clipboard().image() == before and not before.isNull()
 
@@ -517,6 +517,13 @@ def test_a_camera_far_away_and_lenses_at_their_ends_can_be_hovered(window: MainW
             width, height = pane.canvas.width(), pane.canvas.height()
             for x in range(5, width, 60):
                 for y in range(5, height, 60):
-                    attended = pane.drawing.attention_at(x, y)  # type: ignore[union-attr]
-                    assert made_of(attended) <= {*PLANES, *CORNERS, *"uvn", "eye", "target", "fov"}
+                    highlighted = pane.drawing.highlight_at(x, y)  # type: ignore[union-attr]
+                    assert made_of(highlighted) <= {
+                        *PLANES,
+                        *CORNERS,
+                        *"uvn",
+                        "eye",
+                        "target",
+                        "fov",
+                    }
                     assert name

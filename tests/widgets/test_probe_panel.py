@@ -510,7 +510,7 @@ def test_every_number_is_the_command_s_to_the_last_digit(
     for number, lens in enumerate(
         [
             Perspective(45.0, 1.0, 30.0),
-            Perspective(1e-3, 1.0, 30.0),  # read from the exact rung
+            Perspective(1e-3, 1.0, 30.0),  # read from the exact precision
             Oblique(-6.0, 6.0, -4.0, 4.0, 5.0, 30.0, alpha_deg=60.0, beta_deg=60.0),
         ]
     ):

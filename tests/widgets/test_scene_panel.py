@@ -29,7 +29,14 @@ from app.drawings.style import LIGHT
 from app.model.projection import Camera, FreeMatrix, Frustum, Oblique, receding_of
 from app.model.refusal import Refusal
 from app.scenes.phenomena import PHENOMENA
-from app.scenes.phenomena.illustration import Exhibit, Phrase, Reading, Setting, Settings, Subject
+from app.scenes.phenomena.illustration import (
+    Illustration,
+    Phrase,
+    Reading,
+    Setting,
+    Settings,
+    Subject,
+)
 from tests.support.phenomenon import EVERYTHING
 from tests.support.window import enter, show_scene
 from widgets.panels.scene_panel import NONE, Player, ScenePanel, make_row, scale_of
@@ -65,8 +72,8 @@ class Owner:
             self.show()
 
     def show(self) -> None:
-        exhibit = EVERYTHING.show(self.projection, self.settings, SUBJECT)
-        self.panel.show_exhibit(exhibit, self.settings, self.projection)
+        illustration = EVERYTHING.show(self.projection, self.settings, SUBJECT)
+        self.panel.show_illustration(illustration, self.settings, self.projection)
 
 
 @pytest.fixture
@@ -157,7 +164,9 @@ def test_of_a_free_matrix_nothing_can_be_chosen_and_a_tooltip_says_why(
     cells = tuple(map(tuple, np.eye(4).tolist()))
     free = replace(start, lens=FreeMatrix(cells))
     panel.players["turn"].play()
-    panel.show_exhibit(EVERYTHING.exhibit(free, owner.settings, SUBJECT), owner.settings, free)
+    panel.show_illustration(
+        EVERYTHING.illustration(free, owner.settings, SUBJECT), owner.settings, free
+    )
     assert not any(row.isEnabled() for row in panel.rows.values())
     assert not panel.players["turn"].playing and not panel.players["turn"].button.isEnabled()
     assert panel.use_mesh.isEnabled() and "choose a lens" in panel.warning.text()
@@ -169,7 +178,9 @@ def test_of_a_free_matrix_nothing_can_be_chosen_and_a_tooltip_says_why(
         )
         assert QToolTip.text().endswith("choose a lens to see this.")
         QToolTip.hideText()
-    panel.show_exhibit(EVERYTHING.exhibit(start, owner.settings, SUBJECT), owner.settings, start)
+    panel.show_illustration(
+        EVERYTHING.illustration(start, owner.settings, SUBJECT), owner.settings, start
+    )
     assert all(row.isEnabled() for row in panel.rows.values())
     assert panel.players["turn"].button.isEnabled()
     place = row.field.rect().center()
@@ -317,8 +328,8 @@ def test_another_scene_is_shown_at_once_whatever_runs(
     triangles = PHENOMENA["similar-triangles"]
     panel.show_scene("Similar triangles", triangles)
     settings = triangles.checked({"distance": 3.0})
-    panel.show_exhibit(
-        triangles.exhibit(triangles.start, settings, SUBJECT), settings, triangles.start
+    panel.show_illustration(
+        triangles.illustration(triangles.start, settings, SUBJECT), settings, triangles.start
     )
     assert panel.rows["distance"].value() == 3.0 and not panel._readable.pending
 
@@ -565,16 +576,16 @@ def test_no_number_is_cut(owner: Owner) -> None:
     assert value.minimumWidth() == least > value.fontMetrics().horizontalAdvance(value.text())
 
 
-def test_there_are_as_many_diagrams_as_the_exhibit_has(owner: Owner) -> None:
+def test_there_are_as_many_diagrams_as_the_illustration_has(owner: Owner) -> None:
     panel = owner.panel
     (diagram,) = EVERYTHING.show(owner.projection, owner.settings, SUBJECT).diagrams
     visible: Callable[[], int] = lambda: sum(view.isVisible() for view in panel.diagrams)  # noqa: E731
     assert visible() == 1 and panel.diagrams[0].accessibleName() == "Line"
-    panel.show_exhibit(
-        Exhibit((), diagrams=(diagram, diagram, diagram)), owner.settings, owner.projection
+    panel.show_illustration(
+        Illustration((), diagrams=(diagram, diagram, diagram)), owner.settings, owner.projection
     )
     assert visible() == 3
-    panel.show_exhibit(Exhibit(()), owner.settings, owner.projection)
+    panel.show_illustration(Illustration(()), owner.settings, owner.projection)
     assert visible() == 0 and readings(panel) == []
 
 
@@ -596,8 +607,8 @@ def test_it_gives_way_to_the_panes(owner: Owner, qapp: QApplication) -> None:
     """In a window of 1366 x 768, whatever a scene shows in it."""
     many = tuple(Reading(f"a long name of number {i}", 1e-5 / 3 + i) for i in range(12))
     (diagram,) = EVERYTHING.show(owner.projection, owner.settings, SUBJECT).diagrams
-    owner.panel.show_exhibit(
-        Exhibit(many, diagrams=(diagram,) * 4, warning=Phrase("a long warning " * 20)),
+    owner.panel.show_illustration(
+        Illustration(many, diagrams=(diagram,) * 4, warning=Phrase("a long warning " * 20)),
         owner.settings,
         owner.projection,
     )

@@ -273,7 +273,7 @@ def test_an_axis_is_pointed_at_at_every_stop(stop: int, shown: Callable[..., Sho
     drawing = screen.drawing
     pane, (_, end, tip) = drawing.own.pane_from_display, drawing.box.axes[0]
     x, y = (pane[:2] @ (*(0.6 * tip + 0.4 * end), 1.0)).tolist()
-    assert drawing.attention_at(x, y) == {"u"}
+    assert drawing.highlight_at(x, y) == {"u"}
 
 
 def test_a_step_of_the_strip_touches_no_actor(shown: Callable[..., Shown]) -> None:

@@ -62,7 +62,7 @@ def test_the_lens_is_in_figures_at_once(line: StatusLine, scene: Scene) -> None:
     assert line.labels["planes"].text() == "near 29.999999999 : far 30  (1 : 1)"
 
 
-def test_rungs_are_predicted_when_the_hand_rests(
+def test_precisions_are_predicted_when_the_hand_rests(
     qtbot: QtBot, line: StatusLine, scene: Scene
 ) -> None:
     rested(qtbot, line, EVERYDAY, scene)
@@ -70,10 +70,10 @@ def test_rungs_are_predicted_when_the_hand_rests(
     assert predictions is not None
     drawn = drawing_bound_px(EVERYDAY, scene.corners, scene.origin)
     read = predictions["float64"].px
-    assert line.rung.text() == f"drawn float32 ±{drawn:.1g} px, read float64 ±{read:.1g} px"
+    assert line.precision.text() == f"drawn float32 ±{drawn:.1g} px, read float64 ±{read:.1g} px"
     assert line.health.text() == "" and line.health.toolTip() == ""
-    line.rung.menu().aboutToShow.emit()
-    texts = [action.text() for action in line.rung.menu().actions()]
+    line.precision.menu().aboutToShow.emit()
+    texts = [action.text() for action in line.precision.menu().actions()]
     assert [text.split(":")[0] for text in texts[:3]] == ["float32", "float64", "exact"]
     assert texts[0].endswith("(drawn)") and texts[1].endswith("(read)")
     assert f"{predictions['float32'].px:.2g} px" in texts[0]
@@ -81,7 +81,7 @@ def test_rungs_are_predicted_when_the_hand_rests(
     # Whatever computes it, a rasteriser is handed float32: 1280 px in 24 bits.
     line.show_quality(Quality(rung="float64"), [])
     rested(qtbot, line, replace(EVERYDAY, image_size=(1280, 720)), scene)
-    assert line.rung.text().startswith("drawn float64 ±8e-05 px, read float64 ±")
+    assert line.precision.text().startswith("drawn float64 ±8e-05 px, read float64 ±")
 
 
 def test_an_error_without_a_bound_is_told_in_a_sentence(
@@ -91,9 +91,9 @@ def test_an_error_without_a_bound_is_told_in_a_sentence(
     beyond = replace(EVERYDAY, lens=Perspective(1e-80, 1.0, 30.0))
     line.show_quality(Quality(rung="float32"), [])
     rested(qtbot, line, beyond, scene)
-    assert line.rung.text().startswith("drawn float32 ±∞ px, read ")
-    line.rung.menu().aboutToShow.emit()
-    texts = [action.text() for action in line.rung.menu().actions()]
+    assert line.precision.text().startswith("drawn float32 ±∞ px, read ")
+    line.precision.menu().aboutToShow.emit()
+    texts = [action.text() for action in line.precision.menu().actions()]
     assert texts[0] == "float32: its error has no bound here  (drawn)"
 
 
@@ -120,11 +120,11 @@ def test_what_is_hidden_is_predicted_when_it_appears(
 ) -> None:
     line.hide()
     line._rest.stop()
-    line.rung.setText("")
+    line.precision.setText("")
     show(line, EVERYDAY, scene)
     assert not line._rest.isActive()
     line.show()
-    qtbot.waitUntil(lambda: line.rung.text() != "")
+    qtbot.waitUntil(lambda: line.precision.text() != "")
 
 
 def test_a_risk_is_told_and_goes_again(qtbot: QtBot, line: StatusLine, scene: Scene) -> None:
@@ -152,16 +152,16 @@ def test_a_risk_has_the_room_of_what_is_told_elsewhere(
 ) -> None:
     line.resize(2400, 24)
     rested(qtbot, line, replace(EVERYDAY, lens=Perspective(45.0, 1e-6, 1e6)), scene)
-    whole, told = line.health.text(), line.rung.text()
+    whole, told = line.health.text(), line.precision.text()
     assert whole.startswith("⚠") and "px" in told and line.labels["camera"].isVisible()
     seen = set()
     for width in range(2400, 1000, -20):
         line.resize(width, 24)
-        seen.add((line.rung.text() == told, line.labels["camera"].isVisible()))
+        seen.add((line.precision.text() == told, line.labels["camera"].isVisible()))
         assert line.health.text() == whole or not line.labels["camera"].isVisible()
     assert seen == {(True, True), (False, True), (False, False)}
     line.resize(2400, 24)
-    assert line.rung.text() == told and line.labels["camera"].isVisible()
+    assert line.precision.text() == told and line.labels["camera"].isVisible()
 
 
 def test_a_figure_keeps_its_room_while_it_changes_and_fits_at_rest(
@@ -199,15 +199,15 @@ def test_numbers_of_a_narrow_slab_are_read_exactly(
 ) -> None:
     slab = replace(EVERYDAY, lens=Perspective(45.0, 9.0, 9.0 * (1 + 1e-9)))
     rested(qtbot, line, slab, scene)
-    assert "read exact" in line.rung.text()
+    assert "read exact" in line.precision.text()
     assert "computed exactly" in line.health.toolTip()
 
 
 def test_the_tolerance_decides_what_draws(qtbot: QtBot, line: StatusLine, scene: Scene) -> None:
     rested(qtbot, line, EVERYDAY, scene)
-    assert line.rung.text().startswith("drawn float32")
+    assert line.precision.text().startswith("drawn float32")
     line.set_tolerance(1e-4)
-    qtbot.waitUntil(lambda: line.rung.text().startswith("drawn float64"))
+    qtbot.waitUntil(lambda: line.precision.text().startswith("drawn float64"))
 
 
 def test_the_tolerance_is_kept_in_the_settings(make_window: MakeWindow) -> None:
@@ -261,7 +261,7 @@ def test_points_behind_the_camera_have_no_prediction(
 ) -> None:
     away = replace(EVERYDAY, camera=Camera((0.0, 2.0, 100.0), (0.0, 2.0, 200.0)))
     rested(qtbot, line, away, scene)
-    assert line.rung.text() == "drawn float32, read float64"
+    assert line.precision.text() == "drawn float32, read float64"
 
 
 def test_a_message_stands_alone(qtbot: QtBot, display: Any) -> None:
@@ -274,7 +274,7 @@ def test_a_message_stands_alone(qtbot: QtBot, display: Any) -> None:
     window.show()
     qtbot.waitExposed(window)
     rested(qtbot, line, EVERYDAY, scene)
-    figures = (*line.labels.values(), line.rung)
+    figures = (*line.labels.values(), line.precision)
     line.showMessage("1/3 is taken as 0.333")
     rested(qtbot, line, replace(EVERYDAY, lens=Perspective(44.0, 1.0, 30.0)), scene)
     assert not any(figure.isVisible() for figure in figures)

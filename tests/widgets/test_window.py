@@ -43,7 +43,7 @@ import app.scenes.scene
 from app.bootstrap import ROOT
 from app.document.document import UNWRITABLE, Document, extract, picture_json, read, to_json, write
 from app.drawings import actors
-from app.drawings import precision as rungs
+from app.drawings import precision as precisions
 from app.drawings.figures import png_bytes, render
 from app.drawings.image import ImageDrawing
 from app.drawings.style import DARK, LIGHT, rgb
@@ -186,9 +186,9 @@ def test_a_hidden_pane_neither_computes_nor_draws_and_catches_up(window: MainWin
     asked: list[Projection] = []
     drawing = window.panes["image"].drawing
     show = drawing.show_projection
-    drawing.show_projection = lambda projection, exhibit: (
+    drawing.show_projection = lambda projection, illustration: (
         asked.append(projection),
-        show(projection, exhibit),
+        show(projection, illustration),
     )
     with counted_repaints(window) as counts:
         for step in range(3):
@@ -1201,7 +1201,7 @@ def on_triangles(**changes: Any) -> Document:
     return Document("similar-triangles", TRIANGLES.start, **changes)
 
 
-def exhibits_of(window: MainWindow) -> dict[str, list[Any]]:
+def illustrations_of(window: MainWindow) -> dict[str, list[Any]]:
     """What each pane is given to show from now on."""
     given: dict[str, list[Any]] = {}
     for name, pane in window.panes.items():
@@ -1210,7 +1210,7 @@ def exhibits_of(window: MainWindow) -> dict[str, list[Any]]:
             show = getattr(pane, method)
 
             def keep(shown: Any, *args: Any, to: list[Any] = given[name], show: Any = show) -> None:
-                to.append(shown.exhibit)
+                to.append(shown.illustration)
                 show(shown, *args)
 
             setattr(pane, method, keep)
@@ -1277,7 +1277,7 @@ def test_scenes_are_listed_in_the_order_of_the_lectures_by_their_titles(
     assert box.currentText() == "Similar triangles"
 
 
-def test_an_exhibit_is_computed_once_a_change_and_shown_everywhere(
+def test_an_illustration_is_computed_once_a_change_and_shown_everywhere(
     make_window: MakeWindow, everything: Document, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     made: list[Any] = []
@@ -1291,7 +1291,7 @@ def test_an_exhibit_is_computed_once_a_change_and_shown_everywhere(
     window = make_window(everything)
     settle()
     made.clear()
-    given = exhibits_of(window)
+    given = illustrations_of(window)
     with counted_repaints(window) as counts:
         window.store.set_settings({"gap": 3.0})
         settle()
@@ -1313,9 +1313,9 @@ def test_idle_with_an_open_panel_draws_nothing(window: MainWindow) -> None:
     assert counts == {"world": 0, "ndc": 0, "image": 0}
 
 
-def test_no_exhibit_of_one_scene_is_shown_in_another(window: MainWindow) -> None:
+def test_no_illustration_of_one_scene_is_shown_in_another(window: MainWindow) -> None:
     show_scene(window, "similar-triangles")
-    given = exhibits_of(window)
+    given = illustrations_of(window)
     window.guide.choose("posts")
     assert all(shown == [None] for shown in given.values())
     window.guide.choose("similar-triangles")
@@ -1642,7 +1642,7 @@ def test_full_hd_at_a_screen_scale_of_two_holds_the_window_of_a_projector(
         settle()
         assert window.minimumSizeHint().width() <= 960
     line = window.status
-    assert line.rung.geometry().right() < line.width() and line.rung.text()
+    assert line.precision.geometry().right() < line.width() and line.precision.text()
 
 
 def share_of(window: MainWindow, colour: Any) -> float:
@@ -1730,25 +1730,25 @@ def test_a_panes_title_has_all_the_room_there_is_before_its_note(make_window: Ma
 def test_both_panes_share_what_float64_has_projected(
     window: MainWindow, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    cut, whole = [0], rungs._cut
+    cut, whole = [0], precisions._cut
 
     def counted(*given: Any) -> Any:
         cut[0] += 1
         return whole(*given)
 
-    monkeypatch.setattr(rungs, "_cut", counted)
+    monkeypatch.setattr(precisions, "_cut", counted)
     for step in range(3):  # faces and edges, at a field of view that float32 cannot draw
         window.store.set_projection(seen(window, lens=Perspective(1e-3 + 1e-5 * step, 1.0, 30.0)))
         assert cut[0] == 2 * (step + 1)
-    assert {window.panes[name].drawing.rung for name in ("ndc", "image")} == {"float64"}  # type: ignore[union-attr]
+    assert {window.panes[name].drawing.precision for name in ("ndc", "image")} == {"float64"}  # type: ignore[union-attr]
     pictures = {name: pixels(window, name) for name in ("ndc", "image")}
     for name, shown in pictures.items():  # each for itself draws the same
-        rungs._projected.clear()
+        precisions._projected.clear()
         window.panes[name].take(window.shown, PROJECTION)
         settle()
         assert (pixels(window, name) == shown).all(), name
     window.store.set_projection(seen(window, lens=Perspective(45.0, 1.0, 30.0)))
-    assert not len(rungs._projected)
+    assert not len(precisions._projected)
 
 
 def test_esc_puts_back_what_a_slider_has_dragged(window: MainWindow) -> None:

@@ -26,7 +26,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.lecture.highlight import NOTHING, Attention, made_of
+from app.lecture.highlight import NOTHING, Highlight, made_of
 from app.model.projection import FINITE_NUMBER, LARGEST, Camera, Orbit, Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena.illustration import is_free
@@ -92,8 +92,8 @@ class Controls(QScrollArea):
     gesture_started = Signal()
     gesture_finished = Signal()
     gesture_abandoned = Signal()
-    attended = Signal(str, object)
-    """The name of a row that the user is at, and the `Attention` it draws; `NOTHING` after it."""
+    highlighted = Signal(str, object)
+    """The name of a row that the user is at, and the `Highlight` it draws; `NOTHING` after it."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -128,7 +128,7 @@ class Controls(QScrollArea):
         for key, binding in self._bindings.items():
             self._connect(binding)
             about = _about(binding)
-            binding.row.attended.connect(partial(self._attended, key, about))
+            binding.row.highlighted.connect(partial(self._highlighted, key, about))
         self.rows: dict[str, Row] = {
             "camera_mode": self.camera_mode,
             **{name: binding.row for name, binding in self._bindings.items()},
@@ -210,15 +210,15 @@ class Controls(QScrollArea):
         self.animation.show_camera(self._projection.camera)
         self._show_rows()
 
-    def show_attention(self, attended: Attention) -> None:
-        """Mark the rows that are about what is attended to, or that it is made of."""
-        shown = made_of(attended)
+    def show_highlight(self, highlighted: Highlight) -> None:
+        """Mark the rows that are about what is highlighted, or that it is made of."""
+        shown = made_of(highlighted)
         for binding in self._bindings.values():
             names = _about(binding).union(_MAKES.get(binding.field, ()))
             binding.row.set_marked(bool(names & shown))
 
-    def _attended(self, key: str, about: Attention, is_attended: bool) -> None:
-        self.attended.emit(key, about if is_attended else NOTHING)
+    def _highlighted(self, key: str, about: Highlight, is_highlighted: bool) -> None:
+        self.highlighted.emit(key, about if is_highlighted else NOTHING)
 
     def bring_to_front(self, paths: Collection[str]) -> None:
         """Point out the controls that matter for the scene, and no others.
@@ -568,7 +568,7 @@ def _frame(row: Row, framed: bool) -> None:
 # --------------------------------------------------------------------------- reading and writing
 
 
-def _about(binding: Binding) -> Attention:
+def _about(binding: Binding) -> Highlight:
     return frozenset(_ABOUT.get(binding.field, (binding.field,)))
 
 

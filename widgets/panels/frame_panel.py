@@ -43,7 +43,7 @@ from app.lecture.camera_frame import (
     up_and_view,
     view_matrix,
 )
-from app.lecture.highlight import NOTHING, Attention
+from app.lecture.highlight import NOTHING, Highlight
 from app.model.projection import Camera, Projection
 from app.model.refusal import Refusal, format_value
 from widgets.parts.fields import Log, NumberRow
@@ -58,8 +58,8 @@ STEP_MS = 2500
 NUDGE_DEG = 0.1
 CLOSE_DEG = 1.0
 """From here on up is near the view direction."""
-_UP: Attention = frozenset(("up",))
-_ABOUT: tuple[Attention, ...] = tuple(
+_UP: Highlight = frozenset(("up",))
+_ABOUT: tuple[Highlight, ...] = tuple(
     frozenset(names)
     for names in (("eye",), ("target",), ("up",), ("n",), ("u",), ("v",), ("u", "v", "n", "eye"))
 )
@@ -92,7 +92,7 @@ class FramePanel(Panel):
         self.step = 0
         self._projection = Projection()
         self._is_stale = True
-        self._attention = NOTHING
+        self._highlight = NOTHING
         self._steps = self._make_steps()
         self._timer = QTimer(self)
         self._timer.setInterval(STEP_MS)
@@ -180,7 +180,9 @@ class FramePanel(Panel):
         self.angle.gesture_started.connect(self.gesture_started)
         self.angle.gesture_finished.connect(self.gesture_finished)
         self.angle.gesture_abandoned.connect(self.gesture_abandoned)
-        self.angle.attended.connect(lambda is_at: self.attended.emit(_UP if is_at else NOTHING))
+        self.angle.highlighted.connect(
+            lambda is_at: self.highlighted.emit(_UP if is_at else NOTHING)
+        )
         self.nudge = self._button(
             self.tr("Nudge up by {0}° to the side").format(NUDGE_DEG),
             self.tr("Make an error in up, and see by how much the picture turns"),
@@ -375,24 +377,24 @@ class FramePanel(Panel):
         else:
             self.edited.emit(replace(self._projection, camera=camera))
 
-    # -- attention
+    # -- highlight
 
-    def show_attention(self, attended: Attention) -> None:
-        """Mark the formula if it is about what is attended to."""
-        self._attention = attended
-        self.angle.set_marked(bool(attended & _UP))
+    def show_highlight(self, highlighted: Highlight) -> None:
+        """Mark the formula if it is about what is highlighted."""
+        self._highlight = highlighted
+        self.angle.set_marked(bool(highlighted & _UP))
         self._mark()
 
     def _mark(self) -> None:
-        self.formula.set_marked(bool(self._attention & _ABOUT[self.step]))
+        self.formula.set_marked(bool(self._highlight & _ABOUT[self.step]))
 
     # -- events
 
     def eventFilter(self, watched: object, event: QEvent) -> bool:
         if isinstance(event, QEnterEvent):
-            self.attended.emit(_ABOUT[self.step])
+            self.highlighted.emit(_ABOUT[self.step])
         elif event.type() == QEvent.Type.Leave:
-            self.attended.emit(NOTHING)
+            self.highlighted.emit(NOTHING)
         return False
 
     def changeEvent(self, event: QEvent) -> None:
@@ -410,7 +412,7 @@ class FramePanel(Panel):
     def hideEvent(self, event: QHideEvent) -> None:
         super().hideEvent(event)
         self.pause()
-        self.attended.emit(NOTHING)
+        self.highlighted.emit(NOTHING)
         self.step_changed.emit(None)
 
 

@@ -42,7 +42,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.drawings.style import LIGHT, Style
-from app.lecture.highlight import NOTHING, Attention
+from app.lecture.highlight import NOTHING, Highlight
 from app.lecture.notation import (
     Letters,
     Matrix,
@@ -140,7 +140,7 @@ class MatrixPanel(ReadablePanel):
     def __init__(self) -> None:
         super().__init__()
         self.setAccessibleName(self.tr("Matrices"))
-        self._attention = NOTHING
+        self._highlight = NOTHING
         self._projection: Projection | None = None
         self._before: Projection | None = None
         self._style = LIGHT
@@ -242,18 +242,18 @@ class MatrixPanel(ReadablePanel):
         view = MatrixView(stage_title(name), self.sentence, editable=name in EDITABLE)
         view.pointed.connect(partial(self._said, view))
         view.copied.connect(self._copy_one)
-        view.attended.connect(self.attended)
-        view.show_attention(self._attention)
+        view.highlighted.connect(self.highlighted)
+        view.show_highlight(self._highlight)
         view.typed.connect(partial(self._typed, view, name))
         view.moved_on.connect(partial(self._edit_cell, name))
         return view
 
-    def show_attention(self, attended: Attention) -> None:
-        """Mark the cells that speak of what is attended to."""
-        self._attention = attended
+    def show_highlight(self, highlighted: Highlight) -> None:
+        """Mark the cells that speak of what is highlighted."""
+        self._highlight = highlighted
         for box in self._boxes:  # as they are drawn: the model may have gone on since
             for view in box.views:
-                view.show_attention(attended)
+                view.show_highlight(highlighted)
 
     def _edit_cell(self, name: str, row: int, column: int) -> None:
         """Go on in the view of now: another lens has other ones."""
@@ -474,7 +474,7 @@ class MatrixPanel(ReadablePanel):
             box.hide()
             for view in box.views:
                 view.pointed.disconnect()  # a mouse button held on it still tells it of moves
-                view.attended.disconnect()
+                view.highlighted.disconnect()
             box.deleteLater()
         if self._speaker is not None:  # perhaps only now, when the keyboard left what was hidden
             self._speaker = None

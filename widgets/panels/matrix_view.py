@@ -44,7 +44,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.drawings.style import LIGHT, Style
-from app.lecture.highlight import NOTHING, Attention, made_of
+from app.lecture.highlight import NOTHING, Highlight, made_of
 from app.lecture.notation import (
     Letters,
     Matrix,
@@ -54,7 +54,7 @@ from app.lecture.notation import (
 )
 from app.model.formula import ARROW
 from widgets.parts.fields import short_text
-from widgets.parts.highlight import paint_attention
+from widgets.parts.highlight import paint_highlight
 
 _AXES = ("u", "v", "n")
 VIEW = ("view_from_world", "rotation")
@@ -133,8 +133,8 @@ class MatrixView(QWidget):
 
     pointed = Signal(str)
     copied = Signal(str, object)
-    attended = Signal(object)
-    """The `Attention` that the cell under the mouse or the cursor draws; only when it changes."""
+    highlighted = Signal(object)
+    """The `Highlight` that the cell under the mouse or the cursor draws; only when it changes."""
     typed = Signal(int, int, str)
     moved_on = Signal(int, int)
 
@@ -155,7 +155,7 @@ class MatrixView(QWidget):
         self._rows = self._formulas = False
         self._style = LIGHT
         self._cursor = (0, 0)
-        self._attention = self._pointed_at = NOTHING
+        self._highlight = self._pointed_at = NOTHING
         self._told: tuple[int, int] | None = None  # of which cell
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
@@ -308,7 +308,7 @@ class MatrixView(QWidget):
                     painter.setPen(QPen(light, 1.0))
                     painter.drawRect(rect.adjusted(1.5, 1.5, -1.5, -1.5))
                 if self.is_marked(i, j):
-                    paint_attention(self, painter, rect.adjusted(1, 1, -1, -1))
+                    paint_highlight(self, painter, rect.adjusted(1, 1, -1, -1))
                 painter.setPen(_faded(ink, 0.45) if text == "0" else ink)
                 self._paint_text(painter, rect, text, self._marks[i][j])
         if self.hasFocus():
@@ -500,26 +500,26 @@ class MatrixView(QWidget):
         self._point_at(None)
 
     def _point_at(self, cell: tuple[int, int] | None) -> None:
-        attended = NOTHING
+        highlighted = NOTHING
         if cell is not None and self._matrix is not None:
-            attended = letters_in(self._matrix, *cell)
-        if attended != self._pointed_at:
-            self._pointed_at = attended
-            self.attended.emit(attended)
+            highlighted = letters_in(self._matrix, *cell)
+        if highlighted != self._pointed_at:
+            self._pointed_at = highlighted
+            self.highlighted.emit(highlighted)
 
-    def show_attention(self, attended: Attention) -> None:
-        """Mark the cells that speak of what is attended to."""
-        if attended != self._attention:
-            self._attention = attended
+    def show_highlight(self, highlighted: Highlight) -> None:
+        """Mark the cells that speak of what is highlighted."""
+        if highlighted != self._highlight:
+            self._highlight = highlighted
             self.update()
 
     def is_marked(self, row: int, column: int) -> bool:
-        """Whether a cell speaks of what is attended to, or is made of it."""
-        if self._matrix is None or not self._attention:
+        """Whether a cell speaks of what is highlighted, or is made of it."""
+        if self._matrix is None or not self._highlight:
             return False
         depends = set(self._matrix.fields[row][column]) & {"target", "up"}
         names = letters_in(self._matrix, row, column) | depends
-        return bool(names & made_of(self._attention))
+        return bool(names & made_of(self._highlight))
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         self._cursor = self.cell_at(event.position()) or self._cursor

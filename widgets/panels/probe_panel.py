@@ -1,8 +1,8 @@
 """The probes: points that are followed through every stage, and their numbers.
 
 The numbers are those that the command `project` prints for the same points, computed by the same
-rung. They are the window's, not the document's: a probe is a question, not a part of the scene.
-A panel that is folded fills no table.
+precision. They are the window's, not the document's: a probe is a question, not a part of the
+scene. A panel that is folded fills no table.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.lecture.highlight import NOTHING, Attention, made_of
+from app.lecture.highlight import NOTHING, Highlight, made_of
 from app.model.limits import finite
 from app.model.projection import (
     PLANES,
@@ -42,7 +42,7 @@ from app.model.projection import (
 )
 from app.model.refusal import Refusal, format_value
 from app.picking.picking import Probe, projector
-from app.precision.levels import predict, rung_for_reading, trace
+from app.precision.levels import precision_for_reading, predict, trace
 from widgets.parts.fields import REFUSAL_SHEET, NumberField, refusal
 from widgets.parts.messages import plane_name, sentence
 from widgets.parts.panel import PROJECTION, Changed, Shown
@@ -122,9 +122,9 @@ class ProbePanel(ReadablePanel):
         self.table.setModel(self._model)
         self.table.setMouseTracking(True)
         self.table.entered.connect(
-            lambda index: self.attended.emit(self._model.attention_at(index))
+            lambda index: self.highlighted.emit(self._model.highlight_at(index))
         )
-        self.table.viewportEntered.connect(lambda: self.attended.emit(NOTHING))
+        self.table.viewportEntered.connect(lambda: self.highlighted.emit(NOTHING))
         self.table.viewport().installEventFilter(self)
         self.table.setAccessibleName(self.tr("The probes' numbers at every stage"))
         self.table.setTabKeyNavigation(False)  # or the keyboard never leaves it
@@ -322,13 +322,13 @@ class ProbePanel(ReadablePanel):
         self._projection = shown.projection
         self._readable.changed()
 
-    def show_attention(self, attended: Attention) -> None:
-        """Mark the words that are about what is attended to."""
-        self._model.show_attention(made_of(attended))
+    def show_highlight(self, highlighted: Highlight) -> None:
+        """Mark the words that are about what is highlighted."""
+        self._model.show_highlight(made_of(highlighted))
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.Leave:
-            self.attended.emit(NOTHING)
+            self.highlighted.emit(NOTHING)
         return super().eventFilter(watched, event)
 
     def _fill(self) -> None:
@@ -338,7 +338,7 @@ class ProbePanel(ReadablePanel):
         points = [probe.point for probe in self.probes if probe.point is not None]
         followed: Trace | None = None
         if points:
-            followed = trace(projection, points, rung_for_reading(predict(projection, points)))
+            followed = trace(projection, points, precision_for_reading(predict(projection, points)))
         formulas = self._formulas(projection)
         columns, outside, row = [], [], 0
         for probe in self.probes:
@@ -471,24 +471,24 @@ class _Table(QAbstractTableModel):
         self._numbers: list[int] = []
         self._formulas: list[tuple[str, str]] = []
         self._columns: list[list[list[str]]] = []
-        self._outside: list[Attention] = []
-        self._attended = NOTHING
+        self._outside: list[Highlight] = []
+        self._highlighted = NOTHING
 
     @property
     def formulas(self) -> list[str]:
         """The lines' own."""
         return [formula for _, formula in self._formulas]
 
-    def attention_at(self, index: QModelIndex) -> Attention:
+    def highlight_at(self, index: QModelIndex) -> Highlight:
         """What a cell is about: the last line is about planes."""
         if index.column() == 0 or index.row() != self.rowCount() - 1:
             return NOTHING
         return self._outside[(index.column() - 1) // _PARTS]
 
-    def show_attention(self, attended: Attention) -> None:
-        """Mark the cells that are about what is attended to."""
-        if attended != self._attended:
-            self._attended = attended
+    def show_highlight(self, highlighted: Highlight) -> None:
+        """Mark the cells that are about what is highlighted."""
+        if highlighted != self._highlighted:
+            self._highlighted = highlighted
             if self._numbers:
                 row = self.rowCount() - 1
                 first, last = self.index(row, 1), self.index(row, self.columnCount() - 1)
@@ -499,7 +499,7 @@ class _Table(QAbstractTableModel):
         numbers: list[int],
         formulas: list[tuple[str, str]],
         columns: list[list[list[str]]],
-        outside: list[Attention],
+        outside: list[Highlight],
     ) -> bool:
         """Show other texts; tell whether there are other columns."""
         anew = numbers != self._numbers or formulas != self._formulas
@@ -527,7 +527,7 @@ class _Table(QAbstractTableModel):
     ) -> Any:
         row, column = index.row(), index.column()
         if role == Qt.ItemDataRole.BackgroundRole:
-            marked = self.attention_at(self.index(row, column)) & self._attended
+            marked = self.highlight_at(self.index(row, column)) & self._highlighted
             return self._mark() if marked else None
         if role != Qt.ItemDataRole.DisplayRole:
             return None

@@ -3,7 +3,7 @@
 ::
 
     user, Play -> edited({name: value}) -> owner takes it, or calls refuse(error)
-    owner -> show_exhibit                    never answered by a signal
+    owner -> show_illustration                    never answered by a signal
 
 Everything here is made from the data of a `Phenomenon`; no phenomenon has code of its own. A panel
 that is folded fills nothing in.
@@ -41,8 +41,8 @@ from app.model.projection import Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena.illustration import (
     Diagram,
-    Exhibit,
     Found,
+    Illustration,
     Phenomenon,
     Phrase,
     Reading,
@@ -118,7 +118,7 @@ class ScenePanel(ReadablePanel):
         Of the settings that can be played, by their names.
     """
 
-    concerns = frozenset({"exhibit", "settings"})
+    concerns = frozenset({"illustration", "settings"})
     settings_edited = Signal(object)
     """The user chose, or a player reached, these settings: a dict of values by name."""
     mesh_wanted = Signal()
@@ -131,8 +131,8 @@ class ScenePanel(ReadablePanel):
         self.rows: dict[str, Row] = {}  # first: a change of font comes with the first child
         self._phenomenon: Phenomenon | None = None
         self._settings: Settings = {}
-        self._exhibit: Exhibit | None = None
-        self._counted: tuple[Exhibit, float] | None = None
+        self._illustration: Illustration | None = None
+        self._counted: tuple[Illustration, float] | None = None
         self._problem: Phrase | None = None
         self._style = LIGHT
         self._projection: Projection | None = None
@@ -252,7 +252,7 @@ class ScenePanel(ReadablePanel):
             self.pause()
             for row in self.rows.values():  # which shows the last of the scene that is left
                 row.finish_gesture()  # a burst of keys that has not gone quiet yet, and never would
-            self._phenomenon, self._settings, self._exhibit = phenomenon, {}, None
+            self._phenomenon, self._settings, self._illustration = phenomenon, {}, None
             self._problem = None
             self._make_rows(() if phenomenon is None else phenomenon.settings)
         self.title.setText(breakable(title, WORD))
@@ -273,25 +273,25 @@ class ScenePanel(ReadablePanel):
         self._show_diagrams(())
 
     def take(self, shown: Shown, changed: Changed) -> None:
-        self.show_exhibit(shown.exhibit, shown.document.settings, shown.projection)
+        self.show_illustration(shown.illustration, shown.document.settings, shown.projection)
 
-    def show_exhibit(
-        self, exhibit: Exhibit | None, settings: Settings, projection: Projection
+    def show_illustration(
+        self, illustration: Illustration | None, settings: Settings, projection: Projection
     ) -> None:
         """Show settings, readout, warning and diagrams; a setting in the hand follows it at once.
 
         Parameters
         ----------
-        exhibit : Exhibit or None
+        illustration : Illustration or None
         settings : mapping of str to value
             As they were chosen last.
         projection : Projection
-            That the exhibit is of: it may be moved so that they hold no more.
+            That the illustration is of: it may be moved so that they hold no more.
         """
-        if exhibit is self._exhibit and settings == self._settings:
+        if illustration is self._illustration and settings == self._settings:
             return
-        anew = self._exhibit is None
-        self._exhibit, self._settings = exhibit, settings
+        anew = self._illustration is None
+        self._illustration, self._settings = illustration, settings
         self._projection = projection
         for name, player in self.players.items():
             player.show_value(float(settings[name]))  # type: ignore[arg-type]
@@ -301,10 +301,10 @@ class ScenePanel(ReadablePanel):
         if anew:  # of the scene before, nothing is to be seen
             self._readable.settle()
 
-    def show_count(self, exhibit: Exhibit, share: float) -> None:
-        """Show what was counted in the picture of an exhibit, as long as that is shown."""
-        self._counted = exhibit, 100.0 * share
-        if exhibit is self._exhibit:
+    def show_count(self, illustration: Illustration, share: float) -> None:
+        """Show what was counted in the picture of an illustration, as long as that is shown."""
+        self._counted = illustration, 100.0 * share
+        if illustration is self._illustration:
             self._readable.changed()
 
     def show_problem(self, problem: Phrase | None) -> bool:
@@ -422,19 +422,19 @@ class ScenePanel(ReadablePanel):
             row.setValue(self._settings[name] if value is None and not is_choice else value)
             if name in self.players and isinstance(value, float):
                 self.players[name].show_value(value)
-        exhibit = self._exhibit
-        readings = () if exhibit is None else exhibit.readings
+        illustration = self._illustration
+        readings = () if illustration is None else illustration.readings
         self.readout.show_readings([self._with_count(r) if r.counted else r for r in readings])
-        warning = self._problem if exhibit is None else exhibit.warning or self._problem
+        warning = self._problem if illustration is None else illustration.warning or self._problem
         why = "" if warning is None else _full(warning.sentence(of_phenomena))
         self.warning.say(why and f"⚠ {why}")
-        self._let_choose(found, why if exhibit is not None and exhibit.idle else "")
-        self._show_diagrams(() if exhibit is None else exhibit.diagrams)
+        self._let_choose(found, why if illustration is not None and illustration.idle else "")
+        self._show_diagrams(() if illustration is None else illustration.diagrams)
 
     def _with_count(self, reading: Reading) -> Reading:
         """A counted reading with its value, or with its note if there was nothing to count."""
         share = None
-        if self._counted is not None and self._counted[0] is self._exhibit:
+        if self._counted is not None and self._counted[0] is self._illustration:
             share = self._counted[1]
         if share is not None and math.isnan(share):
             return reading

@@ -4,7 +4,7 @@
 
     the document changes --> step(dragging) --> every pane: smoothing, detail
                                                    |  Qt paints, and swaps buffers
-    Pace <-- time from the change to the swap -----+
+    FrameBudget <-- time from the change to the swap -----+
     the hand rests -------> step(False)     --> every pane at full quality
 """
 
@@ -16,7 +16,7 @@ from collections.abc import Mapping, Sequence
 from PySide6.QtCore import QObject, Qt, QTimer, Signal
 from PySide6.QtWidgets import QApplication, QProgressDialog, QWidget
 
-from app.drawings.frame_budget import Level, Pace
+from app.drawings.frame_budget import FrameBudget, Level
 from app.precision.quality import AUTOMATIC, Quality
 from app.scenes.fewer_triangles import is_made, reduced, shares_for_dragging
 from app.scenes.scene import Scene
@@ -68,7 +68,7 @@ class Adaptive(QObject):
         self._idle.setSingleShot(True)
         self._idle.setInterval(0)  # the scene is to be seen first
         self._idle.timeout.connect(self._prepare)
-        self.pace = Pace([Level(False, 1.0)], 0.0)
+        self.budget = FrameBudget([Level(False, 1.0)], 0.0)
         for pane in panes.values():
             pane.canvas.shown.connect(self._swapped)
 
@@ -100,7 +100,7 @@ class Adaptive(QObject):
 
         At rest nothing is late: nobody waits for a frame then.
         """
-        return self.pace.frame_ms if self._dragging and self.pace.is_late else 0.0
+        return self.budget.frame_ms if self._dragging and self.budget.is_late else 0.0
 
     @property
     def samples(self) -> int:
@@ -120,7 +120,7 @@ class Adaptive(QObject):
         self._dragging = dragging
         if dragging:
             self._began = time.perf_counter()
-            level = self.pace.level
+            level = self.budget.level
             share, smoothing = level.share, self.smoothing(level.smooth)
         else:
             self._began = None
@@ -136,7 +136,7 @@ class Adaptive(QObject):
         """A pane's picture has reached the screen; with it those of its window's other panes."""
         if self._began is not None:
             ms, self._began = 1e3 * (time.perf_counter() - self._began), None
-            self.pace.frame(ms)
+            self.budget.frame(ms)
         self._tell()
 
     def _tell(self) -> None:
@@ -159,7 +159,7 @@ class Adaptive(QObject):
             triangles = self._scene.surface.n_cells
             few = (i for i, level in enumerate(levels) if level.share * triangles <= AT_FIRST)
             first = next(few, len(levels) - 1)
-        self.pace = Pace(levels, self._target_ms, first)
+        self.budget = FrameBudget(levels, self._target_ms, first)
 
     def _prepare(self) -> None:
         """Make what dragging may need of the scene, before anybody drags."""

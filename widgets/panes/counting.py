@@ -3,7 +3,7 @@
 ::
 
     window -> take(shown, changed)                 at every change of what a phenomenon shows
-    counted(exhibit, share) -> scene panel         once the hand rests
+    counted(illustration, share) -> scene panel         once the hand rests
 
 While anything moves, nothing is counted: the last change but `REST_MS` is waited for.
 """
@@ -19,7 +19,7 @@ from PySide6.QtGui import QOpenGLContext
 from app.drawings.off_screen import off_screen
 from app.drawings.rasterising import counted_wrong_share
 from app.model.projection import Projection
-from app.scenes.phenomena.illustration import Exhibit
+from app.scenes.phenomena.illustration import Illustration
 from app.scenes.scene import Scene
 from widgets.parts.panel import Changed, Shown
 
@@ -32,7 +32,7 @@ MOST_FACES = 20_000
 
 
 class Counting(QObject):
-    """Counts the pixels of one exhibit, when it has not changed for a while.
+    """Counts the pixels of one illustration, when it has not changed for a while.
 
     Parameters
     ----------
@@ -41,14 +41,15 @@ class Counting(QObject):
     parent : QObject
     """
 
-    concerns = frozenset({"exhibit"})
+    concerns = frozenset({"illustration"})
     counted = Signal(object, float)
-    """The `Exhibit`, and the share of its pixels, 0..1, that are wrong; NaN where those are few."""
+    """The `Illustration`, and the share of its pixels, 0..1, that are wrong; NaN where those are
+    few."""
 
     def __init__(self, busy: Callable[[], bool], parent: QObject) -> None:
         super().__init__(parent)
         self._busy = busy
-        self._shown: tuple[Scene, Projection, Exhibit] | None = None
+        self._shown: tuple[Scene, Projection, Illustration] | None = None
         self._timer = QTimer(self)
         self._timer.setSingleShot(True)
         self._timer.setInterval(REST_MS)
@@ -57,8 +58,8 @@ class Counting(QObject):
     def take(self, shown: Shown, changed: Changed) -> None:
         """Count what is shown now, if it is to be counted, once nothing changes any more."""
         self.stop()
-        if shown.exhibit is not None and shown.exhibit.rendering is not None:
-            self._shown = shown.scene, shown.projection, shown.exhibit
+        if shown.illustration is not None and shown.illustration.rendering is not None:
+            self._shown = shown.scene, shown.projection, shown.illustration
             self._timer.start()
 
     def stop(self) -> None:
@@ -76,11 +77,13 @@ class Counting(QObject):
         if share is not None:
             self.counted.emit(self._shown[2], share)
 
-    def _count(self, scene: Scene, projection: Projection, exhibit: Exhibit) -> float | None:
-        rendering = exhibit.rendering
-        if not any(reading.counted for reading in exhibit.readings) or rendering is None:
+    def _count(
+        self, scene: Scene, projection: Projection, illustration: Illustration
+    ) -> float | None:
+        rendering = illustration.rendering
+        if not any(reading.counted for reading in illustration.readings) or rendering is None:
             return None
-        if rendering.buffer is None or scene.surface is None or not exhibit.copies:
+        if rendering.buffer is None or scene.surface is None or not illustration.copies:
             return None
         if scene.surface.n_cells > MOST_FACES:
             return None
@@ -97,5 +100,5 @@ class Counting(QObject):
                 scene,
                 projection,
                 rendering.buffer,
-                exhibit.copies[0].world_from_world,
+                illustration.copies[0].world_from_world,
             )

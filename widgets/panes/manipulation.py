@@ -62,7 +62,7 @@ class Manipulation(QObject):
         Why a drag goes no further, while it does not.
     """
 
-    concerns = PROJECTION | {"scene", "exhibit", "settings"}
+    concerns = PROJECTION | {"scene", "illustration", "settings"}
     edited = Signal(object)
     """The hand made this `Projection`."""
     setting_edited = Signal(object)
@@ -115,9 +115,9 @@ class Manipulation(QObject):
         if projection.lens.kind != self._projection.lens.kind:
             self._drag = None  # undone or reset under the hand: its fields are gone
         self._projection = projection
-        if changed & {"exhibit", "settings"}:
+        if changed & {"illustration", "settings"}:
             self._values = shown.document.settings
-            grips = () if shown.exhibit is None else shown.exhibit.grips
+            grips = () if shown.illustration is None else shown.illustration.grips
             self._grips = {grip.setting: grip for grip in grips}
             if drag is not None and drag.held is not None and drag.held.setting not in self._grips:
                 self._drag = None  # another scene under the hand

@@ -31,10 +31,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.lecture.highlight import NOTHING, Attention
+from app.lecture.highlight import NOTHING, Highlight
 from app.model.projection import Camera, Projection
 from app.picking.picking import Probe, Sight
-from app.scenes.phenomena.illustration import Exhibit
+from app.scenes.phenomena.illustration import Illustration
 from app.scenes.scene import Scene
 from widgets.panes.canvas import AnyCanvas, Hand
 from widgets.parts.note import Note, Title
@@ -55,7 +55,7 @@ def multisamples(smoothing: str) -> int:
 class Drawing(Protocol):
     """What a pane needs of a drawing."""
 
-    def show_projection(self, projection: Projection, exhibit: Exhibit | None) -> None:
+    def show_projection(self, projection: Projection, illustration: Illustration | None) -> None:
         """Take over the model's matrices; draw nothing yet."""
 
     def show_detail(self, fewer: Scene | None) -> None:
@@ -84,10 +84,10 @@ class Drawing(Protocol):
     def sight(self) -> Sight:
         """How the pane looks at the world just now."""
 
-    def show_attention(self, attended: Attention) -> bool:
-        """Let what is attended to stand out; tell whether that changes what is seen."""
+    def show_highlight(self, highlighted: Highlight) -> bool:
+        """Let what is highlighted stand out; tell whether that changes what is seen."""
 
-    def attention_at(self, x_px: float, y_px: float) -> Attention:
+    def highlight_at(self, x_px: float, y_px: float) -> Highlight:
         """What is at a device pixel from the pane's top left."""
 
     def remove(self) -> None:
@@ -167,7 +167,7 @@ class Pane(QFrame):
         `GlCanvas` or `RasterCanvas`.
     """
 
-    concerns = PROJECTION | {"exhibit"}
+    concerns = PROJECTION | {"illustration"}
     enlarge_requested = Signal()
     """The title was double-clicked."""
     clicked = Signal(QPointF)
@@ -176,8 +176,8 @@ class Pane(QFrame):
     """The canvas was double-clicked: the click before was meant to be no click."""
     float_requested = Signal()
     """The pane shall get, or leave, a window of its own."""
-    attended = Signal(object)
-    """The `Attention` that the mouse draws to what is under it; only when that changes."""
+    highlighted = Signal(object)
+    """The `Highlight` that the mouse draws to what is under it; only when that changes."""
     timed = Signal(float, float)
     """What the last step's matrices and a repaint took, in ms; only after `set_timed`."""
 
@@ -203,8 +203,8 @@ class Pane(QFrame):
         self._step: int | None = None
         self._step_is_stale = False
         self._probes: Sequence[Probe] = ()
-        self._attention = self._pointed_at = NOTHING
-        self._attention_is_stale = False
+        self._highlight = self._pointed_at = NOTHING
+        self._highlight_is_stale = False
         self._stale = False
         self._probes_stale = False
         self._smoothing = "none"
@@ -333,25 +333,25 @@ class Pane(QFrame):
             if self.isVisible():
                 self._refresh()
 
-    def show_attention(self, attended: Attention) -> None:
-        """Let what is attended to stand out: at once if visible, else on appearing."""
-        self._attention = attended
+    def show_highlight(self, highlighted: Highlight) -> None:
+        """Let what is highlighted stand out: at once if visible, else on appearing."""
+        self._highlight = highlighted
         if not self.isVisible() or self._to_build is not None or self.drawing is None:
-            self._attention_is_stale = True
-        elif self.drawing.show_attention(attended):
+            self._highlight_is_stale = True
+        elif self.drawing.show_highlight(highlighted):
             self.request_repaint()
 
     def _hovered(self, place: QPointF) -> None:
         if self.drawing is not None:
-            self._point_at(self.drawing.attention_at(place.x(), place.y()))
+            self._point_at(self.drawing.highlight_at(place.x(), place.y()))
 
     def _left(self) -> None:
         self._point_at(NOTHING)
 
-    def _point_at(self, attended: Attention) -> None:
-        if attended != self._pointed_at:
-            self._pointed_at = attended
-            self.attended.emit(attended)
+    def _point_at(self, highlighted: Highlight) -> None:
+        if highlighted != self._pointed_at:
+            self._pointed_at = highlighted
+            self.highlighted.emit(highlighted)
 
     def _refresh(self) -> None:
         """Bring the drawing up to what was asked for while nobody looked."""
@@ -364,9 +364,9 @@ class Pane(QFrame):
             self.drawing = self._make_drawing(self.canvas.plotter, *self._to_build)
             self._to_build = None
             self._step_is_stale = self._step is not None
-            self._attention_is_stale = True
+            self._highlight_is_stale = True
             self._apply_smoothing()
-            self.drawing.show_projection(shown.projection, shown.exhibit)
+            self.drawing.show_projection(shown.projection, shown.illustration)
             self._take_stage(self.drawing)
             self.drawing.reset_view()
             if self._view is not None:
@@ -378,7 +378,7 @@ class Pane(QFrame):
                 self.drawing.show_detail(self._fewer)
             if self._stale or self._detail_is_stale:
                 began = time.perf_counter()
-                self.drawing.show_projection(shown.projection, shown.exhibit)
+                self.drawing.show_projection(shown.projection, shown.illustration)
                 self._matrices_ms = 1e3 * (time.perf_counter() - began)
             if self._probes_stale:
                 self.drawing.show_probes(self._probes)
@@ -387,9 +387,9 @@ class Pane(QFrame):
         if self._step_is_stale and self.drawing is not None:
             cast(SteppedDrawing, self.drawing).show_step(self._step)
             self._step_is_stale = False
-        if self._attention_is_stale and self.drawing is not None:
-            self.drawing.show_attention(self._attention)
-        self._stale = self._probes_stale = self._attention_is_stale = False
+        if self._highlight_is_stale and self.drawing is not None:
+            self.drawing.show_highlight(self._highlight)
+        self._stale = self._probes_stale = self._highlight_is_stale = False
         self._detail_is_stale = False
         self.request_repaint()
 

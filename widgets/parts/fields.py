@@ -65,7 +65,7 @@ from app.model.limits import DISTINCT
 from app.model.projection import AT_LEAST, AT_MOST, FINITE_NUMBER, LARGEST
 from app.model.refusal import Refusal
 from widgets.parts.escape import HeldSlider
-from widgets.parts.highlight import paint_attention
+from widgets.parts.highlight import paint_highlight
 from widgets.parts.messages import (
     A_NUMBER,
     A_NUMBER_LIKE,
@@ -552,13 +552,13 @@ class Row(QWidget):
     gesture_finished = Signal()
     gesture_abandoned = Signal()
     """Esc: what the gesture, which ends now, has changed shall be put back."""
-    attended = Signal(bool)
+    highlighted = Signal(bool)
     """The mouse has come over the row or the keyboard into it, or neither is there any more."""
 
     def __init__(self, name: str, tip: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.name = name
-        self._drawn_by: set[str] = set()  # what draws attention to the row: mouse, keyboard
+        self._drawn_by: set[str] = set()  # what highlights the row: mouse, keyboard
         self._marked = False
         self._value: Any = None
         self._default: Any = None
@@ -687,11 +687,11 @@ class Row(QWidget):
         else:
             super().keyPressEvent(event)
 
-    # -- attention
+    # -- highlight
 
     @property
     def is_marked(self) -> bool:
-        """Whether the row shows that it is about what is attended to."""
+        """Whether the row shows that it is about what is highlighted."""
         return self._marked
 
     def set_marked(self, marked: bool) -> None:
@@ -704,13 +704,13 @@ class Row(QWidget):
         before = bool(self._drawn_by)
         (self._drawn_by.add if drawn else self._drawn_by.discard)(by)
         if bool(self._drawn_by) != before:
-            self.attended.emit(not before)
+            self.highlighted.emit(not before)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
         if self._marked:
             painter = QPainter(self)
-            paint_attention(self, painter, QRectF(self.rect()))
+            paint_highlight(self, painter, QRectF(self.rect()))
             painter.end()
 
     def enterEvent(self, event: QEnterEvent) -> None:

@@ -2,7 +2,7 @@
 
 ::
 
-    row, cell, word or pane --attend(who, what)--> Attended --changed(what)--> all that show it
+    row, cell, word or pane --mark(who, what)--> Highlighter --changed(what)--> all that show it
 
 Whoever is hovered or has the keyboard's focus says what it is about, and says `NOTHING` when that
 is over. The latest counts; when it is over, the one before does again.
@@ -16,26 +16,26 @@ from PySide6.QtCore import QObject, QRectF, Signal
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QLabel, QWidget
 
-from app.lecture.highlight import NOTHING, Attention
+from app.lecture.highlight import NOTHING, Highlight
 
 
-class Attended(QObject):
-    """Keeps what is attended to."""
+class Highlighter(QObject):
+    """Keeps what is highlighted."""
 
     changed = Signal(object)
-    """Another `Attention` than before."""
+    """Another `Highlight` than before."""
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._by_whom: dict[Hashable, Attention] = {}
+        self._by_whom: dict[Hashable, Highlight] = {}
         self._now = NOTHING
 
     @property
-    def now(self) -> Attention:
-        """What is attended to."""
+    def now(self) -> Highlight:
+        """What is highlighted."""
         return self._now
 
-    def attend(self, who: Hashable, what: Attention) -> None:
+    def mark(self, who: Hashable, what: Highlight) -> None:
         """Take over what somebody is about, or that this is over (`NOTHING`)."""
         self._by_whom.pop(who, None)
         if what:
@@ -46,8 +46,8 @@ class Attended(QObject):
             self.changed.emit(now)
 
 
-def paint_attention(widget: QWidget, painter: QPainter, rect: QRectF) -> None:
-    """Tint and frame a part of a widget that shows what is attended to."""
+def paint_highlight(widget: QWidget, painter: QPainter, rect: QRectF) -> None:
+    """Tint and frame a part of a widget that shows what is highlighted."""
     colour = widget.palette().highlight().color()
     tint = QColor(colour)
     tint.setAlphaF(0.2)
@@ -57,7 +57,7 @@ def paint_attention(widget: QWidget, painter: QPainter, rect: QRectF) -> None:
 
 
 class MarkedLabel(QLabel):
-    """Words that show when something else draws attention to what they are about."""
+    """Words that show when something else highlights what they are about."""
 
     is_marked = False
 
@@ -71,5 +71,5 @@ class MarkedLabel(QLabel):
         super().paintEvent(event)
         if self.is_marked:
             painter = QPainter(self)
-            paint_attention(self, painter, QRectF(self.rect()))
+            paint_highlight(self, painter, QRectF(self.rect()))
             painter.end()

@@ -11,16 +11,16 @@ from PySide6.QtWidgets import QWidget
 
 from app.document.document import Document
 from app.drawings.style import Style
-from app.lecture.highlight import Attention
+from app.lecture.highlight import Highlight
 from app.model.projection import Projection
-from app.scenes.phenomena.illustration import Exhibit
+from app.scenes.phenomena.illustration import Illustration
 from app.scenes.scene import Scene
 
 Changed: TypeAlias = frozenset[str]
 """Some of `EVERYTHING`."""
 PROJECTION: Changed = frozenset({"lens", "camera", "image_size", "depth"})
 """The fields of a `Projection`."""
-EVERYTHING: Changed = PROJECTION | {"scene", "exhibit", "settings", "quality", "views"}
+EVERYTHING: Changed = PROJECTION | {"scene", "illustration", "settings", "quality", "views"}
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,23 +32,23 @@ class Shown:
     document : Document
     scene : Scene
         The loaded one of the document.
-    exhibit : Exhibit or None
+    illustration : Illustration or None
         What the scene's phenomenon shows for this projection; None for a scene that is none.
     """
 
     document: Document
     scene: Scene
-    exhibit: Exhibit | None
+    illustration: Illustration | None
 
     @classmethod
     def of(cls, document: Document, scene: Scene) -> Shown:
         """What is to be seen of a document, whose scene is loaded."""
-        exhibit = None
+        illustration = None
         if scene.phenomenon is not None:
-            exhibit = scene.phenomenon.exhibit(
+            illustration = scene.phenomenon.illustration(
                 document.projection, document.settings, scene.subject
             )
-        return cls(document, scene, exhibit)
+        return cls(document, scene, illustration)
 
     @property
     def projection(self) -> Projection:
@@ -74,7 +74,7 @@ class Shown:
         # An edit shares its views with the document before; another document brings its own.
         for part, is_new in (
             ("scene", self.scene is not before.scene),
-            ("exhibit", self.exhibit is not before.exhibit),
+            ("illustration", self.illustration is not before.illustration),
             ("settings", new.settings != old.settings),
             ("quality", new.quality != old.quality),
             ("views", new.views is not old.views),
@@ -117,8 +117,8 @@ class Panel(QWidget):
     gesture_started = Signal()
     gesture_finished = Signal()
     gesture_abandoned = Signal()
-    attended = Signal(object)
-    """The `Attention` that what is under the mouse or the cursor draws."""
+    highlighted = Signal(object)
+    """The `Highlight` that what is under the mouse or the cursor draws."""
     outgrown = Signal()
     """It needs more height than it has."""
     told = Signal(str)
@@ -139,8 +139,8 @@ class Panel(QWidget):
     def end_gesture(self) -> None:
         """End the gesture that `begin_gesture` began."""
 
-    def show_attention(self, attended: Attention) -> None:
-        """Mark what is attended to."""
+    def show_highlight(self, highlighted: Highlight) -> None:
+        """Mark what is highlighted."""
 
     def set_style(self, style: Style) -> None:
         """Take over colours and sizes of the drawings."""

@@ -55,7 +55,7 @@ from widgets.panes.manipulation import Manipulation
 from widgets.panes.pane import SMOOTHINGS, Pane
 from widgets.panes.stage_strip import StageStrip
 from widgets.parts.focus import focus_next
-from widgets.parts.highlight import Attended
+from widgets.parts.highlight import Highlighter
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.panel import EVERYTHING, Changed, Panel, Shown, Told
 from widgets.window.actions import Actions, take_typed
@@ -176,7 +176,7 @@ class MainWindow(QMainWindow):
         self._make_rooms()
         self._wire()
         self._wire_gestures()
-        self._wire_attention()
+        self._wire_highlight()
         self._tell(EVERYTHING)
         self.history.show()
         if path is not None:
@@ -351,18 +351,18 @@ class MainWindow(QMainWindow):
         self.strip.gesture_started.connect(self.measure_panel.begin_gesture)
         self.strip.gesture_finished.connect(self.measure_panel.end_gesture)
 
-    def _wire_attention(self) -> None:
+    def _wire_highlight(self) -> None:
         """Let everyone point at things, and show what is pointed at."""
-        self.attention = Attended(self)
-        attend = self.attention.attend
-        self.controls.attended.connect(attend)
+        self.highlighter = Highlighter(self)
+        mark = self.highlighter.mark
+        self.controls.highlighted.connect(mark)
         places: tuple[Pane | Panel | StatusLine, ...] = (
             *self.panes.values(), *self.panels.all, self.status
         )  # fmt: skip
         for number, place in enumerate(places):
-            place.attended.connect(partial(attend, number))
-            self.attention.changed.connect(place.show_attention)
-        self.attention.changed.connect(self.controls.show_attention)
+            place.highlighted.connect(partial(mark, number))
+            self.highlighter.changed.connect(place.show_highlight)
+        self.highlighter.changed.connect(self.controls.show_highlight)
 
     # -- showing the document
 

@@ -20,7 +20,7 @@ from app.document.document import Document, set_values
 from app.document.store import Store
 from app.drawings.image import ImageDrawing
 from app.model.refusal import Refusal
-from app.precision.levels import rung_for_drawing
+from app.precision.levels import precision_for_drawing
 from app.precision.quality import AUTO, AUTOMATIC
 from app.scenes.scene import Scene
 from widgets.panes.pane import SMOOTHINGS, Pane
@@ -95,7 +95,7 @@ class DrawnQuality(QObject):
             notes.append(self.tr("The scene has too few triangles to leave any out"))
         image = self._image.drawing
         if isinstance(image, ImageDrawing):
-            if quality.rung == "float64" != image.rung:
+            if quality.rung == "float64" != image.precision:
                 notes.append(self.tr("What has a texture can be drawn in float32 only"))
             if image.refused_depth is not None:
                 reason = sentence(image.refused_depth).rstrip(".")
@@ -154,12 +154,12 @@ class DrawnQuality(QObject):
         shown = self._shown()
         document, scene, projection = shown.document, shown.scene, shown.projection
         quality, settings = document.quality, document.settings
-        rung = quality.rung
-        if rung == AUTO:
+        precision = quality.rung
+        if precision == AUTO:
             tolerance_px = self._settings.tolerance_px
-            rung = rung_for_drawing(projection, scene.corners, scene.origin, tolerance_px)
+            precision = precision_for_drawing(projection, scene.corners, scene.origin, tolerance_px)
         return {
-            "rung": rung,
+            "rung": precision,
             "depth_format": quality.depth_format or "fixed24",
             "depth_mapping": quality.depth_mapping or projection.depth,
             "smoothing": "FXAA" if quality.smoothing == AUTO else quality.smoothing,

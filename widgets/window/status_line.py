@@ -17,19 +17,19 @@ from PySide6.QtGui import QEnterEvent, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QLabel, QMenu, QSizePolicy, QStatusBar, QToolButton
 
 from app.drawings.frame_budget import LARGEST_FRAME_MS
-from app.lecture.highlight import CORNERS, NOTHING, SIDES, Attention
+from app.lecture.highlight import CORNERS, NOTHING, SIDES, Highlight
 from app.model.projection import Projection
 from app.model.refusal import format_value
 from app.precision.levels import (
     DRAWING_TOLERANCE_PX,
     LARGEST_TOLERANCE_PX,
     LEAST_TOLERANCE_PX,
+    Precision,
     Prediction,
-    Rung,
     drawing_bound_px,
+    precision_for_drawing,
+    precision_for_reading,
     predict,
-    rung_for_drawing,
-    rung_for_reading,
 )
 from app.precision.quality import AUTOMATIC, Quality
 from app.precision.risks import risks
@@ -40,12 +40,12 @@ from widgets.parts.messages import plane_name, translated
 from widgets.parts.number_dialog import NumberDialog
 from widgets.parts.panel import PROJECTION, Changed, Shown
 
-_ABOUT: dict[str, Attention] = {
+_ABOUT: dict[str, Highlight] = {
     "fov": frozenset(("fov",)),
     "planes": frozenset(("near", "far")),
     "camera": frozenset(("eye", "target")),
 }
-_OF_THE_WINDOW: Attention = frozenset((*CORNERS, *SIDES))
+_OF_THE_WINDOW: Highlight = frozenset((*CORNERS, *SIDES))
 _BESIDE_PX, _ABOVE_PX = 8, 2  # round the text of a figure
 RESTS_AFTER_MS = 150
 """How long nothing must change until errors are predicted."""
@@ -68,16 +68,16 @@ class StatusLine(QStatusBar):
     tolerance_edited = Signal(float)
     frame_edited = Signal(float)
     automatic_wanted = Signal()
-    attended = Signal(object)
-    """The `Attention` that the figure under the mouse draws."""
+    highlighted = Signal(object)
+    """The `Highlight` that the figure under the mouse draws."""
 
     def __init__(self) -> None:
         super().__init__()
         self._projection: Projection | None = None
         self._scene: Scene | None = None
         self.tolerance_px = DRAWING_TOLERANCE_PX
-        self._predictions: dict[Rung, Prediction] | None = None
-        self._drawn: Rung = "float32"
+        self._predictions: dict[Precision, Prediction] | None = None
+        self._drawn: Precision = "float32"
         self._quality = AUTOMATIC
         self._frame_ms = 0.0
         self._risks: list[str] = []
@@ -91,23 +91,23 @@ class StatusLine(QStatusBar):
             ("camera", self.tr("Distance from the eye to the target, in world units")),
         ):
             self.labels[name].setToolTip(tip)
-            self.labels[name].attended.connect(self.attended)
+            self.labels[name].highlighted.connect(self.highlighted)
             self.addWidget(self.labels[name])
-        self.rung = QToolButton()
-        self.rung.setAutoRaise(True)
-        self._show_rungs(self._drawn, 0.0, None)
-        self.rung.setText(self._rungs)
-        self.rung.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
-        self.rung.setMenu(QMenu(self.rung))
-        self.addWidget(self.rung)
-        self.rung.setToolTip(
+        self.precision = QToolButton()
+        self.precision.setAutoRaise(True)
+        self._show_precisions(self._drawn, 0.0, None)
+        self.precision.setText(self._precisions)
+        self.precision.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        self.precision.setMenu(QMenu(self.precision))
+        self.addWidget(self.precision)
+        self.precision.setToolTip(
             self.tr(
                 "With how many digits the picture is drawn and its numbers are computed, and what "
                 "their errors cannot exceed: drawn, of what is seen; read, and behind a click each "
                 "alternative, of every point in front of the eye"
             )
         )
-        self.rung.menu().aboutToShow.connect(self._fill_menu)
+        self.precision.menu().aboutToShow.connect(self._fill_menu)
         self.quality = QToolButton()
         self.quality.setAutoRaise(True)
         # Or it would be as high as an icon as long as it has no text, and the panes less high.
@@ -156,12 +156,12 @@ class StatusLine(QStatusBar):
         )
         self.cost.show_text(text, f"{tip}\n{text}")
 
-    def show_attention(self, attended: Attention) -> None:
-        """Mark the figures that are about what is attended to."""
-        if attended & _OF_THE_WINDOW:  # a corner is dragged to another field of view
-            attended |= {"fov"}
+    def show_highlight(self, highlighted: Highlight) -> None:
+        """Mark the figures that are about what is highlighted."""
+        if highlighted & _OF_THE_WINDOW:  # a corner is dragged to another field of view
+            highlighted |= {"fov"}
         for label in self.labels.values():
-            label.show_attention(attended)
+            label.show_highlight(highlighted)
 
     def set_tolerance(self, tolerance_px: float) -> None:
         """Set up to which error in pixels a GPU's own arithmetic may draw."""
@@ -201,13 +201,13 @@ class StatusLine(QStatusBar):
         """Let a sentence that has too little room have that of what can be read elsewhere."""
         if self.currentMessage():  # Qt has hidden all of it, and tells when it is gone
             return
-        self.rung.setText(self._rungs)
+        self.precision.setText(self._precisions)
         self.labels["camera"].show()
         layout = self.layout()
         if layout is None or not self.cost.isHidden():  # which has all the room there is
             return
         for give_way in (
-            partial(self.rung.setText, self._rungs_alone),  # the errors are in its menu
+            partial(self.precision.setText, self._precisions_alone),  # the errors are in its menu
             self.labels["camera"].hide,  # its distance is among the controls
         ):
             layout.activate()
@@ -269,11 +269,11 @@ class StatusLine(QStatusBar):
             label.fit()
         projection, scene = self._projection, self._scene
         self._predictions = predict(projection, scene.vertices, scene.origin)
-        self._drawn = rung_for_drawing(
+        self._drawn = precision_for_drawing(
             projection, scene.corners, scene.origin, self._quality.tolerance_px(self.tolerance_px)
         )
         drawing_px = drawing_bound_px(projection, scene.corners, scene.origin)
-        self._show_rungs(self._drawn, drawing_px, self._predictions)
+        self._show_precisions(self._drawn, drawing_px, self._predictions)
         self._risks = [
             translated(risk.template, "Health").format(*map(plane_name, risk.figures))
             for risk in risks(
@@ -282,16 +282,18 @@ class StatusLine(QStatusBar):
         ]
         self._show_health()
 
-    def _show_rungs(
-        self, drawn: Rung, drawing_px: float, predictions: dict[Rung, Prediction] | None
+    def _show_precisions(
+        self, drawn: Precision, drawing_px: float, predictions: dict[Precision, Prediction] | None
     ) -> None:
-        read = rung_for_reading(predictions)
-        self._rungs = self._rungs_alone = self.tr("drawn {0}, read {1}").format(drawn, read)
+        read = precision_for_reading(predictions)
+        self._precisions = self._precisions_alone = self.tr("drawn {0}, read {1}").format(
+            drawn, read
+        )
         if predictions is not None:
             # Whatever computed it, a rasteriser is handed float32 in the end.
             at_least_px = max(self._projection.image_size) * 2.0**-24 if self._projection else 0.0
             drawn_px = drawing_px if drawn == "float32" else predictions[drawn].px
-            self._rungs = self.tr("drawn {0} ±{1} px, read {2} ±{3} px").format(
+            self._precisions = self.tr("drawn {0} ±{1} px, read {2} ±{3} px").format(
                 drawn,
                 _error_text(max(drawn_px, at_least_px)),
                 read,
@@ -299,19 +301,19 @@ class StatusLine(QStatusBar):
             )
 
     def _fill_menu(self) -> None:
-        menu = self.rung.menu()
+        menu = self.precision.menu()
         menu.clear()
-        read = rung_for_reading(self._predictions)
-        for rung, (px, depth) in (self._predictions or {}).items():
+        read = precision_for_reading(self._predictions)
+        for precision, (px, depth) in (self._predictions or {}).items():
             line = self.tr("{0}: up to {1} px, {2} in depth").format(
-                rung, f"{px:.2g}", f"{depth:.2g}"
+                precision, f"{px:.2g}", f"{depth:.2g}"
             )
             if not math.isfinite(px + depth):
-                line = self.tr("{0}: its error has no bound here").format(rung)
+                line = self.tr("{0}: its error has no bound here").format(precision)
             uses = [
                 use
                 for use, chosen in ((self.tr("drawn"), self._drawn), (self.tr("read"), read))
-                if chosen == rung
+                if chosen == precision
             ]
             menu.addAction(f"{line}  ({', '.join(uses)})" if uses else line).setEnabled(False)
         menu.addSeparator()
@@ -349,14 +351,14 @@ def _error_text(px: float) -> str:
 
 
 class _Figure(MarkedLabel):
-    """A figure that draws attention to what it is about, and shows when something else does.
+    """A figure that highlights what it is about, and shows when something else does.
 
     While its text changes the room it has only grows, so that the steps of a drag lay nothing out.
     """
 
-    attended = Signal(object)
+    highlighted = Signal(object)
 
-    def __init__(self, about: Attention) -> None:
+    def __init__(self, about: Highlight) -> None:
         super().__init__()
         self._about = about
         self.setIndent(_BESIDE_PX)  # contents margins QFrame forgets when its style changes
@@ -384,16 +386,16 @@ class _Figure(MarkedLabel):
         if event.type() in (QEvent.Type.FontChange, QEvent.Type.StyleChange):
             self.fit()
 
-    def show_attention(self, attended: Attention) -> None:
-        self.set_marked(bool(attended & self._about))
+    def show_highlight(self, highlighted: Highlight) -> None:
+        self.set_marked(bool(highlighted & self._about))
 
     def enterEvent(self, event: QEnterEvent) -> None:
         super().enterEvent(event)
-        self.attended.emit(self._about)
+        self.highlighted.emit(self._about)
 
     def leaveEvent(self, event: QEvent) -> None:
         super().leaveEvent(event)
-        self.attended.emit(NOTHING)
+        self.highlighted.emit(NOTHING)
 
 
 class _Elided(QLabel):

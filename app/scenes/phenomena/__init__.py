@@ -1,7 +1,7 @@
 """The phenomena that the lectures name, each one a scene with a readout; numpy only.
 
-`exhibit` says what a phenomenon is made of, `picture` how marks come into the image pane; each of
-the other modules holds one. `PHENOMENA` has them in lecture order.
+`illustration` says what a phenomenon is made of, `picture` how marks come into the image pane; each
+of the other modules holds one. `PHENOMENA` has them in lecture order.
 """
 
 from __future__ import annotations

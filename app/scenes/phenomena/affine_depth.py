@@ -20,8 +20,8 @@ from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.illustration import (
     Dot,
-    Exhibit,
     Grip,
+    Illustration,
     Line,
     Marks,
     OwnMesh,
@@ -191,7 +191,7 @@ def deviation(projection: Projection, part: Inside) -> Deviation:
     return Deviation(percent, distance, root_end / (root_start + root_end), root_start * root_end)
 
 
-def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhibit:
+def _show(projection: Projection, settings: Settings, subject: Subject) -> Illustration:
     ends = np.array([point(settings, "start"), point(settings, "end")])
     world = Marks(
         lines=(Line(ends, "accent", 2.5),),
@@ -202,7 +202,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
     mesh = subject.mesh
     if projection.lens.far == math.inf:
         readings, why = _readings(None, None, Phrase(_INFINITE), mesh), Phrase(_INFINITE)
-        return Exhibit(readings, world, warning=why, grips=grips)
+        return Illustration(readings, world, warning=why, grips=grips)
     others = letter_f_edges()[0] if mesh is None else mesh.edges[:_MOST_EDGES]
     part = inside(projection, np.concatenate([ends[None], others]))
     parallel = of_parallel(projection, _PARALLEL)
@@ -210,7 +210,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
         lines = [Line(pair, "muted") for pair in part.ndc[part.rows > 0]]
         lines += [Line(pair, "accent", 2.5) for pair in part.ndc[part.rows == 0]]
         straight = (0.0, 0.0)
-        return Exhibit(
+        return Illustration(
             _readings(straight, 0.0, parallel, mesh),
             world,
             Marks(tuple(lines)),
@@ -251,7 +251,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
         note = Phrase(_SHORT)
     at = None if note else (float(found.percent[0]), float(found.w[0]))
     cut = note is None and bool(part.cut[0])
-    return Exhibit(
+    return Illustration(
         _readings(at, worst, Phrase(_CUT) if cut else note, mesh, cut),
         world,
         Marks(tuple(lines), (), tuple(dots), tuple(texts)),

@@ -24,7 +24,7 @@ from app.scenes.phenomena.illustration import (
     Copy,
     Curve,
     Diagram,
-    Exhibit,
+    Illustration,
     Line,
     Marks,
     Phenomenon,
@@ -195,7 +195,7 @@ def _cut(corners: Array, starts: Array, directions: Array) -> tuple[Array, NDArr
     return np.where(inside, w, -1.0), inside
 
 
-def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhibit:
+def _show(projection: Projection, settings: Settings, subject: Subject) -> Illustration:
     gap = number(settings, "gap")
     matrix = moved_behind(projection, gap)
     # In the other panes, whose depth buffers are their own, its outline is enough.
@@ -209,7 +209,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
         )
     buffer = buffer_of(projection, settings)
     if isinstance(buffer, Phrase):
-        return Exhibit((), world=marks, copies=copies, warning=buffer)
+        return Illustration((), world=marks, copies=copies, warning=buffer)
     first, second = distances(projection, gap, subject)
     share: float | None = None
     note: Phrase | None = Phrase(_NOT_IN_PICTURE)
@@ -249,7 +249,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
             float(FORMATS[buffer.format].largest) + 1.0,
         ),
     )
-    return Exhibit(
+    return Illustration(
         readings,
         world=marks,
         copies=copies,

@@ -25,9 +25,9 @@ from app.scenes.phenomena.illustration import (
     Curve,
     Diagram,
     Dot,
-    Exhibit,
     Face,
     Grip,
+    Illustration,
     Line,
     Marks,
     OwnMesh,
@@ -302,11 +302,11 @@ def _circle(angles: tuple[float, float] | None, in_front: bool) -> Diagram:
     )  # fmt: skip
 
 
-def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhibit:
+def _show(projection: Projection, settings: Settings, subject: Subject) -> Illustration:
     a, b = np.array(point(settings, "start")), np.array(point(settings, "end"))
     mesh = subject.mesh
     if (parallel := of_parallel(projection, _PARALLEL)) is not None:
-        return Exhibit((), warning=parallel)
+        return Illustration((), warning=parallel)
     others = letter_f_edges()[0] if mesh is None else _edges_that_matter(projection.camera, mesh)
     segments = np.concatenate([[(a, b)], others])
     trace = projection.trace(segments)
@@ -323,7 +323,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
                  size),
         _circle(angles, bool((trace.view[0, :, 2] < 0.0).any())),
     )  # fmt: skip
-    return Exhibit(
+    return Illustration(
         _readings(projection, drawn, trace.view[0], mesh),
         world=_world_marks(projection, subject, a, b, -trace.view[0, :, 2]),
         ndc=_ndc_marks(projection, trace.clip[0]),

@@ -29,8 +29,8 @@ from app.model.projection import (
 from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.illustration import (
     CLOSE,
-    Exhibit,
     Found,
+    Illustration,
     Line,
     Marks,
     Phenomenon,
@@ -209,7 +209,7 @@ def _angles(projection: Projection) -> tuple[Reading, ...]:
     )
 
 
-def _show(projection: Projection, _settings: Settings, subject: Subject) -> Exhibit:
+def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illustration:
     camera = projection.camera
     distance = camera.distance
     height = subject.upper[1] - subject.lower[1]
@@ -266,7 +266,7 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Exhi
     axis = Line(np.array([camera.eye, camera.target]), "accent", 1.2)
     lines = (Line(p, colour, 2.0) for p, colour in zip(polylines, colours, strict=True))
     segments_clip = trace.clip[: 2 * len(segments)].reshape(-1, 2, 4)
-    return Exhibit(
+    return Illustration(
         readings,
         world=Marks((axis, *lines), texts=(at_target, *at_squares)),
         image=Marks(

@@ -27,8 +27,8 @@ from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.illustration import (
     Curve,
     Diagram,
-    Exhibit,
     Face,
+    Illustration,
     Line,
     Marks,
     Phenomenon,
@@ -155,22 +155,22 @@ def _geometry() -> tuple[Coloured, Coloured]:
     return joined(*faces), joined(ground, edges_of(np.concatenate(boxes)))
 
 
-def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhibit:
+def _show(projection: Projection, settings: Settings, subject: Subject) -> Illustration:
     n, focus, c_mm = (number(settings, name) for name in ("aperture", "focus", "confusion"))
     note = of_parallel(projection, _PARALLEL)
     if note is not None:
         readings = (*_readings(None, None, None, note), _target_reading(None, note))
-        return Exhibit(readings, warning=note)
+        return Illustration(readings, warning=note)
     f_mm = focal_length_mm(projection)
     if focus <= f_mm * _MM:
         note = Phrase(_TOO_CLOSE, (f"{focus:.6g}", f"{f_mm * _MM:.6g}"))
         readings = (*_readings(f_mm, f_mm / n, None, note), _target_reading(None, note))
-        return Exhibit(readings, warning=note)
+        return Illustration(readings, warning=note)
     sharp = sharpness(f_mm, n, focus, c_mm)
     with np.errstate(over="ignore"):
         target = np.array(projection.camera.distance)
         disc_mm = float(blur_mm(f_mm, n, focus, target))
-    return Exhibit(
+    return Illustration(
         (
             *_readings(f_mm, f_mm / n, sharp, Phrase(_TO_INFINITY)),
             _drawn_disc(projection, disc_mm),

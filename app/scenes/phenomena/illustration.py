@@ -2,10 +2,10 @@
 
 A phenomenon of the lectures is a scene with settings of its own and one function::
 
-    show(projection, settings, subject) -> Exhibit
+    show(projection, settings, subject) -> Illustration
 
-The exhibit holds the readout (numbers with their units), marks to draw over each pane, copies of
-the scene under further matrices, diagrams beside the panes, and how the scene is to be
+The illustration holds the readout (numbers with their units), marks to draw over each pane, copies
+of the scene under further matrices, diagrams beside the panes, and how the scene is to be
 rasterised. It is made anew at every change, from nothing but the arguments, so that panes, panel,
 figures and tests all show the same. Marks are few: what follows every vertex is a matrix (`Copy`)
 or the rasteriser's own work (`Rendering`).
@@ -447,7 +447,7 @@ class Rendering:
 
 
 @dataclass(frozen=True, eq=False)
-class Exhibit:
+class Illustration:
     """What a phenomenon shows for one projection and one choice of its settings.
 
     Attributes
@@ -551,7 +551,7 @@ class Phenomenon:
     geometry : callable
         Makes the faces and the lines of the scene: ``geometry() -> (faces, lines)``.
     show : callable
-        ``show(projection, settings, subject) -> Exhibit``.
+        ``show(projection, settings, subject) -> Illustration``.
     settings : tuple of Setting
     controls : tuple of str
         Document paths of the model's controls that matter here: ``lens.near``.
@@ -580,7 +580,7 @@ class Phenomenon:
     lectures: tuple[str, ...]
     start: Projection
     geometry: Callable[[], tuple[Coloured, Coloured]]
-    show: Callable[[Projection, Settings, Subject], Exhibit]
+    show: Callable[[Projection, Settings, Subject], Illustration]
     settings: tuple[Setting, ...] = ()
     controls: tuple[str, ...] = ()
     follow: Callable[[Projection, Found, Settings], Projection] = _keep
@@ -595,10 +595,12 @@ class Phenomenon:
         """The settings with which it opens."""
         return MappingProxyType({setting.name: setting.default for setting in self.settings})
 
-    def exhibit(self, projection: Projection, settings: Settings, subject: Subject) -> Exhibit:
+    def illustration(
+        self, projection: Projection, settings: Settings, subject: Subject
+    ) -> Illustration:
         """What is shown; of a free matrix, that has no lens to show it with, only that."""
         if is_free(projection):
-            return Exhibit((), warning=Phrase(_FREE), idle=True)
+            return Illustration((), warning=Phrase(_FREE), idle=True)
         return self.show(projection, settings, subject)
 
     def at_hand(self, projection: Projection, settings: Settings) -> Found:

@@ -28,7 +28,7 @@ from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.illustration import (
     Dot,
-    Exhibit,
+    Illustration,
     Line,
     Marks,
     Phenomenon,
@@ -172,7 +172,7 @@ def planar_texture(subject: Subject) -> Array:
     return matrix
 
 
-def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhibit:
+def _show(projection: Projection, settings: Settings, subject: Subject) -> Illustration:
     parts, affine = int(number(settings, "subdivision")), settings["interpolation"] == "affine"
     texture = Texture(
         planar_texture(subject), _CHECKS, affine, parts, settings["pattern"] == "coordinates"
@@ -183,7 +183,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
     trace = projection.trace(ends)
     note = Phrase(cut) if errors is None else None
     if trace.outside[:, 0].any() or not np.isfinite(trace.image).all():
-        return Exhibit(
+        return Illustration(
             _readings(errors, None, Phrase(cut), said), rendering=rendering, warning=Phrase(cut)
         )
     nearer_first = np.argsort(trace.clip[:, 3], kind="stable")
@@ -214,7 +214,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
         dots=tuple(dot for dot, _ in here),
         texts=tuple(text for _, text in here),
     )
-    return Exhibit(
+    return Illustration(
         _readings(errors, part, note, said),
         world=world,
         image=image,

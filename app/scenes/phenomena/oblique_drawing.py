@@ -26,8 +26,8 @@ from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.illustration import (
     CLOSE,
     Dot,
-    Exhibit,
     Found,
+    Illustration,
     Line,
     Marks,
     Phenomenon,
@@ -185,7 +185,7 @@ def _wanted(settings: Found) -> tuple[float, float]:
 # --------------------------------------------------------------------------- what is shown
 
 
-def _show(projection: Projection, _settings: Settings, subject: Subject) -> Exhibit:
+def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illustration:
     lens, camera = projection.lens, projection.camera
     u, v, n = camera.frame
     # The lower right corner in front: with things receding to the upper right, its edge is seen.
@@ -256,7 +256,7 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Exhi
     if warning is None:
         world = _projectors(projection, corners, trace.view[4:12], world)
     segments_clip = trace.clip[[[0, 1], [0, 2], [0, 3]]]
-    return Exhibit(
+    return Illustration(
         tuple(readings),
         world=world,
         image=Marks(

@@ -16,9 +16,9 @@ import numpy as np
 from app.model.projection import Array, Camera, Frustum, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes.phenomena.illustration import (
-    Exhibit,
     Face,
     Found,
+    Illustration,
     Line,
     Marks,
     Phenomenon,
@@ -158,14 +158,14 @@ def largest_difference_px(
 # --------------------------------------------------------------------------- what is shown
 
 
-def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhibit:
+def _show(projection: Projection, settings: Settings, subject: Subject) -> Illustration:
     two = settings["screens"] == "2"
     screens: tuple[Projection, ...] = (projection,)
     warning = None
     if two:
         try:
             screens = halves(projection)
-        except Refusal:  # said in the exhibit, where it belongs to the camera
+        except Refusal:  # said in the illustration, where it belongs to the camera
             warning = Phrase(_TOO_NARROW)
     names = (_LEFT, _RIGHT) if len(screens) == 2 else (_WINDOW,)
     readings = _join_readings(projection, screens, subject, warning or Phrase(_ONE_SCREEN))
@@ -180,7 +180,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
             (left / 2.0 + right / 2.0) / (right / 2.0 - left / 2.0),
         ),
     ]
-    return Exhibit(
+    return Illustration(
         tuple(readings),
         world=_world_marks(screens, names),
         ndc=_ndc_marks(projection, screens),

@@ -27,9 +27,9 @@ from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value
 from app.scenes.phenomena.illustration import (
     Copy,
     Dot,
-    Exhibit,
     Face,
     Grip,
+    Illustration,
     Line,
     Marks,
     Phenomenon,
@@ -166,7 +166,7 @@ def _scaled(matrix: Array) -> Array:
     return scaled
 
 
-def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhibit:
+def _show(projection: Projection, settings: Settings, subject: Subject) -> Illustration:
     light, height = _light(settings), number(settings, "height")
     matrix = shadow_matrix(light, height)
     shadows = cast(matrix, subject.points)
@@ -188,7 +188,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
     warning = Phrase(_IN_THE_OBJECT) if inside else None
     if warning is None and chosen is None:
         warning = Phrase(_NO_SHADOW)
-    return Exhibit(
+    return Illustration(
         _readings(
             matrix, _formula(settings, light), light, height, subject, shadows, chosen, too_high
         ),

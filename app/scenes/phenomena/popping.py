@@ -26,9 +26,9 @@ from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes.phenomena.illustration import (
     Curve,
     Diagram,
-    Exhibit,
     Fog,
     Found,
+    Illustration,
     Level,
     Phenomenon,
     Phrase,
@@ -247,7 +247,7 @@ def _found(projection: Projection, _settings: Settings) -> Found:
     return {"position": _START_Z - projection.camera.eye[2]}
 
 
-def _show(projection: Projection, settings: Settings, _subject: Subject) -> Exhibit:
+def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illustration:
     far = projection.lens.far
     fog = fog_of(settings)
     until = (math.inf, math.inf)
@@ -289,7 +289,7 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Exhi
             why,
         ),
     )
-    return Exhibit(
+    return Illustration(
         readings,
         diagrams=(_diagram(fog, far),),
         rendering=Rendering(fog=fog, levels=levels),

@@ -18,9 +18,9 @@ from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes.phenomena.illustration import (
     Copy,
     Dot,
-    Exhibit,
     Face,
     Grip,
+    Illustration,
     Line,
     Marks,
     Phenomenon,
@@ -106,12 +106,12 @@ def onto_plane(projection: Projection, distance: float, slab: float = 0.0) -> Ar
     return matrix
 
 
-def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhibit:
+def _show(projection: Projection, settings: Settings, subject: Subject) -> Illustration:
     distance = number(settings, "distance")
     place = np.array(point(settings, "point"))
     camera = projection.camera
     if (parallel := of_parallel(projection, _PARALLEL)) is not None:
-        return Exhibit((), warning=parallel)
+        return Illustration((), warning=parallel)
     eye = np.array(camera.eye)
 
     def world(x: float, y: float, z: float) -> Array:
@@ -161,7 +161,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
     slab = _SLAB * abs(distance) * (nearest if nearest < math.inf else 1.0)
     trace = projection.trace(place)
     here = bool(seen(trace))
-    return Exhibit(
+    return Illustration(
         readings,
         world=Marks(tuple(lines), tuple(faces), tuple(dots), tuple(texts)),
         ndc=_marked(trace.ndc) if here else Marks(),

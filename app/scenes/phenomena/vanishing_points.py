@@ -22,8 +22,8 @@ from app.scenes.phenomena.illustration import (
     Curve,
     Diagram,
     Dot,
-    Exhibit,
     Found,
+    Illustration,
     Line,
     Marks,
     Phenomenon,
@@ -266,7 +266,7 @@ def _geometry() -> tuple[Coloured, Coloured]:
     return (block, shades), lines
 
 
-def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhibit:
+def _show(projection: Projection, settings: Settings, subject: Subject) -> Illustration:
     points = vanishing(projection)
     axis = _AXES.index(str(settings["edge"]))
     point = points[axis]
@@ -292,7 +292,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Exhib
     readings += [_pixel_reading(projection, number, p) for number, p in enumerate(points)]
     why_no_v = readings[1 + axis].note
     readings += _running_readings(point, there, why_no_v)
-    return Exhibit(
+    return Illustration(
         tuple(readings),
         world=_world_marks(projection, points, subject, start, there),
         image=_image_marks(projection, points, trace.clip, from_corner[1], there),

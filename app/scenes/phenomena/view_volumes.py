@@ -18,9 +18,9 @@ from app.model.projection import Camera, Perspective, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.illustration import (
     Dot,
-    Exhibit,
     Face,
     Found,
+    Illustration,
     Line,
     Marks,
     Phenomenon,
@@ -186,7 +186,7 @@ def _half_sides(projection: Projection) -> tuple[float, float]:
     return (right - left) / 2.0, (top - bottom) / 2.0
 
 
-def _show(projection: Projection, settings: Settings, _subject: Subject) -> Exhibit:
+def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illustration:
     asked = settings["volume"] == "cone"
     no_cone = of_parallel(projection, _NO_CONE)
     cone = asked and no_cone is None
@@ -218,7 +218,7 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Exhi
     world, ndc, image = Marks(), Marks(), Marks()
     if cone:
         world, ndc, image = _cone_marks(projection)
-    return Exhibit(
+    return Illustration(
         readings,
         world=Marks(world.lines, world.faces, dots, texts),
         ndc=ndc,

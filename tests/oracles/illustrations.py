@@ -1,4 +1,5 @@
-"""What every exhibit must be, whatever the projection, and projections at the model's limits."""
+"""What every illustration must be, whatever the projection, and projections at the model's
+limits."""
 
 from __future__ import annotations
 
@@ -19,7 +20,7 @@ from app.model.projection import (
     Perspective,
     Projection,
 )
-from app.scenes.phenomena.illustration import Exhibit, Marks, Phenomenon, Reading, Subject
+from app.scenes.phenomena.illustration import Illustration, Marks, Phenomenon, Reading, Subject
 
 
 def subject_of(phenomenon: Phenomenon) -> Subject:
@@ -30,24 +31,24 @@ def subject_of(phenomenon: Phenomenon) -> Subject:
     return Subject((lower[0], lower[1], lower[2]), (upper[0], upper[1], upper[2]), points)
 
 
-def showing(phenomenon: Phenomenon, subject: Subject) -> Callable[..., Exhibit]:
+def showing(phenomenon: Phenomenon, subject: Subject) -> Callable[..., Illustration]:
     """What a phenomenon shows of a projection, its start if none is given, with some settings."""
 
-    def show(projection: Projection = phenomenon.start, **settings: object) -> Exhibit:
+    def show(projection: Projection = phenomenon.start, **settings: object) -> Illustration:
         return phenomenon.show(projection, phenomenon.checked(settings), subject)
 
     return show
 
 
-def reading(exhibit: Exhibit, label: str) -> Reading:
+def reading(illustration: Illustration, label: str) -> Reading:
     """The one reading whose label contains the words."""
-    (found,) = (r for r in exhibit.readings if label in r.label)
+    (found,) = (r for r in illustration.readings if label in r.label)
     return found
 
 
-def value(exhibit: Exhibit, label: str) -> float:
+def value(illustration: Illustration, label: str) -> float:
     """The number that it reads."""
-    found = reading(exhibit, label).value
+    found = reading(illustration, label).value
     assert isinstance(found, float), label
     return found
 
@@ -110,11 +111,13 @@ def random_projection(dice: random.Random, start: Projection) -> Projection:
     return replace(seen, lens=replace(seen.lens, **window))
 
 
-def assert_sound(phenomenon: Phenomenon, exhibit: Exhibit, projection: Projection) -> None:
+def assert_sound(
+    phenomenon: Phenomenon, illustration: Illustration, projection: Projection
+) -> None:
     """Numbers are finite or missing with a reason, marks are finite and in their pane's space."""
-    for copy in exhibit.copies:
+    for copy in illustration.copies:
         assert np.isfinite(copy.world_from_world).all()
-    for one in exhibit.readings:
+    for one in illustration.readings:
         assert one.label
         if one.value is None:
             said = one.counted or (one.note is not None and one.note.sentence())
@@ -123,14 +126,14 @@ def assert_sound(phenomenon: Phenomenon, exhibit: Exhibit, projection: Projectio
             assert all(map(math.isfinite, one.value)), one
         elif not isinstance(one.value, str):
             assert math.isfinite(one.value), one
-    for marks, size in ((exhibit.world, 3), (exhibit.ndc, 3), (exhibit.image, 2)):
+    for marks, size in ((illustration.world, 3), (illustration.ndc, 3), (illustration.image, 2)):
         _assert_marks(marks, size)
     width, height = projection.image_size
-    for place in [p for line in exhibit.image.lines for p in line.points] + [
-        mark.point for mark in (*exhibit.image.dots, *exhibit.image.texts)
+    for place in [p for line in illustration.image.lines for p in line.points] + [
+        mark.point for mark in (*illustration.image.dots, *illustration.image.texts)
     ]:
         assert -1e-6 <= place[0] <= width + 1e-6 and -1e-6 <= place[1] <= height + 1e-6
-    for diagram in exhibit.diagrams:
+    for diagram in illustration.diagrams:
         assert diagram.curves, diagram.title
         window = (diagram.left, diagram.right, diagram.bottom, diagram.top)
         assert all(map(math.isfinite, window))
