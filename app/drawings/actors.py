@@ -241,7 +241,7 @@ class Label:
         self.property.SetVerticalJustification(anchor[1] + 1)
         self.property.SetColor(*rgb(style.ink))
         self.property.SetFrameColor(*rgb(style.ink))
-        self.property.SetFrameWidth(max(2, round(1.6 * style.line_width)))
+        self.property.SetFrameWidth(max(2, round(1.2 * style.line_width)))
         if plate:
             self.set_plate(plate)
         self.set_dpi(_DPI)
@@ -375,7 +375,7 @@ def scene_actors(
     surface = None if scene.surface is None else _faces_actor(scene, scene.surface)
     lines = None if scene.lines is None else unlit_actor(scene.lines)
     if lines is not None:
-        lines.GetProperty().SetLineWidth(style.line_width)
+        lines.GetProperty().SetLineWidth(style.line_width / 2.0)
         _after_position(lines, _KEEP_OFF_ZERO)
     planes = list(clip)
     if lines is not None and not planes:  # which would have to be cut as well

@@ -91,9 +91,9 @@ class CameraDrawing:
         wire = actors.line_actor(points, edges, style.eye, width)
         self.solid = body, wire
         self._body_space.add(body, wire)
-        eye = actors.point_actor([(0, 0, 0)], style.eye, 5.0 * width)
-        target = actors.point_actor([(0, 0, 0)], style.target, 6.0 * width)
-        rim = actors.point_actor([(0, 0, 0)], style.ink, 8.0 * width)
+        eye = actors.point_actor([(0, 0, 0)], style.eye, 3.75 * width)
+        target = actors.point_actor([(0, 0, 0)], style.target, 4.5 * width)
+        rim = actors.point_actor([(0, 0, 0)], style.ink, 6.0 * width)
         self.discs = {"eye": eye, "target": target}
         self._eye_space.add(eye)
         self._target_space.add(target)
@@ -103,7 +103,7 @@ class CameraDrawing:
         self.shafts: dict[str, vtkActor] = {}
         self._heads: dict[str, vtkActor] = {}
         for axis, tip in TIPS.items():
-            shaft, head = arrow(np.array(tip), getattr(style, axis), 2.0 * width)
+            shaft, head = arrow(np.array(tip), getattr(style, axis), 1.5 * width)
             self._axes_space.add(shaft, head)
             self.shafts[axis], self._heads[axis] = shaft, head
             add(shaft, head)

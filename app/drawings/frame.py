@@ -39,14 +39,14 @@ class FrameSteps:
         self._space, self._up_space = Space(), Space()
         width = style.line_width
         up, look = np.array([0.0, _UP, 0.0]), np.array(_LOOK)
-        self.up, up_head = arrow(up, style.accent, 2.0 * width)
-        self.look, look_head = arrow(look, style.target, 2.0 * width)
+        self.up, up_head = arrow(up, style.accent, 1.5 * width)
+        self.look, look_head = arrow(look, style.target, 1.5 * width)
         u, v, n = np.eye(3)
         self._squares = {
-            "up-u": _right_angle(u, v, style.ink, 1.2 * width),  # v is up under up's own matrix
-            "u-n": _right_angle(u, n, style.ink, 1.2 * width),
-            "v-n": _right_angle(v, n, style.ink, 1.2 * width),
-            "v-u": _right_angle(v, u, style.ink, 1.2 * width),
+            "up-u": _right_angle(u, v, style.ink, width),  # v is up under up's own matrix
+            "u-n": _right_angle(u, n, style.ink, width),
+            "v-n": _right_angle(v, n, style.ink, width),
+            "v-u": _right_angle(v, u, style.ink, width),
         }
         self._shown_from = {
             "look": [self.look, look_head],

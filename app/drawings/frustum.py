@@ -110,7 +110,7 @@ class FrustumDrawing:
         self.space, self._body_space, self.apex_space = Space(), Space(), Space()
 
         def outline(face: tuple[int, ...], colour: str) -> vtkActor:
-            return actors.line_actor(CUBE, [(*face, face[0])], colour, 2.0 * width)
+            return actors.line_actor(CUBE, [(*face, face[0])], colour, 1.5 * width)
 
         far_face = actors.face_actor(CUBE, [FAR_FACE], style.far, _FAR_TINT)
         walls = actors.face_actor(CUBE, [FACES[side] for side in SIDES], style.frustum, 0.05)
@@ -121,18 +121,18 @@ class FrustumDrawing:
         self.outlines = {"near": near_line, "far": far_line}
         self.tints = (near_face, _NEAR_TINT), (far_face, _FAR_TINT)
         edges = [(i, i + 4) for i in range(4)]
-        self._body = actors.line_actor(CUBE, edges, style.frustum, 1.4 * width)
+        self._body = actors.line_actor(CUBE, edges, style.frustum, width)
         self._body_space.add(self._body)
         apex = [(0.0, 0.0, 0.0), *CUBE[:4]]
         self.apex = actors.line_actor(
-            apex, [(0, i) for i in range(1, 5)], style.frustum, 0.8 * width
+            apex, [(0, i) for i in range(1, 5)], style.frustum, width / 2.0
         )
         self.apex_space.add(self.apex)
         self.breaks: dict[str, list[tuple[Space, vtkActor]]] = {"near": [], "far": []}
         self._break_ends: dict[str, Array] = {}
         for broken_edges in self.breaks.values():
             for _ in range(4):
-                edge = actors.line_actor(*_broken_edge(), style.frustum, 1.4 * width)
+                edge = actors.line_actor(*_broken_edge(), style.frustum, width)
                 broken_edges.append((Space(), edge))
                 broken_edges[-1][0].add(edge)
         broken = [edge for edges in self.breaks.values() for _, edge in edges]

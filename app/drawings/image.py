@@ -433,7 +433,7 @@ class ImageDrawing:
             space.set(matrix)
 
         em = self._style.font_size
-        thin, thick = (max(1, round(k * self._style.line_width)) for k in (0.7, 1.4))
+        thin, thick = (max(1, round(k * self._style.line_width)) for k in (0.5, 1.0))
         tip, head = round(0.6 * em), 0.3 * em
         place(self._bars["frame"], left - thin, top - thin, width + 2 * thin, height + 2 * thin)
         place(self._bars["x"], left - thick, top - thick, width + thick + tip, thick)

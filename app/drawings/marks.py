@@ -46,7 +46,7 @@ from app.model.projection import Array
 from app.scenes.phenomena.illustration import Copy, Dot, Face, Line, Marks, Text
 from app.scenes.scene import Scene
 
-DOT = 5.0
+DOT = 3.75
 """Diameter of an ordinary dot, in widths of a line."""
 COPY_LIFT = 0.5
 """How far copies come forward, as a multiple of what the scene's own lines do: a shadow hides the

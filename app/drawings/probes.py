@@ -179,7 +179,7 @@ class _Slot:
         self._canvas, self._style, self._number = canvas, style, 0
         self._space = Space()
         self._line = line_actor(
-            [(0, 0, 0), (0, 0, 1)], [(0, 1)], style.accent, 2 * style.line_width
+            [(0, 0, 0), (0, 0, 1)], [(0, 1)], style.accent, 1.5 * style.line_width
         )
         lift_lines(self._line, 4)
         self._space.add(self._line)

@@ -81,11 +81,11 @@ class StageBox:
         ends = {"far": FAR_FACE, "near": NEAR_FACE}
         edges = line_actor(CUBE, between, style.frustum, width)
         self._outlines = {
-            name: line_actor(CUBE, [(*face, face[0])], getattr(style, name), 1.7 * width)
+            name: line_actor(CUBE, [(*face, face[0])], getattr(style, name), 1.5 * width)
             for name, face in ends.items()
         }
         middles = np.array([CUBE[list(FACES[side])].mean(axis=0) for side in (*SIDES, *ends)])
-        self._cross = line_actor(middles, [(3, 1), (0, 2), (4, 5)], style.muted, 0.7 * width)
+        self._cross = line_actor(middles, [(3, 1), (0, 2), (4, 5)], style.muted, width / 2.0)
         faces = [
             face_actor(CUBE, [face], getattr(style, name), _TINT) for name, face in ends.items()
         ]
@@ -104,7 +104,7 @@ class StageBox:
         style = self._canvas.style
         self._arrows: list[tuple[Space, Space, vtkActor, vtkActor]] = []
         for colour in (style.u, style.v, style.n):
-            shaft = line_actor([(0, 0, 0), (1, 0, 0)], [(0, 1)], colour, 1.7 * style.line_width)
+            shaft = line_actor([(0, 0, 0), (1, 0, 0)], [(0, 1)], colour, 1.5 * style.line_width)
             head = unlit_actor(
                 pv.Cone(direction=(1, 0, 0), height=0.14, radius=0.045, resolution=24)
             )
@@ -143,7 +143,7 @@ class StageBox:
     def make_emphasis(self, emphasis: Emphasis) -> None:
         """Let faces, edges, corners, axes and words stand out while they are highlighted."""
         style = self._canvas.style
-        for face in emphasis.volume(self._space, CUBE, 6.0 * style.line_width, style):
+        for face in emphasis.volume(self._space, CUBE, 4.5 * style.line_width, style):
             put_behind(face)
         for name, line in self._outlines.items():
             emphasis.line(line, name)

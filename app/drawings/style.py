@@ -33,7 +33,8 @@ class Style:
     eye, target, frustum, accent : str
         The camera, the point it looks at, the edges of the view volume, what is pointed out.
     line_width : float
-        Of ordinary lines.
+        Of ordinary lines. Thin ones have half of it and thick ones one and a half, so that at a
+        whole scale all are whole pixels: OpenGL would round them, each way of drawing in its own.
     font_size : float
         Height of an em.
     """
@@ -51,7 +52,7 @@ class Style:
     target: str
     frustum: str
     accent: str
-    line_width: float = 1.5
+    line_width: float = 2.0
     font_size: float = 13.0
 
     def enlarged(self, factor: float) -> Style:

@@ -117,7 +117,7 @@ class WorldDrawing:
     def _make_emphasis(self) -> Emphasis:
         style = self._canvas.style
         emphasis = Emphasis(self._canvas)
-        emphasis.volume(self.frustum.space, CUBE, 6.0 * style.line_width, style)
+        emphasis.volume(self.frustum.space, CUBE, 4.5 * style.line_width, style)
         for name, line in (*self.camera.shafts.items(), *self.frustum.outlines.items()):
             emphasis.line(line, name)
         emphasis.line(self.frustum.apex, "fov")

@@ -186,7 +186,7 @@ def test_supersampling_averages_four_pixels(window: MainWindow) -> None:
     blue = np.array([86, 180, 233])
     assert np.abs(plain[inside] - blue).max(axis=-1).min() <= 30, "a face of the letter is there"
     assert (finer != plain).any(axis=-1)[inside].mean() > 0.01
-    assert abs(finer[inside].mean() - plain[inside].mean()) < 5.0, "the same picture"
+    assert abs(finer[inside].mean() - plain[inside].mean()) < 3.0, "the same picture"
 
 
 @pytest.mark.parametrize("name", ["none", "half resolution", "supersampling 2 x 2"])
@@ -269,7 +269,7 @@ def test_a_depth_buffer_is_drawn_with_in_any_scene(make_window: MakeWindow) -> N
     wrong = (coarse["image"] != before["image"]).any(axis=-1).mean()
     window.quality.use({"depth_format": "float32", "depth_mapping": "reversed"})
     fine = (pictures(window)["image"] != before["image"]).any(axis=-1).mean()
-    assert wrong > 0.005 and fine < wrong / 2.0
+    assert wrong > 0.005 and fine < wrong / 3.0
     window.store.undo()
     assert (pictures(window)["image"] == coarse["image"]).all()
     # A slider moves what is fought over: the buffer follows the lens.
@@ -277,7 +277,7 @@ def test_a_depth_buffer_is_drawn_with_in_any_scene(make_window: MakeWindow) -> N
     settle()
     near = pictures(window)["image"]
     window.quality.use({"depth_format": "", "depth_mapping": ""})
-    assert (pictures(window)["image"] != near).any(axis=-1).mean() < wrong / 2.0
+    assert (pictures(window)["image"] != near).any(axis=-1).mean() < wrong / 3.0
 
 
 @pytest.mark.parametrize(

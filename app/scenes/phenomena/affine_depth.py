@@ -194,7 +194,7 @@ def deviation(projection: Projection, part: Inside) -> Deviation:
 def _show(projection: Projection, settings: Settings, subject: Subject) -> Illustration:
     ends = np.array([point(settings, "start"), point(settings, "end")])
     world = Marks(
-        lines=(Line(ends, "accent", 2.5),),
+        lines=(Line(ends, "accent", 2.0),),
         dots=(Dot(ends[0], "accent"), Dot(ends[1], "accent")),
         texts=(Text("P", ends[0], "accent"), Text("Q", ends[1], "accent")),
     )
@@ -208,7 +208,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     parallel = of_parallel(projection, _PARALLEL)
     if parallel is not None:
         lines = [Line(pair, "muted") for pair in part.ndc[part.rows > 0]]
-        lines += [Line(pair, "accent", 2.5) for pair in part.ndc[part.rows == 0]]
+        lines += [Line(pair, "accent", 2.0) for pair in part.ndc[part.rows == 0]]
         straight = (0.0, 0.0)
         return Illustration(
             _readings(straight, 0.0, parallel, mesh),
@@ -229,16 +229,16 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     if own.any():
         (curve,) = bow(projection, _of(part, own), _STEPS)
         lines += [
-            Line(part.ndc[0], "accent", 2.5),
+            Line(part.ndc[0], "accent", 2.0),
             Line(curve[[0, -1]], "muted"),
-            Line(curve, "u", 2.5),
+            Line(curve, "u", 2.0),
         ]
         step = float(found.step[0])
         on_chord = (1.0 - step) * curve[0] + step * curve[-1]
         on_bow = on_chord.copy()
         z_near, _ = projection.depth_range
         on_bow[2] = z_near + slope(projection) * (float(found.w[0]) - projection.lens.near)
-        lines.append(Line(np.array([on_chord, on_bow]), "ink", 1.5))
+        lines.append(Line(np.array([on_chord, on_bow]), "ink", 1.0))
         dots.append(Dot(on_bow, "u", 1.2))
         texts += [
             Text("A z + B", on_bow, "u"),
@@ -264,7 +264,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
 def _in_picture(projection: Projection, ndc: Array) -> Marks:
     """Segments of the cube over the picture, where x' and y' are straight either way."""
     pixels = image_from_ndc(projection, ndc)
-    return Marks(tuple(Line(pair, "accent", 2.5) for pair in pixels))
+    return Marks(tuple(Line(pair, "accent", 2.0) for pair in pixels))
 
 
 def _readings(

@@ -204,7 +204,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     if subject.mesh is None:
         moved = _CORNERS + matrix[:3, 3]
         marks = Marks(
-            lines=(Line(outline(moved), _BEHIND, 2.0),),
+            lines=(Line(outline(moved), _BEHIND, 1.5),),
             texts=(Text("1", _CORNERS[0], _FRONT), Text("2", moved[1], _BEHIND)),
         )
     buffer = buffer_of(projection, settings)

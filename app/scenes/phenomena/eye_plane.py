@@ -402,7 +402,7 @@ def _world_marks(
     u, v, _ = projection.camera.frame
     reach = 0.4 * float(np.linalg.norm(np.subtract(subject.upper, subject.lower)))
     corners = eye + reach * np.array([-u - v, u - v, u + v, v - u])
-    lines = [Line(outline(corners), "eye", 1.2)]
+    lines = [Line(outline(corners), "eye", 1.0)]
     dots = [Dot(eye, "eye"), Dot(a, "accent", 1.2), Dot(b, "accent", 1.2)]
     start, end = depths.tolist()
     pieces = [(a, b, start > 0.0)]
@@ -412,7 +412,7 @@ def _world_marks(
         dots.append(Dot(crossing, "u", 1.2))
         pieces = [(a, crossing, start > 0.0), (crossing, b, end > 0.0)]
     lines += [
-        Line(np.array([one, other]), "accent" if front else "u", 2.5 if front else 1.5)
+        Line(np.array([one, other]), "accent" if front else "u", 2.0 if front else 1.0)
         for one, other, front in pieces
     ]
     texts = (Text("A", a, "accent"), Text("B", b, "accent"), Text("w = 0", corners[2], ""))
@@ -435,7 +435,7 @@ def _ndc_marks(projection: Projection, clip: Array) -> Marks:
     w = np.clip(ends[:, 3:], near, far)  # where the cut has cancelled all of its digits
     with np.errstate(over="ignore"):
         ndc = ends[:, :3] / w
-    return Marks((Line(ndc, "accent", 2.5),)) if np.isfinite(ndc).all() else Marks()
+    return Marks((Line(ndc, "accent", 2.0),)) if np.isfinite(ndc).all() else Marks()
 
 
 def _image_marks(drawn: Pictures) -> Marks:
@@ -443,10 +443,10 @@ def _image_marks(drawn: Pictures) -> Marks:
     lines, dots, texts = [], [], []
     right, wrong = drawn.right[0], drawn.naive[0]
     if drawn.wrong_px[0] > 0.0:
-        lines.append(Line(wrong, "u", 1.5))
+        lines.append(Line(wrong, "u", 1.0))
         texts.append(Text(QT_TRANSLATE_NOOP("phenomena", "wrong"), wrong.mean(axis=0), "u"))
     if np.isfinite(right).all():
-        lines.append(Line(right, "accent", 2.5))
+        lines.append(Line(right, "accent", 2.0))
         dots += [Dot(end, "accent", 1.2) for end in right]
         texts.append(Text("AB", right.mean(axis=0), "accent"))
     return Marks(tuple(lines), (), tuple(dots), tuple(texts))

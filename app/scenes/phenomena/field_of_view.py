@@ -263,14 +263,14 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
             Phrase(_BEHIND_EYE) if ratio is None else None,
         ),
     )
-    axis = Line(np.array([camera.eye, camera.target]), "accent", 1.2)
-    lines = (Line(p, colour, 2.0) for p, colour in zip(polylines, colours, strict=True))
+    axis = Line(np.array([camera.eye, camera.target]), "accent", 1.0)
+    lines = (Line(p, colour, 1.5) for p, colour in zip(polylines, colours, strict=True))
     segments_clip = trace.clip[: 2 * len(segments)].reshape(-1, 2, 4)
     return Illustration(
         readings,
         world=Marks((axis, *lines), texts=(at_target, *at_squares)),
         image=Marks(
-            seen_lines(projection, segments_clip, of_segments, 2.0),
+            seen_lines(projection, segments_clip, of_segments, 1.5),
             texts=seen_texts(trace, image_texts),
         ),
     )

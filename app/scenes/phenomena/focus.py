@@ -239,13 +239,13 @@ def _planes(projection: Projection, focus: float, sharp: Sharpness, subject: Sub
         if near <= distance <= far and distance < math.inf:
             corners = section(projection, distance)
             faces.append(Face(corners, colour, opacity))
-            lines.append(Line(outline(corners), colour, 1.5))
+            lines.append(Line(outline(corners), colour, 1.0))
             texts.append(Text(name, corners[2 if colour == "accent" else 3], colour))
     # The frustum's edges, thick where what is between them is sharp.
     size = float(np.linalg.norm(np.subtract(subject.upper, subject.lower)))
     low, high = max(near, sharp.near), min(far, sharp.far, 4.0 * (focus + size))
     if low < high:
-        lines += [Line(np.array(pair), "v", 2.5) for pair in zip(
+        lines += [Line(np.array(pair), "v", 2.0) for pair in zip(
             section(projection, low), section(projection, high), strict=True)]  # fmt: skip
     return Marks(tuple(lines), tuple(faces), (), tuple(texts))
 

@@ -197,7 +197,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     )
     colours = ("target", "accent")
     world = Marks(
-        lines=(Line(ends, "ink", 2.0),),
+        lines=(Line(ends, "ink", 1.5),),
         dots=tuple(Dot(place, c, 1.4) for place, c in zip(in_world, colours, strict=True)),
         texts=tuple(
             Text(word, place, c) for word, place, c in zip(words, in_world, colours, strict=True)
@@ -210,7 +210,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         if shown
     ]
     image = Marks(
-        lines=seen_lines(projection, trace.clip[None], ("ink",), 2.0),
+        lines=seen_lines(projection, trace.clip[None], ("ink",), 1.5),
         dots=tuple(dot for dot, _ in here),
         texts=tuple(text for _, text in here),
     )

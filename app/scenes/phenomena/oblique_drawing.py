@@ -194,7 +194,7 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
     ends = corner + length * np.array([np.zeros(3), -u, v, -n])
     segments = np.array([ends[[0, i]] for i in (1, 2, 3)])
     colours = ("u", "v", "n")
-    lines = tuple(Line(ends, c, 3.0) for ends, c in zip(segments, colours, strict=True))
+    lines = tuple(Line(ends, c, 2.0) for ends, c in zip(segments, colours, strict=True))
 
     corners = box_corners(subject.lower, subject.upper)
     middles = segments.mean(axis=1)
@@ -260,7 +260,7 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
         tuple(readings),
         world=world,
         image=Marks(
-            seen_lines(projection, segments_clip, colours, 3.0),
+            seen_lines(projection, segments_clip, colours, 2.0),
             texts=seen_texts(trace, texts),
         ),
         warning=warning,
@@ -274,7 +274,7 @@ def _projectors(projection: Projection, corners: Array, view: Array, marks: Mark
     depth = view[:, 2] + near  # 0 on the near plane
     x, y = view[:, 0] + cot_alpha * depth, view[:, 1] + cot_beta * depth
     feet = world_from_view(projection, np.column_stack([x, y, np.full(len(view), -near)]))
-    rays = tuple(Line(np.array(pair), "accent", 0.9) for pair in zip(corners, feet, strict=True))
+    rays = tuple(Line(np.array(pair), "accent", 0.5) for pair in zip(corners, feet, strict=True))
     dots = tuple(Dot(foot, "accent", 0.7) for foot in feet)
     return replace(marks, lines=(*rays, *marks.lines), dots=dots)
 

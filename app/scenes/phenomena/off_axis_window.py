@@ -229,14 +229,14 @@ def _world_marks(screens: tuple[Projection, ...], names: tuple[str, ...]) -> Mar
         corners = section(screen, screen.camera.distance)
         closed = outline(corners)
         faces.append(Face(corners, colour, 0.16))
-        lines.append(Line(closed, colour, 2.5))
+        lines.append(Line(closed, colour, 2.0))
         starts = section(screen, screen.lens.near)
         if screen.lens.central:
             starts = np.broadcast_to(np.array(screen.camera.eye), (4, 3))
-        lines += [Line(np.array(ends), colour, 1.2) for ends in zip(starts, corners, strict=True)]
+        lines += [Line(np.array(ends), colour, 1.0) for ends in zip(starts, corners, strict=True)]
         texts.append(Text(name, (corners[2] + corners[3]) / 2.0, colour))
     if len(screens) == 2:
-        lines.append(Line(section(screens[1], screens[1].camera.distance)[[0, 3]], "accent", 3.0))
+        lines.append(Line(section(screens[1], screens[1].camera.distance)[[0, 3]], "accent", 2.0))
     return Marks(tuple(lines), tuple(faces), texts=tuple(texts))
 
 
@@ -247,7 +247,7 @@ def _ndc_marks(projection: Projection, screens: tuple[Projection, ...]) -> Marks
     x = 2.0 * screens[0].image_size[0] / projection.image_size[0] - 1.0
     z_near, z_far = projection.depth_range
     corners = np.array([(x, -1.0, z_near), (x, 1.0, z_near), (x, 1.0, z_far), (x, -1.0, z_far)])
-    edge = Line(outline(corners), "accent", 2.0)
+    edge = Line(outline(corners), "accent", 1.5)
     return Marks(
         (edge,), (Face(corners, "accent", 0.2),), texts=(Text(_JOIN, corners[1], "accent"),)
     )
@@ -266,12 +266,12 @@ def _image_marks(
             corners = [(x, 0.0), (end, 0.0), (end, height), (x, height)]
         elif name == _WINDOW:
             corners.append(corners[0])
-        lines.append(Line(np.array(corners, dtype=float), colour, 2.5))
+        lines.append(Line(np.array(corners, dtype=float), colour, 2.0))
         texts.append(Text(name, np.array([x + 0.03 * width, 0.06 * height]), colour))
         x = end
     if len(screens) == 2:
         column = float(screens[0].image_size[0])
-        lines.append(Line(np.array([(column, 0.0), (column, height)]), "accent", 2.0))
+        lines.append(Line(np.array([(column, 0.0), (column, height)]), "accent", 1.5))
         texts.append(Text(_JOIN, np.array([column, 0.94 * height]), "accent"))
     return Marks(tuple(lines), texts=tuple(texts))
 

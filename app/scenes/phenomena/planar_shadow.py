@@ -314,10 +314,10 @@ def _marks(
         if w > 0.0:
             lines.append(Line(np.array([source, end if np.isfinite(end).all() else top]), "muted"))
         elif not settings["clip"] and np.isfinite(end).all():
-            lines.append(Line(np.array([top, end]), "u", 0.7))
+            lines.append(Line(np.array([top, end]), "u", 0.5))
     if sun:
         head = middle + reach * way
-        lines.append(Line(np.array([head, head - 0.3 * reach * way]), "accent", 3.0))
+        lines.append(Line(np.array([head, head - 0.3 * reach * way]), "accent", 2.0))
     else:
         head = light[:3]
     dots.append(Dot(head, "accent", 1.6))
@@ -331,7 +331,7 @@ def _marks(
         shown = [place]
         if np.isfinite(shadow).all():
             source = place + reach * way if sun else light[:3]
-            lines.append(Line(np.array([source, shadow]), "accent", 2.0))
+            lines.append(Line(np.array([source, shadow]), "accent", 1.5))
             dots.append(Dot(shadow, "accent", 1.2))
             texts.append(Text("P'", shadow, "accent"))
             shown.append(shadow)

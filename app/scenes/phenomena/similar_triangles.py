@@ -118,14 +118,14 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         return world_from_view(projection, (x, y, z))
 
     plane = section(projection, distance)
-    lines = [Line(outline(plane), "v", 1.6)]
+    lines = [Line(outline(plane), "v", 1.0)]
     faces = [Face(plane, "v", 0.14)]
     texts = [Text(f"d = {figure(distance, 4)}", plane[2], "v")]
     dots, nearest = [], math.inf
     for x, y, z in projection.trace(_outermost(subject)).view.tolist():
         if z < 0.0:
             hit = world(distance * x / -z, distance * y / -z, -distance)
-            lines.append(Line(_through(eye, world(x, y, z), hit, distance, -z), "muted", 0.6))
+            lines.append(Line(_through(eye, world(x, y, z), hit, distance, -z), "muted", 0.5))
             nearest = min(nearest, -z)
 
     x, y, z = projection.trace(place).view.tolist()
@@ -137,9 +137,9 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         faces += [Face(np.array([eye, axis, place]), "accent", 0.16)]
         faces += [Face(np.array([eye, foot, hit]), "accent", 0.3)]
         lines += [
-            Line(np.array([foot, eye, axis, place]), "ink", 1.3),
-            Line(_through(eye, place, hit, distance, w), "accent", 2.2),
-            Line(np.array([foot, hit]), "v", 2.6),
+            Line(np.array([foot, eye, axis, place]), "ink", 1.0),
+            Line(_through(eye, place, hit, distance, w), "accent", 1.5),
+            Line(np.array([foot, hit]), "v", 2.0),
         ]
         dots = [Dot(place, "accent", 1.3), Dot(hit, "accent", 1.3)]
         texts += [Text("P", place, "accent"), Text("P'", hit, "accent")]

@@ -360,7 +360,7 @@ def _image_marks(
     ]
     # The line from C to P, as long as the projective line between them is the one in front.
     if pieces[-1] is not None:
-        lines.append(Line(pieces[-1], "accent", 2.5))
+        lines.append(Line(pieces[-1], "accent", 2.0))
     width, height = projection.image_size
     texts, dots = [], []
 
@@ -375,7 +375,7 @@ def _image_marks(
     line = horizon(projection)
     held = None if line is None else line_in_rectangle(line, (0.0, 0.0), (width, height))
     if held is not None:
-        lines.append(Line(held, "ink", 1.6))
+        lines.append(Line(held, "ink", 1.0))
         texts.append(Text(_HORIZON, held[0] + 0.25 * (held[1] - held[0])))
     return Marks(tuple(lines), dots=tuple(dots), texts=tuple(texts))
 
@@ -398,7 +398,7 @@ def _world_marks(
         length = projection.lens.near / abs(float(projection.camera.frame[2, axis]))
         reach = min(length, longest)
         hit = eye + reach * direction
-        lines.append(Line(np.array([eye, hit]), colour, 2.0))
+        lines.append(Line(np.array([eye, hit]), colour, 1.5))
         if length <= longest:
             dots.append(Dot(hit, colour, 1.3))
             texts.append(Text(f"V_{_AXES[axis]}", hit, colour))
@@ -406,7 +406,7 @@ def _world_marks(
         offset = there.world - start
         far = float(np.abs(offset).max())
         end = there.world if far <= longest else start + offset * (longest / far)
-        lines.append(Line(np.array([start, end]), "accent", 2.5))
+        lines.append(Line(np.array([start, end]), "accent", 2.0))
         if far <= longest:
             dots.append(Dot(there.world, "accent", 1.3))
             texts.append(Text("P", there.world, "accent"))

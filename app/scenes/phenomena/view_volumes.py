@@ -157,7 +157,7 @@ def _cone_marks(projection: Projection) -> tuple[Marks, Marks, Marks]:
         section[:, :2] = (np.array([x, y]) + radius * _CIRCLE) * w
         section[:, 2] = -w
     near_circle, far_circle = world = world_from_view(projection, sections)
-    lines = [Line(near_circle, "near", 2.0), Line(far_circle, "far", 2.0)]
+    lines = [Line(near_circle, "near", 1.5), Line(far_circle, "far", 1.5)]
     lines += [Line(world[:, i], "accent", 1.0) for i in range(0, _SIDES, _SIDES // 8)]
     faces = [
         Face(np.array([world[0, i], world[0, i + 2], world[1, i + 2], world[1, i]]), "accent", 0.18)
@@ -167,7 +167,7 @@ def _cone_marks(projection: Projection) -> tuple[Marks, Marks, Marks]:
     x_half, y_half = _half_sides(projection)
     outline = radius / np.array([x_half, y_half]) * _CIRCLE
     ends = [np.column_stack([outline, np.full(len(outline), z)]) for z in projection.depth_range]
-    ndc_lines = [Line(ends[0], "near", 2.0), Line(ends[1], "far", 2.0)]
+    ndc_lines = [Line(ends[0], "near", 1.5), Line(ends[1], "far", 1.5)]
     ndc_lines += [
         Line(np.array([ends[0][i], ends[1][i]]), "accent", 1.0)
         for i in range(0, _SIDES, _SIDES // 8)
@@ -176,7 +176,7 @@ def _cone_marks(projection: Projection) -> tuple[Marks, Marks, Marks]:
     return (
         Marks(tuple(lines), tuple(faces)),
         Marks(tuple(ndc_lines)),
-        Marks((Line(ellipse, "accent", 2.0),)),
+        Marks((Line(ellipse, "accent", 1.5),)),
     )
 
 
