@@ -48,6 +48,7 @@ from widgets.parts.messages import figure_text, of_phenomena
 Floats = NDArray[np.float64]
 
 TICK_PX = 4.0
+_LINE = 0.75  # of a line in a pane, which is not smoothed
 DOT_PX = 3.0
 """Radius of a dot at the ordinary line width."""
 HIT_PX = 9.0
@@ -433,7 +434,7 @@ class DiagramView(QWidget):
 
     def _pen(self, colour: str, width: float = 1.0) -> QPen:
         pen = QPen(self._colour(colour))
-        pen.setWidthF(width * self._style.line_width / self.devicePixelRatioF())
+        pen.setWidthF(_LINE * width * self._style.line_width / self.devicePixelRatioF())
         pen.setCapStyle(Qt.PenCapStyle.RoundCap)
         return pen
 
