@@ -203,26 +203,25 @@ def _try(command: list[str], environment: dict[str, str]) -> tuple[dict[str, Any
 
 def _draw_off_screen() -> None:
     """Draw a red square without a window, make sure that it is there, print by what."""
-    from app.drawings.off_screen import check_off_screen
+    from app.drawings.actors import face_actor, identity_camera
+    from app.drawings.figures import pixels_of
+    from app.drawings.off_screen import check_off_screen, off_screen
 
     try:
         check_off_screen()
     except RuntimeError as error:
         raise SystemExit(str(error)) from None
-    import pyvista as pv
-
-    plotter: Any = pv.Plotter(off_screen=True, window_size=[40, 30])
-    plotter.set_background("black")
-    plotter.add_mesh(pv.Plane(), color="red", lighting=False)
-    plotter.view_xy()
-    picture = plotter.screenshot(return_img=True)
-    if picture is None or picture[15, 20].tolist() != [255, 0, 0]:
-        raise SystemExit("The picture is wrong: update the graphics driver.")
-    window: Any = plotter.render_window
-    details = window.ReportCapabilities().splitlines()
-    renderer = [line.partition(":")[2].strip() for line in details if "renderer string" in line]
-    name = window.GetClassName().removeprefix("vtk").removesuffix("RenderWindow")
-    plotter.close()
+    square = [(x, y, 0.0) for x, y in ((-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5))]
+    with off_screen(40, 30) as screen:
+        screen.renderer.AddViewProp(face_actor(square, [range(4)], "#ff0000"))
+        screen.renderer.SetActiveCamera(identity_camera())
+        screen.render_window.Render()
+        if pixels_of(screen.render_window)[15, 20, :3].tolist() != [255, 0, 0]:
+            raise SystemExit("The picture is wrong: update the graphics driver.")
+        window = screen.render_window
+        details = window.ReportCapabilities().splitlines()
+        renderer = [line.partition(":")[2].strip() for line in details if "renderer string" in line]
+        name = window.GetClassName().removeprefix("vtk").removesuffix("RenderWindow")
     print(json.dumps({"window": name, "renderer": renderer[0] if renderer else "unknown"}))
 
 

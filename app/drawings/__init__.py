@@ -1,7 +1,7 @@
 """What the three panes show, as VTK actors; no Qt.
 
-Every drawing is made once per scene, ``Drawing(plotter, scene, words, style)``, into a pyvista
-plotter that it does not own, and has
+Every drawing is made once per scene, ``Drawing(screen, scene, words, style)``, into a render
+window that it does not own, and has
 
 - ``show_projection(projection, illustration=None)``: takes the model over by setting matrices, and
 what
@@ -12,7 +12,7 @@ what
 - ``view`` and ``show_view(view)``: where that camera was moved to, as a `Camera`, and back there,
 - ``show_probes(probes)``: marks these points and rays; ``sight``: how the pane looks at the world,
   for picking,
-- ``remove()``: takes everything out of the plotter again.
+- ``remove()``: takes everything out of the window again.
 
 The world's has besides, if it is ``live``, marks to take hold of the camera by: ``hold(handle)``,
 ``held``, ``handle_at(pixel, within_px)``; a figure has none.

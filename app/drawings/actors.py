@@ -114,8 +114,8 @@ class Canvas:
 
     Parameters
     ----------
-    plotter : pyvista.BasePlotter
-        A Qt interactor or an off-screen plotter; it is not kept.
+    screen : OffScreen or a canvas of a pane's
+        What has `render_window` and `renderer`; it is not kept.
     style : Style
         The background and the labels' size.
     layout : callable
@@ -123,9 +123,9 @@ class Canvas:
         another size than in the last one, or after `relayout`. It must not render.
     """
 
-    def __init__(self, plotter: Any, style: Style, layout: Callable[[int, int], None]) -> None:
-        self.window = plotter.render_window
-        self.renderer = plotter.renderer
+    def __init__(self, screen: Any, style: Style, layout: Callable[[int, int], None]) -> None:
+        self.window = screen.render_window
+        self.renderer = screen.renderer
         self.style = style
         self._props: list[tuple[Any, vtkProp]] = []
         self._labels: list[Label] = []
@@ -149,7 +149,7 @@ class Canvas:
         renderer.SetUseOIT(False)
 
     def add(self, *props: vtkProp, renderer: Any = None) -> None:
-        """Add props, to the plotter's own renderer unless another one is named."""
+        """Add props, to the screen's own renderer unless another one is named."""
         renderer = self.renderer if renderer is None else renderer
         for prop in props:
             renderer.AddViewProp(prop)

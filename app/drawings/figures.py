@@ -248,9 +248,9 @@ def _render_pane(
         options["tolerance_px"] = quality.tolerance_px(DRAWING_TOLERANCE_PX)
     if pane == "image":
         options |= {"framed": framed, "quality": quality}
-    with off_screen(width, height) as plotter:
-        window = plotter.render_window
-        drawing = _DRAWINGS[pane](plotter, scene, words, style.enlarged(factor), **options)
+    with off_screen(width, height) as screen:
+        window = screen.render_window
+        drawing = _DRAWINGS[pane](screen, scene, words, style.enlarged(factor), **options)
         drawing.show_projection(projection, illustration)
         drawing.reset_view()
         if view is not None:

@@ -55,7 +55,7 @@ class ImageDrawing:
 
     Parameters
     ----------
-    plotter : pyvista.BasePlotter
+    screen : OffScreen or a canvas of a pane's
     scene : Scene
     words : mapping
         The words written here: ``x``, ``y``.
@@ -71,7 +71,7 @@ class ImageDrawing:
 
     def __init__(
         self,
-        plotter: Any,
+        screen: Any,
         scene: Scene,
         words: Mapping[str, str],
         style: Style,
@@ -84,7 +84,7 @@ class ImageDrawing:
         self._model = ModelActors(scene, style, least_tolerance(scene, tolerance_px))
         self._style, self._words = style, words
         self._framed = framed
-        self._canvas = Canvas(plotter, style, self._layout)
+        self._canvas = Canvas(screen, style, self._layout)
         self._image_size = scene.start.image_size
         self._surface_space, self._line_space = Space(), Space()
         self._picture = vtkRenderer()
@@ -316,7 +316,7 @@ class ImageDrawing:
         """Do nothing: the view of this pane is the model's."""
 
     def remove(self) -> None:
-        """Take everything out of the plotter again."""
+        """Take everything out of the screen again."""
         self._canvas.remove()
         self._canvas.window.RemoveRenderer(self._picture)
         self._canvas.window.SetNumberOfLayers(self._layers)

@@ -451,13 +451,13 @@ def _mesh_of_levels(levels: tuple[Level, ...], origin: tuple[float, ...]) -> pv.
 
 
 def counted_wrong_share(
-    plotter: Any, scene: Scene, projection: Projection, buffer: DepthBuffer, behind: Array
+    screen: Any, scene: Scene, projection: Projection, buffer: DepthBuffer, behind: Array
 ) -> float | None:
     """The share of pixels in which a surface behind is drawn over the one in front, counted.
 
     Parameters
     ----------
-    plotter : pyvista.Plotter
+    screen : OffScreen or a canvas of a pane's
         Off screen, and nothing else in it; its size is the picture's.
     scene : Scene
         Whose faces are in front.
@@ -474,7 +474,7 @@ def counted_wrong_share(
     """
     if scene.surface is None:
         return None
-    window, renderer = plotter.render_window, plotter.renderer
+    window, renderer = screen.render_window, screen.renderer
     Canvas.make_ready(renderer)
     renderer.SetActiveCamera(identity_camera())
     renderer.SetBackground(0.0, 0.0, 0.0)

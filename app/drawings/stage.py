@@ -53,7 +53,7 @@ class StageDrawing:
 
     Parameters
     ----------
-    plotter : pyvista.BasePlotter
+    screen : OffScreen or a canvas of a pane's
     scene : Scene
     words : mapping
         The words written here: ``near``, ``far``, ``x``, ``y``, ``z``, ``u``, ``v``, ``n``.
@@ -69,14 +69,14 @@ class StageDrawing:
 
     def __init__(
         self,
-        plotter: Any,
+        screen: Any,
         scene: Scene,
         words: Mapping[str, str],
         style: Style,
         tolerance_px: float = DRAWING_TOLERANCE_PX,
     ) -> None:
         self._scene, self._words, self._style = scene, words, style
-        self._canvas = Canvas(plotter, style, self._layout)
+        self._canvas = Canvas(screen, style, self._layout)
         self.own = StageView(self._canvas, scene.start.camera)
         self._space = Space()
         self._position = float(NDC)
@@ -304,7 +304,7 @@ class StageDrawing:
             self.reset_view()
 
     def remove(self) -> None:
-        """Take everything out of the plotter again."""
+        """Take everything out of the screen again."""
         self._canvas.remove()
 
     # -- pointing

@@ -48,7 +48,7 @@ class WorldDrawing:
 
     Parameters
     ----------
-    plotter : pyvista.BasePlotter
+    screen : OffScreen or a canvas of a pane's
         Where to draw; its own camera looks at all this from outside and is not the model's.
     scene : Scene
     words : Mapping[str, str]
@@ -69,7 +69,7 @@ class WorldDrawing:
 
     def __init__(
         self,
-        plotter: Any,
+        screen: Any,
         scene: Scene,
         words: Mapping[str, str],
         style: Style,
@@ -84,7 +84,7 @@ class WorldDrawing:
         self._everything = np.concatenate(
             [self._objects, *(_box_corners(b[:, 0], b[:, 1]) for b in bounds)]
         )
-        self._canvas = canvas = Canvas(plotter, style, self._lay_out)
+        self._canvas = canvas = Canvas(screen, style, self._lay_out)
         self._faces, lines = actors.scene_actors(scene, style)
         self._lines_space = Space()
         if lines is not None:
@@ -126,7 +126,7 @@ class WorldDrawing:
         return emphasis
 
     def remove(self) -> None:
-        """Take everything out of the plotter again."""
+        """Take everything out of the screen again."""
         self._canvas.remove()
 
     # -- pointing

@@ -11,14 +11,14 @@ from contextlib import ExitStack, contextmanager
 from typing import Any, NamedTuple
 
 import numpy as np
-import pyvista as pv
 from numpy.typing import NDArray
 
 from app.drawings import WORDS
+from app.drawings.actors import face_actor, identity_camera
 from app.drawings.figures import Pixels, pixels_of
 from app.drawings.image import ImageDrawing
 from app.drawings.off_screen import off_screen
-from app.drawings.style import LIGHT
+from app.drawings.style import LIGHT, WHITE
 from app.measure.results import Choice, Trade
 from app.measure.run import Watch, in_turns, unwatched
 from app.model.projection import Projection
@@ -196,11 +196,11 @@ def pane(
         Its pixels, (height, width, 4) uint8, before they are averaged.
     """
     width, height = (max(1, round(side * smoothing.scale)) for side in size)
-    with off_screen(width, height) as plotter:
-        window = plotter.render_window
+    with off_screen(width, height) as screen:
+        window = screen.render_window
         window.SetMultiSamples(smoothing.samples)
         style = LIGHT.enlarged(smoothing.scale)
-        drawing = ImageDrawing(plotter, scene, WORDS, style, framed=False)
+        drawing = ImageDrawing(screen, scene, WORDS, style, framed=False)
         drawing.show_projection(projection)
         for renderer in window.GetRenderers():
             renderer.SetUseFXAA(smoothing.fxaa)
@@ -223,16 +223,15 @@ def samples_given(asked: int) -> int:
     It may take more or fewer, and VTK does not ask which. So they are counted: an edge that crosses
     pixels everywhere leaves n + 1 shades where each has n samples.
     """
-    with off_screen(64, 64) as plotter:
-        plotter.render_window.SetMultiSamples(asked)
-        plotter.set_background("black")
-        half = pv.Triangle([[-9.0, -1.9, 0.0], [9.0, 1.9, 0.0], [9.0, -1.9, 0.0]])
-        plotter.add_mesh(half, color="white", lighting=False)
-        plotter.camera_position = "xy"
-        plotter.camera.parallel_projection = True
-        plotter.camera.parallel_scale = 1.0
-        plotter.render_window.Render()
-        shades = len(np.unique(pixels_of(plotter.render_window)[..., 0]))
+    with off_screen(64, 64) as screen:
+        screen.render_window.SetMultiSamples(asked)
+        half = face_actor(
+            [(-9.0, -1.9, 0.0), (9.0, 1.9, 0.0), (9.0, -1.9, 0.0)], [(0, 1, 2)], WHITE
+        )
+        screen.renderer.AddViewProp(half)
+        screen.renderer.SetActiveCamera(identity_camera())
+        screen.render_window.Render()
+        shades = len(np.unique(pixels_of(screen.render_window)[..., 0]))
     return shades - 1
 
 
@@ -264,8 +263,8 @@ def shown(pixels: Pixels, scale: float, size: tuple[int, int]) -> NDArray[np.flo
 
 def renderer_name() -> str:
     """What draws here: the graphics card, or a program in its place."""
-    with off_screen(8, 8) as plotter:
-        plotter.render_window.Render()
-        lines = plotter.render_window.ReportCapabilities().splitlines()
+    with off_screen(8, 8) as screen:
+        screen.render_window.Render()
+        lines = screen.render_window.ReportCapabilities().splitlines()
     names = [line.partition(":")[2].strip() for line in lines if "renderer string" in line]
     return names[0] if names else "unknown"

@@ -202,7 +202,7 @@ def test_the_picture_is_right_where_float32_is_not(
     wrong = {}
     for tolerance_px in (math.inf, DRAWING_TOLERANCE_PX):
         screen = off_screen(*SIZE)
-        drawing = ImageDrawing(screen.plotter, scene, WORDS, LIGHT, tolerance_px, framed=False)
+        drawing = ImageDrawing(screen, scene, WORDS, LIGHT, tolerance_px, framed=False)
         drawing.show_projection(projection)
         lit = drawn(screen.pixels(), RED)
         band_px = 1.0 if tolerance_px == math.inf else 0.02
@@ -231,9 +231,9 @@ def test_the_cube_is_right_where_float32_is_not(
             for tolerance_px in (math.inf, DRAWING_TOLERANCE_PX):
                 screen = off_screen(*size)
                 scene = scene_at(points, origin)
-                drawing = StageDrawing(screen.plotter, scene, WORDS, LIGHT, tolerance_px)
+                drawing = StageDrawing(screen, scene, WORDS, LIGHT, tolerance_px)
                 drawing.show_projection(projection)
-                camera = screen.plotter.renderer.GetActiveCamera()
+                camera = screen.renderer.GetActiveCamera()
                 camera.SetFocalPoint(0.0, 0.0, 0.0)
                 camera.SetPosition(0.0, 0.0, 10.0)
                 camera.SetParallelScale(1.0)
@@ -280,9 +280,7 @@ def test_triangles_are_cut_where_the_model_says(
     screen = off_screen(160, 120)
     for number in range(320):
         projection, points = random_triangle(random, number)
-        drawing = ImageDrawing(
-            screen.plotter, scene_at(points, (0, 0, 0)), WORDS, LIGHT, 0.0, framed=False
-        )
+        drawing = ImageDrawing(screen, scene_at(points, (0, 0, 0)), WORDS, LIGHT, 0.0, framed=False)
         drawing.show_projection(projection)
         lit = drawn(screen.pixels(), RED)
         must, must_not = expected(projection, points, (160, 120), 0.02)
@@ -311,7 +309,7 @@ def test_a_thin_slab_is_cut_where_the_model_says(
     for tolerance_px in (math.inf, 0.0):
         screen = off_screen(*SIZE)
         scene = scene_at(points, origin)
-        drawing = ImageDrawing(screen.plotter, scene, WORDS, LIGHT, tolerance_px, framed=False)
+        drawing = ImageDrawing(screen, scene, WORDS, LIGHT, tolerance_px, framed=False)
         drawing.show_projection(projection)
         lit = drawn(screen.pixels(), RED)
         must, must_not = expected(projection, points.astype(float) + origin, SIZE, 0.02)
@@ -340,7 +338,7 @@ def test_lines_are_cut_where_the_model_says(off_screen: Callable[[int, int], Off
         lines = pv.PolyData(ends, lines=[2, 0, 1])
         lines.cell_data["rgb"] = np.array([RED], dtype=np.uint8)
         scene = replace(load("cube"), surface=None, lines=lines)
-        drawing = ImageDrawing(screen.plotter, scene, WORDS, LIGHT, framed=False)
+        drawing = ImageDrawing(screen, scene, WORDS, LIGHT, framed=False)
         drawing.show_projection(projection)
         assert drawing.precision == "float64"
         lit = drawn(screen.pixels(), RED)
@@ -377,7 +375,7 @@ def test_what_is_before_far_is_drawn_however_near_the_near_plane(
         places = [(*corner, d) for corner, d in zip(INSIDE, distances, strict=True)]
         points = triangle_at(projection, places, (0, 0, 0))
         scene = scene_at(points, (0, 0, 0))
-        drawing = ImageDrawing(screen.plotter, scene, WORDS, LIGHT, 0.0, framed=False)
+        drawing = ImageDrawing(screen, scene, WORDS, LIGHT, 0.0, framed=False)
         drawing.show_projection(projection)
         lit = drawn(screen.pixels(), RED)
         drawing.remove()
@@ -399,9 +397,7 @@ def test_what_is_near_is_drawn_however_large_the_scene(
     ]
     points = triangle_at(projection, places, (0, 0, 0))
     screen = off_screen(*SIZE)
-    drawing = ImageDrawing(
-        screen.plotter, scene_at(points, (0, 0, 0)), WORDS, LIGHT, 0.0, framed=False
-    )
+    drawing = ImageDrawing(screen, scene_at(points, (0, 0, 0)), WORDS, LIGHT, 0.0, framed=False)
     drawing.show_projection(projection)
     lit = drawn(screen.pixels(), RED)
     must, must_not = expected(projection, points.astype(float), SIZE, 0.02)
@@ -445,7 +441,7 @@ def test_an_everyday_step_does_nothing_per_vertex(
     for name, projection in everyday():
         screen = off_screen(200, 150)
         scene = load(name)
-        drawing = kind(screen.plotter, scene, WORDS, LIGHT)
+        drawing = kind(screen, scene, WORDS, LIGHT)
         for step in range(5):
             eye = tuple(part + 0.01 * step for part in projection.camera.eye)
             camera = replace(projection.camera, eye=eye)
@@ -473,7 +469,7 @@ def test_both_precisions_draw_the_same_everyday_picture(
         scene, pictures, used = load(name), [], []
         for tolerance_px in (math.inf, 1e-4):
             screen = off_screen(500, 400)
-            drawing = kind(screen.plotter, scene, WORDS, LIGHT, tolerance_px)
+            drawing = kind(screen, scene, WORDS, LIGHT, tolerance_px)
             drawing.show_projection(projection)
             pictures.append(screen.pixels())
             used.append(drawing.precision)
@@ -493,7 +489,7 @@ def test_there_and_back_is_the_picture_of_a_fresh_drawing(
     narrow = replace(scene.start, lens=Perspective(0.01, 1, 30))
     across = replace(scene.start, camera=Camera((1, 0.5, 2), (0, 2, 0)), lens=Perspective(90, 1e-5))
     screens = [off_screen(300, 200) for _ in range(3)]
-    drawing, beside = (kind(s.plotter, scene, WORDS, LIGHT) for s in screens[:2])
+    drawing, beside = (kind(s, scene, WORDS, LIGHT) for s in screens[:2])
     beside.show_projection(near)
     other = screens[1].pixels()
     actors = [
@@ -513,7 +509,7 @@ def test_there_and_back_is_the_picture_of_a_fresh_drawing(
     assert used == ["float32", "float64", "float64", "float32", "float64", "float64", "float32"]
     assert [actor.GetMapper().GetInput() for actor in actors] == meshes
     assert [mesh.GetMTime() for mesh in meshes] == times
-    fresh = kind(screens[2].plotter, scene, WORDS, LIGHT)
+    fresh = kind(screens[2], scene, WORDS, LIGHT)
     for name, projection in (("near", near), ("across", across)):
         fresh.show_projection(projection)
         assert (screens[2].pixels() == pictures[name]).all()

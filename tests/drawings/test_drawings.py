@@ -96,7 +96,7 @@ def test_a_vertex_lights_the_pixel_that_the_model_says(
     screen = off_screen(1280, 720)
     # As the scene's lines, they go the way that everything goes: user matrix, identity camera.
     vertex_scene = replace(letter, surface=None, lines=vertices)
-    drawing = ImageDrawing(screen.plotter, vertex_scene, WORDS, LIGHT, framed=False)
+    drawing = ImageDrawing(screen, vertex_scene, WORDS, LIGHT, framed=False)
     for actor in drawing.picture_renderer.GetActors():
         actor.GetProperty().SetPointSize(3.0)
 
@@ -135,7 +135,7 @@ def test_a_face_has_the_same_colour_in_all_panes(
     pictures = []
     for kind in (ImageDrawing, StageDrawing):
         screen = off_screen(500, 400)
-        drawing = kind(screen.plotter, scene, WORDS, LIGHT)
+        drawing = kind(screen, scene, WORDS, LIGHT)
         drawing.show_projection(scene.start)
         pictures.append(screen.pixels())
     large = [colour for colour in colours if drawn(pictures[0], colour).sum() > 100]
@@ -143,7 +143,7 @@ def test_a_face_has_the_same_colour_in_all_panes(
     assert all(drawn(pictures[1], colour).any() for colour in large)
     # Nothing in between: neither light nor interpolation mixes colours inside the picture.
     screen = off_screen(*scene.start.image_size)
-    drawing = ImageDrawing(screen.plotter, scene, WORDS, LIGHT, framed=False)
+    drawing = ImageDrawing(screen, scene, WORDS, LIGHT, framed=False)
     drawing.show_projection(scene.start)
     codes = np.unique(screen.pixels().astype(int) @ (65536, 256, 1))
     found = {(code >> 16, code >> 8 & 255, code & 255) for code in codes.tolist()}
@@ -164,7 +164,7 @@ def test_a_polygon_is_one_colour_whatever_triangles_it_is_made_of(
         Camera((0, 0, 5), (0, 0, 0)), Orthographic(-2, 2, -2, 2, 1, 9), (200, 200)
     )
     screen = off_screen(200, 200)
-    drawing = ImageDrawing(screen.plotter, scene, WORDS, LIGHT, framed=False)
+    drawing = ImageDrawing(screen, scene, WORDS, LIGHT, framed=False)
     drawing.show_projection(projection)
     image = screen.pixels()
     inside = {0: (-0.4, 0.2, 0), 1: (0.3, -0.4, 0), 2: (1.2, 0.7, 0), 3: (0.1, 1.3, 0)}
@@ -189,7 +189,7 @@ def test_what_is_in_front_stays_in_front_in_every_depth_range(
     for kind in (ImageDrawing, StageDrawing):
         for depth in DEPTH_RANGES:
             screen = off_screen(300, 300)
-            drawing = kind(screen.plotter, scene, WORDS, LIGHT)
+            drawing = kind(screen, scene, WORDS, LIGHT)
             for lens in (
                 Perspective(60, 1, 30),
                 Frustum(-0.8, 0.4, -0.5, 0.6, 1, 30),
@@ -219,7 +219,7 @@ def test_only_what_is_before_the_eye_is_drawn(off_screen: Callable[[int, int], O
     size = (200, 200)
     projection = Projection(Camera((0, 0, 0), (0, 0, -1)), Perspective(90, 0.1, 100), size)
     screen = off_screen(*size)
-    drawing = ImageDrawing(screen.plotter, scene, WORDS, LIGHT, framed=False)
+    drawing = ImageDrawing(screen, scene, WORDS, LIGHT, framed=False)
     drawing.show_projection(projection)
     wall_px = drawn(screen.pixels(), (200, 30, 30))
     # By hand: x = -1, w = -z; on the picture x_ndc = -1/w, |y_ndc| <= 1/w, so all of the left
@@ -247,7 +247,7 @@ def test_what_reaches_behind_the_eye_is_not_culled_by_its_bounds(
         Camera(tuple(eye), tuple(eye + forward)), Perspective(90, 0.01, 100), (200, 200)
     )
     screen = off_screen(200, 200)
-    drawing = ImageDrawing(screen.plotter, scene, WORDS, LIGHT, framed=False)
+    drawing = ImageDrawing(screen, scene, WORDS, LIGHT, framed=False)
     drawing.show_projection(projection)
     image = screen.pixels()
     x, y = projection.trace((0.35 * length, 0.0, 0.0)).image
@@ -271,7 +271,7 @@ def test_ndc_clips_the_scene_at_the_cube(off_screen: Callable[[int, int], OffScr
             Oblique(-2, 2, -2, 2, 1, 10),
         ):
             screen = off_screen(400, 400)
-            drawing = StageDrawing(screen.plotter, scene, WORDS, LIGHT)
+            drawing = StageDrawing(screen, scene, WORDS, LIGHT)
             drawing.show_projection(Projection(Camera((0, 2, 5), (0, 0, 0)), lens, depth=depth))
             image = screen.pixels()
             z_half = (max(DEPTH_RANGES[depth]) - min(DEPTH_RANGES[depth])) / 2.0
@@ -288,7 +288,7 @@ def test_ndc_clips_the_scene_at_the_cube(off_screen: Callable[[int, int], OffScr
 
 def display_px(screen: OffScreen, point: tuple[float, float, float]) -> tuple[float, float]:
     """Where VTK's own camera puts a point of the pane's world, pixels from the top left."""
-    renderer = screen.plotter.renderer
+    renderer = screen.renderer
     renderer.SetWorldPoint(*point, 1.0)
     renderer.WorldToDisplay()
     x, y, _ = renderer.GetDisplayPoint()
@@ -310,16 +310,16 @@ def test_ndc_shows_the_near_face_to_the_reader_and_x_to_the_right(
     scene = without_lines(load("letter-f"))
     projection = replace(scene.start, depth=depth, image_size=(400, 400))
     front = off_screen(400, 400)
-    drawing = StageDrawing(front.plotter, scene, WORDS, LIGHT)
+    drawing = StageDrawing(front, scene, WORDS, LIGHT)
     drawing.show_projection(projection)
-    camera = front.plotter.renderer.GetActiveCamera()
+    camera = front.renderer.GetActiveCamera()
     camera.SetFocalPoint(0.0, 0.0, 0.0)
     camera.SetPosition(0.0, 0.0, 10.0)
     camera.SetParallelScale(1.0)
     drawing.reset_clipping_range()
     ndc = front.pixels()
     screen = off_screen(400, 400)
-    picture = ImageDrawing(screen.plotter, scene, WORDS, LIGHT, framed=False)
+    picture = ImageDrawing(screen, scene, WORDS, LIGHT, framed=False)
     picture.show_projection(projection)
     image = screen.pixels()
     assert scene.surface is not None
@@ -339,11 +339,11 @@ def test_ndc_writes_the_ends_of_its_depth_range(
 ) -> None:
     scene = load("cube")
     screen = off_screen(300, 300)
-    drawing = StageDrawing(screen.plotter, scene, WORDS, LIGHT)
+    drawing = StageDrawing(screen, scene, WORDS, LIGHT)
     drawing.show_projection(replace(scene.start, depth=depth))
     texts = [
         prop.GetInput().strip()
-        for prop in screen.plotter.renderer.GetViewProps()
+        for prop in screen.renderer.GetViewProps()
         if prop.IsA("vtkTextActor")
     ]
     near, far = (f"{z:.0f}".replace("-", "−") for z in DEPTH_RANGES[depth])
@@ -358,7 +358,7 @@ def test_ndc_is_wholly_in_view_at_any_pane_size(
     """Nothing touches the pane's border, also after the pane got this size only later."""
     scene = without_lines(load("cube"))
     screen = off_screen(640, 480)
-    drawing = StageDrawing(screen.plotter, scene, WORDS, style)
+    drawing = StageDrawing(screen, scene, WORDS, style)
     drawing.show_projection(scene.start)
     screen.pixels()
     screen.window.SetSize(*size)
@@ -383,7 +383,7 @@ def test_the_picture_lies_exactly_in_its_rectangle(
     wall = [(-9e3, -9e3, -5), (9e3, -9e3, -5), (9e3, 9e3, -5), (-9e3, 9e3, -5)]
     scene = scene_of(wall, [(0, 1, 2, 3)], [red])
     screen = off_screen(640, 480)
-    drawing = ImageDrawing(screen.plotter, scene, WORDS, LIGHT)
+    drawing = ImageDrawing(screen, scene, WORDS, LIGHT)
     screen.pixels()
     screen.window.SetSize(*pane)
     projection = Projection(Camera((0, 0, 0), (0, 0, -1)), Perspective(60, 1, 30), (123, 45))
@@ -418,7 +418,7 @@ def test_the_frame_touches_the_picture_and_the_axes_have_their_colours(
 ) -> None:
     scene = without_lines(load("cube"))
     screen = off_screen(500, 400)
-    drawing = ImageDrawing(screen.plotter, scene, WORDS, LIGHT)
+    drawing = ImageDrawing(screen, scene, WORDS, LIGHT)
     drawing.show_projection(scene.start)
     image = screen.pixels()
     left, top, width, height = drawing.picture_rectangle_px
@@ -432,7 +432,7 @@ def test_the_frame_touches_the_picture_and_the_axes_have_their_colours(
         assert image[row, column].tolist() == to_bytes(LIGHT.background)
     texts = [
         prop.GetInput().strip()
-        for prop in screen.plotter.renderer.GetViewProps()
+        for prop in screen.renderer.GetViewProps()
         if prop.IsA("vtkTextActor")
     ]
     assert sorted(texts) == ["0, 0", "1280", "720", "x", "y"]
@@ -459,7 +459,7 @@ def test_edges_are_not_eaten_by_faces_nor_seen_through_them(
         Oblique(-4, 3, -3, 4, 4, 12, alpha_deg=95, beta_deg=80),
     )
     screen = off_screen(*size)
-    drawing = ImageDrawing(screen.plotter, scene, WORDS, LIGHT, framed=False)
+    drawing = ImageDrawing(screen, scene, WORDS, LIGHT, framed=False)
     for lens in lenses:
         projection = Projection(camera, lens, size)
         drawing.show_projection(projection)
@@ -486,7 +486,7 @@ def test_a_step_sets_matrices_and_nothing_else(
 ) -> None:
     scene = load("letter-f")
     screen = off_screen(300, 300)
-    drawing = kind(screen.plotter, scene, WORDS, LIGHT)
+    drawing = kind(screen, scene, WORDS, LIGHT)
     drawing.show_projection(scene.start)
     screen.pixels()
     renders: list[str] = []
@@ -526,7 +526,7 @@ def test_a_step_changes_what_is_seen(
 ) -> None:
     scene = load("letter-f")
     screen = off_screen(300, 300)
-    drawing = kind(screen.plotter, scene, WORDS, LIGHT)
+    drawing = kind(screen, scene, WORDS, LIGHT)
     drawing.show_projection(scene.start)
     first = screen.pixels()
     drawing.show_projection(replace(scene.start, lens=Perspective(60.0, 2.0, 20.0)))
@@ -544,12 +544,12 @@ def test_a_removed_drawing_leaves_room_for_another(
     found = screen.window.GetRenderers().GetNumberOfItems()
     pictures = []
     for _ in range(2):
-        drawing = kind(screen.plotter, scene, WORDS, LIGHT)
+        drawing = kind(screen, scene, WORDS, LIGHT)
         drawing.show_projection(scene.start)
         pictures.append(screen.pixels())
         drawing.remove()
         assert screen.window.GetRenderers().GetNumberOfItems() == found
-        assert screen.plotter.renderer.GetViewProps().GetNumberOfItems() == 0
+        assert screen.renderer.GetViewProps().GetNumberOfItems() == 0
         assert not screen.window.HasObserver("StartEvent")
     assert (pictures[0] == pictures[1]).all()
 
@@ -563,7 +563,7 @@ def test_words_have_their_size_whatever_dots_per_inch_the_window_claims(
     pictures = []
     for claimed in (72, dpi):
         screen = off_screen(300, 300)
-        drawing = kind(screen.plotter, scene, WORDS, LIGHT.enlarged(2.0))
+        drawing = kind(screen, scene, WORDS, LIGHT.enlarged(2.0))
         drawing.show_projection(scene.start)
         screen.window.SetDPI(claimed)
         pictures.append(screen.pixels())
@@ -589,7 +589,7 @@ def test_far_from_the_origin_the_picture_is_the_same(
         pictures = []
         for scene, camera in ((near_scene, start), (far_scene, far_camera)):
             screen = off_screen(400, 300)
-            drawing = kind(screen.plotter, scene, WORDS, LIGHT)
+            drawing = kind(screen, scene, WORDS, LIGHT)
             drawing.show_projection(replace(near_scene.start, camera=camera))
             pictures.append(screen.pixels().astype(int))
         assert (pictures[0] != pictures[1]).any(axis=-1).sum() <= 20
@@ -620,7 +620,7 @@ def test_extreme_projections_draw_without_a_word(
     )
     for kind in (StageDrawing, ImageDrawing):
         screen = off_screen(120, 90)
-        drawing = kind(screen.plotter, scene, WORDS, LIGHT)
+        drawing = kind(screen, scene, WORDS, LIGHT)
         for camera in cameras:
             for lens in lenses:
                 for depth in DEPTH_RANGES:
@@ -635,10 +635,10 @@ def test_a_scene_with_nothing_in_it_is_an_empty_pane(
 ) -> None:
     scene = replace(load("cube"), surface=None, lines=None)
     screen = off_screen(200, 100)
-    drawing = ImageDrawing(screen.plotter, scene, WORDS, LIGHT, framed=False)
+    drawing = ImageDrawing(screen, scene, WORDS, LIGHT, framed=False)
     drawing.show_projection(scene.start)
     assert (screen.pixels() == to_bytes(LIGHT.background)).all()
-    StageDrawing(off_screen(200, 100).plotter, scene, WORDS, LIGHT).show_projection(scene.start)
+    StageDrawing(off_screen(200, 100), scene, WORDS, LIGHT).show_projection(scene.start)
 
 
 # --------------------------------------------------------------------------- in a window
@@ -718,7 +718,7 @@ def test_a_vertex_under_a_free_matrix_lights_its_pixel(
     vertices.cell_data["rgb"] = np.array([(i, 0, 200) for i in range(len(points))], np.uint8)
     screen = off_screen(1280, 720)
     scene = replace(letter, surface=None, lines=vertices)
-    drawing = ImageDrawing(screen.plotter, scene, WORDS, LIGHT, tolerance_px, framed=False)
+    drawing = ImageDrawing(screen, scene, WORDS, LIGHT, tolerance_px, framed=False)
     for actor in drawing.picture_renderer.GetActors():
         actor.GetProperty().SetPointSize(3.0)
     random = np.random.default_rng(21)

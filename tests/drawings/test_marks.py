@@ -56,7 +56,7 @@ class Shown:
     ) -> None:
         self.screen, self.pane = screen, pane
         self.projection = AWAY if pane == "world" else scene.start
-        self.drawing = PANES[pane](screen.plotter, scene, words, style)
+        self.drawing = PANES[pane](screen, scene, words, style)
         self.drawing.show_projection(self.projection)
         if pane == "world":
             self.drawing.show_view(CLOSE)
@@ -125,7 +125,7 @@ def test_a_dot_stays_on_its_place_when_the_pane_is_looked_at_from_elsewhere(
     one = shown(pane)
     one.show(one.marks([PLACES[0]], dots))
     if pane != "image":  # whose view is the model's
-        camera = one.screen.plotter.renderer.GetActiveCamera()
+        camera = one.screen.renderer.GetActiveCamera()
         camera.Azimuth(30.0)
         camera.Elevation(-10.0)
         one.drawing.reset_clipping_range()

@@ -15,6 +15,7 @@ from vtkmodules.vtkCommonCore import vtkStringOutputWindow
 
 from app.drawings import WORDS, rasterising
 from app.drawings.image import ImageDrawing
+from app.drawings.off_screen import OffScreen
 from app.drawings.rasterising import REFUSED, TOO_FINE, counted_wrong_share, subdivided
 from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT, rgb
@@ -46,7 +47,7 @@ class Picture:
     def __init__(self, name: str, scene: Scene | None = None) -> None:
         self.phenomenon = PHENOMENA[name]
         self.scene = scene or load(name)
-        self.plotter: Any = pv.Plotter(off_screen=True, window_size=SIZE, border=False)
+        self.plotter = OffScreen(*SIZE)
         self.window = self.plotter.render_window
         self.window.SetMultiSamples(0)
         self.drawing = ImageDrawing(self.plotter, self.scene, WORDS, LIGHT, framed=False)
@@ -99,7 +100,7 @@ def make(said: vtkStringOutputWindow) -> Iterator[Any]:
 
 @pytest.fixture
 def plotter(said: vtkStringOutputWindow) -> Iterator[Any]:
-    made: Any = pv.Plotter(off_screen=True, window_size=SIZE, border=False)
+    made = OffScreen(*SIZE)
     made.render_window.SetMultiSamples(0)
     yield made
     made.close()
@@ -349,7 +350,7 @@ def test_affine_and_correct_are_the_same_where_w_is_constant(make: Any) -> None:
 
 @pytest.mark.parametrize("kind", [WorldDrawing, StageDrawing])
 def test_the_other_panes_show_the_texture_as_it_is(said: Any, kind: Any) -> None:
-    plotter: Any = pv.Plotter(off_screen=True, window_size=SIZE, border=False)
+    plotter = OffScreen(*SIZE)
     plotter.render_window.SetMultiSamples(0)
     scene = load("interpolation")
     drawing = kind(plotter, scene, WORDS, LIGHT)

@@ -22,6 +22,7 @@ from app.drawings.camera import view_matrices
 from app.drawings.frustum import matrices_between
 from app.drawings.labels import _SAMPLES
 from app.drawings.near_picture import SLAB, flatten, flatten_free
+from app.drawings.off_screen import OffScreen
 from app.drawings.style import DARK, LIGHT, Style
 from app.drawings.world import WorldDrawing
 from app.lecture.typed_matrix import with_cell
@@ -108,7 +109,7 @@ MakeView = Callable[..., View]
 
 @pytest.fixture(scope="module")
 def plotter() -> Iterator[Any]:
-    plotter = pv.Plotter(off_screen=True, window_size=[500, 560], border=False)
+    plotter = OffScreen(500, 560)
     plotter.render_window.SetMultiSamples(0)
     plotter.render_window.Render()
     yield plotter

@@ -14,22 +14,22 @@ from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow, vtkUnsignedCharArray
 
+from app.drawings import off_screen as app_off_screen
 from app.drawings.style import rgb
 from app.scenes.scene import Scene, load
 
 Pixels = NDArray[np.uint8]
 
 
-class OffScreen:
-    """A plotter without a window, its drawing, and the picture it makes."""
+class OffScreen(app_off_screen.OffScreen):
+    """A window on no screen, and the picture in it."""
 
-    def __init__(self, width: int, height: int) -> None:
-        self.plotter: Any = pv.Plotter(off_screen=True, window_size=[width, height], border=False)
-        self.window = self.plotter.render_window
-        self.window.SetMultiSamples(0)
+    @property
+    def window(self) -> Any:
+        return self.render_window
 
     def pixels(self) -> Pixels:
-        return rendered(self.window)
+        return rendered(self.render_window)
 
 
 def rendered(window: Any) -> Pixels:
@@ -52,7 +52,7 @@ def heard() -> Iterator[vtkStringOutputWindow]:
 
 @pytest.fixture
 def off_screen() -> Iterator[Callable[[int, int], OffScreen]]:
-    """Make off-screen plotters, closed after the test; VTK must have had nothing to say."""
+    """Make windows on no screen, closed after the test; VTK must have had nothing to say."""
     made: list[OffScreen] = []
 
     def make(width: int, height: int) -> OffScreen:
@@ -62,7 +62,7 @@ def off_screen() -> Iterator[Callable[[int, int], OffScreen]]:
     with heard() as said:
         yield make
         for one in made:
-            one.plotter.close()
+            one.close()
     assert said.GetOutput() == ""
 
 

@@ -10,7 +10,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-import pyvista as pv
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
 from PySide6.QtGui import QMouseEvent, QWheelEvent
 from PySide6.QtTest import QTest
@@ -18,6 +17,7 @@ from PySide6.QtWidgets import QApplication
 
 from app.drawings import WORDS
 from app.drawings.image import ImageDrawing
+from app.drawings.off_screen import OffScreen
 from app.drawings.style import DARK, LIGHT, rgb
 from app.drawings.world import WorldDrawing
 from app.model.projection import (
@@ -468,7 +468,7 @@ def test_a_drag_while_the_animation_plays_moves_its_own_field_only(window: MainW
 def test_a_step_adds_and_removes_nothing_and_a_figure_has_no_marks() -> None:
     scene, counts = load("letter-f"), []
     for live in (False, True):
-        plotter = pv.Plotter(off_screen=True, window_size=[400, 400])
+        plotter = OffScreen(400, 400)
         drawing = WorldDrawing(plotter, scene, WORDS, LIGHT, live=live)
         props = plotter.renderer.GetViewProps()
         first = props.GetNumberOfItems()

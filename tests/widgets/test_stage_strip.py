@@ -9,7 +9,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-import pyvista as pv
 from numpy.typing import NDArray
 from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtGui import QMouseEvent
@@ -21,6 +20,7 @@ from vtkmodules.vtkRenderingCore import vtkTextActor
 import app.drawings.stage as stage_drawing
 from app.drawings import WORDS
 from app.drawings.figures import render
+from app.drawings.off_screen import OffScreen
 from app.drawings.stage import StageDrawing
 from app.drawings.style import DARK, LIGHT, Style, rgb
 from app.lecture.stages import IMAGE, NDC, STOPS, VIEW, WORLD, Morph, morph_of
@@ -44,7 +44,7 @@ class Shown:
     """An NDC drawing of the letter F, off screen."""
 
     def __init__(self, size: tuple[int, int] = (320, 300), style: Style = LIGHT) -> None:
-        self.plotter = pv.Plotter(off_screen=True, window_size=size)
+        self.plotter = OffScreen(*size)
         self.scene = load("letter-f")
         self.drawing = StageDrawing(self.plotter, self.scene, WORDS, style)
         self.drawing.show_projection(self.scene.start)

@@ -38,7 +38,7 @@ from pyvistaqt import QtInteractor
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 
-from app.drawings.off_screen import off_screen_plotter
+from app.drawings.off_screen import OffScreen
 from widgets.parts.focus import FocusRing
 
 ORBIT_DEG_PER_PX = 0.4
@@ -78,11 +78,6 @@ class GlCanvas(QtInteractor):
         self._finer = 1.0
         self._resizing = False
         self.frameSwapped.connect(self.shown)
-
-    @property
-    def plotter(self) -> Any:
-        """What drawings are made in."""
-        return self
 
     def initializeGL(self) -> None:
         super().initializeGL()  # type: ignore[no-untyped-call]
@@ -155,9 +150,8 @@ class RasterCanvas(QWidget):
 
     def __init__(self, parent: QWidget | None) -> None:
         super().__init__(parent)
-        self.plotter: Any = off_screen_plotter(120, 120)
-        self.render_window: Any = self.plotter.render_window
-        self.renderer: Any = self.plotter.renderer
+        self._screen = OffScreen(120, 120)
+        self.render_window, self.renderer = self._screen.render_window, self._screen.renderer
         self.render_window.SwapBuffersOff()
         self.grabGesture(Qt.GestureType.PinchGesture)
         self.timed = False
@@ -209,7 +203,7 @@ class RasterCanvas(QWidget):
 
     def closeEvent(self, event: QCloseEvent) -> None:
         self._image = QImage()
-        self.plotter.close()
+        self._screen.close()
         super().closeEvent(event)
 
 

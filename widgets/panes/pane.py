@@ -91,7 +91,7 @@ class Drawing(Protocol):
         """What is at a device pixel from the pane's top left."""
 
     def remove(self) -> None:
-        """Take everything out of the plotter again."""
+        """Take everything out of the screen again."""
 
 
 class StagedDrawing(Drawing, Protocol):
@@ -159,7 +159,7 @@ class Pane(QFrame):
     title : str
         Translated name of the pane.
     make_drawing : callable
-        Builds the drawing into a plotter: ``make_drawing(plotter, *args)``, with the arguments
+        Builds the drawing into a screen: ``make_drawing(screen, *args)``, with the arguments
         that `build` is given.
     orbits : bool
         Whether the mouse moves this pane's own camera.
@@ -280,7 +280,7 @@ class Pane(QFrame):
         view : Camera or None
             Where the pane's own camera is to stand; None for where everything is in view.
         *args
-            Handed to `make_drawing` after the plotter.
+            Handed to `make_drawing` after the screen.
         """
         self._shown = shown
         self._to_build = args
@@ -361,7 +361,7 @@ class Pane(QFrame):
         if self._to_build is not None:
             if self.drawing is not None:
                 self.drawing.remove()
-            self.drawing = self._make_drawing(self.canvas.plotter, *self._to_build)
+            self.drawing = self._make_drawing(self.canvas, *self._to_build)
             self._to_build = None
             self._step_is_stale = self._step is not None
             self._highlight_is_stale = True
