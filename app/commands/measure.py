@@ -9,7 +9,6 @@ import threading
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 
-from app import measure
 from app.commands.arguments import check_out, document_of, load_scene
 from app.commands.options import (
     CANNOT_DRAW,
@@ -23,7 +22,7 @@ from app.commands.options import (
 )
 from app.document.document import write_bytes_atomically
 from app.drawings.off_screen import check_off_screen
-from app.measure import chart
+from app.measure import chart, measuring
 from app.measure.arithmetic import SWEEPS
 from app.measure.meaning import meaning
 from app.measure.results import Results, table, to_csv, to_json
@@ -74,7 +73,7 @@ def run(arguments: Sequence[str]) -> int:
             f" be one of {', '.join(LENSES)}."
         )
     everything = not (found.trade or found.sweep)
-    trades = list(dict.fromkeys(found.trade or (measure.TRADES if everything else ())))
+    trades = list(dict.fromkeys(found.trade or (measuring.TRADES if everything else ())))
     if everything:
         swept = dict.fromkeys(SWEEPS, (None, None))
     opengl = True
@@ -82,14 +81,14 @@ def run(arguments: Sequence[str]) -> int:
         check_off_screen()
     except RuntimeError as error:
         opengl = False
-        left_out = [name for name in trades if name in measure.NEED_OPENGL]
+        left_out = [name for name in trades if name in measuring.NEED_OPENGL]
         if left_out:
             complain(f"{error} Not measured: {', '.join(left_out)}.", 0)
         trades = [name for name in trades if name not in left_out]
         if not trades and not swept:
             return CANNOT_DRAW
     with _watched(found.attended) as watch:
-        results = measure.measure_all(
+        results = measuring.measure_all(
             document, scene, trades, swept, quick=found.quick, opengl=opengl, watch=watch
         )
     texts = {

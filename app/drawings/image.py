@@ -22,7 +22,7 @@ from app.drawings.marks import MarksDrawing, Placing, spread_over
 from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at
 from app.drawings.precision import ModelActors, least_tolerance
 from app.drawings.probes import Probes
-from app.drawings.rasterising import RASTERISED, Rasteriser
+from app.drawings.rasterising import Rasteriser
 from app.drawings.style import Style, rgb
 from app.lecture.highlight import SIDES, Highlight, corner_at
 from app.model.projection import Array, Camera, Projection
@@ -31,7 +31,7 @@ from app.picking.picking import Probe, Sight
 from app.precision.levels import DRAWING_TOLERANCE_PX, Precision
 from app.precision.quality import AUTOMATIC, Quality
 from app.scenes.phenomena.illustration import Illustration, Marks, Phrase, Rendering
-from app.scenes.scene import Scene
+from app.scenes.scene import RASTERISED, Scene
 
 _SQUARE = ((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (1.0, 1.0, 0.0), (0.0, 1.0, 0.0))
 _MARKS_DEPTH = -0.9999  # just behind near

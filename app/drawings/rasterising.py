@@ -55,8 +55,6 @@ TOO_FINE = QT_TRANSLATE_NOOP(
     "phenomena",
     "{0} faces in {1} parts a side are more triangles than can be drawn: the picture has {2}",
 )
-RASTERISED = frozenset({"depth", "texture", "fog", "levels"})
-"""What a scene can require of a `Rasteriser`."""
 MOST_TRIANGLES = 1_000_000
 LEAST_COUNTED = 20
 """Pixels of which a share is counted: of fewer, each is more than 5 points."""

@@ -10,15 +10,16 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 from weakref import WeakKeyDictionary
 
 import numpy as np
-import pyvista as pv
 from numpy.typing import NDArray
-from vtkmodules.vtkFiltersCore import vtkBinnedDecimation, vtkQuadricDecimation
 
 from app.scenes.scene import Scene
+
+if TYPE_CHECKING:
+    import pyvista as pv
 
 SHARES = (0.5, 0.2, 0.1, 0.05, 0.01)
 """Of the triangles that are kept, from fine to coarse."""
@@ -37,11 +38,7 @@ _reduced: WeakKeyDictionary[Scene, dict[float, Scene]] = WeakKeyDictionary()
 
 def can_be_reduced(scene: Scene) -> bool:
     """Whether the scene has enough triangles for fewer to make a difference."""
-    surface = scene.surface
-    if surface is None:
-        return False
-    # A face is a triangle at least, and to make triangles of a million faces takes long.
-    return surface.n_cells >= LEAST_TRIANGLES or _triangles(surface).n_cells >= LEAST_TRIANGLES
+    return scene.triangles >= LEAST_TRIANGLES
 
 
 def reduced(scene: Scene, share: float) -> Scene:
@@ -70,8 +67,7 @@ def reduced(scene: Scene, share: float) -> Scene:
 
 def shares_for_dragging(scene: Scene) -> tuple[float, ...]:
     """The shares that may be drawn while a control is dragged, from fine to coarse."""
-    faces = 0 if scene.surface is None else scene.surface.n_cells
-    return tuple(share for share in _DRAGGED if share * faces >= _LEAST_DRAGGED)
+    return tuple(share for share in _DRAGGED if share * scene.faces >= _LEAST_DRAGGED)
 
 
 def is_made(scene: Scene, share: float) -> bool:
@@ -86,6 +82,9 @@ def _triangles(surface: pv.PolyData) -> pv.PolyData:
 
 
 def _fewer(surface: pv.PolyData, share: float) -> pv.PolyData:
+    import pyvista as pv
+    from vtkmodules.vtkFiltersCore import vtkQuadricDecimation
+
     if surface.n_cells <= QUADRIC_TRIANGLES:
         decimation = vtkQuadricDecimation()
         decimation.SetInputData(surface)
@@ -100,6 +99,9 @@ def _fewer(surface: pv.PolyData, share: float) -> pv.PolyData:
 
 def _binned(surface: pv.PolyData, share: float) -> pv.PolyData:
     """Boxes of the size at which about the share is left: tried, and corrected by its square."""
+    import pyvista as pv
+    from vtkmodules.vtkFiltersCore import vtkBinnedDecimation
+
     wanted = share * surface.n_cells
     lengths = np.array(surface.bounds[1::2]) - surface.bounds[::2]
     boxes = min(float(_MOST_BOXES), math.sqrt(wanted / 2.0))
@@ -128,6 +130,8 @@ def _binned(surface: pv.PolyData, share: float) -> pv.PolyData:
 
 def _plain(mesh: pv.PolyData) -> pv.PolyData:
     """Points and triangles alone."""
+    import pyvista as pv
+
     points: Any = np.array(mesh.points, dtype=np.float32)
     plain: pv.PolyData = pv.PolyData.from_regular_faces(points, np.array(mesh.regular_faces))
     return plain

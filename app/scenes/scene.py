@@ -18,16 +18,12 @@ import difflib
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, partial
 from pathlib import Path
-from typing import Any, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias, cast
 
 import numpy as np
-import pyvista as pv
 from numpy.typing import ArrayLike, NDArray
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkDataArray
-from vtkmodules.vtkCommonDataModel import vtkCellArray
 
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
@@ -63,6 +59,11 @@ from app.scenes.shapes import (
     written_number,
 )
 
+if TYPE_CHECKING:
+    import pyvista as pv
+    from vtkmodules.vtkCommonCore import vtkDataArray
+    from vtkmodules.vtkCommonDataModel import vtkCellArray
+
 Vector: TypeAlias = tuple[float, float, float]
 
 WRONG_ENDING = QT_TRANSLATE_NOOP(
@@ -95,6 +96,8 @@ SAMPLE = 100_000
 _SHARP = math.cos(math.radians(30.0))
 """Edges whose faces turn by more than this are drawn."""
 _DEEPEST = 4.0  # times the bounds' longest side, that a mesh may reach which crosses them
+RASTERISED = frozenset({"depth", "texture", "fog", "levels"})
+"""What a scene can require of the image's `Rasteriser`."""
 SUBJECT_SAMPLE = 2_000
 """Vertices of a larger subject stand for all of them in what a phenomenon reckons at each step."""
 SUBJECT_EDGES, SUBJECT_TRIANGLES = 20_000, 1_000
@@ -103,7 +106,43 @@ SUBJECT_SURFACE = 3_000
 """Triangles of a larger mesh are brought together to so many, where its pixels are reckoned."""
 
 
-@dataclass(frozen=True, eq=False)
+class _Later:
+    """A mesh that is made when it is first drawn: VTK takes longer to import than a window to show.
+
+    Attributes
+    ----------
+    points : (n, 3) float32 array
+    n_cells, corners : int
+        How many polygons or lines, and of how many corners together.
+    """
+
+    def __init__(
+        self, points: Array, offsets: NDArray[Any], corners: NDArray[Any], rgb: Colours
+    ) -> None:
+        self.points = points.astype(np.float32)
+        self.n_cells, self.corners = len(rgb), corners.size
+        self.make = partial(_poly_data, points, offsets, corners, rgb)
+
+
+class _Mesh:
+    """A field of `Scene` that is given a mesh, or one to be made later."""
+
+    def __set_name__(self, _owner: type, name: str) -> None:
+        self._name = name
+
+    def __get__(self, scene: Scene | None, _owner: type | None = None) -> pv.PolyData | None:
+        if scene is None:
+            raise AttributeError(self._name)  # it has no default
+        held = scene.__dict__[self._name]
+        if isinstance(held, _Later):
+            held = scene.__dict__[self._name] = held.make()
+        return cast("pv.PolyData | None", held)
+
+    def __set__(self, scene: Scene, mesh: pv.PolyData | _Later | None) -> None:
+        scene.__dict__[self._name] = mesh
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
 class Scene:
     """Geometry to look at, ready to draw, and the camera it is first seen with.
 
@@ -129,8 +168,8 @@ class Scene:
 
     name: str
     origin: Vector
-    surface: pv.PolyData | None
-    lines: pv.PolyData | None
+    surface: _Mesh = _Mesh()
+    lines: _Mesh = _Mesh()
     lower: Vector
     upper: Vector
     start: Projection
@@ -145,13 +184,30 @@ class Scene:
     @cached_property
     def subject(self) -> Subject:
         """What a phenomenon reckons with: the faces' bounds and vertices, without the grid."""
-        points = np.empty((0, 3)) if self.surface is None else self.surface.points
+        surface = self.__dict__["surface"]
+        points = np.empty((0, 3)) if surface is None else surface.points
         step = max(1, -(-len(points) // SUBJECT_SAMPLE))
         sample = points[::step].astype(np.float64) + self.origin
         mesh = None
         if self.own_mesh and self.surface is not None:
             mesh = _own_mesh(self.surface, self.origin, "depth" in self.requires)
         return Subject(self.lower, self.upper, sample, mesh)
+
+    @property
+    def faces(self) -> int:
+        """How many there are."""
+        surface = self.__dict__["surface"]
+        return 0 if surface is None else int(surface.n_cells)
+
+    @property
+    def triangles(self) -> int:
+        """How many the faces are made of."""
+        surface = self.__dict__["surface"]
+        if surface is None:
+            return 0
+        is_made = not isinstance(surface, _Later)
+        corners = surface.GetPolys().GetNumberOfConnectivityIds() if is_made else surface.corners
+        return int(corners) - 2 * self.faces
 
     @cached_property
     def size(self) -> float:
@@ -308,11 +364,9 @@ def _but_last(words: Sequence[str]) -> tuple[str, str]:
 # --------------------------------------------------------------------------- poly data
 
 
-def _cell_array(offsets: NDArray[Any], corners: NDArray[Any]) -> pv.CellArray:
-    return pv.CellArray.from_arrays(offsets, corners, deep=True)
-
-
 def values_of(array: vtkDataArray) -> NDArray[Any]:
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+
     return np.asarray(vtk_to_numpy(array))  # type: ignore[no-untyped-call]
 
 
@@ -324,7 +378,12 @@ def cells_of(cells: vtkCellArray) -> tuple[Ints, Ints]:
     return offsets.astype(np.int64), corners.astype(np.int64)
 
 
-def _poly_data(points: NDArray[np.floating], cells: pv.CellArray, rgb: Colours) -> pv.PolyData:
+def _poly_data(
+    points: NDArray[np.floating], offsets: NDArray[Any], corners: NDArray[Any], rgb: Colours
+) -> pv.PolyData:
+    import pyvista as pv
+
+    cells = pv.CellArray.from_arrays(offsets, corners, deep=True)
     poly_data = pv.PolyData()
     poly_data.points = np.ascontiguousarray(points, dtype=np.float32)
     if cells.n_cells and cells.GetMaxCellSize() > 2:
@@ -335,22 +394,27 @@ def _poly_data(points: NDArray[np.floating], cells: pv.CellArray, rgb: Colours) 
     return poly_data
 
 
-def _surface(quads: Coloured) -> pv.PolyData:
+def _surface(quads: Coloured) -> _Later:
     points, corners = np.unique(quads[0].reshape(-1, 3), axis=0, return_inverse=True)
     offsets = np.arange(0, corners.size + 1, 4)
-    return _poly_data(points, _cell_array(offsets, corners.ravel()), quads[1])
+    return _Later(points, offsets, corners.ravel(), quads[1])
 
 
-def _line_set(lines: Coloured) -> pv.PolyData:
+def _line_set(lines: Coloured) -> _Later:
     ends = np.arange(2 * len(lines[0]))
-    cells = _cell_array(np.arange(0, ends.size + 1, 2), ends)
-    return _poly_data(lines[0].reshape(-1, 3), cells, lines[1])
+    return _Later(lines[0].reshape(-1, 3), np.arange(0, ends.size + 1, 2), ends, lines[1])
 
 
 # --------------------------------------------------------------------------- built-in scenes
 
 
-def _built_in(name: str, quads: Coloured, lines: Coloured, start: Projection) -> Scene:
+def _built_in(
+    name: str,
+    quads: Coloured,
+    lines: Coloured,
+    start: Projection,
+    phenomenon: Phenomenon | None = None,
+) -> Scene:
     points = quads[0].reshape(-1, 3)
     return Scene(
         name=name,
@@ -360,6 +424,7 @@ def _built_in(name: str, quads: Coloured, lines: Coloured, start: Projection) ->
         lower=_vector(points.min(axis=0)),
         upper=_vector(points.max(axis=0)),
         start=start,
+        phenomenon=phenomenon,
     )
 
 
@@ -483,9 +548,7 @@ def _scene_of_phenomenon(
 ) -> Scene:
     """A phenomenon with its own subject, or with a mesh in its place."""
     faces, lines = phenomenon.geometry()
-    scene = replace(
-        _built_in(phenomenon.name, faces, lines, phenomenon.start), phenomenon=phenomenon
-    )
+    scene = _built_in(phenomenon.name, faces, lines, phenomenon.start, phenomenon)
     if not mesh_path:
         return scene
     mesh, lower, upper = _read_mesh(Path(mesh_path), progress)
@@ -508,7 +571,7 @@ def _scene_of_phenomenon(
     grid = (lines[1] == GRID_RGB).all(axis=1) | (lines[1] == GRID_AXIS_RGB).all(axis=1)
     scene = replace(
         scene,
-        surface=_poly_data(mesh.points, _cell_array(mesh.offsets, mesh.corners), rgb),
+        surface=_poly_data(mesh.points, mesh.offsets, mesh.corners, rgb),
         lines=_line_set(joined((lines[0][grid], lines[1][grid]), _edges(mesh))),
         lower=_vector(mesh.points.min(axis=0)),
         upper=_vector(mesh.points.max(axis=0)),
@@ -608,7 +671,7 @@ def _scene_of_mesh(name: str, path: Path, progress: Progress | None) -> Scene:
     scene = Scene(
         name=name,
         origin=origin,
-        surface=_poly_data(mesh.points, _cell_array(mesh.offsets, mesh.corners), rgb),
+        surface=_poly_data(mesh.points, mesh.offsets, mesh.corners, rgb),
         lines=_line_set(lines),
         lower=lower,
         upper=upper,

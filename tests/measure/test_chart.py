@@ -16,9 +16,10 @@ from hypothesis import strategies as st
 from PIL import Image
 
 from app.drawings.label_placement import beside
-from app.measure import TRADES, chart
+from app.measure import chart
 from app.measure.arithmetic import SWEEPS
 from app.measure.meaning import meaning
+from app.measure.measuring import TRADES
 from app.measure.results import (
     COLUMNS,
     JUDGED,

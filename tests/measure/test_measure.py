@@ -18,7 +18,6 @@ from hypothesis import strategies as st
 
 import app.measure.smoothing
 from app.document.document import Document
-from app.measure import TRADES, measure_all
 from app.measure.arithmetic import (
     NOT_INSTALLED,
     SWEEPS,
@@ -38,6 +37,7 @@ from app.measure.detail import outline
 from app.measure.interpolation import Edge, affine, bound, correct, steepest_edge
 from app.measure.interpolation import measure as measure_interpolation
 from app.measure.interpolation import truth as true_place
+from app.measure.measuring import TRADES, measure_all
 from app.measure.reference import SAMPLE, sample, truth
 from app.measure.results import (
     JUDGED,

@@ -19,6 +19,8 @@ def opened(document: Document, *, shown: bool = True, **options: Any) -> MainWin
     """A window, with all panes drawn if it is shown."""
     options.setdefault("software_rendering", True)
     window = MainWindow(document, **options)
+    for pane in window.panes.values():
+        pane.open()
     if shown:
         window.show()
         assert QTest.qWaitForWindowExposed(window, PATIENCE_MS)

@@ -155,9 +155,9 @@ class Adaptive(QObject):
         coarser = (s for s in shares_for_dragging(self._scene) if s < share)
         levels += [Level(False, s) for s in coarser if is_made(self._scene, s)]
         first = 0
-        if self.software_rendering and self._target_ms > 0.0 and self._scene.surface is not None:
-            triangles = self._scene.surface.n_cells
-            few = (i for i, level in enumerate(levels) if level.share * triangles <= AT_FIRST)
+        if self.software_rendering and self._target_ms > 0.0 and self._scene.faces:
+            faces = self._scene.faces
+            few = (i for i, level in enumerate(levels) if level.share * faces <= AT_FIRST)
             first = next(few, len(levels) - 1)
         self.budget = FrameBudget(levels, self._target_ms, first)
 
@@ -184,7 +184,7 @@ class Adaptive(QObject):
             dialog.setCancelButton(None)
         dialog.setWindowModality(Qt.WindowModality.WindowModal)
         dialog.setMinimumDuration(100)
-        if scene.surface is not None and scene.surface.n_cells > MANY_TRIANGLES:
+        if scene.faces > MANY_TRIANGLES:
             dialog.show()  # the first version alone may take longer
         try:
             for done, share in enumerate(shares):

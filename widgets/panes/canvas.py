@@ -18,28 +18,26 @@ from __future__ import annotations
 
 import math
 import time
-from typing import Any, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QCloseEvent,
-    QGuiApplication,
     QImage,
     QKeyEvent,
     QMouseEvent,
     QPainter,
     QPaintEvent,
     QResizeEvent,
-    QSurfaceFormat,
     QWheelEvent,
 )
+from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtWidgets import QApplication, QGestureEvent, QPinchGesture, QWidget
-from pyvistaqt import QtInteractor
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 
-from app.drawings.off_screen import OffScreen
 from widgets.parts.focus import FocusRing
+
+if TYPE_CHECKING:
+    from app.drawings.off_screen import OffScreen
 
 ORBIT_DEG_PER_PX = 0.4
 ZOOM_PER_WHEEL_STEP = 1.15
@@ -54,116 +52,99 @@ _ARROWS = {
 }
 _ZOOM_STEPS = {Qt.Key.Key_Plus: 1, Qt.Key.Key_Equal: 1, Qt.Key.Key_Minus: -1}
 """Plus is on the key of = of many keyboards."""
-_WIDE_LINES = QSurfaceFormat.FormatOption.DeprecatedFunctions
 
 
-class GlCanvas(QtInteractor):
-    """VTK draws into a QOpenGLWidget: where there is a graphics card."""
+class _Canvas(QWidget):
+    """A widget that shows what VTK draws, from the moment that it is opened.
+
+    Before that it is empty, so that a window can be seen before VTK is imported; `render_window`
+    and `renderer` are there from then on.
+    """
 
     painted = Signal(float)
     """A repaint was done, in so many ms; only while `timed`."""
     shown = Signal()
     """What was painted has reached the screen."""
+    render_window: Any
+    renderer: Any
 
     def __init__(self, parent: QWidget | None) -> None:
-        super().__init__(parent, auto_update=False, multi_samples=0)
-        if QGuiApplication.platformName() in ("xcb", "windows"):
-            # As VTK's own windows are: else it widens lines in a shader, to other pixels. (Not on
-            # Wayland, where a widget with a format of its own stays black.)
-            wanted = self.format()
-            wanted.setOption(_WIDE_LINES)
-            self.setFormat(wanted)
-        self.setAcceptDrops(False)  # the window takes drops; pyvistaqt would add the file here
+        super().__init__(parent)
+        self.setMinimumSize(120, 120)
+        self.grabGesture(Qt.GestureType.PinchGesture)
         self.timed = False
         self._finer = 1.0
-        self._resizing = False
-        self.frameSwapped.connect(self.shown)
-
-    def initializeGL(self) -> None:
-        super().initializeGL()  # type: ignore[no-untyped-call]
-        if self.context().format().testOption(_WIDE_LINES):
-            window: Any = self.render_window
-            window.SetForceMaximumHardwareLineWidth(0.0)  # pyvistaqt's is 1
 
     @property
     def pixel_ratio(self) -> float:
         """Pixels that VTK draws for one of Qt's, along each side."""
         return self.devicePixelRatioF() * self._finer
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        painter.fillRect(self.rect(), self.palette().base())
+        painter.end()
+
+
+class GlCanvas(_Canvas):
+    """VTK draws into a QOpenGLWidget inside: where there is a graphics card."""
+
+    def __init__(self, parent: QWidget | None) -> None:
+        super().__init__(parent)
+        # A window that gets its first one when it is seen already is made anew by Qt.
+        self._inside = QOpenGLWidget(self)
+        self._inside.hide()
+
+    def open(self) -> None:
+        """Make VTK's window."""
+        from widgets.panes.interactor import Interactor
+
+        self._inside.deleteLater()
+        self._inside = interactor = Interactor(self)
+        self.render_window, self.renderer = interactor.render_window, interactor.renderer
+        interactor.resize(self.size())
+        interactor.lower()  # under the ring of the focus
+        interactor.show()
+        interactor.frameSwapped.connect(self.shown)
 
     def draw_finer(self, times: float) -> None:
         """Draw so many pixels for one that the screen shows, along each side."""
         if times != self._finer:
             self._finer = times
-            self.resizeGL(self.width(), self.height())
+            self._inside.resizeGL(self.width(), self.height())
 
     def redraw(self) -> None:
         """Ask Qt for one repaint, however often it is asked before the next paint."""
-        QWidget.update(self)
-
-    def resizeGL(self, w: int, h: int) -> None:
-        super().resizeGL(w, h)  # type: ignore[no-untyped-call]
-        window: Any = self.render_window
-        if self._finer != 1.0:
-            sides = (max(1, round(side * self.pixel_ratio)) for side in (w, h))
-            window.GetInteractor().UpdateSize(*sides)
+        self._inside.update()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        self._resizing = True
-        try:
-            super().resizeEvent(event)
-        finally:
-            self._resizing = False
+        super().resizeEvent(event)
+        self._inside.resize(self.size())
 
-    def paintGL(self) -> None:
-        window: Any = self.render_window
-        if self._resizing and window.GetNeverRendered():
-            return  # Qt has given it its first size; it will show it, and draw it then
-        began = time.perf_counter()
-        super().paintGL()  # type: ignore[no-untyped-call]
-        if not self.timed:
-            return
-        window.WaitForCompletion()  # drawing goes on after the call otherwise
-        self.painted.emit(1e3 * (time.perf_counter() - began))
-
-    # What the hand has left is for the pane, and nothing of it for VTK.
-
-    def keyPressEvent(self, event: Any) -> None:
-        event.ignore()
-
-    def keyReleaseEvent(self, event: Any) -> None:
-        event.ignore()
-
-    def enterEvent(self, event: Any) -> None:
-        event.ignore()
-
-    def leaveEvent(self, event: Any) -> None:
-        event.ignore()
+    def closeEvent(self, event: QCloseEvent) -> None:
+        self._inside.close()
+        super().closeEvent(event)
 
 
-class RasterCanvas(QWidget):
+class RasterCanvas(_Canvas):
     """A widget that paints what VTK has drawn off the screen."""
-
-    painted = Signal(float)
-    """A repaint was done, in so many ms; only while `timed`."""
-    shown = Signal()
-    """What was painted has reached the screen."""
 
     def __init__(self, parent: QWidget | None) -> None:
         super().__init__(parent)
+        self._screen: OffScreen | None = None
+        self._is_stale = True
+        self._image = QImage()
+
+    def open(self) -> None:
+        """Make VTK's window."""
+        from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
+
+        from app.drawings.off_screen import OffScreen
+
         self._screen = OffScreen(120, 120)
         self.render_window, self.renderer = self._screen.render_window, self._screen.renderer
         self.render_window.SwapBuffersOff()
-        self.grabGesture(Qt.GestureType.PinchGesture)
-        self.timed = False
-        self._finer = 1.0
-        self._is_stale = True
         self._pixels = vtkUnsignedCharArray()
-        self._image = QImage()
-
-    @property
-    def pixel_ratio(self) -> float:
-        """Pixels that VTK draws for one of Qt's, along each side."""
-        return self.devicePixelRatioF() * self._finer
 
     def draw_finer(self, times: float) -> None:
         """Draw so many pixels for one that the screen shows, along each side."""
@@ -175,7 +156,10 @@ class RasterCanvas(QWidget):
         self._is_stale = True
         self.update()
 
-    def paintEvent(self, _event: QPaintEvent) -> None:
+    def paintEvent(self, event: QPaintEvent) -> None:
+        if self._screen is None:
+            super().paintEvent(event)
+            return
         sides = (self.width(), self.height())
         size = [max(1, round(side * self.pixel_ratio)) for side in sides]
         if self._is_stale or size != [self._image.width(), self._image.height()]:
@@ -189,6 +173,8 @@ class RasterCanvas(QWidget):
         QTimer.singleShot(0, self, self.shown.emit)  # Qt flushes when all of a window is painted
 
     def _draw(self, width: int, height: int) -> None:
+        from vtkmodules.util.numpy_support import vtk_to_numpy
+
         began = time.perf_counter()
         window = self.render_window
         if window.GetSize() != (width, height):
@@ -202,8 +188,9 @@ class RasterCanvas(QWidget):
             self.painted.emit(1e3 * (time.perf_counter() - began))
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        self._image = QImage()
-        self._screen.close()
+        if self._screen is not None:
+            self._image = QImage()
+            self._screen.close()
         super().closeEvent(event)
 
 
@@ -253,7 +240,6 @@ class Hand(QObject):
         # By Tab alone: a click leaves the focus in a field that is typed in.
         canvas.setFocusPolicy(Qt.FocusPolicy.TabFocus if orbits else Qt.FocusPolicy.NoFocus)
         FocusRing(canvas)
-        canvas.setMinimumSize(120, 120)
         kinds = QEvent.Type
         self._takes: dict[QEvent.Type, Any] = {
             kinds.MouseButtonPress: self._press,

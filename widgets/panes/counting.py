@@ -16,8 +16,6 @@ from collections.abc import Callable
 from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtGui import QOpenGLContext
 
-from app.drawings.off_screen import off_screen
-from app.drawings.rasterising import counted_wrong_share
 from app.model.projection import Projection
 from app.scenes.phenomena.illustration import Illustration
 from app.scenes.scene import Scene
@@ -83,10 +81,13 @@ class Counting(QObject):
         rendering = illustration.rendering
         if not any(reading.counted for reading in illustration.readings) or rendering is None:
             return None
-        if rendering.buffer is None or scene.surface is None or not illustration.copies:
+        if rendering.buffer is None or not illustration.copies:
             return None
-        if scene.surface.n_cells > MOST_FACES:
+        if not 0 < scene.faces <= MOST_FACES:
             return None
+        from app.drawings.off_screen import off_screen
+        from app.drawings.rasterising import counted_wrong_share
+
         current = QOpenGLContext.currentContext()
         if current is not None:  # or VTK may take Qt's context for its own
             current.doneCurrent()
@@ -94,9 +95,9 @@ class Counting(QObject):
         width, height = (
             max(1, min(LONGEST_PX, round(side))) for side in (wide, wide / projection.aspect)
         )
-        with off_screen(width, height) as plotter:
+        with off_screen(width, height) as screen:
             return counted_wrong_share(
-                plotter,
+                screen,
                 scene,
                 projection,
                 rendering.buffer,

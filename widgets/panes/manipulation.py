@@ -16,14 +16,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from PySide6.QtCore import QObject, QPointF, Qt, QTimer, Signal
 from PySide6.QtWidgets import QLabel
 
-from app.drawings.image import ImageDrawing
-from app.drawings.world import WorldDrawing
 from app.model.limits import OTHER_SIDE
 from app.model.projection import NOT_THE_EYE, Projection, Vector
 from app.model.refusal import Refusal, six_digits
@@ -48,6 +46,10 @@ from widgets.parts.fields import QUIET_MS, short_text
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import field_name, seen_from, sentence
 from widgets.parts.panel import PROJECTION, Changed, Shown
+
+if TYPE_CHECKING:
+    from app.drawings.image import ImageDrawing
+    from app.drawings.world import WorldDrawing
 
 HOLD_WITHIN_PX = 9.0
 """So near to a mark a drag takes hold of it."""
@@ -121,21 +123,21 @@ class Manipulation(QObject):
             self._grips = {grip.setting: grip for grip in grips}
             if drag is not None and drag.held is not None and drag.held.setting not in self._grips:
                 self._drag = None  # another scene under the hand
-        drawing = self._world.drawing
-        if isinstance(drawing, WorldDrawing) and drawing.held is not None:
+        drawing: WorldDrawing | None = self._world.drawing
+        if drawing is not None and drawing.held is not None:
             self._tell(drawing.held)
 
     # -- what is under the mouse
 
     def _hover(self, pixel: QPointF) -> None:
-        drawing = self._world.drawing
-        if isinstance(drawing, WorldDrawing) and self._drag is None:
+        drawing: WorldDrawing | None = self._world.drawing
+        if drawing is not None and self._drag is None:
             self._point_out(drawing, self._handle_at(drawing, pixel))
 
     def leave(self) -> None:
         """Point out no handle: the mouse, or the drawing that the handle was in, is gone."""
-        drawing = self._world.drawing
-        if isinstance(drawing, WorldDrawing) and self._drag is None:
+        drawing: WorldDrawing | None = self._world.drawing
+        if drawing is not None and self._drag is None:
             self._point_out(drawing, None)
 
     def _handle_at(self, drawing: WorldDrawing, pixel: QPointF) -> Handle | None:
@@ -212,8 +214,8 @@ class Manipulation(QObject):
 
     def _take_handle(self, pixel: QPointF) -> None:
         """Take hold of the handle that a drag in the world pane starts on."""
-        drawing = self._world.drawing
-        if not isinstance(drawing, WorldDrawing):
+        drawing: WorldDrawing | None = self._world.drawing
+        if drawing is None:
             return
         handle = self._handle_at(drawing, pixel)
         if handle is None:
@@ -231,8 +233,8 @@ class Manipulation(QObject):
 
     def take_picture(self, pixel: QPointF) -> None:
         """Take hold of the picture, if a drag in the image pane starts on it."""
-        drawing = self._image.drawing
-        if isinstance(drawing, ImageDrawing) and drawing.image_pixel(pixel.x(), pixel.y()):
+        drawing: ImageDrawing | None = self._image.drawing
+        if drawing is not None and drawing.image_pixel(pixel.x(), pixel.y()):
             self._start(_Drag(self._image, self._projection, None))
 
     def _start(self, drag: _Drag) -> None:
@@ -256,7 +258,7 @@ class Manipulation(QObject):
             self._attempt(
                 drag.pane, partial(dragged, drag.start, handle, drawn, sight, pixel, shift=shift)
             )
-        elif isinstance(drag.pane.drawing, ImageDrawing):
+        elif drag.pane is self._image:
             shift_px = drag.pane.drawing.image_shift(right_px, down_px)
             self._attempt(drag.pane, partial(panned, drag.start, shift_px))
 
@@ -283,11 +285,11 @@ class Manipulation(QObject):
         self._escape.leave()
         self._drag = None
         self._image.canvas.unsetCursor()
-        drawing = self._world.drawing
-        if isinstance(drawing, WorldDrawing) and drawing.held is not None:
+        drawing: WorldDrawing | None = self._world.drawing
+        if drawing is not None and drawing.held is not None:
             self._world.canvas.setCursor(Qt.CursorShape.OpenHandCursor)
         self._finish()
-        if isinstance(drawing, WorldDrawing) and drawing.held is not None:
+        if drawing is not None and drawing.held is not None:
             self._tell(drawing.held)  # where a refusal was
 
     def _put_back(self) -> None:

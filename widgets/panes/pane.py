@@ -193,7 +193,9 @@ class Pane(QFrame):
         super().__init__(parent)
         self.setFrameShape(QFrame.Shape.StyledPanel)
         self.setAccessibleName(title)
-        self.drawing: Drawing | None = None
+        self._is_open = False
+        self.drawing: Any = None
+        """A `Drawing`, once there is one."""
         self._make_drawing = make_drawing
         self._shown: Shown | None = None
         self._to_build: tuple[object, ...] | None = None
@@ -270,6 +272,13 @@ class Pane(QFrame):
         button.setAccessibleName(f"{self.accessibleName()}: {tip}")
         return button
 
+    def open(self) -> None:
+        """Let VTK draw from now on; it is imported for that, if it was not."""
+        self._is_open = True
+        self.canvas.open()
+        if self.isVisible():
+            self._appear()
+
     def build(self, shown: Shown, view: Camera | None, *args: object) -> None:
         """Make the drawing anew, for another scene or style: now if visible, else on appearing.
 
@@ -298,7 +307,8 @@ class Pane(QFrame):
         """Where the user moved the pane's own camera to; None if it was not moved."""
         if self._to_build is not None or self.drawing is None:
             return self._view
-        return self.drawing.view
+        view: Camera | None = self.drawing.view
+        return view
 
     def take(self, shown: Shown, changed: Changed) -> None:
         """Show the model's new value, and what a phenomenon shows for it: now, or on appearing."""
@@ -356,7 +366,7 @@ class Pane(QFrame):
     def _refresh(self) -> None:
         """Bring the drawing up to what was asked for while nobody looked."""
         shown = self._shown
-        if shown is None:
+        if shown is None or not self._is_open:
             return
         if self._to_build is not None:
             if self.drawing is not None:
@@ -410,13 +420,14 @@ class Pane(QFrame):
         """Change antialiasing, to one of `SMOOTHINGS`; the next repaint shows it."""
         if smoothing != self._smoothing:
             self._smoothing = smoothing
-            self._apply_smoothing()
-            self.request_repaint()
+            if self.drawing is not None:
+                self._apply_smoothing()
+                self.request_repaint()
 
     def set_timed(self, timed: bool) -> None:
         """Tell with every repaint what it cost, and wait for its end; or do not."""
         self.canvas.timed = timed
-        if timed:
+        if timed and self._is_open:
             self.request_repaint()
 
     def set_detail(self, fewer: Scene | None) -> None:
@@ -429,8 +440,9 @@ class Pane(QFrame):
     @property
     def samples(self) -> int:
         """Of each pixel, by OpenGL's multisampling: fewer than asked for where it has no more."""
-        window: Any = self.canvas.render_window
-        return int(window.GetMultiSamples())
+        if self.drawing is None:
+            return multisamples(self._smoothing)
+        return int(self.canvas.render_window.GetMultiSamples())
 
     def _apply_smoothing(self) -> None:
         window: Any = self.canvas.render_window
@@ -490,6 +502,9 @@ class Pane(QFrame):
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
+        self._appear()
+
+    def _appear(self) -> None:
         try:
             self._refresh()
             self.refit()  # gestures may have ended while nobody looked

@@ -22,6 +22,7 @@ import sys
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from types import FrameType
 from typing import TYPE_CHECKING, Any
@@ -30,6 +31,7 @@ from PySide6 import __version__ as pyside_version
 from PySide6.QtCore import (
     QBuffer,
     QEvent,
+    QEventLoop,
     QIODevice,
     QLocale,
     QSocketNotifier,
@@ -43,7 +45,6 @@ from PySide6.QtWidgets import (
 
 from app import __version__, bootstrap
 from app.document.document import Document, write_bytes_atomically
-from app.drawings.off_screen import check_off_screen
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from widgets.program import opengl
 from widgets.program.display import display
@@ -221,7 +222,6 @@ def run_window(
         with bootstrap.for_good():
             from widgets.window.main_window import MainWindow
 
-        log_vtk()
         try:
             window = MainWindow(
                 document,
@@ -238,13 +238,12 @@ def run_window(
             raise Refusal.saying(IN_FILE, path, error) from error
         if options.size:
             window.resize(*options.size)
+        window.first_painted.connect(partial(_open_panes, window))
+        failed: list[bool] = []
+        window.filled.connect(lambda: failed.append(bool(watch.caught)))
         show_window(window)
-        failed = watch.caught
         if options.screenshot:
-            if failed:
-                window.close()
-                raise Refusal.saying(NOT_WHOLE, options.screenshot)
-            _take_screenshot(application, window, options.screenshot)
+            _take_screenshot(application, window, options.screenshot, watch)
         else:
             application.exec()
         window.deleteLater()
@@ -253,7 +252,7 @@ def run_window(
         undo_interrupt()
         watch.remove()
         qInstallMessageHandler(None)
-    return 1 if failed else 0
+    return 1 if any(failed) else 0
 
 
 def _probe(options: Options) -> opengl.OpenGL:
@@ -263,11 +262,21 @@ def _probe(options: Options) -> opengl.OpenGL:
     except opengl.DisplayError as error:
         if options.canvas == "opengl":
             raise
+        from app.drawings.off_screen import check_off_screen
+
         try:
             check_off_screen()
         except RuntimeError:
             raise error from None
         return opengl.NO_OPENGL
+
+
+def _open_panes(window: Any) -> None:
+    """Import VTK, now that the window is seen, and fill its panes."""
+    with bootstrap.for_good():
+        from app.drawings import image, stage, world  # noqa: F401
+    log_vtk()
+    window.open_panes()
 
 
 def show_window(window: QWidget) -> None:
@@ -282,7 +291,9 @@ def show_window(window: QWidget) -> None:
         sys.excepthook(*sys.exc_info())
 
 
-def _take_screenshot(application: QApplication, window: Any, path: Path) -> None:
+def _take_screenshot(
+    application: QApplication, window: Any, path: Path, watch: ExceptionWatch
+) -> None:
     """Save a picture of the window once it is drawn, and close it.
 
     Parameters
@@ -291,10 +302,17 @@ def _take_screenshot(application: QApplication, window: Any, path: Path) -> None
     window : MainWindow
     path : Path
         A PNG file.
+    watch : ExceptionWatch
+        What it has caught keeps a part of the window from being shown.
     """
+    filled: list[bool] = []
+    window.filled.connect(lambda: filled.append(True))
     limit = time.monotonic() + FIRST_PICTURE_S
-    while not window.windowHandle().isExposed():
-        application.processEvents()
+    while not filled:
+        application.processEvents(QEventLoop.ProcessEventsFlag.WaitForMoreEvents, 100)
+        if watch.caught:
+            window.close()
+            raise Refusal.saying(NOT_WHOLE, path)
         if time.monotonic() > limit:
             raise Refusal.saying(NO_WINDOW, path)
     application.processEvents()

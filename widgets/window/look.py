@@ -12,7 +12,6 @@ from PySide6.QtWidgets import QApplication, QWidget
 from app.document.document import Document
 from app.document.store import Store
 from app.drawings import WORDS
-from app.drawings.probes import sort_ahead
 from app.drawings.style import Style
 from app.model.projection import Camera
 from widgets.panes.adaptive import Adaptive
@@ -21,6 +20,9 @@ from widgets.parts import palette
 from widgets.parts.messages import Words
 from widgets.parts.panel import EVERYTHING, Changed, Shown
 from widgets.window.settings import Settings
+
+SORTED_AHEAD = 10_000
+"""Faces of a scene that are sorted before the first click on it; of fewer the click does it."""
 
 
 def dress(settings: Settings) -> None:
@@ -97,7 +99,9 @@ class Look(QObject):
         if built:
             self.adaptive.show(shown.scene, quality)
             self._build(shown.document.views if anew else self._views)
-        if anew:
+        if anew and shown.scene.faces > SORTED_AHEAD:
+            from app.drawings.probes import sort_ahead
+
             sort_ahead(shown.scene)
         self.adaptive.step(self._store.in_gesture)
         if not built:

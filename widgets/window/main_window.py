@@ -21,12 +21,14 @@ from PySide6.QtCore import (
     QEvent,
     Qt,
     QTimer,
+    Signal,
 )
 from PySide6.QtGui import (
     QCloseEvent,
     QDragEnterEvent,
     QDropEvent,
     QKeyEvent,
+    QPaintEvent,
     QResizeEvent,
 )
 from PySide6.QtWidgets import (
@@ -38,9 +40,6 @@ from PySide6.QtWidgets import (
 
 from app.document.document import Document
 from app.document.store import Store
-from app.drawings.image import ImageDrawing
-from app.drawings.stage import StageDrawing
-from app.drawings.world import WorldDrawing
 from app.scenes.scene import Scene
 from widgets.controls.animation import AnimationBar
 from widgets.controls.controls import Controls
@@ -73,11 +72,27 @@ from widgets.window.scene_guide import SceneGuide
 from widgets.window.settings import data_folder
 from widgets.window.status_line import StatusLine
 
-DRAWINGS: dict[str, Callable[..., Any]] = {
-    "world": partial(WorldDrawing, live=True),
-    "ndc": StageDrawing,
-    "image": ImageDrawing,
-}
+
+def _world(*args: Any) -> Any:
+    from app.drawings.world import WorldDrawing
+
+    return WorldDrawing(*args, live=True)
+
+
+def _stage(*args: Any) -> Any:
+    from app.drawings.stage import StageDrawing
+
+    return StageDrawing(*args)
+
+
+def _image(*args: Any) -> Any:
+    from app.drawings.image import ImageDrawing
+
+    return ImageDrawing(*args)
+
+
+DRAWINGS: dict[str, Callable[..., Any]] = {"world": _world, "ndc": _stage, "image": _image}
+"""Of each pane; VTK is imported by them."""
 
 
 class MainWindow(QMainWindow):
@@ -106,6 +121,11 @@ class MainWindow(QMainWindow):
         If the document's scene cannot be loaded.
     """
 
+    first_painted = Signal()
+    """The window is on the screen, its panes still empty."""
+    filled = Signal()
+    """All panes show their pictures, or have tried to."""
+
     def __init__(
         self,
         document: Document,
@@ -120,6 +140,7 @@ class MainWindow(QMainWindow):
         super().__init__()
         self.setObjectName("mainWindow")
         self.setAcceptDrops(True)
+        self._is_closed = False
         self.settings = settings
         dress(settings)  # before there are widgets, which would keep the font of before
         self.store = Store(document, self, saved=saved)
@@ -186,6 +207,18 @@ class MainWindow(QMainWindow):
         else:
             self.resize(1366, 768)
         QTimer.singleShot(0, self.recovery.offer)
+        self._was_painted = False
+
+    def open_panes(self) -> None:
+        """Fill the panes, the largest first, each on the screen before the next is begun."""
+        self._open(sorted(self.panes.values(), key=lambda pane: -pane.width()))
+
+    def _open(self, panes: list[Pane]) -> None:
+        if not panes:
+            self.filled.emit()
+        elif not self._is_closed:
+            QTimer.singleShot(0, self, partial(self._open, panes[1:]))
+            panes[0].open()
 
     # -- making
 
@@ -398,6 +431,12 @@ class MainWindow(QMainWindow):
     def focusNextPrevChild(self, forwards: bool) -> bool:
         return focus_next(self, forwards)
 
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        if not self._was_painted:
+            self._was_painted = True
+            QTimer.singleShot(0, self, self.first_painted.emit)  # when all of it was painted
+
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         if event.size().height() != event.oldSize().height():
@@ -420,6 +459,7 @@ class MainWindow(QMainWindow):
         if not self.files.may_discard():
             event.ignore()
             return
+        self._is_closed = True
         self.history.stand_still()
         self.strip.pause()
         self.counting.stop()

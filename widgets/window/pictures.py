@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 from PySide6.QtCore import QByteArray, QMimeData, QObject, Qt
@@ -11,14 +12,16 @@ from PySide6.QtGui import QGuiApplication, QImage, QOpenGLContext
 from PySide6.QtWidgets import QFileDialog, QMainWindow, QProgressDialog
 
 from app.document.document import Document, picture_json
-from app.drawings.figures import PANES, Pixels, png_bytes, render, write_png
 from app.model.refusal import Cancelled, Refusal
 from app.scenes.scene import Scene
 from widgets.parts import palette
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import sentence
-from widgets.window.export_dialog import ExportChoice, ExportDialog
 from widgets.window.files import SHOW_PROGRESS_AFTER_MS
+
+if TYPE_CHECKING:
+    from app.drawings.figures import Pixels
+    from widgets.window.export_dialog import ExportChoice
 
 
 class Pictures(QObject):
@@ -58,6 +61,8 @@ class Pictures(QObject):
 
     def export_dialog(self) -> None:
         """Ask what to export and where, and do it."""
+        from widgets.window.export_dialog import ExportDialog
+
         size = self._seen().projection.image_size
         dialog = ExportDialog(self._titles, size, self._window)
         if dialog.exec() != ExportDialog.DialogCode.Accepted:
@@ -80,6 +85,8 @@ class Pictures(QObject):
         return self._write(path, lambda document: self._draw(document, choice))
 
     def _write(self, path: Path, draw: Callable[[Document], Pixels]) -> bool:
+        from app.drawings.figures import write_png
+
         document = self._seen()
 
         def write() -> None:
@@ -95,11 +102,16 @@ class Pictures(QObject):
 
     def copy_diagram(self, image: QImage) -> None:
         """Put the picture of a diagram on the clipboard."""
+        from app.drawings.figures import png_bytes
+
         png = png_bytes(_pixels(image), picture_json(self._seen()))
         self._try(lambda: _to_clipboard(png), self.tr("Copied the diagram"))
 
     def copy(self) -> bool:
         """Put the three panes on the clipboard; False if that failed or the user stopped it."""
+        from app.drawings.figures import PANES, png_bytes
+        from widgets.window.export_dialog import ExportChoice
+
         document = self._seen()
 
         def put() -> None:
@@ -122,6 +134,8 @@ class Pictures(QObject):
         return True
 
     def _draw(self, document: Document, choice: ExportChoice) -> Pixels:
+        from app.drawings.figures import render
+
         current = QOpenGLContext.currentContext()
         if current is not None:  # or VTK may take Qt's context for its own
             current.doneCurrent()

@@ -5,18 +5,20 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from functools import partial
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QPointF
 from PySide6.QtWidgets import QWidget
 
-from app.drawings.image import ImageDrawing
-from app.drawings.probes import pick_in
 from app.picking.picking import Probe, dragged
 from widgets.panels.probe_panel import ProbePanel
 from widgets.panes.manipulation import HOLD_WITHIN_PX, Manipulation
 from widgets.panes.pane import Pane
 from widgets.parts.escape import EscapeKey
 from widgets.parts.panel import Changed, Shown
+
+if TYPE_CHECKING:
+    from app.drawings.image import ImageDrawing
 
 
 class Probing(QObject):
@@ -76,10 +78,13 @@ class Probing(QObject):
         chosen = self._panel.chosen
         self._before_click = self._panel.probes, chosen.number if chosen else 0
         drawing = self._panes[name].drawing
-        assert drawing is not None
+        if drawing is None:  # it is still to come
+            return
+        from app.drawings.probes import pick_in
+
         x_px, y_px = place.x(), place.y()
         pixel = None
-        if isinstance(drawing, ImageDrawing):
+        if name == "image":
             pixel = drawing.image_pixel(x_px, y_px)
             if pixel is None:  # beside the picture
                 return
@@ -115,8 +120,8 @@ class Probing(QObject):
             self._manipulation.take_picture(place)
 
     def _drag(self, away: QPointF, along_ray: bool) -> None:
-        drawing = self._panes["image"].drawing
-        if self._held is None or self._held.point is None or not isinstance(drawing, ImageDrawing):
+        drawing: ImageDrawing | None = self._panes["image"].drawing
+        if self._held is None or self._held.point is None or drawing is None:
             return
         projection = self._shown().projection
         shift_px = drawing.image_shift(away.x(), away.y())

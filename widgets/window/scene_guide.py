@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject
 
 from app.document.store import Store
-from app.drawings.image import ImageDrawing
-from app.drawings.rasterising import RASTERISED
 from app.model.refusal import Refusal
 from app.scenes.phenomena.illustration import Value
+from app.scenes.scene import RASTERISED
 from widgets.controls.controls import Controls
 from widgets.panels.scene_panel import ScenePanel
 from widgets.panes.manipulation import Manipulation
@@ -19,6 +19,9 @@ from widgets.panes.pane import Pane
 from widgets.parts.panel import Changed, Shown
 from widgets.window.actions import Actions
 from widgets.window.drawer import Panels
+
+if TYPE_CHECKING:
+    from app.drawings.image import ImageDrawing
 
 
 class SceneGuide(QObject):
@@ -110,7 +113,7 @@ class SceneGuide(QObject):
 
     def _tell_problem(self) -> None:
         """Say, and draw again, where this computer's OpenGL refused a scene's own shader."""
-        drawing = self._image.drawing
-        problem = drawing.problem if isinstance(drawing, ImageDrawing) else None
+        drawing: ImageDrawing | None = self._image.drawing
+        problem = None if drawing is None else drawing.problem
         if self._panel.show_problem(problem) and problem is not None:
             self._image.request_repaint()

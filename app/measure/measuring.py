@@ -1,0 +1,128 @@
+"""Runs the trades and sweeps that are asked for, one after the other."""
+
+from __future__ import annotations
+
+import json
+import os
+import platform
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from datetime import UTC, datetime
+
+import numpy as np
+import pyvista as pv
+import vtkmodules
+
+from app import __version__
+from app.document.document import Document, to_json
+from app.measure import arithmetic, depth, detail, interpolation, smoothing
+from app.measure.results import Results, Sweep, Trade
+from app.measure.run import Watch, part_of, unwatched
+from app.model.projection import Projection
+from app.model.refusal import Cancelled
+from app.scenes.scene import Scene
+
+TRADES: dict[str, Callable[[Scene, Projection, float, Watch], Trade]] = {
+    "arithmetic": lambda scene, projection, seconds, watch: arithmetic.measure(
+        projection, scene.sample, scene.origin, seconds, watch
+    ),
+    "interpolation": lambda scene, projection, seconds, watch: interpolation.measure(
+        projection, scene.corners, seconds, watch
+    ),
+    "depth": lambda _scene, projection, _seconds, watch: depth.measure(projection, watch),
+    "smoothing": smoothing.measure,
+    "detail": detail.measure,
+}
+"""Every trade, in the order in which they are measured."""
+NEED_OPENGL = ("smoothing", "detail")
+"""The trades of pictures."""
+SECONDS, QUICK_SECONDS = 30.0, 2.0
+"""For the timing of one trade."""
+STEPS, QUICK_STEPS = 49, 13
+"""Values of one sweep."""
+
+
+def measure_all(
+    document: Document,
+    scene: Scene,
+    trades: Sequence[str],
+    sweeps: Mapping[str, tuple[float | None, float | None]],
+    *,
+    quick: bool = False,
+    opengl: bool = True,
+    watch: Watch = unwatched,
+) -> Results:
+    """Measure trades and sweeps of a scene.
+
+    Parameters
+    ----------
+    document : Document
+        The scene and the camera.
+    scene : Scene
+        The document's, loaded.
+    trades : sequence of str
+        Of `TRADES`.
+    sweeps : mapping of str to (float, float)
+        From where to where each of `app.measure.arithmetic.SWEEPS` goes; None for its own end.
+    quick : bool
+        Shorter timings and fewer values: all of it in half a minute.
+    opengl : bool
+        Whether there is one; without it, leave `NEED_OPENGL` out.
+    watch : Watch
+        May raise `Cancelled`.
+
+    Returns
+    -------
+    Results
+        When it was cancelled, what was done until then, marked as not complete.
+    """
+    results = Results(
+        datetime.now(UTC).isoformat(timespec="seconds"),
+        machine(smoothing.renderer_name() if opengl else "none"),
+        versions(),
+        json.loads(to_json(document)),
+    )
+    projection = document.projection
+    count = len(trades) + len(sweeps)
+    done = 0
+    try:
+        for name in trades:
+            part = part_of(watch, done / count, (done + 1) / count)
+            seconds = QUICK_SECONDS if quick else SECONDS
+            trade = TRADES[name](scene, projection, seconds, part)
+            results = replace(results, trades=(*results.trades, trade))
+            done += 1
+        for parameter, ends in sweeps.items():
+            part = part_of(watch, done / count, (done + 1) / count)
+            values = arithmetic.values_of(parameter, QUICK_STEPS if quick else STEPS, *ends)
+            swept = arithmetic.sweep(parameter, projection, scene.sample, values, part)
+            results = replace(results, sweeps=(*results.sweeps, swept))
+            done += 1
+    except Cancelled as cancelled:
+        if isinstance(cancelled.partial, Trade):
+            results = replace(results, trades=(*results.trades, cancelled.partial))
+        elif isinstance(cancelled.partial, Sweep):
+            results = replace(results, sweeps=(*results.sweeps, cancelled.partial))
+        return replace(results, complete=False)
+    return results
+
+
+def machine(opengl: str) -> dict[str, str]:
+    """What the measurements are made on."""
+    return {
+        "system": f"{platform.system()} {platform.release()}",
+        "processor": platform.processor() or platform.machine(),
+        "cores": str(os.cpu_count() or 1),
+        "opengl": opengl,
+    }
+
+
+def versions() -> dict[str, str]:
+    """What the measurements are made with."""
+    return {
+        "frustum-lab": __version__,
+        "python": platform.python_version(),
+        "numpy": np.__version__,
+        "vtk": vtkmodules.__version__,
+        "pyvista": pv.__version__,
+    }

@@ -1,0 +1,71 @@
+"""pyvistaqt's interactor, as a canvas with OpenGL has it inside."""
+
+from __future__ import annotations
+
+import time
+from typing import TYPE_CHECKING, Any
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QGuiApplication, QResizeEvent, QSurfaceFormat
+from pyvistaqt import QtInteractor
+
+if TYPE_CHECKING:
+    from widgets.panes.canvas import GlCanvas
+
+_WIDE_LINES = QSurfaceFormat.FormatOption.DeprecatedFunctions
+
+
+class Interactor(QtInteractor):
+    """VTK draws into it; mouse and keys go past it, to the canvas.
+
+    Parameters
+    ----------
+    canvas : GlCanvas
+    """
+
+    def __init__(self, canvas: GlCanvas) -> None:
+        super().__init__(canvas, auto_update=False, multi_samples=0)
+        self._canvas = canvas
+        if QGuiApplication.platformName() in ("xcb", "windows"):
+            # As VTK's own windows are: else it widens lines in a shader, to other pixels. (Not on
+            # Wayland, where a widget with a format of its own stays black.)
+            wanted = self.format()
+            wanted.setOption(_WIDE_LINES)
+            self.setFormat(wanted)
+        self.setAcceptDrops(False)  # the window takes drops; pyvistaqt would add the file here
+        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        self._resizing = False
+
+    def initializeGL(self) -> None:
+        super().initializeGL()  # type: ignore[no-untyped-call]
+        if self.context().format().testOption(_WIDE_LINES):
+            window: Any = self.render_window
+            window.SetForceMaximumHardwareLineWidth(0.0)  # pyvistaqt's is 1
+
+    def resizeGL(self, w: int, h: int) -> None:
+        super().resizeGL(w, h)  # type: ignore[no-untyped-call]
+        window: Any = self.render_window
+        ratio = self._canvas.pixel_ratio
+        if ratio != self.devicePixelRatioF():
+            sides = (max(1, round(side * ratio)) for side in (w, h))
+            window.GetInteractor().UpdateSize(*sides)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        self._resizing = True
+        try:
+            super().resizeEvent(event)
+        finally:
+            self._resizing = False
+
+    def paintGL(self) -> None:
+        window: Any = self.render_window
+        if self._resizing and window.GetNeverRendered():
+            return  # Qt has given it its first size; it will show it, and draw it then
+        began = time.perf_counter()
+        super().paintGL()  # type: ignore[no-untyped-call]
+        if not self._canvas.timed:
+            return
+        window.WaitForCompletion()  # drawing goes on after the call otherwise
+        self._canvas.painted.emit(1e3 * (time.perf_counter() - began))
