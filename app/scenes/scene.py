@@ -112,6 +112,8 @@ class _Later:
     Attributes
     ----------
     points : (n, 3) float32 array
+    bounds : (6,) float32 array
+        Least and largest x, y and z.
     n_cells, corners : int
         How many polygons or lines, and of how many corners together.
     """
@@ -120,6 +122,7 @@ class _Later:
         self, points: Array, offsets: NDArray[Any], corners: NDArray[Any], rgb: Colours
     ) -> None:
         self.points = points.astype(np.float32)
+        self.bounds = np.stack([self.points.min(axis=0), self.points.max(axis=0)], axis=1).ravel()
         self.n_cells, self.corners = len(rgb), corners.size
         self.make = partial(_poly_data, points, offsets, corners, rgb)
 
@@ -222,7 +225,8 @@ class Scene:
     @cached_property
     def corners(self) -> Array:
         """World coordinates of the corners of a box round all that is drawn, (8, 3)."""
-        bounds = [m.bounds for m in (self.surface, self.lines) if m is not None]
+        meshes = (self.__dict__[name] for name in ("surface", "lines"))
+        bounds = [mesh.bounds for mesh in meshes if mesh is not None]
         low, high = np.subtract((self.lower, self.upper), self.origin)  # where nothing is drawn
         if bounds:
             low = np.min([b[::2] for b in bounds], axis=0)
@@ -234,9 +238,8 @@ class Scene:
     @property
     def vertices(self) -> Array:
         """All vertices in world coordinates, (n, 3)."""
-        points = np.concatenate(
-            [mesh.points for mesh in (self.surface, self.lines) if mesh is not None]
-        )
+        meshes = (self.__dict__[name] for name in ("surface", "lines"))
+        points = np.concatenate([mesh.points for mesh in meshes if mesh is not None])
         vertices: Array = points.astype(np.float64) + self.origin
         return vertices
 

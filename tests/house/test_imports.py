@@ -37,20 +37,21 @@ FLOORS = (
 FLOOR = {folder: number for number, folders in enumerate(FLOORS) for folder in folders}
 #: Packages of others that a folder may import at once, beside numpy.
 AT_ONCE: dict[str, tuple[str, ...]] = {
-    "app.scenes": VTK,
     "app.document": ("PySide6.QtCore",),
     "app.drawings": (*VTK, "PIL"),
     "app.measure": VTK,
     "widgets.parts": QT,
     "widgets.controls": QT,
     "widgets.panels": QT,
-    "widgets.panes": (*QT, *VTK, "pyvistaqt"),
+    "widgets.panes": (*QT, "pyvistaqt"),
     "widgets.window": QT,
     "widgets.program": QT,
 }
 #: And late.
 LATE: dict[str, tuple[str, ...]] = {
+    "app.scenes": VTK,
     "app.measure": ("matplotlib", "PIL", "mpmath"),
+    "widgets.panes": VTK,
     "widgets.program": VTK,
     "app.commands": (*VTK, *QT),
 }

@@ -68,8 +68,9 @@ def pixels_of(canvas: Any) -> np.ndarray:
 
 def picture(canvas: Any) -> QImage:
     """What a pane's canvas shows, in the screen's pixels, without what lies over it."""
-    if isinstance(canvas, QOpenGLWidget):
-        return canvas.grabFramebuffer()
+    inside = canvas.findChild(QOpenGLWidget)
+    if inside is not None:
+        return inside.grabFramebuffer()
     ratio = canvas.devicePixelRatioF()
     image = QImage(canvas.size() * ratio, QImage.Format.Format_RGB32)
     image.setDevicePixelRatio(ratio)

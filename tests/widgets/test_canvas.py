@@ -105,7 +105,7 @@ def test_a_slider_beside_it_draws_no_picture_anew(opened: Opened) -> None:
     with counted_repaints(window) as counts:
         window.controls.rows["near"].slider.update()
         settle()
-    if not isinstance(window.panes["world"].canvas, QOpenGLWidget):
+    if window.panes["world"].canvas.findChild(QOpenGLWidget) is None:
         assert set(counts.values()) == {0}
 
 
@@ -181,7 +181,12 @@ def test_a_pane_floats_and_comes_back_with_its_picture(opened: Opened) -> None:
 def test_a_canvas_of_any_size_is_drawn(kind: str, display: Any) -> None:
     canvas = CANVASES[kind](None)
     canvas.show()
-    for size in ((0, 0), (3, 2), (8000, 4000), (300, 200)):
+    sizes = ((0, 0), (3, 2), (8000, 4000), (300, 200))
+    for size in sizes:  # still empty
+        canvas.resize(*size)
+        settle()
+    canvas.open()
+    for size in sizes:
         canvas.resize(*size)
         settle()
         canvas.redraw()

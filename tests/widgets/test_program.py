@@ -43,11 +43,11 @@ import os, signal, sys
 from PySide6.QtCore import QTimer
 from widgets.window.main_window import MainWindow
 
-def show_and_act(window, show=MainWindow.show):
-    show(window)
-    QTimer.singleShot(0, lambda: act(window))
+def make_and_act(window, *arguments, make=MainWindow.__init__, **options):
+    make(window, *arguments, **options)
+    {when}
 
-MainWindow.show = show_and_act
+MainWindow.__init__ = make_and_act
 
 def act(window):
 {act}
@@ -57,14 +57,19 @@ sys.exit(main(sys.argv[1:]))
 """
 
 
-def driver(act: str) -> list[str]:
+FILLED = "window.filled.connect(lambda: QTimer.singleShot(0, lambda: act(window)))"
+PAINTED = "window.first_painted.connect(lambda: act(window))"
+
+
+def driver(act: str, when: str = FILLED) -> list[str]:
     lines = "\n".join("    " + line for line in act.strip().splitlines())
-    return [sys.executable, "-c", DRIVER.replace("{act}", lines)]
+    return [sys.executable, "-c", DRIVER.replace("{act}", lines).replace("{when}", when)]
 
 
-def drive(act: str, *arguments: str | Path) -> subprocess.CompletedProcess[str]:
+def drive(act: str, *arguments: str | Path, when: str = FILLED) -> subprocess.CompletedProcess[str]:
+    """Run the program, and do something in its window once that is filled, or only painted."""
     return subprocess.run(
-        [*driver(act), *map(str, arguments)],
+        [*driver(act, when), *map(str, arguments)],
         cwd=ROOT, capture_output=True, text=True, check=False, timeout=PATIENCE_S,
     )  # fmt: skip
 
@@ -678,10 +683,40 @@ window.close()
     assert log_path().read_text(encoding="utf-8").count("no drawing") >= 3
 
 
+def test_the_window_is_seen_with_its_dock_before_vtk_is_imported() -> None:
+    """And what a quick hand does meanwhile counts."""
+    done = drive(
+        """
+late = [name for name in sys.modules if name.startswith(("vtk", "pyvista", "matplotlib"))]
+print(late, window.controls.rows["near"].field.text(), window.isVisible())
+from PySide6.QtTest import QTest
+field = window.controls.rows["near"].field
+field.setFocus()
+field.selectAll()
+QTest.keyClicks(field, "2.5\\r")
+def then():
+    shown = window.panes["world"].drawing is not None and "vtkmodules" in sys.modules
+    print(shown, window.store.document.projection.lens.near)
+    window.store.mark_saved()
+    window.close()
+window.filled.connect(lambda: QTimer.singleShot(0, then))
+""",
+        when=PAINTED,
+    )
+    assert done.stdout == "[] 1 True\nTrue 2.5\n", done.stderr
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+@pytest.mark.parametrize("canvas", ["opengl", "raster"])
+def test_a_window_is_closed_before_its_panes_are_filled(canvas: str) -> None:
+    done = drive("window.close()", "--canvas", canvas, when=PAINTED)
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+
+
 def test_no_picture_is_taken_of_a_window_that_is_not_whole(tmp_path: Path) -> None:
     picture = tmp_path / "window.png"
     command = ["--screenshot", str(picture)]
-    program = [sys.executable, "-c", BROKEN + DRIVER.replace("{act}", "    pass"), *command]
+    program = [sys.executable, "-c", BROKEN + driver("pass")[2], *command]
     done = subprocess.run(program, cwd=ROOT, capture_output=True, text=True, timeout=PATIENCE_S)
     assert done.returncode == 2
     assert done.stderr.endswith(f"{picture}: the window could not be shown whole.\n")

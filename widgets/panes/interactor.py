@@ -3,14 +3,11 @@
 from __future__ import annotations
 
 import time
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication, QResizeEvent, QSurfaceFormat
 from pyvistaqt import QtInteractor
-
-if TYPE_CHECKING:
-    from widgets.panes.canvas import GlCanvas
 
 _WIDE_LINES = QSurfaceFormat.FormatOption.DeprecatedFunctions
 
@@ -21,9 +18,10 @@ class Interactor(QtInteractor):
     Parameters
     ----------
     canvas : GlCanvas
+        Which knows this class, and is not known here.
     """
 
-    def __init__(self, canvas: GlCanvas) -> None:
+    def __init__(self, canvas: Any) -> None:
         super().__init__(canvas, auto_update=False, multi_samples=0)
         self._canvas = canvas
         if QGuiApplication.platformName() in ("xcb", "windows"):
