@@ -683,7 +683,8 @@ window.close()
     assert log_path().read_text(encoding="utf-8").count("no drawing") >= 3
 
 
-def test_the_window_is_seen_with_its_dock_before_vtk_is_imported() -> None:
+@pytest.mark.parametrize("canvas", ["opengl", "raster"])
+def test_the_window_is_seen_with_its_dock_before_vtk_is_imported(canvas: str) -> None:
     """And what a quick hand does meanwhile counts."""
     done = drive(
         """
@@ -696,14 +697,16 @@ field.selectAll()
 QTest.keyClicks(field, "2.5\\r")
 def then():
     shown = window.panes["world"].drawing is not None and "vtkmodules" in sys.modules
-    print(shown, window.store.document.projection.lens.near)
+    print(shown, window.store.document.projection.lens.near, "matplotlib.pyplot" in sys.modules)
     window.store.mark_saved()
     window.close()
 window.filled.connect(lambda: QTimer.singleShot(0, then))
 """,
+        "--canvas",
+        canvas,
         when=PAINTED,
     )
-    assert done.stdout == "[] 1 True\nTrue 2.5\n", done.stderr
+    assert done.stdout == "[] 1 True\nTrue 2.5 False\n", done.stderr
     assert (done.returncode, done.stderr) == (0, "")
 
 

@@ -2,12 +2,41 @@
 
 from __future__ import annotations
 
+import importlib
+import sys
 import time
+from types import ModuleType
 from typing import Any
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication, QResizeEvent, QSurfaceFormat
-from pyvistaqt import QtInteractor
+
+PYPLOT = "matplotlib.pyplot"
+
+
+def _imported_without_pyplot(name: str) -> Any:
+    """Import a module that names pyplot and does not use it: that takes as long as VTK itself.
+
+    Whoever does use what it was given gets pyplot after all.
+    """
+    if PYPLOT in sys.modules:
+        return importlib.import_module(name)
+
+    def given(wanted: str) -> Any:
+        if wanted.startswith("__"):  # asked of every module, by whoever looks through them
+            raise AttributeError(wanted)
+        return getattr(importlib.import_module(PYPLOT), wanted)
+
+    late = ModuleType(PYPLOT)
+    late.__getattr__ = given  # type: ignore[method-assign]
+    sys.modules[PYPLOT] = late
+    try:
+        return importlib.import_module(name)
+    finally:
+        del sys.modules[PYPLOT]
+
+
+QtInteractor: Any = _imported_without_pyplot("pyvistaqt").QtInteractor
 
 _WIDE_LINES = QSurfaceFormat.FormatOption.DeprecatedFunctions
 
@@ -37,13 +66,13 @@ class Interactor(QtInteractor):
         self._resizing = False
 
     def initializeGL(self) -> None:
-        super().initializeGL()  # type: ignore[no-untyped-call]
+        super().initializeGL()
         if self.context().format().testOption(_WIDE_LINES):
             window: Any = self.render_window
             window.SetForceMaximumHardwareLineWidth(0.0)  # pyvistaqt's is 1
 
     def resizeGL(self, w: int, h: int) -> None:
-        super().resizeGL(w, h)  # type: ignore[no-untyped-call]
+        super().resizeGL(w, h)
         window: Any = self.render_window
         ratio = self._canvas.pixel_ratio
         if ratio != self.devicePixelRatioF():
@@ -62,7 +91,7 @@ class Interactor(QtInteractor):
         if self._resizing and window.GetNeverRendered():
             return  # Qt has given it its first size; it will show it, and draw it then
         began = time.perf_counter()
-        super().paintGL()  # type: ignore[no-untyped-call]
+        super().paintGL()
         if not self._canvas.timed:
             return
         window.WaitForCompletion()  # drawing goes on after the call otherwise
