@@ -6,7 +6,7 @@ import importlib
 import sys
 import time
 from types import ModuleType
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication, QResizeEvent, QSurfaceFormat
@@ -36,7 +36,10 @@ def _imported_without_pyplot(name: str) -> Any:
         del sys.modules[PYPLOT]
 
 
-QtInteractor: Any = _imported_without_pyplot("pyvistaqt").QtInteractor
+if TYPE_CHECKING:
+    from pyvistaqt import QtInteractor
+else:
+    QtInteractor = _imported_without_pyplot("pyvistaqt").QtInteractor
 
 _WIDE_LINES = QSurfaceFormat.FormatOption.DeprecatedFunctions
 
@@ -66,13 +69,13 @@ class Interactor(QtInteractor):
         self._resizing = False
 
     def initializeGL(self) -> None:
-        super().initializeGL()
+        super().initializeGL()  # type: ignore[no-untyped-call]
         if self.context().format().testOption(_WIDE_LINES):
             window: Any = self.render_window
             window.SetForceMaximumHardwareLineWidth(0.0)  # pyvistaqt's is 1
 
     def resizeGL(self, w: int, h: int) -> None:
-        super().resizeGL(w, h)
+        super().resizeGL(w, h)  # type: ignore[no-untyped-call]
         window: Any = self.render_window
         ratio = self._canvas.pixel_ratio
         if ratio != self.devicePixelRatioF():
@@ -91,7 +94,7 @@ class Interactor(QtInteractor):
         if self._resizing and window.GetNeverRendered():
             return  # Qt has given it its first size; it will show it, and draw it then
         began = time.perf_counter()
-        super().paintGL()
+        super().paintGL()  # type: ignore[no-untyped-call]
         if not self._canvas.timed:
             return
         window.WaitForCompletion()  # drawing goes on after the call otherwise
