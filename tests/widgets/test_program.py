@@ -690,6 +690,9 @@ def test_the_window_is_seen_with_its_dock_before_vtk_is_imported(canvas: str) ->
         """
 late = [name for name in sys.modules if name.startswith(("vtk", "pyvista", "matplotlib"))]
 print(late, window.controls.rows["near"].field.text(), window.isVisible())
+seen = {}
+for name, pane in window.panes.items():
+    pane.canvas.shown.connect(lambda name=name: seen.setdefault(name))
 from PySide6.QtTest import QTest
 field = window.controls.rows["near"].field
 field.setFocus()
@@ -698,15 +701,16 @@ QTest.keyClicks(field, "2.5\\r")
 def then():
     shown = window.panes["world"].drawing is not None and "vtkmodules" in sys.modules
     print(shown, window.store.document.projection.lens.near, "matplotlib.pyplot" in sys.modules)
+    print(*seen)
     window.store.mark_saved()
     window.close()
-window.filled.connect(lambda: QTimer.singleShot(0, then))
+window.filled.connect(lambda: QTimer.singleShot(300, then))
 """,
         "--canvas",
         canvas,
         when=PAINTED,
     )
-    assert done.stdout == "[] 1 True\nTrue 2.5 False\n", done.stderr
+    assert done.stdout == "[] 1 True\nTrue 2.5 False\nworld image ndc\n", done.stderr
     assert (done.returncode, done.stderr) == (0, "")
 
 

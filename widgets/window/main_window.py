@@ -93,6 +93,8 @@ def _image(*args: Any) -> Any:
 
 DRAWINGS: dict[str, Callable[..., Any]] = {"world": _world, "ndc": _stage, "image": _image}
 """Of each pane; VTK is imported by them."""
+LONGEST_UNSEEN_MS = 100
+"""How long a pane is waited for that shows nothing: it may be hidden, or its drawing has failed."""
 
 
 class MainWindow(QMainWindow):
@@ -211,14 +213,22 @@ class MainWindow(QMainWindow):
 
     def open_panes(self) -> None:
         """Fill the panes, the largest first, each on the screen before the next is begun."""
-        self._open(sorted(self.panes.values(), key=lambda pane: -pane.width()))
+        self._empty = sorted(self.panes.values(), key=lambda pane: pane.width())
+        self._filling = QTimer(self)
+        self._filling.setSingleShot(True)
+        self._filling.timeout.connect(self._open_next)
+        self._open_next()
 
-    def _open(self, panes: list[Pane]) -> None:
-        if not panes:
+    def _open_next(self) -> None:
+        if not self._empty:
             self.filled.emit()
         elif not self._is_closed:
-            QTimer.singleShot(0, self, partial(self._open, panes[1:]))
-            panes[0].open()
+            pane = self._empty.pop()
+            self._filling.start(LONGEST_UNSEEN_MS)
+            pane.canvas.shown.connect(
+                partial(self._filling.start, 0), Qt.ConnectionType.SingleShotConnection
+            )
+            pane.open()
 
     # -- making
 
