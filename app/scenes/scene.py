@@ -51,6 +51,7 @@ from app.scenes.shapes import (
     Coloured,
     box_faces,
     brightness,
+    distinct_rows,
     edges_of,
     flat,
     ground_grid,
@@ -398,9 +399,9 @@ def _poly_data(
 
 
 def _surface(quads: Coloured) -> _Later:
-    points, corners = np.unique(quads[0].reshape(-1, 3), axis=0, return_inverse=True)
+    points, corners = distinct_rows(quads[0].reshape(-1, 3))
     offsets = np.arange(0, corners.size + 1, 4)
-    return _Later(points, offsets, corners.ravel(), quads[1])
+    return _Later(points, offsets, corners, quads[1])
 
 
 def _line_set(lines: Coloured) -> _Later:

@@ -31,6 +31,7 @@ from app.scenes.scene import (
     frame_camera,
     load,
 )
+from app.scenes.shapes import distinct_rows
 from tests.support.meshes import (
     PYRAMID,
     QUAD_AND_TRIANGLES,
@@ -1108,3 +1109,12 @@ def test_framing_gives_numbers_that_can_be_read() -> None:
         projection.lens.far,
     ]
     assert all(len(repr(abs(number))) <= 6 for number in shown)
+
+
+def test_distinct_rows_are_those_of_numpy() -> None:
+    random = np.random.default_rng(1)
+    for count in range(1, 60):
+        rows = random.integers(-1, 2, (count, 3)) * random.choice([1.0, -0.0])
+        wanted, places = np.unique(rows, axis=0, return_inverse=True)
+        found, where = distinct_rows(rows)
+        assert (found == wanted).all() and (where == places.ravel()).all()

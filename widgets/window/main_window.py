@@ -264,23 +264,24 @@ class MainWindow(QMainWindow):
             self.panels.add(name, panel, tip)
 
     def _lay_out(self) -> None:
-        self.pane_row = PaneRow(self.panes, self.strip)
+        # From the outside inwards: Qt styles all that a widget holds whenever it gets a parent.
+        body = QWidget()
+        self.setCentralWidget(body)
+        layout = QVBoxLayout(body)
+        layout.setContentsMargins(4, 4, 4, 0)
+        layout.addWidget(self.messages)
         split = QSplitter(Qt.Orientation.Horizontal)
+        self.column = Column(
+            split, self.panels, lambda: self.settings.projector, lambda: self.store.in_gesture
+        )
+        layout.addWidget(self.column, 1)
+        self.pane_row = PaneRow(self.panes, self.strip)
         split.addWidget(self.pane_row)
         split.addWidget(self.controls)
         split.setStretchFactor(0, 1)
         split.setStretchFactor(1, 0)
         split.setSizes([1040, 320])
         self.pane_row.setSizes(PANE_WIDTHS)
-        self.column = Column(
-            split, self.panels, lambda: self.settings.projector, lambda: self.store.in_gesture
-        )
-        body = QWidget()
-        layout = QVBoxLayout(body)
-        layout.setContentsMargins(4, 4, 4, 0)
-        layout.addWidget(self.messages)
-        layout.addWidget(self.column, 1)
-        self.setCentralWidget(body)
 
     def _make_rooms(self) -> None:
         """What joins several parts, and the order in which all that show something are told."""
