@@ -4,14 +4,15 @@
 
     redraw() --> QWidget.update, coalesced by Qt --> Qt's paint event --> one VTK render --> drawn
 
-- `GlCanvas` is pyvistaqt's interactor: VTK draws into a QOpenGLWidget of Qt's.
+- `GlCanvas` has pyvistaqt's interactor inside: VTK draws into a QOpenGLWidget of Qt's.
 - `RasterCanvas` is a plain widget: VTK draws off the screen, as for a figure, and the widget paints
   the pixels. Where OpenGL is software that takes half the time, as Qt composes no textures then,
   and a slider beside it is repainted without the canvases. It needs no OpenGL of Qt's.
 
-`plotter.render()` is never called: it draws at once *and* again in the paint event. The mouse does
-not go through VTK's interactor styles, which render by themselves, rewrite the clipping range at
-every drag, and bind plain keys to changes of the scene: `Hand` has mouse and keys of either canvas.
+Both are empty until they are opened, which is when VTK is imported. Only they render: pyvista's
+`render` draws at once *and* again in the paint event. The mouse does not go through VTK's
+interactor styles, which render by themselves, rewrite the clipping range at every drag, and bind
+plain keys to changes of the scene: `Hand` has mouse and keys of either canvas.
 """
 
 from __future__ import annotations
