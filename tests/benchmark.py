@@ -21,6 +21,7 @@ import time
 import weakref
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -83,7 +84,9 @@ def application() -> Any:
     return QApplication.instance()
 
 
-def open_window(scene: str = "letter-f", size: tuple[int, int] = (1600, 700)) -> Any:
+def open_window(
+    scene: str = "letter-f", size: tuple[int, int] = (1600, 700), canvas: str = "raster"
+) -> Any:
     """A main window, shown and drawn."""
     app = application()
     from app.document.document import Document
@@ -96,7 +99,10 @@ def open_window(scene: str = "letter-f", size: tuple[int, int] = (1600, 700)) ->
         Document(scene, load(scene).start),
         settings=Settings(folder / "settings.ini"),
         software_rendering=True,
+        canvas=canvas,
     )
+    for pane in window.panes.values():
+        pane.open()
     window.resize(*size)
     window.show()
     settle(app)
@@ -205,18 +211,152 @@ def in_a_drag(window: Any, row: Any, turns: int) -> tuple[list[float], list[floa
     return bare, step
 
 
+WINDOWS = ((1366, 768), (1920, 1080))
+
+
+def canvases(scale: float) -> dict[str, Any]:
+    """The letter F in panes that paint pixels over panes of OpenGL widgets, in turn."""
+    from PySide6.QtCore import QPoint
+    from PySide6.QtTest import QTest
+
+    app = application()
+    figures: dict[str, Any] = {}
+    for size in WINDOWS:
+        windows = {canvas: open_window(size=size, canvas=canvas) for canvas in ("raster", "opengl")}
+        acts = ("step", "slider", "hover", "typing")
+        times: dict[str, dict[str, list[float]]] = {
+            act: {canvas: [] for canvas in windows} for act in acts
+        }
+        for turn in range(max(10, round(100 * scale))):
+            for canvas, window in windows.items():
+                window.raise_()
+                settle(app)
+                row, world = window.controls.rows["fov_y_deg"], window.panes["world"]
+                letter = "12"[turn % 2]
+                # From where a handle is seen to where nothing is, and back.
+                spot = (QPoint(2, 2), world.canvas.rect().center())[turn % 2]
+                window.store.begin_gesture()
+                for act, do in {
+                    "step": partial(row.slider.setValue, row.slider.value() + 1 - 2 * (turn // 40)),
+                    "slider": row.slider.update,
+                    "hover": partial(QTest.mouseMove, world.canvas, spot),
+                    "typing": partial(row.field.setText, row.field.text()[:3] + letter),
+                }.items():
+                    began = time.perf_counter()
+                    do()
+                    app.processEvents()
+                    if turn >= 3:
+                        times[act][canvas].append(time.perf_counter() - began)
+                window.store.end_gesture()
+        for act, taken in times.items():
+            raster, opengl = (statistics.median(taken[canvas]) for canvas in ("raster", "opengl"))
+            figures[f"{size[0]} x {size[1]}: {act}, pixels / OpenGL widgets; ms"] = [
+                round(raster / opengl, 3), rounded(raster), rounded(opengl),
+            ]  # fmt: skip
+        for window in windows.values():
+            close_window(window)
+    return figures
+
+
+def in_ndc(points: Any, matrix: Any) -> Any:
+    clip = points @ matrix[:, :3].T + matrix[:, 3]
+    return clip[:, :3] / clip[:, 3:]
+
+
+def peers(scale: float) -> dict[str, Any]:
+    """A step of ours over the same three pictures by pyvista updated in place, and by matplotlib.
+
+    Panes of one size, the whole mesh in each: as it is, in NDC and in the image. Theirs have no
+    labels, frustum or handles.
+    """
+    import numpy as np
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+    from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+    from PySide6.QtWidgets import QHBoxLayout, QWidget
+    from pyvistaqt import QtInteractor
+
+    app = application()
+    figures: dict[str, Any] = {}
+    for vertices in (100, 10_000, 100_000, 1_000_000):
+        window = open_window(sphere(vertices), WINDOWS[1])
+        window.look.adaptive.set_target(0.0)
+        settle(app)
+        row = window.controls.rows["fov_y_deg"]
+        mesh = window.shown.scene.surface
+        points, triangles = np.asarray(mesh.points, dtype=float), mesh.regular_faces
+        sizes = [(pane.canvas.width(), pane.canvas.height()) for pane in window.panes.values()]
+
+        beside = QWidget()
+        layout = QHBoxLayout(beside)
+        shown = []
+        for place, (width, height) in enumerate(sizes):
+            canvas = QtInteractor(beside, auto_update=False, multi_samples=0)
+            canvas.setFixedSize(width, height)
+            layout.addWidget(canvas)
+            shown.append((canvas, mesh.copy()))
+            canvas.add_mesh(shown[place][1], scalars="rgb", rgb=True, lighting=False)
+        beside.show()
+        settle(app)
+        dpi = 100.0
+        drawn = []
+        for width, height in sizes if vertices <= 10_000 else ():
+            figure = Figure((width / dpi, height / dpi), dpi=dpi)
+            faces = Poly3DCollection(points[triangles])
+            figure.add_subplot(projection="3d").add_collection3d(faces)
+            drawn.append((FigureCanvasAgg(figure), faces))
+
+        window.store.begin_gesture()
+        times: dict[str, list[float]] = {"ours": [], "pyvista": [], "matplotlib": []}
+        for turn in range(max(5, round(scale * (40 if vertices < 1_000_000 else 10)))):
+            began = time.perf_counter()
+            row.slider.setValue(row.slider.value() + (1 if turn // 20 % 2 else -1))
+            app.processEvents()
+            times["ours"].append(time.perf_counter() - began)
+            matrix = window.shown.projection.clip_from_world
+            began = time.perf_counter()
+            for canvas, copy in shown:
+                if canvas is not shown[0][0]:
+                    copy.points = in_ndc(points, matrix)
+                QWidget.update(canvas)
+            app.processEvents()
+            times["pyvista"].append(time.perf_counter() - began)
+            if turn <= 5 and drawn:
+                began = time.perf_counter()
+                for canvas, faces in drawn:
+                    if canvas is not drawn[0][0]:
+                        faces.set_verts(in_ndc(points, matrix)[triangles])
+                    canvas.draw()
+                times["matplotlib"].append(time.perf_counter() - began)
+        window.store.end_gesture()
+        ours = statistics.median(times.pop("ours")[2:])
+        for name, taken in times.items():
+            if taken:
+                theirs = statistics.median(taken[2:])
+                figures[f"{vertices} vertices: a step of ours / {name}'s; ms"] = [
+                    round(ours / theirs, 3), rounded(ours), rounded(theirs),
+                ]  # fmt: skip
+        for canvas, _ in shown:
+            canvas.close()
+        beside.deleteLater()
+        close_window(window)
+    return figures
+
+
 def scene_steps(scale: float) -> dict[str, Any]:
-    """A step of the camera over the bare repaint in each phenomenon's scene, its panel open."""
-    from app.scenes.phenomena import PHENOMENA
+    """A step of the camera over the bare repaint in each scene, its panel open, on full HD."""
+    from app.scenes.scene import BUILT_IN
 
     figures: dict[str, Any] = {}
-    for name in PHENOMENA:
-        window = open_window(name)
+    for name in BUILT_IN:
+        window = open_window(name, WINDOWS[1])
         row = window.controls.rows["azimuth_deg"]
         bare, step = in_a_drag(window, row, max(8, round(100 * scale)))
-        figures[f"{name}: p50, p95 of step / bare repaint"] = [
+        figures[f"{name}: p50, p95 of step / bare repaint; p50, p95 of it (ms)"] = [
             round(statistics.median(step) / statistics.median(bare), 3),
             round(percentile95(step) / percentile95(bare), 3),
+            rounded(statistics.median(step)),
+            rounded(percentile95(step)),
         ]
         close_window(window)
     return figures
@@ -838,6 +978,8 @@ while True:
 
 PARTS: dict[str, Callable[[float], dict[str, Any]]] = {
     "step": step_over_repaint,
+    "canvases": canvases,
+    "peers": peers,
     "scenes": scene_steps,
     "panels": panel_steps,
     "strip": strip_step,

@@ -221,6 +221,7 @@ class MainWindow(QMainWindow):
 
     def _open_next(self) -> None:
         if not self._empty:
+            self._filling.timeout.disconnect()  # by a pane that is late it would end once more
             self.filled.emit()
         elif not self._is_closed:
             pane = self._empty.pop()
