@@ -157,8 +157,8 @@ class AnimationBar(QWidget):
     gesture_finished = Signal()
     playing_changed = Signal(bool)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._motion = Motion()
         self._start: Camera | None = None
         self._elapsed_s = 0.0

@@ -126,8 +126,8 @@ class ScenePanel(ReadablePanel):
     mesh_removed = Signal()
     """The user wants the scene's own objects back."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.rows: dict[str, Row] = {}  # first: a change of font comes with the first child
         self._phenomenon: Phenomenon | None = None
         self._settings: Settings = {}

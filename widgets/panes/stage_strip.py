@@ -86,8 +86,8 @@ class StageStrip(QWidget):
     gesture_started = Signal()
     gesture_finished = Signal()
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._names = (
             (self.tr("World"), self.tr("World space: the scene and the view volume in it")),
             (self.tr("View"), self.tr("View space: the eye is at 0 and looks along −z")),
