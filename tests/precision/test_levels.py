@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from app.arithmetic import double_double as dd
@@ -732,7 +732,6 @@ def test_one_point_far_to_the_side_or_deep_in_the_volume_counts() -> None:
     st.sampled_from([0.0, 1.0, 1e4, 1e9]),
     st.lists(st.tuples(*[st.floats(-1.0, 1.0)] * 3, st.floats(-9.0, 9.0)), min_size=1, max_size=5),
 )
-@settings(max_examples=150, deadline=None)
 def test_no_points_anywhere_are_off_by_more_than_predicted(
     name: str, depth: DepthRange, away: float, places: list[tuple[float, float, float, float]]
 ) -> None:
