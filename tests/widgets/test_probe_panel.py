@@ -144,8 +144,7 @@ def is_seen(sight: Sight, vertex: Array, triangles: Array, lines: Array) -> bool
     return not (inside & (far > 1e-4)).any()
 
 
-@pytest.mark.parametrize("eye", EYES)
-@pytest.mark.parametrize("lens", LENSES)
+@pytest.mark.parametrize(("lens", "eye"), [*zip(LENSES, EYES, strict=True)])
 def test_a_click_on_or_beside_a_vertex_that_is_seen_gives_it_in_every_pane(
     make_window: MakeWindow, lens: str, eye: str
 ) -> None:

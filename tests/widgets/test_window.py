@@ -1177,8 +1177,8 @@ def test_random_changes_do_not_pile_up(window: MainWindow) -> None:
     window.store.begin_gesture()
     rng = random.Random(2)
     start = 0
-    for change in range(600):
-        if change == 300:
+    for change in range(450):
+        if change == 150:
             gc.collect()
             start = resident()
         camera = Camera.from_orbit(
