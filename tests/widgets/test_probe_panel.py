@@ -38,7 +38,7 @@ from app.model.refusal import format_value
 from app.picking.picking import Probe, Sight, Surface
 from app.scenes.scene import load
 from tests.support.shown import show
-from tests.support.window import MakeWindow, activate, click, pixels
+from tests.support.window import MakeWindow, activate, click, pixels, settle
 from widgets.panels.probe_panel import MOST_PROBES, ProbePanel
 from widgets.window.main_window import MainWindow
 
@@ -94,13 +94,14 @@ def cells(panel: ProbePanel, block: int, row: int) -> list[str]:
 # -- clicks
 
 
-@pytest.mark.parametrize("name", ["world", "ndc", "image"])
-def test_a_click_on_a_vertex_in_any_pane_marks_it_in_all(window: MainWindow, name: str) -> None:
-    click(window.panes[name].canvas, place_in(window, name, CORNER))
-    (probe,) = window.probe_panel.probes
-    assert probe.point == pytest.approx(CORNER, abs=1e-5 * load("letter-f").size)
-    for other in window.panes:
-        assert marked(window, other, place_in(window, other, CORNER)), other
+def test_a_click_on_a_vertex_in_any_pane_marks_it_in_all(window: MainWindow) -> None:
+    for name, pane in window.panes.items():
+        window.probe_panel.clear()
+        click(pane.canvas, place_in(window, name, CORNER))
+        (probe,) = window.probe_panel.probes
+        assert probe.point == pytest.approx(CORNER, abs=1e-5 * load("letter-f").size), name
+        for other in window.panes:
+            assert marked(window, other, place_in(window, other, CORNER)), (name, other)
 
 
 LENSES: dict[str, Lens] = {
@@ -197,32 +198,30 @@ def test_a_double_click_resets_the_view_and_follows_nothing(window: MainWindow) 
     assert window.probe_panel.probes == before and window.probe_panel.chosen == before[0]
 
 
-@pytest.mark.parametrize("name", ["world", "ndc", "image"])
-def test_a_click_on_a_face_in_any_pane_follows_its_point(window: MainWindow, name: str) -> None:
-    window.panes["image"].show()
-    window.pane_row.enlarge(name)  # the cubes are small: no vertex may be within 6 pixels
-    QApplication.processEvents()
-    on_face = (0.0, 2.5, 0.5)
-    x, y = (math.floor(part) + 0.5 for part in place_in(window, name, on_face))
-    click(window.panes[name].canvas, (x, y))
-    (probe,) = window.probe_panel.probes
-    assert probe.point is not None and probe.point[2] == pytest.approx(0.5, abs=1e-6)
-    assert place_in(window, name, probe.point) == pytest.approx((x, y), abs=0.5)
+Point = tuple[float, float, float]
 
 
-@pytest.mark.parametrize("name", ["world", "ndc", "image"])
-def test_a_click_on_a_line_of_the_ground_follows_its_nearest_point(
-    window: MainWindow, name: str
-) -> None:
-    window.pane_row.enlarge(name)
-    QApplication.processEvents()
-    x, y = (math.floor(part) + 0.5 for part in place_in(window, name, (3.0, 0.0, 1.4)))
-    click(window.panes[name].canvas, (x, y))
-    (probe,) = window.probe_panel.probes
-    assert probe.point is not None
-    assert probe.point == pytest.approx((3.0, 0.0, 1.4), abs=0.1)
-    assert min(abs(probe.point[0] - 3.0), abs(probe.point[2] - 1.0)) <= 1e-12
-    assert math.dist(place_in(window, name, probe.point), (x, y)) <= 1.0
+def test_a_click_follows_the_point_of_a_face_and_the_nearest_of_a_line(window: MainWindow) -> None:
+    def clicked(name: str, place: Point) -> tuple[Point, tuple[float, float]]:
+        """Which point is followed then, and where in the pane the click was."""
+        x, y = (math.floor(part) + 0.5 for part in place_in(window, name, place))
+        window.probe_panel.clear()
+        click(window.panes[name].canvas, (x, y))
+        (probe,) = window.probe_panel.probes
+        assert probe.point is not None
+        return probe.point, (x, y)
+
+    for name in ("world", "ndc", "image"):
+        window.pane_row.show_all()
+        window.pane_row.enlarge(name)  # the cubes are small: no vertex may be within 6 pixels
+        settle()
+        point, place = clicked(name, (0.0, 2.5, 0.5))
+        assert point[2] == pytest.approx(0.5, abs=1e-6)
+        assert place_in(window, name, point) == pytest.approx(place, abs=0.5)
+        point, place = clicked(name, (3.0, 0.0, 1.4))
+        assert point == pytest.approx((3.0, 0.0, 1.4), abs=0.1)
+        assert min(abs(point[0] - 3.0), abs(point[2] - 1.0)) <= 1e-12
+        assert math.dist(place_in(window, name, point), place) <= 1.0
 
 
 def test_what_a_click_needs_is_made_when_the_scene_is_opened_beside_the_window(
