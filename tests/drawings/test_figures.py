@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gc
 import hashlib
+import inspect
 import json
 import os
 import subprocess
@@ -32,8 +33,6 @@ from app.scenes.scene import load
 from tests import PATIENCE_S
 from tests.support.drawings import colours_of
 
-_SCRIPT = "from tests.drawings.test_figures import hashes; print(*hashes())"
-
 
 def hashes() -> list[str]:
     """Of all panes, and of one without a background."""
@@ -44,12 +43,15 @@ def hashes() -> list[str]:
 
 
 def run_script(**changes: str | None) -> subprocess.CompletedProcess[str]:
+    script = "import hashlib\nfrom app.drawings.figures import PANES, render\n"
+    script += "from app.scenes.scene import load\n" + inspect.getsource(hashes)
+    script += "print(*hashes())"
     environment = {**os.environ, **{k: v for k, v in changes.items() if v is not None}}
     for name, value in changes.items():
         if value is None:
             environment.pop(name, None)
     return subprocess.run(
-        [sys.executable, "-c", _SCRIPT],
+        [sys.executable, "-c", script],
         cwd=ROOT,
         env=environment,
         capture_output=True,
