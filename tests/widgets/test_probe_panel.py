@@ -38,7 +38,7 @@ from app.model.refusal import format_value
 from app.picking.picking import Probe, Sight, Surface
 from app.scenes.scene import load
 from tests.support.shown import show
-from tests.support.window import MakeWindow, activate, click, pixels, settle
+from tests.support.window import MakeWindow, activate, click, counted_repaints, pixels, settle
 from widgets.panels.probe_panel import MOST_PROBES, ProbePanel
 from widgets.window.main_window import MainWindow
 
@@ -458,15 +458,9 @@ def test_no_mirrored_mark_anywhere_at_or_behind_the_eye(window: MainWindow) -> N
 def test_a_probe_costs_one_repaint_and_a_hidden_pane_none(window: MainWindow) -> None:
     window.panes["ndc"].hide()
     QApplication.processEvents()
-    counts = dict.fromkeys(window.panes, 0)
-    for name, pane in window.panes.items():
-
-        def count(_window: object, _event: str, name: str = name) -> None:
-            counts[name] += 1
-
-        pane.canvas.render_window.AddObserver("EndEvent", count)
-    window.probe_panel.follow(point=CORNER)
-    QApplication.processEvents()
+    with counted_repaints(window) as counts:
+        window.probe_panel.follow(point=CORNER)
+        QApplication.processEvents()
     assert counts == {"world": 1, "ndc": 0, "image": 1}
     window.panes["ndc"].show()
     QApplication.processEvents()

@@ -27,7 +27,7 @@ from app.lecture.stages import IMAGE, NDC, STOPS, VIEW, WORLD, Morph, morph_of
 from app.model.projection import DEPTH_RANGES, Frustum, Lens, Oblique, Perspective
 from app.scenes.scene import load
 from tests.support.drawings import rendered
-from tests.support.window import activate, picture, settle
+from tests.support.window import activate, counted_repaints, picture, settle
 from widgets.panes.stage_strip import CATCH, REST_S, STEP_S, STEPS, StageStrip
 from widgets.window.main_window import MainWindow
 
@@ -430,25 +430,12 @@ def test_what_is_said_of_a_stage_is_whole_in_a_small_window_and_moves_nothing(
 
 def test_the_strip_moves_its_own_pane_only_and_not_the_document(window: MainWindow) -> None:
     document = window.store.document
-    counts = dict.fromkeys(window.panes, 0)
-    tags = []
-    for name, pane in window.panes.items():
-
-        def count(_window: object, _event: str, name: str = name) -> None:
-            counts[name] += 1
-
-        tags.append(
-            (pane.canvas.render_window, pane.canvas.render_window.AddObserver("EndEvent", count))
-        )
     before = picture(window.panes["ndc"].canvas)
-    for name in counts:
-        counts[name] = 0
-    window.strip.go_to(1.0)
-    settle()
-    assert counts == {"world": 0, "ndc": 1, "image": 0}
+    with counted_repaints(window) as counts:
+        window.strip.go_to(1.0)
+        settle()
+        assert counts == {"world": 0, "ndc": 1, "image": 0}
     assert picture(window.panes["ndc"].canvas) != before
-    for view, tag in tags:
-        view.RemoveObserver(tag)
     assert window.store.document == document
     assert not window.store.modified
     assert not window.store.can_undo
