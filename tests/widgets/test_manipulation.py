@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 import pyvista as pv
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QMouseEvent, QWheelEvent
+from PySide6.QtGui import QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
@@ -31,7 +31,7 @@ from app.model.projection import (
 )
 from app.picking.handles import EYE, TARGET, Handle
 from app.scenes.scene import load
-from tests.support.window import LEFT, MakeWindow, pixels, point_of, settle, show_scene
+from tests.support.window import LEFT, MakeWindow, move_mouse, pixels, point_of, settle, show_scene
 from widgets.panes.canvas import CANVASES, ZOOM_PER_WHEEL_STEP
 from widgets.window.main_window import MainWindow
 
@@ -66,12 +66,7 @@ def mark(window: MainWindow, name: str) -> tuple[Handle, tuple[float, float]]:
 
 
 def move(window: MainWindow, name: str, to: QPoint, key: Any = NONE, button: Any = LEFT) -> None:
-    canvas = window.panes[name].canvas
-    event = QMouseEvent(
-        QEvent.Type.MouseMove, QPointF(to), canvas.mapToGlobal(QPointF(to)),
-        Qt.MouseButton.NoButton, button, key,
-    )  # fmt: skip
-    QApplication.sendEvent(canvas, event)
+    move_mouse(window.panes[name].canvas, to, button, key)
     settle()
 
 

@@ -11,8 +11,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QMouseEvent
+from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
@@ -38,7 +37,15 @@ from app.model.refusal import format_value
 from app.picking.picking import Probe, Sight, Surface
 from app.scenes.scene import load
 from tests.support.shown import show
-from tests.support.window import MakeWindow, activate, click, counted_repaints, pixels, settle
+from tests.support.window import (
+    MakeWindow,
+    activate,
+    click,
+    counted_repaints,
+    move_mouse,
+    pixels,
+    settle,
+)
 from widgets.panels.probe_panel import MOST_PROBES, ProbePanel
 from widgets.window.main_window import MainWindow
 
@@ -265,13 +272,8 @@ def test_a_mark_is_dragged_in_the_image_in_its_plane_or_along_its_ray(window: Ma
         x, y = (math.floor(part) for part in place)
         QTest.mousePress(canvas, Qt.MouseButton.LeftButton, key, pos=QPoint(x, y))
         for part in (1, 2):
-            away = QPoint(right * part // 2, down * part // 2)
-            event = QMouseEvent(
-                QEvent.Type.MouseMove, QPointF(QPoint(x, y) + away),
-                canvas.mapToGlobal(QPointF(QPoint(x, y) + away)), Qt.MouseButton.NoButton,
-                Qt.MouseButton.LeftButton, key,
-            )  # fmt: skip
-            QApplication.sendEvent(canvas, event)
+            to = QPoint(x + right * part // 2, y + down * part // 2)
+            move_mouse(canvas, to, key=key)
         held.append(window.probe_panel._readable.in_gesture)
         end = QPoint(x + right, y + down)
         QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, key, pos=end)
@@ -305,21 +307,13 @@ def test_escape_puts_a_dragged_probe_back_and_ends_the_drag(
     {"window": window, "field": panel.fields[0], "canvas": canvas}[focus].setFocus()
     x, y = (math.floor(part) for part in place_in(window, "image", CORNER))
 
-    def move(right: int, down: int) -> None:
-        at = QPointF(x + right, y + down)
-        event = QMouseEvent(
-            QEvent.Type.MouseMove, at, canvas.mapToGlobal(at), Qt.MouseButton.NoButton,
-            Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier,
-        )  # fmt: skip
-        QApplication.sendEvent(canvas, event)
-
     QTest.mousePress(canvas, Qt.MouseButton.LeftButton, pos=QPoint(x, y))
-    move(20, 20)
+    move_mouse(canvas, QPoint(x + 20, y + 20))
     assert panel.probes[0].point != CORNER
     for _ in range(2):  # until the hand lets go, it is not "remove the probe" either
         QTest.keyClick(QApplication.focusWidget() or window, Qt.Key.Key_Escape)
         assert panel.probes == (Probe(1, CORNER),) and panel.pin.isChecked()
-        move(24, 24)
+        move_mouse(canvas, QPoint(x + 24, y + 24))
     QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=QPoint(x + 24, y + 24))
     assert panel.probes == (Probe(1, CORNER),) and not panel._readable.in_gesture
     QTest.keyClick(QApplication.focusWidget() or window, Qt.Key.Key_Escape)
