@@ -216,9 +216,6 @@ WINDOWS = ((1366, 768), (1920, 1080))
 
 def canvases(scale: float) -> dict[str, Any]:
     """The letter F in panes that paint pixels over panes of OpenGL widgets, in turn."""
-    from PySide6.QtCore import QPoint
-    from PySide6.QtTest import QTest
-
     app = application()
     figures: dict[str, Any] = {}
     for size in WINDOWS:
@@ -231,15 +228,14 @@ def canvases(scale: float) -> dict[str, Any]:
             for canvas, window in windows.items():
                 window.raise_()
                 settle(app)
-                row, world = window.controls.rows["fov_y_deg"], window.panes["world"]
+                row = window.controls.rows["fov_y_deg"]
                 letter = "12"[turn % 2]
-                # From where a handle is seen to where nothing is, and back.
-                spot = (QPoint(2, 2), world.canvas.rect().center())[turn % 2]
+                names = frozenset({"near"} if turn % 2 else ())
                 window.store.begin_gesture()
                 for act, do in {
                     "step": partial(row.slider.setValue, row.slider.value() + 1 - 2 * (turn // 40)),
                     "slider": row.slider.update,
-                    "hover": partial(QTest.mouseMove, world.canvas, spot),
+                    "hover": partial(window.highlighter.mark, len(window.panes), names),
                     "typing": partial(row.field.setText, row.field.text()[:3] + letter),
                 }.items():
                     began = time.perf_counter()

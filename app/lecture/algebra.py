@@ -130,16 +130,9 @@ class Letters(dict[str, Ratio]):
         return letter(name)
 
 
-def ratio(formula: Formula, terms: Mapping[str, Ratio] | None = None) -> Ratio:
-    """A formula as one quotient.
-
-    Parameters
-    ----------
-    formula : Formula
-    terms : mapping from str to Ratio, optional
-        What stands in the place of letters and terms, as `Formula.value` takes it.
-    """
-    found: Ratio = formula.value(Letters(terms or {}), SYMBOLS)
+def ratio(formula: Formula) -> Ratio:
+    """A formula as one quotient."""
+    found: Ratio = formula.value(Letters(), SYMBOLS)
     return found
 
 

@@ -293,19 +293,17 @@ def load(name_or_path: str, progress: Progress | None = None, mesh: str = "") ->
     raise Refusal.saying(template, name_or_path, *_but_last(BUILT_IN), *likely)
 
 
-def frame_camera(
-    lower: Sequence[float],
-    upper: Sequence[float],
-    direction: Sequence[float] = (0.6, 0.45, 0.9),
-) -> Projection:
+FRAMED_FROM = (0.6, 0.45, 0.9)
+"""From a box towards the eye of `frame_camera`, any length."""
+
+
+def frame_camera(lower: Sequence[float], upper: Sequence[float]) -> Projection:
     """Place a camera so that a box is wholly in view, with room around it.
 
     Parameters
     ----------
     lower, upper : sequence of 3 floats
         World bounds; the box may be flat but not a point.
-    direction : sequence of 3 floats, optional
-        From the box towards the eye, any length.
 
     Returns
     -------
@@ -317,10 +315,8 @@ def frame_camera(
     # Rounded to what a reader wants to see in a number field: a thousandth of the size.
     decimals = 3 - math.floor(math.log10(size))
     target = _rounded(_centre(lower, upper), decimals)
-    toward_eye = _vector(np.asarray(direction, dtype=np.float64) / math.hypot(*direction))
-    vertical = math.hypot(toward_eye[0], toward_eye[2]) < 1e-6
-    up = (0.0, 0.0, -1.0) if vertical else (0.0, 1.0, 0.0)
-    u, v, n = Camera(toward_eye, (0.0, 0.0, 0.0), up).frame
+    toward_eye = _vector(np.array(FRAMED_FROM) / math.hypot(*FRAMED_FROM))
+    u, v, n = Camera(toward_eye, (0.0, 0.0, 0.0)).frame
 
     lens = Perspective()
     aspect = Projection().aspect
@@ -334,7 +330,7 @@ def frame_camera(
     eye = _rounded(
         [t + distance * part for t, part in zip(target, toward_eye, strict=True)], decimals
     )
-    camera = Camera(eye, target, up)
+    camera = Camera(eye, target)
     near = _two_digits(camera.distance - 1.05 * radius, math.floor)
     far = _two_digits(camera.distance + 2.6 * radius, math.ceil)
     return Projection(camera, Perspective(lens.fov_y_deg, near, far))

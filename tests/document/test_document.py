@@ -21,7 +21,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
 from PIL import Image, PngImagePlugin
 
@@ -198,7 +198,6 @@ def documents(draw: st.DrawFn) -> Document:
 
 @given(documents())
 @example(Document("not UTF-8 \udcff.stl"))
-@settings(max_examples=100)
 def test_the_round_trip_is_exact(document: Document) -> None:
     text = to_json(document)
     again = parse(text)
@@ -428,13 +427,11 @@ def test_any_beginning_of_a_document_is_refused() -> None:
 
 
 @given(st.text() | st.from_regex(r'[\[\]{}:,"0-9eE.+\-a-z\\ ]*', fullmatch=True))
-@settings(max_examples=200)
 def test_any_other_text_is_refused(text: str) -> None:
     sentence(lambda: parse(text))
 
 
 @given(st.data())
-@settings(max_examples=150)
 def test_any_value_anywhere_is_taken_or_refused(data: st.DataObject) -> None:
     paths = ["version", "scene", "camera", "lens", "image", "depth", "camera.eye", "camera.up"]
     paths += ["lens.kind", "lens.near", "lens.far", "lens.fov_y_deg", "image.width"]
@@ -459,7 +456,6 @@ def test_random_documents_give_no_silent_nan(block: int) -> None:
 
 
 @given(st.randoms(use_true_random=False))
-@settings(max_examples=100)
 def test_hypothesis_finds_no_document_with_a_silent_nan(rng: random.Random) -> None:
     """The same documents, drawn and shrunk by hypothesis."""
     outcome(rng)
@@ -632,7 +628,6 @@ def test_a_refused_setting_is_the_one_that_was_made(assignments: list[str], expe
 
 
 @given(st.text(), st.text())
-@settings(max_examples=100)
 def test_any_setting_is_taken_or_refused(path: str, text: str) -> None:
     sentence(lambda: set_value(Document(), f"my {path}", text))
     for known in ("lens.near", "camera.eye", "image.width", "depth"):
@@ -1337,7 +1332,6 @@ def test_documents_with_other_settings_are_other_documents() -> None:
     assert mesh != one and hash(mesh) != hash(one)
 
 
-@settings(max_examples=100)
 @given(st.floats(-1e6, 1e6).filter(bool), st.tuples(*[st.floats(-1e100, 1e100)] * 3))
 @example(-5e-324, (-0.0, 1e-300, 0.1))
 def test_settings_come_back_exactly(distance: float, place: tuple[float, float, float]) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gc
 import hashlib
+import inspect
 import json
 import os
 import subprocess
@@ -30,25 +31,27 @@ from app.model.projection import Camera, Perspective
 from app.model.refusal import Refusal
 from app.scenes.scene import load
 from tests import PATIENCE_S
+from tests.support.drawings import colours_of
 
-_SCRIPT = """
-import hashlib, sys
-from app.drawings.figures import render
-from app.scenes.scene import load
-scene = load("letter-f")
-for panes, transparent in ((("world", "ndc", "image"), False), (("image",), True)):
-    pixels = render(scene, scene.start, panes, (330, 120), transparent=transparent)
-    print(pixels.shape, hashlib.sha256(pixels.tobytes()).hexdigest())
-"""
+
+def hashes() -> list[str]:
+    """Of all panes, and of one without a background."""
+    scene = load("letter-f")
+    opaque = render(scene, scene.start, PANES, (330, 120))
+    transparent = render(scene, scene.start, ("image",), (330, 120), transparent=True)
+    return [hashlib.sha256(pixels.tobytes()).hexdigest() for pixels in (opaque, transparent)]
 
 
 def run_script(**changes: str | None) -> subprocess.CompletedProcess[str]:
+    script = "import hashlib\nfrom app.drawings.figures import PANES, render\n"
+    script += "from app.scenes.scene import load\n" + inspect.getsource(hashes)
+    script += "print(*hashes())"
     environment = {**os.environ, **{k: v for k, v in changes.items() if v is not None}}
     for name, value in changes.items():
         if value is None:
             environment.pop(name, None)
     return subprocess.run(
-        [sys.executable, "-c", _SCRIPT],
+        [sys.executable, "-c", script],
         cwd=ROOT,
         env=environment,
         capture_output=True,
@@ -59,14 +62,13 @@ def run_script(**changes: str | None) -> subprocess.CompletedProcess[str]:
 
 
 def test_the_pixels_are_the_same_with_and_without_a_display_and_at_any_scale(display: Any) -> None:
-    here = run_script()
-    assert here.returncode == 0, here.stderr
+    here = hashes()
     bare = run_script(DISPLAY=None, WAYLAND_DISPLAY=None)
     assert bare.returncode == 0, bare.stderr
     assert bare.stderr == ""  # nor does VTK complain of the missing display
-    assert bare.stdout == here.stdout
+    assert bare.stdout.split() == here
     scaled = run_script(QT_SCALE_FACTOR="2", GDK_SCALE="2")
-    assert scaled.stdout == here.stdout
+    assert scaled.stdout.split() == here
 
 
 def test_a_figure_beside_a_live_pane_is_the_same_and_leaves_the_pane_alone(
@@ -239,7 +241,7 @@ def test_figures_leave_nothing_behind() -> None:
 
     render(scene, scene.start, PANES, (300, 100))
     before = count()
-    for _ in range(20):
+    for _ in range(3):
         render(scene, scene.start, PANES, (300, 100))
     assert count() == before
 
@@ -282,6 +284,6 @@ def test_a_mesh_far_from_the_origin_is_drawn_as_cleanly_as_near_it(tmp_path: Pat
         scene = load(str(path))
         pictures.append(render(scene, scene.start, size=(600, 200)))
     near, far = pictures
-    assert len(np.unique(near.reshape(-1, 3), axis=0)) > 50
+    assert colours_of(near) > 50
     # The eye itself is rounded to 2e-9 there: a pixel on an edge may round the other way.
     assert (near != far).any(axis=2).mean() < 1e-3

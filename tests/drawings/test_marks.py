@@ -601,7 +601,8 @@ def test_a_hidden_pane_computes_nothing_and_a_visible_one_paints_once(
 
     window = QWidget()
     qtbot.addWidget(window)
-    pane = Pane("World", Counting, orbits=True, make_canvas=RasterCanvas, parent=window)
+    pane = Pane("World", Counting, orbits=True, make_canvas=RasterCanvas)
+    pane.setParent(window)
     pane.open()
     pane.resize(400, 300)
     window.resize(400, 300)

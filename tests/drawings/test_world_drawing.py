@@ -43,7 +43,7 @@ from app.model.projection import (
 )
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.scene import Scene, load
-from tests.support.drawings import heard, rendered, to_bytes
+from tests.support.drawings import colours_of, drawn, heard, rendered, to_bytes
 from tests.support.frustum import corners_world
 
 Pixels = NDArray[np.uint8]
@@ -357,7 +357,7 @@ def test_the_break_reads_from_everywhere(make_view: MakeView, style: Style, azim
         if all(actor is not edge for _, edge in view.drawing.frustum.breaks["far"]):
             actor.VisibilityOff()
     image = view.pixels()
-    painted = (image == np.array(to_bytes(style.frustum))).all(axis=-1)
+    painted = drawn(image, to_bytes(style.frustum))
     seen = 0
     for space, edge in view.drawing.frustum.breaks["far"]:
         lines = np.array(edge.GetMapper().GetInput().GetPoints().GetData()).reshape(-1, 2, 3)
@@ -446,7 +446,7 @@ def test_axes_are_seen_before_the_body(make_view: MakeView) -> None:
                 tip = eye + part * length * view.drawing.camera.body_size * axis
                 column, row = np.floor(view.pixel_of(tip)).astype(int)
                 around = image[row - 1 : row + 2, column - 1 : column + 2]
-                painted = (around == to_bytes(getattr(LIGHT, name))).all(axis=-1)
+                painted = drawn(around, to_bytes(getattr(LIGHT, name)))
                 near_eye = np.abs(view.pixel_of(tip) - view.pixel_of(eye)).max() < 6.0
                 assert painted.any() or near_eye, (azimuth, name, part)
 
@@ -677,7 +677,7 @@ def test_a_leader_lights_its_pixels_and_goes_when_it_is_not_needed(make_view: Ma
             continue
         column, row = int(x), int(670 - y)
         around = image[row - 2 : row + 3, column - 2 : column + 3]
-        assert (around == to_bytes(LIGHT.near)).all(axis=-1).any(), part
+        assert drawn(around, to_bytes(LIGHT.near)).any(), part
         lit += 1
     assert lit > 3
     view.drawing.show_projection(with_lens(near=4.0))
@@ -1149,7 +1149,7 @@ def test_extremes_draw_the_scene_and_the_camera(
         drawn = applied(on_the_gpu, CUBE.astype(np.float32))
     assert np.isfinite(drawn).all()
     for image in (first, second):
-        assert len(np.unique(image.reshape(-1, 3), axis=0)) > 5
+        assert colours_of(image) > 5
     eye = view.pixel_of(projection.camera.eye)
     assert ((eye > 0) & (eye < (300, 340))).all()
     assert colour_at(second, eye) == to_bytes(LIGHT.eye)
@@ -1171,7 +1171,7 @@ def test_a_flat_scene_in_the_eye_plane(make_view: MakeView) -> None:
         start=start,
     )
     view = make_view(scene)
-    assert (view.pixels() == (200, 0, 0)).all(axis=-1).sum() > 100
+    assert drawn(view.pixels(), (200, 0, 0)).sum() > 100
 
 
 def test_removing_leaves_nothing_behind(make_view: MakeView) -> None:

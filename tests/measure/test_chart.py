@@ -32,7 +32,7 @@ from app.measure.results import (
 )
 from app.model.projection import Projection
 from app.scenes.phenomena.illustration import Diagram, Spot
-from tests.support.commands import refused, run
+from tests.support.commands import refused, run_here
 from tests.support.results import RESULTS, SWEEP, TRADE, choice, curve, sweep
 
 
@@ -340,7 +340,7 @@ def test_a_chart_names_machine_versions_scene_camera_and_date() -> None:
 
 def test_the_command_draws_a_chart(tmp_path: Path) -> None:
     out = tmp_path / "depth.pdf"
-    done = run("measure", "--trade=depth", "--sweep=near", "--quick", "--chart", out, DISPLAY=None)
+    done = run_here("measure", "--trade=depth", "--sweep=near", "--quick", "--chart", out)
     assert done.returncode == 0 and done.stderr == ""
     assert out.read_bytes().startswith(b"%PDF")
     assert refused("measure", "--chart=a.svg") == "--chart = 'a.svg': must end in .png or .pdf.\n"
@@ -351,6 +351,6 @@ def test_the_command_measures_the_mesh_in_a_scene(tmp_path: Path) -> None:
     mesh = tmp_path / "ball.ply"
     pv.Sphere(theta_resolution=30, phi_resolution=30).save(mesh)
     arguments = ("measure", "--trade=detail", "--quick", "--scene=similar-triangles")
-    assert "too few triangles" in run(*arguments).stdout
-    done = run(*arguments, "--set", f"mesh={mesh}")
+    assert "too few triangles" in run_here(*arguments).stdout
+    done = run_here(*arguments, "--set", f"mesh={mesh}")
     assert done.returncode == 0 and "too few triangles" not in done.stdout and "50 %" in done.stdout

@@ -541,6 +541,9 @@ def test_smoothing_is_cheaper_without_and_better_with_more_samples() -> None:
     assert max(multisampled) < errors["FXAA"] < errors["none"]
     for choice in trade.choices:
         assert choice.cost is not None and choice.cost > 0.0
+    assert len(set(errors.values())) == len(errors), "no two are the same picture here"
+    notes = {smoothing.name: note for smoothing, note in pictures()}
+    assert {choice.name: choice.note for choice in trade.choices} == notes
 
 
 @pytest.mark.parametrize(
@@ -563,14 +566,6 @@ def test_choices_that_are_the_same_picture_are_one(
     others = [each.name for each in SMOOTHINGS if not each.samples]
     assert [name for name in kept if not name.startswith("MSAA")] == others
     assert {name: note for name, note in kept.items() if note or name in expected} == expected
-
-
-def test_no_two_choices_are_the_same_picture_here() -> None:
-    trade = measure_smoothing(LETTER_F, START, seconds=0.0)
-    errors = [choice.error for choice in trade.choices]
-    assert len(set(errors)) == len(errors)
-    notes = {smoothing.name: note for smoothing, note in pictures()}
-    assert {choice.name: choice.note for choice in trade.choices} == notes
 
 
 def test_samples_are_counted() -> None:

@@ -7,7 +7,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from hypothesis import assume, example, given, settings
+from hypothesis import assume, example, given
 from hypothesis import strategies as st
 
 from app.model.clipping import (
@@ -98,7 +98,6 @@ def opposite(start: Array, end: Array) -> bool:
 # --------------------------------------------------------------------------- segments
 
 
-@settings(max_examples=400)
 @given(
     start=st.one_of(points_of(SMALL), points_of(WIDE)),
     end=st.one_of(points_of(SMALL), points_of(WIDE)),
@@ -132,7 +131,6 @@ def test_what_is_visible_agrees_with_rationals(start: Array, end: Array, depth: 
             assert (a < 0) == (end_index == 0)
 
 
-@settings(max_examples=300)
 @given(
     place=st.tuples(*[st.floats(-1.0, 1.0)] * 3),
     exponent=st.integers(-300, 300),
@@ -160,7 +158,6 @@ def test_a_cut_end_lies_on_its_plane_and_on_the_segment(
         )
 
 
-@settings(max_examples=300)
 @given(
     start=st.one_of(points_of(SMALL), points_of(WIDE)),
     end=st.one_of(points_of(SMALL), points_of(WIDE)),
@@ -178,7 +175,6 @@ def test_a_segment_and_its_reverse_are_cut_at_the_same_points(
 
 
 @given(start=points_of(MODERATE), end=points_of(MODERATE), depth=DEPTHS, data=st.data())
-@settings(max_examples=100)
 def test_only_the_planes_asked_for_cut(
     start: Array, end: Array, depth: str, data: st.DataObject
 ) -> None:
@@ -355,7 +351,6 @@ def test_an_unknown_plane_or_depth_range_is_named() -> None:
 
 
 @given(points=st.lists(points_of(st.one_of(SMALL, WIDE)), min_size=1, max_size=5), depth=DEPTHS)
-@settings(max_examples=200)
 def test_which_planes_a_point_lies_beyond_is_exact(points: list[Array], depth: str) -> None:
     expected = [[room(rational(p), plane, depth) < 0 for plane in PLANES] for p in points]
     assert clip_segments(points, points, depth).outside.tolist() == expected
@@ -377,7 +372,6 @@ def inside_planes(points: Array, depth: str, slack: float) -> bool:
     )
 
 
-@settings(max_examples=200)
 @given(
     n=st.integers(3, 7),
     seed=st.integers(0, 2**32 - 1),
@@ -446,7 +440,6 @@ def test_a_square_larger_than_the_cube_becomes_its_face() -> None:
     assert area_ndc([rational(p) for p in got.points_clip]) == 4
 
 
-@settings(max_examples=100)
 @given(seed=st.integers(0, 2**32 - 1), depth=DEPTHS)
 def test_two_halves_of_a_polygon_have_the_area_of_the_whole(seed: int, depth: str) -> None:
     """Floor triangles through the eye plane; areas summed in rationals, in NDC."""
@@ -470,7 +463,6 @@ def test_two_halves_of_a_polygon_have_the_area_of_the_whole(seed: int, depth: st
     assert all(turn >= -1e-9 for turn in turns) or all(turn <= 1e-9 for turn in turns)
 
 
-@settings(max_examples=100)
 @given(seed=st.integers(0, 2**32 - 1), depth=DEPTHS)
 def test_neighbours_are_cut_at_the_same_points(seed: int, depth: str) -> None:
     """Two triangles on one edge: no crack, bit for bit, and as the edge clipped alone."""

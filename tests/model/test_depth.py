@@ -9,7 +9,7 @@ from dataclasses import FrozenInstanceError, replace
 import mpmath
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from app.model.depth import FORMATS, MAPPINGS, DepthBuffer
@@ -226,7 +226,6 @@ def test_the_ends_are_the_first_and_the_last_code() -> None:
         assert back.tolist() == pytest.approx([buffer.near, buffer.far], rel=4 * EPS)
 
 
-@settings(max_examples=200)
 @given(st.floats(1e-9, 1e9), st.floats(1.0 + 1e-12, 1e12), st.booleans())
 def test_the_ends_stay_ends_whatever_they_are(near: float, ratio: float, parallel: bool) -> None:
     """No rounding takes a depth past 1, or a decoded distance past a plane."""
@@ -253,7 +252,6 @@ def test_codes_are_of_the_smallest_type_and_keep_the_shape() -> None:
     assert at_15["fixed8"] == 246
 
 
-@settings(max_examples=100)
 @given(
     st.sampled_from(sorted(FORMATS)),
     st.sampled_from(MAPPINGS),

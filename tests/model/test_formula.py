@@ -12,7 +12,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app.lecture.algebra import Ratio, number, ratio
+from app.lecture.algebra import SYMBOLS, Letters, Ratio, number, ratio
 from app.model import formula
 from app.model.formula import Arithmetic, Formula, parse
 from app.model.refusal import Refusal
@@ -168,7 +168,7 @@ def test_it_is_written_for_readers(text: str, plain: str, latex: str) -> None:
 
 
 def reduced(text: str, **terms: Ratio) -> str:
-    return ratio(parse(text), terms).text
+    return parse(text).value(Letters(terms), SYMBOLS).text
 
 
 def test_products_become_one_quotient() -> None:

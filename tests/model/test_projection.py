@@ -695,23 +695,27 @@ def test_with_lens_gives_a_lens_or_a_reason(projection: Projection, kind: str) -
         assert changed.lens.kind == kind
 
 
+def other_planes(lens: Lens, factor: float, ratio: float) -> tuple[float, float]:
+    """Near and far elsewhere, also beyond the lens' own."""
+    if lens.parallel:
+        near = lens.near + (factor - 1.0) * (lens.far - lens.near)
+        return near, near + ratio * (lens.far - lens.near)
+    return factor * lens.near, ratio * factor * lens.near
+
+
 @given(projections(), st.floats(0.1, 3.0), logarithmic(1.1, 100.0), PARTS)
 @QUICK
 def test_between_other_planes_the_picture_is_the_same(
     projection: Projection, factor: float, ratio: float, part: tuple
 ) -> None:
-    lens = projection.lens
-    if lens.parallel:
-        near = lens.near + (factor - 1.0) * (lens.far - lens.near)
-        far = near + ratio * (lens.far - lens.near)
-    else:
-        near, far = factor * lens.near, ratio * factor * lens.near
+    near, far = other_planes(projection.lens, factor, ratio)
     try:
         other = projection.between(near, far)
     except Refusal:  # sheared so far off that its window is lost in the digits there
         assert rounding_ndc(projection) > 1e-3
         return
-    assert (other.lens.near, other.lens.far, other.lens.kind) == (near, far, lens.kind)
+    assert (other.lens.near, other.lens.far) == (near, far)
+    assert other.lens.kind == projection.lens.kind
     points = points_in_view(projection, np.array([part]))
     tolerance = 1e-11 + 1e3 * (rounding_ndc(projection) + rounding_ndc(other))
     before, after = projection.trace(points).ndc[:, :2], other.trace(points).ndc[:, :2]
@@ -723,12 +727,7 @@ def test_between_other_planes_the_picture_is_the_same(
 def test_the_matrices_between_other_planes_are_those_of_the_lens_there(
     projection: Projection, factor: float, ratio: float
 ) -> None:
-    lens = projection.lens
-    if lens.parallel:
-        near = lens.near + (factor - 1.0) * (lens.far - lens.near)
-        far = near + ratio * (lens.far - lens.near)
-    else:
-        near, far = factor * lens.near, ratio * factor * lens.near
+    near, far = other_planes(projection.lens, factor, ratio)
     try:
         other = replace(projection.between(near, far), depth="reversed")
     except Refusal:

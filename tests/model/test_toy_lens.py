@@ -35,8 +35,8 @@ from app.model.projection import Frustum, Projection
 from app.model.refusal import Refusal
 from app.precision import levels as precision
 from app.scenes.scene import load
+from tests.support.controls import choice, enter, number
 from tests.support.shown import show
-from tests.widgets.test_controls import choice, enter, number
 from widgets.controls.controls import Controls
 
 TABLE, TABLE_AT_INFINITY = pyramid_tables(

@@ -98,7 +98,7 @@ def test_the_surface_under_a_pixel_is_the_model_s(lens: Lens, depth: str) -> Non
     image = projection.trace(triangles.reshape(-1, 3)).image
     low, high = image.min(axis=0), image.max(axis=0)
     found = 0
-    for pixel in random.uniform(np.maximum(low, 0), np.minimum(high, (1280, 720)), (500, 2)):
+    for pixel in random.uniform(np.maximum(low, 0), np.minimum(high, (1280, 720)), (200, 2)):
         x, y = pixel.tolist()
         hit, expected = surface.pick(Sight.of(projection), (x, y), 0.0), None
         expected = first_hit(projection, triangles, (x, y))
@@ -107,7 +107,7 @@ def test_the_surface_under_a_pixel_is_the_model_s(lens: Lens, depth: str) -> Non
             found += 1
             assert math.dist(projection.trace(hit.point).image, (x, y)) <= 0.5
             assert math.dist(hit.point, expected) <= 1e-5 * scene.size
-    assert found > 15
+    assert found > 6
 
 
 @pytest.mark.parametrize("lens", LENSES.values(), ids=LENSES)
@@ -230,7 +230,7 @@ def test_the_place_of_a_line_nearest_to_a_click_is_the_model_s(lens: Lens) -> No
     """Lines through the whole scene, of which many run behind the eye, and clicks beside them."""
     random = np.random.default_rng(5)
     size, ends, between = 20.0, 0, 0
-    for _ in range(400):
+    for _ in range(160):
         camera = Camera(tuple(random.normal(0.0, 6.0, 3)), tuple(random.normal(0.0, 1.0, 3)))
         projection = Projection(camera, lens, (1280, 720))
         line = random.normal(0.0, size / 4.0, (2, 3))
@@ -256,7 +256,7 @@ def test_the_place_of_a_line_nearest_to_a_click_is_the_model_s(lens: Lens) -> No
         image = projection.trace(hit.point).image
         assert math.dist(image, projection.trace(expected).image) <= 1e-3
         assert math.dist(hit.point, expected) <= 1e-5 * size
-    assert between >= 100 and ends >= 1, (between, ends)
+    assert between >= 40 and ends >= 1, (between, ends)
 
 
 @pytest.mark.parametrize("lens", ALL_LENSES.values(), ids=ALL_LENSES)
@@ -268,7 +268,7 @@ def test_the_grid_is_picked_where_no_face_is_in_front(lens: Lens) -> None:
     around = [(0.0, 0.0)] + [(7 * math.cos(a), 7 * math.sin(a)) for a in np.arange(0.0, 6.2, 0.5)]
     clear = hidden = 0
     for _ in range(200):
-        if clear >= 60 and hidden >= 4:
+        if clear >= 30 and hidden >= 4:
             break
         eye = random.uniform((-9.0, -4.0, 4.0), (9.0, 8.0, 12.0))
         target = random.uniform((-4.0, -2.0, -2.0), (4.0, 5.0, 2.0))
@@ -294,7 +294,7 @@ def test_the_grid_is_picked_where_no_face_is_in_front(lens: Lens) -> None:
             elif all(in_front):
                 hidden += 1
                 assert projection.trace(hit.point).depth < trace.depth - 1e-6
-    assert clear >= 60 and hidden >= 4, (clear, hidden)
+    assert clear >= 30 and hidden >= 4, (clear, hidden)
 
 
 def distance_from(point: Any, line: Array) -> float:

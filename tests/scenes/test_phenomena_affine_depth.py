@@ -108,7 +108,7 @@ def draw(rng: np.random.Generator) -> tuple[Projection, Array]:
 def test_the_deviation_is_the_searched_one() -> None:
     rng = np.random.default_rng(3)
     found = []
-    for _ in range(50):
+    for _ in range(20):
         projection, ends = draw(rng)
         percent, w = searched(projection, *ends.tolist())
         got = values(show(projection, *map(tuple, ends.tolist())))

@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 import pytest
 import pyvista as pv
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from app.model.projection import Camera, Perspective, Projection
@@ -1071,21 +1071,16 @@ def corners(lower: tuple[float, ...], upper: tuple[float, ...]) -> np.ndarray:
     return np.array(list(product(*zip(lower, upper, strict=True))))
 
 
-@settings(max_examples=300)
-@given(box_strategy(), st.sampled_from([None, (0.0, 1.0, 0.0), (0.0, -3.0, 0.0), (-1.0, 0.2, 0.0)]))
+@given(box_strategy())
 def test_framing_shows_every_box_whole_with_room_around_it(
-    box: tuple[tuple[float, ...], tuple[float, ...]], direction: tuple[float, float, float] | None
+    box: tuple[tuple[float, ...], tuple[float, ...]],
 ) -> None:
     lower, upper = box
-    projection = (
-        frame_camera(lower, upper) if direction is None else frame_camera(lower, upper, direction)
-    )
+    projection = frame_camera(lower, upper)
     size = math.dist(lower, upper)
     trace = projection.trace(corners(lower, upper))
     assert not trace.outside.any()
-    assert abs(trace.ndc[:, :2]).max() < 0.85  # room
-    if direction is None:  # along a thin box one sees next to nothing
-        assert abs(trace.ndc[:, :2]).max() > 0.15  # but not lost in it
+    assert 0.15 < abs(trace.ndc[:, :2]).max() < 0.85  # room, but not lost in it
     camera, lens = projection.camera, projection.lens
     middle = [(low + high) / 2 for low, high in zip(lower, upper, strict=True)]
     assert math.dist(camera.target, middle) < 0.01 * size

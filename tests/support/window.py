@@ -9,8 +9,8 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QImage, QRegion
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QImage, QMouseEvent, QRegion
 from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLineEdit, QWidget
@@ -23,6 +23,7 @@ from widgets.window.main_window import MainWindow
 
 MakeWindow = Callable[..., MainWindow]
 LEFT = Qt.MouseButton.LeftButton
+NO_KEY = Qt.KeyboardModifier.NoModifier
 
 
 def settle() -> None:
@@ -104,6 +105,13 @@ def click(widget: Any, place: tuple[float, float] | None = None) -> None:
     """Click a widget, in its middle unless a place is given, and let it happen."""
     QTest.mouseClick(widget, LEFT, pos=QPoint() if place is None else point_of(place))
     settle()
+
+
+def move_mouse(widget: Any, to: QPoint | QPointF, button: Any = LEFT, key: Any = NO_KEY) -> None:
+    """Move the mouse over a widget, a button held."""
+    at = QPointF(to)
+    kind, none = QEvent.Type.MouseMove, Qt.MouseButton.NoButton
+    QApplication.sendEvent(widget, QMouseEvent(kind, at, widget.mapToGlobal(at), none, button, key))
 
 
 def enter(field: QLineEdit, text: str) -> None:

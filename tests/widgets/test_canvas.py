@@ -7,6 +7,7 @@ import subprocess
 import sys
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -20,11 +21,17 @@ from PySide6.QtWidgets import QWidget
 
 from app.bootstrap import ROOT
 from app.document.document import Document
+from app.drawings import figures
+from app.drawings.image import ImageDrawing
+from app.drawings.off_screen import off_screen
+from app.drawings.stage import StageDrawing
+from app.drawings.style import LIGHT
+from app.drawings.world import WorldDrawing
 from app.model.projection import Perspective
 from app.precision.quality import Quality
-from app.scenes.phenomena import PHENOMENA
-from app.scenes.scene import load
+from app.scenes.scene import BUILT_IN, load
 from tests import PATIENCE_S
+from tests.support.drawings import colours_of
 from tests.support.window import (
     MakeWindow,
     activate,
@@ -40,6 +47,11 @@ from widgets.panes.pane import SCALES
 from widgets.window.main_window import MainWindow
 
 CANVAS = sorted(CANVASES)
+FIGURES: dict[str, Any] = {
+    "world": partial(WorldDrawing, live=True),
+    "ndc": StageDrawing,
+    "image": ImageDrawing,
+}
 Opened = Callable[[], MainWindow]
 PLAIN = Quality(smoothing="none")
 
@@ -60,16 +72,29 @@ def opened(request: pytest.FixtureRequest, make_window: MakeWindow) -> Opened:
     return open_window
 
 
-def test_both_show_the_same_pixels_of_every_scene(make_window: MakeWindow) -> None:
+def test_both_show_the_pixels_of_every_scene_that_a_figure_averages(
+    make_window: MakeWindow,
+) -> None:
     windows = [make_window(document_of("letter-f"), canvas=canvas) for canvas in CANVAS]
-    for scene in ("letter-f", "posts", *PHENOMENA):
+    for scene in BUILT_IN:
         for each in windows:
             each.store.open(document_of(scene))
+            each.quality.use({"smoothing": "none"})
         settle()
-        for name in windows[0].panes:
+        shown, words = windows[0].shown, windows[0].look.words
+        for name, kind in FIGURES.items():
             first, second = (pixels(each, name) for each in windows)
-            assert len(np.unique(first.reshape(-1, 3), axis=0)) > 3, (scene, name)
+            assert colours_of(first) > 3, (scene, name)
             assert np.array_equal(first, second), (scene, name)
+            height, width = first.shape[:2]
+            with off_screen(width, height) as screen:
+                figure = kind(screen, shown.scene, words, LIGHT)
+                figure.show_projection(shown.projection, shown.illustration)
+                figure.reset_view()
+                screen.render_window.Render()
+                drawn = figures.pixels_of(screen.render_window)[..., :3]
+                figure.remove()
+            assert np.array_equal(drawn, first), (scene, name)
 
 
 @pytest.mark.parametrize("scale", SCALES)
@@ -174,7 +199,7 @@ def test_a_pane_floats_and_comes_back_with_its_picture(opened: Opened) -> None:
         settle()
         shown = pixels(window, "image")
         assert shown.shape == (canvas.height(), canvas.width(), 3)
-        assert len(np.unique(shown.reshape(-1, 3), axis=0)) > 10
+        assert colours_of(shown) > 10
 
 
 @pytest.mark.parametrize("kind", CANVAS)
@@ -212,7 +237,7 @@ def test_without_a_screen_and_without_qts_opengl_it_draws_all_the_same(tmp_path:
         assert (done.returncode, done.stdout) == (0, ""), done.stderr
         pictures.append(np.asarray(Image.open(out).convert("RGB")))
     assert pictures[0].shape == (600, 1000, 3)
-    assert len(np.unique(pictures[0].reshape(-1, 3), axis=0)) > 50
+    assert colours_of(pictures[0]) > 50
     assert (pictures[0] != pictures[1]).any(axis=2).mean() < 0.02  # letters of two platforms
 
 

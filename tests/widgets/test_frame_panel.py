@@ -30,7 +30,7 @@ from app.lecture.typed_matrix import with_cell
 from app.model.projection import Camera, Perspective, Projection
 from app.model.refusal import Refusal, format_value
 from app.scenes.scene import load
-from tests.support.window import MakeWindow, activate, click, pixels, settle
+from tests.support.window import MakeWindow, activate, click, counted_repaints, pixels, settle
 from widgets.panels.frame_panel import FramePanel
 from widgets.window.main_window import MainWindow
 
@@ -341,27 +341,17 @@ def test_steps_add_no_actor_after_the_first(window: MainWindow) -> None:
 
 
 def test_one_step_is_one_repaint_of_the_world_and_idle_is_none(window: MainWindow) -> None:
-    counts = dict.fromkeys(window.panes, 0)
-    observers = []
-    for name, pane in window.panes.items():
-
-        def count(_window: object, _event: str, name: str = name) -> None:
-            counts[name] += 1
-
-        view = pane.canvas.render_window
-        observers.append((view, view.AddObserver("EndEvent", count)))
-    window.frame_panel.go_to(1)
-    settle()
-    settle()
-    assert counts == {"world": 1, "ndc": 0, "image": 0}
-    window.frame_panel.go_to(1)
-    settle()
-    assert counts == {"world": 1, "ndc": 0, "image": 0}
-    window.store.set_projection(replace(START, camera=Camera((1.0, 2.0, 3.0))))
-    settle()
-    assert counts == {"world": 2, "ndc": 1, "image": 1}
-    for view, tag in observers:
-        view.RemoveObserver(tag)
+    with counted_repaints(window) as counts:
+        window.frame_panel.go_to(1)
+        settle()
+        settle()
+        assert counts == {"world": 1, "ndc": 0, "image": 0}
+        window.frame_panel.go_to(1)
+        settle()
+        assert counts == {"world": 1, "ndc": 0, "image": 0}
+        window.store.set_projection(replace(START, camera=Camera((1.0, 2.0, 3.0))))
+        settle()
+        assert counts == {"world": 2, "ndc": 1, "image": 1}
 
 
 def test_another_theme_keeps_the_step_and_a_hidden_pane_catches_up(window: MainWindow) -> None:

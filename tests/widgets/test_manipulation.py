@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QMouseEvent, QWheelEvent
+from PySide6.QtGui import QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
@@ -31,7 +31,7 @@ from app.model.projection import (
 )
 from app.picking.handles import EYE, TARGET, Handle
 from app.scenes.scene import load
-from tests.support.window import LEFT, MakeWindow, pixels, point_of, settle, show_scene
+from tests.support.window import LEFT, MakeWindow, move_mouse, pixels, point_of, settle, show_scene
 from widgets.panes.canvas import CANVASES, ZOOM_PER_WHEEL_STEP
 from widgets.window.main_window import MainWindow
 
@@ -66,12 +66,7 @@ def mark(window: MainWindow, name: str) -> tuple[Handle, tuple[float, float]]:
 
 
 def move(window: MainWindow, name: str, to: QPoint, key: Any = NONE, button: Any = LEFT) -> None:
-    canvas = window.panes[name].canvas
-    event = QMouseEvent(
-        QEvent.Type.MouseMove, QPointF(to), canvas.mapToGlobal(QPointF(to)),
-        Qt.MouseButton.NoButton, button, key,
-    )  # fmt: skip
-    QApplication.sendEvent(canvas, event)
+    move_mouse(window.panes[name].canvas, to, button, key)
     settle()
 
 
@@ -642,21 +637,21 @@ POINTS = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize(("scene", "setting"), POINTS)
 def test_a_point_of_the_scene_goes_where_the_hand_goes_and_that_is_one_step(
-    make_scene: Callable[[str], MainWindow], scene: str, setting: str
+    make_scene: Callable[[str], MainWindow],
 ) -> None:
-    window = make_scene(scene)
-    settle()  # or the panel may still grow by a line of its text
-    before, seen_before = window.store.document, view(window)
-    _, spot = grip(window, setting)
-    drag(window, "world", point_of(spot), (6, 0), (14, -9))
-    assert window.store.document.settings[setting] != before.settings[setting]
-    now = grip(window, setting)[1]
-    assert np.subtract(now, spot) == pytest.approx((14, -9), abs=1.0)
-    assert model(window) == before.projection and view(window) == seen_before
-    window.store.undo()
-    assert window.store.document == before and not window.store.can_undo
+    for scene, setting in POINTS:
+        window = make_scene(scene)
+        settle()  # or the panel may still grow by a line of its text
+        before, seen_before = window.store.document, view(window)
+        _, spot = grip(window, setting)
+        drag(window, "world", point_of(spot), (6, 0), (14, -9))
+        assert window.store.document.settings[setting] != before.settings[setting]
+        now = grip(window, setting)[1]
+        assert np.subtract(now, spot) == pytest.approx((14, -9), abs=1.0), setting
+        assert model(window) == before.projection and view(window) == seen_before
+        window.store.undo()
+        assert window.store.document == before and not window.store.can_undo
 
 
 def test_the_panes_stand_still_under_the_hand_though_the_readout_grows(

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, Qt
-from PySide6.QtGui import QContextMenuEvent, QGuiApplication, QImage, QMouseEvent, QPainter
+from PySide6.QtGui import QContextMenuEvent, QGuiApplication, QImage, QPainter
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 from pytestqt.qtbot import QtBot
@@ -25,7 +25,7 @@ from app.model.formula import ARROW
 from app.model.projection import Camera, FreeMatrix, Frustum, Oblique, Perspective, Projection
 from app.picking.picking import Probe
 from tests.support.shown import show
-from tests.support.window import activate
+from tests.support.window import activate, move_mouse
 from widgets.panels import matrix_panel
 from widgets.panels.matrix_panel import MatrixPanel
 from widgets.panels.matrix_view import MatrixView, _runs, _width, first_change, rich
@@ -221,13 +221,7 @@ def test_a_cell_says_which_control_it_depends_on(panel: MatrixPanel) -> None:
 def test_pointing_with_mouse_and_keys(panel: MatrixPanel, qtbot: QtBot) -> None:
     view = panel.views["view_from_world"]
     with qtbot.waitSignal(view.pointed) as hover:
-        place = view._cell_rect(1, 3).center()
-        nothing = Qt.MouseButton.NoButton
-        move = QMouseEvent(
-            QEvent.Type.MouseMove, place, view.mapToGlobal(place), nothing, nothing,
-            Qt.KeyboardModifier.NoModifier,
-        )  # fmt: skip
-        QGuiApplication.sendEvent(view, move)
+        move_mouse(view, view._cell_rect(1, 3).center(), Qt.MouseButton.NoButton)
     assert hover.args[0].startswith(f"view ← world, row 2, column 4: −v{ARROW}·e{ARROW} = ")
     assert panel.explanation.text() == rich(hover.args[0])
     assert "column 4: −<b>v</b>·<b>e</b> = " in panel.explanation.text()

@@ -32,7 +32,6 @@ from tests.support.shown import show
 from tests.support.window import settle
 from widgets.panels import measuring
 from widgets.panels.measure_panel import MeasurePanel
-from widgets.panels.measuring import Measuring
 from widgets.panes.pane import SMOOTHINGS
 from widgets.parts import palette
 from widgets.window.main_window import MainWindow
@@ -98,7 +97,14 @@ def write(path: Path, results: Results) -> Path:
 def test_a_trade_is_measured_and_shown(panel: MeasurePanel, qtbot: QtBot) -> None:
     assert panel.sentence.text() == "Not measured yet." and not panel.export_button.isEnabled()
     fractions = QSignalSpy(panel.measuring.progressed)
-    measured(qtbot, panel, "depth")
+    panel.choose("depth")
+    panel.run()
+    file = panel.measuring._file
+    assert os.path.exists(file) and panel.cancel_button.isEnabled()
+    assert not panel.run_button.isEnabled()
+    qtbot.waitUntil(lambda: not panel.measuring.running)
+    assert not os.path.exists(file)
+    assert panel.run_button.isEnabled() and not panel.cancel_button.isEnabled()
     results = panel.measured["depth"]
     assert fractions.count() > 3 and panel.progress.value() == 1000
     assert results.complete and results.document["lens"]["far"] == 30
@@ -112,9 +118,11 @@ def test_a_trade_is_measured_and_shown(panel: MeasurePanel, qtbot: QtBot) -> Non
     assert view.accessibleName() == "Depth buffer"
 
 
-def test_several_are_measured_in_one_go_and_each_is_shown_by_itself(
-    panel: MeasurePanel, qtbot: QtBot
+def test_several_are_measured_in_one_go_and_each_is_shown_and_exported_by_itself(
+    panel: MeasurePanel, qtbot: QtBot, tmp_path: Path
 ) -> None:
+    refused, succeeded = QSignalSpy(panel.refused), QSignalSpy(panel.succeeded)
+    assert not panel.export(tmp_path / "early.csv") and "nothing to export" in refused.at(0)[0]
     measured(qtbot, panel, "depth", "near", "fov")
     assert set(panel.measured) == {"depth", "near", "fov"}
     assert panel.name == "fov"
@@ -127,6 +135,36 @@ def test_several_are_measured_in_one_go_and_each_is_shown_by_itself(
     panel.choose("up")
     assert panel.sentence.isVisible() and panel.sentence.text() == "Not measured yet."
     assert panel.table.rowCount() == 0
+    panel.choose("depth")
+    for ending in ("csv", "json", "png", "pdf"):
+        assert panel.export(tmp_path / f"depth.{ending}")
+    assert succeeded.count() == 4
+    trade = panel.measured["depth"].trades[0]
+    assert (tmp_path / "depth.csv").read_text() == to_csv(trade)
+    assert from_json((tmp_path / "depth.json").read_text()) == panel.measured["depth"]
+    assert (tmp_path / "depth.png").read_bytes().startswith(b"\x89PNG")
+    assert (tmp_path / "depth.pdf").read_bytes().startswith(b"%PDF")
+    assert not panel.export(tmp_path / "depth.doc") and "must end in one of" in refused.at(1)[0]
+    assert not panel.export(tmp_path / "no" / "depth.csv") and refused.count() == 3
+    assert "Traceback" not in refused.at(2)[0]
+    assert QApplication.overrideCursor() is None
+    # Another machine's results are drawn over these.
+    mine = panel.measured["depth"]
+    theirs = replace(mine, machine={"system": "Box 9"}, date="2020-02-02T00:00:00+00:00")
+    own_rows = cells(panel)
+    assert not panel.forget_button.isEnabled()
+    assert panel.load(write(tmp_path / "a.json", theirs))
+    diagram = panel.diagrams[0]._diagram
+    assert diagram is not None
+    assert "Box 9, 2020-02-02T00:00:00+00:00" in [c.label for c in diagram.curves]
+    rows = cells(panel)
+    assert rows[: len(own_rows)] == own_rows and len(rows) == 2 * len(own_rows)
+    assert rows[-1][:-1] == own_rows[-1][:-1]
+    assert rows[-1][-1] == "Box 9, 2020-02-02T00:00:00+00:00"
+    assert panel.export(tmp_path / "both.csv")
+    assert (tmp_path / "both.csv").read_text().count("choice,cost_B") == 2
+    qtbot.mouseClick(panel.forget_button, Qt.MouseButton.LeftButton)
+    assert cells(panel) == own_rows and panel.measured["depth"] is mine
 
 
 def test_what_is_not_saved_is_measured_with_its_mesh(
@@ -142,18 +180,6 @@ def test_what_is_not_saved_is_measured_with_its_mesh(
     measured(qtbot, panel, "interpolation")
     found = panel.measured["interpolation"].document
     assert found["scene"] == str(mesh) and found["lens"]["far"] == 77.5
-
-
-def test_its_file_is_gone_afterwards(panel: MeasurePanel, qtbot: QtBot) -> None:
-    panel.choose("depth")
-    panel.run()
-    file = panel.measuring._file
-    assert os.path.exists(file) and panel.cancel_button.isEnabled()
-    assert not panel.run_button.isEnabled()
-    with qtbot.waitSignal(panel.measuring.finished):
-        pass
-    assert not os.path.exists(file)
-    assert panel.run_button.isEnabled() and not panel.cancel_button.isEnabled()
 
 
 def test_cancelled_it_keeps_what_it_has_and_says_so(panel: MeasurePanel, qtbot: QtBot) -> None:
@@ -183,7 +209,7 @@ def test_it_waits_while_a_control_is_dragged(panel: MeasurePanel, qtbot: QtBot) 
     with qtbot.assertNotEmitted(panel.measuring.finished, wait=0):
         process = panel.measuring._process
         assert process is not None
-        process.waitForFinished(4000)  # longer than it takes where nothing holds it up
+        process.waitForFinished(2500)  # longer than it takes where nothing holds it up
         assert panel.measuring.running
     panel.begin_gesture()
     panel.end_gesture()
@@ -257,22 +283,6 @@ def test_a_process_that_cannot_start_or_dies_is_a_sentence(
     assert panel.run_button.isEnabled()
 
 
-def test_a_killed_measurement_leaves_no_process_and_no_file(
-    panel: MeasurePanel, qtbot: QtBot
-) -> None:
-    finished = QSignalSpy(panel.measuring.finished)
-    panel.how.setCurrentIndex(1)
-    panel.run()
-    with qtbot.waitSignal(panel.measuring.progressed):
-        pass
-    process = panel.measuring._process
-    assert process is not None
-    number, file = process.processId(), panel.measuring._file
-    panel.close_process()
-    assert not psutil.pid_exists(number) and not os.path.exists(file)
-    assert finished.count() == 0 and not panel.measuring.running
-
-
 # -- using
 
 
@@ -320,47 +330,6 @@ def test_the_choice_in_use_is_marked_and_follows(panel: MeasurePanel, tmp_path: 
 
 
 # -- files
-
-
-def test_what_is_shown_is_exported(panel: MeasurePanel, qtbot: QtBot, tmp_path: Path) -> None:
-    refused, succeeded = QSignalSpy(panel.refused), QSignalSpy(panel.succeeded)
-    assert not panel.export(tmp_path / "early.csv") and "nothing to export" in refused.at(0)[0]
-    measured(qtbot, panel, "depth", "near")
-    panel.choose("depth")
-    for ending in ("csv", "json", "png", "pdf"):
-        assert panel.export(tmp_path / f"depth.{ending}")
-    assert succeeded.count() == 4
-    trade = panel.measured["depth"].trades[0]
-    assert (tmp_path / "depth.csv").read_text() == to_csv(trade)
-    assert from_json((tmp_path / "depth.json").read_text()) == panel.measured["depth"]
-    assert (tmp_path / "depth.png").read_bytes().startswith(b"\x89PNG")
-    assert (tmp_path / "depth.pdf").read_bytes().startswith(b"%PDF")
-    assert not panel.export(tmp_path / "depth.doc") and "must end in one of" in refused.at(1)[0]
-    assert not panel.export(tmp_path / "no" / "depth.csv") and refused.count() == 3
-    assert "Traceback" not in refused.at(2)[0]
-    assert QApplication.overrideCursor() is None
-
-
-def test_another_machine_s_results_are_drawn_over_these(
-    panel: MeasurePanel, qtbot: QtBot, tmp_path: Path
-) -> None:
-    measured(qtbot, panel, "depth")
-    mine = panel.measured["depth"]
-    theirs = replace(mine, machine={"system": "Box 9"}, date="2020-02-02T00:00:00+00:00")
-    own_rows = cells(panel)
-    assert not panel.forget_button.isEnabled()
-    assert panel.load(write(tmp_path / "a.json", theirs))
-    diagram = panel.diagrams[0]._diagram
-    assert diagram is not None
-    assert "Box 9, 2020-02-02T00:00:00+00:00" in [c.label for c in diagram.curves]
-    rows = cells(panel)
-    assert rows[: len(own_rows)] == own_rows and len(rows) == 2 * len(own_rows)
-    assert rows[-1][:-1] == own_rows[-1][:-1]
-    assert rows[-1][-1] == "Box 9, 2020-02-02T00:00:00+00:00"
-    assert panel.export(tmp_path / "both.csv")
-    assert (tmp_path / "both.csv").read_text().count("choice,cost_B") == 2
-    qtbot.mouseClick(panel.forget_button, Qt.MouseButton.LeftButton)
-    assert cells(panel) == own_rows and panel.measured["depth"] is mine
 
 
 def test_results_without_own_ones_are_shown_as_they_are(
@@ -657,26 +626,17 @@ def test_the_window_says_what_the_panes_are_drawn_with(window: MainWindow) -> No
     assert window.quality.in_use()["depth_mapping"] == "reversed"
 
 
-def run_until_it_goes(panel: MeasurePanel, qtbot: QtBot) -> int:
-    """Start a full measurement; the number of its process, once that has told of progress."""
-    panel.how.setCurrentIndex(1)
-    panel.run()
-    with qtbot.waitSignal(panel.measuring.progressed):
-        pass
-    process = panel.measuring._process
-    assert process is not None
-    return int(process.processId())
-
-
-def test_closing_the_window_ends_the_measurement(window: MainWindow, qtbot: QtBot) -> None:
-    number = run_until_it_goes(window.measure_panel, qtbot)
-    window.close()
-    assert not psutil.pid_exists(number)
-
-
-def test_the_window_goes_on_during_a_measurement(window: MainWindow, qtbot: QtBot) -> None:
+def test_the_window_goes_on_during_a_measurement_and_ends_it_when_it_closes(
+    window: MainWindow, qtbot: QtBot
+) -> None:
     panel = window.measure_panel
-    number = run_until_it_goes(panel, qtbot)
+    finished = QSignalSpy(panel.measuring.finished)
+    panel.how.setCurrentIndex(1)  # full: it takes half a minute
+    with qtbot.waitSignal(panel.measuring.progressed):
+        panel.run()
+    process, file = panel.measuring._process, panel.measuring._file
+    assert process is not None
+    number = int(process.processId())
     ours, its = psutil.Process(), psutil.Process(number)
     assert its.nice() == min(19, ours.nice() + 10), "the window's steps come first"
     projection = window.store.document.projection
@@ -684,6 +644,10 @@ def test_the_window_goes_on_during_a_measurement(window: MainWindow, qtbot: QtBo
     settle()
     assert window.status.labels["fov"].text().startswith("fov 30°")
     assert panel.measuring.running
+    window.store.mark_saved()  # or it asks
+    window.close()
+    assert not psutil.pid_exists(number) and not os.path.exists(file)
+    assert finished.count() == 0 and not panel.measuring.running
 
 
 # -- cost
@@ -716,13 +680,3 @@ def test_the_cost_of_a_step_is_shown_for_every_pane_that_is_seen(
     window.store.set_projection(projection)
     settle()
     assert [spy.count() for spy in spies] == counts and not window.status.cost.isVisible()
-
-
-def test_measuring_one_thing_after_the_other(qtbot: QtBot, document: Document) -> None:
-    runner = Measuring()
-    for _ in range(2):
-        with qtbot.waitSignal(runner.finished) as told:
-            runner.start(document, ["depth"], [], quick=True)
-        results, said = told.args
-        assert results.complete and said == ""
-        assert not runner.running

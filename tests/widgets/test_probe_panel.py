@@ -11,8 +11,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
-from PySide6.QtGui import QMouseEvent
+from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
@@ -38,7 +37,15 @@ from app.model.refusal import format_value
 from app.picking.picking import Probe, Sight, Surface
 from app.scenes.scene import load
 from tests.support.shown import show
-from tests.support.window import MakeWindow, activate, click, pixels
+from tests.support.window import (
+    MakeWindow,
+    activate,
+    click,
+    counted_repaints,
+    move_mouse,
+    pixels,
+    settle,
+)
 from widgets.panels.probe_panel import MOST_PROBES, ProbePanel
 from widgets.window.main_window import MainWindow
 
@@ -94,13 +101,14 @@ def cells(panel: ProbePanel, block: int, row: int) -> list[str]:
 # -- clicks
 
 
-@pytest.mark.parametrize("name", ["world", "ndc", "image"])
-def test_a_click_on_a_vertex_in_any_pane_marks_it_in_all(window: MainWindow, name: str) -> None:
-    click(window.panes[name].canvas, place_in(window, name, CORNER))
-    (probe,) = window.probe_panel.probes
-    assert probe.point == pytest.approx(CORNER, abs=1e-5 * load("letter-f").size)
-    for other in window.panes:
-        assert marked(window, other, place_in(window, other, CORNER)), other
+def test_a_click_on_a_vertex_in_any_pane_marks_it_in_all(window: MainWindow) -> None:
+    for name, pane in window.panes.items():
+        window.probe_panel.clear()
+        click(pane.canvas, place_in(window, name, CORNER))
+        (probe,) = window.probe_panel.probes
+        assert probe.point == pytest.approx(CORNER, abs=1e-5 * load("letter-f").size), name
+        for other in window.panes:
+            assert marked(window, other, place_in(window, other, CORNER)), (name, other)
 
 
 LENSES: dict[str, Lens] = {
@@ -144,8 +152,7 @@ def is_seen(sight: Sight, vertex: Array, triangles: Array, lines: Array) -> bool
     return not (inside & (far > 1e-4)).any()
 
 
-@pytest.mark.parametrize("eye", EYES)
-@pytest.mark.parametrize("lens", LENSES)
+@pytest.mark.parametrize(("lens", "eye"), [*zip(LENSES, EYES, strict=True)])
 def test_a_click_on_or_beside_a_vertex_that_is_seen_gives_it_in_every_pane(
     make_window: MakeWindow, lens: str, eye: str
 ) -> None:
@@ -198,32 +205,30 @@ def test_a_double_click_resets_the_view_and_follows_nothing(window: MainWindow) 
     assert window.probe_panel.probes == before and window.probe_panel.chosen == before[0]
 
 
-@pytest.mark.parametrize("name", ["world", "ndc", "image"])
-def test_a_click_on_a_face_in_any_pane_follows_its_point(window: MainWindow, name: str) -> None:
-    window.panes["image"].show()
-    window.pane_row.enlarge(name)  # the cubes are small: no vertex may be within 6 pixels
-    QApplication.processEvents()
-    on_face = (0.0, 2.5, 0.5)
-    x, y = (math.floor(part) + 0.5 for part in place_in(window, name, on_face))
-    click(window.panes[name].canvas, (x, y))
-    (probe,) = window.probe_panel.probes
-    assert probe.point is not None and probe.point[2] == pytest.approx(0.5, abs=1e-6)
-    assert place_in(window, name, probe.point) == pytest.approx((x, y), abs=0.5)
+Point = tuple[float, float, float]
 
 
-@pytest.mark.parametrize("name", ["world", "ndc", "image"])
-def test_a_click_on_a_line_of_the_ground_follows_its_nearest_point(
-    window: MainWindow, name: str
-) -> None:
-    window.pane_row.enlarge(name)
-    QApplication.processEvents()
-    x, y = (math.floor(part) + 0.5 for part in place_in(window, name, (3.0, 0.0, 1.4)))
-    click(window.panes[name].canvas, (x, y))
-    (probe,) = window.probe_panel.probes
-    assert probe.point is not None
-    assert probe.point == pytest.approx((3.0, 0.0, 1.4), abs=0.1)
-    assert min(abs(probe.point[0] - 3.0), abs(probe.point[2] - 1.0)) <= 1e-12
-    assert math.dist(place_in(window, name, probe.point), (x, y)) <= 1.0
+def test_a_click_follows_the_point_of_a_face_and_the_nearest_of_a_line(window: MainWindow) -> None:
+    def clicked(name: str, place: Point) -> tuple[Point, tuple[float, float]]:
+        """Which point is followed then, and where in the pane the click was."""
+        x, y = (math.floor(part) + 0.5 for part in place_in(window, name, place))
+        window.probe_panel.clear()
+        click(window.panes[name].canvas, (x, y))
+        (probe,) = window.probe_panel.probes
+        assert probe.point is not None
+        return probe.point, (x, y)
+
+    for name in ("world", "ndc", "image"):
+        window.pane_row.show_all()
+        window.pane_row.enlarge(name)  # the cubes are small: no vertex may be within 6 pixels
+        settle()
+        point, place = clicked(name, (0.0, 2.5, 0.5))
+        assert point[2] == pytest.approx(0.5, abs=1e-6)
+        assert place_in(window, name, point) == pytest.approx(place, abs=0.5)
+        point, place = clicked(name, (3.0, 0.0, 1.4))
+        assert point == pytest.approx((3.0, 0.0, 1.4), abs=0.1)
+        assert min(abs(point[0] - 3.0), abs(point[2] - 1.0)) <= 1e-12
+        assert math.dist(place_in(window, name, point), place) <= 1.0
 
 
 def test_what_a_click_needs_is_made_when_the_scene_is_opened_beside_the_window(
@@ -267,13 +272,8 @@ def test_a_mark_is_dragged_in_the_image_in_its_plane_or_along_its_ray(window: Ma
         x, y = (math.floor(part) for part in place)
         QTest.mousePress(canvas, Qt.MouseButton.LeftButton, key, pos=QPoint(x, y))
         for part in (1, 2):
-            away = QPoint(right * part // 2, down * part // 2)
-            event = QMouseEvent(
-                QEvent.Type.MouseMove, QPointF(QPoint(x, y) + away),
-                canvas.mapToGlobal(QPointF(QPoint(x, y) + away)), Qt.MouseButton.NoButton,
-                Qt.MouseButton.LeftButton, key,
-            )  # fmt: skip
-            QApplication.sendEvent(canvas, event)
+            to = QPoint(x + right * part // 2, y + down * part // 2)
+            move_mouse(canvas, to, key=key)
         held.append(window.probe_panel._readable.in_gesture)
         end = QPoint(x + right, y + down)
         QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, key, pos=end)
@@ -307,21 +307,13 @@ def test_escape_puts_a_dragged_probe_back_and_ends_the_drag(
     {"window": window, "field": panel.fields[0], "canvas": canvas}[focus].setFocus()
     x, y = (math.floor(part) for part in place_in(window, "image", CORNER))
 
-    def move(right: int, down: int) -> None:
-        at = QPointF(x + right, y + down)
-        event = QMouseEvent(
-            QEvent.Type.MouseMove, at, canvas.mapToGlobal(at), Qt.MouseButton.NoButton,
-            Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier,
-        )  # fmt: skip
-        QApplication.sendEvent(canvas, event)
-
     QTest.mousePress(canvas, Qt.MouseButton.LeftButton, pos=QPoint(x, y))
-    move(20, 20)
+    move_mouse(canvas, QPoint(x + 20, y + 20))
     assert panel.probes[0].point != CORNER
     for _ in range(2):  # until the hand lets go, it is not "remove the probe" either
         QTest.keyClick(QApplication.focusWidget() or window, Qt.Key.Key_Escape)
         assert panel.probes == (Probe(1, CORNER),) and panel.pin.isChecked()
-        move(24, 24)
+        move_mouse(canvas, QPoint(x + 24, y + 24))
     QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=QPoint(x + 24, y + 24))
     assert panel.probes == (Probe(1, CORNER),) and not panel._readable.in_gesture
     QTest.keyClick(QApplication.focusWidget() or window, Qt.Key.Key_Escape)
@@ -460,15 +452,9 @@ def test_no_mirrored_mark_anywhere_at_or_behind_the_eye(window: MainWindow) -> N
 def test_a_probe_costs_one_repaint_and_a_hidden_pane_none(window: MainWindow) -> None:
     window.panes["ndc"].hide()
     QApplication.processEvents()
-    counts = dict.fromkeys(window.panes, 0)
-    for name, pane in window.panes.items():
-
-        def count(_window: object, _event: str, name: str = name) -> None:
-            counts[name] += 1
-
-        pane.canvas.render_window.AddObserver("EndEvent", count)
-    window.probe_panel.follow(point=CORNER)
-    QApplication.processEvents()
+    with counted_repaints(window) as counts:
+        window.probe_panel.follow(point=CORNER)
+        QApplication.processEvents()
     assert counts == {"world": 1, "ndc": 0, "image": 1}
     window.panes["ndc"].show()
     QApplication.processEvents()

@@ -10,8 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from PySide6.QtCore import QEvent, QPointF, Qt
-from PySide6.QtGui import QMouseEvent
+from PySide6.QtCore import QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QStyle, QStyleOptionSlider
 from pytestqt.qtbot import QtBot
@@ -27,7 +26,7 @@ from app.lecture.stages import IMAGE, NDC, STOPS, VIEW, WORLD, Morph, morph_of
 from app.model.projection import DEPTH_RANGES, Frustum, Lens, Oblique, Perspective
 from app.scenes.scene import load
 from tests.support.drawings import rendered
-from tests.support.window import activate, picture, settle
+from tests.support.window import activate, counted_repaints, move_mouse, picture, settle
 from widgets.panes.stage_strip import CATCH, REST_S, STEP_S, STEPS, StageStrip
 from widgets.window.main_window import MainWindow
 
@@ -345,19 +344,12 @@ def test_escape_puts_the_slider_back_and_removes_no_probe(
     QTest.mousePress(slider, Qt.MouseButton.LeftButton, pos=handle.center())
     assert slider.isSliderDown()
 
-    def move(x: float) -> None:
-        at = QPointF(x, handle.center().y())
-        event = QMouseEvent(
-            QEvent.Type.MouseMove, at, slider.mapToGlobal(at), Qt.MouseButton.NoButton,
-            Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier,
-        )  # fmt: skip
-        QApplication.sendEvent(slider, event)
-
-    move(slider.width() / 2.0 + 9.0)
+    middle = QPointF(slider.width() / 2.0, handle.center().y())
+    move_mouse(slider, middle + QPointF(9.0, 0.0))
     assert strip.position != before
     QTest.keyClick(QApplication.focusWidget() or window, Qt.Key.Key_Escape)
     assert strip.position == before
-    move(slider.width() / 2.0 + 19.0)
+    move_mouse(slider, middle + QPointF(19.0, 0.0))
     QTest.mouseRelease(slider, Qt.MouseButton.LeftButton, pos=handle.center())
     assert strip.position == before and len(window.probe_panel.probes) == 1
     QTest.keyClick(slider, Qt.Key.Key_Escape)
@@ -430,25 +422,12 @@ def test_what_is_said_of_a_stage_is_whole_in_a_small_window_and_moves_nothing(
 
 def test_the_strip_moves_its_own_pane_only_and_not_the_document(window: MainWindow) -> None:
     document = window.store.document
-    counts = dict.fromkeys(window.panes, 0)
-    tags = []
-    for name, pane in window.panes.items():
-
-        def count(_window: object, _event: str, name: str = name) -> None:
-            counts[name] += 1
-
-        tags.append(
-            (pane.canvas.render_window, pane.canvas.render_window.AddObserver("EndEvent", count))
-        )
     before = picture(window.panes["ndc"].canvas)
-    for name in counts:
-        counts[name] = 0
-    window.strip.go_to(1.0)
-    settle()
-    assert counts == {"world": 0, "ndc": 1, "image": 0}
+    with counted_repaints(window) as counts:
+        window.strip.go_to(1.0)
+        settle()
+        assert counts == {"world": 0, "ndc": 1, "image": 0}
     assert picture(window.panes["ndc"].canvas) != before
-    for view, tag in tags:
-        view.RemoveObserver(tag)
     assert window.store.document == document
     assert not window.store.modified
     assert not window.store.can_undo

@@ -17,7 +17,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWi
 from app.model.limits import NOT_PARALLEL, within
 from app.model.projection import LARGEST, NOT_THE_EYE, Camera, Vector
 from app.model.refusal import Refusal
-from widgets.parts.clock import Clock
+from widgets.parts.clock import Clock, Playing
 from widgets.parts.fields import Choice, ChoiceRow, Linear, NumberRow, Row
 from widgets.parts.messages import limits_text, sentence
 
@@ -143,7 +143,7 @@ def _height(start_y: float, elapsed_s: float, motion: Motion) -> float:
     return start_y
 
 
-class AnimationBar(QWidget):
+class AnimationBar(QWidget, Playing):
     """Plays the walk: one camera a frame, from where the camera is, until paused.
 
     A frame is asked for only when the one before has been handled, so that frames never queue
@@ -157,13 +157,12 @@ class AnimationBar(QWidget):
     gesture_finished = Signal()
     playing_changed = Signal(bool)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._motion = Motion()
         self._start: Camera | None = None
         self._elapsed_s = 0.0
         self._shown: Camera | None = None
-        self._playing = False
         self._clock = Clock(self)
         self._clock.ticked.connect(self.advance)
         self._make_widgets()
@@ -296,40 +295,26 @@ class AnimationBar(QWidget):
     # -- playing
 
     @property
-    def playing(self) -> bool:
-        """Whether the camera walks."""
-        return self._playing
-
-    @property
     def motion(self) -> Motion:
         """The settings, with the clock as it stood when the walk last began afresh."""
         return self._motion
 
-    def toggle(self) -> None:
-        """Play, or pause."""
-        if self._playing:
-            self.pause()
-        else:
-            self.play()
-
     def play(self) -> None:
         """Walk on from where the camera is."""
-        if self._playing or self._shown is None or not self.isEnabled():
+        if self.playing or self._shown is None or not self.isEnabled():
             return
-        self._playing = True
+        self._clock.start()
         self._say("")
         if self._start is None:
             self._begin_at(self._shown)
         self._show_state()
         self.gesture_started.emit()
         self.playing_changed.emit(True)
-        self._clock.start()
 
     def pause(self) -> None:
         """Stand still; the next `play` goes on from here."""
-        if not self._playing:
+        if not self.playing:
             return
-        self._playing = False
         self._clock.stop()
         self._show_state()
         self.gesture_finished.emit()
@@ -337,7 +322,7 @@ class AnimationBar(QWidget):
 
     def advance(self, seconds: float) -> None:
         """Walk for some seconds and emit the camera; without effect while paused."""
-        if not self._playing or self._start is None:
+        if not self.playing or self._start is None:
             return
         self._elapsed_s += seconds
         try:
@@ -426,12 +411,12 @@ class AnimationBar(QWidget):
     # -- shown
 
     def _show_state(self) -> None:
-        sign, word = ("❚❚", self.tr("Pause")) if self._playing else ("▶", self.tr("Play"))
+        sign, word = ("❚❚", self.tr("Pause")) if self.playing else ("▶", self.tr("Play"))
         self.button.setText(f"{sign} {word}")  # a style's icons are black on a dark window too
         self.button.setAccessibleName(word)
         self.button.setToolTip(
             self.tr("Stand still; playing again goes on from here.")
-            if self._playing
+            if self.playing
             else self.tr("Walk round the target, as in the exercise of lecture 004.")
         )
         for row in (self.lowest, self.highest):

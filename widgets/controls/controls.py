@@ -95,8 +95,8 @@ class Controls(QScrollArea):
     highlighted = Signal(str, object)
     """The name of a row that the user is at, and the `Highlight` it draws; `NOTHING` after it."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._projection = Projection()
         self._defaults = self._projection
         self._size = 10.0

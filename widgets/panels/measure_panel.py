@@ -32,7 +32,6 @@ from PySide6.QtWidgets import (
     QTableWidget,
     QTableWidgetItem,
     QVBoxLayout,
-    QWidget,
 )
 
 from app.document.document import Document, write_bytes_atomically
@@ -101,9 +100,8 @@ class MeasurePanel(ReadablePanel):
         document: Callable[[], Document],
         current: Callable[[], Mapping[str, str]],
         smoothings: Sequence[str],
-        parent: QWidget | None = None,
     ) -> None:
-        super().__init__(parent)
+        super().__init__()
         self._document, self._current, self._smoothings = document, current, smoothings
         self._style = LIGHT
         self._gestures = 0

@@ -50,7 +50,7 @@ from app.scenes.phenomena.illustration import (
     Settings,
     Value,
 )
-from widgets.parts.clock import Clock
+from widgets.parts.clock import Clock, Playing
 from widgets.parts.diagram import DiagramView
 from widgets.parts.fields import (
     CheckRow,
@@ -126,8 +126,8 @@ class ScenePanel(ReadablePanel):
     mesh_removed = Signal()
     """The user wants the scene's own objects back."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.rows: dict[str, Row] = {}  # first: a change of font comes with the first child
         self._phenomenon: Phenomenon | None = None
         self._settings: Settings = {}
@@ -676,7 +676,7 @@ def scale_of(setting: Setting) -> Scale:
 # --------------------------------------------------------------------------- playing
 
 
-class Player(QObject):
+class Player(QObject, Playing):
     """Lets a number run to and fro between the ends of its slider, until it is paused.
 
     A frame is asked for only when the one before has been handled, so that frames never queue up
@@ -700,37 +700,22 @@ class Player(QObject):
         self._speed = setting.per_second
         self._at = self._low
         self._shown: float | None = None
-        self._playing = False
         self._clock = Clock(self)
         self._clock.ticked.connect(self.advance)
         self.button = QToolButton()
         self.button.clicked.connect(self.toggle)
         self._show_state()
 
-    @property
-    def playing(self) -> bool:
-        """Whether the number runs."""
-        return self._playing
-
-    def toggle(self) -> None:
-        """Play, or pause."""
-        if self._playing:
-            self.pause()
-        else:
-            self.play()
-
     def play(self) -> None:
         """Run on from where the number is."""
-        if not self._playing:
-            self._playing = True
+        if not self.playing:
+            self._clock.start()
             self._show_state()
             self.started.emit()
-            self._clock.start()
 
     def pause(self) -> None:
         """Stand still."""
-        if self._playing:
-            self._playing = False
+        if self.playing:
             self._clock.stop()
             self._show_state()
             self.paused.emit()
@@ -742,7 +727,7 @@ class Player(QObject):
 
     def advance(self, seconds: float) -> None:
         """Run for some seconds and emit the number; without effect while paused."""
-        if not self._playing:
+        if not self.playing:
             return
         if (self._at >= self._high and self._speed > 0.0) or (
             self._at <= self._low and self._speed < 0.0
@@ -762,13 +747,13 @@ class Player(QObject):
         return math.log10(value) if self._setting.logarithmic else value
 
     def _show_state(self) -> None:
-        sign, word = ("❚❚", self.tr("Pause")) if self._playing else ("▶", self.tr("Play"))
+        sign, word = ("❚❚", self.tr("Pause")) if self.playing else ("▶", self.tr("Play"))
         label = of_phenomena(self._setting.label)
         self.button.setText(sign)
         self.button.setAccessibleName(f"{word}: {label}")
         self.button.setToolTip(
             self.tr("Let it stand still; playing again goes on from here")
-            if self._playing
+            if self.playing
             else self.tr("Let it run to and fro between the ends of its slider")
         )
 

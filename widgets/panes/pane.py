@@ -188,9 +188,8 @@ class Pane(QFrame):
         *,
         orbits: bool,
         make_canvas: type[AnyCanvas],
-        parent: QWidget | None = None,
     ) -> None:
-        super().__init__(parent)
+        super().__init__()
         self.setFrameShape(QFrame.Shape.StyledPanel)
         self.setAccessibleName(title)
         self._is_open = False

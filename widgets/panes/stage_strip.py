@@ -30,7 +30,7 @@ from app.lecture.stages import (
     WORLD,
 )
 from app.model.projection import Projection
-from widgets.parts.clock import Clock
+from widgets.parts.clock import Clock, Playing
 from widgets.parts.escape import HeldSlider
 from widgets.parts.note import Note
 from widgets.parts.panel import PROJECTION, Changed, Shown
@@ -72,7 +72,7 @@ class _StopsSlider(HeldSlider):
         super().mousePressEvent(event)
 
 
-class StageStrip(QWidget):
+class StageStrip(QWidget, Playing):
     """One slider through all stages, a name under each stop, and play.
 
     The position is the window's, not the document's; it starts at NDC.
@@ -86,8 +86,8 @@ class StageStrip(QWidget):
     gesture_started = Signal()
     gesture_finished = Signal()
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._names = (
             (self.tr("World"), self.tr("World space: the scene and the view volume in it")),
             (self.tr("View"), self.tr("View space: the eye is at 0 and looks along −z")),
@@ -104,7 +104,6 @@ class StageStrip(QWidget):
         )
         self._projection = Projection()
         self._parallel = False
-        self._playing = False
         self._said = ("", "")
         self._rest_s = 0.0
         self._at = self._before = float(NDC)
@@ -271,41 +270,27 @@ class StageStrip(QWidget):
 
     # -- playing
 
-    @property
-    def playing(self) -> bool:
-        """Whether the strip runs by itself."""
-        return self._playing
-
-    def toggle(self) -> None:
-        """Play, or pause."""
-        if self._playing:
-            self.pause()
-        else:
-            self.play()
-
     def play(self) -> None:
         """Run on from here to the picture, resting at each stop; from its end, all of it."""
-        if self._playing or self.isHidden():
+        if self.playing or self.isHidden():
             return
-        self._playing = True
+        self._clock.start()
         self.gesture_started.emit()
         self._show_playing()
         if self._at >= IMAGE:
             self._stand_at(float(WORLD))
         self._rest_s = 0.0
-        self._clock.start()
 
     def pause(self) -> None:
         """Stand still; playing again goes on from here."""
-        if self._playing:
-            self._playing = False
+        if self.playing:
             self._clock.stop()
             self._show_playing()
             self.gesture_finished.emit()
 
     def advance(self, seconds: float) -> None:
         """Run for some seconds; without effect while paused."""
-        while self._playing and seconds > 0.0:
+        while self.playing and seconds > 0.0:
             rest = min(self._rest_s, seconds)
             self._rest_s -= rest
             seconds -= rest
@@ -357,12 +342,12 @@ class StageStrip(QWidget):
         self._say()
 
     def _show_playing(self) -> None:
-        sign, word = ("❚❚", self.tr("Pause")) if self._playing else ("▶", self.tr("Play"))
+        sign, word = ("❚❚", self.tr("Pause")) if self.playing else ("▶", self.tr("Play"))
         self.button.setText(sign)
         self.button.setAccessibleName(self.tr("{0} the stages").format(word))
         self.button.setToolTip(
             self.tr("Stand still; playing again goes on from here.")
-            if self._playing
+            if self.playing
             else self.tr("Run through all stages to the picture, resting at each.")
         )
 

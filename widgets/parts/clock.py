@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
+
 from PySide6.QtCore import QElapsedTimer, QObject, Qt, QTimer, Signal
 
 FRAME_MS = 16
@@ -51,3 +53,29 @@ class Clock(QObject):
         self.ticked.emit(min(seconds, LONGEST_FRAME_S))
         if self.running:
             self._timer.start()
+
+
+class Playing:
+    """Who plays while its clock runs: it says what `play` and `pause` do besides."""
+
+    _clock: Clock
+
+    @property
+    def playing(self) -> bool:
+        """Whether it moves by itself."""
+        return self._clock.running
+
+    def toggle(self) -> None:
+        """Play, or pause."""
+        if self.playing:
+            self.pause()
+        else:
+            self.play()
+
+    @abstractmethod
+    def play(self) -> None:
+        """Go on from here."""
+
+    @abstractmethod
+    def pause(self) -> None:
+        """Stand still; playing again goes on from here."""

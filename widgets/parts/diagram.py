@@ -231,8 +231,8 @@ class DiagramView(QWidget):
     export_wanted = Signal(QImage)
     """This `picture` of it shall go to the clipboard, or into a file."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._diagram: Diagram | None = None
         self._names: dict[str, Floats] = {}
         """Where the curves' names stand, so that they stay while there is room."""

@@ -555,8 +555,8 @@ class Row(QWidget):
     highlighted = Signal(bool)
     """The mouse has come over the row or the keyboard into it, or neither is there any more."""
 
-    def __init__(self, name: str, tip: str, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, name: str, tip: str) -> None:
+        super().__init__()
         self.name = name
         self._drawn_by: set[str] = set()  # what highlights the row: mouse, keyboard
         self._marked = False
@@ -841,9 +841,8 @@ class NumberRow(_TypedRow):
         scale: Scale,
         unit: str = "",
         unit_tip: str = "",
-        parent: QWidget | None = None,
     ) -> None:
-        super().__init__(name, tip, parent)
+        super().__init__(name, tip)
         self._scale = scale
         self._value: float = scale.value_at(0)
         self.limits: Callable[[], str] = str
@@ -1054,9 +1053,8 @@ class ChoiceRow(Row):
         *,
         buttons: bool = False,
         none: str = "",
-        parent: QWidget | None = None,
     ) -> None:
-        super().__init__(name, tip, parent)
+        super().__init__(name, tip)
         self._keys = [choice.key for choice in choices]
         self._value: str | None = self._keys[0]
         self._combo: QComboBox | None = None
@@ -1134,8 +1132,8 @@ class VectorRow(_TypedRow):
         As in `Row`.
     """
 
-    def __init__(self, name: str, tip: str, parent: QWidget | None = None) -> None:
-        super().__init__(name, tip, parent)
+    def __init__(self, name: str, tip: str) -> None:
+        super().__init__(name, tip)
         self._value: tuple[float, ...] = (0.0, 0.0, 0.0)
         self._add_fields(*(_ShortField(self.tr("{0} {1}").format(name, x)) for x in "xyz"))
         line = QHBoxLayout()
@@ -1167,8 +1165,8 @@ class VectorRow(_TypedRow):
 class CheckRow(Row):
     """A switch: a check box behind its name."""
 
-    def __init__(self, name: str, tip: str, parent: QWidget | None = None) -> None:
-        super().__init__(name, tip, parent)
+    def __init__(self, name: str, tip: str) -> None:
+        super().__init__(name, tip)
         self._value = False
         self.box = QCheckBox()
         self.box.setAccessibleName(name)

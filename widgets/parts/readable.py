@@ -109,8 +109,8 @@ class Readable(QObject):
 class ReadablePanel(Panel):
     """A panel whose numbers are shown as often as they can be read: `_fill` shows them."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self._readable = Readable(self, self._fill)
 
     @abstractmethod

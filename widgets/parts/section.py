@@ -127,8 +127,8 @@ class Section(QWidget):
 
     toggled = Signal(bool)
 
-    def __init__(self, title: str, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, title: str) -> None:
+        super().__init__()
         self.bindings: dict[str, Binding] = {}
         self.heading = QToolButton()
         self.heading.setText(title)
@@ -192,13 +192,13 @@ class Section(QWidget):
         return row
 
     def add_length(
-        self, key: str, part: Part, tip: str, read: Read, write: Write, keep: Keep | None = None,
-        *, name: str = "", field: str = "", lenses: tuple[str, ...] = (),
+        self, key: str, part: Part, tip: str, read: Read, write: Write,
+        lenses: tuple[str, ...] = (),
     ) -> NumberRow:  # fmt: skip
         """Add a length in world units; the scene is yet to scale its slider."""
         return self.add_number(
             key, part, tip, Log(1.0, 10.0), self.tr("units"), self.tr("world units"),
-            read, write, keep, name=name, field=field, lenses=lenses,
+            read, write, lenses=lenses,
         )  # fmt: skip
 
     def add_choice(
