@@ -1254,3 +1254,14 @@ def test_the_picture_of_a_free_matrix_lies_on_its_near_face() -> None:
         assert (np.abs(pressed[:, 2] - 1.0) <= 1.01 * SLAB).all()
         toward_eye = pressed[:, 2] > 1.0
         assert toward_eye.all() if eye[2] > 0.0 else not toward_eye.any()
+
+
+@pytest.mark.parametrize("times", [1.0, 3.0])
+def test_lines_on_faces_are_lifted_along_their_rays(make_view: MakeView, times: float) -> None:
+    view = make_view()
+    view.stand((3.0, 2.0, 7.0), (0.0, 1.0, 0.0))
+    own = view.drawing.own
+    own.look()
+    eye, points = np.array((3.0, 2.0, 7.0)), np.random.default_rng(3).uniform(-4, 4, (20, 3))
+    lifted = applied(own.lifted(times), points)
+    np.testing.assert_allclose(lifted, points + times * 2e-3 * (eye - points), atol=1e-12)

@@ -347,3 +347,11 @@ def test_without_a_volume_the_strip_jumps(row: int, column: int, value: float) -
         assert strip.has_volume(position) == has
         assert np.array_equal(strip.planes_display(position), strip.planes_display(shown))
     assert np.allclose(np.abs(strip.planes_display(4.0)[:4, 3]), 1.0)
+
+
+@pytest.mark.parametrize("near", [0.125, 0.5, 2.0])
+def test_an_infinite_pyramid_is_framed_down_to_the_deepest_corner(near: float) -> None:
+    strip = morph(Perspective(45.0, near, math.inf))
+    ball = np.column_stack([CORNERS, np.ones(8)])
+    shown = euclid(ball @ strip.display_from_local(CANONICAL_PERSPECTIVE).T)
+    assert shown[:, 2].min() == pytest.approx(-0.5)

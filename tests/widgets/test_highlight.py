@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
 
@@ -139,6 +139,12 @@ def test_the_nearest_point_then_line_then_face(place: tuple[float, float], named
     corners = box()
     points = [(frozenset((name,)), at) for name, at in zip(CORNERS, corners, strict=True)]
     assert pointed_at(place, 13.0, points, volume_edges(corners), corners) == named
+
+
+@pytest.mark.parametrize("order", [1, -1])
+def test_of_two_points_in_reach_the_nearer_stands_out(order: int) -> None:
+    points = [(frozenset((name,)), (x, 0.0, 0.0)) for name, x in (("u", 2.0), ("v", -5.0))]
+    assert pointed_at((0.0, 0.0), 13.0, points[::order], [], []) == {"u"}
 
 
 def test_what_is_nowhere_is_not_pointed_at() -> None:
@@ -371,6 +377,23 @@ def test_a_row_marks_the_cells_that_depend_on_it(window: MainWindow) -> None:
     window.highlighter.mark("test", frozenset(("up",)))
     view = window.matrices.views["view_from_world"]
     assert view.is_marked(0, 0) and view.is_marked(1, 2) and not view.is_marked(2, 0)
+
+
+def test_a_row_is_painted_when_it_is_marked_and_when_no_more(window: MainWindow) -> None:
+    row, painted = window.controls.rows["near"], []
+
+    class Watch(QObject):
+        def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+            if event.type() == QEvent.Type.Paint and watched is row:
+                painted.append(row.is_marked)
+            return False
+
+    watch = Watch()
+    row.installEventFilter(watch)
+    for names in (frozenset(("near",)), NOTHING):
+        window.highlighter.mark("test", names)
+        settle()
+    assert painted == [True, False]
 
 
 def test_a_cell_under_the_cursor_counts_and_marks_reach_the_screen(window: MainWindow) -> None:
