@@ -20,7 +20,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
-from typing import Any, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 import pyvista as pv
@@ -103,6 +103,24 @@ SUBJECT_SURFACE = 3_000
 """Triangles of a larger mesh are brought together to so many, where its pixels are reckoned."""
 
 
+class Boxes(NamedTuple):
+    """Corners of boxes in world coordinates.
+
+    Attributes
+    ----------
+    faces, lines : (n, 8, 3) array
+        Round what there is of either; of n = 0 boxes round nothing.
+    """
+
+    faces: Array
+    lines: Array
+
+    @property
+    def together(self) -> Array:
+        """The faces', then the lines'."""
+        return np.concatenate(self)
+
+
 @dataclass(frozen=True, eq=False)
 class Scene:
     """Geometry to look at, ready to draw, and the camera it is first seen with.
@@ -171,6 +189,35 @@ class Scene:
         if bounds:
             low = np.min([b[::2] for b in bounds], axis=0)
             high = np.max([b[1::2] for b in bounds], axis=0)
+        return self._box(low, high)
+
+    @cached_property
+    def boxes(self) -> Boxes:
+        """Boxes that together hold what is drawn, each thing in one of them whole.
+
+        Long lines have one of their own. Those of a ground are in a flat one, which the eye is
+        above; with the short ones in it too it would hold the eye, and all that is near.
+        """
+        faces: list[Any]
+        lines: list[Any]
+        faces, lines = ([] if m is None else [m.bounds] for m in (self.surface, self.lines))
+        if self.lines is not None:
+            ends = values_of(self.lines.GetLines().GetConnectivityArray()).reshape(-1, 2)
+            segments = np.asarray(self.lines.points)[ends]
+            lengths = np.linalg.norm(segments[:, 1] - segments[:, 0], axis=1)
+            is_long = lengths > lengths.max(initial=0.0) / 2.0
+            if not is_long.all():
+                kinds = segments[is_long], segments[~is_long]
+                lines = [np.stack([s.min(axis=(0, 1)), s.max(axis=(0, 1))], axis=1).ravel()
+                         for s in kinds if len(s)]  # fmt: skip
+        boxes = (
+            np.array([self._box(b[::2], b[1::2]) for b in bounds]).reshape(-1, 8, 3)
+            for bounds in (faces, lines)
+        )
+        return Boxes(*boxes)
+
+    def _box(self, low: ArrayLike, high: ArrayLike) -> Array:
+        """World coordinates of a box' corners, (8, 3), from two of them relative to the origin."""
         which = np.array([[i >> axis & 1 for axis in range(3)] for i in range(8)], dtype=bool)
         corners: Array = np.where(which, high, low) + self.origin
         return corners

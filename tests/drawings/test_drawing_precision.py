@@ -491,7 +491,8 @@ def test_there_and_back_is_the_picture_of_a_fresh_drawing(
     scene = load("letter-f")
     near = replace(scene.start, lens=Perspective(60, 2, 30))
     narrow = replace(scene.start, lens=Perspective(0.01, 1, 30))
-    across = replace(scene.start, camera=Camera((1, 0.5, 2), (0, 2, 0)), lens=Perspective(90, 1e-5))
+    within = Camera((0.3, 1.5, 0.4), (0, 2, 0))
+    across = replace(scene.start, camera=within, lens=Perspective(90, 1e-5))
     screens = [off_screen(300, 200) for _ in range(3)]
     drawing, beside = (kind(s.plotter, scene, WORDS, LIGHT) for s in screens[:2])
     beside.show_projection(near)

@@ -754,7 +754,7 @@ def test_no_points_anywhere_are_off_by_more_than_predicted(
             assert px <= bound.px and off <= bound.depth, (level, point, px, off, bound)
 
 
-DRAWN_IN_FLOAT64 = {"posts", "field-of-view", "eye-plane", "far-plane-popping", "focus"}
+DRAWN_IN_FLOAT64 = {"posts", "far-plane-popping"}
 
 
 def test_predictions_of_the_readmes_documents_are_no_looser_than_it_says() -> None:
@@ -787,7 +787,7 @@ def test_predictions_of_the_readmes_documents_are_no_looser_than_it_says() -> No
     drawn = {
         name
         for name in BUILT_IN
-        if precision_for_drawing(load(name).start, load(name).corners, load(name).origin)
+        if precision_for_drawing(load(name).start, load(name).boxes.together, load(name).origin)
         == "float64"
     }
     assert drawn == DRAWN_IN_FLOAT64
