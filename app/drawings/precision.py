@@ -30,6 +30,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass, field
+from functools import cached_property, reduce
 from typing import Any, NamedTuple
 from weakref import WeakKeyDictionary
 
@@ -40,13 +41,14 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPlane, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor
 
-from app.drawings.actors import Detail, scene_actors
+from app.drawings.actors import CUBE_CORNERS, Detail, scene_actors
 from app.drawings.style import Style
 from app.model.projection import Array, Projection
 from app.precision.levels import Precision, drawing_bounds_px
 from app.scenes.scene import Scene
 
 _WIDE = 2.0  # of the picture: beyond, wide lines and points do not reach into it
+_MANY_CELLS, _CLUSTERS = 1_000, 256  # of so many, clusters are made; about so many
 _LEAST_W = 1e-30  # under a free matrix: what is nearer to w = 0 cannot be divided by it
 _SHALLOW = 1.0 - 2.0**-22  # of the depth range: or the far plane takes what float32 rounds onto it
 
@@ -158,8 +160,7 @@ class ModelActors:
         if kept is None or kept.fewer is not self._fewer or kept.projection != projection:
             kept = _projected[self._scene] = _Projected(self._fewer, projection)
         if which not in kept.parts:
-            world = made.points.astype(np.float64) + self._scene.origin
-            part = _cut(projection.trace(world).clip, made.cells, _planes(projection))
+            part = _projected_part(made, projection, np.array(self._scene.origin))
             kept.parts[which] = _Vertices(part, made, projection)
         return kept.parts[which]
 
@@ -230,6 +231,11 @@ class _Made:
             (kind for kind in ("Verts", "Polys") if _cells(self._mesh, kind).GetNumberOfCells()),
             "Lines",
         )
+
+    @cached_property
+    def clusters(self) -> _Clusters:
+        """Its cells by where they are, once one of them has to be projected here."""
+        return _Clusters.of(self.points.astype(np.float64), self.cells)
 
     @property
     def points(self) -> NDArray[np.float32]:
@@ -310,6 +316,65 @@ class _Part(NamedTuple):
     cell: NDArray[np.integer] | None
 
 
+class _Clusters(NamedTuple):
+    """Cells of a mesh by where they are, so that most of what is not seen is told at a glance.
+
+    Attributes
+    ----------
+    boxes : (c, 8, 3) array
+        Corners of boxes round the clusters, scene-local.
+    cluster : (m,) array of int
+        Of each cell.
+    """
+
+    boxes: Array
+    cluster: NDArray[np.integer]
+
+    @classmethod
+    def of(cls, points: Array, cells: NDArray[np.integer]) -> _Clusters:
+        """Clusters of cells, (m, k), over points, (n, 3)."""
+        first, *others = (points[corners] for corners in cells.T)
+        low = reduce(np.minimum, others, first)
+        high = reduce(np.maximum, others, first)
+        start, extent = low.min(axis=0), high.max(axis=0) - low.min(axis=0)
+        reach = np.maximum(extent, extent.max() / _CLUSTERS)
+        steps = np.ceil(reach / np.cbrt(reach.prod() / _CLUSTERS)).astype(np.intp)
+        place = ((low + high) / 2.0 - start) / reach * steps
+        keys = np.ravel_multi_index(tuple(place.astype(np.intp).clip(0, steps - 1).T), steps)
+        cluster = np.unique(keys, return_inverse=True)[1]
+        order = np.argsort(cluster, kind="stable")
+        starts = np.flatnonzero(np.diff(cluster[order], prepend=-1))
+        ends = np.minimum.reduceat(low[order], starts), np.maximum.reduceat(high[order], starts)
+        upper = (CUBE_CORNERS > 0.0)[None]
+        return cls(np.where(upper, ends[1][:, None], ends[0][:, None]), cluster)
+
+
+def _projected_part(made: _Made, projection: Projection, origin: Array) -> _Part:
+    """What a projection leaves of a mesh; clusters that lie beyond one plane are not looked at."""
+    planes, cells, points = _planes(projection), made.cells, made.points
+    beyond = np.zeros(0, dtype=np.bool_)
+    if len(cells) > _MANY_CELLS:
+        normals, offsets = planes
+        rows = normals @ projection.clip_from_world_at(origin)
+        rows[:, 3] += offsets
+        boxes = made.clusters.boxes
+        slack = 1e-9 * (np.abs(rows) @ (*np.abs(boxes).max(axis=(0, 1)), 1.0))  # a glance rounds
+        beyond = ((boxes @ rows[:, :3].T + rows[:, 3]).max(axis=1) < -slack).any(axis=1)
+    if not beyond.any():
+        return _cut(projection.trace(points.astype(np.float64) + origin).clip, cells, planes)
+    kept = np.flatnonzero(~beyond[made.clusters.cluster])
+    used = np.zeros(len(points), dtype=np.bool_)
+    used[cells[kept]] = True
+    vertices = np.flatnonzero(used)
+    at = np.cumsum(used) - 1
+    world = points[vertices].astype(np.float64) + origin
+    part = _cut(projection.trace(world).clip, at[cells[kept]], planes)
+    return part._replace(
+        vertex=vertices if part.vertex is None else vertices[part.vertex],
+        cell=kept if part.cell is None else kept[part.cell],
+    )
+
+
 def _w_of_z(projection: Projection) -> tuple[float, float]:
     """w from z of clip space: per z, and constant; a constant alone where w is divided out."""
     a, b = projection.clip_from_view[2, 2:]
@@ -333,17 +398,20 @@ def _planes(projection: Projection) -> tuple[Array, Array]:
 
 def _cut(clip: Array, cells: NDArray[np.integer], planes: tuple[Array, Array]) -> _Part:
     """Leave of points, segments or triangles what lies within planes."""
+    normals, offsets = planes
     out = np.zeros(len(clip), dtype=np.uint8)
-    for bit, (normal, offset) in enumerate(zip(*planes, strict=True)):
-        out |= (clip @ normal + offset < 0.0).astype(np.uint8) * np.uint8(1 << bit)
+    for bit, (normal, offset) in enumerate(zip(normals, offsets, strict=True)):
+        out |= (clip @ normal + offset < 0.0).astype(np.uint8) << np.uint8(bit)
     if not out.any():
         return _Part(clip, cells, None, None)
     corners = out[cells]
     whole = ~corners.any(axis=1)
     crossing = np.flatnonzero(~whole & (np.bitwise_and.reduce(corners, axis=1) == 0))
     pieces, owner = clip[cells[crossing]], crossing.astype(cells.dtype)
-    for normal, offset in zip(*planes, strict=True):
-        pieces, owner = _cut_at(pieces, owner, normal, offset)
+    crossed = int(np.bitwise_or.reduce(corners[crossing], axis=None))
+    for bit, (normal, offset) in enumerate(zip(normals, offsets, strict=True)):
+        if crossed >> bit & 1:
+            pieces, owner = _cut_at(pieces, owner, normal, offset)
     kept = np.flatnonzero(whole)
     count, size = cells.shape[1], len(clip)
     needed = np.where(out[:, None] == 0, clip, 0.0)  # what is outside may not fit into float32

@@ -99,6 +99,8 @@ SUBJECT_SAMPLE = 2_000
 """Vertices of a larger subject stand for all of them in what a phenomenon reckons at each step."""
 SUBJECT_EDGES, SUBJECT_TRIANGLES = 20_000, 1_000
 """Of a mesh of more, a phenomenon reckons with the longest."""
+LENGTHS = 4
+"""Kinds of lines that have a box each: the longest, those of half their length, and so on."""
 SUBJECT_SURFACE = 3_000
 """Triangles of a larger mesh are brought together to so many, where its pixels are reckoned."""
 
@@ -195,8 +197,9 @@ class Scene:
     def boxes(self) -> Boxes:
         """Boxes that together hold what is drawn, each thing in one of them whole.
 
-        Long lines have one of their own. Those of a ground are in a flat one, which the eye is
-        above; with the short ones in it too it would hold the eye, and all that is near.
+        Long lines have one of their own, and so have those of half their length, and so on. Those
+        of a ground are in a flat one then, which the eye is above; with the short ones in it too
+        it would hold the eye, and all that is near.
         """
         faces: list[Any]
         lines: list[Any]
@@ -205,11 +208,11 @@ class Scene:
             ends = values_of(self.lines.GetLines().GetConnectivityArray()).reshape(-1, 2)
             segments = np.asarray(self.lines.points)[ends]
             lengths = np.linalg.norm(segments[:, 1] - segments[:, 0], axis=1)
-            is_long = lengths > lengths.max(initial=0.0) / 2.0
-            if not is_long.all():
-                kinds = segments[is_long], segments[~is_long]
-                lines = [np.stack([s.min(axis=(0, 1)), s.max(axis=(0, 1))], axis=1).ravel()
-                         for s in kinds if len(s)]  # fmt: skip
+            longest = lengths.max(initial=0.0)
+            halvings = sum((lengths <= longest / 2.0**n).astype(int) for n in range(1, LENGTHS))
+            kinds = [segments[halvings == n] for n in range(LENGTHS)] if longest > 0.0 else []
+            ends_of = [(s.min(axis=(0, 1)), s.max(axis=(0, 1))) for s in kinds if len(s)]
+            lines = [np.stack(pair, axis=1).ravel() for pair in ends_of] or lines
         boxes = (
             np.array([self._box(b[::2], b[1::2]) for b in bounds]).reshape(-1, 8, 3)
             for bounds in (faces, lines)

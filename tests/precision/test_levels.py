@@ -754,7 +754,7 @@ def test_no_points_anywhere_are_off_by_more_than_predicted(
             assert px <= bound.px and off <= bound.depth, (level, point, px, off, bound)
 
 
-DRAWN_IN_FLOAT64 = {"posts", "far-plane-popping"}
+DRAWN_IN_FLOAT64 = {"far-plane-popping"}
 
 
 def test_predictions_of_the_readmes_documents_are_no_looser_than_it_says() -> None:
