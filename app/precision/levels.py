@@ -234,13 +234,17 @@ def _with_depth(projection: Projection, clip: Array) -> Array:
 
 
 def _divided(projection: Projection, quotients: Array, w: Array, lost: Array, unit: float) -> Array:
-    """The largest errors of x and y in pixels and of the depth, (3,); infinite where w may be 0.
+    """The largest errors of x and y in pixels and of the depth, (3,); infinite where w may be 0."""
+    off = _lost_dividing(quotients, w, lost, unit)
+    return _on_the_screen(projection, off.max(axis=1, keepdims=True), unit)[:, 0]
 
-    The quotient's own rounding is one, the sum with 1 and its product with half a side two more.
+
+def _lost_dividing(quotients: Array, w: Array, lost: Array, unit: float) -> Array:
+    """What is lost of the quotients, (3, n), with their own rounding; infinite where w may be 0.
 
     Parameters
     ----------
-    quotients : (3, n) array
+    quotients : (3, n) or (3, 1) array
         Their sizes, or more.
     w : (n,) array
         Or less.
@@ -251,15 +255,25 @@ def _divided(projection: Projection, quotients: Array, w: Array, lost: Array, un
     """
     rest = w - lost[3]
     if not rest.min() > 0.0:
-        return np.full(3, math.inf)
-    inverse = 1.0 / rest
-    off = lost[:3] * inverse
-    off += quotients * (lost[3] * inverse + 3.0 * unit)
+        rest = np.where(rest > 0.0, rest, 0.0)
+        lost = np.maximum(lost, np.finfo(np.float64).tiny)  # or 0/0 would be no bound
+    with np.errstate(divide="ignore", over="ignore"):
+        inverse = 1.0 / rest
+        off: Array = lost[:3] * inverse
+        off += quotients * (lost[3] * inverse + 3.0 * unit)
+    return off
+
+
+def _on_the_screen(projection: Projection, off: Array, unit: float) -> Array:
+    """Errors of x, y and depth after the divide, (3, n), in pixels and as depths in [0, 1].
+
+    The quotient's own rounding is one, the sum with 1 and its product with half a side two more.
+    """
     width, height = projection.image_size
-    summed = np.array([1.0, 1.0, float(projection.depth == "opengl")])
-    sizes = np.array([width / 2.0, height / 2.0, 1.0])
-    largest: Array = _ROUNDED_UP * sizes * (off.max(axis=1) + 2.0 * unit * summed) + dd.UNDERFLOW
-    return largest
+    summed = np.array([[1.0], [1.0], [float(projection.depth == "opengl")]])
+    sizes = np.array([[width / 2.0], [height / 2.0], [1.0]])
+    errors: Array = _ROUNDED_UP * sizes * (off + 2.0 * unit * summed) + dd.UNDERFLOW
+    return errors
 
 
 def _single_sizes(projection: Projection, origin: Vector, clip_from_local: Array) -> Array:
@@ -342,13 +356,10 @@ def drawing_bounds_px(
         clip = local @ clip_from_local[:, :3].T + clip_from_local[:, 3]
         least_w = np.maximum(near, _least_w_seen(clip, lost / _UNIT_32))
         seen = (least_w < math.inf) & (clip[..., 3].max(axis=1) >= near)
-    ones = np.ones((3, 1))
-    return [
-        float(_divided(projection, ones, least_w[[i]], lost[:, [i]], _UNIT_32)[:2].max())
-        if is_seen
-        else 0.0
-        for i, is_seen in enumerate(seen.tolist())
-    ]
+    off = _lost_dividing(np.ones((3, 1)), least_w, lost, _UNIT_32)
+    errors = _on_the_screen(projection, off, _UNIT_32)[:2].max(axis=0)
+    bounds: list[float] = np.where(seen, errors, 0.0).tolist()
+    return bounds
 
 
 def drawing_bound_px(
