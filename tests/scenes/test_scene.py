@@ -1108,3 +1108,20 @@ def test_framing_gives_numbers_that_can_be_read() -> None:
         projection.lens.far,
     ]
     assert all(len(repr(abs(number))) <= 6 for number in shown)
+
+
+@pytest.mark.parametrize("name", BUILT_IN)
+def test_each_face_and_each_line_lies_whole_in_a_box(name: str) -> None:
+    scene = load(name)
+    origin = np.array(scene.origin)
+    assert scene.surface is not None and scene.lines is not None
+    things = scene.surface.regular_faces, scene.lines.lines.reshape(-1, 3)[:, 1:]
+    meshes = scene.surface, scene.lines
+    for mesh, cells, boxes in zip(meshes, things, scene.boxes, strict=True):
+        points = mesh.points[cells].astype(float)[:, None] + origin
+        low, high = boxes.min(axis=1)[:, None], boxes.max(axis=1)[:, None]
+        inside = (points >= low - 1e-9) & (points <= high + 1e-9)
+        assert inside.all(axis=(2, 3)).any(axis=1).all()
+    everything = scene.boxes.together
+    assert np.allclose(everything.min(axis=(0, 1)), scene.corners.min(axis=0))
+    assert np.allclose(everything.max(axis=(0, 1)), scene.corners.max(axis=0))
