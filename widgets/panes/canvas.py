@@ -203,9 +203,7 @@ class RasterCanvas(QWidget):
         window.Render()
         window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, self._pixels)
         data = vtk_to_numpy(self._pixels).data  # type: ignore[no-untyped-call]
-        image = QImage(data, width, height, QImage.Format.Format_RGBX8888)
-        # As the screen has them: painting would do it slower, and with threads that VTK draws with.
-        self._image = image.convertToFormat(QImage.Format.Format_RGB32)
+        self._image = QImage(data, width, height, QImage.Format.Format_RGBX8888)
         if self.timed:
             self.painted.emit(1e3 * (time.perf_counter() - began))
 
