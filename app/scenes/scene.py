@@ -99,8 +99,10 @@ SUBJECT_SAMPLE = 2_000
 """Vertices of a larger subject stand for all of them in what a phenomenon reckons at each step."""
 SUBJECT_EDGES, SUBJECT_TRIANGLES = 20_000, 1_000
 """Of a mesh of more, a phenomenon reckons with the longest."""
-LENGTHS = 4
-"""Kinds of lines that have a box each: the longest, those of half their length, and so on."""
+SIZES = 4
+"""Kinds of cells that have boxes of their own: as large as all, half as large, and so on."""
+MOST_IN_BOXES = 50_000
+"""A mesh of more cells is in one box."""
 SUBJECT_SURFACE = 3_000
 """Triangles of a larger mesh are brought together to so many, where its pixels are reckoned."""
 
@@ -197,26 +199,19 @@ class Scene:
     def boxes(self) -> Boxes:
         """Boxes that together hold what is drawn, each thing in one of them whole.
 
-        Long lines have one of their own, and so have those of half their length, and so on. Those
-        of a ground are in a flat one then, which the eye is above; with the short ones in it too
-        it would hold the eye, and all that is near.
+        What is as large as the scene has one of its own, so has what is half as large, and so on:
+        the lines of a ground are in a flat one, which the eye is above. What is smaller has one in
+        each corner of the scene: the eye is outside of all of them between two bars of a letter.
         """
-        faces: list[Any]
-        lines: list[Any]
-        faces, lines = ([] if m is None else [m.bounds] for m in (self.surface, self.lines))
-        if self.lines is not None:
-            ends = values_of(self.lines.GetLines().GetConnectivityArray()).reshape(-1, 2)
-            segments = np.asarray(self.lines.points)[ends]
-            lengths = np.linalg.norm(segments[:, 1] - segments[:, 0], axis=1)
-            longest = lengths.max(initial=0.0)
-            halvings = sum((lengths <= longest / 2.0**n).astype(int) for n in range(1, LENGTHS))
-            kinds = [segments[halvings == n] for n in range(LENGTHS)] if longest > 0.0 else []
-            ends_of = [(s.min(axis=(0, 1)), s.max(axis=(0, 1))) for s in kinds if len(s)]
-            lines = [np.stack(pair, axis=1).ravel() for pair in ends_of] or lines
-        boxes = (
-            np.array([self._box(b[::2], b[1::2]) for b in bounds]).reshape(-1, 8, 3)
-            for bounds in (faces, lines)
-        )
+        boxes = []
+        for mesh in (self.surface, self.lines):
+            ends = np.empty((0, 2, 3))
+            if mesh is not None:
+                ends = np.array(mesh.bounds).reshape(1, 3, 2).swapaxes(1, 2)
+                cells = mesh.GetLines() if mesh is self.lines else mesh.GetPolys()
+                if 0 < cells.GetNumberOfCells() <= MOST_IN_BOXES:
+                    ends = _by_size_and_place(np.asarray(mesh.points), *cells_of(cells))
+            boxes.append(np.array([self._box(*pair) for pair in ends]).reshape(-1, 8, 3))
         return Boxes(*boxes)
 
     def _box(self, low: ArrayLike, high: ArrayLike) -> Array:
@@ -333,6 +328,21 @@ def frame_camera(
 def _centre(lower: Sequence[float], upper: Sequence[float]) -> Vector:
     x, y, z = (low + (high - low) / 2.0 for low, high in zip(lower, upper, strict=True))
     return x, y, z
+
+
+def _by_size_and_place(points: Floats, offsets: Ints, corners: Ints) -> Floats:
+    """Lower and upper ends, (n, 2, 3), of boxes round cells of a size, the small ones by place."""
+    used = points[corners]
+    low, high = (ends.reduceat(used, offsets[:-1]) for ends in (np.minimum, np.maximum))
+    least, most = low.min(axis=0), high.max(axis=0)
+    sizes, extent = (high - low).max(axis=1), (most - least).max()
+    halvings = np.sum([sizes <= extent / 2.0**n for n in range(1, SIZES)], axis=0)
+    octants = (low + high > least + most) @ np.array([1, 2, 4])
+    kinds = 8 * halvings + np.where(halvings > 1, octants, 0)
+    order = np.argsort(kinds, kind="stable")
+    starts = np.flatnonzero(np.diff(kinds[order], prepend=-1))
+    lower, upper = np.minimum.reduceat(low[order], starts), np.maximum.reduceat(high[order], starts)
+    return np.stack([lower, upper], axis=1)
 
 
 def _corners(lower: Sequence[float], upper: Sequence[float]) -> Floats:
