@@ -425,6 +425,8 @@ def everyday() -> list[tuple[str, Projection]]:
         ("letter-f", replace(letter, lens=Perspective(45, 0.1, 30))),
         # The eye stands among what crosses its plane, and over a ground that does.
         *((name, load(name).start) for name in ("eye-plane", "focus", "posts")),
+        # And between two bars of the letter, within the box round all of it.
+        ("eye-plane", replace(load("eye-plane").start, camera=Camera((1, 2.4, 0.3), (0, 2.4, 0)))),
     ]
 
 
