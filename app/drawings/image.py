@@ -154,9 +154,9 @@ class ImageDrawing:
             self._canvas.relayout()
         self._projection = projection
         seen = self._seen
-        clip_from_vertex = self._model.show_projection(seen)
-        self._surface_space.set_projective(clip_from_vertex)
-        self._line_space.set_projective(lifted(clip_from_vertex, seen, self._scene))
+        surface, lines = self._model.show_projection(seen)
+        self._surface_space.set_projective(surface)
+        self._line_space.set_projective(lifted(lines, seen, self._scene))
         self._show_illustration(illustration)
         if self._probes.probes:
             self._place_probes()

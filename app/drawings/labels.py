@@ -467,6 +467,8 @@ class Layout:
             if left < 0.0 or bottom < 0.0 or right > width_px or top > height_px:
                 continue
             for x, y in others:
+                if not (left - x < least > x - right and bottom - y < least > y - top):
+                    continue  # most are: nothing is called for them
                 away_x, away_y = max(left - x, 0.0, x - right), max(bottom - y, 0.0, y - top)
                 if math.hypot(away_x, away_y) < least:
                     break
@@ -492,8 +494,9 @@ class Layout:
         end_x, end_y = box.nearest((x, y))
         for part in (0.4, 0.7):
             on_x, on_y = x + part * (end_x - x), y + part * (end_y - y)
-            if any(t.left < on_x < t.right and t.bottom < on_y < t.top for t in self._taken):
-                return True
+            for left, bottom, right, top in self._taken:
+                if left < on_x < right and bottom < on_y < top:
+                    return True
         return False
 
     def _put(

@@ -7,6 +7,9 @@ float32     on the GPU, by one concatenated matrix; a step of a slider sets that
 float64     here, eye first, by `Projection.trace`; the GPU is handed the results
 ==========  ================================================================================
 
+Faces choose for themselves, and so do lines: each takes the cheaper one if its bound, over the
+boxes that hold them, is below the tolerance.
+
 In the second the price is paid per vertex and step. A vertex handed over has three coordinates,
 and they are x, y, z of clip space: w is ``(z - b)/a`` with lecture 000's ``z = a w + b``, or 1
 for a parallel lens, so that a matrix of a handful of numbers restores it. Rounding these to
@@ -26,6 +29,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
+from dataclasses import dataclass, field
+from functools import cached_property, reduce
 from typing import Any, NamedTuple
 from weakref import WeakKeyDictionary
 
@@ -36,13 +41,14 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPlane, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor
 
-from app.drawings.actors import Detail, scene_actors
+from app.drawings.actors import CUBE_CORNERS, Detail, scene_actors
 from app.drawings.style import Style
 from app.model.projection import Array, Projection
-from app.precision.levels import Precision, precision_for_drawing
+from app.precision.levels import Precision, drawing_bounds_px
 from app.scenes.scene import Scene
 
 _WIDE = 2.0  # of the picture: beyond, wide lines and points do not reach into it
+_MANY_CELLS, _CLUSTERS = 1_000, 256  # of so many, clusters are made; about so many
 _LEAST_W = 1e-30  # under a free matrix: what is nearer to w = 0 cannot be divided by it
 _SHALLOW = 1.0 - 2.0**-22  # of the depth range: or the far plane takes what float32 rounds onto it
 
@@ -55,8 +61,19 @@ def least_tolerance(scene: Scene, tolerance_px: float) -> float:
     return math.inf if "texture" in scene.requires else tolerance_px
 
 
-_projected: WeakKeyDictionary[Scene, tuple[Scene | None, Projection, list[_Part]]]
-_projected = WeakKeyDictionary()
+def _bounds_px(projection: Projection, scene: Scene) -> tuple[float, float]:
+    """What float32 can lose of a scene's faces and of its lines; once for all panes of a step."""
+    kept = _bounds.get(scene)
+    if kept is None or kept[0] != projection:
+        faces = len(scene.boxes.faces)
+        found = drawing_bounds_px(projection, scene.boxes.together, scene.origin)
+        bounds = max(found[:faces], default=0.0), max(found[faces:], default=0.0)
+        kept = _bounds[scene] = projection, bounds
+    return kept[1]
+
+
+_bounds: WeakKeyDictionary[Scene, tuple[Projection, tuple[float, float]]] = WeakKeyDictionary()
+_projected: WeakKeyDictionary[Scene, _Projected] = WeakKeyDictionary()
 
 
 class ModelActors:
@@ -74,8 +91,6 @@ class ModelActors:
     Attributes
     ----------
     surface, lines : vtkActor or None
-    precision : {"float32", "float64"}
-        The arithmetic of the last projection shown.
     """
 
     def __init__(
@@ -85,19 +100,25 @@ class ModelActors:
         self._tolerance_px = tolerance_px
         self.surface, self.lines = scene_actors(scene, style, clip)
         self._detail = Detail(self.surface)
-        self._made: list[_Made] = []
-        self.precision: Precision = "float32"
+        self._made: tuple[_Made | None, ...] = ()
         self.show_detail(None)
+
+    @property
+    def precision(self) -> Precision:
+        """The arithmetic of the last projection shown: float64 if anything was drawn with it."""
+        return "float64" if any(made and made.is_projected for made in self._made) else "float32"
 
     def show_detail(self, fewer: Scene | None) -> None:
         """Take a scene's fewer triangles, or None for all; then show a projection."""
         self.show_local()
         self._detail.show(fewer)
         self._fewer = fewer
-        self._made = [_Made(actor) for actor in (self.surface, self.lines) if actor is not None]
+        self._made = tuple(
+            None if actor is None else _Made(actor) for actor in (self.surface, self.lines)
+        )
 
-    def show_projection(self, projection: Projection) -> Array:
-        """Choose the precision and give the actors its vertices.
+    def show_projection(self, projection: Projection) -> tuple[Array, Array]:
+        """Choose the precision and give the actors their vertices.
 
         Parameters
         ----------
@@ -106,57 +127,93 @@ class ModelActors:
 
         Returns
         -------
-        (4, 4) float64 array
+        surface, lines : (4, 4) float64 arrays
             Clip from vertex coordinates, for the actors to stand under.
         """
         scene = self._scene
-        if (
-            self._made
-            and precision_for_drawing(projection, scene.corners, scene.origin, self._tolerance_px)
-            == "float64"
-        ):
-            self.precision = "float64"
-            return self._project(projection)
-        self.show_local()
-        return projection.clip_from_world_at(scene.origin)
+        bounds = _bounds_px(projection, scene)
+        clip_from_local = projection.clip_from_world_at(scene.origin)
+        matrices = []
+        for which, (made, bound_px) in enumerate(zip(self._made, bounds, strict=True)):
+            if made is not None and made.is_seen and bound_px > self._tolerance_px:
+                matrices.append(made.replace(self._part(which, made, projection)))
+                continue
+            matrices.append(clip_from_local)
+            if made is not None:
+                made.restore()
+        if self.precision == "float32":
+            _projected.pop(scene, None)
+        surface, lines = matrices
+        return surface, lines
 
     def show_local(self) -> None:
         """Give the actors the scene's own vertices, scene-local, whatever they stand under."""
         if self.precision != "float32":
-            self.precision = "float32"
             _projected.pop(self._scene, None)
-            for made in self._made:
+        for made in self._made:
+            if made is not None:
                 made.restore()
 
-    def _parts(self, projection: Projection) -> list[_Part]:
-        """What a projection leaves of the scene, computed once for all panes that show it."""
+    def _part(self, which: int, made: _Made, projection: Projection) -> _Vertices:
+        """What a projection leaves of a mesh, computed once for all panes that show it."""
         kept = _projected.get(self._scene)
-        if kept is not None and kept[0] is self._fewer and kept[1] == projection:
-            return kept[2]
-        planes = _planes(projection)
-        per_z, _ = _w_of_z(projection)
-        parts = []
-        for made in self._made:
-            world = made.points.astype(np.float64) + self._scene.origin
-            part = _cut(projection.trace(world).clip, made.cells, planes)
-            if not per_z:
-                w = part.clip[:, 3:]
-                part = part._replace(clip=part.clip / np.where(w > 0.0, w, 1.0))
-            parts.append(part)
-        _projected[self._scene] = self._fewer, projection, parts
-        return parts
+        if kept is None or kept.fewer is not self._fewer or kept.projection != projection:
+            kept = _projected[self._scene] = _Projected(self._fewer, projection)
+        if which not in kept.parts:
+            part = _projected_part(made, projection, np.array(self._scene.origin))
+            kept.parts[which] = _Vertices(part, made, projection)
+        return kept.parts[which]
 
-    def _project(self, projection: Projection) -> Array:
-        parts = self._parts(projection)
-        largest = max((float(np.abs(part.clip).max(initial=0.0)) for part in parts), default=0.0)
-        # The homogeneous factor is free: as a power of two, whatever there is fits into float32.
-        unit = 2.0 ** -math.frexp(largest)[1]
-        for made, part in zip(self._made, parts, strict=True):
-            made.replace(part, unit)
-        clip_from_vertex = np.diag([1.0, 1.0, _SHALLOW, 0.0]) / unit
+
+@dataclass
+class _Projected:
+    """What of a scene was projected last: parts by their place, faces 0 and lines 1."""
+
+    fewer: Scene | None
+    projection: Projection
+    parts: dict[int, _Vertices] = field(default_factory=dict)
+
+
+class _Vertices:
+    """What is left of a mesh, as the GPU is handed it: never changed, so that panes can share it.
+
+    Attributes
+    ----------
+    points : vtkPoints
+        x, y and z of clip space.
+    cells : vtkCellArray or None
+        None if all are left.
+    rgb : (vtkDataArray or None, vtkDataArray or None)
+        Colours of the points and of the cells that are left, where there are any.
+    clip_from_vertex : (4, 4) array
+    """
+
+    def __init__(self, part: _Part, made: _Made, projection: Projection) -> None:
         per_z, constant = _w_of_z(projection)
-        clip_from_vertex[3, 2:] = per_z / unit, constant
-        return clip_from_vertex
+        clip = part.clip
+        if not per_z:
+            w = clip[:, 3:]
+            clip = clip / np.where(w > 0.0, w, 1.0)
+        # The homogeneous factor is free: as a power of two, whatever there is fits into float32.
+        unit = 2.0 ** -math.frexp(float(np.abs(clip).max(initial=0.0)))[1]
+        self.points = vtkPoints()
+        vertices = (clip[:, :3] * unit).astype(np.float32)
+        self.points.SetData(numpy_to_vtk(vertices, deep=True))  # type: ignore[no-untyped-call]
+        self.cells: vtkCellArray | None = None
+        self.rgb: list[Any] = [None, None]
+        if part.vertex is not None:
+            self.cells = vtkCellArray()
+            flat = numpy_to_vtk(part.cells.astype(np.int64).ravel(), deep=True)  # type: ignore[no-untyped-call]
+            self.cells.SetData(part.cells.shape[1], flat)
+            for i, (colours, chosen) in enumerate(
+                zip(made.colours, (part.vertex, part.cell), strict=True)
+            ):
+                if colours is not None:
+                    left = numpy_to_vtk(vtk_to_numpy(colours)[chosen], deep=True)  # type: ignore[no-untyped-call]
+                    left.SetName("rgb")
+                    self.rgb[i] = left
+        self.clip_from_vertex = np.diag([1.0, 1.0, _SHALLOW, 0.0]) / unit
+        self.clip_from_vertex[3, 2:] = per_z / unit, constant
 
 
 class _Made:
@@ -166,6 +223,7 @@ class _Made:
     """
 
     def __init__(self, actor: vtkActor) -> None:
+        self._actor = actor
         self._mapper: Any = actor.GetMapper()
         self._mesh: vtkPolyData = self._mapper.GetInput()
         self._projected = vtkPolyData()
@@ -173,6 +231,11 @@ class _Made:
             (kind for kind in ("Verts", "Polys") if _cells(self._mesh, kind).GetNumberOfCells()),
             "Lines",
         )
+
+    @cached_property
+    def clusters(self) -> _Clusters:
+        """Its cells by where they are, once one of them has to be projected here."""
+        return _Clusters.of(self.points.astype(np.float64), self.cells)
 
     @property
     def points(self) -> NDArray[np.float32]:
@@ -188,35 +251,43 @@ class _Made:
         flat: NDArray[np.integer] = vtk_to_numpy(cells.GetConnectivityArray())  # type: ignore[no-untyped-call]
         return flat.reshape(count, -1) if count else flat.reshape(0, 1)
 
+    @property
+    def colours(self) -> tuple[Any, Any]:
+        """Those of the mesh's points and of its cells, or None."""
+        data = self._mesh.GetPointData(), self._mesh.GetCellData()
+        points, cells = (each.GetArray("rgb") for each in data)
+        return points, cells
+
+    @property
+    def is_seen(self) -> bool:
+        """Whether nothing else is drawn in its place."""
+        return bool(self._actor.GetVisibility())
+
+    @property
+    def is_projected(self) -> bool:
+        """Whether it shows what a projection has put there."""
+        return self._mapper.GetInput() is self._projected
+
     def restore(self) -> None:
         """Show the mesh that it was made with."""
-        self._mapper.SetInputData(self._mesh)
-        self._projected.Initialize()
+        if self.is_projected:
+            self._mapper.SetInputData(self._mesh)
+            self._projected.Initialize()
 
-    def replace(self, part: _Part, unit: float) -> None:
-        """Show the same things with other vertices, ``unit`` times x, y, z of clip space."""
+    def replace(self, vertices: _Vertices) -> Array:
+        """Show the same things with other vertices; what they are to stand under, (4, 4)."""
         made = self._projected
         made.ShallowCopy(self._mesh)
-        points = vtkPoints()
-        vertices = (part.clip[:, :3] * unit).astype(np.float32)
-        points.SetData(numpy_to_vtk(vertices, deep=True))  # type: ignore[no-untyped-call]
-        made.SetPoints(points)
-        if part.vertex is not None:
-            cells = vtkCellArray()
-            flat = numpy_to_vtk(part.cells.astype(np.int64).ravel(), deep=True)  # type: ignore[no-untyped-call]
-            cells.SetData(part.cells.shape[1], flat)
-            getattr(made, f"Set{self._kind}")(cells)
-            for data, chosen in (
-                (made.GetPointData(), part.vertex),
-                (made.GetCellData(), part.cell),
-            ):
-                colours = data.GetArray("rgb")
-                if colours is not None:
-                    left = numpy_to_vtk(vtk_to_numpy(colours)[chosen], deep=True)  # type: ignore[no-untyped-call]
-                    left.SetName("rgb")
-                    data.AddArray(left)
-        if self._mapper.GetInput() is not made:
+        made.SetPoints(vertices.points)
+        if vertices.cells is not None:
+            getattr(made, f"Set{self._kind}")(vertices.cells)
+        for data, colours in zip((made.GetPointData(), made.GetCellData()), vertices.rgb,
+                                 strict=True):  # fmt: skip
+            if colours is not None:
+                data.AddArray(colours)
+        if not self.is_projected:
             self._mapper.SetInputData(made)
+        return vertices.clip_from_vertex
 
 
 def _cells(mesh: vtkPolyData, kind: str) -> vtkCellArray:
@@ -245,6 +316,65 @@ class _Part(NamedTuple):
     cell: NDArray[np.integer] | None
 
 
+class _Clusters(NamedTuple):
+    """Cells of a mesh by where they are, so that most of what is not seen is told at a glance.
+
+    Attributes
+    ----------
+    boxes : (c, 8, 3) array
+        Corners of boxes round the clusters, scene-local.
+    cluster : (m,) array of int
+        Of each cell.
+    """
+
+    boxes: Array
+    cluster: NDArray[np.integer]
+
+    @classmethod
+    def of(cls, points: Array, cells: NDArray[np.integer]) -> _Clusters:
+        """Clusters of cells, (m, k), over points, (n, 3)."""
+        first, *others = (points[corners] for corners in cells.T)
+        low = reduce(np.minimum, others, first)
+        high = reduce(np.maximum, others, first)
+        start, extent = low.min(axis=0), high.max(axis=0) - low.min(axis=0)
+        reach = np.maximum(extent, extent.max() / _CLUSTERS)
+        steps = np.ceil(reach / np.cbrt(reach.prod() / _CLUSTERS)).astype(np.intp)
+        place = ((low + high) / 2.0 - start) / reach * steps
+        keys = np.ravel_multi_index(tuple(place.astype(np.intp).clip(0, steps - 1).T), steps)
+        cluster = np.unique(keys, return_inverse=True)[1]
+        order = np.argsort(cluster, kind="stable")
+        starts = np.flatnonzero(np.diff(cluster[order], prepend=-1))
+        ends = np.minimum.reduceat(low[order], starts), np.maximum.reduceat(high[order], starts)
+        upper = (CUBE_CORNERS > 0.0)[None]
+        return cls(np.where(upper, ends[1][:, None], ends[0][:, None]), cluster)
+
+
+def _projected_part(made: _Made, projection: Projection, origin: Array) -> _Part:
+    """What a projection leaves of a mesh; clusters that lie beyond one plane are not looked at."""
+    planes, cells, points = _planes(projection), made.cells, made.points
+    beyond = np.zeros(0, dtype=np.bool_)
+    if len(cells) > _MANY_CELLS:
+        normals, offsets = planes
+        rows = normals @ projection.clip_from_world_at(origin)
+        rows[:, 3] += offsets
+        boxes = made.clusters.boxes
+        slack = 1e-9 * (np.abs(rows) @ (*np.abs(boxes).max(axis=(0, 1)), 1.0))  # a glance rounds
+        beyond = ((boxes @ rows[:, :3].T + rows[:, 3]).max(axis=1) < -slack).any(axis=1)
+    if not beyond.any():
+        return _cut(projection.trace(points.astype(np.float64) + origin).clip, cells, planes)
+    kept = np.flatnonzero(~beyond[made.clusters.cluster])
+    used = np.zeros(len(points), dtype=np.bool_)
+    used[cells[kept]] = True
+    vertices = np.flatnonzero(used)
+    at = np.cumsum(used) - 1
+    world = points[vertices].astype(np.float64) + origin
+    part = _cut(projection.trace(world).clip, at[cells[kept]], planes)
+    return part._replace(
+        vertex=vertices if part.vertex is None else vertices[part.vertex],
+        cell=kept if part.cell is None else kept[part.cell],
+    )
+
+
 def _w_of_z(projection: Projection) -> tuple[float, float]:
     """w from z of clip space: per z, and constant; a constant alone where w is divided out."""
     a, b = projection.clip_from_view[2, 2:]
@@ -268,17 +398,20 @@ def _planes(projection: Projection) -> tuple[Array, Array]:
 
 def _cut(clip: Array, cells: NDArray[np.integer], planes: tuple[Array, Array]) -> _Part:
     """Leave of points, segments or triangles what lies within planes."""
+    normals, offsets = planes
     out = np.zeros(len(clip), dtype=np.uint8)
-    for bit, (normal, offset) in enumerate(zip(*planes, strict=True)):
-        out |= (clip @ normal + offset < 0.0).astype(np.uint8) * np.uint8(1 << bit)
+    for bit, (normal, offset) in enumerate(zip(normals, offsets, strict=True)):
+        out |= (clip @ normal + offset < 0.0).astype(np.uint8) << np.uint8(bit)
     if not out.any():
         return _Part(clip, cells, None, None)
     corners = out[cells]
     whole = ~corners.any(axis=1)
     crossing = np.flatnonzero(~whole & (np.bitwise_and.reduce(corners, axis=1) == 0))
     pieces, owner = clip[cells[crossing]], crossing.astype(cells.dtype)
-    for normal, offset in zip(*planes, strict=True):
-        pieces, owner = _cut_at(pieces, owner, normal, offset)
+    crossed = int(np.bitwise_or.reduce(corners[crossing], axis=None))
+    for bit, (normal, offset) in enumerate(zip(normals, offsets, strict=True)):
+        if crossed >> bit & 1:
+            pieces, owner = _cut_at(pieces, owner, normal, offset)
     kept = np.flatnonzero(whole)
     count, size = cells.shape[1], len(clip)
     needed = np.where(out[:, None] == 0, clip, 0.0)  # what is outside may not fit into float32

@@ -78,7 +78,7 @@ class StageDrawing:
         self._scene, self._words, self._style = scene, words, style
         self._canvas = Canvas(screen, style, self._layout)
         self.own = StageView(self._canvas, scene.start.camera)
-        self._space = Space()
+        self._space, self._line_space = Space(), Space()
         self._position = float(NDC)
         self._placed: tuple[float, object] | None = None
         """The position at which the box stands, and what else it depends on."""
@@ -87,9 +87,12 @@ class StageDrawing:
         self._model = ModelActors(scene, style, least_tolerance(scene, tolerance_px), self._planes)
         if self._model.lines is not None:
             lift_lines(self._model.lines)
-        for actor in (self._model.surface, self._model.lines):
+        for actor, space in (
+            (self._model.surface, self._space),
+            (self._model.lines, self._line_space),
+        ):
             if actor is not None:
-                self._space.add(actor)
+                space.add(actor)
                 self._canvas.add(actor)
         self.box = StageBox(self._canvas, words)
         self._emphasis = Emphasis(self._canvas)
@@ -174,11 +177,13 @@ class StageDrawing:
                 plane.SetOrigin(*(-offset * part for part in normal))
             self._show_highlighted()
         if at_ndc:  # what the volume holds is all that is shown, in the arithmetic that it needs
-            clip_from_vertex = self._model.show_projection(self._seen)
-            self._space.set_projective(self._display_from_ndc @ clip_from_vertex)
+            to_display = self._display_from_ndc
+            surface, lines = (to_display @ m for m in self._model.show_projection(self._seen))
         else:
             self._model.show_local()
-            self._space.set_projective(self._morph.display_from_local(position))
+            surface = lines = self._morph.display_from_local(position)
+        self._space.set_projective(surface)
+        self._line_space.set_projective(lines)
         if self._probes.probes:
             self._place_probes()
 

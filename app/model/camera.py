@@ -14,6 +14,7 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 
 from app.arithmetic import double_double as dd
+from app.arithmetic.double_double import DoubleDouble
 from app.model.limits import (
     ABOVE,
     DISTINCT,
@@ -143,6 +144,24 @@ class Camera:
         """`frame` to `double_double.BITS` bits, rows u, v, n."""
         backward, right = self._exact_axes
         return tuple(map(_unit, (right, _cross(backward, right), backward)))
+
+    @cached_property
+    def frame_parts(self) -> tuple[Array, Array]:
+        """`frame` as multiples of 2^-25, and the rest; (3, 3) each."""
+        large = np.round(self.frame * 2.0**25) / 2.0**25
+        small = [
+            [float(exact - Fraction(part)) for exact, part in zip(*rows, strict=True)]
+            for rows in zip(self.exact_frame, large.tolist(), strict=True)
+        ]
+        return read_only(large), read_only(small)
+
+    @cached_property
+    def frame_double_double(self) -> list[list[DoubleDouble]]:
+        """`frame` with twice the digits, rows u, v, n."""
+        return [
+            [DoubleDouble(*map(np.asarray, dd.from_exact(part))) for part in axis]
+            for axis in self.exact_frame
+        ]
 
     def exact_view(self, point_world: Vector) -> tuple[Fraction, Fraction, Fraction]:
         """View coordinates of a point to `double_double.BITS` bits, zero where they are zero."""

@@ -549,7 +549,7 @@ class Projection:
         if not self.stretch <= _LARGE_STRETCH:
             parts = self.view_double_double(world)
             return np.stack([part.hi for part in parts]), parts[2].lo
-        large, small = self._frame_parts
+        large, small = self.camera.frame_parts
         offset, left_over = dd.two_sum(np.ascontiguousarray(world.T), self._minus_eye)
         unit = np.abs(offset)
         unit = unit[0] + unit[1] + unit[2]
@@ -567,16 +567,6 @@ class Projection:
     def _minus_eye(self) -> Array:
         return read_only([[-part] for part in self.camera.eye])
 
-    @cached_property
-    def _frame_parts(self) -> tuple[Array, Array]:
-        """The camera's frame as multiples of 2^-25, and the rest; (3, 3) each."""
-        large = np.round(self.camera.frame * 2.0**25) / 2.0**25
-        small = [
-            [float(exact - Fraction(part)) for exact, part in zip(*rows, strict=True)]
-            for rows in zip(self.camera.exact_frame, large.tolist(), strict=True)
-        ]
-        return read_only(large), read_only(small)
-
     def view_double_double(self, points_world: Array) -> tuple[DoubleDouble, ...]:
         """View coordinates x, y, z with twice the digits of float64.
 
@@ -591,18 +581,10 @@ class Projection:
         """
         offsets = [dd.two_sum(points_world[:, i], -part) for i, part in enumerate(self.camera.eye)]
         rows = []
-        for axis in self.frame_double_double:
+        for axis in self.camera.frame_double_double:
             x, y, z = (dd.multiply(part, o) for part, o in zip(axis, offsets, strict=True))
             rows.append(dd.add(dd.add(x, y), z))
         return tuple(rows)
-
-    @cached_property
-    def frame_double_double(self) -> list[list[DoubleDouble]]:
-        """The camera's frame with twice the digits, rows u, v, n."""
-        return [
-            [DoubleDouble(*map(np.asarray, dd.from_exact(part))) for part in axis]
-            for axis in self.camera.exact_frame
-        ]
 
     def world_from_image(self, points_image: ArrayLike) -> Array:
         """Un-project pixels with a depth.

@@ -234,13 +234,17 @@ def _with_depth(projection: Projection, clip: Array) -> Array:
 
 
 def _divided(projection: Projection, quotients: Array, w: Array, lost: Array, unit: float) -> Array:
-    """The largest errors of x and y in pixels and of the depth, (3,); infinite where w may be 0.
+    """The largest errors of x and y in pixels and of the depth, (3,); infinite where w may be 0."""
+    off = _lost_dividing(quotients, w, lost, unit)
+    return _on_the_screen(projection, off.max(axis=1, keepdims=True), unit)[:, 0]
 
-    The quotient's own rounding is one, the sum with 1 and its product with half a side two more.
+
+def _lost_dividing(quotients: Array, w: Array, lost: Array, unit: float) -> Array:
+    """What is lost of the quotients, (3, n), with their own rounding; infinite where w may be 0.
 
     Parameters
     ----------
-    quotients : (3, n) array
+    quotients : (3, n) or (3, 1) array
         Their sizes, or more.
     w : (n,) array
         Or less.
@@ -251,15 +255,25 @@ def _divided(projection: Projection, quotients: Array, w: Array, lost: Array, un
     """
     rest = w - lost[3]
     if not rest.min() > 0.0:
-        return np.full(3, math.inf)
-    inverse = 1.0 / rest
-    off = lost[:3] * inverse
-    off += quotients * (lost[3] * inverse + 3.0 * unit)
+        rest = np.where(rest > 0.0, rest, 0.0)
+        lost = np.maximum(lost, np.finfo(np.float64).tiny)  # or 0/0 would be no bound
+    with np.errstate(divide="ignore", over="ignore"):
+        inverse = 1.0 / rest
+        off: Array = lost[:3] * inverse
+        off += quotients * (lost[3] * inverse + 3.0 * unit)
+    return off
+
+
+def _on_the_screen(projection: Projection, off: Array, unit: float) -> Array:
+    """Errors of x, y and depth after the divide, (3, n), in pixels and as depths in [0, 1].
+
+    The quotient's own rounding is one, the sum with 1 and its product with half a side two more.
+    """
     width, height = projection.image_size
-    summed = np.array([1.0, 1.0, float(projection.depth == "opengl")])
-    sizes = np.array([width / 2.0, height / 2.0, 1.0])
-    largest: Array = _ROUNDED_UP * sizes * (off.max(axis=1) + 2.0 * unit * summed) + dd.UNDERFLOW
-    return largest
+    summed = np.array([[1.0], [1.0], [float(projection.depth == "opengl")]])
+    sizes = np.array([[width / 2.0], [height / 2.0], [1.0]])
+    errors: Array = _ROUNDED_UP * sizes * (off + 2.0 * unit * summed) + dd.UNDERFLOW
+    return errors
 
 
 def _single_sizes(projection: Projection, origin: Vector, clip_from_local: Array) -> Array:
@@ -303,24 +317,24 @@ def _lost_single(sizes: Array, local: Array) -> Array:
 # --------------------------------------------------------------------------- choice
 
 
-def drawing_bound_px(
-    projection: Projection, corners_world: Array, origin: Vector = (0.0, 0.0, 0.0)
-) -> float:
-    """What `float32` can lose at most in what is seen of a box, from its corners alone.
+def drawing_bounds_px(
+    projection: Projection, boxes_world: Array, origin: Vector = (0.0, 0.0, 0.0)
+) -> list[float]:
+    """What `float32` can lose at most in what is seen of boxes, from their corners alone.
 
     Quick enough for every step of a slider, and therefore coarse: up to a hundred times the error.
 
     Parameters
     ----------
     projection : Projection
-    corners_world : (8, 3) array
-        The box that holds all vertices.
+    boxes_world : (n, 8, 3) array
+        Boxes that hold things whole: an edge may be as wrong as either of its ends.
     origin : Vector
         World point from which the GPU's vertices are measured.
 
     Returns
     -------
-    float
+    list of n floats
         In pixels.
 
     Notes
@@ -328,56 +342,68 @@ def drawing_bound_px(
     `predict`'s bound, of the largest coordinates and the least w; where it is seen, no NDC
     coordinate is larger than 1.
     """
-    local = corners_world - origin
+    local = boxes_world - origin
+    if not len(local):
+        return []
     clip_from_local = projection.clip_from_world_at(origin)
     sizes = _single_sizes(projection, origin, clip_from_local)
-    lost = _lost_single(sizes, np.abs(local).max(axis=0)[:, None])
+    lost = _lost_single(sizes, np.abs(local).max(axis=1).T)
     if not np.isfinite(lost).all():
-        return math.inf
-    least_w = 1.0
+        return [math.inf] * len(local)
+    least_w, seen = np.ones(len(local)), np.ones(len(local), dtype=np.bool_)
     if clip_from_local[3].tolist() != [0.0, 0.0, 0.0, 1.0]:
         near = projection.least_w
         clip = local @ clip_from_local[:, :3].T + clip_from_local[:, 3]
-        least_w = max(near, _least_w_seen(clip, lost[:, 0] / _UNIT_32))
-        if least_w == math.inf or clip[:, 3].max() < near:  # nothing of it is seen
-            return 0.0
-    errors = _divided(projection, np.ones((3, 1)), np.array([least_w]), lost, _UNIT_32)
-    return float(errors[:2].max())
+        least_w = np.maximum(near, _least_w_seen(clip, lost / _UNIT_32))
+        seen = (least_w < math.inf) & (clip[..., 3].max(axis=1) >= near)
+    off = _lost_dividing(np.ones((3, 1)), least_w, lost, _UNIT_32)
+    errors = _on_the_screen(projection, off, _UNIT_32)[:2].max(axis=0)
+    bounds: list[float] = np.where(seen, errors, 0.0).tolist()
+    return bounds
 
 
-def _least_w_seen(clip: Array, sizes: Array) -> float:
-    """The least w of what is in view of a box, or less; infinite if nothing is.
+def drawing_bound_px(
+    projection: Projection, boxes_world: Array, origin: Vector = (0.0, 0.0, 0.0)
+) -> float:
+    """The largest of `drawing_bounds_px`, of boxes (n, 8, 3) or of one, (8, 3)."""
+    return max(drawing_bounds_px(projection, boxes_world.reshape(-1, 8, 3), origin), default=0.0)
 
-    The box is cut with each side plane of the view volume alone: where it lies beside the eye, w
+
+def _least_w_seen(clip: Array, sizes: Array) -> Array:
+    """The least w of what is in view of boxes, or less, (n,); infinite if nothing is.
+
+    A box is cut with each side plane of the view volume alone: where it lies beside the eye, w
     is much larger in view than at its nearest corner.
 
     Parameters
     ----------
-    clip : (8, 4) array
-        Its corners.
-    sizes : (4,) array
+    clip : (n, 8, 4) array
+        Their corners.
+    sizes : (4, n) array
         Of the terms that clip coordinates are sums of, for their rounding.
     """
-    x, y, _, w = clip.T
+    x, y, _, w = np.moveaxis(clip, -1, 0)
     beyond = 1e-14 * (sizes[[0, 0, 1, 1]] + sizes[3])
-    inside = np.stack([w + x, w - x, w + y, w - y]) + beyond[:, None]
+    inside = np.stack([w + x, w - x, w + y, w - y]) + beyond[..., None]
     # All pairs of corners: the edges and diagonals, whose cuts are in the box too.
-    a, b = inside[:, :, None], inside[:, None, :]
+    a, b = inside[..., :, None], inside[..., None, :]
+    here, there = w[..., :, None], w[..., None, :]
     with np.errstate(divide="ignore", invalid="ignore"):
-        cut = w[:, None] + a / (a - b) * (w - w[:, None])
-    cut = np.where((a >= 0.0) & (b < 0.0), cut, np.where(a >= 0.0, w[:, None], np.inf))
-    return float(cut.min(axis=(1, 2)).max())
+        cut = here + a / (a - b) * (there - here)
+    cut = np.where((a >= 0.0) & (b < 0.0), cut, np.where(a >= 0.0, here, np.inf))
+    least: Array = cut.min(axis=(2, 3)).max(axis=0)
+    return least
 
 
 def precision_for_drawing(
     projection: Projection,
-    corners_world: Array,
+    boxes_world: Array,
     origin: Vector = (0.0, 0.0, 0.0),
     tolerance_px: float = DRAWING_TOLERANCE_PX,
 ) -> Precision:
-    """The cheaper of the two precisions that can be drawn, if what it can lose is below a
-    tolerance."""
-    bound_px = drawing_bound_px(projection, corners_world, origin)
+    """The cheaper of the two precisions that can be drawn, if what it can lose in boxes, (n, 8, 3)
+    or (8, 3), is below a tolerance."""
+    bound_px = drawing_bound_px(projection, boxes_world, origin)
     return "float32" if bound_px <= tolerance_px else "float64"
 
 

@@ -20,7 +20,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeAlias, cast
+from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -103,8 +103,30 @@ SUBJECT_SAMPLE = 2_000
 """Vertices of a larger subject stand for all of them in what a phenomenon reckons at each step."""
 SUBJECT_EDGES, SUBJECT_TRIANGLES = 20_000, 1_000
 """Of a mesh of more, a phenomenon reckons with the longest."""
+SIZES = 4
+"""Kinds of cells that have boxes of their own: as large as all, half as large, and so on."""
+MOST_IN_BOXES = 50_000
+"""A mesh of more cells is in one box."""
 SUBJECT_SURFACE = 3_000
 """Triangles of a larger mesh are brought together to so many, where its pixels are reckoned."""
+
+
+class Boxes(NamedTuple):
+    """Corners of boxes in world coordinates.
+
+    Attributes
+    ----------
+    faces, lines : (n, 8, 3) array
+        Round what there is of either; of n = 0 boxes round nothing.
+    """
+
+    faces: Array
+    lines: Array
+
+    @property
+    def together(self) -> Array:
+        """The faces', then the lines'."""
+        return np.concatenate(self)
 
 
 class _Later:
@@ -117,6 +139,8 @@ class _Later:
         Least and largest x, y and z.
     n_cells, corners : int
         How many polygons or lines, and of how many corners together.
+    cells : (n_cells + 1,) and (corners,) arrays of int
+        Where each one's corners begin, and the corners.
     """
 
     def __init__(
@@ -125,6 +149,7 @@ class _Later:
         self.points = points.astype(np.float32)
         self.bounds = np.stack([self.points.min(axis=0), self.points.max(axis=0)], axis=1).ravel()
         self.n_cells, self.corners = len(rgb), corners.size
+        self.cells = offsets, corners
         self.make = partial(_poly_data, points, offsets, corners, rgb)
 
 
@@ -232,6 +257,34 @@ class Scene:
         if bounds:
             low = np.min([b[::2] for b in bounds], axis=0)
             high = np.max([b[1::2] for b in bounds], axis=0)
+        return self._box(low, high)
+
+    @cached_property
+    def boxes(self) -> Boxes:
+        """Boxes that together hold what is drawn, each thing in one of them whole.
+
+        What is as large as the scene has one of its own, so has what is half as large, and so on:
+        the lines of a ground are in a flat one, which the eye is above. What is smaller has one in
+        each corner of the scene: the eye is outside of all of them between two bars of a letter.
+        """
+        boxes = []
+        for name in ("surface", "lines"):
+            mesh, ends = self.__dict__[name], np.empty((0, 2, 3))
+            if mesh is not None:
+                ends = np.array(mesh.bounds).reshape(1, 3, 2).swapaxes(1, 2)
+                if isinstance(mesh, _Later):
+                    offsets, corners = mesh.cells
+                else:
+                    offsets, corners = cells_of(
+                        mesh.GetLines() if name == "lines" else mesh.GetPolys()
+                    )
+                if 1 < len(offsets) <= MOST_IN_BOXES:
+                    ends = _by_size_and_place(np.asarray(mesh.points), offsets, corners)
+            boxes.append(np.array([self._box(*pair) for pair in ends]).reshape(-1, 8, 3))
+        return Boxes(*boxes)
+
+    def _box(self, low: ArrayLike, high: ArrayLike) -> Array:
+        """World coordinates of a box' corners, (8, 3), from two of them relative to the origin."""
         which = np.array([[i >> axis & 1 for axis in range(3)] for i in range(8)], dtype=bool)
         corners: Array = np.where(which, high, low) + self.origin
         return corners
@@ -339,6 +392,21 @@ def frame_camera(lower: Sequence[float], upper: Sequence[float]) -> Projection:
 def _centre(lower: Sequence[float], upper: Sequence[float]) -> Vector:
     x, y, z = (low + (high - low) / 2.0 for low, high in zip(lower, upper, strict=True))
     return x, y, z
+
+
+def _by_size_and_place(points: Floats, offsets: Ints, corners: Ints) -> Floats:
+    """Lower and upper ends, (n, 2, 3), of boxes round cells of a size, the small ones by place."""
+    used = points[corners]
+    low, high = (ends.reduceat(used, offsets[:-1]) for ends in (np.minimum, np.maximum))
+    least, most = low.min(axis=0), high.max(axis=0)
+    sizes, extent = (high - low).max(axis=1), (most - least).max()
+    halvings = np.sum([sizes <= extent / 2.0**n for n in range(1, SIZES)], axis=0)
+    octants = (low + high > least + most) @ np.array([1, 2, 4])
+    kinds = 8 * halvings + np.where(halvings > 1, octants, 0)
+    order = np.argsort(kinds, kind="stable")
+    starts = np.flatnonzero(np.diff(kinds[order], prepend=-1))
+    lower, upper = np.minimum.reduceat(low[order], starts), np.maximum.reduceat(high[order], starts)
+    return np.stack([lower, upper], axis=1)
 
 
 def _corners(lower: Sequence[float], upper: Sequence[float]) -> Floats:

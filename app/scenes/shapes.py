@@ -169,6 +169,7 @@ def letter_f_on_grid(
     return (faces, rgb), joined(ground_grid(low, high, (1.0, 1.0), 0.0), edges_of(faces))
 
 
+@cache
 def letter_f_edges() -> Coloured:
     """Every edge of the letter F's faces, once."""
     return edges_of(letter_f()[0])

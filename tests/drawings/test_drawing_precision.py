@@ -26,7 +26,7 @@ from app.model.projection import (
     Perspective,
     Projection,
 )
-from app.precision.levels import DRAWING_TOLERANCE_PX
+from app.precision.levels import DRAWING_TOLERANCE_PX, drawing_bound_px
 from app.scenes.scene import Scene, load
 from tests.oracles.exact import dot as exact_dot
 from tests.oracles.exact import frame, minus, mp, vector
@@ -418,6 +418,11 @@ def everyday() -> list[tuple[str, Projection]]:
         ("letter-f", replace(letter, lens=Oblique(-6, 4, -3, 3, 1, 30))),
         ("cube", load("cube").start),
         ("cube", replace(load("cube").start, depth="reversed")),
+        ("letter-f", replace(letter, lens=Perspective(45, 0.1, 30))),
+        # The eye stands among what crosses its plane, and over a ground that does.
+        *((name, load(name).start) for name in ("eye-plane", "focus", "posts")),
+        # And between two bars of the letter, within the box round all of it.
+        ("eye-plane", replace(load("eye-plane").start, camera=Camera((1, 2.4, 0.3), (0, 2.4, 0)))),
     ]
 
 
@@ -487,7 +492,8 @@ def test_there_and_back_is_the_picture_of_a_fresh_drawing(
     scene = load("letter-f")
     near = replace(scene.start, lens=Perspective(60, 2, 30))
     narrow = replace(scene.start, lens=Perspective(0.01, 1, 30))
-    across = replace(scene.start, camera=Camera((1, 0.5, 2), (0, 2, 0)), lens=Perspective(90, 1e-5))
+    within = Camera((0.3, 1.5, 0.4), (0, 2, 0))
+    across = replace(scene.start, camera=within, lens=Perspective(90, 1e-5))
     screens = [off_screen(300, 200) for _ in range(3)]
     drawing, beside = (kind(s, scene, WORDS, LIGHT) for s in screens[:2])
     beside.show_projection(near)
@@ -517,6 +523,102 @@ def test_there_and_back_is_the_picture_of_a_fresh_drawing(
     assert [
         actor for renderer in screens[0].window.GetRenderers() for actor in renderer.GetActors()
     ] == actors
+
+
+def test_faces_and_lines_choose_for_themselves(
+    off_screen: Callable[[int, int], OffScreen], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """An avenue whose trees float32 can draw, and not the lines of its ground."""
+    scene = load("far-plane-popping")
+    faces_px, lines_px = (
+        drawing_bound_px(scene.start, boxes, scene.origin) for boxes in scene.boxes
+    )
+    assert faces_px < lines_px
+    cells: list[int] = []
+    cut = precisions._cut
+
+    def was_cut(clip: Any, given: Any, planes: Any) -> Any:
+        cells.append(given.shape[1])
+        return cut(clip, given, planes)
+
+    monkeypatch.setattr(precisions, "_cut", was_cut)
+    pictures = []
+    for tolerance_px, projected in (
+        (lines_px, []), ((faces_px + lines_px) / 2.0, [2]), (faces_px / 2.0, [3, 2])
+    ):  # fmt: skip
+        screen = off_screen(500, 400)
+        cells.clear()
+        precisions._projected.clear()
+        drawing = StageDrawing(screen, scene, WORDS, LIGHT, tolerance_px)
+        drawing.show_projection(scene.start)
+        assert cells == projected
+        assert drawing.precision == ("float64" if projected else "float32")
+        pictures.append(screen.pixels())
+    for picture in pictures[1:]:
+        assert (picture != pictures[0]).any(axis=-1).sum() <= 100
+
+
+def test_what_is_not_drawn_is_not_projected(
+    off_screen: Callable[[int, int], OffScreen], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Levels of detail stand in the place of the faces in the image."""
+    scene = load("far-plane-popping")
+    assert scene.phenomenon is not None
+    screen = off_screen(200, 150)
+    drawing = ImageDrawing(screen, scene, WORDS, LIGHT, 0.0)
+    cells: list[int] = []
+    cut = precisions._cut
+
+    def was_cut(clip: Any, given: Any, planes: Any) -> Any:
+        cells.append(given.shape[1])
+        return cut(clip, given, planes)
+
+    monkeypatch.setattr(precisions, "_cut", was_cut)
+    for near, projected in ((1.0, [3, 2]), (0.9, [2]), (0.8, [2])):  # the first builds the levels
+        projection = replace(scene.start, lens=replace(scene.start.lens, near=near))
+        shown = scene.phenomenon.illustration(projection, scene.phenomenon.defaults, scene.subject)
+        drawing.show_projection(projection, shown)
+        assert cells == projected and drawing.precision == "float64"
+        cells.clear()
+
+
+@pytest.mark.parametrize("fov_y_deg", [45.0, 8.0, 0.5])
+def test_what_float64_leaves_out_at_a_glance_is_not_seen(
+    fov_y_deg: float, off_screen: Callable[[int, int], OffScreen], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """From outside, from the middle of a bumpy ball, and close over it: the same pixels."""
+    ball = pv.Sphere(theta_resolution=60, phi_resolution=60)
+    points = ball.points * (2.0 + 0.1 * np.sin(9.0 * ball.points)).astype(np.float32)
+    faces = ball.regular_faces
+    colours = np.random.default_rng(3).integers(30, 230, (len(faces), 3))
+    scene = scene_of(points, faces.tolist(), colours.tolist(), (0.0, 0.0, 0.0))
+    traced: list[int] = []
+    trace = Projection.trace
+
+    def counted(projection: Projection, points: Any) -> Any:
+        traced.append(len(points))
+        return trace(projection, points)
+
+    for eye in ((3.0, 2.0, 4.0), (0.1, 0.0, 0.0), (1.12, 0.1, 0.0)):
+        projection = Projection(
+            Camera(eye, (0.0, 0.3, 0.1)), Perspective(fov_y_deg, 1e-3, 8.0), SIZE
+        )
+        pictures, counts = [], []
+        for many in (10**9, 1_000):
+            monkeypatch.setattr(precisions, "_MANY_CELLS", many)
+            precisions._projected.clear()
+            screen = off_screen(*SIZE)
+            drawing = ImageDrawing(screen, scene, WORDS, LIGHT, 0.0, framed=False)
+            with monkeypatch.context() as patch:
+                patch.setattr(Projection, "trace", counted)
+                drawing.show_projection(projection)
+            counts.append(sum(traced))
+            traced.clear()
+            pictures.append(screen.pixels())
+        assert (pictures[0] == pictures[1]).all()
+        assert (pictures[0] != to_bytes(LIGHT.background)).any(axis=-1).sum() > 2000
+        whole, kept = counts
+        assert kept < {45.0: 0.9, 8.0: 0.3, 0.5: 0.1}[fov_y_deg] * whole or eye[0] == 3.0
 
 
 def test_the_windows_tolerance_chooses_the_precision(window: MainWindow) -> None:

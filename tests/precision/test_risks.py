@@ -37,10 +37,10 @@ def found(projection: Projection, size: float = 5.0) -> dict[str, tuple[str, ...
     """The risks' figures by template, with letter F's vertices."""
     scene = load("letter-f")
     predictions = predict(projection, scene.sample, scene.origin)
-    drawn = precision_for_drawing(projection, scene.corners, scene.origin)
+    drawn = precision_for_drawing(projection, scene.boxes.together, scene.origin)
     half = size / math.sqrt(12.0)  # of a cube of this diagonal round the target
     lower, upper = ((sign * half, 2.2 + sign * half, sign * half) for sign in (-1.0, 1.0))
-    drawing_px = drawing_bound_px(projection, scene.corners, scene.origin)
+    drawing_px = drawing_bound_px(projection, scene.boxes.together, scene.origin)
     told = risks(projection, lower, upper, drawn, drawing_px, predictions)
     assert {risk.template for risk in told} <= marked(health, context="Health")
     return {risk.template: risk.figures for risk in told}
@@ -50,8 +50,8 @@ def found(projection: Projection, size: float = 5.0) -> dict[str, tuple[str, ...
 def test_a_scene_as_it_opens_is_healthy(name: str) -> None:
     scene = load(name)
     predictions = predict(scene.start, scene.sample, scene.origin)
-    drawn = precision_for_drawing(scene.start, scene.corners, scene.origin)
-    drawing_px = drawing_bound_px(scene.start, scene.corners, scene.origin)
+    drawn = precision_for_drawing(scene.start, scene.boxes.together, scene.origin)
+    drawing_px = drawing_bound_px(scene.start, scene.boxes.together, scene.origin)
     assert risks(scene.start, scene.lower, scene.upper, drawn, drawing_px, predictions) == []
 
 

@@ -1113,3 +1113,20 @@ def test_distinct_rows_are_those_of_numpy() -> None:
         wanted, places = np.unique(rows, axis=0, return_inverse=True)
         found, where = distinct_rows(rows)
         assert (found == wanted).all() and (where == places.ravel()).all()
+
+
+@pytest.mark.parametrize("name", BUILT_IN)
+def test_each_face_and_each_line_lies_whole_in_a_box(name: str) -> None:
+    scene = load(name)
+    origin = np.array(scene.origin)
+    assert scene.surface is not None and scene.lines is not None
+    things = scene.surface.regular_faces, scene.lines.lines.reshape(-1, 3)[:, 1:]
+    meshes = scene.surface, scene.lines
+    for mesh, cells, boxes in zip(meshes, things, scene.boxes, strict=True):
+        points = mesh.points[cells].astype(float)[:, None] + origin
+        low, high = boxes.min(axis=1)[:, None], boxes.max(axis=1)[:, None]
+        inside = (points >= low - 1e-9) & (points <= high + 1e-9)
+        assert inside.all(axis=(2, 3)).any(axis=1).all()
+    everything = scene.boxes.together
+    assert np.allclose(everything.min(axis=(0, 1)), scene.corners.min(axis=0))
+    assert np.allclose(everything.max(axis=(0, 1)), scene.corners.max(axis=0))

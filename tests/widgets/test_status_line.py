@@ -68,7 +68,7 @@ def test_precisions_are_predicted_when_the_hand_rests(
     rested(qtbot, line, EVERYDAY, scene)
     predictions = predict(EVERYDAY, scene.sample, scene.origin)
     assert predictions is not None
-    drawn = drawing_bound_px(EVERYDAY, scene.corners, scene.origin)
+    drawn = drawing_bound_px(EVERYDAY, scene.boxes.together, scene.origin)
     read = predictions["float64"].px
     assert line.precision.text() == f"drawn float32 ±{drawn:.1g} px, read float64 ±{read:.1g} px"
     assert line.health.text() == "" and line.health.toolTip() == ""

@@ -160,7 +160,8 @@ class DrawnQuality(QObject):
         precision = quality.rung
         if precision == AUTO:
             tolerance_px = self._settings.tolerance_px
-            precision = precision_for_drawing(projection, scene.corners, scene.origin, tolerance_px)
+            boxes = scene.boxes.together
+            precision = precision_for_drawing(projection, boxes, scene.origin, tolerance_px)
         return {
             "rung": precision,
             "depth_format": quality.depth_format or "fixed24",

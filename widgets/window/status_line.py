@@ -27,7 +27,6 @@ from app.precision.levels import (
     Precision,
     Prediction,
     drawing_bound_px,
-    precision_for_drawing,
     precision_for_reading,
     predict,
 )
@@ -269,11 +268,12 @@ class StatusLine(QStatusBar):
             label.fit()
         projection, scene = self._projection, self._scene
         self._predictions = predict(projection, scene.vertices, scene.origin)
-        self._drawn = precision_for_drawing(
-            projection, scene.corners, scene.origin, self._quality.tolerance_px(self.tolerance_px)
-        )
-        drawing_px = drawing_bound_px(projection, scene.corners, scene.origin)
-        self._show_precisions(self._drawn, drawing_px, self._predictions)
+        tolerance_px = self._quality.tolerance_px(self.tolerance_px)
+        bounds_px = [drawing_bound_px(projection, boxes, scene.origin) for boxes in scene.boxes]
+        drawing_px = max(bounds_px)
+        self._drawn = "float32" if drawing_px <= tolerance_px else "float64"
+        float32_px = max((px for px in bounds_px if px <= tolerance_px), default=0.0)
+        self._show_precisions(self._drawn, float32_px, self._predictions)
         self._risks = [
             translated(risk.template, "Health").format(*map(plane_name, risk.figures))
             for risk in risks(
@@ -283,8 +283,9 @@ class StatusLine(QStatusBar):
         self._show_health()
 
     def _show_precisions(
-        self, drawn: Precision, drawing_px: float, predictions: dict[Precision, Prediction] | None
+        self, drawn: Precision, float32_px: float, predictions: dict[Precision, Prediction] | None
     ) -> None:
+        """What draws and what is read; `float32_px` of what float32 draws of faces and lines."""
         read = precision_for_reading(predictions)
         self._precisions = self._precisions_alone = self.tr("drawn {0}, read {1}").format(
             drawn, read
@@ -292,7 +293,9 @@ class StatusLine(QStatusBar):
         if predictions is not None:
             # Whatever computed it, a rasteriser is handed float32 in the end.
             at_least_px = max(self._projection.image_size) * 2.0**-24 if self._projection else 0.0
-            drawn_px = drawing_px if drawn == "float32" else predictions[drawn].px
+            drawn_px = float32_px
+            if drawn != "float32":
+                drawn_px = max(drawn_px, predictions[drawn].px)
             self._precisions = self.tr("drawn {0} ±{1} px, read {2} ±{3} px").format(
                 drawn,
                 _error_text(max(drawn_px, at_least_px)),

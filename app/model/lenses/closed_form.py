@@ -176,7 +176,7 @@ class ClosedForm(Lens):
         world = np.empty_like(points)
         for column, eye in enumerate(setup.camera.eye):
             total = DoubleDouble(np.asarray(eye), np.zeros(()))
-            for axis, part in zip(setup.frame_double_double, view, strict=True):
+            for axis, part in zip(setup.camera.frame_double_double, view, strict=True):
                 total = dd.add(total, dd.multiply(axis[column], part))
             world[..., column] = total.hi
         return world

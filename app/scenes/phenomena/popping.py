@@ -148,16 +148,17 @@ def trees_in_view(projection: Projection) -> NDArray[np.bool_]:
     return np.asarray(~beyond_one_plane.any(axis=1))
 
 
-def vertices_drawn(projection: Projection, until: Sequence[float]) -> int:
+def vertices_drawn(projection: Projection, seen: NDArray[np.bool_], until: Sequence[float]) -> int:
     """Vertices of the trees in view, each at its level.
 
     Parameters
     ----------
     projection : Projection
+    seen : (n,) array of bool
+        `trees_in_view`.
     until : sequence of 2 floats
         Distances at which the next level begins; infinity for none.
     """
-    seen = trees_in_view(projection)
     w = -projection.trace(places()[seen]).view[:, 2]
     return int(np.array(VERTICES)[np.searchsorted(until, w, side="right")].sum())
 
@@ -261,14 +262,15 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illu
     contrast = 1.0 if fog is None else fog.left(far)
     popped_in, popped_out = popped_per_second(projection, until)
     why = note if note is not None or popped_in + popped_out > 0.0 else Phrase(_NONE_POPS)
+    seen = trees_in_view(projection)
     readings = (
         Reading(
             QT_TRANSLATE_NOOP("phenomena", "vertices drawn"),
-            float(vertices_drawn(projection, until)),
+            float(vertices_drawn(projection, seen, until)),
         ),
         Reading(
             QT_TRANSLATE_NOOP("phenomena", "vertices drawn without level of detail"),
-            float(VERTICES[0] * int(trees_in_view(projection).sum())),
+            float(VERTICES[0] * int(seen.sum())),
         ),
         Reading(
             QT_TRANSLATE_NOOP(
