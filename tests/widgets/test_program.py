@@ -709,6 +709,13 @@ window.filled.connect(lambda: QTimer.singleShot(300, then))
     assert (done.returncode, done.stderr) == (0, "")
 
 
+def test_it_is_said_that_qt_has_no_opengl(monkeypatch: pytest.MonkeyPatch) -> None:
+    act = "print(window.statusBar().currentMessage(), flush=True)\nwindow.close()"
+    assert drive(act).stdout == "\n"
+    monkeypatch.setenv("QT_XCB_GL_INTEGRATION", "none")
+    assert drive(act).stdout == "Qt has no OpenGL here: VTK draws the panes off the screen.\n"
+
+
 @pytest.mark.parametrize("canvas", ["opengl", "raster"])
 def test_a_window_is_closed_before_its_panes_are_filled(canvas: str) -> None:
     done = drive("window.close()", "--canvas", canvas, when=PAINTED)

@@ -30,6 +30,7 @@ from typing import TYPE_CHECKING, Any
 from PySide6 import __version__ as pyside_version
 from PySide6.QtCore import (
     QBuffer,
+    QCoreApplication,
     QEvent,
     QEventLoop,
     QIODevice,
@@ -60,6 +61,8 @@ log = logging.getLogger(__name__)
 TRANSLATIONS = Path(__file__).parent / "translations"
 FIRST_PICTURE_S = 60.0
 """Longest wait for the window of a screenshot to be on the screen."""
+SAID_MS = 15_000
+"""How long the status line says that Qt has no OpenGL."""
 
 
 IN_FILE = QT_TRANSLATE_NOOP("Refusal", "{0}: {1}")
@@ -239,6 +242,11 @@ def run_window(
         if options.size:
             window.resize(*options.size)
         window.first_painted.connect(partial(_open_panes, window))
+        if found is opengl.NO_OPENGL:
+            said = QCoreApplication.translate(
+                "Program", "Qt has no OpenGL here: VTK draws the panes off the screen."
+            )
+            window.filled.connect(partial(window.statusBar().showMessage, said, SAID_MS))
         failed: list[bool] = []
         window.filled.connect(lambda: failed.append(bool(watch.caught)))
         show_window(window)
@@ -317,6 +325,7 @@ def _take_screenshot(
             raise Refusal.saying(NO_WINDOW, path)
     application.processEvents()
     window.messages.hide()  # an offer to recover work is no part of the picture
+    window.statusBar().clearMessage()
     application.processEvents()
     png = QBuffer()
     png.open(QIODevice.OpenModeFlag.WriteOnly)
