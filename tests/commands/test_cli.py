@@ -1016,14 +1016,14 @@ def test_the_lens_comes_first_as_it_is_used(typed: str, line: str) -> None:
 
 def test_the_names_in_the_help_are_those_that_there_are() -> None:
     """They are written twice, because help is given where nothing is installed yet."""
-    from app import measure
     from app.document import document
+    from app.measure import measuring
     from app.measure.arithmetic import SWEEPS
 
     paths = {"scene", "mesh", "depth", *document.model_paths().values()} - {"lens.former"}
     assert set(options.SETTABLE) == paths | {f"quality.{key}" for key in document._QUALITY}
     assert options.PRECISIONS == PRECISIONS
-    assert tuple(measure.TRADES) == options.TRADES
+    assert tuple(measuring.TRADES) == options.TRADES
     assert tuple(SWEEPS) == options.SWEEPS
     assert tuple(cli._PROJECT_FORMATS) == options.PROJECT_FORMATS
     assert tuple(cli._MATRIX_FORMATS) == options.MATRIX_FORMATS
