@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+import time
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
@@ -17,7 +18,7 @@ from PIL import Image
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QApplication, QWidget
 
 from app.bootstrap import ROOT
 from app.document.document import Document
@@ -123,6 +124,28 @@ def test_a_change_is_one_repaint_of_each_pane_and_none_of_a_hidden_one(opened: O
         window.store.set_projection(seen(window, lens=Perspective(51.0, 1.0, 30.0)))
         settle()
     assert counts["ndc"] == before["ndc"]
+
+
+def test_a_hand_quicker_than_the_screen_does_not_make_frames_short(
+    opened: Opened, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The next step comes before it is told that the picture of the last one is on the screen."""
+    window, frames = opened(), []
+    monkeypatch.setattr(window.look.adaptive.budget, "frame", frames.append)
+
+    def dawdle(_window: object, _event: str) -> None:
+        until = time.perf_counter() + 0.02
+        while time.perf_counter() < until:
+            pass
+
+    window.panes["image"].canvas.render_window.AddObserver("EndEvent", dawdle)
+    slider = window.controls.rows["near"].slider
+    window.store.begin_gesture()
+    for _ in range(6):
+        slider.setValue(slider.value() + 1)
+        QApplication.processEvents()
+    window.store.end_gesture()
+    assert len(frames) >= 5 and min(frames) > 20.0
 
 
 def test_a_slider_beside_it_draws_no_picture_anew(opened: Opened) -> None:

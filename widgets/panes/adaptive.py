@@ -63,6 +63,7 @@ class Adaptive(QObject):
         self.quality = AUTOMATIC
         self._dragging = False
         self._began: float | None = None
+        self._drawn_at = 0.0
         self._told: tuple[bool, int] = (False, 0)
         self._idle = QTimer(self)
         self._idle.setSingleShot(True)
@@ -70,6 +71,7 @@ class Adaptive(QObject):
         self._idle.timeout.connect(self._prepare)
         self.budget = FrameBudget([Level(False, 1.0)], 0.0)
         for pane in panes.values():
+            pane.canvas.drawn.connect(self._drawn)
             pane.canvas.shown.connect(self._swapped)
 
     def show(self, scene: Scene, quality: Quality) -> None:
@@ -117,6 +119,7 @@ class Adaptive(QObject):
 
     def step(self, dragging: bool) -> None:
         """The document has changed, or the hand has come to rest: to be called before drawing."""
+        self._end_frame(self._drawn_at)  # if the hand was quicker than the screen
         self._dragging = dragging
         if dragging:
             self._began = time.perf_counter()
@@ -134,10 +137,18 @@ class Adaptive(QObject):
 
     def _swapped(self) -> None:
         """A pane's picture has reached the screen; with it those of its window's other panes."""
-        if self._began is not None:
-            ms, self._began = 1e3 * (time.perf_counter() - self._began), None
-            self.budget.frame(ms)
+        self._end_frame(time.perf_counter())
         self._tell()
+
+    def _drawn(self) -> None:
+        """A pane's picture was drawn: the last one before the next step ends the frame."""
+        self._drawn_at = time.perf_counter()
+
+    def _end_frame(self, at: float) -> None:
+        """Take down how long the step took that was drawn last; what is not drawn has no end."""
+        if self._began is not None and self._drawn_at > self._began:
+            self.budget.frame(1e3 * (at - self._began))
+            self._began = None
 
     def _tell(self) -> None:
         found = self.late_ms > 0.0, self.samples

@@ -21,7 +21,7 @@ import math
 import time
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import (
     QCloseEvent,
     QImage,
@@ -64,6 +64,8 @@ class _Canvas(QWidget):
 
     painted = Signal(float)
     """A repaint was done, in so many ms; only while `timed`."""
+    drawn = Signal()
+    """VTK has drawn a picture; the hand may go on before it is `shown`."""
     shown = Signal()
     """What was painted has reached the screen."""
     render_window: Any
@@ -132,6 +134,8 @@ class RasterCanvas(_Canvas):
 
     def __init__(self, parent: QWidget | None) -> None:
         super().__init__(parent)
+        # Qt flushes when all of a window is painted.
+        self.drawn.connect(self.shown, Qt.ConnectionType.QueuedConnection)
         self._screen: OffScreen | None = None
         self._is_stale = True
         self._image = QImage()
@@ -171,7 +175,7 @@ class RasterCanvas(_Canvas):
         painter.scale(1.0, -1.0)  # OpenGL's first row is the lowest
         painter.drawImage(QRectF(0, -self.height(), self.width(), self.height()), self._image)
         painter.end()
-        QTimer.singleShot(0, self, self.shown.emit)  # Qt flushes when all of a window is painted
+        self.drawn.emit()
 
     def _draw(self, width: int, height: int) -> None:
         from vtkmodules.util.numpy_support import vtk_to_numpy

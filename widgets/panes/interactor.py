@@ -95,6 +95,7 @@ class Interactor(QtInteractor):
             return  # Qt has given it its first size; it will show it, and draw it then
         began = time.perf_counter()
         super().paintGL()  # type: ignore[no-untyped-call]
+        self._canvas.drawn.emit()
         if not self._canvas.timed:
             return
         window.WaitForCompletion()  # drawing goes on after the call otherwise
