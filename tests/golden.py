@@ -485,12 +485,13 @@ class Window:
 
     def canvas(self, name: str) -> Any:
         """What a pane is drawn in, which has its name, and VTK's window as pyvista names it."""
-        drawn = [
-            widget
-            for widget in self.window.findChildren(self.parts.QWidget)
-            if hasattr(widget, "render_window")
-        ]
-        return next(widget for widget in drawn if widget.accessibleName() == name)
+        until = time.monotonic() + 60.0
+        while time.monotonic() < until:  # the window is seen before its panes are filled
+            for widget in self.window.findChildren(self.parts.QWidget):
+                if widget.accessibleName() == name and hasattr(widget, "render_window"):
+                    return widget
+            self.parts.QApplication.processEvents()
+        raise AssertionError(name)
 
     def _drawn(self, name: str) -> None:
         self.repaints[name] += 1
