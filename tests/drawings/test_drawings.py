@@ -107,11 +107,11 @@ def check_lit(image: Any, trace: Trace, unsure: Any = False) -> tuple[int, float
     """
     rows, columns = np.nonzero(drawn(image[..., 1:], (0, 200)))
     lit_by = image[rows, columns, 0]
-    beyond = trace.outside[:, :2].any(axis=1) | ~trace.in_front
-    assert not np.isin(lit_by, np.flatnonzero(beyond & ~unsure)).any()
+    beyond, sure = trace.outside[:, :2].any(axis=1) | ~trace.in_front, np.logical_not(unsure)
+    assert not np.isin(lit_by, np.flatnonzero(beyond & sure)).any()
     whole = (trace.image > 2.0) & (trace.image < np.array(SIZE) - 2.0)
     found, worst = 0, 0.0
-    for i in np.flatnonzero(whole.all(axis=1) & ~beyond & ~unsure):
+    for i in np.flatnonzero(whole.all(axis=1) & ~beyond & sure):
         x, y = trace.image[i]
         assert image[int(2 * y), int(2 * x)].tolist() != to_bytes(LIGHT.background)
         lit = lit_by == i
