@@ -717,6 +717,35 @@ def test_it_is_said_that_qt_has_no_opengl(monkeypatch: pytest.MonkeyPatch) -> No
 
 
 @pytest.mark.parametrize("canvas", ["opengl", "raster"])
+def test_a_hand_on_panes_that_are_still_empty_does_no_harm(canvas: str) -> None:
+    act = """
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QWheelEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
+left, none = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
+for pane in window.panes.values():
+    canvas = pane.canvas
+    at = QPointF(50, 50)
+    wheel = QWheelEvent(at, canvas.mapToGlobal(at), QPoint(), QPoint(0, 120),
+                        Qt.MouseButton.NoButton, none, Qt.ScrollPhase.NoScrollPhase, False)
+    QApplication.sendEvent(canvas, wheel)
+    QTest.mouseMove(canvas, QPoint(60, 60))
+    QTest.mousePress(canvas, left, none, QPoint(60, 60))
+    QTest.mouseMove(canvas, QPoint(95, 80))
+    QTest.mouseRelease(canvas, left, none, QPoint(95, 80))
+    QTest.mouseClick(canvas, left, none, QPoint(60, 60))
+    QTest.mouseDClick(canvas, left, none, QPoint(60, 60))
+    canvas.setFocus(Qt.FocusReason.TabFocusReason)
+    for key in (Qt.Key.Key_Left, Qt.Key.Key_Plus, Qt.Key.Key_Home):
+        QTest.keyClick(canvas, key)
+window.filled.connect(window.close)
+"""
+    done = drive(act, "--canvas", canvas, when=PAINTED)
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+
+
+@pytest.mark.parametrize("canvas", ["opengl", "raster"])
 def test_a_window_is_closed_before_its_panes_are_filled(canvas: str) -> None:
     done = drive("window.close()", "--canvas", canvas, when=PAINTED)
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")

@@ -59,7 +59,7 @@ class _Canvas(QWidget):
     """A widget that shows what VTK draws, from the moment that it is opened.
 
     Before that it is empty, so that a window can be seen before VTK is imported; `render_window`
-    and `renderer` are there from then on.
+    and `renderer` are there once it `is_open`.
     """
 
     painted = Signal(float)
@@ -76,6 +76,7 @@ class _Canvas(QWidget):
         self.setMinimumSize(120, 120)
         self.grabGesture(Qt.GestureType.PinchGesture)
         self.timed = False
+        self.is_open = False
         self._finer = 1.0
 
     @property
@@ -109,6 +110,7 @@ class GlCanvas(_Canvas):
         interactor.lower()  # under the ring of the focus
         interactor.show()
         interactor.frameSwapped.connect(self.shown)
+        self.is_open = True
 
     def draw_finer(self, times: float) -> None:
         """Draw so many pixels for one that the screen shows, along each side."""
@@ -150,6 +152,7 @@ class RasterCanvas(_Canvas):
         self.render_window, self.renderer = self._screen.render_window, self._screen.renderer
         self.render_window.SwapBuffersOff()
         self._pixels = vtkUnsignedCharArray()
+        self.is_open = True
 
     def draw_finer(self, times: float) -> None:
         """Draw so many pixels for one that the screen shows, along each side."""
@@ -259,7 +262,8 @@ class Hand(QObject):
         canvas.installEventFilter(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        take = self._takes.get(event.type())
+        # Before the canvas is open there is nothing to turn, and no camera to turn it with.
+        take = self._takes.get(event.type()) if self._canvas.is_open else None
         return watched is self._canvas and take is not None and bool(take(event))
 
     def keep_view(self) -> None:

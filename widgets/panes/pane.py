@@ -192,7 +192,6 @@ class Pane(QFrame):
         super().__init__()
         self.setFrameShape(QFrame.Shape.StyledPanel)
         self.setAccessibleName(title)
-        self._is_open = False
         self.drawing: Any = None
         """A `Drawing`, once there is one."""
         self._make_drawing = make_drawing
@@ -273,7 +272,6 @@ class Pane(QFrame):
 
     def open(self) -> None:
         """Let VTK draw from now on; it is imported for that, if it was not."""
-        self._is_open = True
         self.canvas.open()
         if self.isVisible():
             self._appear()
@@ -365,7 +363,7 @@ class Pane(QFrame):
     def _refresh(self) -> None:
         """Bring the drawing up to what was asked for while nobody looked."""
         shown = self._shown
-        if shown is None or not self._is_open:
+        if shown is None or not self.canvas.is_open:
             return
         if self._to_build is not None:
             if self.drawing is not None:
@@ -426,7 +424,7 @@ class Pane(QFrame):
     def set_timed(self, timed: bool) -> None:
         """Tell with every repaint what it cost, and wait for its end; or do not."""
         self.canvas.timed = timed
-        if timed and self._is_open:
+        if timed and self.canvas.is_open:
             self.request_repaint()
 
     def set_detail(self, fewer: Scene | None) -> None:
