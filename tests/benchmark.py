@@ -593,13 +593,13 @@ def repaints(scale: float) -> dict[str, Any]:
     for step in range(50):
         change(46.0 + step)
     figures["50 changes, repaints of the visible panes"] = list(counts.values())
-    window.pane_row.enlarge("world")
+    window.slots.bring("world")
     settle(app)
     counts.update(dict.fromkeys(counts, 0))
     for step in range(50):
         change(100.0 + step)
     figures["50 changes, repaints with NDC and image hidden"] = list(counts.values())
-    window.pane_row.enlarge("world")
+    window.slots.bring("world")
     settle(app)
     counts.update(dict.fromkeys(counts, 0))
     until = time.monotonic() + 5.0

@@ -652,7 +652,7 @@ class Window:
 
     def seen(self) -> dict[str, Any]:
         """The document, all text in the window, and the repaints since the last time."""
-        status = self.window.statusBar()
+        status = self.window.status
         lines = sorted(self._texts(set(status.findChildren(self.parts.QWidget))))
         line = [text for w in self._visible(status) for text in self._said(w)]
         actions = {

@@ -583,10 +583,10 @@ def test_a_pane_that_was_hidden_meanwhile_is_whole_as_well(
     window.store.begin_gesture()
     for i in range(6):
         step(window, 40.0 + i)
-    window.pane_row.enlarge("world")
+    window.slots.bring("world")
     window.store.end_gesture()
     settle()
-    window.pane_row.enlarge("world")
+    window.slots.bring("world")
     fresh = make_window(window.store.document)
     assert same(pictures(window), pictures(fresh)) == ALL_SAME
 

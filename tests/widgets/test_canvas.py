@@ -218,7 +218,7 @@ def test_a_pane_floats_and_comes_back_with_its_picture(opened: Opened) -> None:
     window = opened()
     canvas = window.panes["image"].canvas
     for _ in range(2):
-        window.pane_row.toggle_float("image")
+        window.slots.toggle_float("image")
         settle()
         shown = pixels(window, "image")
         assert shown.shape == (canvas.height(), canvas.width(), 3)

@@ -313,7 +313,7 @@ def test_each_step_is_seen_and_all_comes_back(make_window: MakeWindow) -> None:
     before = {name: pixels(window, name) for name in window.panes}
     window.panels.open(window.frame_panel)
     settle()
-    window.pane_row.enlarge("world")
+    window.slots.bring("world")
     settle()
     seen = [pixels(window)]
     for _ in STEPS[1:]:
@@ -322,7 +322,7 @@ def test_each_step_is_seen_and_all_comes_back(make_window: MakeWindow) -> None:
     for one, other in pairwise(seen):
         assert not np.array_equal(one, other)
     window.panels.open(None)
-    window.pane_row.show_all()
+    window.slots.go_back()
     settle()
     for name, picture in before.items():
         assert np.array_equal(pixels(window, name), picture), name
@@ -362,10 +362,10 @@ def test_another_theme_keeps_the_step_and_a_hidden_pane_catches_up(window: MainW
     window.look.set_theme("light")
     settle()
     assert np.array_equal(pixels(window), stepped)
-    window.pane_row.enlarge("image")
+    window.slots.arrange("pictures", "image", "image")
     window.frame_panel.go_to(2)
     settle()
-    window.pane_row.enlarge("image")
+    window.slots.arrange("pictures", "image", "image")
     settle()
     third = pixels(window)
     assert not np.array_equal(third, stepped)
@@ -376,7 +376,7 @@ def test_another_theme_keeps_the_step_and_a_hidden_pane_catches_up(window: MainW
 
 def test_up_is_drawn_where_it_is(window: MainWindow) -> None:
     """The arrow's shaft has its colour half-way along up, seen from the eye."""
-    window.pane_row.enlarge("world")
+    window.slots.bring("world")
     camera = Camera(START.camera.eye, START.camera.target, (0.3, 1.0, -0.4))
     window.store.set_projection(replace(START, camera=camera))
     window.frame_panel.go_to(2)

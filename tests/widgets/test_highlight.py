@@ -227,7 +227,7 @@ def test_a_click_leaves_no_highlight_behind(window: MainWindow) -> None:
 def test_the_world_knows_what_is_under_the_mouse(window: MainWindow) -> None:
     """By the pane's own sight, which is tested against VTK's camera."""
     projection = window.store.document.projection
-    window.pane_row.enlarge("world")
+    window.slots.bring("world")
     settle()
     drawing = window.panes["world"].drawing
     assert drawing is not None
@@ -492,7 +492,7 @@ def test_a_hidden_pane_is_told_when_it_appears(
     window: MainWindow, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     before = pictures(window)
-    window.pane_row.enlarge("image")
+    window.slots.arrange("pictures", "image", "image")
     settle()
     told: list[object] = []
     drawing = window.panes["world"].drawing
@@ -500,7 +500,7 @@ def test_a_hidden_pane_is_told_when_it_appears(
     monkeypatch.setattr(drawing, "show_highlight", lambda a: (told.append(a), real(a))[1])
     hover(window, window.controls.rows["near"])
     assert told == []
-    window.pane_row.enlarge("image")
+    window.slots.arrange("pictures", "image", "image")
     settle()
     assert told and changed(before, pictures(window)) >= {"world"}
 

@@ -122,8 +122,8 @@ def along(window: MainWindow, handle: Handle, **fields: float) -> tuple[int, int
 def window(window: MainWindow) -> MainWindow:
     """With the world pane alone, where the near face is large enough for its corners."""
     window.store.set_projection(replace(model(window), lens=LENSES["perspective"]))
-    window.pane_row.enlarge("world")
-    window.pane_row.reset_views()
+    window.slots.bring("world")
+    window.slots.reset_views()
     window.panes["image"].show()
     settle()
     return window
@@ -304,7 +304,7 @@ def test_what_is_said_of_a_handle_goes_with_the_drawing_that_it_was_in(
     if change == "scene":
         window.guide.choose("cube")
     else:
-        window.look.set_projector(True)
+        window.look.set_presenting(True)
     assert world(window).held is None
     assert (hand.said, pane.canvas.toolTip(), hand._line.isVisible()) == ("", tip, False)
     assert pane.canvas.cursor().shape() == Qt.CursorShape.ArrowCursor
@@ -485,7 +485,7 @@ def test_marks_are_seen_in_every_style(window: MainWindow) -> None:
     for projector in [False, True]:
         for theme in ["light", "dark"]:
             window.look.set_theme(theme)
-            window.look.set_projector(projector)
+            window.look.set_presenting(projector)
             settle()
             style = DARK if theme == "dark" else LIGHT
             picture = pixels(window, "world").astype(float)
@@ -623,7 +623,7 @@ def test_a_held_handle_is_known_by_its_name() -> None:
 
 @pytest.fixture
 def make_scene(window: MainWindow) -> Callable[[str], MainWindow]:
-    window.pane_row.show_all()
+    window.slots.go_back()
     return partial(show_scene, window)
 
 

@@ -219,8 +219,8 @@ def test_a_click_follows_the_point_of_a_face_and_the_nearest_of_a_line(window: M
         return probe.point, (x, y)
 
     for name in ("world", "ndc", "image"):
-        window.pane_row.show_all()
-        window.pane_row.enlarge(name)  # the cubes are small: no vertex may be within 6 pixels
+        window.slots.go_back()
+        window.slots.arrange("pictures", name, name)  # the cubes are small: no vertex may be within 6 pixels
         settle()
         point, place = clicked(name, (0.0, 2.5, 0.5))
         assert point[2] == pytest.approx(0.5, abs=1e-6)
@@ -466,8 +466,8 @@ def test_probes_survive_edits_and_themes_and_end_with_the_scene(window: MainWind
     window.probe_panel.follow(point=CORNER)
     window.store.set_projection(replace(start(), lens=Perspective(50.0, 1.0, 30.0)))
     window.store.undo()
-    window.look.set_projector(True)
-    window.look.set_projector(False)
+    window.look.set_presenting(True)
+    window.look.set_presenting(False)
     assert [probe.point for probe in window.probe_panel.probes] == [CORNER]
     assert marked(window, "image", place_in(window, "image", CORNER))
     assert not window.store.modified  # they are the window's, not the document's

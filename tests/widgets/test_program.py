@@ -395,7 +395,7 @@ def test_the_program_starts_with_broken_settings_and_keeps_new_ones(own_home: Pa
     assert ini.is_relative_to(own_home)
     ini.parent.mkdir(parents=True)
     ini.write_bytes(b"\0broken")
-    done = drive("print(window.settings.theme); window.look.set_projector(True); window.close()")
+    done = drive("print(window.settings.theme); window.look.set_presenting(True); window.close()")
     assert (done.returncode, done.stdout, done.stderr) == (0, "system\n", "")
     assert Path(f"{ini}.bak").read_bytes() == b"\0broken"
     assert "set aside as" in log_path().read_text(encoding="utf-8")
@@ -710,7 +710,7 @@ window.filled.connect(lambda: QTimer.singleShot(300, then))
 
 
 def test_it_is_said_that_qt_has_no_opengl(monkeypatch: pytest.MonkeyPatch) -> None:
-    act = "print(window.statusBar().currentMessage(), flush=True)\nwindow.close()"
+    act = "print(window.status.currentMessage(), flush=True)\nwindow.close()"
     assert drive(act).stdout == "\n"
     monkeypatch.setenv("QT_XCB_GL_INTEGRATION", "none")
     assert drive(act).stdout == "Qt has no OpenGL here: VTK draws the panes off the screen.\n"

@@ -292,7 +292,7 @@ def test_a_step_of_the_strip_touches_no_actor(shown: Callable[..., Shown]) -> No
 def test_the_window_opens_at_ndc(window: MainWindow) -> None:
     assert window.strip.position == NDC
     assert window.panes["ndc"].title.text() == "NDC cube"
-    assert window.strip.words.text() == "x, y ±1, z −1 … 1"
+    assert window.panes["ndc"].note.text() == "x, y ±1, z −1 … 1"
     assert [button.isChecked() for button in window.strip.stops].index(True) == NDC
 
 
@@ -368,7 +368,7 @@ def test_a_name_goes_to_its_stop_and_the_header_says_so(window: MainWindow) -> N
     for stop, (title, note) in wanted.items():
         QTest.mouseClick(window.strip.stops[stop], Qt.MouseButton.LeftButton)
         assert (window.strip.position, pane.title.text()) == (stop, title)
-        assert window.strip.words.text() == note
+        assert window.panes["ndc"].note.text() == note
     window.strip.go_to(2.0)
     window.strip.play()
     QTest.mouseClick(window.strip.stops[2], Qt.MouseButton.LeftButton)  # where it stands
@@ -378,7 +378,7 @@ def test_a_name_goes_to_its_stop_and_the_header_says_so(window: MainWindow) -> N
     window.strip.go_to(2.0)
     start = window.store.document.projection
     window.store.set_projection(replace(start, lens=replace(start.lens, far=math.inf)))
-    assert window.strip.words.text() == "near z −1, far −∞ (scaled by 1/n)"
+    assert window.panes["ndc"].note.text() == "near z −1, far −∞ (scaled by 1/n)"
 
 
 def test_the_stops_of_a_parallel_lens_are_named_what_they_are(window: MainWindow) -> None:
@@ -398,7 +398,7 @@ def test_the_stops_of_a_parallel_lens_are_named_what_they_are(window: MainWindow
         (3.25, "Box → NDC", limits),
     ):
         strip.go_to(position)
-        assert (pane.title.text(), strip.words.text()) == (title, words), position
+        assert (pane.title.text(), panes["ndc"].note.text()) == (title, words), position
     window.store.set_projection(start)
     assert [button.text() for button in strip.stops][1:4] == ["View", "Pyramid", "Box"]
 
@@ -408,8 +408,8 @@ def test_what_is_said_of_a_stage_is_whole_in_a_small_window_and_moves_nothing(
     window: MainWindow, projector: bool
 ) -> None:
     window.resize(1366, 768)
-    window.look.set_projector(projector)
-    start, words, heights = window.store.document.projection, window.strip.words, set()
+    window.look.set_presenting(projector)
+    start, words, heights = window.store.document.projection, window.panes["ndc"].note, set()
     for lens in (*LENSES, replace(LENSES[0], near=0.00123, far=30.0)):
         window.store.set_projection(replace(start, lens=lens))
         for half in range(2 * IMAGE + 1):
@@ -440,11 +440,11 @@ def test_a_hidden_pane_takes_the_stage_when_it_appears(
     drawing = window.panes["ndc"].drawing
     assert isinstance(drawing, StageDrawing)
     monkeypatch.setattr(drawing, "show_stage", shown.append)
-    window.pane_row.enlarge("image")
+    window.slots.arrange("pictures", "image", "image")
     assert not window.strip.isVisible()
     window.strip.go_to(2.0)
     assert shown == []
-    window.pane_row.show_all()
+    window.slots.go_back()
     settle()
     assert shown == [2.0]
 
@@ -511,7 +511,7 @@ def test_play_moves_by_itself_and_a_hand_or_a_hidden_pane_stops_it(
     assert not strip.playing
     assert strip.position == 3.0
     strip.play()
-    window.pane_row.enlarge("world")
+    window.slots.bring("world")
     assert not strip.playing
 
 
@@ -520,7 +520,7 @@ def test_near_and_far_are_written_in_the_pane_all_the_way(
     window: MainWindow, size: tuple[int, int], projector: bool
 ) -> None:
     window.resize(*size)
-    window.look.set_projector(projector)
+    window.look.set_presenting(projector)
     start, cut = window.store.document.projection, []
     for near, far in ((5.0, 20.0), (12.0, 14.0), (1.0, math.inf)):
         window.store.set_projection(replace(start, lens=Perspective(45.0, near, far)))

@@ -182,7 +182,7 @@ def test_a_change_reaches_whom_it_concerns_and_nobody_else(
 
 
 def test_a_hidden_pane_neither_computes_nor_draws_and_catches_up(window: MainWindow) -> None:
-    window.pane_row.enlarge("world")
+    window.slots.bring("world")
     settle()
     asked: list[Projection] = []
     drawing = window.panes["image"].drawing
@@ -197,7 +197,7 @@ def test_a_hidden_pane_neither_computes_nor_draws_and_catches_up(window: MainWin
             settle()
     assert asked == []
     assert counts == {"world": 3, "ndc": 0, "image": 0}
-    window.pane_row.enlarge("world")
+    window.slots.bring("world")
     settle()
     assert asked == [window.store.document.projection]
 
@@ -208,15 +208,15 @@ def test_a_pane_that_appears_again_is_as_if_it_had_been_there(make_window: MakeW
     start = window.store.document.projection
     for hidden in (False, True):
         window.store.set_projection(start)
-        window.pane_row.reset_views()
+        window.slots.reset_views()
         settle()
         if hidden:
-            window.pane_row.enlarge("image")
+            window.slots.arrange("pictures", "image", "image")
             settle()
         window.store.set_projection(seen(window, lens=Perspective(100.0, 1.0, 30.0)))
         settle()
         if hidden:
-            window.pane_row.enlarge("image")
+            window.slots.arrange("pictures", "image", "image")
             settle()
         pictures.append(pixels(window, "world"))
     assert pictures[0].shape == pictures[1].shape and (pictures[0] == pictures[1]).all()
@@ -371,7 +371,7 @@ def test_enlarging_and_back(window: MainWindow) -> None:
     header = window.panes["ndc"].header
     QTest.mouseDClick(header, Qt.MouseButton.LeftButton, pos=header.rect().center())
     assert [pane.isVisible() for pane in window.panes.values()] == [False, True, False]
-    window.pane_row.enlarge("ndc")
+    window.slots.arrange("pictures", "ndc", "ndc")
     assert all(pane.isVisible() for pane in window.panes.values())
 
 
@@ -379,7 +379,7 @@ def test_a_floating_pane_still_draws_and_docks_again(
     window: MainWindow, qtbot: Any, qtlog: Any
 ) -> None:
     pane = window.panes["ndc"]
-    window.pane_row.toggle_float("ndc")
+    window.slots.toggle_float("ndc")
     qtbot.waitExposed(pane)
     assert pane.isWindow()
     before = pixels(window, "ndc")
@@ -392,7 +392,7 @@ def test_a_floating_pane_still_draws_and_docks_again(
     said = [record.message for record in qtlog.records]
     assert not [message for message in said if "QRhi" in message], "of the window it has left"
     assert not pane.isWindow() and pane.isVisible()
-    assert window.pane_row.indexOf(pane) == 1
+    assert window.slots.indexOf(pane) == 1
     window.store.set_projection(seen(window, camera=Camera((7.0, 3.0, 6.0))))
     settle()
     assert colours_of(pixels(window, "ndc")) > 10
@@ -413,11 +413,11 @@ def test_the_panes_have_room(window: MainWindow) -> None:
 def test_the_strip_plays_on_while_its_pane_goes_to_a_window_and_back(window: MainWindow) -> None:
     window.strip.play()
     for floats in (True, False):
-        window.pane_row.toggle_float("ndc")
+        window.slots.toggle_float("ndc")
         settle()
         assert window.panes["ndc"].isWindow() == floats and window.strip.playing
     window.strip.pause()
-    window.pane_row.toggle_float("ndc")
+    window.slots.toggle_float("ndc")
     assert not window.strip.playing
 
 
@@ -427,13 +427,13 @@ def test_themes_and_projector_mode_dress_every_pane(window: MainWindow) -> None:
         size, style = window.font().pointSizeF(), {"light": LIGHT, "dark": DARK}[theme]
         settle()
         thin = share_of(window, rgb(style.near))
-        window.look.set_projector(True)
+        window.look.set_presenting(True)
         settle()
         assert QApplication.font().pointSizeF() > 1.2 * size
         assert share_of(window, rgb(style.near)) > 1.2 * thin > 0.0, "its lines are thicker"
         background = np.median(pixels(window, "world").reshape(-1, 3), axis=0).mean()
         assert (background < 128) == (theme == "dark")
-        window.look.set_projector(False)
+        window.look.set_presenting(False)
         window.look.set_theme("light")
         assert QApplication.font().pointSizeF() == pytest.approx(size)
 
@@ -445,7 +445,7 @@ def test_a_window_that_starts_in_projector_mode_is_large_all_over(make_window: M
     window = make_window(settings=settings)
     assert window.controls.sections["lens"].heading.font().pointSizeF() > 1.2 * size
     assert window.menuBar().font().pointSizeF() > 1.2 * size
-    window.look.set_projector(False)
+    window.look.set_presenting(False)
 
 
 def test_everything_has_a_name_and_a_tip(window: MainWindow) -> None:
@@ -623,7 +623,7 @@ def test_a_picture_shows_the_panes_as_they_were_turned_and_so_does_its_document(
     )
     assert (again == picture).all()
 
-    window.pane_row.reset_views()
+    window.slots.reset_views()
     settle()
     assert any((pixels(window, name) != before[name]).any() for name in before)
     drop(window, turned)
@@ -641,7 +641,7 @@ def test_the_views_of_panes_that_this_program_does_not_have_are_kept(
     path = tmp_path / "lesson.json"
     path.write_text(json.dumps(tree | {"views": {"second-screen": other, "world": tree["camera"]}}))
     assert window.files.open(path)
-    window.pane_row.reset_views()
+    window.slots.reset_views()
     window.store.set_projection(seen(window, lens=Perspective(60.0, 2.0, 20.0)))
     assert window.files.save()
     assert json.loads(path.read_text())["views"] == {"second-screen": other}
@@ -869,7 +869,7 @@ def test_closing_in_the_middle_of_a_drag_and_of_a_play(window: MainWindow) -> No
 def test_shortcuts_work_in_the_window_of_a_floated_pane(window: MainWindow, qtbot: Any) -> None:
     start = window.store.document
     pane = window.panes["world"]
-    window.pane_row.toggle_float("world")
+    window.slots.toggle_float("world")
     pane.activateWindow()
     qtbot.waitUntil(pane.isActiveWindow)
     window.store.set_projection(seen(window, lens=Perspective(60.0, 2.0, 20.0)))
@@ -1127,12 +1127,12 @@ def test_status_line_in_figures(make_window: MakeWindow) -> None:
     # tan(45/2) 16/9 = 0.73637 -> 2 atan = 72.73 deg; 43.267/2 / (tan(22.5) sqrt(1+(16/9)^2)) =
     # 21.6333/(0.414214*2.039741) = 25.605 mm
     window = make_window(shown=False)
-    texts = " ".join(label.text() for label in window.statusBar().findChildren(QLabel))
+    texts = " ".join(label.text() for label in window.status.findChildren(QLabel))
     assert "45° × 72.73°" in texts
     assert "25.61 mm" in texts
     assert "1 : 30" in texts
     window.store.set_projection(seen(window, lens=Perspective(45.0, 1.0, math.inf)))
-    assert "far ∞" in " ".join(label.text() for label in window.statusBar().findChildren(QLabel))
+    assert "far ∞" in " ".join(label.text() for label in window.status.findChildren(QLabel))
 
 
 def test_the_status_line_shows_no_fov_that_no_lens_has(make_window: MakeWindow) -> None:
@@ -1143,7 +1143,7 @@ def test_the_status_line_shows_no_fov_that_no_lens_has(make_window: MakeWindow) 
         (1e-12, "fov 1e-12° × 1.778e-12°"),
     ]:
         window.store.set_projection(seen(window, lens=Perspective(fov_y_deg, 1.0, 30.0)))
-        assert text in " ".join(label.text() for label in window.statusBar().findChildren(QLabel))
+        assert text in " ".join(label.text() for label in window.status.findChildren(QLabel))
 
 
 # -- memory
@@ -1609,7 +1609,7 @@ def test_on_a_small_projector_no_number_and_no_text_of_a_scene_is_hidden(
     window: MainWindow,
 ) -> None:
     window.resize(1366, 768)
-    window.look.set_projector(True)
+    window.look.set_presenting(True)
     seen = 0
     for name in PHENOMENA:
         window.guide.choose(name)
@@ -1631,7 +1631,7 @@ def test_on_a_small_projector_no_number_and_no_text_of_a_scene_is_hidden(
 def test_full_hd_at_a_screen_scale_of_two_holds_the_window_of_a_projector(
     window: MainWindow,
 ) -> None:
-    window.look.set_projector(True)
+    window.look.set_presenting(True)
     for name in ("letter-f", *PHENOMENA):
         window.guide.choose(name)
         settle()
@@ -1667,7 +1667,7 @@ def make_widened(make_window: MakeWindow) -> MakeWindow:
 
 def test_edges_that_run_far_behind_the_pane_are_lines(make_widened: MakeWindow) -> None:
     window = make_widened()
-    window.pane_row.enlarge("world")
+    window.slots.bring("world")
     for image_size in [(16384, 1), (4000, 100)]:
         start = window.store.document.projection
         window.store.set_projection(replace(start, image_size=image_size))
@@ -1678,8 +1678,8 @@ def test_edges_that_run_far_behind_the_pane_are_lines(make_widened: MakeWindow) 
 
 def test_a_grid_that_runs_behind_the_pane_is_lines(make_widened: MakeWindow) -> None:
     window = make_widened()
-    window.look.set_projector(True)  # with lines that are more than a pixel wide
-    window.pane_row.enlarge("world")
+    window.look.set_presenting(True)  # with lines that are more than a pixel wide
+    window.slots.bring("world")
     QApplication.processEvents()
     hand = window.panes["world"].hand
     hand.camera.SetPosition(0.3, 0.4, 3.2)
@@ -1820,10 +1820,10 @@ window = MainWindow(document, settings=Settings(None), software_rendering=True)
 window.resize(1000, 600)
 window.show()
 assert QTest.qWaitForWindowExposed(window, int(sys.argv[1]))
-for change in (None, lambda: window.pane_row.setSizes([301, 302, 303]),
+for change in (None, lambda: window.slots.setSizes([301, 302, 303]),
                lambda: window.messages.say("Something."),
-               lambda: window.pane_row.toggle_float("ndc"),
-               lambda: window.pane_row.toggle_float("ndc")):
+               lambda: window.slots.toggle_float("ndc"),
+               lambda: window.slots.toggle_float("ndc")):
     if change is not None:
         change()
     QTest.qWait(1)

@@ -25,6 +25,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import (
     QFrame,
+    QGridLayout,
     QHBoxLayout,
     QToolButton,
     QVBoxLayout,
@@ -37,7 +38,7 @@ from app.picking.picking import Probe, Sight
 from app.scenes.phenomena.illustration import Illustration
 from app.scenes.scene import Scene
 from widgets.panes.canvas import AnyCanvas, Hand
-from widgets.parts.note import Note, Title
+from widgets.parts.note import Title
 from widgets.parts.panel import PROJECTION, Changed, Shown
 
 SCALES = {"half resolution": 0.5, "supersampling 2 x 2": 2.0}
@@ -213,22 +214,22 @@ class Pane(QFrame):
         self._matrices_ms = 0.0
 
         self.title = Title(title)
-        self.note = Note()
+        self.note = Title("", "paneNote")
         self._reset = self._button("⌂", self.tr("Reset this pane's own view (double-click)"))
         self._reset.clicked.connect(self.reset_view)
         self._reset.setVisible(orbits)
         self._float = self._button("❐", self.tr("Put this pane into a window of its own, and back"))
         self._float.clicked.connect(self.float_requested)
-        self._enlarge = self._button("⤢", self.tr("Enlarge this pane, and back"))
+        self._enlarge = self._button("⤢", self.tr("Enlarge this pane; again, to the whole window"))
         self._enlarge.clicked.connect(self.enlarge_requested)
         self.header = QWidget()
-        self.header.setToolTip(self.tr("Double-click to enlarge this pane, and again to go back"))
-        bar = QHBoxLayout(self.header)
-        bar.setContentsMargins(8, 2, 2, 2)
-        bar.addWidget(self.title)
-        bar.addWidget(self.note, 1)
-        for button in (self._reset, self._enlarge, self._float):
-            bar.addWidget(button)
+        self.header.setToolTip(
+            self.tr("Double-click to make this pane large; again, as large as the window, and back")
+        )
+        self._tools = QWidget()
+        self._column = QGridLayout(self)
+        self._column.setContentsMargins(0, 0, 0, 0)
+        self._column.setSpacing(0)
 
         self.canvas = make_canvas(self)
         self.hand = Hand(self.canvas, orbits=orbits)
@@ -255,12 +256,17 @@ class Pane(QFrame):
                     "nearer to the target"
                 )
             )
-        self._column = QVBoxLayout(self)
-        self._column.setContentsMargins(0, 0, 0, 0)
-        self._column.setSpacing(0)
-        self._column.addWidget(self.header)
         self._fitted = _WholePixels(self.canvas)
-        self._column.addWidget(self._fitted, 1)
+        self._column.addWidget(self._fitted, 0, 0)
+        for widget, side, inside in (
+            (self.header, Qt.AlignmentFlag.AlignLeft, (self.title, self.note)),
+            (self._tools, Qt.AlignmentFlag.AlignRight, (self._reset, self._enlarge, self._float)),
+        ):
+            bar = QHBoxLayout(widget)
+            bar.setContentsMargins(8, 2, 2, 2)
+            for part in inside:
+                bar.addWidget(part)
+            self._column.addWidget(widget, 0, 0, Qt.AlignmentFlag.AlignTop | side)  # on the picture
 
     def _button(self, text: str, tip: str) -> QToolButton:
         button = QToolButton()
@@ -407,11 +413,12 @@ class Pane(QFrame):
 
     def add_below(self, widget: QWidget) -> None:
         """Put a widget under the canvas: it is hidden, enlarged and floated with the pane."""
-        self._column.addWidget(widget)
+        self._column.addWidget(widget, 1, 0)
 
-    def set_title(self, title: str) -> None:
+    def set_title(self, title: str, note: str) -> None:
         """Name what the pane shows now; its own name, for screen readers, stays."""
         self.title.setText(title)
+        self.note.setText(note)
 
     def set_smoothing(self, smoothing: str) -> None:
         """Change antialiasing, to one of `SMOOTHINGS`; the next repaint shows it."""
@@ -493,6 +500,10 @@ class Pane(QFrame):
             self.drawing.reset_clipping_range()
         self.request_repaint()
 
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self.header.setMaximumWidth(max(0, self.width() - self._tools.sizeHint().width()))
+
     def moveEvent(self, event: QMoveEvent) -> None:
         super().moveEvent(event)
         self._fitted.fit()
@@ -522,7 +533,8 @@ class Pane(QFrame):
             super().keyPressEvent(event)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
-        if self.header.geometry().contains(event.position().toPoint()):
+        place = event.position().toPoint()
+        if any(bar.geometry().contains(place) for bar in (self.header, self._tools)):
             self.enlarge_requested.emit()
         else:
             self.double_clicked.emit()

@@ -1,7 +1,7 @@
 """The stage strip under the NDC pane: from the world to the picture and back, by hand or played.
 
-The strip knows positions and words, and no matrix: `Pane.show_stage` takes the positions, and the
-pane's title what `named` says.
+The strip knows positions and words, and no matrix: `Pane.show_stage` takes the positions, and
+`Pane.set_title` what `named` says.
 """
 
 from __future__ import annotations
@@ -11,7 +11,6 @@ import math
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QHideEvent, QKeyEvent, QMouseEvent, QResizeEvent
 from PySide6.QtWidgets import (
-    QGridLayout,
     QHBoxLayout,
     QSizePolicy,
     QSlider,
@@ -32,7 +31,6 @@ from app.lecture.stages import (
 from app.model.projection import Projection
 from widgets.parts.clock import Clock, Playing
 from widgets.parts.escape import HeldSlider
-from widgets.parts.note import Note
 from widgets.parts.panel import PROJECTION, Changed, Shown
 
 STEPS = 240
@@ -41,8 +39,6 @@ CATCH = 12
 """Within as many steps of a stop a drag is at the stop."""
 STEP_S, REST_S = 2.0, 0.8
 """Seconds that playing takes from one stop to the next, and stands at each."""
-
-_HALF_COLUMNS = 2 * len(STOPS) + 1  # a name takes three of them
 
 
 class _StopsSlider(HeldSlider):
@@ -81,8 +77,8 @@ class StageStrip(QWidget, Playing):
     concerns = PROJECTION - {"camera"}
     moved = Signal(float)
     """The new position: 0 to 5, whole at `stages.STOPS`."""
-    named = Signal(str)
-    """What is shown there."""
+    named = Signal(str, str)
+    """What is shown there, and its axes and limits."""
     gesture_started = Signal()
     gesture_finished = Signal()
 
@@ -127,42 +123,31 @@ class StageStrip(QWidget, Playing):
         self.slider.abandoned.connect(lambda: self._stand_at(self._before))
         self.slider.sliderPressed.connect(self._pressed)
         self.slider.sliderReleased.connect(self.gesture_finished)
-        self.words = Note()
         self.stops: list[QToolButton] = []
         self._ends = QHBoxLayout()
         self._ends.addWidget(self.slider)
-        # Every other name a row lower, so that each can be wider than the way between two stops.
-        names = QGridLayout()
+        names = QHBoxLayout()
         names.setSpacing(0)
         names.setContentsMargins(0, 0, 0, 0)
         for stop in range(len(STOPS)):
             button = _Narrow()
             button.setCheckable(True)
             button.clicked.connect(lambda _checked=False, stop=stop: self.go_to(float(stop)))
-            names.addWidget(button, stop % 2, 2 * stop, 1, 3)
+            names.addWidget(button, 1)
             self.stops.append(button)
-        for column in range(_HALF_COLUMNS):
-            names.setColumnStretch(column, 1)
         self._columns = QVBoxLayout()
         self._columns.setSpacing(0)
         self._columns.addLayout(self._ends)
         self._columns.addLayout(names)
-        slider_and_names = QHBoxLayout()
-        slider_and_names.setSpacing(2)
-        slider_and_names.addWidget(self.button, 0, Qt.AlignmentFlag.AlignTop)
-        slider_and_names.addLayout(self._columns, 1)
-        said = QHBoxLayout()  # in a line of its own: beside the pane's title is no room for it
-        said.setContentsMargins(4, 0, 0, 0)
-        said.addWidget(self.words)
-        layout = QVBoxLayout(self)
+        layout = QHBoxLayout(self)
         layout.setContentsMargins(4, 2, 4, 2)
-        layout.setSpacing(0)
-        layout.addLayout(said)
-        layout.addLayout(slider_and_names)
+        layout.setSpacing(2)
+        layout.addWidget(self.button)
+        layout.addLayout(self._columns, 1)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
         self._name_stops()
         self._show_playing()
-        self._show_stop()
+        self._check_stop()
 
     # -- where it is
 
@@ -199,12 +184,11 @@ class StageStrip(QWidget, Playing):
 
     def _say(self) -> None:
         """Say axes and limits, and what is shown, where they are other ones."""
-        said = self._words(self._projection), self._title()
+        said = self._title(), self._words(self._projection)
         if said != self._said:
             self._said = said
-            self.words.setText(said[0])
-            self.slider.setAccessibleDescription(said[1])
-            self.named.emit(said[1])
+            self.slider.setAccessibleDescription(f"{said[0]}: {said[1]}")
+            self.named.emit(*said)
 
     def _name(self, stop: int) -> tuple[str, str]:
         """A stop's name and tooltip."""
@@ -242,7 +226,7 @@ class StageStrip(QWidget, Playing):
         return f"{self._name(before)[0]} → {self._name(before + 1)[0]}"
 
     def _words(self, projection: Projection) -> str:
-        """Axes and limits at this position: short enough for a pane of 280 pixels."""
+        """Axes and limits at this position, in few words."""
         stop, lens = self.stop, projection.lens
         if stop == WORLD:
             text = self.tr("x, y, z in world units")
@@ -337,9 +321,12 @@ class StageStrip(QWidget, Playing):
         self.gesture_started.emit()
 
     def _show_stop(self) -> None:
+        self._check_stop()
+        self._say()
+
+    def _check_stop(self) -> None:
         for stop, button in enumerate(self.stops):
             button.setChecked(stop == self._at)
-        self._say()
 
     def _show_playing(self) -> None:
         sign, word = ("❚❚", self.tr("Pause")) if self.playing else ("▶", self.tr("Play"))
@@ -354,7 +341,7 @@ class StageStrip(QWidget, Playing):
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         # The slider's ends over the middles of the first and the last name.
-        name_width = 3 * self._columns.geometry().width() // _HALF_COLUMNS
+        name_width = self._columns.geometry().width() // len(STOPS)
         handle = self.slider.style().pixelMetric(
             self.slider.style().PixelMetric.PM_SliderLength, None, self.slider
         )

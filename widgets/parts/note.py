@@ -53,9 +53,9 @@ class Note(QLabel):
 class Title(Note):
     """A note that has all the room it needs while there is any."""
 
-    def __init__(self, text: str) -> None:
+    def __init__(self, text: str, name: str = "paneTitle") -> None:
         super().__init__()
-        self.setObjectName("paneTitle")
+        self.setObjectName(name)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
         self.setText(text)
 

@@ -1,17 +1,15 @@
-"""The window's colours and sizes: light or dark, and larger for a projector."""
+"""The window's colours and sizes: light or dark, and larger for a class."""
 
 from __future__ import annotations
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QColor, QFont, QPalette
+from PySide6.QtGui import QColor, QFont, QFontInfo, QPalette
 from PySide6.QtWidgets import QApplication
 
 from app.drawings.style import DARK, LIGHT, Style
 
-PROJECTOR_FACTOR = 1.5
-"""How much larger the drawings' text and lines are in projector mode, for the back row."""
-PROJECTOR_FONT_FACTOR = 1.25
-"""The same for the controls, which the lecturer reads: the panes need the room."""
+SHARE_OF_SCREEN = 0.0225
+"""Of a screen's height, for an em of what a class shall read from the back row."""
 
 _COLOURS = (  # role, light, dark
     (QPalette.ColorRole.Window, "#f4f4f2", "#222426"),
@@ -50,14 +48,24 @@ def is_dark(theme: str) -> bool:
     return theme == "dark"
 
 
-def drawing_style(*, dark: bool, projector: bool, device_pixel_ratio: float) -> Style:
-    """Colours and sizes for the drawings, in device pixels."""
-    style = (DARK if dark else LIGHT).enlarged(device_pixel_ratio)
-    return style.enlarged(PROJECTOR_FACTOR) if projector else style
+def drawing_style(*, dark: bool, screen_px: float, device_pixel_ratio: float) -> Style:
+    """Colours and sizes for the drawings, in device pixels; `screen_px` as of `apply`."""
+    style = DARK if dark else LIGHT
+    larger = max(1.0, SHARE_OF_SCREEN * screen_px / style.font_size)
+    return style.enlarged(device_pixel_ratio * larger)
 
 
-def apply(application: QApplication, *, dark: bool, projector: bool) -> None:
-    """Dress the whole application."""
+def apply(application: QApplication, *, dark: bool, screen_px: float) -> None:
+    """Dress the whole application.
+
+    Parameters
+    ----------
+    application : QApplication
+    dark : bool
+    screen_px : float
+        Height of the screen that a class looks at, of whose height text is a share; 0 for text as
+        on every desktop.
+    """
     palette = QPalette()
     for role, light_colour, dark_colour in _COLOURS:
         colour = QColor(dark_colour if dark else light_colour)
@@ -76,7 +84,9 @@ def apply(application: QApplication, *, dark: bool, projector: bool) -> None:
         base_size = application.font().pointSizeF()
         application.setProperty("frustumLabFontSize", base_size)
     font = QFont(application.font())
-    font.setPointSizeF(base_size * (PROJECTOR_FONT_FACTOR if projector else 1.0))
+    font.setPointSizeF(base_size)
+    larger = max(1.0, SHARE_OF_SCREEN * screen_px / QFontInfo(font).pixelSize())
+    font.setPointSizeF(base_size * larger)
     application.setFont(font)
     application.setStyleSheet(
         _STYLE_SHEET.format(

@@ -246,7 +246,7 @@ def run_window(
             said = QCoreApplication.translate(
                 "Program", "Qt has no OpenGL here: VTK draws the panes off the screen."
             )
-            window.filled.connect(partial(window.statusBar().showMessage, said, SAID_MS))
+            window.filled.connect(partial(window.status.showMessage, said, SAID_MS))
         failed: list[bool] = []
         window.filled.connect(lambda: failed.append(bool(watch.caught)))
         show_window(window)
@@ -325,7 +325,7 @@ def _take_screenshot(
             raise Refusal.saying(NO_WINDOW, path)
     application.processEvents()
     window.messages.hide()  # an offer to recover work is no part of the picture
-    window.statusBar().clearMessage()
+    window.status.clearMessage()
     application.processEvents()
     png = QBuffer()
     png.open(QIODevice.OpenModeFlag.WriteOnly)

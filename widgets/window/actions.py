@@ -21,8 +21,8 @@ from widgets.panes.pane import Pane
 from widgets.parts.messages import file_title, of_phenomena
 from widgets.window.files import Files
 from widgets.window.help import FULL_SCREEN_KEY, PLAY_KEY, Help
-from widgets.window.pane_row import PaneRow
 from widgets.window.pictures import Pictures
+from widgets.window.slots import LAYOUTS, Slots
 
 
 def take_typed(window: QMainWindow) -> None:
@@ -44,18 +44,16 @@ class Actions(QObject):
     ----------
     window : QMainWindow
         Gets the menus and the tool bar.
-    files, pictures, help_, row
+    files, pictures, help_, slots
         The parts of the window that carry out what is asked for.
     panes : mapping of str to Pane
     theme : str
-    projector : bool
         How the window looks at first.
     """
 
     scene_chosen = Signal(str)
     theme_chosen = Signal(str)
     controls_shown = Signal(bool)
-    projector_set = Signal(bool)
     cost_shown = Signal(bool)
 
     def __init__(
@@ -65,14 +63,13 @@ class Actions(QObject):
         files: Files,
         pictures: Pictures,
         help_: Help,
-        row: PaneRow,
+        slots: Slots,
         panes: Mapping[str, Pane],
         theme: str,
-        projector: bool,
     ) -> None:
         super().__init__(window)
         self._window, self._files, self._help = window, files, help_
-        self._row, self._panes = row, panes
+        self._slots, self._panes = slots, panes
         self._scene_titles = {
             "letter-f": self.tr("Letter F"),
             "cube": self.tr("Unit cube"),
@@ -111,12 +108,14 @@ class Actions(QObject):
         self._make_edit_menu()
         self.scene_group = QActionGroup(window)
         self._make_scenes_menu()
-        self.projector = self._toggle(
-            self.tr("&Projector mode"), self.projector_set, projector, "Ctrl+P"
+        self.present = self._action(
+            self.tr("&Present"), None, "F5",
+            self.tr("Fill the screen with the panes and the controls that matter, for a class"),
+        )  # fmt: skip
+        self.blank = self._action(
+            self.tr("&Blank the screen"), None, "B", self.tr("Let the class see nothing, and back")
         )
-        self.projector.setToolTip(
-            self.tr("Larger text and thicker lines, for the back row (Ctrl+P)")
-        )
+        self.blank.setEnabled(False)
         self.show_cost = self._toggle(self.tr("Show c&ost"), self.cost_shown, False)
         self.show_cost.setToolTip(
             self.tr("Measure what every step takes: the model, each pane's matrices and repaint")
@@ -130,8 +129,9 @@ class Actions(QObject):
         self.scene_box = QComboBox()
         self._make_tool_bar()
         keyed = [a for a in window.findChildren(QAction) if not a.shortcut().isEmpty()]
-        for pane in panes.values():
-            pane.addActions(keyed)  # which it takes along into a window of its own
+        # A hidden menu bar has no shortcuts, and a pane takes them into a window of its own.
+        for widget in (window, *panes.values()):
+            widget.addActions(keyed)
 
     # -- making
 
@@ -205,17 +205,27 @@ class Actions(QObject):
 
     def _make_view_menu(self, theme: str) -> None:
         menu = self._window.menuBar().addMenu(self.tr("&View"))
-        row = self._row
+        slots = self._slots
+        menu.addActions([self.present, self.blank])
+        menu.addSeparator()
         for number, (name, pane) in enumerate(self._panes.items(), start=1):
-            text = self.tr("Enlarge {0}").format(pane.name)
-            menu.addAction(self._action(text, partial(row.enlarge, name), f"F{number + 5}"))
-        menu.addAction(self._action(self.tr("Show &all panes"), row.show_all, "F9"))
+            text = self.tr("{0} in large").format(pane.name)
+            tip = self.tr("Into the large slot; again, as large as the window, and back")
+            menu.addAction(self._action(text, partial(slots.bring, name), f"Ctrl+{number}", tip))
+        menu.addAction(self._action(self.tr("Back to &all panes"), slots.go_back, "Ctrl+0"))
+        self._columns = self._action(
+            self.tr("Panes in &columns"),
+            lambda: slots.arrange(LAYOUTS[self._columns.isChecked()], slots.large),
+        )
+        self._columns.setCheckable(True)
+        slots.rearranged.connect(lambda: self._columns.setChecked(slots.layout_name == LAYOUTS[1]))
+        menu.addAction(self._columns)
         menu.addAction(
-            self._action(self.tr("&Reset the panes' own views"), row.reset_views, "Ctrl+0")
+            self._action(self.tr("&Reset the panes' own views"), slots.reset_views, "Ctrl+Home")
         )
         menu.addSeparator()
-        controls = self._toggle(self.tr("&Controls"), self.controls_shown, True, "F4")
-        menu.addActions([controls, self.show_cost, self.projector])
+        self.controls = self._toggle(self.tr("&Controls"), self.controls_shown, True, "F4")
+        menu.addActions([self.controls, self.show_cost])
         themes = menu.addMenu(self.tr("&Theme"))
         group = QActionGroup(self._window)
         for value, text in (
@@ -239,7 +249,7 @@ class Actions(QObject):
         menu.addAction(self._action(self.tr("&About Frustum Lab"), self._help.show_about))
 
     def _make_tool_bar(self) -> None:
-        tools = QToolBar(self.tr("Tools"))
+        self.tools = tools = QToolBar(self.tr("Tools"))
         tools.setObjectName("tools")
         tools.setMovable(False)
         self.scene_box.setAccessibleName(self.tr("Scene"))
@@ -256,7 +266,7 @@ class Actions(QObject):
             (self.undo, self.redo, self.reset),
             (self.play,),
             (self.copy, self.export),
-            (self.projector,),
+            (self.present,),
             (self.help,),
         ):
             tools.addSeparator()
@@ -268,7 +278,6 @@ class Actions(QObject):
             (self.reset, self.tr("Reset")),
             (self.copy, self.tr("Copy")),
             (self.export, self.tr("Export")),
-            (self.projector, self.tr("Projector")),
             (self.help, self.tr("Help")),
         ):
             action.setIconText(text)

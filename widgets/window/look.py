@@ -25,11 +25,11 @@ SORTED_AHEAD = 10_000
 """Faces of a scene that are sorted before the first click on it; of fewer the click does it."""
 
 
-def dress(settings: Settings) -> None:
+def dress(settings: Settings, screen_px: float = 0.0) -> None:
     """Give the application its colours and its font, before there are widgets or later."""
     application = QApplication.instance()
     assert isinstance(application, QApplication)
-    palette.apply(application, dark=palette.is_dark(settings.theme), projector=settings.projector)
+    palette.apply(application, dark=palette.is_dark(settings.theme), screen_px=screen_px)
 
 
 class Look(QObject):
@@ -39,7 +39,7 @@ class Look(QObject):
     ----------
     panes : mapping of str to Pane
     settings : Settings
-        Of which theme, projector mode, tolerance and frame time are looked at.
+        Of which theme, tolerance and frame time are looked at.
     store : Store
     software_rendering : bool
         Whether OpenGL runs without a GPU.
@@ -55,7 +55,6 @@ class Look(QObject):
     concerns = EVERYTHING
     built = Signal(Style)
     """The panes have other drawings now; other pictures are drawn in this style as well."""
-    text_resized = Signal()
 
     def __init__(
         self,
@@ -81,6 +80,8 @@ class Look(QObject):
             }
         )
         self._shown: Shown | None = None
+        self._screen_px = 0.0
+        """Height of the screen while presenting, of which text and lines are a share."""
         self.adaptive = Adaptive(
             panes,
             software_rendering=software_rendering,
@@ -122,7 +123,7 @@ class Look(QObject):
         assert shown is not None
         style = palette.drawing_style(
             dark=palette.is_dark(settings.theme),
-            projector=settings.projector,
+            screen_px=self._screen_px,
             device_pixel_ratio=self._window.devicePixelRatioF(),
         )
         drawn = style.enlarged(SCALES.get(quality.smoothing, 1))
@@ -165,15 +166,14 @@ class Look(QObject):
     def set_theme(self, theme: str) -> None:
         """Switch to ``"light"``, ``"dark"`` or ``"system"``."""
         self._settings.theme = theme
-        dress(self._settings)
+        dress(self._settings, self._screen_px)
         self.rebuild()
 
-    def set_projector(self, on: bool) -> None:
-        """Switch projector mode: larger text, thicker lines."""
-        self._settings.projector = on
-        dress(self._settings)
+    def set_presenting(self, on: bool) -> None:
+        """Write and draw for a class, or as ever."""
+        self._screen_px = float(self._window.screen().size().height()) if on else 0.0
+        dress(self._settings, self._screen_px)
         self.rebuild()
-        self.text_resized.emit()
 
     def _scheme_changed(self) -> None:
         if self._settings.theme == "system":

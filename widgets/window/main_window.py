@@ -32,6 +32,7 @@ from PySide6.QtGui import (
     QResizeEvent,
 )
 from PySide6.QtWidgets import (
+    QHBoxLayout,
     QMainWindow,
     QSplitter,
     QVBoxLayout,
@@ -58,18 +59,19 @@ from widgets.parts.highlight import Highlighter
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.panel import EVERYTHING, Changed, Panel, Shown, Told
 from widgets.window.actions import Actions, take_typed
-from widgets.window.drawer import Column, Panels
+from widgets.window.drawer import Drawer, Panels
 from widgets.window.files import Files
 from widgets.window.help import Help
 from widgets.window.history import History
 from widgets.window.look import Look, dress
-from widgets.window.pane_row import PANE_WIDTHS, PaneRow
 from widgets.window.pictures import Pictures
+from widgets.window.present import Present
 from widgets.window.probing import Probing
 from widgets.window.quality import Cost, DrawnQuality
 from widgets.window.recovery import Recovery
 from widgets.window.scene_guide import SceneGuide
 from widgets.window.settings import data_folder
+from widgets.window.slots import Slots
 from widgets.window.status_line import StatusLine
 
 
@@ -93,6 +95,7 @@ def _image(*args: Any) -> Any:
 
 DRAWINGS: dict[str, Callable[..., Any]] = {"world": _world, "ndc": _stage, "image": _image}
 """Of each pane; VTK is imported by them."""
+PICTURES_AND_DOCK = [1075, 285]
 LONGEST_UNSEEN_MS = 100
 """How long a pane is waited for that shows nothing: it may be hidden, or its drawing has failed."""
 
@@ -107,7 +110,7 @@ class MainWindow(QMainWindow):
     saved : Document, optional
         What is in its file, if that is another one.
     settings : Settings
-        The user's own: theme, projector mode, recent files, window geometry.
+        The user's own: theme, recent files, window geometry.
     software_rendering : bool
         Whether OpenGL runs without a GPU; antialiasing then waits while a control is dragged.
     path : Path, optional
@@ -143,6 +146,8 @@ class MainWindow(QMainWindow):
         self.setObjectName("mainWindow")
         self.setAcceptDrops(True)
         self._is_closed = False
+        self._folded: Panel | None = None
+        """The panel that is open when no pane has the whole window."""
         self.settings = settings
         dress(settings)  # before there are widgets, which would keep the font of before
         self.store = Store(document, self, saved=saved)
@@ -189,13 +194,11 @@ class MainWindow(QMainWindow):
             files=self.files,
             pictures=self.pictures,
             help_=self.help,
-            row=self.pane_row,
+            slots=self.slots,
             panes=self.panes,
             theme=settings.theme,
-            projector=settings.projector,
         )
-        self.status = StatusLine()
-        self.setStatusBar(self.status)
+        self.present = Present(self, self.menus.tools, self.bottom)
         self._make_rooms()
         self._wire()
         self._wire_gestures()
@@ -270,19 +273,24 @@ class MainWindow(QMainWindow):
         self.setCentralWidget(body)
         layout = QVBoxLayout(body)
         layout.setContentsMargins(4, 4, 4, 0)
+        layout.setSpacing(2)
         layout.addWidget(self.messages)
-        split = QSplitter(Qt.Orientation.Horizontal)
-        self.column = Column(
-            split, self.panels, lambda: self.settings.projector, lambda: self.store.in_gesture
-        )
-        layout.addWidget(self.column, 1)
-        self.pane_row = PaneRow(self.panes, self.strip)
-        split.addWidget(self.pane_row)
+        self.split = split = QSplitter(Qt.Orientation.Horizontal)
+        layout.addWidget(split, 1)
+        self.bottom = QWidget()
+        layout.addWidget(self.bottom)
+        self.slots = Slots(self.panes, self.strip)
+        self.drawer = Drawer(self.slots, self.panels)
+        split.addWidget(self.drawer)
         split.addWidget(self.controls)
         split.setStretchFactor(0, 1)
         split.setStretchFactor(1, 0)
-        split.setSizes([1040, 320])
-        self.pane_row.setSizes(PANE_WIDTHS)
+        split.setSizes(PICTURES_AND_DOCK)
+        row = QHBoxLayout(self.bottom)
+        row.setContentsMargins(0, 0, 0, 2)
+        self.status = StatusLine()
+        row.addWidget(self.panels.names)
+        row.addWidget(self.status, 1)
 
     def _make_rooms(self) -> None:
         """What joins several parts, and the order in which all that show something are told."""
@@ -348,21 +356,23 @@ class MainWindow(QMainWindow):
         strip.named.connect(ndc.set_title)
         strip.gesture_started.connect(partial(self.look.refine, "ndc", False))
         strip.gesture_finished.connect(partial(self.look.refine, "ndc", True))
-        self.history.rested.connect(self.column.rest)
         self.history.rested.connect(self.look.rest)
         self.look.built.connect(self.manipulation.leave)
-        self.look.text_resized.connect(self.column.fit)
         menus.play.triggered.connect(controls.animation.toggle)
         menus.theme_chosen.connect(self.look.set_theme)
-        menus.projector_set.connect(self.look.set_projector)
-        menus.controls_shown.connect(controls.setVisible)
+        menus.present.triggered.connect(self.present.toggle)
+        menus.blank.triggered.connect(self.present.blank)
+        self.present.switched.connect(menus.blank.setEnabled)
+        self.present.switched.connect(self.look.set_presenting)
+        self.slots.rearranged.connect(self._show_beside)
+        menus.controls_shown.connect(self._show_beside)
         menus.cost_shown.connect(self.cost.measure)
         self.files.recent_changed.connect(menus.show_recent)
         menus.show_recent()
+        self.pictures.told.connect(self._tell_shortly)
         for panel in self.panels.all:
             panel.edited.connect(store.set_projection)
-            panel.outgrown.connect(self.column.outgrown)
-            panel.told.connect(lambda text: self.statusBar().showMessage(text, 5000))
+            panel.told.connect(self._tell_shortly)
             panel.refused.connect(self.messages.say)
             panel.copy_wanted.connect(self.pictures.copy_diagram)
             panel.export_wanted.connect(self.pictures.export_diagram)
@@ -430,15 +440,39 @@ class MainWindow(QMainWindow):
     # -- events
 
     def event(self, event: QEvent) -> bool:
-        is_escape = isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_Escape
-        if is_escape and self.messages.text and not self.messages.choices:  # an offer would be lost
-            event.accept()  # before Esc is the probes' shortcut
-            if event.type() == QEvent.Type.KeyPress:
-                self.messages.done()
-            return True
+        if isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_Escape:
+            if event.type() == QEvent.Type.ShortcutOverride and self._on_top():
+                event.accept()  # before Esc is the probes' shortcut
+                return True
+            if event.type() == QEvent.Type.KeyPress and (leave := self._on_top()):
+                leave()
+                return True
         if event.type() == QEvent.Type.DevicePixelRatioChange and self.panes["world"].drawing:
             self.look.rebuild()
         return super().event(event)
+
+    def _tell_shortly(self, text: str) -> None:
+        self.status.showMessage(text, 5000)
+
+    def _on_top(self) -> Callable[[], object] | None:
+        """What Esc leaves: a message, an empty screen, a whole pane, presenting."""
+        if self.messages.text and not self.messages.choices:  # an offer would be lost
+            return self.messages.done
+        if self.slots.whole and not self.present.is_blank:
+            return partial(self.slots.bring, self.slots.whole)
+        return self.present.leave if self.present.is_on else None
+
+    def _show_beside(self) -> None:
+        """Show what stands beside the panes, unless one of them has the whole window."""
+        alone = bool(self.slots.whole)
+        self.controls.setVisible(self.menus.controls.isChecked() and not alone)
+        self.bottom.setVisible(not alone and not self.present.is_on)
+        if alone and self.panels.open_panel is not None:
+            self._folded = self.panels.open_panel
+            self.panels.open(None)
+        elif not alone and self._folded is not None:
+            self.panels.open(self._folded)
+            self._folded = None
 
     def focusNextPrevChild(self, forwards: bool) -> bool:
         return focus_next(self, forwards)
@@ -452,7 +486,7 @@ class MainWindow(QMainWindow):
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         if event.size().height() != event.oldSize().height():
-            self.column.window_resized()
+            self.drawer.fit()
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
         if any(url.isLocalFile() for url in event.mimeData().urls()):

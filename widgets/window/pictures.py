@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
-from PySide6.QtCore import QByteArray, QMimeData, QObject, Qt
+from PySide6.QtCore import QByteArray, QMimeData, QObject, Qt, Signal
 from PySide6.QtGui import QGuiApplication, QImage, QOpenGLContext
 from PySide6.QtWidgets import QFileDialog, QMainWindow, QProgressDialog
 
@@ -44,6 +44,9 @@ class Pictures(QObject):
     words : mapping
         The drawings' words in the window's language.
     """
+
+    told = Signal(str)
+    """What was done, in one sentence."""
 
     def __init__(
         self,
@@ -130,7 +133,7 @@ class Pictures(QObject):
             self._messages.say(sentence(error))
             return False
         self._messages.done()
-        self._window.statusBar().showMessage(done, 5000)
+        self.told.emit(done)
         return True
 
     def _draw(self, document: Document, choice: ExportChoice) -> Pixels:
@@ -160,7 +163,7 @@ class Pictures(QObject):
                 size=choice.size,
                 scale=choice.scale,
                 transparent=choice.transparent,
-                style=palette.drawing_style(dark=False, projector=False, device_pixel_ratio=1.0),
+                style=palette.drawing_style(dark=False, screen_px=0.0, device_pixel_ratio=1.0),
                 words=self._words,
                 progress=progress,
             )

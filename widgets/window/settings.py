@@ -154,7 +154,6 @@ class Settings:
 
     theme = _Kept("theme", _theme, "system")
     """One of `THEMES`."""
-    projector = _Kept("projector", _flag, False, lambda on: "true" if on else "false")
     """Whether text and lines are enlarged for the back row."""
     language = _Kept("language", _language, "")
     """A locale such as ``"hr"`` or ``"sr_RS"``; empty for the system's."""

@@ -1,0 +1,198 @@
+"""Where the panes stand: one large and two small, or side by side, or one of them alone.
+
+::
+
+    "pictures"                     "columns"
+    +---------------+---------+    +------+------+------+
+    |               | small   |    |      |      |      |
+    |  large        +---------+    |      |      |      |
+    |               | small   |    |      |      |      |
+    +---------------+---------+    +------+------+------+
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from functools import partial
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QSplitter
+
+from widgets.panes.pane import Pane
+from widgets.panes.stage_strip import StageStrip
+
+LAYOUTS = ("pictures", "columns")
+COLUMN_WIDTHS = [400, 305, 330]
+LARGE_AND_SMALL = [590, 480]
+UPPER_AND_LOWER = [318, 378]
+"""In a window of 1366x768 pixels; the splitters keep the proportion."""
+LEAST_PANE_PX = (190, 150)
+SMALL = {"world": ("image", "ndc"), "image": ("world", "ndc"), "ndc": ("world", "image")}
+"""From above, beside each pane in the large slot."""
+
+
+class Slots(QSplitter):
+    """The panes, docked or afloat.
+
+    Parameters
+    ----------
+    panes : mapping of str to Pane
+        In the order of their columns, and of their keys.
+    strip : StageStrip
+        Below one of them; it plays on when its pane is moved.
+
+    Attributes
+    ----------
+    layout_name : str
+        One of `LAYOUTS`.
+    large : str
+        The pane in the large slot.
+    whole : str
+        The pane that has the whole window, or nothing.
+    """
+
+    rearranged = Signal()
+    """A pane has got another place."""
+
+    def __init__(self, panes: Mapping[str, Pane], strip: StageStrip) -> None:
+        super().__init__(Qt.Orientation.Horizontal)
+        self._panes, self._strip = panes, strip
+        self.layout_name, self.large, self.whole = LAYOUTS[0], next(iter(panes)), ""
+        self._leading = self.large
+        self._small = QSplitter(Qt.Orientation.Vertical)
+        for splitter in (self, self._small):
+            splitter.setChildrenCollapsible(False)
+        for name, pane in panes.items():
+            pane.setMinimumSize(*LEAST_PANE_PX)
+            pane.enlarge_requested.connect(partial(self.bring, name))
+            pane.float_requested.connect(partial(self.toggle_float, name))
+        for name in (self.large, *SMALL[self.large]):
+            (self if name == self.large else self._small).addWidget(panes[name])
+        self.addWidget(self._small)
+        self._share()
+
+    @property
+    def floating(self) -> tuple[str, ...]:
+        """The panes that have windows of their own."""
+        return tuple(name for name, pane in self._panes.items() if pane.isWindow())
+
+    def bring(self, name: str) -> None:
+        """Bring a docked pane into the large slot; again, let it have the whole window, and back.
+
+        Parameters
+        ----------
+        name : str
+        """
+        if name in self.floating:
+            return
+        if self.whole:
+            whole = "" if name == self.whole else name
+            self.arrange(self.layout_name, name, whole)
+        elif name == self.large or self.layout_name == "columns":
+            self.arrange(self.layout_name, name, name)
+        else:
+            self.arrange(self.layout_name, name)
+
+    def arrange(self, layout: str, large: str, whole: str = "") -> None:
+        """Give every docked pane its place.
+
+        Parameters
+        ----------
+        layout : str
+            One of `LAYOUTS`.
+        large : str
+            The pane for the large slot; "" for the one that the scene is about.
+        whole : str
+            The pane that shall have the whole window; "" for none.
+        """
+        large = large or self._leading
+        if (layout, large, whole) == (self.layout_name, self.large, self.whole):
+            return
+        moved = (layout, large) != (self.layout_name, self.large)
+        kept = self.sizes(), self._small.sizes()
+        shared = layout == self.layout_name and not self.whole and not whole
+        self.layout_name, self.large, self.whole = layout, large, whole
+        with self._still():
+            if moved:
+                self._place()
+            self._reveal()
+            if moved and shared and len(kept[0]) == self.count():
+                self.setSizes(kept[0])
+                self._small.setSizes(kept[1])
+            elif moved:
+                self._share()
+        self.rearranged.emit()
+
+    def lead(self, name: str) -> None:
+        """Note which pane the scene is about, and bring it into the large slot."""
+        if name != self._leading:
+            self._leading = name
+            self.arrange(self.layout_name, name, name if self.whole else "")
+
+    def go_back(self) -> None:
+        """Dock and show every pane, the one that the scene is about in the large slot."""
+        for name in self.floating:
+            self.toggle_float(name)
+        self.arrange(self.layout_name, self._leading)
+        self._share()
+
+    def toggle_float(self, name: str) -> None:
+        """Give a pane a window of its own, for a second screen, or dock it again."""
+        pane, plays = self._panes[name], self._strip.playing
+        if pane.isWindow():
+            pane.move_to(None, self._place)
+        else:
+            size = pane.size()
+            pane.setWindowTitle(f"{pane.name} – Frustum Lab")
+            pane.move_to(self.window(), lambda: pane.resize(size))
+            if name == self.whole:
+                self.whole = ""
+            self._place()
+        self._reveal()
+        self._share()
+        if plays:  # on the way it was hidden, which stops it
+            self._strip.play()
+        self.rearranged.emit()
+
+    def reset_views(self) -> None:
+        """Put every pane's own camera back; the model is not touched."""
+        for pane in self._panes.values():
+            pane.reset_view()
+
+    def _place(self) -> None:
+        """Put each docked pane into its slot."""
+        docked = [name for name in self._panes if name not in self.floating]
+        if self.layout_name == "columns":
+            large, small = docked, []
+        else:
+            order = [name for name in (self.large, *SMALL[self.large]) if name in docked]
+            large, small = order[:1], order[1:]
+        for splitter, names in ((self, large), (self._small, small)):
+            for place, name in enumerate(names):
+                if splitter.indexOf(self._panes[name]) != place:
+                    splitter.insertWidget(place, self._panes[name])
+        self.insertWidget(self.count() - 1, self._small)
+
+    def _reveal(self) -> None:
+        """Show those panes that shall be seen."""
+        docked = [name for name in self._panes if name not in self.floating]
+        for name in docked:
+            self._panes[name].setVisible(self.whole in ("", name))
+        beside = [name for name in docked if self._small.indexOf(self._panes[name]) >= 0]
+        self._small.setVisible(any(self.whole in ("", name) for name in beside))
+
+    def _share(self) -> None:
+        """Give the slots the room that they have at first."""
+        self.setSizes([*COLUMN_WIDTHS, 0] if self.layout_name == "columns" else LARGE_AND_SMALL)
+        self._small.setSizes(UPPER_AND_LOWER)
+
+    @contextmanager
+    def _still(self) -> Iterator[None]:
+        """Let nothing be seen of what is halfway."""
+        window = self.window()
+        window.setUpdatesEnabled(False)
+        try:
+            yield
+        finally:
+            window.setUpdatesEnabled(True)
