@@ -23,7 +23,7 @@ from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at
 from app.drawings.precision import ModelActors, least_tolerance
 from app.drawings.probes import Probes
 from app.drawings.rasterising import Rasteriser
-from app.drawings.style import Style, rgb
+from app.drawings.style import TITLE_EM, Style, rgb
 from app.lecture.highlight import SIDES, Highlight, corner_at
 from app.model.projection import Array, Camera, Projection
 from app.model.refusal import Refusal
@@ -409,7 +409,8 @@ class ImageDrawing:
     def _margins_px(self) -> tuple[int, int, int, int]:
         """Left, top, right, bottom: room for the numbers, the arrow heads and their letters."""
         em = self._style.font_size
-        return round(2.2 * em), round(2.0 * em), round(1.8 * em), round(2.0 * em)
+        above = 1.7 + TITLE_EM
+        return round(2.2 * em), round(above * em), round(1.8 * em), round(2.0 * em)
 
     def _layout(self, pane_width_px: int, pane_height_px: int) -> None:
         left, top, width, height = self._fit(pane_width_px, pane_height_px)

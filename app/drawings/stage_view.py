@@ -10,6 +10,7 @@ import math
 import numpy as np
 
 from app.drawings.actors import CUBE_CORNERS, Canvas
+from app.drawings.style import TITLE_EM
 from app.lecture.stages import (
     CANONICAL_PARALLEL,
     CANONICAL_PERSPECTIVE,
@@ -116,13 +117,15 @@ class StageView:
             ends += [(1.0, 1.0, sign * (1.0 + OVERSHOOT)) for sign in (-1.0, 1.0)]
             drawn = np.vstack([CUBE_CORNERS, ends])
         margin_px = _MARGIN_EM * self._canvas.style.font_size
+        title_px = TITLE_EM * self._canvas.style.font_size
         centre = np.zeros(3)
         scale = 0.0
-        for axis, side_px in ((right, width_px), (up, height_px)):
+        for axis, side_px in ((right, width_px), (up, height_px - title_px)):
             low, high = (drawn @ axis).min(), (drawn @ axis).max()
             centre += (low + high) / 2.0 * axis
             room_px = max(side_px - 2.0 * margin_px, side_px / 2.0)
             scale = max(scale, (high - low) / 2.0 * height_px / room_px)
+        centre += scale * title_px / height_px * up
         return np.array([*centre, scale, *self._looked_from(stop)])
 
     @property

@@ -11,6 +11,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
+TITLE_EM = 1.5
+"""What the title of a pane takes of its top, in ems: it lies on the picture."""
 BLACK, WHITE = "#000000", "#ffffff"
 
 

@@ -205,6 +205,11 @@ class Scene:
     phenomenon: Phenomenon | None = None
     own_mesh: bool = False
 
+    @property
+    def leading(self) -> str:
+        """The pane that shows it best."""
+        return "world" if self.phenomenon is None else self.phenomenon.leading
+
     @cached_property
     def requires(self) -> frozenset[str]:
         """What drawings build for this scene beyond faces, lines and marks."""

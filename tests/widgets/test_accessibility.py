@@ -124,7 +124,7 @@ def test_tab_goes_as_one_sees_and_is_seen(window: MainWindow, qtbot: QtBot) -> N
     window.resize(1366, 768)
     activate(window)
     name = next(
-        widget for widget in window.panels.findChildren(QWidget) if said(widget) == "Measure"
+        widget for widget in window.panels.findChildren(QWidget) if said(widget) == "Precision"
     )
     for panel in panels(window):
         QApplication.processEvents()

@@ -220,7 +220,8 @@ def test_a_click_follows_the_point_of_a_face_and_the_nearest_of_a_line(window: M
 
     for name in ("world", "ndc", "image"):
         window.slots.go_back()
-        window.slots.arrange("pictures", name, name)  # the cubes are small: no vertex may be within 6 pixels
+        # The cubes are small, and no vertex may be within 6 pixels.
+        window.slots.arrange("pictures", name, name)
         settle()
         point, place = clicked(name, (0.0, 2.5, 0.5))
         assert point[2] == pytest.approx(0.5, abs=1e-6)

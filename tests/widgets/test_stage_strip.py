@@ -398,7 +398,7 @@ def test_the_stops_of_a_parallel_lens_are_named_what_they_are(window: MainWindow
         (3.25, "Box → NDC", limits),
     ):
         strip.go_to(position)
-        assert (pane.title.text(), panes["ndc"].note.text()) == (title, words), position
+        assert (pane.title.text(), pane.note.text()) == (title, words), position
     window.store.set_projection(start)
     assert [button.text() for button in strip.stops][1:4] == ["View", "Pyramid", "Box"]
 

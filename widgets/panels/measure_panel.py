@@ -32,6 +32,7 @@ from PySide6.QtWidgets import (
     QTableWidget,
     QTableWidgetItem,
     QVBoxLayout,
+    QWidget,
 )
 
 from app.document.document import Document, write_bytes_atomically
@@ -86,6 +87,8 @@ class MeasurePanel(ReadablePanel):
         What is in use now, as `Choice.use` has it.
     smoothings : sequence of str
         Those that the panes can draw with.
+    precision : QWidget
+        Says how exactly it is drawn and read.
     """
 
     used = Signal(object)
@@ -100,8 +103,10 @@ class MeasurePanel(ReadablePanel):
         document: Callable[[], Document],
         current: Callable[[], Mapping[str, str]],
         smoothings: Sequence[str],
+        precision: QWidget,
     ) -> None:
         super().__init__()
+        self._precision = precision
         self._document, self._current, self._smoothings = document, current, smoothings
         self._style = LIGHT
         self._gestures = 0
@@ -216,6 +221,7 @@ class MeasurePanel(ReadablePanel):
         buttons.addWidget(self.forget_button, 2, 2)
         left = QVBoxLayout()
         left.setSpacing(3)
+        left.addWidget(self._precision)
         left.addWidget(self.list, 1)
         left.addLayout(buttons)
         middle = QVBoxLayout()

@@ -174,7 +174,7 @@ class MainWindow(QMainWindow):
         self.panes["ndc"].add_below(self.strip)
         self.controls = Controls()
         self.counting = Counting(lambda: self.store.in_gesture, self)
-        self.panels = Panels()
+        self.panels, self.status = Panels(), StatusLine()
         self._make_panels()
         self.probing = Probing(
             self.panes, self.probe_panel, self.manipulation, lambda: self.shown, self
@@ -243,7 +243,10 @@ class MainWindow(QMainWindow):
         self.probe_panel = ProbePanel()
         self.scene_panel = ScenePanel()
         self.measure_panel = MeasurePanel(
-            lambda: self.store.document, lambda: self.quality.in_use(), SMOOTHINGS
+            lambda: self.store.document,
+            lambda: self.quality.in_use(),
+            SMOOTHINGS,
+            self.status.precision,
         )
         tips: dict[Panel, tuple[str, str]] = {
             self.matrices: (
@@ -260,8 +263,8 @@ class MainWindow(QMainWindow):
                 self.tr("What the scene shows, its own settings and its numbers"),
             ),
             self.measure_panel: (
-                self.tr("Measure"),
-                self.tr("What speed costs in accuracy, measured here for this scene and camera"),
+                self.tr("Precision"),
+                self.tr("How exact picture and numbers are, and what speed costs, measured here"),
             ),
         }
         for panel, (name, tip) in tips.items():
@@ -288,7 +291,6 @@ class MainWindow(QMainWindow):
         split.setSizes(PICTURES_AND_DOCK)
         row = QHBoxLayout(self.bottom)
         row.setContentsMargins(0, 0, 0, 2)
-        self.status = StatusLine()
         row.addWidget(self.panels.names)
         row.addWidget(self.status, 1)
 
@@ -333,6 +335,7 @@ class MainWindow(QMainWindow):
             self.manipulation,  # which lets go of what is held before it is gone
             self.probing,
             self.controls,
+            self.slots,
             self.guide,
             self.cost,
             self.look,
@@ -411,8 +414,8 @@ class MainWindow(QMainWindow):
         self.highlighter = Highlighter(self)
         mark = self.highlighter.mark
         self.controls.highlighted.connect(mark)
-        places: tuple[Pane | Panel | StatusLine, ...] = (
-            *self.panes.values(), *self.panels.all, self.status
+        places: tuple[Pane | Panel, ...] = (
+            *self.panes.values(), *self.panels.all
         )  # fmt: skip
         for number, place in enumerate(places):
             place.highlighted.connect(partial(mark, number))

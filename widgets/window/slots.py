@@ -21,6 +21,7 @@ from PySide6.QtWidgets import QSplitter
 
 from widgets.panes.pane import Pane
 from widgets.panes.stage_strip import StageStrip
+from widgets.parts.panel import Changed, Shown
 
 LAYOUTS = ("pictures", "columns")
 COLUMN_WIDTHS = [400, 305, 330]
@@ -52,6 +53,7 @@ class Slots(QSplitter):
         The pane that has the whole window, or nothing.
     """
 
+    concerns = frozenset({"scene"})
     rearranged = Signal()
     """A pane has got another place."""
 
@@ -124,10 +126,10 @@ class Slots(QSplitter):
                 self._share()
         self.rearranged.emit()
 
-    def lead(self, name: str) -> None:
-        """Note which pane the scene is about, and bring it into the large slot."""
-        if name != self._leading:
-            self._leading = name
+    def take(self, shown: Shown, changed: Changed) -> None:
+        """Bring the pane that another scene is about into the large slot."""
+        if shown.scene.leading != self._leading:
+            self._leading = name = shown.scene.leading
             self.arrange(self.layout_name, name, name if self.whole else "")
 
     def go_back(self) -> None:

@@ -1,5 +1,7 @@
-"""The status line: the lens in figures, how exactly the picture and its numbers are computed, and
-what is at risk.
+"""The status line: what is at risk, and nothing while nothing is.
+
+How exactly the picture and its numbers are computed is found here as well, and read in the
+Precision panel.
 
 Predicting errors takes some milliseconds; it waits until the hand rests, and is not done at all
 while nobody can see it.
@@ -9,17 +11,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from fractions import Fraction
-from functools import partial
 
-from PySide6.QtCore import QEvent, QSize, Qt, QTimer, Signal
-from PySide6.QtGui import QEnterEvent, QResizeEvent, QShowEvent
+from PySide6.QtCore import QSize, Qt, QTimer, Signal
+from PySide6.QtGui import QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QLabel, QMenu, QSizePolicy, QStatusBar, QToolButton
 
 from app.drawings.frame_budget import LARGEST_FRAME_MS
-from app.lecture.highlight import CORNERS, NOTHING, SIDES, Highlight
 from app.model.projection import Projection
-from app.model.refusal import format_value
 from app.precision.levels import (
     DRAWING_TOLERANCE_PX,
     LARGEST_TOLERANCE_PX,
@@ -33,28 +31,21 @@ from app.precision.levels import (
 from app.precision.quality import AUTOMATIC, Quality
 from app.precision.risks import risks
 from app.scenes.scene import Scene
-from widgets.parts.fields import short_text
-from widgets.parts.highlight import MarkedLabel
 from widgets.parts.messages import plane_name, translated
 from widgets.parts.number_dialog import NumberDialog
 from widgets.parts.panel import PROJECTION, Changed, Shown
 
-_ABOUT: dict[str, Highlight] = {
-    "fov": frozenset(("fov",)),
-    "planes": frozenset(("near", "far")),
-    "camera": frozenset(("eye", "target")),
-}
-_OF_THE_WINDOW: Highlight = frozenset((*CORNERS, *SIDES))
-_BESIDE_PX, _ABOVE_PX = 8, 2  # round the text of a figure
 RESTS_AFTER_MS = 150
 """How long nothing must change until errors are predicted."""
 
 
 class StatusLine(QStatusBar):
-    """Figures of the projection at the bottom of the window.
+    """One line at the bottom of the window.
 
     Attributes
     ----------
+    precision : QToolButton
+        With how many digits it is drawn and read; for the Precision panel.
     tolerance_edited : Signal(float)
         The error in pixels up to which a GPU's own arithmetic may draw, set by the user.
     frame_edited : Signal(float)
@@ -67,8 +58,6 @@ class StatusLine(QStatusBar):
     tolerance_edited = Signal(float)
     frame_edited = Signal(float)
     automatic_wanted = Signal()
-    highlighted = Signal(object)
-    """The `Highlight` that the figure under the mouse draws."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -81,24 +70,13 @@ class StatusLine(QStatusBar):
         self._frame_ms = 0.0
         self._risks: list[str] = []
         self._notes: list[str] = []
-        self.labels = {name: _Figure(_ABOUT[name]) for name in ("fov", "planes", "camera")}
         self.health = _Elided("health")
         self.health.setAccessibleName(self.tr("Numerical health"))
-        for name, tip in (
-            ("fov", self.tr("Field of view, vertical × horizontal, and 35-mm equivalent")),
-            ("planes", self.tr("Near plane : far plane, and their ratio")),
-            ("camera", self.tr("Distance from the eye to the target, in world units")),
-        ):
-            self.labels[name].setToolTip(tip)
-            self.labels[name].highlighted.connect(self.highlighted)
-            self.addWidget(self.labels[name])
         self.precision = QToolButton()
         self.precision.setAutoRaise(True)
         self._show_precisions(self._drawn, 0.0, None)
-        self.precision.setText(self._precisions)
         self.precision.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         self.precision.setMenu(QMenu(self.precision))
-        self.addWidget(self.precision)
         self.precision.setToolTip(
             self.tr(
                 "With how many digits the picture is drawn and its numbers are computed, and what "
@@ -122,7 +100,6 @@ class StatusLine(QStatusBar):
         self.cost.setAccessibleName(self.tr("Cost of a step"))
         self.cost.hide()
         self.addWidget(self.cost, 8)  # of health the sign is left, and its tooltip
-        self.messageChanged.connect(self._make_room)
         self._rest = QTimer(self)
         self._rest.setSingleShot(True)
         self._rest.setInterval(RESTS_AFTER_MS)
@@ -131,7 +108,6 @@ class StatusLine(QStatusBar):
     def take(self, shown: Shown, changed: Changed) -> None:
         """Take over the model and what it looks at."""
         self._projection, self._scene = shown.projection, shown.scene
-        self._show_lens(shown.projection)
         self._wait_for_rest()
 
     def show_cost(self, model_ms: float, panes: Mapping[str, tuple[float, float]]) -> None:
@@ -154,13 +130,6 @@ class StatusLine(QStatusBar):
             "Of the last step, in ms: the model; for each pane its matrices + its repaint"
         )
         self.cost.show_text(text, f"{tip}\n{text}")
-
-    def show_highlight(self, highlighted: Highlight) -> None:
-        """Mark the figures that are about what is highlighted."""
-        if highlighted & _OF_THE_WINDOW:  # a corner is dragged to another field of view
-            highlighted |= {"fov"}
-        for label in self.labels.values():
-            label.show_highlight(highlighted)
 
     def set_tolerance(self, tolerance_px: float) -> None:
         """Set up to which error in pixels a GPU's own arithmetic may draw."""
@@ -194,33 +163,9 @@ class StatusLine(QStatusBar):
 
     def _show_health(self) -> None:
         self.health.show_sentences([f"{text}." for text in (*self._risks, *self._notes)])
-        self._make_room()
-
-    def _make_room(self) -> None:
-        """Let a sentence that has too little room have that of what can be read elsewhere."""
-        if self.currentMessage():  # Qt has hidden all of it, and tells when it is gone
-            return
-        self.precision.setText(self._precisions)
-        self.labels["camera"].show()
-        layout = self.layout()
-        if layout is None or not self.cost.isHidden():  # which has all the room there is
-            return
-        for give_way in (
-            partial(self.precision.setText, self._precisions_alone),  # the errors are in its menu
-            self.labels["camera"].hide,  # its distance is among the controls
-        ):
-            layout.activate()
-            if self.health.is_whole and layout.minimumSize().width() <= self.width():
-                return
-            give_way()
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        if self.isVisible():  # before that all is laid out several times, and rests at last
-            self._make_room()
 
     def minimumSizeHint(self) -> QSize:
-        """Of any width: what has no room gives way, and the window may be a small one."""
+        """Of any width: a sentence that has no room is cut, and the window may be a small one."""
         return QSize(0, super().minimumSizeHint().height())
 
     def showEvent(self, event: QShowEvent) -> None:
@@ -231,41 +176,9 @@ class StatusLine(QStatusBar):
         if self.isVisible():
             self._rest.start()
 
-    def _show_lens(self, projection: Projection) -> None:
-        lens = projection.lens
-        self.labels["camera"].show_text(
-            self.tr("eye to target {0}").format(f"{projection.camera.distance:.4g}")
-        )
-        if lens.planes is None:
-            self.labels["fov"].show_text(translated(lens.title, "Lens"))
-            self.labels["planes"].show_text("")
-            if lens.own_view is not None:
-                self.labels["camera"].show_text(self.tr("free view matrix"))
-            return
-        given = lens.fov_y_deg is not None
-        if given and (angles := lens.angles(Fraction(*projection.image_size))):
-            fov = self.tr("fov {0}° × {1}°, {2} mm").format(
-                _angle_text(angles.fov_y_deg),
-                _angle_text(angles.fov_x_deg),
-                f"{angles.focal_mm:.4g}",
-            )
-        else:
-            left, right, bottom, top = projection.window
-            fov = self.tr("window {0} × {1}").format(f"{right - left:.4g}", f"{top - bottom:.4g}")
-        self.labels["fov"].show_text(fov)
-        near, far = f"{lens.near:.4g}", "∞" if lens.far == math.inf else f"{lens.far:.4g}"
-        if near == far:  # they never are
-            near, far = format_value(lens.near), format_value(lens.far)
-        planes = self.tr("near {0} : far {1}").format(near, far)
-        if lens.central and lens.far != math.inf:
-            planes += self.tr("  (1 : {0})").format(f"{lens.far / lens.near:.4g}")
-        self.labels["planes"].show_text(planes)
-
     def _predict(self) -> None:
         if self._projection is None or self._scene is None:
             return
-        for label in self.labels.values():
-            label.fit()
         projection, scene = self._projection, self._scene
         self._predictions = predict(projection, scene.vertices, scene.origin)
         tolerance_px = self._quality.tolerance_px(self.tolerance_px)
@@ -287,21 +200,20 @@ class StatusLine(QStatusBar):
     ) -> None:
         """What draws and what is read; `float32_px` of what float32 draws of faces and lines."""
         read = precision_for_reading(predictions)
-        self._precisions = self._precisions_alone = self.tr("drawn {0}, read {1}").format(
-            drawn, read
-        )
+        text = self.tr("drawn {0}, read {1}").format(drawn, read)
         if predictions is not None:
             # Whatever computed it, a rasteriser is handed float32 in the end.
             at_least_px = max(self._projection.image_size) * 2.0**-24 if self._projection else 0.0
             drawn_px = float32_px
             if drawn != "float32":
                 drawn_px = max(drawn_px, predictions[drawn].px)
-            self._precisions = self.tr("drawn {0} ±{1} px, read {2} ±{3} px").format(
+            text = self.tr("drawn {0} ±{1} px, read {2} ±{3} px").format(
                 drawn,
                 _error_text(max(drawn_px, at_least_px)),
                 read,
                 _error_text(predictions[read].px),
             )
+        self.precision.setText(text)
 
     def _fill_menu(self) -> None:
         menu = self.precision.menu()
@@ -353,54 +265,6 @@ def _error_text(px: float) -> str:
     return f"{px:.1g}" if math.isfinite(px) else "∞"
 
 
-class _Figure(MarkedLabel):
-    """A figure that highlights what it is about, and shows when something else does.
-
-    While its text changes the room it has only grows, so that the steps of a drag lay nothing out.
-    """
-
-    highlighted = Signal(object)
-
-    def __init__(self, about: Highlight) -> None:
-        super().__init__()
-        self._about = about
-        self.setIndent(_BESIDE_PX)  # contents margins QFrame forgets when its style changes
-
-    def show_text(self, text: str) -> None:
-        """Show a text, in more room if it needs more."""
-        if text == self.text():
-            return
-        self.setText(text)
-        if self._needed.width() > self.minimumWidth():
-            self.fit()  # round any label whose size is not fixed Qt lays everything out anew
-
-    def fit(self) -> None:
-        """Take as much room as the text needs."""
-        self.setFixedSize(self._needed)
-
-    @property
-    def _needed(self) -> QSize:
-        """Without the least size of now, which QLabel's own hint has in it."""
-        text = self.fontMetrics().size(Qt.TextFlag.TextSingleLine.value, self.text())
-        return text + QSize(2 * _BESIDE_PX, 2 * _ABOVE_PX)
-
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() in (QEvent.Type.FontChange, QEvent.Type.StyleChange):
-            self.fit()
-
-    def show_highlight(self, highlighted: Highlight) -> None:
-        self.set_marked(bool(highlighted & self._about))
-
-    def enterEvent(self, event: QEnterEvent) -> None:
-        super().enterEvent(event)
-        self.highlighted.emit(self._about)
-
-    def leaveEvent(self, event: QEvent) -> None:
-        super().leaveEvent(event)
-        self.highlighted.emit(NOTHING)
-
-
 class _Elided(QLabel):
     """As much of the worst sentence as there is room for; all of them as its tooltip."""
 
@@ -423,11 +287,6 @@ class _Elided(QLabel):
         more = f" (+{len(sentences) - 1})" if sentences[1:] else ""
         self.show_text(f"⚠ {sentences[0]}{more}" if sentences else "", "\n".join(sentences))
 
-    @property
-    def is_whole(self) -> bool:
-        """Whether there is room for all of the line."""
-        return self.text() == self._sentence
-
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         self._elide()
@@ -438,9 +297,3 @@ class _Elided(QLabel):
         )
         if text != self.text():
             self.setText(text)
-
-
-def _angle_text(fov_deg: float) -> str:
-    """Four digits, or as many as tell the angle from 180, which no lens has."""
-    text = f"{fov_deg:.4g}"
-    return short_text(fov_deg, below=180.0) if text == "180" else text

@@ -337,5 +337,6 @@ PHENOMENON = Phenomenon(
         ),
     ),
     controls=("lens.near", "lens.far"),
+    leading="ndc",
     own_mesh=True,
 )

@@ -349,6 +349,7 @@ PHENOMENON = Phenomenon(
         ),
     ),
     controls=("lens.near", "camera.eye"),
+    leading="image",
     requires=frozenset({"depth"}),
     own_mesh=True,
 )

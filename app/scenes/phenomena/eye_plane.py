@@ -486,6 +486,7 @@ PHENOMENON = Phenomenon(
         ),
     ),
     controls=("camera.eye",),
+    leading="image",
     own_mesh=True,
     own_mesh_crosses=True,  # what lies on the floor beside the eye crosses nothing
 )

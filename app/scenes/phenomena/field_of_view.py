@@ -380,6 +380,7 @@ PHENOMENON = Phenomenon(
         ),
     ),
     controls=("lens.fov_y_deg", "camera.eye"),
+    leading="image",
     follow=_follow,
     found=_found,
     own_mesh=True,

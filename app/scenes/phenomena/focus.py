@@ -336,5 +336,6 @@ PHENOMENON = Phenomenon(
         ),
     ),
     controls=("lens.fov_y_deg", "camera.target"),
+    leading="image",
     own_mesh=True,
 )

@@ -566,6 +566,8 @@ class Phenomenon:
         Raises a `Refusal` for settings that do not go together.
     requires : frozenset of str
         What drawings build for this scene beyond faces, lines and marks.
+    leading : str
+        The pane that shows it best: ``"world"``, ``"ndc"`` or ``"image"``.
     own_mesh : bool
         Whether a mesh of the user's can take the place of the built-in subject: scaled and moved
         into its bounds.
@@ -587,6 +589,7 @@ class Phenomenon:
     found: Callable[[Projection, Settings], Found] = _nothing
     check: Callable[[Settings], None] = _any
     requires: frozenset[str] = frozenset()
+    leading: str = "world"
     own_mesh: bool = False
     own_mesh_crosses: bool = False
 

@@ -316,6 +316,7 @@ PHENOMENON = Phenomenon(
         ),
     ),
     controls=("camera.eye", "lens.fov_y_deg"),
+    leading="image",
     requires=frozenset({"texture"}),
     own_mesh=True,
 )

@@ -348,6 +348,7 @@ PHENOMENON = Phenomenon(
         ),
     ),
     controls=("lens.alpha_deg", "lens.beta_deg"),
+    leading="image",
     follow=_follow,
     found=_found,
     own_mesh=True,

@@ -419,6 +419,7 @@ PHENOMENON = Phenomenon(
         ),
     ),
     controls=("lens.far",),
+    leading="image",
     follow=_follow,
     found=_found,
     check=_check,

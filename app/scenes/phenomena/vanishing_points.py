@@ -534,6 +534,7 @@ PHENOMENON = Phenomenon(
         ),
     ),
     controls=("camera.eye", "lens.fov_y_deg"),
+    leading="image",
     follow=_follow,
     found=_found,
     own_mesh=True,
