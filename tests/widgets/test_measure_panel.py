@@ -16,7 +16,7 @@ import psutil
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QSignalSpy, QTest
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
 from app.document.document import Document
@@ -46,7 +46,7 @@ def document() -> Document:
 
 @pytest.fixture
 def panel(qtbot: QtBot, document: Document) -> Iterator[MeasurePanel]:
-    made = MeasurePanel(lambda: document, lambda: IN_USE, SMOOTHINGS, QLabel())
+    made = MeasurePanel(lambda: document, lambda: IN_USE, SMOOTHINGS, QWidget())
     qtbot.addWidget(made)
     made.resize(1340, 300)
     made.show()
@@ -175,7 +175,7 @@ def test_what_is_not_saved_is_measured_with_its_mesh(
     monkeypatch.chdir(tmp_path)  # where the process is not
     start = load(str(mesh)).start
     changed = Document("triangle.obj", replace(start, lens=replace(start.lens, far=77.5)))
-    panel = MeasurePanel(lambda: changed, dict, SMOOTHINGS, QLabel())
+    panel = MeasurePanel(lambda: changed, dict, SMOOTHINGS, QWidget())
     qtbot.addWidget(panel)
     measured(qtbot, panel, "interpolation")
     found = panel.measured["interpolation"].document
@@ -224,7 +224,7 @@ def test_what_the_process_refuses_is_one_sentence(
     qtbot: QtBot, document: Document, tmp_path: Path
 ) -> None:
     gone = replace(document, scene=str(tmp_path / "gone.obj"))
-    panel = MeasurePanel(lambda: gone, dict, SMOOTHINGS, QLabel())
+    panel = MeasurePanel(lambda: gone, dict, SMOOTHINGS, QWidget())
     qtbot.addWidget(panel)
     refused = QSignalSpy(panel.refused)
     panel.show()
@@ -254,7 +254,7 @@ def test_nothing_before_the_eye_is_words_in_the_table(
     qtbot: QtBot, document: Document, tmp_path: Path
 ) -> None:
     away = replace(document.projection, camera=Camera((0, 0, 500), (0, 0, 900)))
-    panel = MeasurePanel(lambda: replace(document, projection=away), dict, SMOOTHINGS, QLabel())
+    panel = MeasurePanel(lambda: replace(document, projection=away), dict, SMOOTHINGS, QWidget())
     qtbot.addWidget(panel)
     panel.show()
     measured(qtbot, panel, "arithmetic")

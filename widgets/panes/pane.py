@@ -38,6 +38,7 @@ from app.picking.picking import Probe, Sight
 from app.scenes.phenomena.illustration import Illustration
 from app.scenes.scene import Scene
 from widgets.panes.canvas import AnyCanvas, Hand
+from widgets.parts.icons import show_icon
 from widgets.parts.note import Title
 from widgets.parts.panel import PROJECTION, Changed, Shown
 
@@ -215,12 +216,12 @@ class Pane(QFrame):
 
         self.title = Title(title)
         self.note = Title("", "paneNote")
-        self._reset = self._button("⌂", self.tr("Reset this pane's own view (double-click)"))
+        self._reset = self._button("home", self.tr("Reset this pane's own view (double-click)"))
         self._reset.clicked.connect(self.reset_view)
         self._reset.setVisible(orbits)
-        self._float = self._button("❐", self.tr("Put this pane into a window of its own, and back"))
+        self._float = self._button("float", self.tr("Into a window of its own, and back"))
         self._float.clicked.connect(self.float_requested)
-        self._enlarge = self._button("⤢", self.tr("Enlarge this pane; again, to the whole window"))
+        self._enlarge = self._button("enlarge", self.tr("Enlarge; again, to the whole window"))
         self._enlarge.clicked.connect(self.enlarge_requested)
         self.header = QWidget()
         self.header.setToolTip(
@@ -268,9 +269,9 @@ class Pane(QFrame):
                 bar.addWidget(part)
             self._column.addWidget(widget, 0, 0, Qt.AlignmentFlag.AlignTop | side)  # on the picture
 
-    def _button(self, text: str, tip: str) -> QToolButton:
+    def _button(self, icon: str, tip: str) -> QToolButton:
         button = QToolButton()
-        button.setText(text)
+        show_icon(button, icon)
         button.setAutoRaise(True)
         button.setToolTip(tip)
         button.setAccessibleName(f"{self.accessibleName()}: {tip}")

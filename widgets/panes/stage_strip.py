@@ -31,6 +31,7 @@ from app.lecture.stages import (
 from app.model.projection import Projection
 from widgets.parts.clock import Clock, Playing
 from widgets.parts.escape import HeldSlider
+from widgets.parts.icons import show_icon
 from widgets.parts.panel import PROJECTION, Changed, Shown
 
 STEPS = 240
@@ -84,6 +85,7 @@ class StageStrip(QWidget, Playing):
 
     def __init__(self) -> None:
         super().__init__()
+        self.setObjectName("stages")
         self._names = (
             (self.tr("World"), self.tr("World space: the scene and the view volume in it")),
             (self.tr("View"), self.tr("View space: the eye is at 0 and looks along −z")),
@@ -329,8 +331,8 @@ class StageStrip(QWidget, Playing):
             button.setChecked(stop == self._at)
 
     def _show_playing(self) -> None:
-        sign, word = ("❚❚", self.tr("Pause")) if self.playing else ("▶", self.tr("Play"))
-        self.button.setText(sign)
+        icon, word = ("pause", self.tr("Pause")) if self.playing else ("play", self.tr("Play"))
+        show_icon(self.button, icon)
         self.button.setAccessibleName(self.tr("{0} the stages").format(word))
         self.button.setToolTip(
             self.tr("Stand still; playing again goes on from here.")
@@ -370,7 +372,7 @@ class _Narrow(QToolButton):
         super().__init__()
         self.setAutoRaise(True)
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-        self.setStyleSheet("padding: 1px 0px")
+        self.setStyleSheet("padding: 2px 0px")
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # the slider's arrow keys reach them all
 
     def minimumSizeHint(self) -> QSize:

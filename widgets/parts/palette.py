@@ -36,7 +36,11 @@ _STYLE_SHEET = """
 #paneNote {{ color: {muted}; }}
 #messageBar {{ background: {bar}; border: 1px solid {edge}; border-radius: 4px; }}
 QToolTip {{ color: {text}; background: {base}; border: 1px solid {edge}; }}
-QToolBar {{ spacing: 2px; padding: 2px; }}
+QToolBar {{ spacing: 2px; padding: 3px; }}
+#stages QToolButton:checked, #drawerNames QToolButton:checked {{ color: {on_accent};
+    background: {accent}; border: 0px; border-radius: 4px; }}
+QToolBar QToolButton#presentButton {{ color: {on_accent}; background: {accent}; border: 0px;
+    border-radius: 4px; padding: 4px 8px; }}
 """
 
 
@@ -95,5 +99,7 @@ def apply(application: QApplication, *, dark: bool, screen_px: float) -> None:
             edge="#7a6420" if dark else "#d8b860",
             text="#ececec" if dark else "#1a1a1a",
             base="#34373a" if dark else "#ffffff",
+            accent="#3a93cc" if dark else "#0072b2",
+            on_accent="#101010" if dark else "#ffffff",
         )
     )

@@ -11,18 +11,30 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from functools import partial
 
-from PySide6.QtCore import QObject, Qt, Signal, SignalInstance
+from PySide6.QtCore import QObject, QSize, Qt, Signal, SignalInstance
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
-from PySide6.QtWidgets import QComboBox, QLabel, QLineEdit, QMainWindow, QToolBar
+from PySide6.QtWidgets import (
+    QComboBox,
+    QLabel,
+    QLineEdit,
+    QMainWindow,
+    QSizePolicy,
+    QToolBar,
+    QToolButton,
+    QWidget,
+)
 
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.scene import BUILT_IN
 from widgets.panes.pane import Pane
+from widgets.parts.icons import show_icon
 from widgets.parts.messages import file_title, of_phenomena
 from widgets.window.files import Files
 from widgets.window.help import FULL_SCREEN_KEY, PLAY_KEY, Help
 from widgets.window.pictures import Pictures
 from widgets.window.slots import LAYOUTS, Slots
+
+ICON_PX = 18
 
 
 def take_typed(window: QMainWindow) -> None:
@@ -252,6 +264,7 @@ class Actions(QObject):
         self.tools = tools = QToolBar(self.tr("Tools"))
         tools.setObjectName("tools")
         tools.setMovable(False)
+        tools.setIconSize(QSize(ICON_PX, ICON_PX))
         self.scene_box.setAccessibleName(self.tr("Scene"))
         self.scene_box.setToolTip(self.tr("The scene in front of the camera"))
         self.scene_box.activated.connect(
@@ -262,25 +275,38 @@ class Actions(QObject):
         label.setBuddy(self.scene_box)
         label.hide()
         for group in (
-            (self.open, self.save),
             (self.undo, self.redo, self.reset),
             (self.play,),
-            (self.copy, self.export),
-            (self.present,),
-            (self.help,),
         ):
             tools.addSeparator()
             tools.addActions(group)
+        rest = QWidget()
+        rest.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        tools.addWidget(rest)
+        tools.addActions([self.open, self.save, self.copy, self.export, self.present, self.help])
         self._window.addToolBar(tools)
-        for action, text in (
-            (self.open, self.tr("Open")),
-            (self.save, self.tr("Save")),
-            (self.reset, self.tr("Reset")),
-            (self.copy, self.tr("Copy")),
-            (self.export, self.tr("Export")),
-            (self.help, self.tr("Help")),
+        for action, icon, text in (
+            (self.undo, "undo", self.tr("Undo")),
+            (self.redo, "redo", self.tr("Redo")),
+            (self.reset, "reset", self.tr("Reset")),
+            (self.play, "play", ""),
+            (self.open, "open", self.tr("Open")),
+            (self.save, "save", self.tr("Save")),
+            (self.copy, "copy", self.tr("Copy")),
+            (self.export, "export", self.tr("Export")),
+            (self.present, "present", self.tr("Present")),
+            (self.help, "help", self.tr("Help")),
         ):
-            action.setIconText(text)
+            show_icon(action, icon)
+            if text:
+                action.setIconText(text)
+        for action in (self.export, self.present):
+            button = tools.widgetForAction(action)
+            assert isinstance(button, QToolButton)
+            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        button.setObjectName("presentButton")  # by which it is dressed, and it was without
+        button.style().unpolish(button)
+        button.style().polish(button)
 
     def _toggle_full_screen(self) -> None:
         self._window.setWindowState(self._window.windowState() ^ Qt.WindowState.WindowFullScreen)
@@ -320,3 +346,4 @@ class Actions(QObject):
     def show_playing(self, playing: bool) -> None:
         """Name the action that plays after what it would do now."""
         self.play.setText(self.tr("Pause") if playing else self.tr("Play"))
+        show_icon(self.play, "pause" if playing else "play")

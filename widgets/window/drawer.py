@@ -58,6 +58,7 @@ class Panels(QWidget):
         self._buttons: list[QToolButton] = []
         self.names = QWidget()
         """To be put where they stay whether one is open or not."""
+        self.names.setObjectName("drawerNames")
         self._row = QHBoxLayout(self.names)
         self._row.setContentsMargins(0, 0, 0, 0)
         self._row.setSpacing(2)

@@ -16,7 +16,7 @@ from app.drawings.style import Style
 from app.model.projection import Camera
 from widgets.panes.adaptive import Adaptive
 from widgets.panes.pane import SCALES, Pane
-from widgets.parts import palette
+from widgets.parts import icons, palette
 from widgets.parts.messages import Words
 from widgets.parts.panel import EVERYTHING, Changed, Shown
 from widgets.window.settings import Settings
@@ -135,6 +135,7 @@ class Look(QObject):
             if name == "image":
                 how += (quality,)
             pane.build(shown, views.get(name), self.adaptive.drawn, self.words, drawn, *how)
+        icons.dress(self._window)
         self.built.emit(style)
 
     def refine(self, name: str, smooth: bool) -> None:

@@ -1,0 +1,85 @@
+"""The window's icons: one family, drawn in the colour of its text at every scale.
+
+The shapes are those of Lucide (lucide.dev, ISC licence), on a grid of 24, as lines two units wide.
+"""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QByteArray, QObject, Qt
+from PySide6.QtGui import QAction, QColor, QIcon, QPainter, QPalette, QPixmap
+from PySide6.QtSvg import QSvgRenderer
+from PySide6.QtWidgets import QAbstractButton, QApplication
+
+SIDES_PX = (16, 20, 24, 32, 48, 64)
+_PATHS = {
+    "copy": "M10 8h10a2 2 0 0 1 2 2v10a2 2 0 0 1-2 2H10a2 2 0 0 1-2-2V10a2 2 0 0 1 2-2z"
+    "M4 16a2 2 0 0 1-2-2V4a2 2 0 0 1 2-2h10a2 2 0 0 1 2 2",
+    "enlarge": "M15 3h6v6M21 3l-7 7M3 21l7-7M9 21H3v-6",
+    "export": "M21 15v4a2 2 0 0 1-2 2H5a2 2 0 0 1-2-2v-4M17 8l-5-5-5 5M12 3v12",
+    "float": "M15 3h6v6M10 14L21 3M18 13v6a2 2 0 0 1-2 2H5a2 2 0 0 1-2-2V8a2 2 0 0 1 2-2h6",
+    "help": "M22 12a10 10 0 1 1-20 0 10 10 0 0 1 20 0zM9.1 9a3 3 0 0 1 5.8 1c0 2-3 3-3 3M12 17h.01",
+    "home": "M3 10a2 2 0 0 1 .7-1.5l7-6a2 2 0 0 1 2.6 0l7 6A2 2 0 0 1 21 10v9a2 2 0 0 1-2 2H5"
+    "a2 2 0 0 1-2-2zM9 21v-8h6v8",
+    "open": "M6 14l1.5-2.9A2 2 0 0 1 9.2 10H20a2 2 0 0 1 1.9 2.5l-1.5 6a2 2 0 0 1-1.9 1.5H4"
+    "a2 2 0 0 1-2-2V5a2 2 0 0 1 2-2h3.9a2 2 0 0 1 1.7.9l.8 1.2a2 2 0 0 0 1.7.9H18a2 2 0 0 1 2 2v2",
+    "pause": "M6 4h4v16H6zM14 4h4v16h-4z",
+    "play": "M6 3l14 9-14 9z",
+    "present": "M2 3h20M21 3v11a2 2 0 0 1-2 2H5a2 2 0 0 1-2-2V3M7 21l5-5 5 5",
+    "redo": "M15 14l5-5-5-5M20 9H9.5a5.5 5.5 0 0 0 0 11H13",
+    "reset": "M3 12a9 9 0 1 0 9-9 9.8 9.8 0 0 0-6.7 2.7L3 8M3 3v5h5",
+    "save": "M19 21H5a2 2 0 0 1-2-2V5a2 2 0 0 1 2-2h11l5 5v11a2 2 0 0 1-2 2zM17 21v-8H7v8M7 3v5h8",
+    "search": "M19 11a8 8 0 1 1-16 0 8 8 0 0 1 16 0zM21 21l-4.3-4.3",
+    "undo": "M9 14L4 9l5-5M4 9h10.5a5.5 5.5 0 0 1 0 11H11",
+}
+
+
+def show_icon(shown: QAction | QAbstractButton, name: str) -> None:
+    """Give an action or a button an icon, which `dress` draws anew in another theme.
+
+    Parameters
+    ----------
+    shown : QAction or QAbstractButton
+    name : str
+        One of the family: ``"undo"``.
+    """
+    shown.setProperty("iconName", name)
+    shown.setIcon(icon(name))
+
+
+def dress(owner: QObject) -> None:
+    """Draw all icons inside in the colours of now."""
+    found: list[QAction | QAbstractButton] = [
+        *owner.findChildren(QAction),
+        *owner.findChildren(QAbstractButton),
+    ]
+    for shown in found:
+        name = shown.property("iconName")
+        if name:
+            shown.setIcon(icon(name))
+
+
+def icon(name: str) -> QIcon:
+    """One of the family in the colours of the palette, also for what cannot be used just now."""
+    found = QIcon()
+    for mode, group in (
+        (QIcon.Mode.Normal, QPalette.ColorGroup.Active),
+        (QIcon.Mode.Disabled, QPalette.ColorGroup.Disabled),
+    ):
+        colour = QApplication.palette().color(group, QPalette.ColorRole.ButtonText)
+        for side in SIDES_PX:
+            found.addPixmap(_pixmap(name, side, colour), mode)
+    return found
+
+
+def _pixmap(name: str, side: int, colour: QColor) -> QPixmap:
+    svg = (
+        '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 24 24" fill="none"'
+        f' stroke="{colour.name()}" stroke-opacity="{colour.alphaF():.2f}" stroke-width="2"'
+        f' stroke-linecap="round" stroke-linejoin="round"><path d="{_PATHS[name]}"/></svg>'
+    )
+    pixmap = QPixmap(side, side)
+    pixmap.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(pixmap)
+    QSvgRenderer(QByteArray(svg.encode())).render(painter)
+    painter.end()
+    return pixmap
