@@ -37,6 +37,7 @@ class Mark(NamedTuple):
     Attributes
     ----------
     number : int
+        Written beside it; 0 for what has none.
     spot_px : (2,) array or None
         Where its disc is, from the pane's top left; None or NaN for nowhere.
     solid : bool
@@ -205,8 +206,10 @@ class _Slot:
             matrix[:3, 2], matrix[:3, 3], matrix[3, 3] = line[1] - line[0], line[0], 1.0
             self._space.set(matrix)
         spot = _place(None if mark is None else mark.spot_px, height_px)
-        for actor in (self._rim, self._fill, self._label.actor):
+        for actor in (self._rim, self._fill):
             actor.SetVisibility(spot is not None)
+        is_named = mark is not None and mark.number > 0
+        self._label.actor.SetVisibility(spot is not None and is_named)
         if mark is not None and spot is not None:
             for disc in (self._rim, self._fill):
                 disc.SetPosition(*spot)

@@ -654,24 +654,6 @@ def test_a_point_of_the_scene_goes_where_the_hand_goes_and_that_is_one_step(
         assert window.store.document == before and not window.store.can_undo
 
 
-def test_the_panes_stand_still_under_the_hand_though_the_readout_grows(
-    make_scene: Callable[[str], MainWindow], qtbot: Any
-) -> None:
-    window = make_scene("eye-plane")
-    settle()
-    pane, column = window.panes["world"], window.scene_panel._readout_column
-    height = pane.height()
-    at = point_of(grip(window, "start")[1])
-    press(window, "world", at)
-    move(window, "world", at + QPoint(30, 0))
-    window.scene_panel.warning.setText("Such a long warning that there is no room for it. " * 5)
-    window.scene_panel.warning.show()
-    qtbot.waitUntil(lambda: column.verticalScrollBar().maximum() > 0)
-    assert pane.height() == height
-    release(window, "world", at)
-    qtbot.waitUntil(lambda: pane.height() < height)
-
-
 def test_the_sun_is_held_by_its_direction(make_scene: Callable[[str], MainWindow]) -> None:
     window = make_scene("planar-shadow")
     window.store.set_settings({"kind": "sun", "light": (-1.0, 2.0, 1.0)})

@@ -240,21 +240,21 @@ def ini(tmp_path: Path) -> Path:
 def test_settings_come_back_as_they_were(ini: Path) -> None:
     settings = Settings(ini)
     settings.theme = "dark"
-    settings.projector = True
+    settings.start_card = False
     settings.language = "sr_RS"
     settings.geometry = bytes(range(256))
     recent = ['/tmp/a, "b"; ž=%41\\n.json', "C:\\d\\e.json", "@Variant(x)", "/tmp/\U0001f600"]
     settings.recent = recent
     again = Settings(ini)
-    assert (again.theme, again.projector, again.language) == ("dark", True, "sr_RS")
+    assert (again.theme, again.start_card, again.language) == ("dark", False, "sr_RS")
     assert again.geometry == bytes(range(256))
     assert again.recent == recent
 
 
 def test_settings_have_defaults_and_make_no_file_for_them(ini: Path) -> None:
     settings = Settings(ini)
-    found = (settings.theme, settings.projector, settings.language, settings.geometry)
-    assert found == ("system", False, "", None)
+    found = (settings.theme, settings.start_card, settings.language, settings.geometry)
+    assert found == ("system", True, "", None)
     assert settings.recent == []
     assert not ini.exists()
 
@@ -264,8 +264,8 @@ def test_settings_have_defaults_and_make_no_file_for_them(ini: Path) -> None:
     [
         ("theme=pink", "theme"),
         ("theme=dark, light", "theme"),
-        ("projector=1", "projector"),
-        ("projector=yes", "projector"),
+        ("start_card=1", "start_card"),
+        ("start_card=yes", "start_card"),
         ("language=../../evil", "language"),
         ("geometry=abc", "geometry"),
         ("geometry=abcd efgh", "geometry"),
@@ -280,15 +280,15 @@ def test_settings_have_defaults_and_make_no_file_for_them(ini: Path) -> None:
 def test_a_bad_value_is_the_default_and_the_others_stay(
     ini: Path, line: str, name: str, caplog: pytest.LogCaptureFixture
 ) -> None:
-    others = {"theme": "theme=dark", "projector": "projector=true"}
+    others = {"theme": "theme=dark", "start_card": "start_card=false"}
     others.pop(name, None)
     ini.write_text("\n".join(["[General]", line, *others.values()]) + "\n", encoding="utf-8")
     settings = Settings(ini)
     assert getattr(settings, name) == getattr(Settings(None), name)
     if name != "theme":
         assert settings.theme == "dark"
-    if name != "projector":
-        assert settings.projector is True
+    if name != "start_card":
+        assert settings.start_card is False
     assert getattr(settings, name) is not None or name == "geometry"
     assert [record for record in caplog.messages if f"setting {name} = " in record][1:] == []
     assert f"setting {name} = " in caplog.text
@@ -327,8 +327,8 @@ def test_settings_that_cannot_be_written_hold_until_the_end(
     (tmp_path / "link").symlink_to(tmp_path / "nowhere")
     settings = Settings(tmp_path / "link" / "settings.ini")
     settings.theme = "dark"
-    settings.projector = True
-    assert (settings.theme, settings.projector) == ("dark", True)
+    settings.start_card = False
+    assert (settings.theme, settings.start_card) == ("dark", False)
     assert len([m for m in caplog.messages if "settings cannot be written" in m]) == 1  # once
 
 
@@ -344,7 +344,7 @@ def test_an_override_is_not_saved_and_ends_when_the_value_is_set(ini: Path) -> N
     settings = Settings(ini)
     settings.theme = "dark"
     settings.override("theme", "light")
-    settings.projector = True
+    settings.start_card = False
     assert settings.theme == "light"
     assert Settings(ini).theme == "dark"
     settings.theme = "system"
@@ -354,9 +354,9 @@ def test_an_override_is_not_saved_and_ends_when_the_value_is_set(ini: Path) -> N
 def test_two_windows_do_not_undo_each_others_settings(ini: Path) -> None:
     one, other = Settings(ini), Settings(ini)
     one.theme = "dark"
-    other.projector = True
+    other.start_card = False
     again = Settings(ini)
-    assert (again.theme, again.projector) == ("dark", True)
+    assert (again.theme, again.start_card) == ("dark", False)
 
 
 def test_two_windows_do_not_lose_each_others_recent_files(
@@ -395,12 +395,12 @@ def test_the_program_starts_with_broken_settings_and_keeps_new_ones(own_home: Pa
     assert ini.is_relative_to(own_home)
     ini.parent.mkdir(parents=True)
     ini.write_bytes(b"\0broken")
-    done = drive("print(window.settings.theme); window.look.set_presenting(True); window.close()")
+    done = drive("print(window.settings.theme); window.look.set_theme('dark'); window.close()")
     assert (done.returncode, done.stdout, done.stderr) == (0, "system\n", "")
     assert Path(f"{ini}.bak").read_bytes() == b"\0broken"
     assert "set aside as" in log_path().read_text(encoding="utf-8")
-    done = drive("print(window.settings.projector); window.close()")
-    assert done.stdout == "True\n"
+    done = drive("print(window.settings.theme); window.close()")
+    assert done.stdout == "dark\n"
 
 
 def test_reset_deletes_the_settings_and_says_so_even_where_no_window_opens() -> None:

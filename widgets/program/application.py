@@ -36,6 +36,7 @@ from PySide6.QtCore import (
     QIODevice,
     QLocale,
     QSocketNotifier,
+    Qt,
     QTranslator,
     qInstallMessageHandler,
 )
@@ -241,6 +242,8 @@ def run_window(
             raise Refusal.saying(IN_FILE, path, error) from error
         if options.size:
             window.resize(*options.size)
+        elif settings.geometry is None and not options.screenshot:
+            window.setWindowState(Qt.WindowState.WindowMaximized)  # the first time
         window.first_painted.connect(partial(_open_panes, window))
         if found is opengl.NO_OPENGL:
             said = QCoreApplication.translate(

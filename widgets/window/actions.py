@@ -128,6 +128,12 @@ class Actions(QObject):
             self.tr("&Blank the screen"), None, "B", self.tr("Let the class see nothing, and back")
         )
         self.blank.setEnabled(False)
+        self.pointer = self._action(
+            self.tr("P&ointer in all panes"), None, "P",
+            self.tr("Mark in all panes what the mouse is over, while presenting"),
+        )  # fmt: skip
+        self.pointer.setCheckable(True)
+        self.pointer.setEnabled(False)
         self.show_cost = self._toggle(self.tr("Show c&ost"), self.cost_shown, False)
         self.show_cost.setToolTip(
             self.tr("Measure what every step takes: the model, each pane's matrices and repaint")
@@ -218,7 +224,7 @@ class Actions(QObject):
     def _make_view_menu(self, theme: str) -> None:
         menu = self._window.menuBar().addMenu(self.tr("&View"))
         slots = self._slots
-        menu.addActions([self.present, self.blank])
+        menu.addActions([self.present, self.blank, self.pointer])
         menu.addSeparator()
         for number, (name, pane) in enumerate(self._panes.items(), start=1):
             text = self.tr("{0} in large").format(pane.name)
@@ -283,7 +289,9 @@ class Actions(QObject):
         rest = QWidget()
         rest.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         tools.addWidget(rest)
-        tools.addActions([self.open, self.save, self.copy, self.export, self.present, self.help])
+        tools.addActions(
+            [self.open, self.save, self.copy, self.export, self.present, self.controls, self.help]
+        )
         self._window.addToolBar(tools)
         for action, icon, text in (
             (self.undo, "undo", self.tr("Undo")),
@@ -295,6 +303,7 @@ class Actions(QObject):
             (self.copy, "copy", self.tr("Copy")),
             (self.export, "export", self.tr("Export")),
             (self.present, "present", self.tr("Present")),
+            (self.controls, "controls", self.tr("Controls")),
             (self.help, "help", self.tr("Help")),
         ):
             show_icon(action, icon)

@@ -19,6 +19,7 @@ from typing import Any
 from PySide6.QtCore import (
     QByteArray,
     QEvent,
+    QSize,
     Qt,
     QTimer,
     Signal,
@@ -71,7 +72,7 @@ from widgets.window.quality import Cost, DrawnQuality
 from widgets.window.recovery import Recovery
 from widgets.window.scene_guide import SceneGuide
 from widgets.window.settings import data_folder
-from widgets.window.slots import Slots
+from widgets.window.slots import LARGE_AND_SMALL, PRESENTING, Slots
 from widgets.window.status_line import StatusLine
 
 
@@ -95,6 +96,9 @@ def _image(*args: Any) -> Any:
 
 DRAWINGS: dict[str, Callable[..., Any]] = {"world": _world, "ndc": _stage, "image": _image}
 """Of each pane; VTK is imported by them."""
+AT_FIRST_PX = (1366, 768)
+FOLDS_BELOW_PX = 1200
+"""A window that is narrower has no room for the dock beside its panes; a key opens it."""
 PICTURES_AND_DOCK = [1075, 285]
 LONGEST_UNSEEN_MS = 100
 """How long a pane is waited for that shows nothing: it may be hidden, or its drawing has failed."""
@@ -146,6 +150,7 @@ class MainWindow(QMainWindow):
         self.setObjectName("mainWindow")
         self.setAcceptDrops(True)
         self._is_closed = False
+        self._is_narrow = False
         self._folded: Panel | None = None
         """The panel that is open when no pane has the whole window."""
         self.settings = settings
@@ -210,7 +215,7 @@ class MainWindow(QMainWindow):
         if settings.geometry:
             self.restoreGeometry(QByteArray(settings.geometry))
         else:
-            self.resize(1366, 768)
+            self.resize(QSize(*AT_FIRST_PX).boundedTo(self.screen().availableSize()))
         QTimer.singleShot(0, self.recovery.offer)
         self._was_painted = False
 
@@ -365,8 +370,8 @@ class MainWindow(QMainWindow):
         menus.theme_chosen.connect(self.look.set_theme)
         menus.present.triggered.connect(self.present.toggle)
         menus.blank.triggered.connect(self.present.blank)
-        self.present.switched.connect(menus.blank.setEnabled)
-        self.present.switched.connect(self.look.set_presenting)
+        menus.pointer.toggled.connect(self.probing.set_pointing)
+        self.present.switched.connect(self._show_presenting)
         self.slots.rearranged.connect(self._show_beside)
         menus.controls_shown.connect(self._show_beside)
         menus.cost_shown.connect(self.cost.measure)
@@ -465,6 +470,14 @@ class MainWindow(QMainWindow):
             return partial(self.slots.bring, self.slots.whole)
         return self.present.leave if self.present.is_on else None
 
+    def _show_presenting(self, on: bool) -> None:
+        self.menus.blank.setEnabled(on)
+        self.menus.pointer.setEnabled(on)
+        self.menus.pointer.setChecked(False)
+        self.look.set_presenting(on)
+        self.slots.share(PRESENTING if on else LARGE_AND_SMALL)
+        self._show_beside()
+
     def _show_beside(self) -> None:
         """Show what stands beside the panes, unless one of them has the whole window."""
         alone = bool(self.slots.whole)
@@ -490,6 +503,11 @@ class MainWindow(QMainWindow):
         super().resizeEvent(event)
         if event.size().height() != event.oldSize().height():
             self.drawer.fit()
+        is_narrow = event.size().width() < FOLDS_BELOW_PX
+        if is_narrow != self._is_narrow:
+            self._is_narrow = is_narrow
+            self.menus.controls.setChecked(not is_narrow)
+            self._show_beside()
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
         if any(url.isLocalFile() for url in event.mimeData().urls()):
@@ -509,6 +527,7 @@ class MainWindow(QMainWindow):
             event.ignore()
             return
         self._is_closed = True
+        self.present.end()
         self.history.stand_still()
         self.strip.pause()
         self.counting.stop()

@@ -1,4 +1,7 @@
-"""Probes by hand: a click in a pane follows a point, a drag in the image moves it."""
+"""Probes by hand: a click in a pane follows a point, a drag in the image moves it.
+
+And the lecturer's pointer: a probe without a number, which follows the mouse.
+"""
 
 from __future__ import annotations
 
@@ -54,11 +57,15 @@ class Probing(QObject):
         """The probe that is being dragged in the image, as it was before."""
         self._escape = EscapeKey(self)
         self._escape.pressed.connect(self._put_back)
+        self._is_pointing = False
+        self._pointer: tuple[Probe, ...] = ()
         self._before_click: tuple[tuple[Probe, ...], int] = ((), 0)
         panel.changed.connect(self._show)
         for name, pane in panes.items():
             pane.clicked.connect(partial(self._follow, name))
             pane.double_clicked.connect(self._unfollow)
+            pane.hand.hovered.connect(partial(self._point, name))
+            pane.hand.left.connect(self._point_nowhere)
         hand = panes["image"].hand
         hand.drag_started.connect(self._hold)
         hand.dragged.connect(self._drag)
@@ -66,20 +73,33 @@ class Probing(QObject):
 
     def take(self, shown: Shown, changed: Changed) -> None:
         """Forget every probe, also the held one: their scene is gone."""
-        self._held = None
+        self._held, self._pointer = None, ()
         self._panel.clear()
 
     def _show(self) -> None:
         for pane in self._panes.values():
-            pane.show_probes(self._panel.probes)
+            pane.show_probes((*self._panel.probes, *self._pointer))
 
-    def _follow(self, name: str, place: QPointF) -> None:
-        """Follow what was clicked in a pane: a point, or a pixel's ray where there is none."""
-        chosen = self._panel.chosen
-        self._before_click = self._panel.probes, chosen.number if chosen else 0
+    def set_pointing(self, on: bool) -> None:
+        """Mark in all panes what the mouse is over in one of them, or no more."""
+        self._is_pointing = on
+        self._point_nowhere()
+
+    def _point(self, name: str, place: QPointF) -> None:
+        if self._is_pointing:
+            self._pointer = self._found(name, place)
+            self._show()
+
+    def _point_nowhere(self) -> None:
+        if self._pointer:
+            self._pointer = ()
+            self._show()
+
+    def _found(self, name: str, place: QPointF) -> tuple[Probe, ...]:
+        """What is at a place of a pane, as a probe: a point, a pixel's ray, or nothing."""
         drawing = self._panes[name].drawing
         if drawing is None:  # it is still to come
-            return
+            return ()
         from app.drawings.probes import pick_in
 
         x_px, y_px = place.x(), place.y()
@@ -87,13 +107,19 @@ class Probing(QObject):
         if name == "image":
             pixel = drawing.image_pixel(x_px, y_px)
             if pixel is None:  # beside the picture
-                return
+                return ()
         pixel_ratio = self._panes[name].canvas.pixel_ratio
         hit = pick_in(self._shown().scene, drawing.sight, (x_px, y_px), pixel_ratio)
         if hit is not None:
-            self._panel.follow(point=hit.point)
-        elif pixel is not None:
-            self._panel.follow(pixel=pixel)
+            return (Probe(0, point=hit.point),)
+        return () if pixel is None else (Probe(0, pixel=pixel),)
+
+    def _follow(self, name: str, place: QPointF) -> None:
+        """Follow what was clicked in a pane: a point, or a pixel's ray where there is none."""
+        chosen = self._panel.chosen
+        self._before_click = self._panel.probes, chosen.number if chosen else 0
+        for found in self._found(name, place):
+            self._panel.follow(point=found.point, pixel=found.pixel)
 
     def _unfollow(self) -> None:
         """Forget the click that was the first half of a double-click."""

@@ -163,6 +163,8 @@ class Settings:
     """Error in pixels up to which a GPU's own arithmetic may draw."""
     frame_ms = _Kept("frame", _number_in(0.0, LARGEST_FRAME_MS), FRAME_MS)
     """Longest frame that is wanted while a control is dragged, in ms; 0 for any."""
+    start_card = _Kept("start_card", _flag, True, lambda on: "true" if on else "false")
+    """Whether the program begins with its scenes as pictures."""
     geometry = _Kept[bytes | None]("geometry", _bytes, None, _base64)
     """The window's place as Qt wrote it, None before the first time."""
 

@@ -26,6 +26,8 @@ from widgets.parts.panel import Changed, Shown
 LAYOUTS = ("pictures", "columns")
 COLUMN_WIDTHS = [400, 305, 330]
 LARGE_AND_SMALL = [590, 480]
+PRESENTING = [500, 530]
+"""For a class, whose letters take more of the smaller pictures."""
 UPPER_AND_LOWER = [318, 378]
 """In a window of 1366x768 pixels; the splitters keep the proportion."""
 LEAST_PANE_PX = (190, 150)
@@ -62,6 +64,7 @@ class Slots(QSplitter):
         self._panes, self._strip = panes, strip
         self.layout_name, self.large, self.whole = LAYOUTS[0], next(iter(panes)), ""
         self._leading = self.large
+        self._widths = LARGE_AND_SMALL
         self._small = QSplitter(Qt.Orientation.Vertical)
         for splitter in (self, self._small):
             splitter.setChildrenCollapsible(False)
@@ -72,7 +75,7 @@ class Slots(QSplitter):
         for name in (self.large, *SMALL[self.large]):
             (self if name == self.large else self._small).addWidget(panes[name])
         self.addWidget(self._small)
-        self._share()
+        self.share()
 
     @property
     def floating(self) -> tuple[str, ...]:
@@ -123,7 +126,7 @@ class Slots(QSplitter):
                 self.setSizes(kept[0])
                 self._small.setSizes(kept[1])
             elif moved:
-                self._share()
+                self.share()
         self.rearranged.emit()
 
     def take(self, shown: Shown, changed: Changed) -> None:
@@ -137,7 +140,7 @@ class Slots(QSplitter):
         for name in self.floating:
             self.toggle_float(name)
         self.arrange(self.layout_name, self._leading)
-        self._share()
+        self.share()
 
     def toggle_float(self, name: str) -> None:
         """Give a pane a window of its own, for a second screen, or dock it again."""
@@ -152,7 +155,7 @@ class Slots(QSplitter):
                 self.whole = ""
             self._place()
         self._reveal()
-        self._share()
+        self.share()
         if plays:  # on the way it was hidden, which stops it
             self._strip.play()
         self.rearranged.emit()
@@ -184,9 +187,10 @@ class Slots(QSplitter):
         beside = [name for name in docked if self._small.indexOf(self._panes[name]) >= 0]
         self._small.setVisible(any(self.whole in ("", name) for name in beside))
 
-    def _share(self) -> None:
-        """Give the slots the room that they have at first."""
-        self.setSizes([*COLUMN_WIDTHS, 0] if self.layout_name == "columns" else LARGE_AND_SMALL)
+    def share(self, large_and_small: list[int] | None = None) -> None:
+        """Give the slots the room that they have at first, or from now on."""
+        self._widths = large_and_small or self._widths
+        self.setSizes([*COLUMN_WIDTHS, 0] if self.layout_name == "columns" else self._widths)
         self._small.setSizes(UPPER_AND_LOWER)
 
     @contextmanager
