@@ -33,6 +33,9 @@ _COLOURS = (  # role, light, dark
 
 _STYLE_SHEET = """
 #paneTitle {{ font-weight: 600; }}
+#cardTitle {{ font-size: {large:.0f}px; font-weight: 600; }}
+#startCard {{ background: {veil}; }}
+#card, #firstSteps {{ background: {window}; border: 1px solid {line}; border-radius: 6px; }}
 #paneNote {{ color: {muted}; }}
 #messageBar {{ background: {bar}; border: 1px solid {edge}; border-radius: 4px; }}
 QToolTip {{ color: {text}; background: {base}; border: 1px solid {edge}; }}
@@ -98,6 +101,10 @@ def apply(application: QApplication, *, dark: bool, screen_px: float) -> None:
             bar="#4a3c10" if dark else "#fff4d6",
             edge="#7a6420" if dark else "#d8b860",
             text="#ececec" if dark else "#1a1a1a",
+            large=1.5 * QFontInfo(font).pixelSize(),
+            veil="rgba(0, 0, 0, 110)",
+            window="#222426" if dark else "#f4f4f2",
+            line="#4a4d50" if dark else "#c4c4c0",
             base="#34373a" if dark else "#ffffff",
             accent="#3a93cc" if dark else "#0072b2",
             on_accent="#101010" if dark else "#ffffff",

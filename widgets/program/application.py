@@ -250,6 +250,8 @@ def run_window(
                 "Program", "Qt has no OpenGL here: VTK draws the panes off the screen."
             )
             window.filled.connect(partial(window.status.showMessage, said, SAID_MS))
+        if path is None and document == saved and settings.start_card and not options.screenshot:
+            window.filled.connect(window.show_start_card)
         failed: list[bool] = []
         window.filled.connect(lambda: failed.append(bool(watch.caught)))
         show_window(window)

@@ -82,7 +82,7 @@ class Actions(QObject):
         super().__init__(window)
         self._window, self._files, self._help = window, files, help_
         self._slots, self._panes = slots, panes
-        self._scene_titles = {
+        self.scene_titles = {
             "letter-f": self.tr("Letter F"),
             "cube": self.tr("Unit cube"),
             "posts": self.tr("Row of posts"),
@@ -213,7 +213,7 @@ class Actions(QObject):
         for name in BUILT_IN:
             if name == next(iter(PHENOMENA)):
                 menu.addSeparator()
-            action = self._action(self._scene_titles[name], partial(self.scene_chosen.emit, name))
+            action = self._action(self.scene_titles[name], partial(self.scene_chosen.emit, name))
             action.setCheckable(True)
             action.setData(name)
             self.scene_group.addAction(action)
@@ -262,7 +262,11 @@ class Actions(QObject):
 
     def _make_help_menu(self) -> None:
         menu = self._window.menuBar().addMenu(self.tr("&Help"))
-        menu.addAction(self.help)
+        self.start_card = self._action(
+            self.tr("&Start card"), None, None,
+            self.tr("The scenes as pictures, recent files, and three things to try"),
+        )  # fmt: skip
+        menu.addActions([self.start_card, self.help])
         menu.addAction(self._action(self.tr("&Conventions"), self._help.show_conventions))
         menu.addAction(self._action(self.tr("&About Frustum Lab"), self._help.show_about))
 
@@ -324,7 +328,7 @@ class Actions(QObject):
 
     def scene_title(self, name: str) -> str:
         """What a scene is called, translated; of a mesh the name of its file."""
-        return self._scene_titles.get(name, file_title(name))
+        return self.scene_titles.get(name, file_title(name))
 
     def show_scene(self, name: str) -> None:
         """List the scenes, with a file's, and mark this one."""
@@ -332,7 +336,7 @@ class Actions(QObject):
         for built_in in BUILT_IN:
             if built_in == next(iter(PHENOMENA)):
                 self.scene_box.insertSeparator(self.scene_box.count())
-            self.scene_box.addItem(self._scene_titles[built_in], built_in)
+            self.scene_box.addItem(self.scene_titles[built_in], built_in)
         if name not in BUILT_IN:
             self.scene_box.addItem(self.scene_title(name), name)
         self.scene_box.setCurrentIndex(self.scene_box.findData(name))

@@ -55,6 +55,7 @@ from widgets.panes.counting import Counting
 from widgets.panes.manipulation import Manipulation
 from widgets.panes.pane import SMOOTHINGS, Pane
 from widgets.panes.stage_strip import StageStrip
+from widgets.parts import palette
 from widgets.parts.focus import focus_next
 from widgets.parts.highlight import Highlighter
 from widgets.parts.message_bar import MessageBar
@@ -73,6 +74,7 @@ from widgets.window.recovery import Recovery
 from widgets.window.scene_guide import SceneGuide
 from widgets.window.settings import data_folder
 from widgets.window.slots import LARGE_AND_SMALL, PRESENTING, Slots
+from widgets.window.start_card import FirstSteps, StartCard
 from widgets.window.status_line import StatusLine
 
 
@@ -311,6 +313,7 @@ class MainWindow(QMainWindow):
             self.store,
             self.files.choose_scene,
         )
+        self.first_steps = FirstSteps(self, self.slots)
         self.cost = Cost(self.panes, self.status)
         self.quality = DrawnQuality(
             self.look,
@@ -341,6 +344,7 @@ class MainWindow(QMainWindow):
             self.probing,
             self.controls,
             self.slots,
+            self.first_steps,
             self.guide,
             self.cost,
             self.look,
@@ -373,6 +377,11 @@ class MainWindow(QMainWindow):
         menus.pointer.toggled.connect(self.probing.set_pointing)
         self.present.switched.connect(self._show_presenting)
         self.slots.rearranged.connect(self._show_beside)
+        self.slots.rearranged.connect(
+            lambda: self.first_steps.tick("cube") if self.slots.large == "ndc" else None
+        )
+        self.panes["world"].hand.moved.connect(partial(self.first_steps.tick, "turn"))
+        menus.start_card.triggered.connect(self.show_start_card)
         menus.controls_shown.connect(self._show_beside)
         menus.cost_shown.connect(self.cost.measure)
         self.files.recent_changed.connect(menus.show_recent)
@@ -462,8 +471,27 @@ class MainWindow(QMainWindow):
     def _tell_shortly(self, text: str) -> None:
         self.status.showMessage(text, 5000)
 
+    def show_start_card(self) -> None:
+        """Offer the scenes as pictures, and three things to try."""
+        card = StartCard(
+            self,
+            self.menus.scene_titles,
+            self.files.recent,
+            at_every_start=self.settings.start_card,
+            dark=palette.is_dark(self.settings.theme),
+        )
+        card.scene_chosen.connect(self.guide.choose)
+        card.file_chosen.connect(self.files.open)
+        card.open_wanted.connect(self.files.open_dialog)
+        card.always_set.connect(partial(setattr, self.settings, "start_card"))
+        card.open()
+        self.first_steps.show()
+
     def _on_top(self) -> Callable[[], object] | None:
-        """What Esc leaves: a message, an empty screen, a whole pane, presenting."""
+        """What Esc leaves: the start card, a message, an empty screen, a whole pane, presenting."""
+        card = self.findChild(StartCard)
+        if card is not None and card.isVisible():
+            return card.close
         if self.messages.text and not self.messages.choices:  # an offer would be lost
             return self.messages.done
         if self.slots.whole and not self.present.is_blank:

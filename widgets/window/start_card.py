@@ -1,0 +1,302 @@
+"""The first minute: a card with the scenes as pictures, and three things to try by hand.
+
+The card lies over the window until a scene or a file is chosen, or Esc or a click beside it sends
+it away; then the three things are left in a corner, tick themselves off as they are done, and go.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+from PySide6.QtCore import QEvent, QObject, QPoint, QSize, Qt, QTimer, Signal
+from PySide6.QtGui import QIcon, QImage, QMouseEvent, QPixmap, QShowEvent
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QFrame,
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QSizePolicy,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+from app.scenes.scene import BUILT_IN, load
+from widgets.parts import palette
+from widgets.parts.icons import show_icon
+from widgets.parts.messages import file_title
+from widgets.parts.panel import Changed, Shown
+
+COLUMNS = 4
+THUMBNAIL_PX = (144, 81)
+MOST_RECENT = 6
+DRAWN_FINER = 2.0
+"""A thumbnail is drawn so many times as large, or the letters in it would hide it."""
+ABOVE_STAGES_PX = 64
+"""The stage bar is at the bottom of the cube, and the cube may be the pane in the corner."""
+SEEN_DONE_MS = 4000
+"""How long the three things are still seen when all are done."""
+
+
+class StartCard(QWidget):
+    """The scenes and the recent files, over the whole window.
+
+    Parameters
+    ----------
+    window : QWidget
+        What it lies over.
+    titles : mapping of str to str
+        Of the built-in scenes, by their names.
+    recent : sequence of str
+        Paths of files.
+    at_every_start : bool
+    dark : bool
+    """
+
+    scene_chosen = Signal(str)
+    file_chosen = Signal(str)
+    open_wanted = Signal()
+    always_set = Signal(bool)
+    """Whether it shall come with every start."""
+
+    def __init__(
+        self,
+        window: QWidget,
+        titles: Mapping[str, str],
+        recent: Sequence[str],
+        *,
+        at_every_start: bool,
+        dark: bool,
+    ) -> None:
+        super().__init__(window)
+        self.setObjectName("startCard")
+        self.setAccessibleName(self.tr("Start"))
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        self._window, self._dark = window, dark
+        card = QFrame()
+        card.setObjectName("card")
+        card.setAutoFillBackground(True)
+        card.setFrameShape(QFrame.Shape.StyledPanel)
+        around = QGridLayout(self)
+        around.setContentsMargins(8, 8, 8, 8)
+        around.addWidget(card, 0, 0, Qt.AlignmentFlag.AlignCenter)
+        self.tiles = {name: self._tile(name, titles[name]) for name in BUILT_IN}
+        grid = QGridLayout()
+        grid.setSpacing(2)
+        for place, tile in enumerate(self.tiles.values()):
+            grid.addWidget(tile, place // COLUMNS, place % COLUMNS)
+            grid.setColumnStretch(place % COLUMNS, 1)
+        column = QVBoxLayout(card)
+        column.setContentsMargins(16, 10, 16, 12)
+        column.setSpacing(6)
+        column.addLayout(self._head())
+        both = QHBoxLayout()
+        both.setSpacing(16)
+        both.addLayout(grid)
+        both.addLayout(self._files(recent))
+        column.addLayout(both)
+        always = QCheckBox(self.tr("Show this at every start"))
+        always.setToolTip(self.tr("Help > Start card shows it at any time"))
+        always.setChecked(at_every_start)
+        always.toggled.connect(self.always_set)
+        column.addWidget(always)
+        self._undrawn = list(BUILT_IN)
+        self._drawing = QTimer(self)
+        self._drawing.timeout.connect(self._draw_next)
+        window.installEventFilter(self)
+        self._cover()
+
+    def open(self) -> None:
+        """Lie over the window, and draw the pictures one by one."""
+        self.show()
+        self.raise_()
+        next(iter(self.tiles.values())).setFocus()
+        self._drawing.start(0)
+
+    def _head(self) -> QHBoxLayout:
+        title = QLabel(self.tr("How a camera turns a 3-D scene into a picture"))
+        title.setObjectName("cardTitle")
+        leave = QToolButton()
+        leave.setAutoRaise(True)
+        show_icon(leave, "close")
+        leave.setToolTip(self.tr("Begin with the letter F (Esc)"))
+        leave.setAccessibleName(self.tr("Close"))
+        leave.clicked.connect(self.close)
+        row = QHBoxLayout()
+        row.addWidget(title, 1)
+        row.addWidget(leave)
+        return row
+
+    def _tile(self, name: str, title: str) -> QToolButton:
+        tile = QToolButton()
+        tile.setAutoRaise(True)
+        tile.setText(title)
+        tile.setToolTip(title)
+        tile.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextUnderIcon)
+        tile.setIconSize(QSize(*THUMBNAIL_PX))
+        tile.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        tile.clicked.connect(partial(self._choose, self.scene_chosen.emit, name))
+        return tile
+
+    def _files(self, recent: Sequence[str]) -> QVBoxLayout:
+        column = QVBoxLayout()
+        column.setSpacing(2)
+        heading = QLabel(self.tr("Files"))
+        heading.setObjectName("paneTitle")
+        column.addWidget(heading)
+        opens = QToolButton()
+        opens.setText(self.tr("Open a file…"))
+        show_icon(opens, "open")
+        opens.setToolTip(self.tr("Open a document, a mesh or an exported picture"))
+        opens.clicked.connect(self._open)
+        buttons = [opens]
+        for path in recent[:MOST_RECENT]:
+            button = QToolButton()
+            button.setText(button.fontMetrics().elidedText(
+                file_title(path), Qt.TextElideMode.ElideMiddle, THUMBNAIL_PX[0]
+            ))  # fmt: skip
+            button.setToolTip(path)
+            button.setAccessibleName(Path(path).name)
+            button.clicked.connect(partial(self._choose, self.file_chosen.emit, path))
+            buttons.append(button)
+        for button in buttons:
+            button.setAutoRaise(True)
+            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+            column.addWidget(button)
+        column.addStretch(1)
+        return column
+
+    def _choose(self, tell: Callable[[str], object], what: str) -> None:
+        self.close()
+        tell(what)
+
+    def _open(self) -> None:
+        self.close()
+        self.open_wanted.emit()
+
+    # -- the pictures
+
+    def _draw_next(self) -> None:
+        if not self._undrawn:
+            self._drawing.stop()
+            return
+        name = self._undrawn.pop(0)
+        self.tiles[name].setIcon(QIcon(self._thumbnail(name)))
+
+    def _thumbnail(self, name: str) -> QPixmap:
+        """A scene as it opens, in the pane that it is about."""
+        from app.drawings.figures import render
+
+        ratio = self.devicePixelRatioF()
+        scene = load(name)
+        size = [round(side * ratio * DRAWN_FINER) for side in THUMBNAIL_PX]
+        style = palette.drawing_style(dark=self._dark, screen_px=0.0, device_pixel_ratio=ratio)
+        pixels = render(scene, scene.start, [scene.leading], (size[0], size[1]), style=style)
+        height, width, _ = pixels.shape
+        image = QImage(
+            np.ascontiguousarray(pixels).data, width, height, 3 * width, QImage.Format.Format_RGB888
+        )
+        pixmap = QPixmap.fromImage(image.scaled(
+            round(width / DRAWN_FINER), round(height / DRAWN_FINER),
+            Qt.AspectRatioMode.KeepAspectRatio, Qt.TransformationMode.SmoothTransformation,
+        ))  # fmt: skip
+        pixmap.setDevicePixelRatio(ratio)
+        return pixmap
+
+    # -- over the window
+
+    def _cover(self) -> None:
+        self.setGeometry(self._window.rect())
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.Resize:
+            self._cover()
+        return super().eventFilter(watched, event)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        event.accept()  # beside the card: those on it have been taken by what is there
+        self.close()
+
+
+class FirstSteps(QFrame):
+    """Three things to try by hand, in a corner of the panes until they are done.
+
+    Parameters
+    ----------
+    window : QWidget
+        What it lies over.
+    panes : QWidget
+        In whose lower left corner it lies.
+    """
+
+    concerns = frozenset({"lens"})
+
+    def __init__(self, window: QWidget, panes: QWidget) -> None:
+        super().__init__(window)
+        self._panes = panes
+        self.setObjectName("firstSteps")
+        self.setAutoFillBackground(True)
+        self.setFrameShape(QFrame.Shape.StyledPanel)
+        self.setAccessibleName(self.tr("Three things to try"))
+        heading = QLabel(self.tr("Try by hand"))
+        heading.setObjectName("paneTitle")
+        leave = QToolButton()
+        leave.setAutoRaise(True)
+        show_icon(leave, "close")
+        leave.setToolTip(self.tr("Try nothing"))
+        leave.setAccessibleName(self.tr("Close"))
+        leave.clicked.connect(self.close)
+        head = QHBoxLayout()
+        head.addWidget(heading, 1)
+        head.addWidget(leave)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(10, 4, 10, 8)
+        column.setSpacing(2)
+        column.addLayout(head)
+        self.steps = {
+            "near": QCheckBox(self.tr("Drag the near plane, or its slider")),
+            "turn": QCheckBox(self.tr("Turn the world: drag beside the frustum")),
+            "cube": QCheckBox(self.tr("Double-click the cube's title to make it large")),
+        }
+        for step in self.steps.values():
+            step.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+            step.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+            column.addWidget(step)
+        self._near: float | None = None
+        panes.installEventFilter(self)
+        self.hide()
+
+    def tick(self, name: str) -> None:
+        """One of the three is done."""
+        if self.isHidden() or self.steps[name].isChecked():
+            return
+        self.steps[name].setChecked(True)
+        if all(step.isChecked() for step in self.steps.values()):
+            QTimer.singleShot(SEEN_DONE_MS, self, self.close)
+
+    def take(self, shown: Shown, changed: Changed) -> None:
+        """Another lens: its near plane may have been dragged."""
+        if self._near is not None and shown.projection.lens.near != self._near:
+            self.tick("near")
+        self._near = shown.projection.lens.near
+
+    def place(self) -> None:
+        """Lie in the corner."""
+        self.adjustSize()
+        corner = self._panes.mapTo(self.window(), self._panes.rect().bottomLeft())
+        self.move(corner + QPoint(12, -ABOVE_STAGES_PX - self.height()))
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self.place()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.Resize and self.isVisible():
+            self.place()
+        return super().eventFilter(watched, event)
