@@ -165,7 +165,7 @@ def _export(arguments: Sequence[str]) -> int:
             scale=found.scale,
             transparent=found.transparent,
             style=DARK if found.theme == "dark" else LIGHT,
-            views=document.views,
+            view=document.view,
             settings=document.settings,
             quality=document.quality,
         )

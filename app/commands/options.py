@@ -45,7 +45,9 @@ SETTABLE = (
     "lens.fov_y_deg", "lens.near", "lens.far", "lens.left", "lens.right", "lens.bottom",
     "lens.top", "lens.keep", "lens.alpha_deg", "lens.beta_deg", "lens.clip_from_view",
     "lens.view_from_world", "image.width", "image.height", "quality.rung", "quality.smoothing",
-    "quality.detail", "quality.depth_format", "quality.depth_mapping",
+    "quality.detail", "quality.depth_format", "quality.depth_mapping", "view.layout", "view.large",
+    "view.stage", "view.frame_step", "view.panel", "view.letters", "view.layers", "view.fixed",
+    "view.probes",
 )  # fmt: skip
 """Every path that ``--set`` knows, of all lenses; and each scene has ``settings.NAME`` of its own.
 

@@ -13,7 +13,6 @@ import os
 import sys
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -24,13 +23,14 @@ from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkRenderingCore import vtkTextActor
 
 from app.document.document import embed, write_bytes_atomically
+from app.document.view import AS_EVER, PANES, View
 from app.drawings import WORDS
 from app.drawings.image import ImageDrawing
 from app.drawings.off_screen import off_screen
 from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT, Style
 from app.drawings.world import WorldDrawing
-from app.model.projection import LARGEST_IMAGE_PX, Camera, Projection
+from app.model.projection import LARGEST_IMAGE_PX, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal, format_value
 from app.precision.levels import DRAWING_TOLERANCE_PX
 from app.precision.quality import AUTOMATIC, Quality
@@ -40,8 +40,6 @@ from app.scenes.scene import Scene
 
 Pixels = NDArray[np.uint8]
 
-PANES = ("world", "ndc", "image")
-"""The panes of a figure, from left to right as in the window."""
 LARGEST_PX = LARGEST_IMAGE_PX
 """Largest side of a figure."""
 PANE_PX = 640
@@ -84,7 +82,7 @@ def render(
     transparent: bool = False,
     style: Style = LIGHT,
     words: Mapping[str, str] = WORDS,
-    views: Mapping[str, Camera] = MappingProxyType({}),
+    view: View = AS_EVER,
     progress: Callable[[float], bool] | None = None,
     settings: Mapping[str, Any] | None = None,
     quality: Quality = AUTOMATIC,
@@ -107,8 +105,8 @@ def render(
     style : Style, optional
     words : mapping, optional
         The words written into the drawings.
-    views : mapping of pane to Camera, optional
-        From where a pane is looked at; one that is not named shows all it has.
+    view : View, optional
+        How it is looked at; its panel, its letters and its layout are none of a figure's.
     progress : callable, optional
         Called before each pane with the fraction done; when it returns False, drawing stops.
     settings : mapping, optional
@@ -157,7 +155,7 @@ def render(
                 style,
                 words,
                 framed=len(panes) > 1,
-                view=views.get(pane),
+                view=view,
                 quality=quality,
             )
         )
@@ -238,7 +236,7 @@ def _render_pane(
     style: Style,
     words: Mapping[str, str],
     framed: bool,
-    view: Camera | None,
+    view: View,
     quality: Quality,
 ) -> Pixels:
     factor = _oversampling(size)
@@ -252,9 +250,14 @@ def _render_pane(
         window = screen.render_window
         drawing = _DRAWINGS[pane](screen, scene, words, style.enlarged(factor), **options)
         drawing.show_projection(projection, illustration)
+        if isinstance(drawing, StageDrawing):
+            drawing.show_stage(view.stage)
         drawing.reset_view()
-        if view is not None:
-            drawing.show_view(view)
+        if pane in view.panes:
+            drawing.show_view(view.panes[pane])
+        drawing.show_probes(view.probes)
+        if isinstance(drawing, WorldDrawing):
+            drawing.show_step(view.step)
         if transparent:
             for renderer in window.GetRenderers():
                 _clear_plates(renderer)

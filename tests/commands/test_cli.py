@@ -23,6 +23,7 @@ from PIL import Image
 from app.bootstrap import ROOT
 from app.commands import cli, options
 from app.document.document import Document, embed, read, set_values, to_json, write
+from app.document.view import View
 from app.model.limits import SMALLEST_WINDOW
 from app.model.projection import (
     LARGEST,
@@ -1016,12 +1017,14 @@ def test_the_lens_comes_first_as_it_is_used(typed: str, line: str) -> None:
 
 def test_the_names_in_the_help_are_those_that_there_are() -> None:
     """They are written twice, because help is given where nothing is installed yet."""
-    from app.document import document
+    from app.document import document, view
     from app.measure import measuring
     from app.measure.arithmetic import SWEEPS
 
     paths = {"scene", "mesh", "depth", *document.model_paths().values()} - {"lens.former"}
-    assert set(options.SETTABLE) == paths | {f"quality.{key}" for key in document._QUALITY}
+    paths |= {f"quality.{key}" for key in document._QUALITY}
+    paths |= {f"view.{key}" for key in view.FIELDS if key not in ("panes", "pinned")}
+    assert set(options.SETTABLE) == paths
     assert options.PRECISIONS == PRECISIONS
     assert tuple(measuring.TRADES) == options.TRADES
     assert tuple(SWEEPS) == options.SWEEPS
@@ -1219,9 +1222,9 @@ def test_export_carries_the_document_with_what_was_set(tmp_path: Path, by_hand: 
 def test_export_looks_from_where_the_document_says(tmp_path: Path) -> None:
     from_above = Camera((0.0, 40.0, 0.1), (0.0, 0.0, 0.0), (0.0, 1.0, 0.0))
     pictures = []
-    for name, views in (("plain", {}), ("turned", {"world": from_above})):
+    for name, panes in (("plain", {}), ("turned", {"world": from_above})):
         path = tmp_path / f"{name}.json"
-        write(Document("letter-f", views=views), path)
+        write(Document("letter-f", view=View(panes=panes)), path)
         pictures.append(export(tmp_path / f"{name}.png", path, "--size=300x100"))
     plain, turned = pictures
     assert not np.array_equal(plain[:, :100], turned[:, :100])  # the world pane is turned

@@ -18,7 +18,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.drawings.figures import PANES, checked_size
+from app.document.view import PANES
+from app.drawings.figures import checked_size
 from app.model.refusal import Refusal
 from widgets.parts.messages import sentence
 

@@ -36,7 +36,7 @@ class Pictures(QObject):
         Parent of the dialogs.
     messages : MessageBar
     seen : callable
-        The document as it is looked at just now: with the views of the panes.
+        The document as it is looked at just now: with its view.
     scene : callable
         The loaded scene of a name and a mesh in it.
     titles : dict
@@ -109,7 +109,8 @@ class Pictures(QObject):
 
     def copy(self) -> bool:
         """Put the three panes on the clipboard; False if that failed or the user stopped it."""
-        from app.drawings.figures import PANES, png_bytes
+        from app.document.view import PANES
+        from app.drawings.figures import png_bytes
         from widgets.window.export_dialog import ExportChoice
 
         document = self._seen()
@@ -153,7 +154,7 @@ class Pictures(QObject):
             return render(
                 self._scene(document.scene, document.mesh),
                 document.projection,
-                views=document.views,
+                view=document.view,
                 settings=document.settings,
                 quality=document.quality,
                 panes=choice.panes,
