@@ -13,6 +13,7 @@ import subprocess
 import sys
 import zlib
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -37,6 +38,7 @@ from app.model.projection import (
     Projection,
     Stage,
 )
+from app.picking.picking import Probe
 from app.precision.levels import PRECISIONS, Precision, predict, trace
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.scene import load
@@ -1231,6 +1233,37 @@ def test_export_looks_from_where_the_document_says(tmp_path: Path) -> None:
     assert np.array_equal(plain[:, 100:], turned[:, 100:])  # and no other
 
 
+def test_export_shows_what_is_set_of_the_view(tmp_path: Path) -> None:
+    """The same as a document that was saved so, and its picture brings it back."""
+    out = tmp_path / "figure.png"
+    options = ("--set=view.stage=pyramid", "--set=view.probes=0,1,0", "--set=view.frame_step=n")
+    shown = export(out, "--size=300x100", *options)
+    view = View(stage=2.0, probes=(Probe(1, (0.0, 1.0, 0.0)),), frame_step="n", panel="frame")
+    assert read(out).view == view
+    write(replace(read(out), view=view), tmp_path / "saved.json")
+    again = export(out, tmp_path / "saved.json", "--size=300x100")
+    assert np.array_equal(again, shown)
+    plain = export(out, "--size=300x100")
+    for left in (0, 100, 200):
+        assert not np.array_equal(plain[:, left : left + 100], shown[:, left : left + 100])
+
+
+def test_text_size_and_scale_are_in_the_file(tmp_path: Path) -> None:
+    out = tmp_path / "figure.png"
+    usual = export(out, "--size=300x100", "--scale=2")
+    with Image.open(out) as image:
+        assert image.info["dpi"] == pytest.approx((600.0, 600.0), rel=1e-3)
+    large = export(out, "--size=300x100", "--scale=2", "--text-size=3")
+    assert not np.array_equal(large, usual)
+
+
+def test_the_view_is_no_matter_of_the_numbers() -> None:
+    for command in (("matrices",), ("project", "-")):
+        said = run_here(*command, text="1,2,3\n").stdout
+        options = ("--set=view.stage=pyramid", "--set=view.letters=002", "--set=view.layers=grid")
+        assert run_here(*command, *options, text="1,2,3\n").stdout == said
+
+
 def test_export_options_reach_the_picture(tmp_path: Path, by_hand: Path) -> None:
     image = export(tmp_path / "image.png", by_hand, "--panes", "image")
     assert image.shape == (100, 200, 3)  # the image pane alone has the image's own size
@@ -1263,6 +1296,12 @@ def test_export_options_reach_the_picture(tmp_path: Path, by_hand: Path) -> None
         (["figure.png", "--scale", "0"], "scale = 0: must lie between 0"),
         (["figure.png", "--scale", "nan"], "scale = nan: must lie between 0"),
         (["figure.png", "--scale", "2x"], "--scale = '2x': must be a finite number"),
+        (["figure.png", "--text-size", "big"], "--text-size = 'big': must be a number of points."),
+        (["figure.png", "--text-size", "0"], "--text-size = 0: must be from 0.24 to 38.4 points"),
+        (["figure.png", "--text-size", "nan"], "--text-size = nan: must be from 0.24 to"),
+        (["figure.png", "--text-size", "39"], "--text-size = 39: must be from 0.24 to 38.4 points"),
+        (["figure.png", "--set", "view.stage=box2"], "view.stage = 'box2': must be one of world,"),
+        (["figure.png", "--set", "view.stage=nan"], "view.stage = 'nan': must be one of world,"),
         (["figure.png", "--scale", "100"], "width = 1920 times scale 100: must be from"),
         (["figure.png", "--panes", "world,depth"], "'depth': must be one of world, ndc, image"),
         (["figure.png", "--panes", ""], "pane = '': must be one of world, ndc, image"),

@@ -1246,8 +1246,8 @@ def test_choosing_a_phenomenon_opens_its_panel_and_leaving_it_folds_it(window: M
     window.guide.choose("cube")
     window.guide.choose("similar-triangles")
     assert window.panels.open_panel is window.scene_panel
-    window.store.undo()
-    window.store.undo()
+    for _ in range(4):
+        window.store.undo()
     assert window.store.document.scene == "letter-f" and window.panels.open_panel is None
 
 

@@ -82,15 +82,15 @@ class Pictures(QObject):
 
     def export(self, path: Path, choice: ExportChoice) -> bool:
         """Write a picture; False if that failed or the user stopped it."""
-        return self._write(path, lambda document: self._draw(document, choice))
+        return self._write(path, lambda document: self._draw(document, choice), choice.scale)
 
-    def _write(self, path: Path, draw: Callable[[Document], Pixels]) -> bool:
+    def _write(self, path: Path, draw: Callable[[Document], Pixels], scale: float = 1.0) -> bool:
         from app.drawings.figures import write_png
 
         document = self._seen()
 
         def write() -> None:
-            write_png(path, draw(document), picture_json(document))
+            write_png(path, draw(document), picture_json(document), scale)
 
         return self._try(write, self.tr("Exported {0}").format(path))
 
@@ -161,6 +161,7 @@ class Pictures(QObject):
                 size=choice.size,
                 scale=choice.scale,
                 transparent=choice.transparent,
+                text_pt=choice.text_pt,
                 style=palette.drawing_style(dark=False, projector=False, device_pixel_ratio=1.0),
                 words=self._words,
                 progress=progress,
