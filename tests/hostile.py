@@ -1,4 +1,4 @@
-"""Damaged and hostile mesh files, each opened by ``python3 -m app matrices FILE``.
+"""Damaged and hostile meshes and documents, each opened by ``python3 -m app matrices FILE``.
 
 ``python3 -m tests.hostile --count 5000 --seed 1`` makes so many and tells what became of them. A
 file is sound, or refused in one sentence that begins with its name; anything else is a finding: a
@@ -157,6 +157,36 @@ def _description(rng: random.Random) -> tuple[dict[str, Any], bytes]:
     }, body
 
 
+def _document(rng: random.Random) -> dict[str, Any]:
+    """A document with a view, of version 2 or 1."""
+    camera = {"eye": [6, 5, 9], "target": [0, 2.2, 0], "up": [0, 1, 0]}
+    tree: dict[str, Any] = {
+        "format": "frustum-lab",
+        "version": rng.choice([1, 2, 2, 2]),
+        "scene": rng.choice(["letter-f", "similar-triangles"]),
+        "camera": camera,
+        "lens": {"kind": "perspective", "fov_y_deg": 45, "near": 1, "far": 30},
+        "depth": "opengl",
+        "image": {"width": 1280, "height": 720},
+        "view": {
+            "layout": "columns", "large": "image", "stage": rng.choice(["pyramid", 2.5]),
+            "frame_step": "n", "panel": "frame", "letters": "002", "layers": ["grid", "labels"],
+            "fixed": "side", "probes": [[1, 2, 3], None, [640, 360]], "pinned": [1],
+            "panes": {"world": dict(camera), "second-screen": dict(camera), "ndc": dict(camera)},
+            "compare": {"near": 2},
+        },
+    }  # fmt: skip
+    if tree["version"] == 1:
+        tree["views"] = tree["view"]["panes"]
+    return tree
+
+
+def _viewed(rng: random.Random, tree: dict[str, Any]) -> dict[str, Any]:
+    """Damage in the view alone: most other damage is refused before anybody looks there."""
+    tree["view"] = _structure(rng, {"view": tree["view"]}).get("view")
+    return tree
+
+
 def _packed(content: Any, body: bytes, glb: bool) -> bytes:
     if not glb:
         with_data = copy.deepcopy(content)
@@ -308,8 +338,14 @@ CONTENT: dict[str, Callable[[random.Random, Any], Any]] = {
 def hostile(seed: int, number: int) -> tuple[str, str, bytes]:
     """Ending, kind of damage and content of a file."""
     rng = random.Random(f"{seed} {number}")
-    ending = (".obj", ".ply", ".stl", ".gltf", ".glb")[number % 5]
-    if ending in (".gltf", ".glb"):
+    ending = (".obj", ".ply", ".stl", ".gltf", ".glb", ".json")[number % 6]
+    if ending == ".json":
+        tree = _document(rng)
+        what = rng.choice([_viewed, _viewed, _structure, None])
+        if what is not None:
+            return ending, what.__name__, json.dumps(what(rng, tree)).encode()
+        data = json.dumps(tree).encode()
+    elif ending in (".gltf", ".glb"):
         content, body = _description(rng)
         if rng.random() < 0.7:
             kind = rng.choice(list(CONTENT))
@@ -350,7 +386,8 @@ class Outcome(NamedTuple):
             return "" if self.out and not lines else "opened, but said something or nothing"
         if self.status != 2 or self.out or len(lines) != 1:
             return f"status {self.status}, {len(lines)} lines"
-        if not lines[0].isprintable() or not lines[0].startswith(f"{path}: "):
+        named = f"{path} " if path.suffix == ".json" else f"{path}: "
+        if not lines[0].isprintable() or not lines[0].startswith((named, f"{path}: ")):
             return "not a sentence about the file"
         return ""
 
@@ -405,7 +442,7 @@ def _commanded(path: Path) -> Outcome:
 
 def main() -> int:
     """Open hostile files and tell what became of them; 1 if there are findings."""
-    parser = argparse.ArgumentParser(description="Open hostile mesh files.")
+    parser = argparse.ArgumentParser(description="Open hostile files.")
     parser.add_argument("--count", type=int, default=5000)
     parser.add_argument("--first", type=int, default=0, help="number of the first, to go on from")
     parser.add_argument("--seed", type=int, default=1)

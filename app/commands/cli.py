@@ -147,7 +147,7 @@ def _export(arguments: Sequence[str]) -> int:
     scene = load_scene(document.scene, document.mesh, shown)
     try:
         with bootstrap.for_good():
-            from app.drawings.figures import render, write_png
+            from app.drawings.figures import TEXT, render, write_png
             from app.drawings.off_screen import check_off_screen
             from app.drawings.style import DARK, LIGHT
     except ImportError as error:
@@ -165,14 +165,16 @@ def _export(arguments: Sequence[str]) -> int:
             scale=found.scale,
             transparent=found.transparent,
             style=DARK if found.theme == "dark" else LIGHT,
-            views=document.views,
+            view=document.view,
             settings=document.settings,
             quality=document.quality,
+            text_pt=found.text_size,
         )
-        write_png(out, pixels, picture_json(document))
+        write_png(out, pixels, picture_json(document), found.scale)
     except Refusal as error:
         of_size = found.size and error.file is None and str(error).startswith(("width", "height"))
-        raise CliError(f"{'--size ' if of_size else ''}{error}") from error
+        text = str(error).replace("text size =", "--text-size =", int(error.bound == TEXT))
+        raise CliError(f"{'--size ' if of_size else ''}{text}") from error
     if scene.phenomenon is not None:
         settings = scene.phenomenon.checked(document.settings)
         illustration = scene.phenomenon.illustration(document.projection, settings, scene.subject)

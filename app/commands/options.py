@@ -45,7 +45,9 @@ SETTABLE = (
     "lens.fov_y_deg", "lens.near", "lens.far", "lens.left", "lens.right", "lens.bottom",
     "lens.top", "lens.keep", "lens.alpha_deg", "lens.beta_deg", "lens.clip_from_view",
     "lens.view_from_world", "image.width", "image.height", "quality.rung", "quality.smoothing",
-    "quality.detail", "quality.depth_format", "quality.depth_mapping",
+    "quality.detail", "quality.depth_format", "quality.depth_mapping", "view.layout", "view.large",
+    "view.stage", "view.frame_step", "view.panel", "view.letters", "view.layers", "view.fixed",
+    "view.probes",
 )  # fmt: skip
 """Every path that ``--set`` knows, of all lenses; and each scene has ``settings.NAME`` of its own.
 
@@ -224,6 +226,13 @@ def _scale(value: str) -> float:
         raise CliError(f"--scale = {value!r}: must be a finite number.") from None
 
 
+def _points(value: str) -> float:
+    try:
+        return parse_number(value)
+    except ValueError:
+        raise CliError(f"--text-size = {value!r}: must be a number of points.") from None
+
+
 def _sweep(value: str) -> tuple[str, str]:
     """``near`` or ``near=1e-3:10``: the parameter, and what it says of its ends."""
     name, equals, ends = value.partition("=")
@@ -278,6 +287,11 @@ def _export() -> Parser:
     parser.add_argument(
         "--scale", type=_scale, default=1.0, metavar="FACTOR", help="the same figure, finer (1)"
     )
+    parser.add_argument(
+        "--text-size", type=_points, metavar="PT",
+        help="height of the letters in points, 300 pixels to 72 of them at scale 1 (6 in a pane of"
+        " 640 pixels, and in others in proportion)",
+    )  # fmt: skip
     parser.add_argument("--transparent", action="store_true", help="no background")
     parser.add_choice("--theme", THEMES, "colours (light)", "light")
     parser.add_set()

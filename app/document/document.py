@@ -26,6 +26,8 @@ from functools import partial
 from types import MappingProxyType
 from typing import Any, BinaryIO, NamedTuple, TypeAlias
 
+from app.document.view import FIELDS as VIEW_FIELDS
+from app.document.view import View, read_view, view_tree
 from app.model.limits import FOUR_BY_FOUR, OTHER_SIDE
 from app.model.projection import (
     FINITE_NUMBER,
@@ -53,7 +55,16 @@ Path: TypeAlias = str | os.PathLike[str]
 Tree: TypeAlias = dict[str, Any]
 
 FORMAT = "frustum-lab"
-MIGRATIONS: tuple[Callable[[Tree], Tree], ...] = ()
+
+
+def _with_view(tree: Tree) -> Tree:
+    """Version 1 had the panes' cameras alone, at the top; a key "view" there was nobody's."""
+    strange = {"version 1": tree.pop("view")} if "view" in tree else {}
+    panes = {"panes": tree.pop("views")} if "views" in tree else {}
+    return tree | ({"view": panes | strange} if panes or strange else {})
+
+
+MIGRATIONS: tuple[Callable[[Tree], Tree], ...] = (_with_view,)
 """Step i turns a document of version i + 1 into one of version i + 2."""
 VERSION = len(MIGRATIONS) + 1
 """Version of the documents that are written."""
@@ -109,6 +120,7 @@ MESH_NAME = QT_TRANSLATE_NOOP("Refusal", "must be the path of a mesh file ({0}),
 NO_MESH_HERE = QT_TRANSLATE_NOOP(
     "Refusal", "cannot be shown in the scene {0}, which needs its own objects"
 )
+POINTS = QT_TRANSLATE_NOOP("Refusal", "must be x, y, z of one point after the other")
 NO_EQUALS = QT_TRANSLATE_NOOP("Refusal", "must be written as NAME=VALUE")
 
 
@@ -124,9 +136,9 @@ class Document:
     extra : dict
         Keys that this program does not know, kept for those that do, in the places where they
         stood: ``{"author": "...", "lens": {"label": "..."}}``. Not to be changed in place.
-    views : dict of str to Camera
-        From where a pane (``"world"``, ``"ndc"``) was looked at, if somebody turned it: no part
-        of the model, but a figure shall be drawn as it was seen. Not to be changed in place.
+    view : View
+        How it is looked at: no part of the model, so that it is no part of what is compared, but
+        a figure shall be drawn as it was seen.
     settings : mapping
         Of the phenomenon that the scene is; those not given are its defaults. Complete and
         read-only when it is made, and empty for every other scene.
@@ -146,7 +158,7 @@ class Document:
     scene: str = "letter-f"
     projection: Projection = field(default_factory=Projection)
     extra: Tree = field(default_factory=dict)
-    views: dict[str, Camera] = field(default_factory=dict)
+    view: View = field(default_factory=View, compare=False)
     settings: Settings = field(default_factory=dict)
     mesh: str = ""
     quality: Quality = AUTOMATIC
@@ -165,7 +177,9 @@ class Document:
                 raise Refusal.in_document(NO_MESH_HERE, self.scene, field="mesh", value=self.mesh)
         # A key that the lens before did not know may be a field of the one it was changed to.
         object.__setattr__(
-            self, "extra", _unknown(self.extra, self.scene, self.projection.lens.kind, self.views)
+            self,
+            "extra",
+            _unknown(self.extra, self.scene, self.projection.lens.kind, self.view.panes),
         )
 
     def __hash__(self) -> int:
@@ -210,13 +224,14 @@ _MATRICES = ("lens.clip_from_view", "lens.view_from_world")
 _TEXTS = (
     *("scene", "mesh", "depth", "lens.keep"),
     *(f"quality.{key}" for key in _QUALITY if key != "detail"),
+    *(f"view.{key}" for key in VIEW_FIELDS if key != "stage"),
 )
 # What float() takes and no document would: 1_000, nan, infinity, digits of other scripts.
 _NUMBER = re.compile(r"[+-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?")
 _LONGEST_SHOWN = 60
 
 
-_SECTIONS = ("settings", "camera", "lens", "image", "quality")
+_SECTIONS = ("settings", "camera", "lens", "image", "quality", "view")
 
 
 def model_paths() -> dict[str, str]:
@@ -231,12 +246,13 @@ def model_paths() -> dict[str, str]:
 def _known(scene: str, kind: object) -> dict[str, tuple[str, ...]]:
     """The keys that this program knows, by section; the top level is section ``""``."""
     return {
-        "": ("format", "version", "scene", "mesh", "depth", "views", *_SECTIONS),
+        "": ("format", "version", "scene", "mesh", "depth", *_SECTIONS),
         "settings": tuple(setting.name for setting in _settings_of(scene)),
         "camera": _CAMERA,
         "lens": ("kind", *lens_fields(kind)),
         "image": ("width", "height"),
         "quality": _QUALITY,
+        "view": VIEW_FIELDS,
     }
 
 
@@ -244,7 +260,7 @@ def _settings_of(scene: str) -> tuple[Setting, ...]:
     return PHENOMENA[scene].settings if scene in PHENOMENA else ()
 
 
-def _unknown(tree: Tree, scene: str, kind: str, views: Iterable[str]) -> Tree:
+def _unknown(tree: Tree, scene: str, kind: str, panes: Iterable[str]) -> Tree:
     """What is left of a document without the keys that this program knows."""
     known = _known(scene, kind)
     left = {key: value for key, value in tree.items() if key not in known[""]}
@@ -255,12 +271,16 @@ def _unknown(tree: Tree, scene: str, kind: str, views: Iterable[str]) -> Tree:
             names = ("kind", *lens_fields(former.get("kind")))
             beside = {k: v for k, v in former.items() if k not in names}
             inside |= {"former": beside} if beside else {}
+        if section == "view":
+            cameras = tree.get("view", {}).get("panes", {})
+            labels = {
+                name: {k: v for k, v in cameras.get(name, {}).items() if k not in _CAMERA}
+                for name in panes
+            }
+            labels = {name: beside for name, beside in labels.items() if beside}
+            inside |= {"panes": labels} if labels else {}
         if inside:
             left[section] = inside
-    inside = {name: tree.get("views", {}).get(name, {}) for name in views}
-    inside = {n: {k: v for k, v in view.items() if k not in _CAMERA} for n, view in inside.items()}
-    if any(inside.values()):
-        left["views"] = {name: view for name, view in inside.items() if view}
     return left
 
 
@@ -395,7 +415,12 @@ def parse(text: str, folder: Path | None = None) -> Document:
         raise Refusal.in_document(NEWER, format_value(version), VERSION)
     for step in MIGRATIONS[version - 1 :]:
         tree = step(tree)
-    return _document(tree, folder)
+    try:
+        return _document(tree, folder)
+    except Refusal as error:
+        if version == 1 and error.field.startswith("view.panes"):  # where the file has them
+            error.field = error.field.replace("view.panes", "views", 1)
+        raise
 
 
 def _whole(number: Any) -> Any:
@@ -462,12 +487,17 @@ def _document(tree: Tree, folder: Path | None = None) -> Document:
     values = _section(tree, "image")
     width, height = (_whole(_required(values, key, f"image.{key}")) for key in ("width", "height"))
     projection = Projection(camera, lens, (width, height), _required(tree, "depth", "depth"))
-    views = _section(tree, "views") if "views" in tree else {}
-    cameras = {name: _view(views, name) for name in views}
+    values = _section(tree, "view") if "view" in tree else {}
+    panes = values.get("panes", {})
+    if not isinstance(panes, dict):
+        raise Refusal.in_document(OBJECT, field="view.panes", value=panes)
+    cameras = {name: _pane_camera(panes, name) for name in panes}
+    with _paths("view"):
+        view = read_view(values, cameras)
     values = _section(tree, "quality") if "quality" in tree else {}
     quality = Quality(**{key: values[key] for key in _QUALITY if key in values})
     unknown = _unknown(tree, scene, kind, cameras)
-    return Document(scene, projection, unknown, cameras, settings, mesh, quality)
+    return Document(scene, projection, unknown, view, settings, mesh, quality)
 
 
 def _lens(values: Any, path: str) -> Lens:
@@ -496,12 +526,12 @@ def _lens(values: Any, path: str) -> Lens:
         ) from error
 
 
-def _view(views: Tree, name: str) -> Camera:
-    path = _join("views", name)
-    if not isinstance(views[name], dict):
-        raise Refusal.in_document(OBJECT, field=path, value=views[name])
+def _pane_camera(panes: Tree, name: str) -> Camera:
+    path = _join("view.panes", name)
+    if not isinstance(panes[name], dict):
+        raise Refusal.in_document(OBJECT, field=path, value=panes[name])
     with _paths(path):
-        return Camera(*(_required(views[name], key, f"{path}.{key}") for key in _CAMERA))
+        return Camera(*(_required(panes[name], key, f"{path}.{key}") for key in _CAMERA))
 
 
 # --------------------------------------------------------------------------- document to text
@@ -529,7 +559,7 @@ def to_json(document: Document, folder: Path | None = None) -> str:
 
             {
               "format": "frustum-lab",
-              "version": 1,
+              "version": 2,
               "scene": "letter-f",
               "camera": {"eye": [6, 5, 9], "target": [0, 2.2, 0], "up": [0, 1, 0]},
               "lens": {"kind": "perspective", "fov_y_deg": 45, "near": 1, "far": 30},
@@ -537,10 +567,9 @@ def to_json(document: Document, folder: Path | None = None) -> str:
               "image": {"width": 1280, "height": 720}
             }
 
-        An infinite far is ``"inf"``; ``views``, if there are any, hold cameras too. A phenomenon
-        has its ``settings`` after the scene, and perhaps a ``mesh``; ``quality`` holds what of it
-        is not automatic. Keys that were not known
-        when it was read are there again.
+        An infinite far is ``"inf"``. A phenomenon has its ``settings`` after the scene, and perhaps
+        a ``mesh``; ``quality`` holds what of it is not automatic, and ``view`` what of it is not as
+        ever, with the panes' cameras. Keys that were not known when it was read are there again.
     """
     tree = _tree(document)
     if folder is not None:
@@ -591,14 +620,21 @@ def _tree(document: Document) -> Tree:
             key: _plain(value) if isinstance(value, float) else value
             for key, value in document.quality.chosen.items()
         }
-    if document.views:
-        unknown = extra.get("views", {})
-        tree["views"] = {
-            name: _camera_tree(view) | unknown.get(name, {})
-            for name, view in document.views.items()
+    view = view_tree(document.view)
+    if "probes" in view:
+        view["probes"] = [part and [*map(_plain, part)] for part in view["probes"]]
+    if document.view.panes:
+        labels = extra.get("view", {}).get("panes", {})
+        view["panes"] = {
+            name: _camera_tree(camera) | labels.get(name, {})
+            for name, camera in document.view.panes.items()
         }
+    if view:
+        tree["view"] = view
     for section in _SECTIONS:
         unknown = dict(extra.get(section, {}))
+        if section == "view":
+            unknown.pop("panes", None)
         if section == "lens" and lens.former is not lens:
             tree["lens"]["former"] |= unknown.pop("former", {})
         if section in tree:
@@ -661,13 +697,15 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
     document : Document
     assignments : iterable of str
         ``lens.far=inf``, ``camera.eye=3,2,4``, ``depth=reversed``, ``scene=cube``,
-        ``settings.distance=2``; a matrix as its 16 cells, row after row. Only the outcome of
+        ``settings.distance=2``, ``view.stage=pyramid``; a matrix as its 16 cells, row after row,
+        probes as x, y, z of one point after the other, layers that are hidden by their names with
+        commas. Only the outcome of
         all of them has to be valid, so that their order does not matter; of two for the same
         path the last holds. Another scene comes first and has its default settings; then
         ``lens.kind``, which keeps the picture alike, or with numbers of its window has these as
         they are typed: ``lens.keep`` is ``stretch`` then, unless it is set too; then settings,
         which the camera and the lens may follow, but not to another kind than the one that was
-        asked for.
+        asked for. A step of the camera's frame opens its panel, unless ``view.panel`` is set too.
 
     Raises
     ------
@@ -685,14 +723,16 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
     scene = texts.pop("scene", document.scene)
     if scene != document.scene:
         document = replace(document, scene=scene, settings={}, mesh="")
+    if "view.frame_step" in texts:
+        texts.setdefault("view.panel", "frame")
     kind = texts.pop("lens.kind", "")
     if kind and any(f"lens.{side}" in texts for side in ("left", "right", "bottom", "top")):
         texts.setdefault("lens.keep", "stretch")
     document = _with_lens(document, kind)
     known = _known(document.scene, document.projection.lens.kind)
-    paths = [path for path in known[""] if path not in (*known, "format", "version", "views")]
+    paths = [path for path in known[""] if path not in (*known, "format", "version")]
     paths += [f"{section}.{key}" for section in known if section for key in known[section]]
-    paths = [path for path in paths if path != "lens.former"]
+    paths = [path for path in paths if path not in ("lens.former", "view.panes", "view.pinned")]
     for path in texts:
         if path not in paths:
             raise _unknown_path(path, paths)
@@ -754,6 +794,15 @@ def _read_vector(path: str, text: str) -> list[float]:
 
 
 def _read_text(path: str, text: str) -> Any:
+    if path == "view.layers":
+        return [name.strip() for name in text.split(",") if name.strip()]
+    if path == "view.probes":
+        numbers = [_number(part.strip()) for part in text.split(",")] if text else []
+        if None in numbers or len(numbers) % 3:
+            raise Refusal.in_document(POINTS, field=path, value=text)
+        return [numbers[i : i + 3] for i in range(0, len(numbers), 3)]
+    if path == "view.stage" and _number(text) is None:
+        return text
     if path in _TEXTS or (path == "lens.far" and _number(text) is None):  # inf, or for the lens
         return text
     if path.startswith("camera."):

@@ -2,16 +2,44 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import replace
-from typing import Any
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any, NamedTuple
 
 from PySide6.QtCore import QObject, Signal
 
 from app.document.document import Document
+from app.document.view import View
 from app.model.projection import Projection
 
 UNDO_LIMIT = 1000
+OPENED_LIMIT = 3
+"""So many openings undo can take back: the scenes of all of them are kept in memory."""
+
+
+@dataclass(eq=False)
+class Origin:
+    """Where a document came from: one for each time that something is opened.
+
+    Attributes
+    ----------
+    saved : Document or None
+        What is in its file, or opened as it was; None for what is in none.
+    path : Path or None
+        Where it is saved.
+    written : object
+        How that file was when it was read or written here last.
+    """
+
+    saved: Document | None
+    path: Path | None = None
+    written: object = None
+
+
+class _Step(NamedTuple):
+    document: Document
+    origin: Origin
 
 
 class Store(QObject):
@@ -20,8 +48,12 @@ class Store(QObject):
     Edits come in as whole values and go out as one `changed(document)`; an edit that changes
     nothing is silent. A gesture (a drag, a play of the animation) is one undo step however many
     edits it makes; one that comes while another goes on (a drag while the animation plays) is a
-    step of its own, and so is a change of the whole document. What the outer one does afterwards
-    belongs to that step: undo takes back what the user did last.
+    step of its own, and so is a change of the whole document, and to open another one: undo brings
+    the former back, with its file and its unsaved work. What the outer one does afterwards belongs
+    to that step: undo takes back what the user did last.
+
+    How a document is looked at is no step. The widgets know it; they are asked when another
+    document takes its place, so that undo brings it back as it was looked at.
 
     Parameters
     ----------
@@ -30,12 +62,23 @@ class Store(QObject):
     saved : Document, optional
         What is in its file, if that is another one; undo goes back to it where it has the same
         scene, which is there.
+
+    Attributes
+    ----------
+    origin : Origin
+        Of the document as it stands.
+    look : callable
+        Tells how it is looked at just now.
     """
 
     changed = Signal(object)
     """The new `Document`, once per change."""
     history_changed = Signal()
     """Undo, redo or the unsaved mark may be different now."""
+    view_changed = Signal(object)
+    """The `Document`, to be looked at otherwise, and else the same."""
+    leaving = Signal()
+    """A document of another origin is about to come."""
 
     def __init__(
         self,
@@ -46,12 +89,13 @@ class Store(QObject):
     ) -> None:
         super().__init__(parent)
         self._document = document
-        self._saved: Document | None = saved or document
-        self._undo: list[Document] = []
-        self._redo: list[Document] = []
+        self.origin = Origin(saved or document)
+        self.look: Callable[[], View] = lambda: self._document.view
+        self._undo: list[_Step] = []
+        self._redo: list[_Step] = []
         here = document.scene, document.mesh
         if saved is not None and saved != document and (saved.scene, saved.mesh) == here:
-            self._undo.append(saved)
+            self._undo.append(_Step(saved, self.origin))
         self._gestures = 0
         self._gesture_start: Document | None = None
 
@@ -63,7 +107,19 @@ class Store(QObject):
     @property
     def modified(self) -> bool:
         """Whether it differs from what was last opened or saved."""
-        return self._document != self._saved
+        return self._document != self.origin.saved
+
+    @property
+    def seen(self) -> Document:
+        """The document, as it is looked at just now."""
+        return replace(self._document, view=self.look())
+
+    @property
+    def documents(self) -> Iterator[Document]:
+        """The document, and all that undo and redo can bring back."""
+        yield self._document
+        for step in (*self._undo, *self._redo):
+            yield step.document
 
     @property
     def in_gesture(self) -> bool:
@@ -84,36 +140,83 @@ class Store(QObject):
     def _gesture_moved(self) -> bool:
         return self._gesture_start is not None and self._gesture_start != self._document
 
-    def open(self, document: Document, *, saved: bool = True) -> None:
-        """Start afresh on a document; the history of the old one is gone.
+    def open(self, document: Document, *, saved: bool = True, path: Path | None = None) -> None:
+        """Change to a document from elsewhere: one step, whatever becomes of the one before.
 
         Parameters
         ----------
         document : Document
         saved : bool
             False for a recovered document, which is not in any file of the user's.
+        path : Path, optional
+            Where it is saved.
         """
-        self._undo.clear()
-        self._redo.clear()
+        origin = Origin(document if saved else None, path)
+        self._put_aside(document, origin)
+        opened = list(dict.fromkeys(step.origin for step in self._undo))[-OPENED_LIMIT:]
+        self._undo = [step for step in self._undo if step.origin in opened]
         if self._gestures:
             self._gesture_start = document
-        self._saved = document if saved else None
         self._show(document)
 
     def mark_saved(self) -> None:
         """Note that the document as it stands is in its file."""
-        self._saved = self._document
+        self.origin.saved = self._document
         self.history_changed.emit()
+
+    def set_view(self, **changes: Any) -> None:
+        """Look at the document otherwise: no step, no unsaved work; what is as it was is silent.
+
+        Parameters
+        ----------
+        **changes
+            Some fields of the `View`; the others are as they are just now.
+
+        Raises
+        ------
+        Refusal
+            If no view can have them.
+        """
+        before = self.look()
+        view = replace(before, **changes)
+        if view != before:
+            self._keep_view(view)
+            self.view_changed.emit(self._document)
+
+    def _keep_view(self, view: View) -> None:
+        """Let all steps since the view came, this one too, be looked at so."""
+        old = self._document.view
+
+        def kept(document: Document) -> Document:
+            return replace(document, view=view) if document.view is old else document
+
+        for steps in (self._undo, self._redo):
+            steps[:] = [_Step(kept(step.document), step.origin) for step in steps]
+        self._document = kept(self._document)
+        if self._gesture_start is not None:
+            self._gesture_start = kept(self._gesture_start)
+
+    def _leave(self, document: Document, origin: Origin) -> None:
+        """Before another document comes: note how this one is looked at."""
+        if document.view is not self._document.view:
+            self._keep_view(self.look())
+        if origin is not self.origin:
+            self.leaving.emit()
+
+    def _put_aside(self, document: Document, origin: Origin) -> None:
+        """Make a step of a change to another document."""
+        self._close_gesture()
+        self._gesture_start = None
+        self._leave(document, origin)
+        self._remember(self._document)
+        self._redo.clear()
+        self.origin = origin
 
     def set_document(self, document: Document) -> None:
         """Change the whole document (to another scene, say), always one step; equal is silent."""
-        if document == self._document:
-            return
-        self._close_gesture()
-        self._gesture_start = None
-        self._remember(self._document)
-        self._redo.clear()
-        self._show(document)
+        if document != self._document:
+            self._put_aside(document, self.origin)
+            self._show(document)
 
     def set_projection(self, projection: Projection) -> None:
         """Make an edit of the projection; equal is silent."""
@@ -165,17 +268,19 @@ class Store(QObject):
     def undo(self) -> None:
         """Go back one step; during a gesture, to where the gesture began."""
         self._close_gesture()
-        if self._undo:
-            self._redo.append(self._document)
-            self._show(self._undo.pop())
-            self._restart_gesture()
+        self._go(self._undo, self._redo)
 
     def redo(self) -> None:
         """Take the last undone step up again."""
         self._close_gesture()
-        if self._redo:
-            self._undo.append(self._document)
-            self._show(self._redo.pop())
+        self._go(self._redo, self._undo)
+
+    def _go(self, steps: list[_Step], others: list[_Step]) -> None:
+        if steps:
+            self._leave(*steps[-1])
+            others.append(_Step(self._document, self.origin))
+            document, self.origin = steps.pop()
+            self._show(document)
             self._restart_gesture()
 
     def _close_gesture(self) -> None:
@@ -188,7 +293,7 @@ class Store(QObject):
             self._gesture_start = self._document
 
     def _remember(self, document: Document) -> None:
-        self._undo.append(document)
+        self._undo.append(_Step(document, self.origin))
         del self._undo[:-UNDO_LIMIT]
 
     def _show(self, document: Document) -> None:

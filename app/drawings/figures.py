@@ -13,7 +13,6 @@ import os
 import sys
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -24,13 +23,14 @@ from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 from vtkmodules.vtkRenderingCore import vtkTextActor
 
 from app.document.document import embed, write_bytes_atomically
+from app.document.view import AS_EVER, PANES, View
 from app.drawings import WORDS
 from app.drawings.image import ImageDrawing
 from app.drawings.off_screen import off_screen
 from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT, Style
 from app.drawings.world import WorldDrawing
-from app.model.projection import LARGEST_IMAGE_PX, Camera, Projection
+from app.model.projection import LARGEST_IMAGE_PX, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal, format_value
 from app.precision.levels import DRAWING_TOLERANCE_PX
 from app.precision.quality import AUTOMATIC, Quality
@@ -40,14 +40,20 @@ from app.scenes.scene import Scene
 
 Pixels = NDArray[np.uint8]
 
-PANES = ("world", "ndc", "image")
-"""The panes of a figure, from left to right as in the window."""
 LARGEST_PX = LARGEST_IMAGE_PX
 """Largest side of a figure."""
 PANE_PX = 640
 """Side of a pane where no size is asked for."""
 SMALLEST_PANE_PX = 32
 """Smallest side of a pane with labels."""
+DPI = 300
+"""Pixels an inch of a figure at scale 1, as its file says: three panes of `PANE_PX` are 163 mm
+wide, the text of a page; a scale makes it no larger, but finer."""
+USUAL_TEXT = 25 / PANE_PX
+"""Of the shorter side of a pane: the height of an em where nobody asks for another. In three panes
+of `PANE_PX`, across a page, that is 6 points, which can be read there and on a slide (13 pixels, as
+in the window, would be 3); other figures look alike."""
+_LEAST_TEXT_PX, _LARGEST_TEXT = 1.0, 0.25  # the latter of the shorter side, too
 
 _DRAWINGS: dict[str, type[WorldDrawing] | type[StageDrawing] | type[ImageDrawing]] = {
     "world": WorldDrawing,
@@ -72,6 +78,9 @@ SCALED_WIDTH = QT_TRANSLATE_NOOP(
 SCALED_HEIGHT = QT_TRANSLATE_NOOP(
     "Refusal", "height = {0} times scale {3}: must be from {1} to {2} pixels."
 )
+TEXT = QT_TRANSLATE_NOOP(
+    "Refusal", "text size = {0}: must be from {1} to {2} points in panes of this size."
+)
 _SIDES = {"width": (WIDTH, SCALED_WIDTH), "height": (HEIGHT, SCALED_HEIGHT)}
 
 
@@ -84,10 +93,11 @@ def render(
     transparent: bool = False,
     style: Style = LIGHT,
     words: Mapping[str, str] = WORDS,
-    views: Mapping[str, Camera] = MappingProxyType({}),
+    view: View = AS_EVER,
     progress: Callable[[float], bool] | None = None,
     settings: Mapping[str, Any] | None = None,
     quality: Quality = AUTOMATIC,
+    text_pt: float | None = None,
 ) -> Pixels:
     """Draw one pane, or several side by side.
 
@@ -107,14 +117,16 @@ def render(
     style : Style, optional
     words : mapping, optional
         The words written into the drawings.
-    views : mapping of pane to Camera, optional
-        From where a pane is looked at; one that is not named shows all it has.
+    view : View, optional
+        How it is looked at; its panel, its letters and its layout are none of a figure's.
     progress : callable, optional
         Called before each pane with the fraction done; when it returns False, drawing stops.
     settings : mapping, optional
         Those of the scene's phenomenon, by name; one that is not there has its default.
     quality : Quality, optional
         The smoothing is none of a figure's choices: it is always averaged.
+    text_pt : float, optional
+        Height of an em in points, of which 72 are `DPI` pixels; `USUAL_TEXT` if not given.
 
     Returns
     -------
@@ -135,7 +147,8 @@ def render(
     and VTK reach OpenGL through different systems, VTK would take Qt's context for its own.
     """
     width, height = checked_size(projection.image_size, panes, size, scale)
-    style = replace(style, margin=style.background).enlarged(scale)
+    text_pt = checked_text(projection.image_size, panes, size, text_pt)
+    style = replace(style, margin=style.background, font_size=text_pt * DPI / 72.0).enlarged(scale)
     illustration = None
     if scene.phenomenon is not None:
         chosen = scene.phenomenon.checked(settings or {})
@@ -157,7 +170,7 @@ def render(
                 style,
                 words,
                 framed=len(panes) > 1,
-                view=views.get(pane),
+                view=view,
                 quality=quality,
             )
         )
@@ -165,7 +178,10 @@ def render(
 
 
 def write_png(
-    path: str | os.PathLike[str], pixels: Pixels, document_json: str | None = None
+    path: str | os.PathLike[str],
+    pixels: Pixels,
+    document_json: str | None = None,
+    scale: float = 1.0,
 ) -> None:
     """Write a figure, whole or not at all, with the document that it shows inside.
 
@@ -176,22 +192,67 @@ def write_png(
         As `render` returns it.
     document_json : str, optional
         Dropped on the window, the picture brings this document back.
+    scale : float, optional
+        With which it was drawn: the file says how many of its pixels are an inch.
     """
-    write_bytes_atomically(path, png_bytes(pixels, document_json))
+    write_bytes_atomically(path, png_bytes(pixels, document_json, scale))
 
 
-def png_bytes(pixels: Pixels, document_json: str | None = None) -> bytes:
+def png_bytes(pixels: Pixels, document_json: str | None = None, scale: float = 1.0) -> bytes:
     """The file that `write_png` writes, for a clipboard.
 
     Parameters
     ----------
     pixels : (height, width, 3 or 4) uint8 array
     document_json : str, optional
+    scale : float, optional
     """
     buffer = io.BytesIO()
-    Image.fromarray(pixels).save(buffer, "PNG")
+    dpi = max(1.0, DPI * scale)
+    Image.fromarray(pixels).save(buffer, "PNG", dpi=(dpi, dpi))
     png = buffer.getvalue()
     return png if document_json is None else embed(png, document_json)
+
+
+def usual_text_pt(
+    image_size: tuple[int, int], panes: Sequence[str], size: tuple[int, int] | None
+) -> float:
+    """The height of an em, in points, in a figure where nobody asks for another."""
+    return max(_LEAST_TEXT_PX, USUAL_TEXT * _shorter_px(image_size, panes, size)) * 72.0 / DPI
+
+
+def checked_text(
+    image_size: tuple[int, int],
+    panes: Sequence[str],
+    size: tuple[int, int] | None,
+    text_pt: float | None,
+) -> float:
+    """The height of an em in points, for `render`'s parameters of these names.
+
+    Raises
+    ------
+    Refusal
+        If no pane of that size can have such letters.
+    """
+    if text_pt is None:
+        return usual_text_pt(image_size, panes, size)
+    least = _LEAST_TEXT_PX * 72.0 / DPI
+    most = _LARGEST_TEXT * _shorter_px(image_size, panes, size) * 72.0 / DPI
+    if not least <= text_pt <= most:  # NaN fails too
+        raise Refusal.saying(TEXT, format_value(text_pt), f"{least:.3g}", f"{most:.3g}")
+    return text_pt
+
+
+def _shorter_px(
+    image_size: tuple[int, int], panes: Sequence[str], size: tuple[int, int] | None
+) -> float:
+    width, height = size or _own_size(image_size, panes)
+    return min(width / len(panes), height)
+
+
+def _own_size(image_size: tuple[int, int], panes: Sequence[str]) -> tuple[int, int]:
+    """The size of a figure that nobody has asked for another."""
+    return image_size if tuple(panes) == ("image",) else (PANE_PX * len(panes), PANE_PX)
 
 
 def checked_size(
@@ -213,8 +274,7 @@ def checked_size(
         if pane not in _DRAWINGS:
             raise Refusal.saying(UNKNOWN_PANE, repr(pane), ", ".join(PANES))
     lone_image = tuple(panes) == ("image",)
-    if size is None:
-        size = image_size if lone_image else (PANE_PX * len(panes), PANE_PX)
+    size = size or _own_size(image_size, panes)
     if not 0.0 < scale <= LARGEST_PX:  # NaN fails too
         raise Refusal.saying(SCALE, f"{scale:g}", LARGEST_PX)
     asked = dict(zip(("width", "height"), size, strict=True))
@@ -238,7 +298,7 @@ def _render_pane(
     style: Style,
     words: Mapping[str, str],
     framed: bool,
-    view: Camera | None,
+    view: View,
     quality: Quality,
 ) -> Pixels:
     factor = _oversampling(size)
@@ -252,9 +312,14 @@ def _render_pane(
         window = screen.render_window
         drawing = _DRAWINGS[pane](screen, scene, words, style.enlarged(factor), **options)
         drawing.show_projection(projection, illustration)
+        if isinstance(drawing, StageDrawing):
+            drawing.show_stage(view.stage)
         drawing.reset_view()
-        if view is not None:
-            drawing.show_view(view)
+        if pane in view.panes:
+            drawing.show_view(view.panes[pane])
+        drawing.show_probes(view.probes)
+        if isinstance(drawing, WorldDrawing):
+            drawing.show_step(view.step)
         if transparent:
             for renderer in window.GetRenderers():
                 _clear_plates(renderer)

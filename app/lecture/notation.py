@@ -27,11 +27,11 @@ from app.model.projection import DEPTH_RANGES, Array, Projection, Rationals, Sta
 from app.model.refusal import format_value
 from app.model.tables import VIEWPORT, evaluated
 
-Letters: TypeAlias = Literal["uvn", "000", "001", "002", "003"]
+Letters: TypeAlias = Literal["own", "000", "001", "002", "003"]
 Numbers: TypeAlias = tuple[tuple[float, ...], ...]
 Formulas: TypeAlias = tuple[tuple[str, ...], ...]
 
-LETTERS: tuple[Letters, ...] = ("uvn", "000", "001", "002", "003")
+LETTERS: tuple[Letters, ...] = ("own", "000", "001", "002", "003")
 """The program's own (axes as in lecture 004, planes as in 003), and those of four lectures."""
 
 _OURS = {
@@ -41,7 +41,7 @@ _OURS = {
 }  # fmt: skip
 _EYE_P = {"eye": f"P{ARROW}", "eye_x": "x_p", "eye_y": "y_p", "eye_z": "z_p"}
 _SYMBOLS: dict[str, dict[str, str]] = {
-    "uvn": _OURS,
+    "own": _OURS,
     "000": {
         **_OURS,
         "l": "x_min", "r": "x_max", "b": "y_min", "t": "y_max", "n": "z_min", "f": "z_max",
@@ -98,7 +98,7 @@ class Matrix(NamedTuple):
 
 
 def matrices(
-    projection: Projection, letters: Letters = "uvn", *, rows: bool = False, running: bool = False
+    projection: Projection, letters: Letters = "own", *, rows: bool = False, running: bool = False
 ) -> tuple[Matrix, ...]:
     """Every stage's matrix, in the order of `python -m app matrices`.
 
@@ -137,7 +137,7 @@ def matrices(
     tables = _Tables(
         _formulas(lens, letters),
         # Numbers are the same in all letters; lecture 002's have signs of their own.
-        _fields(lens, "002" if letters == "002" else "uvn", state_of(projection)),
+        _fields(lens, "002" if letters == "002" else "own", state_of(projection)),
     )
     return tuple(_matrix(stage, names, projection, tables, letters, rows)
                  for stage, names in shown)  # fmt: skip
@@ -478,7 +478,7 @@ def cell_text(value: float) -> str:
     return format_value(value)
 
 
-def as_text(matrix: Matrix, letters: Letters = "uvn", *, formulas: bool = False) -> str:
+def as_text(matrix: Matrix, letters: Letters = "own", *, formulas: bool = False) -> str:
     """The matrix as aligned columns under its name, of numbers or of formulas."""
     cells = (
         [[written(cell, letters) for cell in row] for row in matrix.formulas]

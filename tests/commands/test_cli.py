@@ -13,6 +13,7 @@ import subprocess
 import sys
 import zlib
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -23,6 +24,7 @@ from PIL import Image
 from app.bootstrap import ROOT
 from app.commands import cli, options
 from app.document.document import Document, embed, read, set_values, to_json, write
+from app.document.view import View
 from app.model.limits import SMALLEST_WINDOW
 from app.model.projection import (
     LARGEST,
@@ -36,6 +38,7 @@ from app.model.projection import (
     Projection,
     Stage,
 )
+from app.picking.picking import Probe
 from app.precision.levels import PRECISIONS, Precision, predict, trace
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.scene import load
@@ -1016,12 +1019,14 @@ def test_the_lens_comes_first_as_it_is_used(typed: str, line: str) -> None:
 
 def test_the_names_in_the_help_are_those_that_there_are() -> None:
     """They are written twice, because help is given where nothing is installed yet."""
-    from app.document import document
+    from app.document import document, view
     from app.measure import measuring
     from app.measure.arithmetic import SWEEPS
 
     paths = {"scene", "mesh", "depth", *document.model_paths().values()} - {"lens.former"}
-    assert set(options.SETTABLE) == paths | {f"quality.{key}" for key in document._QUALITY}
+    paths |= {f"quality.{key}" for key in document._QUALITY}
+    paths |= {f"view.{key}" for key in view.FIELDS if key not in ("panes", "pinned")}
+    assert set(options.SETTABLE) == paths
     assert options.PRECISIONS == PRECISIONS
     assert tuple(measuring.TRADES) == options.TRADES
     assert tuple(SWEEPS) == options.SWEEPS
@@ -1219,13 +1224,44 @@ def test_export_carries_the_document_with_what_was_set(tmp_path: Path, by_hand: 
 def test_export_looks_from_where_the_document_says(tmp_path: Path) -> None:
     from_above = Camera((0.0, 40.0, 0.1), (0.0, 0.0, 0.0), (0.0, 1.0, 0.0))
     pictures = []
-    for name, views in (("plain", {}), ("turned", {"world": from_above})):
+    for name, panes in (("plain", {}), ("turned", {"world": from_above})):
         path = tmp_path / f"{name}.json"
-        write(Document("letter-f", views=views), path)
+        write(Document("letter-f", view=View(panes=panes)), path)
         pictures.append(export(tmp_path / f"{name}.png", path, "--size=300x100"))
     plain, turned = pictures
     assert not np.array_equal(plain[:, :100], turned[:, :100])  # the world pane is turned
     assert np.array_equal(plain[:, 100:], turned[:, 100:])  # and no other
+
+
+def test_export_shows_what_is_set_of_the_view(tmp_path: Path) -> None:
+    """The same as a document that was saved so, and its picture brings it back."""
+    out = tmp_path / "figure.png"
+    options = ("--set=view.stage=pyramid", "--set=view.probes=0,1,0", "--set=view.frame_step=n")
+    shown = export(out, "--size=300x100", *options)
+    view = View(stage=2.0, probes=(Probe(1, (0.0, 1.0, 0.0)),), frame_step="n", panel="frame")
+    assert read(out).view == view
+    write(replace(read(out), view=view), tmp_path / "saved.json")
+    again = export(out, tmp_path / "saved.json", "--size=300x100")
+    assert np.array_equal(again, shown)
+    plain = export(out, "--size=300x100")
+    for left in (0, 100, 200):
+        assert not np.array_equal(plain[:, left : left + 100], shown[:, left : left + 100])
+
+
+def test_text_size_and_scale_are_in_the_file(tmp_path: Path) -> None:
+    out = tmp_path / "figure.png"
+    usual = export(out, "--size=300x100", "--scale=2")
+    with Image.open(out) as image:
+        assert image.info["dpi"] == pytest.approx((600.0, 600.0), rel=1e-3)
+    large = export(out, "--size=300x100", "--scale=2", "--text-size=3")
+    assert not np.array_equal(large, usual)
+
+
+def test_the_view_is_no_matter_of_the_numbers() -> None:
+    for command in (("matrices",), ("project", "-")):
+        said = run_here(*command, text="1,2,3\n").stdout
+        options = ("--set=view.stage=pyramid", "--set=view.letters=002", "--set=view.layers=grid")
+        assert run_here(*command, *options, text="1,2,3\n").stdout == said
 
 
 def test_export_options_reach_the_picture(tmp_path: Path, by_hand: Path) -> None:
@@ -1260,6 +1296,12 @@ def test_export_options_reach_the_picture(tmp_path: Path, by_hand: Path) -> None
         (["figure.png", "--scale", "0"], "scale = 0: must lie between 0"),
         (["figure.png", "--scale", "nan"], "scale = nan: must lie between 0"),
         (["figure.png", "--scale", "2x"], "--scale = '2x': must be a finite number"),
+        (["figure.png", "--text-size", "big"], "--text-size = 'big': must be a number of points."),
+        (["figure.png", "--text-size", "0"], "--text-size = 0: must be from 0.24 to 38.4 points"),
+        (["figure.png", "--text-size", "nan"], "--text-size = nan: must be from 0.24 to"),
+        (["figure.png", "--text-size", "39"], "--text-size = 39: must be from 0.24 to 38.4 points"),
+        (["figure.png", "--set", "view.stage=box2"], "view.stage = 'box2': must be one of world,"),
+        (["figure.png", "--set", "view.stage=nan"], "view.stage = 'nan': must be one of world,"),
         (["figure.png", "--scale", "100"], "width = 1920 times scale 100: must be from"),
         (["figure.png", "--panes", "world,depth"], "'depth': must be one of world, ndc, image"),
         (["figure.png", "--panes", ""], "pane = '': must be one of world, ndc, image"),

@@ -42,6 +42,10 @@ from app.document.document import (
     write,
     write_bytes_atomically,
 )
+from app.document.view import FIELDS as VIEW_FIELDS
+from app.document.view import FIXED, LAYERS, LAYOUTS, MOST_PROBES, PANELS, PANES, View
+from app.lecture.camera_frame import STEPS
+from app.lecture.notation import LETTERS
 from app.model.limits import ABOVE
 from app.model.projection import (
     Camera,
@@ -52,13 +56,14 @@ from app.model.projection import (
     Projection,
 )
 from app.model.refusal import Refusal
+from app.picking.picking import Probe
 from app.scenes.phenomena import PHENOMENA
 from tests import PATIENCE_S
 from tests.random_documents import outcome, outcome_of
 from tests.support.phenomenon import EVERYTHING
 
 DESIGN = """
-{"format": "frustum-lab", "version": 1, "scene": "letter-f",
+{"format": "frustum-lab", "version": 2, "scene": "letter-f",
  "camera": {"eye": [6, 5, 9], "target": [0, 2.2, 0], "up": [0, 1, 0]},
  "lens": {"kind": "perspective", "fov_y_deg": 45, "near": 1, "far": 30},
  "depth": "opengl", "image": {"width": 1280, "height": 720}}
@@ -66,7 +71,7 @@ DESIGN = """
 WRITTEN = """\
 {
   "format": "frustum-lab",
-  "version": 1,
+  "version": 2,
   "scene": "letter-f",
   "camera": {"eye": [6, 5, 9], "target": [0, 2.2, 0], "up": [0, 1, 0]},
   "lens": {"kind": "perspective", "fov_y_deg": 45, "near": 1, "far": 30},
@@ -160,6 +165,31 @@ def unknown_keys(known: tuple[str, ...]) -> st.SearchStrategy[dict[str, Any]]:
 
 
 @st.composite
+def views(draw: st.DrawFn, camera: Camera) -> View:
+    """Any view, with this camera in its panes."""
+    numbers = sorted(draw(st.sets(st.integers(1, MOST_PROBES))))
+    probes = [
+        Probe(number, point=draw(st.tuples(FINITE, FINITE, FINITE)))
+        if draw(st.booleans())
+        else Probe(number, pixel=draw(st.tuples(FINITE, FINITE)))
+        for number in numbers
+    ]
+    return View(
+        layout=draw(st.sampled_from(LAYOUTS)),
+        large=draw(st.sampled_from(("", *PANES))),
+        stage=draw(st.floats(0.0, 5.0) | st.integers(0, 5).map(float)),
+        frame_step=draw(st.sampled_from(STEPS)),
+        panel=draw(st.sampled_from((None, "", *PANELS))),
+        letters=draw(st.sampled_from(LETTERS)),
+        layers=frozenset(draw(st.sets(st.sampled_from(LAYERS)))),
+        fixed=draw(st.sampled_from(("", *FIXED))),
+        probes=tuple(probes),
+        pinned=frozenset(draw(st.sets(st.sampled_from(numbers)))) if numbers else frozenset(),
+        panes=dict.fromkeys(draw(st.sets(st.text(), max_size=2)), camera),
+    )
+
+
+@st.composite
 def documents(draw: st.DrawFn) -> Document:
     def ordered(low: float, high: float) -> tuple[float, float]:
         first, second = sorted(draw(st.tuples(st.floats(low, high), st.floats(low, high))))
@@ -180,20 +210,23 @@ def documents(draw: st.DrawFn) -> Document:
         lens = Orthographic(left, right, bottom, top, *ordered(-1e100, 1e100), "stretch")
     size = draw(st.tuples(*[st.integers(1, 16384)] * 2))
     depth = draw(st.sampled_from(sorted(app.model.projection.DEPTH_RANGES)))
-    known = ("format", "version", "scene", "camera", "lens", "depth", "image", "views")
+    known = ("format", "version", "scene", "camera", "lens", "depth", "image", "view")
     fields = ("eye", "target", "up", "kind", "fov_y_deg", "left", "right", "bottom", "top", "near")
     fields += ("far", "keep", "width", "height")
     extra = draw(unknown_keys(known))
     inside = draw(unknown_keys(fields))
     if inside:
         extra[draw(st.sampled_from(["camera", "lens", "image"]))] = inside
-    views = dict.fromkeys(draw(st.sets(st.text(), max_size=2)), camera)
-    if views and inside:
-        extra["views"] = {draw(st.sampled_from(sorted(views))): inside}
+    view = draw(views(camera))
+    beside: dict[str, Any] = draw(unknown_keys(VIEW_FIELDS))
+    if view.panes and inside:
+        beside["panes"] = {draw(st.sampled_from(sorted(view.panes))): inside}
+    if beside:
+        extra["view"] = beside
     # Also names that are not UTF-8, which a POSIX folder may hold.
     letters = st.characters(exclude_categories=["Cs"], exclude_characters="\0")
     scene = draw(st.text(letters | st.sampled_from("\udc80\udcff"), min_size=1))
-    return Document(scene, Projection(camera, lens, size, depth), extra, views)
+    return Document(scene, Projection(camera, lens, size, depth), extra, view)
 
 
 @given(documents())
@@ -201,8 +234,9 @@ def documents(draw: st.DrawFn) -> Document:
 def test_the_round_trip_is_exact(document: Document) -> None:
     text = to_json(document)
     again = parse(text)
-    assert again == document
+    assert again == document and again.view == document.view
     assert repr(again.projection) == repr(document.projection)  # each bit, and -0.0
+    assert repr(again.view.probes) == repr(document.view.probes)
     assert to_json(again) == text  # and in the unknown keys 1 is not 1.0, nor True
     assert hash(again) == hash(document)
     text.encode()
@@ -226,7 +260,7 @@ def test_unknown_keys_survive_at_every_level() -> None:
     tree["camera"]["label"] = "A"
     tree["lens"] |= {"maker": "?", "left": -1}  # a field of another lens is not ours here
     tree["image"]["dpi"] = 300
-    tree["views"] = {"world": tree["camera"] | {"label": "from above"}}
+    tree["view"] = {"mood": 7, "panes": {"world": tree["camera"] | {"label": "from above"}}}
     document = parse(json.dumps(tree))
     assert json.loads(to_json(document)) == tree
     assert "čćžšđ" in to_json(document)  # as a person can read it
@@ -238,7 +272,8 @@ def test_unknown_keys_survive_at_every_level() -> None:
     flat = set_value(document, "lens.kind", "orthographic")
     lens = json.loads(to_json(flat))["lens"]
     # What belonged to a pane's view goes with it.
-    assert "from above" not in to_json(replace(document, views={}))
+    assert "from above" not in to_json(replace(document, view=View()))
+    assert json.loads(to_json(replace(document, view=View())))["view"] == {"mood": 7}
     assert lens["left"] == flat.projection.lens.left < -1.0
     assert lens["maker"] == "?"
     assert parse(to_json(flat)) == flat
@@ -260,12 +295,12 @@ def test_only_a_lens_whose_far_may_be_infinite_says_so() -> None:
 
 
 def test_a_newer_version_is_refused() -> None:
-    assert sentence(lambda: parse(with_value("version", 2))) == (
-        "The document was written by a newer Frustum Lab: its version is 2, this program reads "
-        "up to 1."
+    assert sentence(lambda: parse(with_value("version", 3))) == (
+        "The document was written by a newer Frustum Lab: its version is 3, this program reads "
+        "up to 2."
     )
     # Whatever else it holds, that is what is said.
-    sentence(lambda: parse(json.dumps({"format": "frustum-lab", "version": 3}))).index("newer")
+    sentence(lambda: parse(json.dumps({"format": "frustum-lab", "version": 4}))).index("newer")
 
 
 def test_older_versions_are_migrated_step_by_step(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -1177,40 +1212,199 @@ def test_any_bytes_are_written_whole(tmp_path: Path) -> None:
     assert names_in(tmp_path) == ["figure.png"]
 
 
-# -- views: from where the panes were looked at
+# -- the view: how a document is looked at
+
+FROM_ABOVE = Camera((9, 8, 7), (0.5, 0, 0), (0, 1, 0))
+VIEWED = Document("cube", view=View(panes={"world": FROM_ABOVE}, stage=2.5, layers={"grid"}))
+OLD_VIEWS = {"world": {"eye": [9, 8, 7], "target": [0.5, 0, 0], "up": [0, 1, 0]}}
 
 
-VIEWED = Document("cube", Projection(), views={"world": Camera((9, 8, 7), (0.5, 0, 0), (0, 1, 0))})
+def old(**more: object) -> str:
+    """A document of version 1."""
+    return json.dumps(json.loads(DESIGN) | {"version": 1} | more)
 
 
-def test_views_come_back_and_are_not_written_where_there_are_none() -> None:
-    assert parse(to_json(VIEWED)) == VIEWED
-    assert "views" not in to_json(Document())
+def test_a_view_comes_back_and_is_not_written_where_it_is_as_ever() -> None:
+    assert parse(to_json(VIEWED)).view == VIEWED.view
+    assert "view" not in json.loads(to_json(Document()))
+    assert json.loads(to_json(VIEWED))["view"] == {
+        "stage": 2.5, "layers": ["grid"], "panes": OLD_VIEWS
+    }  # fmt: skip
 
 
-def test_views_survive_a_change_by_path() -> None:
-    assert set_values(VIEWED, ["lens.near=2"]).views == VIEWED.views
+def test_the_view_of_the_design_is_read() -> None:
+    view = """{"layout": "pictures", "large": "world", "stage": "ndc", "panel": "",
+               "letters": "own", "probes": []}"""
+    document = parse(with_value("view", json.loads(view)))
+    assert document.view == View(large="world", panel="")
+
+
+def test_a_probe_has_its_number_by_its_place() -> None:
+    document = parse(with_value("view", {"probes": [None, [1, 2, 3], [640, 360]], "pinned": [2]}))
+    probes = Probe(2, (1.0, 2.0, 3.0)), Probe(3, None, (640.0, 360.0))
+    assert document.view.probes == probes and document.view.pinned == {2}
+    written = json.loads(to_json(document))["view"]
+    assert written == {"probes": [None, [1, 2, 3], [640, 360]], "pinned": [2]}
+
+
+def test_two_documents_that_are_looked_at_differently_are_equal() -> None:
+    """A view is kept, and is no unsaved work."""
+    plain = replace(VIEWED, view=View())
+    assert plain == VIEWED and hash(plain) == hash(VIEWED)
+    assert plain.view != VIEWED.view
+
+
+def test_a_view_survives_a_change_by_path() -> None:
+    assert set_values(VIEWED, ["lens.near=2"]).view == VIEWED.view
+
+
+@given(documents(), st.booleans())
+def test_every_document_of_version_1_opens_and_keeps_all_it_has(
+    document: Document, has_views: bool
+) -> None:
+    """Also one that has a key of its own where the view is now, whatever that holds."""
+    tree = json.loads(to_json(replace(document, view=View(panes=document.view.panes))))
+    view = tree.pop("view", {})
+    cameras = view.pop("panes", {})
+    tree["version"] = 1
+    if has_views:
+        tree["views"] = cameras
+    if view:
+        tree["view"] = view
+    opened = parse(json.dumps(tree))
+    assert opened == replace(document, extra=opened.extra)
+    assert opened.view == (View(panes=document.view.panes) if has_views else View())
+    again = json.loads(to_json(opened))
+    assert again.pop("version") == 2
+    now = again.pop("view", {})
+    assert now.get("panes", {}) == (cameras if has_views else {})
+    assert now.get("version 1", {}) == view
+    for gone in ("version", "views", "view"):
+        tree.pop(gone, None)
+    assert again == tree
+
+
+@pytest.mark.parametrize("strange", [7, None, [1], {"stage": "nowhere"}, "ndc"])
+def test_what_version_1_had_under_view_is_nobody_s(strange: object) -> None:
+    document = parse(old(view=strange, views=OLD_VIEWS))
+    assert document.view == View(panes={"world": FROM_ABOVE})
+    assert json.loads(to_json(document))["view"] == {"panes": OLD_VIEWS, "version 1": strange}
+
+
+WRONG_CAMERAS: list[tuple[object, str]] = [
+    (7, " = 7: must be an object with named values in braces."),
+    ({"world": 1}, ".world = 1: must be an object with named values in braces."),
+    ({"world": {"eye": [1, 2, 3]}}, ".world.target is missing."),
+    (
+        {"world": {"eye": [1, 2, 3], "target": [0, 0, 0], "up": [0, 0, 0]}},
+        ".world.up = [0, 0, 0]: must not be the zero vector.",
+    ),
+]
+
+
+@pytest.mark.parametrize(("cameras", "found"), WRONG_CAMERAS)
+def test_a_wrong_camera_of_a_pane_is_named_where_the_file_has_it(
+    cameras: object, found: str
+) -> None:
+    written = with_value("view", {"panes": cameras})
+    assert sentence(lambda: parse(written)) == f"view.panes{found}"
+    assert sentence(lambda: parse(old(views=cameras))) == f"views{found}"
+
+
+NO_PANE = "must be one of world, ndc, image, or empty for none."
+NO_STAGE = "must be one of world, view, pyramid, box, ndc, image, or a number from 0 to 5."
+NO_PANEL = "must be one of matrices, frame, probe, scene, measure, or empty for none."
+NO_LAYERS = "must be a list of names out of labels, handles, grid, frustum, camera, near-picture."
+NO_PROBE = "must be three numbers for a point, two for a pixel's ray, or null for none."
+WRONG_VIEWS: list[tuple[object, str]] = [
+    (7, " = 7: must be an object with named values in braces."),
+    ({"layout": "rows"}, ".layout = 'rows': must be one of pictures, columns."),
+    ({"layout": ["columns"]}, ".layout = ['columns']: must be one of pictures, columns."),
+    ({"large": "second-screen"}, f".large = 'second-screen': {NO_PANE}"),
+    ({"large": None}, f".large = null: {NO_PANE}"),
+    ({"large": True}, f".large = true: {NO_PANE}"),
+    ({"stage": "pyramids"}, f".stage = 'pyramids': {NO_STAGE}"),
+    ({"stage": -0.1}, f".stage = -0.1: {NO_STAGE}"),
+    ({"stage": 5.000000000000001}, f".stage = 5.000000000000001: {NO_STAGE}"),
+    ({"stage": True}, f".stage = true: {NO_STAGE}"),
+    ({"stage": 10**300}, f".stage = 1e+300: {NO_STAGE}"),
+    ({"stage": {}}, ".stage = {}: " + NO_STAGE),
+    ({"stage": math.nan}, ".stage = NaN: must be a finite number."),
+    ({"frame_step": 3}, ".frame_step = 3: must be one of eye, look, up, n, u, v, view."),
+    ({"panel": "precision"}, f".panel = 'precision': {NO_PANEL}"),
+    ({"panel": None}, f".panel = null: {NO_PANEL}"),
+    ({"panel": False}, f".panel = false: {NO_PANEL}"),
+    ({"letters": "uvn"}, ".letters = 'uvn': must be one of own, 000, 001, 002, 003."),
+    ({"letters": 1}, ".letters = 1: must be one of own, 000, 001, 002, 003."),
+    ({"layers": "grid"}, f".layers = 'grid': {NO_LAYERS}"),
+    ({"layers": ["sky"]}, f".layers = ['sky']: {NO_LAYERS}"),
+    ({"layers": [["grid"]]}, f".layers = [['grid']]: {NO_LAYERS}"),
+    ({"fixed": "left"}, ".fixed = 'left': must be one of side, top, axis, eye, or empty for none."),
+    ({"probes": {}}, ".probes = {}: must be a list of at most 6 probes."),
+    ({"probes": [None] * 7}, ".probes = [null, null, null, null, null, null, null]: must be a list"
+                             " of at most 6 probes."),
+    ({"probes": [[1, 2, 3], 4]}, f".probes[1] = 4: {NO_PROBE}"),
+    ({"probes": [[1]]}, f".probes[0] = [1]: {NO_PROBE}"),
+    ({"probes": [[1, True, 2]]}, f".probes[0] = [1, true, 2]: {NO_PROBE}"),
+    ({"probes": [[1, 2, 1e200]]}, ".probes[0] = 1e+200: must be at most 1e+100."),
+    ({"probes": [[-1e200, 2]]}, ".probes[0] = -1e+200: must be at least -1e+100."),
+    ({"pinned": [1]}, ".pinned = [1]: must be a list of numbers that probes have."),
+    ({"pinned": [True], "probes": [[1, 2, 3]]},
+     ".pinned = [true]: must be a list of numbers that probes have."),
+    ({"pinned": 1}, ".pinned = 1: must be a list of numbers that probes have."),
+    ({"panes": {"": 0}}, ".panes. = 0: must be an object with named values in braces."),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("view", "found"), WRONG_VIEWS)
+def test_a_wrong_view_is_refused_by_its_field_value_and_bound(view: object, found: str) -> None:
+    assert sentence(lambda: parse(with_value("view", view))) == f"view{found}"
 
 
 @pytest.mark.parametrize(
-    ("views", "found"),
+    ("assignment", "view"),
     [
-        ("7", "views = 7: must be an object with named values in braces."),
-        ('{"world": 1}', "views.world = 1: must be an object with named values in braces."),
-        ('{"world": {"eye": [1, 2, 3]}}', "views.world.target is missing."),
-        (
-            '{"world": {"eye": [1, 2, 3], "target": [0, 0, 0], "up": [0, 0, 0]}}',
-            "views.world.up = [0, 0, 0]: must not be the zero vector.",
-        ),
+        ("view.layout=columns", View(layout="columns")),
+        ("view.large=image", View(large="image")),
+        ("view.stage=pyramid", View(stage=2.0)),
+        ("view.stage=2.25", View(stage=2.25)),
+        ("view.frame_step=n", View(frame_step="n", panel="frame")),
+        ("view.panel=matrices", View(panel="matrices")),
+        ("view.panel=", View(panel="")),
+        ("view.letters=002", View(letters="002")),
+        ("view.layers=grid, labels", View(layers=frozenset({"grid", "labels"}))),
+        ("view.fixed=axis", View(fixed="axis")),
+        ("view.probes=1,2,3, 4,5,6", View(probes=(Probe(1, (1, 2, 3)), Probe(2, (4, 5, 6))))),
+        ("view.probes=", View()),
     ],
 )
-def test_a_wrong_view_is_named(views: str, found: str) -> None:
-    text = to_json(Document()).removesuffix("\n}\n") + f',\n"views": {views}}}'
-    assert sentence(lambda: parse(text)) == found
+def test_a_view_is_set_by_path(assignment: str, view: View) -> None:
+    assert set_values(Document(), [assignment]).view == view
 
 
-def test_a_view_is_no_value_to_set() -> None:
-    assert "is not known" in sentence(lambda: set_values(VIEWED, ["views=1"]))
+def test_a_step_of_the_frame_opens_its_panel_unless_another_is_set() -> None:
+    found = set_values(Document(), ["view.frame_step=v", "view.panel=probe"]).view
+    assert found == View(frame_step="v", panel="probe")
+    assert found.step is None and View(frame_step="v", panel="frame").step == 5
+
+
+@pytest.mark.parametrize(
+    ("assignment", "found"),
+    [
+        ("view.stage=nan", f"view.stage = 'nan': {NO_STAGE}"),
+        ("view.stage=6", f"view.stage = 6: {NO_STAGE}"),
+        ("view.stage=", f"view.stage = '': {NO_STAGE}"),
+        ("view.layers=sky,grid", f"view.layers = ['grid', 'sky']: {NO_LAYERS}"),
+        ("view.probes=1,2", "view.probes = '1,2': must be x, y, z of one point after the other."),
+        ("view.probes=1,2,nan", "view.probes = '1,2,nan': must be x, y, z of one point"),
+        ("view.panes=1", "view.panes is not known"),
+        ("view.pinned=1", "view.pinned is not known"),
+        ("view=1", "view is not known"),
+        ("views=1", "views is not known"),
+    ],
+)
+def test_a_wrong_value_of_a_view_is_refused_where_it_is_typed(assignment: str, found: str) -> None:
+    assert sentence(lambda: set_values(Document(), [assignment])).startswith(found)
 
 
 def test_the_beginning_of_a_name_is_nearest_to_the_whole() -> None:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import pytest
 
 from app.document.document import Document
-from app.document.store import UNDO_LIMIT, Store
+from app.document.store import OPENED_LIMIT, UNDO_LIMIT, Store
+from app.document.view import View
 from app.model.projection import Perspective, Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena import PHENOMENA
@@ -156,12 +158,88 @@ def test_the_unsaved_mark_follows_the_value_not_the_number_of_edits(store: Store
     assert store.modified
 
 
-def test_opening_starts_a_new_history(store: Store) -> None:
+def test_opening_is_one_step_that_brings_unsaved_work_and_its_file_back(store: Store) -> None:
     store.set_projection(seen(50.0))
+    store.origin.path = Path("a.json")
     heard = fovs(store)
-    store.open(Document("cube", seen(60.0)))
-    assert heard == [60.0]
-    assert not store.can_undo and not store.modified
+    store.open(Document("cube", seen(60.0)), path=Path("b.json"))
+    assert heard == [60.0] and not store.modified and store.origin.path == Path("b.json")
+    store.undo()
+    assert store.document == Document("letter-f", seen(50.0))
+    assert store.modified and store.origin.path == Path("a.json")
+    store.mark_saved()
+    store.redo()
+    assert not store.modified and store.origin.path == Path("b.json")
+    store.undo()
+    assert not store.modified, "each file has what was saved in it"
+    store.undo()
+    assert store.modified and store.document == Document("letter-f", seen(45.0))
+
+
+def test_undo_reaches_back_over_a_few_openings(store: Store) -> None:
+    for number in range(OPENED_LIMIT + 2):
+        store.set_projection(seen(50.0 + number))
+        store.open(Document(f"mesh-{number}.stl", seen(45.0)))
+    assert len({document.scene for document in store.documents}) == OPENED_LIMIT + 1
+    while store.can_undo:
+        store.undo()
+    assert store.document == Document("mesh-1.stl", seen(45.0))
+
+
+def test_it_is_told_before_another_document_comes(store: Store) -> None:
+    """Then there is still something to keep a copy of."""
+    left: list[Document] = []
+    store.leaving.connect(lambda: left.append(store.document))
+    first, second = store.document, Document("cube", seen(60.0))
+    store.open(second)
+    store.set_document(Document("posts", seen(60.0)))
+    store.undo()
+    assert left == [first]
+    store.undo()
+    assert left == [first, second]
+
+
+# -- how it is looked at
+
+
+def test_a_view_is_no_step_and_no_unsaved_work(store: Store) -> None:
+    store.set_projection(seen(50.0))
+    store.mark_saved()
+    steps = list(store.documents)
+    heard, told = fovs(store), []
+    store.view_changed.connect(told.append)
+    store.set_view(stage=2.0)
+    store.set_view(stage=2.0)
+    assert [document.view for document in told] == [View(stage=2.0)]
+    assert heard == [] and list(store.documents) == steps and not store.modified
+    with pytest.raises(Refusal):
+        store.set_view(stage=7.0)
+    assert store.document.view == View(stage=2.0)
+    store.undo()
+    assert store.document.view == View(stage=2.0), "an undo of the model moves no picture"
+
+
+def test_a_document_comes_back_as_it_was_looked_at(store: Store) -> None:
+    """Not as it was opened: the widgets have it, and tell it when it goes."""
+    look = View(stage=1.0)
+    store.look = lambda: look
+    store.set_projection(seen(50.0))
+    store.open(Document("cube", seen(60.0), view=View(stage=3.0)))
+    assert store.document.view == View(stage=3.0)
+    look = View(stage=2.0)
+    assert store.seen == store.document and store.seen.view == look
+    store.set_projection(seen(70.0))
+    store.undo()
+    store.undo()
+    assert store.document.scene == "letter-f" and store.document.view == View(stage=1.0)
+    look = View(stage=0.5)
+    store.undo()
+    assert store.document.view == View(stage=1.0)
+    store.redo()
+    store.redo()
+    assert store.document.scene == "cube" and store.document.view == View(stage=2.0)
+    store.undo()
+    assert store.document.view == View(stage=0.5)
 
 
 def test_what_the_command_line_changed_can_be_undone() -> None:

@@ -23,8 +23,9 @@ from vtkmodules.vtkRenderingCore import vtkRenderWindow
 
 from app.bootstrap import ROOT
 from app.document.document import Document, parse, read, to_json
+from app.document.view import PANES
 from app.drawings import WORDS
-from app.drawings.figures import PANES, png_bytes, render, write_png
+from app.drawings.figures import png_bytes, render, write_png
 from app.drawings.stage import StageDrawing
 from app.drawings.style import DARK, LIGHT, rgb
 from app.model.projection import Camera, Perspective
@@ -43,7 +44,8 @@ def hashes() -> list[str]:
 
 
 def run_script(**changes: str | None) -> subprocess.CompletedProcess[str]:
-    script = "import hashlib\nfrom app.drawings.figures import PANES, render\n"
+    script = "import hashlib\nfrom app.document.view import PANES\n"
+    script += "from app.drawings.figures import render\n"
     script += "from app.scenes.scene import load\n" + inspect.getsource(hashes)
     script += "print(*hashes())"
     environment = {**os.environ, **{k: v for k, v in changes.items() if v is not None}}

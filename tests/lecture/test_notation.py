@@ -53,7 +53,7 @@ def projection_of(lens: str, depth: Any = "opengl") -> Projection:
     return Projection(CAMERA, LENSES[lens], (1280, 720), depth)
 
 
-def letter_values(projection: Projection, letters: Letters = "uvn") -> dict[str, Any]:
+def letter_values(projection: Projection, letters: Letters = "own") -> dict[str, Any]:
     """What the names in the formulas stand for: floats, vectors, ``cot``, ``tan`` and ``dot``.
 
     Of a free matrix its own cells. Angles are in radians; with ``"002"`` n and f are the planes'
@@ -178,9 +178,9 @@ def test_the_letters_of_each_lecture() -> None:
         return notation.written(matrix.formulas[row][column], letters)
 
     thin = "\u2009"
-    assert lens_cell("uvn", "perspective", 0, 0) == "cot(fov/2)/aspect"
-    assert lens_cell("uvn", "frustum", 0, 0) == "2n/(r − l)"
-    assert lens_cell("uvn", "frustum", 2, 2) == "−(f + n)/(f − n)"
+    assert lens_cell("own", "perspective", 0, 0) == "cot(fov/2)/aspect"
+    assert lens_cell("own", "frustum", 0, 0) == "2n/(r − l)"
+    assert lens_cell("own", "frustum", 2, 2) == "−(f + n)/(f − n)"
     assert lens_cell("000", "frustum", 0, 2) == "(x_max + x_min)/(x_max − x_min)"
     assert lens_cell("003", "perspective", 1, 1) == "e/a"
     # Lecture 002, P_persp and P_ort.
@@ -349,15 +349,15 @@ def test_copies() -> None:
     assert [[float(word) for word in line.split()] for line in lines[1:]] == [
         list(row) for row in matrix.values
     ]
-    shown = notation.as_text(matrix, "uvn", formulas=True).splitlines()
+    shown = notation.as_text(matrix, "own", formulas=True).splitlines()
     assert shown[0] == lines[0]
     assert re.split("  +", shown[1]) == ["", "2n/(r − l)", "0", "(r + l)/(r − l)", "0"]
-    latex = notation.as_latex(matrix, "uvn", formulas=True)
+    latex = notation.as_latex(matrix, "own", formulas=True)
     assert r"\frac{2n}{r - l} & 0 & \frac{r + l}{r - l} & 0 \\" in latex
     assert latex.startswith(
         "\\[\n" r"M_{\text{clip}\leftarrow\text{view}} = \begin{pmatrix}"
     ) and latex.endswith("\\end{pmatrix}\n\\]\n")
     assert r"z_{\mathrm{min}}" in notation.as_latex(matrix, "000", formulas=True)
     assert notation.latex_number(-1.5e-9) == r"-1.5 \cdot 10^{-9}"
-    numbers_only = notation.as_latex(matrix, "uvn")
+    numbers_only = notation.as_latex(matrix, "own")
     assert notation.cell_text(matrix.values[2][2]) in numbers_only and "frac" not in numbers_only

@@ -22,7 +22,8 @@ from PySide6.QtWidgets import QComboBox
 from app.arithmetic.double_double import cotangent_deg
 from app.commands import cli
 from app.document import document
-from app.drawings.figures import PANES, render
+from app.document.view import PANES
+from app.drawings.figures import render
 from app.lecture import typed_matrix
 from app.lecture.notation import LETTERS, letters_in, matrices, written
 from app.model.lenses import LENSES

@@ -603,7 +603,7 @@ def test_what_a_free_matrix_does_is_written_below_it(
     assert "camera's axis" not in sentence and "a shear" in sentence
     for running in (True, False):
         panel.running.setChecked(running)
-        for letters in ("000", "001", "002", "003", "uvn"):
+        for letters in ("000", "001", "002", "003", "own"):
             choose(panel.letters, letters)
             choose(panel.cells, "formulas")
             assert panel.views["clip_from_view"].texts[0][0] == "p_11"

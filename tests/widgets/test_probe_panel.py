@@ -18,6 +18,7 @@ from pytestqt.qtbot import QtBot
 
 from app.commands import cli
 from app.document.document import Document, write
+from app.document.view import MOST_PROBES
 from app.drawings import probes
 from app.drawings.probes import pick_in
 from app.drawings.style import LIGHT, rgb
@@ -46,7 +47,7 @@ from tests.support.window import (
     pixels,
     settle,
 )
-from widgets.panels.probe_panel import MOST_PROBES, ProbePanel
+from widgets.panels.probe_panel import ProbePanel
 from widgets.window.main_window import MainWindow
 
 CORNER = (1.5, 5.0, 0.5)
@@ -730,6 +731,6 @@ def test_letters_are_those_of_the_other_panels(panel: ProbePanel) -> None:
     for lens, view in ((Perspective(), "R (p − e)"), (own_view, "M p")):
         formulas = dict(panel._formulas(replace(start(), lens=lens)))
         assert formulas["view"] == view and "M" not in formulas["world"]
-        shown = {matrix.name: matrix for matrix in matrices(Projection(), "uvn")}
-        w_2, h_2 = (written(shown["image_from_ndc"].formulas[i][3], "uvn") for i in (0, 1))
+        shown = {matrix.name: matrix for matrix in matrices(Projection(), "own")}
+        w_2, h_2 = (written(shown["image_from_ndc"].formulas[i][3], "own") for i in (0, 1))
         assert formulas["image px"] == f"(x + 1) {w_2},  (1 − y) {h_2}"

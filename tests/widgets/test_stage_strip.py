@@ -469,7 +469,7 @@ def test_an_exported_figure_shows_ndc(window: MainWindow) -> None:
     window.strip.go_to(0.0)
     assert np.array_equal(render(scene, projection, ("ndc",), (200, 150)), before)
     assert (
-        window.look.with_views(window.store.document).views == {}
+        window.store.seen.view.panes == {}
     )  # the strip's own framing is nobody's turn of the view
 
 

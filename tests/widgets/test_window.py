@@ -619,7 +619,7 @@ def test_a_picture_shows_the_panes_as_they_were_turned_and_so_does_its_document(
     assert (picture != np.asarray(Image.open(straight))).mean() > 0.02
     document = read(turned)
     again = render(
-        load("letter-f"), document.projection, choice.panes, choice.size, views=document.views
+        load("letter-f"), document.projection, choice.panes, choice.size, view=document.view
     )
     assert (again == picture).all()
 
@@ -639,12 +639,13 @@ def test_the_views_of_panes_that_this_program_does_not_have_are_kept(
     tree = json.loads(to_json(Document("cube")))
     other = tree["camera"] | {"note": "mine"}
     path = tmp_path / "lesson.json"
-    path.write_text(json.dumps(tree | {"views": {"second-screen": other, "world": tree["camera"]}}))
+    panes = {"second-screen": other, "world": tree["camera"]}
+    path.write_text(json.dumps(tree | {"view": {"panes": panes}}))
     assert window.files.open(path)
     window.slots.reset_views()
     window.store.set_projection(seen(window, lens=Perspective(60.0, 2.0, 20.0)))
     assert window.files.save()
-    assert json.loads(path.read_text())["views"] == {"second-screen": other}
+    assert json.loads(path.read_text())["view"]["panes"] == {"second-screen": other}
 
 
 def test_another_theme_keeps_the_panes_as_they_were_turned(window: MainWindow) -> None:
@@ -778,7 +779,7 @@ def test_closing_with_unsaved_work_asks(window: MainWindow, tmp_path: Path) -> N
     answer(QMessageBox.StandardButton.Cancel)
     assert not window.close()
     assert window.isVisible()
-    window.files.path = tmp_path / "kept.json"
+    window.store.origin.path = tmp_path / "kept.json"
     answer(QMessageBox.StandardButton.Save)
     assert window.close()
     assert read(tmp_path / "kept.json") == window.store.document
@@ -851,7 +852,7 @@ def test_what_is_typed_and_not_entered_is_asked_about_at_closing(
 def test_what_is_typed_and_not_entered_is_saved(
     window: MainWindow, qtbot: Any, tmp_path: Path
 ) -> None:
-    window.files.path = tmp_path / "kept.json"
+    window.store.origin.path = tmp_path / "kept.json"
     being_typed(window, qtbot, "67")
     window.menus.save.trigger()
     assert fov_deg(read(tmp_path / "kept.json")) == 67.0
@@ -1241,9 +1242,12 @@ def test_choosing_a_phenomenon_opens_its_panel_and_leaving_it_folds_it(window: M
     window.guide.choose("cube")
     assert window.scene_panel.rows == {}
     window.store.undo()
+    assert window.panels.open_panel is None, "it comes back as it was left"
+    window.guide.choose("cube")
+    window.guide.choose("similar-triangles")
     assert window.panels.open_panel is window.scene_panel
-    window.store.undo()
-    window.store.undo()
+    for _ in range(4):
+        window.store.undo()
     assert window.store.document.scene == "letter-f" and window.panels.open_panel is None
 
 
@@ -1326,6 +1330,7 @@ def test_no_illustration_of_one_scene_is_shown_in_another(window: MainWindow) ->
 
 def test_a_setting_is_changed_from_its_row_and_undone_into_it(window: MainWindow) -> None:
     show_scene(window, "similar-triangles")
+    steps = len(list(window.store.documents))
     row: Any = window.scene_panel.rows["distance"]
     row.slider.setSliderDown(True)
     for position in (10, 20, 30):
@@ -1338,13 +1343,17 @@ def test_a_setting_is_changed_from_its_row_and_undone_into_it(window: MainWindow
     window.store.undo()
     assert row.value() == 4.0 and window.store.document == on_triangles()
     assert window.scene_panel.readout.lines[4][1].text() == "upright"
-    assert not window.store.can_undo and not window.isWindowModified()
+    assert not window.isWindowModified()
+    window.store.redo()
+    assert len(list(window.store.documents)) == steps + 1, "a drag is one step"
+    window.store.undo()
     window.store.redo()
     assert row.value() == distance
 
 
 def test_a_setting_that_cannot_be_is_refused_at_its_row(window: MainWindow) -> None:
     show_scene(window, "similar-triangles")
+    steps = list(window.store.documents)
     row: Any = window.scene_panel.rows["distance"]
     row.field.setFocus()
     row.field.selectAll()
@@ -1352,7 +1361,7 @@ def test_a_setting_that_cannot_be_is_refused_at_its_row(window: MainWindow) -> N
     QTest.keyClick(row.field, Qt.Key.Key_Return)
     assert row.error.startswith("⚠ Not possible. Plane distance d = 0: must not be 0: the plane")
     assert window.store.document == on_triangles()
-    assert not window.store.can_undo
+    assert list(window.store.documents) == steps
 
 
 def test_the_camera_follows_in_the_same_step(make_window: MakeWindow, everything: Document) -> None:
@@ -1536,13 +1545,15 @@ def test_a_mesh_that_cannot_be_used_is_a_sentence_and_nothing_else(
     window: MainWindow, tmp_path: Path
 ) -> None:
     show_scene(window, "similar-triangles")
+    steps = list(window.store.documents)
     for empty in ("empty.obj", "notes.txt"):
         (tmp_path / empty).write_text("")
     for name in ["missing.obj", "empty.obj", "notes.txt"]:
         window.messages.hide()
         assert not window.files.use_mesh(str(tmp_path / name))
         assert name in window.messages.text and "\n" not in window.messages.text
-        assert window.store.document == on_triangles() and not window.store.can_undo
+        assert window.store.document == on_triangles()
+        assert list(window.store.documents) == steps
 
 
 def test_an_exported_phenomenon_brings_its_settings_back(

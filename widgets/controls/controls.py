@@ -146,7 +146,7 @@ class Controls(QScrollArea):
 
     def take(self, shown: Shown, changed: Changed) -> None:
         """Show another projection, and fit the sliders to another scene; answered by no signal."""
-        if changed & {"scene", "views"}:
+        if changed & {"scene", "view"}:
             self.set_scene(shown.scene.size, shown.scene.start)
         self._show(shown.projection)
 

@@ -172,7 +172,7 @@ class MatrixPanel(ReadablePanel):
             self.tr("Whose letters the formulas are written in: those of vectors are bold; lecture "
                     "002 has its own signs too"),
             (
-                ("uvn", self.tr("own: u v n, n f, fov")),
+                ("own", self.tr("own: u v n, n f, fov")),
                 ("000", self.tr("z_min z_max (lecture 000)")),
                 ("001", self.tr("u v w, θ (lecture 001)")),
                 ("002", self.tr("z_n z_f and signs (lecture 002)")),

@@ -151,7 +151,7 @@ class MatrixView(QWidget):
         self._marks: list[list[int | None]] = []
         self._lit: set[tuple[int, int]] = set()
         self._columns: list[float] = [0.0] * 4
-        self._letters: Letters = "uvn"
+        self._letters: Letters = "own"
         self._rows = self._formulas = False
         self._style = LIGHT
         self._cursor = (0, 0)

@@ -1,7 +1,7 @@
 """The probes: points that are followed through every stage, and their numbers.
 
 The numbers are those that the command `project` prints for the same points, computed by the same
-precision. They are the window's, not the document's: a probe is a question, not a part of the
+precision. They belong to how the document is looked at: a probe is a question, not a part of the
 scene. A panel that is folded fills no table.
 """
 
@@ -32,6 +32,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.document.view import MOST_PROBES
 from app.lecture.highlight import NOTHING, Highlight, made_of
 from app.model.limits import finite
 from app.model.projection import (
@@ -47,9 +48,6 @@ from widgets.parts.fields import REFUSAL_SHEET, NumberField, refusal
 from widgets.parts.messages import plane_name, sentence
 from widgets.parts.panel import PROJECTION, Changed, Shown
 from widgets.parts.readable import ReadablePanel
-
-MOST_PROBES = 6
-"""More than these are no comparison any more."""
 
 _PIN_SHEET = """
 QPushButton:checked {
@@ -204,9 +202,27 @@ class ProbePanel(ReadablePanel):
         self._chosen = number
         self._put(Probe(number, point, pixel))
 
-    def restore(self, probes: tuple[Probe, ...], chosen: int) -> None:
-        """Go back to earlier probes, of which `chosen` was the chosen one's number; 0 for none."""
+    @property
+    def pinned(self) -> frozenset[int]:
+        """Numbers of the probes that the next click leaves alone."""
+        return frozenset(self._pinned)
+
+    def restore(
+        self, probes: tuple[Probe, ...], chosen: int, pinned: frozenset[int] | None = None
+    ) -> None:
+        """Go back to earlier probes.
+
+        Parameters
+        ----------
+        probes : tuple of Probe
+        chosen : int
+            Number of the chosen one; 0 for none.
+        pinned : frozenset of int, optional
+            Numbers of those that are kept by the next click; as they are now if not given.
+        """
         self._chosen = chosen
+        if pinned is not None:
+            self._pinned = set(pinned)
         self._set(probes)
 
     def put(self, number: int, point: Vector) -> None:

@@ -72,7 +72,7 @@ class _StopsSlider(HeldSlider):
 class StageStrip(QWidget, Playing):
     """One slider through all stages, a name under each stop, and play.
 
-    The position is the window's, not the document's; it starts at NDC.
+    It starts at NDC.
     """
 
     concerns = PROJECTION - {"camera"}
@@ -172,7 +172,8 @@ class StageStrip(QWidget, Playing):
             0 to 5.
         """
         self.pause()
-        self.slider.setValue(round(position * STEPS))
+        if position != self._at:
+            self._stand_at(position)
 
     def take(self, shown: Shown, changed: Changed) -> None:
         """Name the stops after what they are of this projection, and say axes and limits here."""

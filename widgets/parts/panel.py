@@ -20,7 +20,7 @@ Changed: TypeAlias = frozenset[str]
 """Some of `EVERYTHING`."""
 PROJECTION: Changed = frozenset({"lens", "camera", "image_size", "depth"})
 """The fields of a `Projection`."""
-EVERYTHING: Changed = PROJECTION | {"scene", "illustration", "settings", "quality", "views"}
+EVERYTHING: Changed = PROJECTION | {"scene", "illustration", "settings", "quality", "view"}
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,13 +71,13 @@ class Shown:
             for part in PROJECTION
             if getattr(new.projection, part) != getattr(old.projection, part)
         }
-        # An edit shares its views with the document before; another document brings its own.
+        # An edit shares its view with the document before; another document brings its own.
         for part, is_new in (
             ("scene", self.scene is not before.scene),
             ("illustration", self.illustration is not before.illustration),
             ("settings", new.settings != old.settings),
             ("quality", new.quality != old.quality),
-            ("views", new.views is not old.views),
+            ("view", new.view is not old.view),
         ):
             if is_new:
                 changed.add(part)

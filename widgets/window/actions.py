@@ -24,6 +24,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.document.view import LAYOUTS
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.scene import BUILT_IN
 from widgets.panes.pane import Pane
@@ -32,7 +33,7 @@ from widgets.parts.messages import file_title, of_phenomena
 from widgets.window.files import Files
 from widgets.window.help import FULL_SCREEN_KEY, PLAY_KEY, Help
 from widgets.window.pictures import Pictures
-from widgets.window.slots import LAYOUTS, Slots
+from widgets.window.slots import Slots
 
 ICON_PX = 18
 

@@ -20,10 +20,10 @@ DELAY_MS = 2000
 
 
 class Autosave(QObject):
-    """Keeps one file for this window, locked while the window lives.
+    """Keeps one file for a document of this window, locked while the window lives.
 
-    A file whose lock can be taken belongs to a window that died; it is offered, never opened by
-    itself.
+    A file whose lock can be taken belongs to a window that died, or was closed when the document
+    had long given way to another one; it is offered, never opened by itself.
 
     Parameters
     ----------
@@ -126,6 +126,16 @@ class Autosave(QObject):
             If it cannot be removed.
         """
         path.unlink(missing_ok=True)
+
+    def leave(self) -> bool:
+        """Another document comes: keep what is unsaved; False if there is nothing, or no copy."""
+        self._timer.stop()
+        return self.save_now() and self._path.exists()
+
+    def release(self) -> None:
+        """Leave the copy to the next window: what is in it was neither saved nor discarded."""
+        self._timer.stop()
+        self._lock.unlock()
 
     def close(self) -> None:
         """Leave nothing behind: the window was closed in good order."""

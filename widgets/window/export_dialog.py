@@ -18,18 +18,21 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.drawings.figures import PANES, checked_size
+from app.document.view import PANES
+from app.drawings.figures import DPI, checked_size, checked_text
 from app.model.refusal import Refusal
+from widgets.parts.fields import parse_number
 from widgets.parts.messages import sentence
 
 
 class ExportChoice(NamedTuple):
-    """What the user chose; the picture has ``size * scale`` pixels."""
+    """What the user chose; the picture has ``size * scale`` pixels, and letters of these points."""
 
     panes: tuple[str, ...]
     size: tuple[int, int]
     scale: float
     transparent: bool
+    text_pt: float | None = None
 
 
 class ExportDialog(QDialog):
@@ -68,6 +71,14 @@ class ExportDialog(QDialog):
         size.addWidget(QLabel("×"))
         size.addWidget(self._height)
         size.addWidget(QLabel(self.tr("px")))
+        self._text = QLineEdit()
+        self._text.setAccessibleName(self.tr("Height of the letters in points"))
+        self._text.setToolTip(
+            self.tr(
+                "Height of the letters in points: {0} pixels at scale 1 are an inch of 72"
+            ).format(DPI)
+        )
+        self._text.textChanged.connect(self._check)
         self._scale = QComboBox()
         self._scale.setToolTip(
             self.tr("Draws the same figure with more pixels: text and lines grow with it")
@@ -88,6 +99,7 @@ class ExportDialog(QDialog):
         form = QFormLayout()
         form.addRow(self.tr("Panes"), panes)
         form.addRow(self.tr("Size"), size)
+        form.addRow(self.tr("Letters (pt)"), self._text)
         form.addRow(self.tr("Scale"), self._scale)
         form.addRow(self.tr("Background"), self._background)
         layout = QVBoxLayout(self)
@@ -103,6 +115,9 @@ class ExportDialog(QDialog):
             (_whole(self._width.text()), _whole(self._height.text())),
             float(self._scale.currentData()),
             bool(self._background.currentData()),
+            parse_number(self.tr("Letters"), self._text.text())
+            if self._text.isModified()
+            else None,
         )
 
     def _panes_changed(self) -> None:
@@ -123,15 +138,28 @@ class ExportDialog(QDialog):
         else:
             try:
                 choice = self.choice()
+            except Refusal as error:
+                problem = sentence(error)
             except ValueError:
                 problem = self.tr("Width and height must be whole numbers.")
             else:
-                try:
-                    checked_size(self._image_size, choice.panes, choice.size, choice.scale)
-                except Refusal as error:
-                    problem = sentence(error)
+                problem = self._refused(choice)
         self._problem.setText("⚠ " + problem if problem else "")
         self._buttons.button(QDialogButtonBox.StandardButton.Save).setEnabled(not problem)
+
+    def _refused(self, choice: ExportChoice) -> str:
+        """Why there is no such figure, if there is none; else its letters are as large as usual."""
+        figure = self._image_size, choice.panes, choice.size
+        try:
+            checked_size(*figure, choice.scale)
+            checked_text(*figure, choice.text_pt)
+        except Refusal as error:
+            return sentence(error)
+        if choice.text_pt is None:
+            self._text.blockSignals(True)
+            self._text.setText(f"{checked_text(*figure, None):.2g}")
+            self._text.blockSignals(False)
+        return ""
 
 
 def _whole(text: str) -> int:

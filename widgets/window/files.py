@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TypeVar
 
 from PySide6.QtCore import QObject, Qt, Signal
-from PySide6.QtWidgets import QFileDialog, QMessageBox, QProgressDialog, QWidget
+from PySide6.QtWidgets import QFileDialog, QMainWindow, QMessageBox, QProgressDialog
 
 from app.document.document import MESH_ENDINGS, Document, holds_document, is_mesh, read, write
 from app.document.store import Store
@@ -23,6 +23,8 @@ from widgets.window.settings import Settings
 _T = TypeVar("_T")
 RECENT_LIMIT = 10
 SHOW_PROGRESS_AFTER_MS = 100
+SAID_MS = 10_000
+"""How long the status line says where unsaved work is."""
 
 
 class Files(QObject):
@@ -33,36 +35,34 @@ class Files(QObject):
 
     Parameters
     ----------
-    window : QWidget
+    window : QMainWindow
         Parent of the dialogs.
     store : Store
     messages : MessageBar
     settings : Settings
         Keeps the paths opened or saved before, newest first, also those of other windows.
-    with_views : callable
-        Adds to a document from where its panes are looked at just now.
     """
 
-    concerns = frozenset({"scene", "views"})
+    concerns = frozenset({"scene", "view"})
     recent_changed = Signal()
 
     def __init__(
         self,
-        window: QWidget,
+        window: QMainWindow,
         store: Store,
         messages: MessageBar,
         settings: Settings,
-        with_views: Callable[[Document], Document],
     ) -> None:
         super().__init__(window)
         self._window, self._store, self._messages = window, store, messages
-        self._with_views = with_views
         self._scenes: dict[tuple[str, str], Scene] = {}
         self._settings = settings
-        self.path: Path | None = None
-        self._written: object = None
-        """When and how long the file at the path was as this window read or wrote it."""
         self.recent = settings.recent[:RECENT_LIMIT]
+
+    @property
+    def path(self) -> Path | None:
+        """Where the document is saved, if there is such a place yet."""
+        return self._store.origin.path
 
     # -- scenes
 
@@ -123,10 +123,12 @@ class Files(QObject):
     def open(self, path: str | Path) -> bool:
         """Open a document, a picture with a document inside, or a mesh, as its file is now.
 
+        Nothing is asked: undo brings back what was there before, saved or not.
+
         Returns
         -------
         bool
-            False if it could not be opened, or the user kept the unsaved work.
+            False if it could not be opened.
         """
         path = os.path.abspath(path)
 
@@ -138,15 +140,24 @@ class Files(QObject):
             return document, self._load(document.scene, document.mesh), self._place(path)
 
         found = self._try(opened, "" if is_mesh(path) else path)
-        if found is None or not self.may_discard():
+        if found is None:
             return False
         document, scene, place = found
-        self._scenes.clear()
         self.keep(document, scene)
-        self._store.open(document)
-        self._set_path(place)
+        self._change_to(document, place)
         self._remember(path)
         return True
+
+    def _change_to(self, document: Document, path: Path | None, *, saved: bool = True) -> None:
+        """Show another document, and say where unsaved work is that it takes the place of."""
+        left = self._name if self._store.modified else None
+        self._store.open(document, saved=saved, path=path)
+        self._set_path(path)
+        held = {(each.scene, each.mesh) for each in self._store.documents}
+        self._scenes = {names: scene for names, scene in self._scenes.items() if names in held}
+        if left is not None:
+            text = self.tr("The changes to {0} are not saved: Undo brings them back.")
+            self._window.statusBar().showMessage(text.format(left), SAID_MS)
 
     def _with_mesh(self, document: Document, path: str) -> Document:
         """A picture's document, with the mesh from beside it, or else from where the user says."""
@@ -178,10 +189,9 @@ class Files(QObject):
     def open_recovered(self, document: Document) -> bool:
         """Take up a document from an autosave; it is in no file of the user's yet."""
         scene = self._try(lambda: self.scene(document.scene, document.mesh))
-        if scene is None or not self.may_discard():
+        if scene is None:
             return False
-        self._store.open(document, saved=False)
-        self._set_path(None)
+        self._change_to(document, None, saved=False)
         return True
 
     def choose_scene(self, name: str) -> bool:
@@ -190,7 +200,12 @@ class Files(QObject):
         if scene is None:
             return False
         if name != self._store.document.scene:
-            self._store.set_document(Document(name, scene.start, self._store.document.extra))
+            # What was prepared for a class stays, and what was about the scene before goes.
+            view = replace(
+                self._store.look(), large="", panel=None, probes=(), pinned=frozenset(), panes={}
+            )
+            extra = self._store.document.extra
+            self._store.set_document(Document(name, scene.start, extra, view))
         return True
 
     def mesh_dialog(self) -> None:
@@ -241,7 +256,7 @@ class Files(QObject):
         """Save where the document came from, or ask; also where another program wrote there."""
         if self.path is None:
             return self.save_as()
-        if (now := _written(self.path)) is None or now == self._written:
+        if (now := _written(self.path)) is None or now == self._store.origin.written:
             return self.save_to(self.path)
         box = QMessageBox(self._window)
         box.setIcon(QMessageBox.Icon.Warning)
@@ -271,7 +286,7 @@ class Files(QObject):
 
     def save_to(self, path: Path) -> bool:
         """Save to a path; the old file stays whole if that fails."""
-        document = self._with_views(self._store.document)
+        document = self._store.seen
 
         def written() -> bool:
             write(document, path)
@@ -328,8 +343,8 @@ class Files(QObject):
         return Path(path) if holds_document(path) else None
 
     def _set_path(self, path: Path | None) -> None:
-        self.path = path
-        self._written = _written(path) if path else None
+        self._store.origin.path = path
+        self._store.origin.written = _written(path) if path else None
         self._name_window()
 
     def take(self, shown: Shown, changed: Changed) -> None:
@@ -337,9 +352,15 @@ class Files(QObject):
         self._name_window()
 
     def _name_window(self) -> None:
+        self._window.setWindowTitle(f"{self._name}[*] – Frustum Lab")
+
+    @property
+    def _name(self) -> str:
+        """What the document is called."""
+        if self.path:
+            return self.path.name
         scene = self._store.document.scene
-        name = self.tr("Untitled") if scene in BUILT_IN else Path(scene).name
-        self._window.setWindowTitle(f"{self.path.name if self.path else name}[*] – Frustum Lab")
+        return self.tr("Untitled") if scene in BUILT_IN else Path(scene).name
 
     def _remember(self, path: str) -> None:
         path = os.path.abspath(path)

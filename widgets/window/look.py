@@ -1,15 +1,13 @@
-"""How the panes look: theme and size of text, the quality they are drawn with, and their views."""
+"""How the panes look: theme and size of text, and the quality they are drawn with."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QApplication, QWidget
 
-from app.document.document import Document
 from app.document.store import Store
 from app.drawings import WORDS
 from app.drawings.style import Style
@@ -19,6 +17,7 @@ from widgets.panes.pane import SCALES, Pane
 from widgets.parts import icons, palette
 from widgets.parts.messages import Words
 from widgets.parts.panel import EVERYTHING, Changed, Shown
+from widgets.window.arrangement import cameras
 from widgets.window.settings import Settings
 
 SORTED_AHEAD = 10_000
@@ -95,11 +94,12 @@ class Look(QObject):
     def take(self, shown: Shown, changed: Changed) -> None:
         """Let the panes show it: by other drawings, where it cannot be in those that they have."""
         self._shown, quality = shown, shown.document.quality
-        anew = bool(changed & {"scene", "views"})
+        anew = bool(changed & {"scene", "view"})
         built = anew or quality != self.adaptive.quality
         if built:
             self.adaptive.show(shown.scene, quality)
-            self._build(shown.document.views if anew else self._views)
+            # A mesh in the place of the objects is looked at from where they were.
+            self._build(shown.document.view.panes if "view" in changed else self._turned)
         if anew and shown.scene.faces > SORTED_AHEAD:
             from app.drawings.probes import sort_ahead
 
@@ -116,9 +116,9 @@ class Look(QObject):
     def rebuild(self) -> None:
         """Make all drawings anew, looked at from where they are looked at now."""
         if self._shown is not None:
-            self._build(self._views)
+            self._build(self._turned)
 
-    def _build(self, views: Mapping[str, Camera]) -> None:
+    def _build(self, turned: Mapping[str, Camera]) -> None:
         shown, settings, quality = self._shown, self._settings, self.adaptive.quality
         assert shown is not None
         style = palette.drawing_style(
@@ -134,7 +134,7 @@ class Look(QObject):
                 how = (quality.tolerance_px(settings.tolerance_px),)
             if name == "image":
                 how += (quality,)
-            pane.build(shown, views.get(name), self.adaptive.drawn, self.words, drawn, *how)
+            pane.build(shown, turned.get(name), self.adaptive.drawn, self.words, drawn, *how)
         icons.dress(self._window)
         self.built.emit(style)
 
@@ -149,18 +149,9 @@ class Look(QObject):
         for pane in self._panes.values():
             pane.refit()
 
-    # -- from where it is looked at
-
     @property
-    def _views(self) -> dict[str, Camera]:
-        """From where the panes are looked at, of those that somebody turned."""
-        views = {name: pane.view for name, pane in self._panes.items()}
-        return {name: view for name, view in views.items() if view is not None}
-
-    def with_views(self, document: Document) -> Document:
-        """A document as it is looked at just now."""
-        others = {name: view for name, view in document.views.items() if name not in self._panes}
-        return replace(document, views=others | self._views)
+    def _turned(self) -> dict[str, Camera]:
+        return cameras(self._panes)
 
     # -- theme and text
 

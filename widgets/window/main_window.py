@@ -12,6 +12,7 @@ What it does is done in the rooms beside this one; here they are made and joined
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -42,6 +43,7 @@ from PySide6.QtWidgets import (
 
 from app.document.document import Document
 from app.document.store import Store
+from app.document.view import PANELS
 from app.scenes.scene import Scene
 from widgets.controls.animation import AnimationBar
 from widgets.controls.controls import Controls
@@ -61,6 +63,7 @@ from widgets.parts.highlight import Highlighter
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.panel import EVERYTHING, Changed, Panel, Shown, Told
 from widgets.window.actions import Actions, take_typed
+from widgets.window.arrangement import Arrangement
 from widgets.window.drawer import Drawer, Panels
 from widgets.window.files import Files
 from widgets.window.help import Help
@@ -172,7 +175,7 @@ class MainWindow(QMainWindow):
         self.look = Look(
             self.panes, settings, self.store, software_rendering=software_rendering, window=self
         )
-        self.files = Files(self, self.store, self.messages, settings, self.look.with_views)
+        self.files = Files(self, self.store, self.messages, settings)
         if scene is not None:
             self.files.keep(document, scene)
         self.shown = self._snapshot(document)
@@ -190,7 +193,7 @@ class MainWindow(QMainWindow):
         self.pictures = Pictures(
             self,
             self.messages,
-            lambda: self.look.with_views(self.store.document),
+            lambda: self.store.seen,
             self.files.scene,
             titles,
             self.look.words,
@@ -314,6 +317,18 @@ class MainWindow(QMainWindow):
             self.files.choose_scene,
         )
         self.first_steps = FirstSteps(self, self.slots)
+        self.arrangement = Arrangement(
+            self.panes,
+            self.slots,
+            self.strip,
+            self.panels,
+            dict(zip(PANELS, self.panels.all, strict=True)),
+            self.matrices,
+            self.frame_panel,
+            self.probe_panel,
+            self,
+        )
+        self.store.look = lambda: self.arrangement.view
         self.cost = Cost(self.panes, self.status)
         self.quality = DrawnQuality(
             self.look,
@@ -334,7 +349,7 @@ class MainWindow(QMainWindow):
         )
         self.recovery = Recovery(
             data_folder(),
-            lambda: self.look.with_views(self.store.document) if self.store.modified else None,
+            self.store,
             self.messages,
             self.files,
             self,
@@ -350,6 +365,7 @@ class MainWindow(QMainWindow):
             self.look,
             self.counting,
             self.strip,
+            self.arrangement,  # which takes back what a scene has opened or forgotten by itself
             self.files,
             self.status,
             self.quality,  # of what was drawn just now
@@ -360,6 +376,7 @@ class MainWindow(QMainWindow):
             self.store, self.controls, self.menus, self.strip, self.panes["ndc"]
         )  # fmt: skip
         store.changed.connect(self._show_document)
+        store.view_changed.connect(self._show_view)
         controls.edited.connect(store.set_projection)
         controls.animation.playing_changed.connect(menus.show_playing)
         self.manipulation.edited.connect(store.set_projection)
@@ -444,6 +461,10 @@ class MainWindow(QMainWindow):
     def _show_document(self, document: Document) -> None:
         before, self.shown = self.shown, self._snapshot(document)
         self._tell(self.shown.changed_since(before))
+
+    def _show_view(self, document: Document) -> None:
+        self.shown = replace(self.shown, document=document)
+        self.arrangement.show(document.view)
 
     def _tell(self, changed: Changed) -> None:
         """Tell everyone who is concerned what has changed."""
@@ -561,7 +582,7 @@ class MainWindow(QMainWindow):
         self.counting.stop()
         self.measure_panel.close_process()
         self.settings.geometry = bytes(self.saveGeometry().data())
-        self.recovery.autosave.close()
+        self.recovery.close()
         self.store.blockSignals(True)  # a wheel may still be turning, and end its gesture
         for pane in self.panes.values():
             pane.close_canvas()

@@ -36,7 +36,7 @@ class Pictures(QObject):
         Parent of the dialogs.
     messages : MessageBar
     seen : callable
-        The document as it is looked at just now: with the views of the panes.
+        The document as it is looked at just now: with its view.
     scene : callable
         The loaded scene of a name and a mesh in it.
     titles : dict
@@ -85,15 +85,15 @@ class Pictures(QObject):
 
     def export(self, path: Path, choice: ExportChoice) -> bool:
         """Write a picture; False if that failed or the user stopped it."""
-        return self._write(path, lambda document: self._draw(document, choice))
+        return self._write(path, lambda document: self._draw(document, choice), choice.scale)
 
-    def _write(self, path: Path, draw: Callable[[Document], Pixels]) -> bool:
+    def _write(self, path: Path, draw: Callable[[Document], Pixels], scale: float = 1.0) -> bool:
         from app.drawings.figures import write_png
 
         document = self._seen()
 
         def write() -> None:
-            write_png(path, draw(document), picture_json(document))
+            write_png(path, draw(document), picture_json(document), scale)
 
         return self._try(write, self.tr("Exported {0}").format(path))
 
@@ -112,7 +112,8 @@ class Pictures(QObject):
 
     def copy(self) -> bool:
         """Put the three panes on the clipboard; False if that failed or the user stopped it."""
-        from app.drawings.figures import PANES, png_bytes
+        from app.document.view import PANES
+        from app.drawings.figures import png_bytes
         from widgets.window.export_dialog import ExportChoice
 
         document = self._seen()
@@ -156,13 +157,14 @@ class Pictures(QObject):
             return render(
                 self._scene(document.scene, document.mesh),
                 document.projection,
-                views=document.views,
+                view=document.view,
                 settings=document.settings,
                 quality=document.quality,
                 panes=choice.panes,
                 size=choice.size,
                 scale=choice.scale,
                 transparent=choice.transparent,
+                text_pt=choice.text_pt,
                 style=palette.drawing_style(dark=False, screen_px=0.0, device_pixel_ratio=1.0),
                 words=self._words,
                 progress=progress,

@@ -1,8 +1,9 @@
-"""Unsaved work after a crash: kept while the window lives, offered when the next one opens.
+"""Unsaved work: kept while the window lives, offered when the next one opens if it was not saved.
 
 ::
 
     an edit --> Autosave, a copy on disk --the program dies--> offer --> recovered or discarded
+    another document is opened --> its own Autosave --the window is closed--^
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QDateTime, QLocale, QObject
 
-from app.document.document import Document
+from app.document.store import Origin, Store
 from app.model.refusal import Refusal
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import sentence
@@ -28,8 +29,8 @@ class Recovery(QObject):
     ----------
     folder : Path
         The user's data folder.
-    unsaved : callable
-        Gives the document to keep, or None when all is saved.
+    store : Store
+        Whose unsaved documents are kept, those too that others have been opened over.
     messages : MessageBar
     files : Files
         Opens what is recovered.
@@ -39,15 +40,39 @@ class Recovery(QObject):
     def __init__(
         self,
         folder: Path,
-        unsaved: Callable[[], Document | None],
+        store: Store,
         messages: MessageBar,
         files: Files,
         parent: QObject,
     ) -> None:
         super().__init__(parent)
+        self._folder, self._store = folder, store
         self._messages, self._files = messages, files
-        self.autosave = Autosave(folder, unsaved, self)
-        self.autosave.failed.connect(self._tell_no_copy)
+        self._copies: dict[Origin, Autosave] = {}
+        store.leaving.connect(self._leave)
+
+    @property
+    def autosave(self) -> Autosave:
+        """Of the document as it stands."""
+        origin, store = self._store.origin, self._store
+        if origin not in self._copies:
+            copy = Autosave(self._folder, lambda: store.seen if store.modified else None, self)
+            copy.failed.connect(self._tell_no_copy)
+            self._copies[origin] = copy
+        return self._copies[origin]
+
+    def _leave(self) -> None:
+        """Keep what is unsaved when another document comes: undo, or the next window, has it."""
+        if not self.autosave.leave():
+            self.autosave.close()
+            self._copies.pop(self._store.origin).deleteLater()
+
+    def close(self) -> None:
+        """The window closes: of the document before it nothing is kept, of those behind it all."""
+        self.autosave.close()
+        for origin, copy in self._copies.items():
+            if origin is not self._store.origin:
+                copy.release()
 
     def offer(self) -> None:
         """Say that work of a window that died can be had back, if some can."""
@@ -55,7 +80,7 @@ class Recovery(QObject):
         if orphans:
             newest = orphans[0]
             self._messages.say(
-                self.tr("Frustum Lab ended unexpectedly; work of {0} was not saved.").format(
+                self.tr("Work of {0} was not saved.").format(
                     QLocale().toString(
                         QDateTime.fromSecsSinceEpoch(int(newest.stat().st_mtime)),
                         QLocale.FormatType.ShortFormat,

@@ -43,7 +43,7 @@ class SceneGuide(QObject):
         Changes to a scene by its name; it may be refused.
     """
 
-    concerns = frozenset({"scene", "views", "quality"})
+    concerns = frozenset({"scene", "view", "quality"})
 
     def __init__(
         self,
@@ -85,7 +85,7 @@ class SceneGuide(QObject):
             else:
                 rendered.disconnect(self._tell_problem)
                 self._panel.show_problem(None)
-        if not changed & {"scene", "views"}:
+        if not changed & {"scene", "view"}:
             return
         self._menus.show_scene(document.scene)
         title = self._menus.scene_title(document.scene)

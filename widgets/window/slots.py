@@ -19,11 +19,11 @@ from functools import partial
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QSplitter
 
+from app.document.view import LAYOUTS
 from widgets.panes.pane import Pane
 from widgets.panes.stage_strip import StageStrip
 from widgets.parts.panel import Changed, Shown
 
-LAYOUTS = ("pictures", "columns")
 COLUMN_WIDTHS = [400, 305, 330]
 LARGE_AND_SMALL = [590, 480]
 PRESENTING = [500, 530]
@@ -51,6 +51,8 @@ class Slots(QSplitter):
         One of `LAYOUTS`.
     large : str
         The pane in the large slot.
+    leading : str
+        The one that the scene is about.
     whole : str
         The pane that has the whole window, or nothing.
     """
@@ -63,7 +65,7 @@ class Slots(QSplitter):
         super().__init__(Qt.Orientation.Horizontal)
         self._panes, self._strip = panes, strip
         self.layout_name, self.large, self.whole = LAYOUTS[0], next(iter(panes)), ""
-        self._leading = self.large
+        self.leading = self.large
         self._widths = LARGE_AND_SMALL
         self._small = QSplitter(Qt.Orientation.Vertical)
         for splitter in (self, self._small):
@@ -111,7 +113,7 @@ class Slots(QSplitter):
         whole : str
             The pane that shall have the whole window; "" for none.
         """
-        large = large or self._leading
+        large = large or self.leading
         if (layout, large, whole) == (self.layout_name, self.large, self.whole):
             return
         moved = (layout, large) != (self.layout_name, self.large)
@@ -131,15 +133,15 @@ class Slots(QSplitter):
 
     def take(self, shown: Shown, changed: Changed) -> None:
         """Bring the pane that another scene is about into the large slot."""
-        if shown.scene.leading != self._leading:
-            self._leading = name = shown.scene.leading
+        if shown.scene.leading != self.leading:
+            self.leading = name = shown.scene.leading
             self.arrange(self.layout_name, name, name if self.whole else "")
 
     def go_back(self) -> None:
         """Dock and show every pane, the one that the scene is about in the large slot."""
         for name in self.floating:
             self.toggle_float(name)
-        self.arrange(self.layout_name, self._leading)
+        self.arrange(self.layout_name, self.leading)
         self.share()
 
     def toggle_float(self, name: str) -> None:

@@ -1,0 +1,218 @@
+"""How a document is looked at: what a lecturer prepares beside the model, and finds again.
+
+It is no part of the model: a change of it is no undo step and no unsaved work.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, fields
+from typing import Any
+
+from app.lecture.camera_frame import STEPS
+from app.lecture.notation import LETTERS, Letters
+from app.lecture.stages import IMAGE, NDC
+from app.model.limits import ONE_OF, finite, finite_vector, keep_checked
+from app.model.projection import Camera
+from app.model.refusal import QT_TRANSLATE_NOOP, Bound, Refusal
+from app.picking.picking import Probe
+
+LAYOUTS = ("pictures", "columns")
+"""One large pane and two small ones, or three side by side."""
+PANES = ("world", "ndc", "image")
+"""The panes, from left to right."""
+STAGES = ("world", "view", "pyramid", "box", "ndc", "image")
+"""The stops of the stage strip, as a document names them."""
+PANELS = ("matrices", "frame", "probe", "scene", "measure")
+"""The panels of the drawer."""
+LAYERS = ("labels", "handles", "grid", "frustum", "camera", "near-picture")
+"""What of the world can be hidden."""
+FIXED = ("side", "top", "axis", "eye")
+"""From where the world can be looked at beside freely."""
+MOST_PROBES = 6
+"""More than these are no comparison any more."""
+
+A_STAGE = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}, or a number from 0 to {1}")
+ONE_OR_NONE = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}, or empty for none")
+SOME_OF = QT_TRANSLATE_NOOP("Refusal", "must be a list of names out of {0}")
+SOME_PROBES = QT_TRANSLATE_NOOP("Refusal", "must be a list of at most {0} probes")
+A_PROBE = QT_TRANSLATE_NOOP(
+    "Refusal", "must be three numbers for a point, two for a pixel's ray, or null for none"
+)
+PROBE_NUMBERS = QT_TRANSLATE_NOOP("Refusal", "must be a list of numbers that probes have")
+
+
+@dataclass(frozen=True)
+class View:
+    """How a document is looked at.
+
+    Parameters
+    ----------
+    layout : str
+        One of `LAYOUTS`.
+    large : str
+        The pane in the large place, one of `PANES`; empty for the one that the scene names.
+    stage : float
+        Position on the stage strip: whole at `STAGES`.
+    frame_step : str
+        How far the camera's frame is built: one of `camera_frame.STEPS`.
+    panel : str or None
+        The open panel of the drawer, one of `PANELS`; empty for none, and None for what the scene
+        itself opens.
+    letters : str
+        Whose letters formulas are written in: one of `notation.LETTERS`.
+    layers : frozenset of str
+        Those of `LAYERS` that are hidden.
+    fixed : str
+        From where the world is looked at, one of `FIXED`; empty for freely.
+    probes : tuple of Probe
+        Points that are followed, in the order of their numbers.
+    pinned : frozenset of int
+        Numbers of the probes that the next click leaves alone.
+    panes : dict of str to Camera
+        From where a pane was looked at, if somebody turned it; also of panes that are not here.
+        Not to be changed in place.
+
+    Raises
+    ------
+    Refusal
+        If one of them is none of these.
+    """
+
+    layout: str = "pictures"
+    large: str = ""
+    stage: float = float(NDC)
+    frame_step: str = STEPS[0]
+    panel: str | None = None
+    letters: Letters = LETTERS[0]
+    layers: frozenset[str] = frozenset()
+    fixed: str = ""
+    probes: tuple[Probe, ...] = ()
+    pinned: frozenset[int] = frozenset()
+    panes: dict[str, Camera] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        _check_name("layout", self.layout, LAYOUTS, ONE_OF)
+        _check_name("large", self.large, PANES, ONE_OR_NONE)
+        _check_name("frame_step", self.frame_step, STEPS, ONE_OF)
+        _check_name("panel", self.panel or "", PANELS, ONE_OR_NONE)
+        _check_name("letters", self.letters, LETTERS, ONE_OF)
+        _check_name("fixed", self.fixed, FIXED, ONE_OR_NONE)
+        if not _is_number(self.stage) or not 0.0 <= self.stage <= IMAGE:
+            raise Refusal("stage", self.stage, A_STAGE, ", ".join(STAGES), IMAGE)
+        if not self.layers <= set(LAYERS):
+            raise Refusal("layers", sorted(self.layers, key=str), SOME_OF, ", ".join(LAYERS))
+        numbers = [probe.number for probe in self.probes]
+        if numbers != sorted(set(numbers) & set(range(1, MOST_PROBES + 1))):
+            raise Refusal("probes", numbers, SOME_PROBES, MOST_PROBES)
+        for probe in self.probes:
+            where = f"probes[{probe.number - 1}]"
+            if probe.point is not None and probe.pixel is None:
+                finite_vector(where, probe.point)
+            elif probe.pixel is not None and probe.point is None:
+                for part in probe.pixel:
+                    finite(where, part)
+            else:
+                raise Refusal(where, None, A_PROBE)
+        if not all(map(_is_number, self.pinned)) or not self.pinned <= set(numbers):
+            raise Refusal("pinned", sorted(self.pinned, key=str), PROBE_NUMBERS)
+        keep_checked(self, stage=float(self.stage), pinned=frozenset(map(int, self.pinned)))
+
+    @property
+    def step(self) -> int | None:
+        """The step of the camera's frame that is drawn: None while its panel is not open."""
+        return STEPS.index(self.frame_step) if self.panel == "frame" else None
+
+
+FIELDS = tuple(each.name for each in fields(View))
+
+
+def _is_number(value: object) -> bool:
+    return isinstance(value, (int, float)) and not isinstance(value, bool)
+
+
+def _check_name(name: str, value: object, names: Sequence[str], bound: Bound) -> None:
+    if value not in names and not (value == "" and bound == ONE_OR_NONE):
+        raise Refusal(name, value, bound, ", ".join(names))
+
+
+AS_EVER = View()
+"""What nobody has said anything about is looked at so."""
+
+
+# --------------------------------------------------------------------------- as JSON has it
+
+
+def read_view(values: Mapping[str, Any], panes: dict[str, Camera]) -> View:
+    """A view from its part of a document, as `view_tree` writes it.
+
+    Parameters
+    ----------
+    values : mapping
+        What is not there has its default; what is no field of a view is left alone.
+    panes : dict of str to Camera
+        Read already.
+
+    Raises
+    ------
+    Refusal
+        For a value that no view has.
+    """
+    found = {name: values[name] for name in FIELDS if name in values} | {"panes": panes}
+    stage = found.get("stage")
+    if isinstance(stage, str) and stage in STAGES:
+        found["stage"] = STAGES.index(stage)
+    if "panel" in found:
+        _check_name("panel", found["panel"], PANELS, ONE_OR_NONE)  # null is no panel
+    if "layers" in found:
+        found["layers"] = _set_of("layers", found["layers"], SOME_OF, ", ".join(LAYERS))
+    if "pinned" in found:
+        found["pinned"] = _set_of("pinned", found["pinned"], PROBE_NUMBERS)
+    if "probes" in found:
+        found["probes"] = _probes(found["probes"])
+    return View(**found)
+
+
+def _set_of(name: str, value: Any, bound: Bound, *limits: object) -> frozenset[Any]:
+    """A list's names or numbers; of what kind they are, the view checks."""
+    if not isinstance(value, list) or any(isinstance(part, (list, dict)) for part in value):
+        raise Refusal(name, value, bound, *limits)
+    return frozenset(value)
+
+
+def _probes(value: Any) -> tuple[Probe, ...]:
+    if not isinstance(value, list) or len(value) > MOST_PROBES:
+        raise Refusal("probes", value, SOME_PROBES, MOST_PROBES)
+    probes = []
+    for number, part in enumerate(value, 1):
+        if part is None:
+            continue
+        where = f"probes[{number - 1}]"
+        if not isinstance(part, list) or len(part) not in (2, 3) or not all(map(_is_number, part)):
+            raise Refusal(where, part, A_PROBE)
+        if len(part) == 3:
+            probes.append(Probe(number, point=finite_vector(where, part)))
+        else:
+            probes.append(Probe(number, pixel=(finite(where, part[0]), finite(where, part[1]))))
+    return tuple(probes)
+
+
+def view_tree(view: View) -> dict[str, Any]:
+    """What of a view is not as ever, as a document has it; its panes' cameras are left out."""
+    tree: dict[str, Any] = {}
+    for name in FIELDS:
+        value = getattr(view, name)
+        if name != "panes" and value != getattr(AS_EVER, name):
+            tree[name] = value
+    if "stage" in tree:
+        tree["stage"] = STAGES[int(view.stage)] if view.stage.is_integer() else view.stage
+    if "layers" in tree:
+        tree["layers"] = [name for name in LAYERS if name in view.layers]
+    if "pinned" in tree:
+        tree["pinned"] = sorted(view.pinned)
+    if "probes" in tree:
+        places: list[Any] = [None] * view.probes[-1].number
+        for probe in view.probes:
+            places[probe.number - 1] = list(probe.point or probe.pixel or ())
+        tree["probes"] = places
+    return tree

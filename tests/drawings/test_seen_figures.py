@@ -1,0 +1,145 @@
+"""A figure shows what is seen: a value of the view changes the panes that show it, and no other."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from app.document.view import LETTERS, PANES, View
+from app.drawings.figures import (
+    DPI,
+    USUAL_TEXT,
+    checked_text,
+    png_bytes,
+    render,
+    usual_text_pt,
+    write_png,
+)
+from app.drawings.style import LIGHT, rgb
+from app.model.projection import Camera
+from app.model.refusal import Refusal
+from app.picking.picking import Probe
+from app.scenes.scene import load
+
+SIDE = 160
+ABOVE = Camera((0.0, 40.0, 0.1), (0.0, 0.0, 0.0), (0.0, 1.0, 0.0))
+ON_THE_LETTER = Probe(1, (0.5, 2.5, 0.5))
+
+
+def drawn(view: View, **options: Any) -> dict[str, np.ndarray]:
+    """The panes of a figure of the letter F."""
+    scene = load("letter-f")
+    pixels = render(scene, scene.start, PANES, (3 * SIDE, SIDE), view=view, **options)
+    return {pane: pixels[:, i * SIDE : (i + 1) * SIDE] for i, pane in enumerate(PANES)}
+
+
+@pytest.fixture(scope="module")
+def usual() -> dict[str, np.ndarray]:
+    return drawn(View())
+
+
+@pytest.mark.parametrize(
+    ("view", "changed"),
+    [
+        (View(stage=0.0), {"ndc"}),
+        (View(stage=1.0), {"ndc"}),
+        (View(stage=2.0), {"ndc"}),
+        (View(stage=3.0), {"ndc"}),
+        (View(stage=3.5), {"ndc"}),
+        (View(stage=5.0), {"ndc"}),
+        (View(panel="frame", frame_step="n"), {"world"}),
+        (View(probes=(ON_THE_LETTER,)), {"world", "ndc", "image"}),
+        (View(probes=(Probe(1, pixel=(900.0, 200.0)),)), {"world", "ndc", "image"}),
+        (View(panes={"world": ABOVE}), {"world"}),
+        (View(panes={"ndc": replace(ABOVE, eye=(2.0, 1.0, 3.0))}), {"ndc"}),
+        (View(panes={"second-screen": ABOVE}), set()),
+        (View(frame_step="n", panel="matrices"), set()),
+        (View(letters=LETTERS[3], layout="columns", large="image", panel="probe"), set()),
+    ],
+)
+def test_a_value_of_the_view_changes_the_panes_that_show_it_and_no_other(
+    usual: dict[str, np.ndarray], view: View, changed: set[str]
+) -> None:
+    seen = drawn(view)
+    assert {pane for pane in PANES if (seen[pane] != usual[pane]).any()} == changed
+
+
+def test_no_two_stages_and_no_two_steps_are_the_same_figure() -> None:
+    views = [View(stage=stage / 2.0) for stage in range(11)]
+    views += [View(panel="frame", frame_step=step) for step in ("eye", "look", "up", "n", "u", "v")]
+    figures = {b"".join(pane.tobytes() for pane in drawn(view).values()) for view in views}
+    assert len(figures) == len(views)
+
+
+def test_a_probe_is_marked_where_the_model_projects_it() -> None:
+    scene = load("letter-f")
+    point = ON_THE_LETTER.point
+    assert point is not None
+    x, y = scene.start.trace(point).image.tolist()
+    plain = render(scene, scene.start, ("image",), text_pt=5.0)
+    marked = render(scene, scene.start, ("image",), text_pt=5.0, view=View(probes=(ON_THE_LETTER,)))
+    rows, columns = np.nonzero((plain != marked).any(axis=2))
+    em = 5.0 * DPI / 72.0
+    assert np.hypot(rows - y, columns - x).min() < 1.0
+    assert np.hypot(rows - y, columns - x).max() < 4.0 * em
+
+
+# -- letters
+
+
+def plate_height(pixels: np.ndarray) -> int:
+    """Rows of the plate that near is written on; the plane itself is smaller in the pyramid."""
+    colour = np.round(255.0 * np.array(rgb(LIGHT.near)))
+    plate = np.abs(pixels - colour).max(axis=2) <= 2.0
+    return int((plate.sum(axis=1) > 50).sum())
+
+
+def test_letters_are_as_high_as_their_points_say() -> None:
+    scene = load("letter-f")
+    heights = {}
+    for em_px in (20, 40):
+        size = (600, 600)
+        text_pt = em_px * 72.0 / DPI
+        figure = render(scene, scene.start, ("ndc",), size, text_pt=text_pt, view=View(stage=2.0))
+        heights[em_px] = plate_height(figure)
+    assert heights[40] / heights[20] == pytest.approx(2.0, rel=0.12)
+    assert 0.8 < heights[40] / 40.0 < 1.3  # a line of text
+
+
+def test_usual_letters_are_a_share_of_the_pane_and_6_points_across_a_page() -> None:
+    image = (1280, 720)
+    assert usual_text_pt(image, PANES, None) == pytest.approx(6.0)
+    assert pytest.approx(162.56) == 3 * 640 / DPI * 25.4  # mm
+    assert usual_text_pt(image, PANES, (900, 300)) == pytest.approx(USUAL_TEXT * 300 * 72 / DPI)
+    assert usual_text_pt(image, ("image",), None) == pytest.approx(USUAL_TEXT * 720 * 72 / DPI)
+    once, asked = drawn(View()), drawn(View(), text_pt=usual_text_pt(image, PANES, (480, 160)))
+    assert all((once[pane] == asked[pane]).all() for pane in PANES)
+
+
+@pytest.mark.parametrize("text_pt", [0.0, -1.0, 0.2, 1e300, float("nan"), float("inf")])
+def test_letters_that_no_pane_can_have_are_refused(text_pt: float) -> None:
+    with pytest.raises(Refusal) as caught:
+        checked_text((1280, 720), PANES, None, text_pt)
+    assert str(caught.value).startswith("text size = ")
+    assert str(caught.value).endswith(": must be from 0.24 to 38.4 points in panes of this size.")
+
+
+@pytest.mark.parametrize("text_pt", [0.24, 38.4])
+def test_the_smallest_and_the_largest_letters_are_drawn(text_pt: float) -> None:
+    scene = load("letter-f")
+    assert render(scene, scene.start, PANES, text_pt=text_pt).shape == (640, 1920, 3)
+
+
+def test_a_file_says_how_many_pixels_are_an_inch(tmp_path: Path) -> None:
+    pixels = np.zeros((4, 4, 3), np.uint8)
+    for scale in (0.5, 1.0, 2.0):
+        path = tmp_path / "figure.png"
+        write_png(path, pixels, "{}", scale)
+        assert path.read_bytes() == png_bytes(pixels, "{}", scale)
+        with Image.open(path) as image:
+            assert image.info["dpi"] == pytest.approx((DPI * scale, DPI * scale), rel=1e-3)

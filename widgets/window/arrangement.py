@@ -1,0 +1,111 @@
+"""What is looked at: out of the window into the document, and back.
+
+::
+
+    a document is opened, undo --> Arrangement.take --> slots, strip, drawer, panels, probes
+    save, export, another document <-- Arrangement.view
+
+The panes' own cameras are in the document too; `Look`, which makes the drawings anew for another
+document, puts them back.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QWidget
+
+from app.document.view import View
+from app.lecture.camera_frame import STEPS
+from app.model.projection import Camera
+from widgets.panels.frame_panel import FramePanel
+from widgets.panels.matrix_panel import MatrixPanel
+from widgets.panels.probe_panel import ProbePanel
+from widgets.panes.pane import Pane
+from widgets.panes.stage_strip import StageStrip
+from widgets.parts.panel import Changed, Panel, Shown
+from widgets.window.drawer import Panels
+from widgets.window.slots import Slots
+
+
+def cameras(panes: Mapping[str, Pane]) -> dict[str, Camera]:
+    """From where the panes are looked at, of those that somebody turned."""
+    turned = {name: pane.view for name, pane in panes.items()}
+    return {name: camera for name, camera in turned.items() if camera is not None}
+
+
+class Arrangement(QObject):
+    """How the window shows its document.
+
+    Parameters
+    ----------
+    panes : mapping of str to Pane
+    slots : Slots
+    strip : StageStrip
+    drawer : Panels
+    panels : mapping of str to Panel
+        Those of the drawer, by their names in the document.
+    matrices : MatrixPanel
+    frame : FramePanel
+    probes : ProbePanel
+    window : QWidget
+    """
+
+    concerns = frozenset({"view"})
+
+    def __init__(
+        self,
+        panes: Mapping[str, Pane],
+        slots: Slots,
+        strip: StageStrip,
+        drawer: Panels,
+        panels: Mapping[str, Panel],
+        matrices: MatrixPanel,
+        frame: FramePanel,
+        probes: ProbePanel,
+        window: QWidget,
+    ) -> None:
+        super().__init__(window)
+        self._panes, self._slots, self._strip = panes, slots, strip
+        self._drawer, self._panels = drawer, panels
+        self._matrices, self._frame, self._probes = matrices, frame, probes
+        self._given = View()
+        """What was shown last: what of it no widget can change is so still."""
+
+    @property
+    def view(self) -> View:
+        """How it is looked at just now."""
+        opened = (name for name, panel in self._panels.items() if panel is self._drawer.open_panel)
+        elsewhere = {n: c for n, c in self._given.panes.items() if n not in self._panes}
+        return replace(
+            self._given,
+            layout=self._slots.layout_name,
+            large="" if self._slots.large == self._slots.leading else self._slots.large,
+            stage=self._strip.position,
+            frame_step=STEPS[self._frame.step],
+            panel=next(opened, ""),
+            letters=self._matrices.letters.currentData(),
+            probes=self._probes.probes,
+            pinned=self._probes.pinned,
+            panes=elsewhere | cameras(self._panes),
+        )
+
+    def take(self, shown: Shown, changed: Changed) -> None:
+        """Arrange the window as another document says."""
+        self.show(shown.document.view)
+
+    def show(self, view: View) -> None:
+        """Arrange the window so; what is so already is left alone."""
+        self._given = view
+        self._slots.arrange(view.layout, view.large, self._slots.whole)
+        self._strip.go_to(view.stage)
+        self._frame.go_to(STEPS.index(view.frame_step))
+        if view.panel is not None:  # else the scene has opened its own
+            self._drawer.open(self._panels.get(view.panel))
+        letters = self._matrices.letters
+        letters.setCurrentIndex(letters.findData(view.letters))
+        if (view.probes, view.pinned) != (self._probes.probes, self._probes.pinned):
+            chosen = view.probes[-1].number if view.probes else 0
+            self._probes.restore(view.probes, chosen, view.pinned)
