@@ -48,7 +48,7 @@ from tests.support.frustum import corners_world
 
 Pixels = NDArray[np.uint8]
 CUBE = np.array([(x, y, z) for z in (1, 0) for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))])
-START = load("letter-f").start
+START = replace(load("letter-f").start, lens=Perspective(45.0, 1.0, 30.0))
 
 
 class View:
