@@ -27,7 +27,7 @@ _BODY_BOX = actors.CUBE_CORNERS * (0.6, 0.58, 0.7) + (0.0, 0.16, 0.7)
 # The diameter of a ball round it, and how far its nearest point can be before the eye.
 _BALL = 2.0 * float(np.linalg.norm((0.6, 0.58, 0.7)))
 _BEFORE = _BALL / 2.0 + float(np.linalg.norm((0.0, 0.16, 0.7)))
-_AROUND = 3.0  # body and axes are within so much of the eye
+_AROUND = 3.1  # body and axes are within so much of the eye
 AROUND_PX = _AROUND / _BALL * _PART_OF_PANE
 """How far body and axes reach from the eye, of the pane's shorter side."""
 

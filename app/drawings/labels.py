@@ -312,8 +312,8 @@ class Labels:
             else:
                 label.set_visible(False)
         layout.place(self._target, words["target"], [target], _RIGHT_BELOW, leaders["target"])
-        layout.place(self._eye, words["eye"], [eye], _BELOW, leaders["eye"])
         layout.keep_free_box(spots[len(named.tips) : -16])
+        layout.place(self._eye, words["eye"], [eye], _BELOW, leaders["eye"])
         for i, (label, sides, leader) in enumerate(
             (
                 (self._near, _BELOW_PLANE, leaders["near"]),
@@ -371,13 +371,15 @@ class Layout:
     ) -> None:
         self._size_px, self.em, self._kept, self._subject = size_px, em, kept, subject
         self._taken: list[_Box] = []
+        self._discs: list[_Box] = []
         self.settled: dict[Label, _Candidate] = {}
         """Which labels were put right next to their points, and where."""
 
     def keep_free(self, points: Sequence[Spot]) -> None:
         """Let no label hide what is drawn at these points."""
         half = 0.4 * self.em
-        self._taken += [_Box(x - half, y - half, x + half, y + half) for x, y, _ in points]
+        self._discs += [_Box(x - half, y - half, x + half, y + half) for x, y, _ in points]
+        self._taken += self._discs[-len(points) :]
 
     def keep_free_box(self, points: Sequence[Spot]) -> None:
         """Let no label hide what is drawn between these points."""
@@ -441,7 +443,7 @@ class Layout:
         kept, found = self._kept.get(label), None
         if kept is not None and leader is not None and kept[1] in usable:
             found = search([kept])
-        if found is None or found[2] != FREE:
+        if found is None or found[2] == ON_SUBJECT:
             places: Iterable[_Candidate] = product(_GAPS_EM[:gaps], usable, sides)
             if best and usable:
                 places = list(places)
@@ -578,7 +580,18 @@ class Layout:
                 plate = _Box(
                     *(c + 0.7 * (side - c) for c, side in zip((x, y, x, y), box, strict=True))
                 )
-                leader.join(anchor, plate.nearest(end))
+                end = plate.nearest(end)
+                leader.join(self._rim(anchor, end), end)
+
+    def _rim(self, anchor: tuple[float, float], end: tuple[float, float]) -> tuple[float, float]:
+        """Where a line from a point leaves what is drawn there, and must not be struck out."""
+        (x, y), (end_x, end_y) = anchor, end
+        length = max(abs(end_x - x), abs(end_y - y))
+        for left, bottom, right, top in self._discs:
+            if left <= x <= right and bottom <= y <= top and length > 0.0:
+                part = min(1.0, 0.5 * (right - left) / length)
+                return x + part * (end_x - x), y + part * (end_y - y)
+        return anchor
 
 
 class _Box(NamedTuple):

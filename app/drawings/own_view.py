@@ -125,7 +125,8 @@ class OwnView:
         self._window, self._origin, self._middle = canvas.window, origin, middle
         self._em = canvas.style.font_size
         self._placed: tuple[float, ...] | None = None
-        self._framed = self._framed_first = np.empty((0, 3))
+        self._framed: Framed | None = None
+        self._framed_first: Framed | None = None
         self.fixed = ""
         self._flat: _Flat | None = None
         self._axes = np.eye(3)
@@ -186,7 +187,7 @@ class OwnView:
 
     def reset(self, framed: Framed) -> None:
         """Look from where most is seen of what must be told apart, or as the fixed view does."""
-        self._framed = self._framed_first = framed.points
+        self._framed = self._framed_first = framed
         if self.fixed:
             self._flat = None
         else:
@@ -204,17 +205,15 @@ class OwnView:
         bool
             Whether it has moved.
         """
-        points, eye = framed.points, framed.eye
-        first, now = self._framed_first, self._framed
-        if self.fixed:
-            if self._fits(points, self.pane.eye):
-                return False
-            self._flat = None
-        elif now is not first and self._fits(points, self._stand(first, eye)[0]):
-            points = first
+        points, first = framed.points, self._framed_first
+        assert first is not None
+        is_other = self._framed is not first and not self.fixed
+        if is_other and self._fits(points, self._stand(first)[0]):
+            self._framed = first
         elif self._fits(points, self.pane.eye):
             return False
-        self._framed = points
+        else:
+            self._framed, self._flat = framed, None
         self.place(framed)
         return True
 
@@ -237,8 +236,9 @@ class OwnView:
         if self.fixed:
             self.follow(framed)
             return
+        assert self._framed is not None
         camera = self._camera
-        position, seen = self._stand(self._framed, framed.eye)
+        position, seen = self._stand(self._framed)
         self._see_by_perspective()
         camera.SetPosition(*position)
         camera.SetFocalPoint(*seen)
@@ -258,17 +258,17 @@ class OwnView:
             max(0.5, (high - margin - below_em * self._em) / high),
         )
 
-    def _stand(self, framed: Array, eye: Array) -> tuple[Array, Array]:
+    def _stand(self, framed: Framed) -> tuple[Array, Array]:
         """Where to stand for these points, and what to look at: (3,) each."""
-        out, size_px = self._direction, self._size_px
+        out, size_px, eye = self._direction, self._size_px, framed.eye
         axes, half = _axes_from(out), math.tan(math.radians(_VIEW_ANGLE_DEG / 2.0))
         wide, high = self._room()
         slopes = half * wide * size_px[0] / size_px[1], half * high
-        position = _stand_back(axes, framed, slopes)
+        position = _stand_back(axes, framed.points, slopes)
         for _ in range(2):  # camera's body and axes are as large as the pane makes them
             unit = 2.0 * half / size_px[1] * float((position - eye) @ out)
             around = max(0.0, AROUND_PX * min(size_px) * unit)
-            position = _stand_back(axes, np.vstack([framed, eye + around * _SIX_WAYS]), slopes)
+            position = _stand_back(axes, np.vstack([framed.points, eye + around * _SIX_WAYS]), slopes)
         middle = float(self._middle @ out + eye @ out) / 2.0
         return position, position + (middle - float(position @ out)) * out
 
@@ -303,10 +303,10 @@ class OwnView:
         return self.fixed == "eye" and framed.has_eye
 
     def _frame_flat(self, axes: Array, framed: Framed) -> _Flat:
-        offsets = axes @ (self._framed - framed.eye).T
+        offsets = axes @ (framed.points - framed.eye).T
         wide_px, high_px = self._size_px
         if self._sees_from_eye(framed):
-            corners = self._framed if framed.corners is None else framed.corners
+            corners = framed.points if framed.corners is None else framed.corners
             x, y, depth = axes @ (corners - framed.eye).T
             wide, high = self._room()
             with np.errstate(divide="ignore", invalid="ignore"):

@@ -527,7 +527,7 @@ def _cube() -> Scene:
         ),
         Projection(
             Camera((2.4, 2.0, 3.2), (0.0, 0.5, 0.0)),
-            Perspective(fov_y_deg=45.0, near=1.8, far=7.0),
+            Perspective(fov_y_deg=45.0, near=1.6, far=7.0),
         ),
     )
 
