@@ -19,11 +19,17 @@ from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE
 from app.lecture.highlight import SIDES
 from app.model.projection import Array, Camera
 
-_BODY = 0.065  # size of the camera's body, of the scene's size and distance
+_PART_OF_PANE = 1.0 / 12.0  # that the camera's body takes, of the shorter side
 _SIX_WAYS = np.vstack([np.eye(3), -np.eye(3)])
 
 # The corners of a box round the camera's body, in view space and sizes of the body.
 _BODY_BOX = actors.CUBE_CORNERS * (0.6, 0.58, 0.7) + (0.0, 0.16, 0.7)
+# The diameter of a ball round it, and how far its nearest point can be before the eye.
+_BALL = 2.0 * float(np.linalg.norm((0.6, 0.58, 0.7)))
+_BEFORE = _BALL / 2.0 + float(np.linalg.norm((0.0, 0.16, 0.7)))
+_AROUND = 3.1  # body and axes are within so much of the eye
+AROUND_PX = _AROUND / _BALL * _PART_OF_PANE
+"""How far body and axes reach from the eye, of the pane's shorter side."""
 
 _WALLS = tuple(FACES[side] for side in SIDES)
 
@@ -111,12 +117,19 @@ class CameraDrawing:
         self.step: int | None = None
 
     def show(self, standing: Standing) -> None:
-        """Stand there."""
+        """Stand there; `follow` then says how large."""
         self._standing = standing
-        self.body_size = _BODY * standing.extent
-        self._local_from_body = _scaled(standing.local_from_view, self.body_size)
-        self._body_space.set(self._local_from_body)
         self._sight_space.set(_scaled(standing.local_from_view, standing.camera.distance))
+
+    def follow(self, pane: PaneView) -> None:
+        """Take a twelfth of the pane, however near its camera is: a sign and not a thing."""
+        eye = self._standing.eye
+        most_px = _PART_OF_PANE * min(pane.size_px)
+        depth = max(float(pane.axes[2] @ (eye - pane.eye)), 1e-6 * self._standing.extent)
+        growing = most_px * (pane.unit(1.0) - pane.unit(0.0))  # with what is nearer than the eye
+        self.body_size = most_px * float(pane.unit(depth)) / (_BALL + _BEFORE * float(growing))
+        self._local_from_body = _scaled(self._standing.local_from_view, self.body_size)
+        self._body_space.set(self._local_from_body)
 
     def show_step(self, step: int | None) -> None:
         """Build the frame up to a step of `app.lecture.camera_frame.STEPS`; None for all of it."""
@@ -156,7 +169,7 @@ class CameraDrawing:
     @property
     def around(self) -> Array:
         """What the body and its axes lie between, (6, 3)."""
-        return self._standing.eye + 3.0 * self.body_size * _SIX_WAYS
+        return self._standing.eye + _AROUND * self.body_size * _SIX_WAYS
 
     def depths(self, pane: PaneView) -> tuple[float, float, float]:
         """How far from the pane's camera eye, target and axes are."""
@@ -179,17 +192,15 @@ class CameraDrawing:
         """
         standing = self._standing
         eye, target = standing.eye, standing.target
-        eye_depth, target_depth, _ = depths
-        for space, point, depth, on_top in (
-            (self._eye_space, eye, eye_depth, 1.01),
-            (self._target_space, target, target_depth, 1.02),
-            (self._rim_space, target, target_depth, 1.03),
+        for space, point, on_top in (
+            (self._eye_space, eye, 1.01),
+            (self._target_space, target, 1.02),
+            (self._rim_space, target, 1.03),
         ):
-            k = _shrinking(depth, on_top * near)
-            space.place(k, (1.0 - k) * pane.eye + k * point)
-        k = _shrinking(eye_depth, max(near, eye_depth - 2.0 * self.axes_size))
+            space.place(*pane.brought(point, on_top * near))
+        k, at = pane.brought(eye, max(near, depths[0] - 2.0 * self.axes_size))
         pane_from_axes = _scaled(standing.local_from_view, k * self.axes_size)
-        pane_from_axes[:3, 3] = (1.0 - k) * pane.eye + k * eye
+        pane_from_axes[:3, 3] = at
         self._axes_space.set(pane_from_axes)
         if self.step is not None and self.steps is not None:
             self.steps.place(pane_from_axes, standing.camera)
@@ -236,11 +247,6 @@ def _camera_body() -> tuple[Array, list[tuple[int, ...]], list[tuple[int, ...]]]
     faces += [tuple(first + i for i in face) for face in prism]
     edges += [tuple(first + i for i in line) for line in ((0, 1, 2, 0), (3, 4, 5, 3), (2, 5))]
     return np.array(points), faces, edges
-
-
-def _shrinking(away: float, depth: float) -> float:
-    """How much all is to be shrunk towards the pane's camera to bring what is away to a depth."""
-    return depth / away if away > depth else 1.0
 
 
 def _scaled(local_from_view: Array, size: float) -> Array:

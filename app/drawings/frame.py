@@ -19,7 +19,7 @@ from app.drawings.style import Style
 from app.lecture.camera_frame import STEPS, up_and_view
 from app.model.projection import Array, Camera
 
-TIPS = {"v": (0.0, 1.7, 0.0), "n": (0.0, 0.0, 2.5), "u": (1.7, 0.0, 0.0)}
+TIPS = {"v": (0.0, 2.0, 0.0), "n": (0.0, 0.0, 2.6), "u": (2.0, 0.0, 0.0)}
 """Of the axes in view space, in sizes of the camera's body."""
 LARGER = 1.25
 """How much larger they are while they are built step by step."""
@@ -28,7 +28,7 @@ DIMMED = 0.22
 
 _RIGHT_ANGLES = {"u": ("up-u", "u-n"), "v": ("v-n", "v-u"), "view": ("u-n", "v-n", "v-u")}
 """Between which arrows a step shows right angles: those that it is about."""
-_UP, _LOOK = 2.4, (0.0, 0.0, -2.5)
+_UP, _LOOK = 2.7, (0.0, 0.0, -2.6)
 _SQUARE = 0.55  # side of a right angle's mark
 
 

@@ -29,7 +29,7 @@ from app.model.projection import Array, Lens, Projection
 CUBE = actors.CUBE_CORNERS * (1.0, 1.0, -0.5) + (0.0, 0.0, 0.5)
 """The corners of the reversed range's cube: near face at z = 1, far face at z = 0."""
 
-_BEYOND = 1.3  # how far the frustum is drawn, of the depth of what is looked at
+_BEYOND = 1.5  # how far the frustum is drawn, of the depth of what is looked at
 _BREAK = 0.8  # of the reach: where a break begins
 _STROKES_AT = 0.38  # of a broken edge
 _NEAR_TINT, _FAR_TINT = 0.3, 0.16  # opacities
@@ -237,14 +237,14 @@ class FrustumDrawing:
     def turn_breaks(self, pane: PaneView) -> None:
         """Turn the strokes of each broken edge until they cross it in the plane of the screen."""
         em = self._em
-        height_px = pane.size_px[1]
         for name, ends in self._break_ends.items():
             starts, along = ends[:4], ends[4:] - ends[:4]
             x, y, depth = pane.axes @ (starts + _STROKES_AT * along - pane.eye).T
             depth = np.maximum(np.abs(depth), 1e-9 * self._extent)
-            unit = 2.0 * pane.slope * depth / height_px  # the world's size of a pixel there
+            unit = pane.unit(depth)
+            away_per = 2.0 * pane.slope / (pane.size_px[1] * unit)  # by which what recedes shrinks
             right, up, away = pane.axes @ along.T
-            right, up = right - x * away / depth, up - y * away / depth
+            right, up = right - x * away * away_per, up - y * away * away_per
             length = np.hypot(right, up)
             turned = length > 1e-3 * unit
             right = np.where(turned, right / np.where(turned, length, 1.0), 1.0)

@@ -1,8 +1,9 @@
 """The marks by which the camera is taken hold of in a live pane; figures have none.
 
 One actor holds them all, a disc for a point, a diamond for a plane and a square for a corner, each
-with a rim: a step writes one small array of pixels. What is pointed out is larger and filled with
-the accent's colour, so that colour is not alone in telling it.
+with a rim, and round that a ring of the background's colour, which sets it off from what is drawn
+there: a step writes one small array of pixels. What is pointed out is larger and filled with the
+accent's colour, so that colour is not alone in telling it.
 """
 
 from __future__ import annotations
@@ -21,18 +22,19 @@ from app.drawings.actors import Canvas
 from app.drawings.style import Style, rgb
 from app.picking.handles import Handle, Spot
 
-APART_EM = 0.9
+APART_EM = 1.15
 """Of two marks at least."""
 
 _SHAPES = {
-    "eye": (16, 0.44),
-    "target": (16, 0.44),
-    "near": (4, 0.46),
-    "far": (4, 0.46),
-    "grip": (16, 0.44),
+    "eye": (16, 0.52),
+    "target": (16, 0.52),
+    "near": (4, 0.68),
+    "far": (4, 0.68),
+    "grip": (16, 0.52),
 }
-_CORNER = 4, 0.5  # corners of the mark, and its radius in em
-_RIM_EM = 0.11
+_CORNER = 4, 0.72  # corners of the mark, and its radius in em
+_RIM_EM = _RING_EM = 0.12
+_LAYERS = 3  # ring, rim and fill
 _POINTS = 16  # of each outline
 _POINTED_OUT = 1.4  # times as large
 _MOST = 10  # eye, target, near, far, four corners, and two points of a scene's settings
@@ -58,20 +60,21 @@ class HandleMarks:
         fills |= {name: getattr(style, name) for name in ("target", "near", "far")}
         self._fills = {name: _bytes(colour) for name, colour in fills.items()}
         self._accent, self._ink = _bytes(style.accent), _bytes(style.ink)
+        self._ring = _bytes(style.background)
         em = style.font_size
         self._outlines = {
             (name, out): em * _outline(*_SHAPES.get(name, _CORNER), _POINTED_OUT if out else 1.0)
             for name in fills
             for out in (False, True)
         }
-        self._places = np.zeros((_MOST, 2, _POINTS, 3), dtype=np.float32)
+        self._places = np.zeros((_MOST, _LAYERS, _POINTS, 3), dtype=np.float32)
         self._points = vtkPoints()
         places = numpy_to_vtk(self._places.reshape(-1, 3))  # type: ignore[no-untyped-call]
         self._points.SetData(places)
         cells = vtkCellArray()
-        for i in range(2 * _MOST):  # rim, fill, rim, ...: the later ones lie on top
+        for i in range(_LAYERS * _MOST):  # ring, rim, fill, ring, ...: the later ones lie on top
             cells.InsertNextCell(_POINTS, range(i * _POINTS, (i + 1) * _POINTS))
-        self._colours = np.zeros((_MOST, 2, 3), dtype=np.uint8)
+        self._colours = np.zeros((_MOST, _LAYERS, 3), dtype=np.uint8)
         self._scalars = numpy_to_vtk(self._colours.reshape(-1, 3))  # type: ignore[no-untyped-call]
         marks = vtkPolyData()
         marks.SetPoints(self._points)
@@ -100,19 +103,20 @@ class HandleMarks:
                 x, y = _AWAY_PX, _AWAY_PX
             out = handle == self.held
             self._places[i, ..., :2] = self._outlines[handle.name, out] + (x, height_px - y)
-            self._colours[i] = self._ink, self._accent if out else self._fills[handle.name]
+            fill = self._accent if out else self._fills[handle.name]
+            self._colours[i] = self._ring, self._ink, fill
         self._points.Modified()
         self._scalars.Modified()
 
 
 def _outline(corners: int, radius: float, factor: float) -> NDArray[np.float32]:
-    """A regular polygon in em, its corners repeated, and the same inside its rim: (2, 16, 2)."""
+    """A regular polygon in em, its corners repeated: with its ring, its rim, inside: (3, 16, 2)."""
     standing = corners == 4 and radius == _CORNER[1]  # the square on its side, not on its corner
     turns = np.repeat(np.arange(corners), _POINTS // corners) / corners + 0.125 * standing
     angles = 2.0 * math.pi * turns
     unit = np.column_stack([np.cos(angles), np.sin(angles)])
-    size = factor * radius
-    return np.stack([size * unit, (size - _RIM_EM) * unit]).astype(np.float32)
+    sizes = factor * radius + np.array([_RING_EM, 0.0, -_RIM_EM])
+    return (sizes[:, None, None] * unit).astype(np.float32)
 
 
 def _bytes(colour: str) -> tuple[int, ...]:

@@ -11,7 +11,7 @@ import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
 from itertools import product
-from typing import NamedTuple, TypeAlias
+from typing import Any, NamedTuple, Protocol, TypeAlias
 
 import numpy as np
 from vtkmodules.vtkCommonCore import vtkPoints
@@ -50,6 +50,8 @@ _BELOW_PLANE = (
 _ABOVE_PLANE = tuple((x, -y) for x, y in (_BELOW_PLANE[1:3] + _BELOW_PLANE[:1] + _BELOW_PLANE[3:]))
 _GAPS_EM = (0.5, 1.6, 3.0, 5.0, 8.0, 12.0)  # between a label and its point, best first
 _HIDES = (0.01, 0.05, 0.1)  # parts of the subject that a label may hide, rather than more
+FREE, CROSSING, ON_SUBJECT = range(3)
+"""What a place is like: it hides nothing; a leader runs under a label; part of the subject goes."""
 _LEADER_FROM_EM = 1.2  # a label as far from its point is joined to it by a line
 _OTHER_PLANE_EM = 2.0  # as far is each plane's label from the other one's corners
 _STAYS_WITHIN_EM = 3.0  # a label as near to its point stays where it is while something moves
@@ -70,21 +72,45 @@ class PaneView(NamedTuple):
     axes : (3, 3) array
         Rows: right, up and toward what it looks at.
     slope : float
-        Tangent of half the vertical angle of view.
+        Tangent of half the vertical angle of view; 0 of a parallel camera.
     size_px : (int, int)
+    flat : float
+        Half the height that a parallel camera sees, world units; 0 of one with an eye.
     """
 
     eye: Array
     axes: Array
     slope: float
     size_px: tuple[int, int]
+    flat: float = 0.0
+
+    def unit(self, depth: Any) -> Any:
+        """The world's size of a pixel at a depth, a float or an array."""
+        return 2.0 * (self.slope * depth + self.flat) / self.size_px[1]
+
+    def brought(self, point: Array, to_depth: float) -> tuple[float, Array]:
+        """Where a point comes that is brought before others without leaving its pixel.
+
+        Returns
+        -------
+        scale : float
+            By which what is there must shrink to look as large.
+        point : (3,) array
+            The same one, if it is as near already.
+        """
+        depth = float(self.axes[2] @ (point - self.eye))
+        if depth <= to_depth:
+            return 1.0, point
+        if self.flat:
+            return 1.0, point - (depth - to_depth) * self.axes[2]
+        scale = to_depth / depth
+        return scale, (1.0 - scale) * self.eye + scale * point
 
     def seen(self, points: Array) -> list[Spot]:
         """Where scene-local points, (n, 3), are in the pane."""
         width_px, height_px = self.size_px
         x, y, depth = self.axes @ (points - self.eye).T
-        in_front = np.where(depth > 0.0, depth, np.inf)
-        px = height_px / (2.0 * self.slope * in_front)
+        px = 1.0 / np.where(depth > 0.0, self.unit(depth), np.inf)
         spots = zip(
             (width_px / 2.0 + px * x).tolist(),
             (height_px / 2.0 + px * y).tolist(),
@@ -101,6 +127,8 @@ class PaneView(NamedTuple):
         rays = np.column_stack([_SAMPLES * (self.slope * width_px / height_px, self.slope), _ONES])
         # Cramer's rule for depth * ray = middle + s across + t up.
         spanned = np.stack([middle, across, up]) @ self.axes.T
+        if self.flat:
+            return self._covered_flat(spanned)
         scale = float(np.abs(spanned).max()) or 1.0  # a volume from afar would be beyond float64
         spanned /= scale
         # Row i is the cross product of the other two; much faster than numpy's own of one pair.
@@ -112,6 +140,20 @@ class PaneView(NamedTuple):
         on = (facing * volume > 0.0) & (np.abs(s) <= largest) & (np.abs(t) <= largest)
         px = (_SAMPLES[on] + 1.0) / 2.0 * self.size_px
         return list(map(tuple, np.column_stack([px, scale * volume / facing[on]]).tolist()))
+
+    def _covered_flat(self, spanned: Array) -> list[Spot]:
+        """`covered` of a parallel camera, by the middle and both halves in its own axes."""
+        middle, across, up = spanned
+        area = across[0] * up[1] - across[1] * up[0]
+        if abs(area) <= 1e-12 * float(np.abs(spanned[1:]).max()) ** 2:
+            return []  # seen edge on
+        width_px, height_px = self.size_px
+        x, y = (_SAMPLES * (self.flat * width_px / height_px, self.flat) - middle[:2]).T
+        s, t = (x * up[1] - y * up[0]) / area, (across[0] * y - across[1] * x) / area
+        depth = middle[2] + s * across[2] + t * up[2]
+        on = (np.abs(s) <= 1.0) & (np.abs(t) <= 1.0) & (depth > 0.0)
+        px = (_SAMPLES[on] + 1.0) / 2.0 * self.size_px
+        return list(map(tuple, np.column_stack([px, depth[on]]).tolist()))
 
     def parts_covered(self, faces: Array, least: float) -> list[float]:
         """How much of the pane parallelograms cover, 0..1 each; 0 where less than `least`.
@@ -179,7 +221,7 @@ class Labels:
         style, label = canvas.style, partial(canvas.label, in_pixels=True)
         # The leaders before all labels, whose plates hide the ends.
         self._leaders = {
-            name: _Leader(getattr(style, name), style.line_width)
+            name: Leader(getattr(style, name), style.line_width)
             for name in ("eye", "target", "near", "far", *AXES)
         }
         canvas.add(*(leader.actor for leader in self._leaders.values()))
@@ -215,6 +257,7 @@ class Labels:
         *,
         afresh: bool,
         first: Callable[[Layout, Callable[[Array], Sequence[Spot]]], None] | None = None,
+        subject: Subject | None = None,
     ) -> bool:
         """Put each label where it hides no other one, at its first place if that is free.
 
@@ -228,6 +271,8 @@ class Labels:
             jump while a control is dragged draw the eye away from what moves.
         first : callable, optional
             Places other labels before these, given the layout and `PaneView.seen`.
+        subject : Subject, optional
+            What no label hides while there is a place beside it.
 
         Returns
         -------
@@ -236,7 +281,8 @@ class Labels:
         """
         words, leaders = self._words, self._leaders
         before = self._kept
-        layout = Layout(pane.size_px, self._canvas.style.font_size, {} if afresh else before)
+        em = self._canvas.style.font_size
+        layout = Layout(pane.size_px, em, {} if afresh else before, subject)
         texts = [words["near"], words["far"]]
         if named.planes is not None:
             texts = [f"{t} {_distance(d)}" for t, d in zip(texts, named.planes, strict=True)]
@@ -259,15 +305,15 @@ class Labels:
                 i = named.arrows.index(name)
                 gaps = 1 if name in AXES else 3  # up can be anywhere, even on the view direction
                 by_the_arrow = partial(
-                    layout.place, label, words[name], spots[i:count:step], _ON, or_hide=True
+                    layout.place, label, words[name], spots[i:count:step], _ON, at_worst=FREE
                 )
                 if not by_the_arrow(gaps=gaps) and name in leaders:
                     crowded.append(partial(by_the_arrow, leader=leaders[name]))
             else:
                 label.set_visible(False)
         layout.place(self._target, words["target"], [target], _RIGHT_BELOW, leaders["target"])
-        layout.place(self._eye, words["eye"], [eye], _BELOW, leaders["eye"])
         layout.keep_free_box(spots[len(named.tips) : -16])
+        layout.place(self._eye, words["eye"], [eye], _BELOW, leaders["eye"])
         for i, (label, sides, leader) in enumerate(
             (
                 (self._near, _BELOW_PLANE, leaders["near"]),
@@ -278,13 +324,25 @@ class Labels:
             if named.corners is None:
                 layout.place(label, texts[i], [], sides, leader)  # nowhere
                 continue
-            if not layout.place(label, texts[i], planes[i], sides, leader, apart_from=others):
+            beside = partial(layout.place, label, texts[i], planes[i], sides, leader,
+                             apart_from=others)  # fmt: skip
+            if not beside(at_worst=CROSSING):
                 inside = pane.covered(corners[4 * i : 4 * i + 4])[:: 1 - 2 * i]
-                layout.place(label, texts[i], inside, _ON[:1], gaps=1, apart_from=others)
+                on_it = partial(layout.place, label, texts[i], inside, _ON[:1], gaps=1,
+                                apart_from=others)  # fmt: skip
+                if not on_it(at_worst=FREE) and not beside():
+                    on_it()
         for by_the_arrow in crowded:  # last: they take no other label's place
             by_the_arrow(gaps=3)
         self._kept = layout.settled
         return self._kept != before
+
+
+class Subject(Protocol):
+    """What a picture is of."""
+
+    def meets(self, left: float, bottom: float, right: float, top: float) -> bool:
+        """Whether anything of it is in a box, in pixels from the pane's left and bottom."""
 
 
 class Layout:
@@ -300,20 +358,28 @@ class Layout:
         Height of the labels' font, pixels.
     kept : mapping of Label to _Candidate
         Where labels are to stay if they still can.
+    subject : Subject, optional
+        What no label hides while there is a place beside it.
     """
 
     def __init__(
-        self, size_px: tuple[int, int], em: float, kept: Mapping[Label, _Candidate]
+        self,
+        size_px: tuple[int, int],
+        em: float,
+        kept: Mapping[Label, _Candidate],
+        subject: Subject | None = None,
     ) -> None:
-        self._size_px, self.em, self._kept = size_px, em, kept
+        self._size_px, self.em, self._kept, self._subject = size_px, em, kept, subject
         self._taken: list[_Box] = []
+        self._discs: list[_Box] = []
         self.settled: dict[Label, _Candidate] = {}
         """Which labels were put right next to their points, and where."""
 
     def keep_free(self, points: Sequence[Spot]) -> None:
         """Let no label hide what is drawn at these points."""
         half = 0.4 * self.em
-        self._taken += [_Box(x - half, y - half, x + half, y + half) for x, y, _ in points]
+        self._discs += [_Box(x - half, y - half, x + half, y + half) for x, y, _ in points]
+        self._taken += self._discs[-len(points) :]
 
     def keep_free_box(self, points: Sequence[Spot]) -> None:
         """Let no label hide what is drawn between these points."""
@@ -327,19 +393,20 @@ class Layout:
         text: str,
         points: Sequence[Spot],
         sides: Sequence[tuple[float, float]],
-        leader: _Leader | None = None,
+        leader: Leader | None = None,
         *,
         gaps: int = len(_GAPS_EM),
         apart_from: Sequence[Spot] = (),
         best: Sequence[int] = (),
-        or_hide: bool = False,
+        at_worst: int = ON_SUBJECT,
     ) -> bool:
         """Put a label as near as can be to one of these points, where it hides no other one.
 
         Parameters
         ----------
         label : Label
-            Anchored at its centre, in pixels. Hidden if none of the points is in the pane.
+            Anchored at its centre, in pixels. Hidden if none of the points is in the pane, or
+            there is no place where it hides no other label.
         text : str
             What is written on it.
         points : sequence of Spot
@@ -347,7 +414,7 @@ class Layout:
         sides : sequence of (float, float)
             Where the label's box is from the point, best first: -1 to the left of or below, 1 to
             the right of or above, 0 on it.
-        leader : _Leader, optional
+        leader : Leader, optional
             Joins the label to its point if they are far apart.
         gaps : int
             How many of `_GAPS_EM` to try.
@@ -355,8 +422,8 @@ class Layout:
             What the label must not seem to belong to.
         best : sequence of int, optional
             As `least_hiding` gives it: another order of the places beside a single point.
-        or_hide : bool
-            Rather than let it hide another one, hide the label.
+        at_worst : int
+            `FREE`, `CROSSING` or `ON_SUBJECT`: rather than put it on a worse place, hide it.
 
         Returns
         -------
@@ -372,26 +439,25 @@ class Layout:
             if depth > 0.0 and (leader is None or (0.0 <= x <= width_px and 0.0 <= y <= height_px))
         ]
         others = [(x, y) for x, y, depth in apart_from if depth > 0.0]
-        search = partial(self._search, points, half, others, leader is not None, not or_hide)
+        search = partial(self._search, points, half, others, leader is not None)
         kept, found = self._kept.get(label), None
         if kept is not None and leader is not None and kept[1] in usable:
             found = search([kept])
-        if found is None or not found[2]:
+        if found is None or found[2] == ON_SUBJECT:
             places: Iterable[_Candidate] = product(_GAPS_EM[:gaps], usable, sides)
             if best and usable:
                 places = list(places)
                 places = [places[i] for i in best]
             found = search(places)
-        if found is None or (or_hide and not found[2]):
+        if found is None or found[2] > at_worst:
             label.set_visible(False)
             if leader is not None:
                 leader.actor.SetVisibility(False)
             return False
-        candidate, box, free = found
-        if free:
-            self._taken.append(box)
-            if leader is not None and candidate[0] <= _STAYS_WITHIN_EM:
-                self.settled[label] = candidate
+        candidate, box, place = found
+        self._taken.append(box)
+        if leader is not None and place != ON_SUBJECT and candidate[0] <= _STAYS_WITHIN_EM:
+            self.settled[label] = candidate
         self._put(label, leader, points[candidate[1]][:2], box)
         return True
 
@@ -436,27 +502,26 @@ class Layout:
         half: tuple[float, float],
         others: Sequence[tuple[float, float]],
         has_leader: bool,
-        may_cross: bool,
         candidates: Iterable[_Candidate],
-    ) -> tuple[_Candidate, _Box, bool] | None:
-        """The first candidate that hides nothing, or else the first that is in the pane at all.
+    ) -> tuple[_Candidate, _Box, int] | None:
+        """The first candidate that hides nothing, or else the best that hides no other label.
 
         One whose leader runs under another label, which hides nothing either, is better than one
-        that hides a label.
+        that hides something of the subject.
 
         Returns
         -------
         candidate : _Candidate
         box : _Box
             Where the label is then.
-        free : bool
-            Whether it hides nothing.
+        place : int
+            `FREE`, `CROSSING` or `ON_SUBJECT`.
         """
         em, (width_px, height_px), taken = self.em, self._size_px, self._taken
+        hides = None if self._subject is None else self._subject.meets
         half_width, half_height = half
         least = _OTHER_PLANE_EM * em
-        crossing: tuple[_Candidate, _Box] | None = None
-        second_best: tuple[_Candidate, _Box] | None = None
+        worse: dict[int, tuple[_Candidate, _Box]] = {}
         for candidate in candidates:
             gap, i, (to_right, to_top) = candidate
             x, y, _ = points[i]
@@ -473,20 +538,22 @@ class Layout:
                 if math.hypot(away_x, away_y) < least:
                     break
             else:
-                if second_best is None:
-                    second_best = candidate, _Box(left, bottom, right, top)
                 for t_left, t_bottom, t_right, t_top in taken:
                     if left < t_right and right > t_left and bottom < t_top and top > t_bottom:
                         break
                 else:
                     box = _Box(left, bottom, right, top)
-                    joined = has_leader and gap > _LEADER_FROM_EM
-                    if not (joined and self._crosses(points[i], box)):
-                        return candidate, box, True
-                    crossing = crossing or (candidate, box)
-        if crossing is not None and may_cross:
-            return (*crossing, True)
-        return None if second_best is None else (*second_best, False)
+                    place = FREE
+                    if hides is not None and hides(left, bottom, right, top):
+                        place = ON_SUBJECT
+                    elif has_leader and gap > _LEADER_FROM_EM and self._crosses(points[i], box):
+                        place = CROSSING
+                    if place == FREE:
+                        return candidate, box, FREE
+                    worse.setdefault(place, (candidate, box))
+        for place in sorted(worse):
+            return (*worse[place], place)
+        return None
 
     def _crosses(self, anchor: Spot, box: _Box) -> bool:
         """Whether a line from a point to a label would seem to be another label's."""
@@ -500,7 +567,7 @@ class Layout:
         return False
 
     def _put(
-        self, label: Label, leader: _Leader | None, anchor: tuple[float, float], box: _Box
+        self, label: Label, leader: Leader | None, anchor: tuple[float, float], box: _Box
     ) -> None:
         x, y = (box.left + box.right) / 2.0, (box.bottom + box.top) / 2.0
         label.set_position((x, y, 0.0))
@@ -513,7 +580,18 @@ class Layout:
                 plate = _Box(
                     *(c + 0.7 * (side - c) for c, side in zip((x, y, x, y), box, strict=True))
                 )
-                leader.join(anchor, plate.nearest(end))
+                end = plate.nearest(end)
+                leader.join(self._rim(anchor, end), end)
+
+    def _rim(self, anchor: tuple[float, float], end: tuple[float, float]) -> tuple[float, float]:
+        """Where a line from a point leaves what is drawn there, and must not be struck out."""
+        (x, y), (end_x, end_y) = anchor, end
+        length = max(abs(end_x - x), abs(end_y - y))
+        for left, bottom, right, top in self._discs:
+            if left <= x <= right and bottom <= y <= top and length > 0.0:
+                part = min(1.0, 0.5 * (right - left) / length)
+                return x + part * (end_x - x), y + part * (end_y - y)
+        return anchor
 
 
 class _Box(NamedTuple):
@@ -530,7 +608,7 @@ class _Box(NamedTuple):
         return min(max(x, self.left), self.right), min(max(y, self.bottom), self.top)
 
 
-class _Leader:
+class Leader:
     """A thin line in the plane of the screen, from a label to what it names.
 
     Parameters
@@ -553,9 +631,13 @@ class _Leader:
         mapper.SetInputData(line)
         self.actor = vtkActor2D()
         self.actor.SetMapper(mapper)
-        self.actor.GetProperty().SetColor(*rgb(colour))
+        self.set_colour(colour)
         self.actor.GetProperty().SetLineWidth(width)
         self.actor.SetVisibility(False)
+
+    def set_colour(self, colour: str) -> None:
+        """Draw it in another colour."""
+        self.actor.GetProperty().SetColor(*rgb(colour))
 
     def join(self, start_px: tuple[float, float], end_px: tuple[float, float]) -> None:
         """Draw it between two pixels, counted from the left and from the bottom."""

@@ -39,7 +39,7 @@ from app.drawings.actors import (
     scene_actors,
     unlit_actor,
 )
-from app.drawings.labels import Layout, Spot
+from app.drawings.labels import Layout, Leader, Spot
 from app.drawings.style import Style, rgb
 from app.model.clipping import LARGEST_CLIP, clip_polygon, clip_segments
 from app.model.projection import Array
@@ -101,6 +101,8 @@ class MarksDrawing:
         As for `scene_actors`; cuts copies.
     over : bool
         Whether marks lie in one plane before everything else.
+    leads : bool
+        Whether a text that had to move away from its point is joined to it by a line.
     lifts_copies : bool
         Whether copies are brought forward here, and not by the matrices of `place_copies`.
     """
@@ -116,6 +118,7 @@ class MarksDrawing:
         clip: Iterable[vtkPlane] = (),
         over: bool = False,
         lifts_copies: bool = False,
+        leads: bool = False,
     ) -> None:
         self._canvas, self._scene, self._style, self._renderer = canvas, scene, style, renderer
         self._words = words
@@ -124,6 +127,8 @@ class MarksDrawing:
         self._dots: list[_Batch] = []
         self._faces: _Batch | None = None
         self._labels: list[Label] = []
+        self._leaders: list[Leader | None] = []
+        self._leads = leads
         self._best: dict[Label, Sequence[int]] = {}
         self._copies: list[_CopyActors] = []
         self._colours: dict[tuple[str, int], NDArray[np.uint8]] = {}
@@ -236,11 +241,20 @@ class MarksDrawing:
                 "", renderer=self._renderer, plate=style.ink, in_pixels=True, bold=True
             )
             self._labels.append(label)
-        for label, i, word in zip(self._labels, near, words, strict=False):
-            label.set_plate(self._named(texts[i].colour or "background"))
+            leader = Leader(style.ink, style.line_width / 2.0) if self._leads else None
+            if leader is not None:
+                self._canvas.add(leader.actor, renderer=self._renderer)
+            self._leaders.append(leader)
+        for label, leader, i, word in zip(self._labels, self._leaders, near, words, strict=False):
+            colour = texts[i].colour
+            label.set_plate(self._named(colour or "background"))
+            if leader is not None:
+                leader.set_colour(self._named(colour or "ink"))
             label.set_text(word)
-        for label in self._labels[len(near) :]:
+        for label, leader in list(zip(self._labels, self._leaders, strict=True))[len(near) :]:
             label.set_visible(False)
+            if leader is not None:
+                leader.actor.SetVisibility(False)
 
     def place_texts(
         self,
@@ -265,13 +279,17 @@ class MarksDrawing:
         count = len(self._texts)
         spots = seen(np.concatenate([self._text_points, self._dot_points]))
         layout.keep_free([spot for spot in spots[count:] if spot[2] > 0.0])
-        for label, text, spot in zip(self._labels, self._texts, spots, strict=False):
+        for label, leader, text, spot in zip(
+            self._labels, self._leaders, self._texts, spots, strict=False
+        ):
             label.set_size(layout.em)
+            if leader is not None:
+                layout.place(label, text, [spot], _BESIDE, leader)
+                continue
             if subject is not None:
                 self._best[label] = layout.least_hiding(text, spot, _BESIDE, _GAPS, subject)
             best = self._best.get(label, ())
-            if layout.place(label, text, [spot], _BESIDE, gaps=_GAPS, best=best):
-                label.set_visible(True)
+            layout.place(label, text, [spot], _BESIDE, gaps=_GAPS, best=best)
 
     # -- copies
 

@@ -59,7 +59,7 @@ class NearPicture:
         """Lay the scene onto the near plane of a frustum, as the pane's camera sees it."""
         lens, reach, depths = projection.lens, frustum.reach, standing.depths
         left_bottom, right_top = frustum.corners[0], frustum.corners[2]
-        px = math.dist(pane.eye, left_bottom) * 2.0 * pane.slope / pane.size_px[1]
+        px = pane.unit(math.dist(pane.eye, left_bottom))
         seen = math.dist(left_bottom, right_top) > _LEAST_PX * px
         if reach is None:
             seen = seen and projection.frustum_sign > 0

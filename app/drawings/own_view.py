@@ -1,26 +1,104 @@
 """The world pane's own camera, which looks at everything from outside and is not the model's.
 
-While nobody has moved it, it frames what is drawn; `OwnView.refit` follows when a gesture ends.
+Free, it frames what is drawn while nobody has moved it; `OwnView.refit` follows when a gesture
+ends. Fixed, it stands in the model's camera frame and goes with it:
+
+======  =========================  ===========  ==========================
+name    projection                 right, up    looks along
+======  =========================  ===========  ==========================
+side    parallel                   -n, v        -u
+top     parallel                   -n, -u       -v
+axis    parallel                   u, v         -n
+eye     perspective, from the eye  u, v         -n (a lens with an eye)
+======  =========================  ===========  ==========================
 """
 
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
+from itertools import product
+from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from app.drawings.actors import Canvas
+from app.drawings.camera import AROUND_PX
 from app.drawings.labels import PaneView
+from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE
 from app.model.projection import Array, Camera
 from app.picking.picking import Sight
 
+FIXED = ("side", "top", "axis", "eye")
+"""The fixed views; ``""`` is the free one."""
+
 _VIEW_ANGLE_DEG = 50.0
-_ELEVATION_DEG = 25.0  # and how far it stands behind the model's camera
-_BEHIND_DEG = 55.0
-_FILL = 0.86  # of the pane by what is framed; the rest is for the labels
+_MARGIN_EM = 1.6  # beside what is framed, for the labels; never more than half the pane
+_DIMENSIONS_EM = 5.5  # under it in a flat view, for the lines that say how far
 _SHRUNK = 0.4  # of the pane: what fills less of it is brought nearer by `refit`
 _NEAREST = 0.02  # of the distance to what is looked at: what is nearer is cut
 _LINES_LIFT = 2e-3  # of the distance: a face must not eat its own edges
+_SIX_WAYS = np.vstack([np.eye(3), -np.eye(3)])
+_STEEPEST_EYE = math.tan(math.radians(80.0))  # what a pane shows from the eye, at most
+_HIGHEST = math.sin(math.radians(80.0))  # that a view which was fixed looks down from, at most
+
+# Where the pane is looked from as it opens: how far behind the model's camera, and how high.
+_TURNS_DEG, _RISES_DEG = (20.0, 35.0, 50.0), (15.0, 25.0, 35.0)
+_GRID = 24  # of samples along each side of a square pane, by which it is chosen
+_EYE_PART = 0.1  # of half the pane, round the eye
+
+_AXES = {
+    "side": ((2, -1.0), (1, 1.0), (0, -1.0)),
+    "top": ((2, -1.0), (0, -1.0), (1, -1.0)),
+    "axis": ((0, 1.0), (1, 1.0), (2, -1.0)),
+    "eye": ((0, 1.0), (1, 1.0), (2, -1.0)),
+}
+"""Right, up and toward what is looked at: which of u, v, n, and with which sign."""
+
+
+class Framed(NamedTuple):
+    """What the pane shows, and how it is oriented.
+
+    Attributes
+    ----------
+    camera : Camera
+        The model's.
+    eye : (3,) array
+        Its own, scene-local.
+    points : (n, 3) array
+        What is to be in view, but for the camera's body and axes.
+    corners : (8, 3) array or None
+        Of the frustum.
+    objects : (8, 3) array
+        Of the box round them.
+    has_eye : bool
+        Whether the lens' projectors meet.
+    """
+
+    camera: Camera
+    eye: Array
+    points: Array
+    corners: Array | None
+    objects: Array
+    has_eye: bool
+
+
+class _Flat(NamedTuple):
+    """Where a fixed view stands, from the model's eye in the pane's own axes.
+
+    Attributes
+    ----------
+    right, up, back : float
+        Of the pane's camera; it looks forward.
+    half_height : float
+        That it sees; as a slope from the eye.
+    """
+
+    right: float
+    up: float
+    back: float
+    half_height: float
 
 
 class OwnView:
@@ -38,24 +116,38 @@ class OwnView:
     ----------
     pane : PaneView
         How it looks just now; a move from outside is seen by `look`.
+    fixed : str
+        One of `FIXED`, or ``""``.
     """
 
     def __init__(self, canvas: Canvas, origin: Array, middle: Array) -> None:
         self._camera = canvas.renderer.GetActiveCamera()
         self._window, self._origin, self._middle = canvas.window, origin, middle
+        self._em = canvas.style.font_size
         self._placed: tuple[float, ...] | None = None
-        self._framed = self._framed_first = np.empty((0, 3))
-        self.look()
+        self._framed: Framed | None = None
+        self._framed_first: Framed | None = None
+        self.fixed = ""
+        self._flat: _Flat | None = None
+        self._axes = np.eye(3)
+        self._take()
 
     def look(self) -> None:
-        """Take over where the camera stands."""
+        """Take over where the camera stands; a fixed view that was turned is fixed no more."""
+        if self.fixed and self.was_moved:
+            self._was_moved_while_fixed()
+        self._take()
+
+    def _take(self) -> None:
         camera = self._camera
         toward = np.array(camera.GetDirectionOfProjection())
         right = np.cross(toward, camera.GetViewUp())
         right /= np.linalg.norm(right)
         axes = np.stack([right, np.cross(right, toward), toward])
-        slope = math.tan(math.radians(camera.GetViewAngle()) / 2.0)
-        self.pane = PaneView(np.array(camera.GetPosition()), axes, slope, self._size_px)
+        slope, flat = math.tan(math.radians(camera.GetViewAngle()) / 2.0), 0.0
+        if camera.GetParallelProjection():
+            slope, flat = 0.0, camera.GetParallelScale()
+        self.pane = PaneView(np.array(camera.GetPosition()), axes, slope, self._size_px, flat)
 
     @property
     def _size_px(self) -> tuple[int, int]:
@@ -63,15 +155,20 @@ class OwnView:
         return max(1, width_px), max(1, height_px)
 
     @property
+    def _now(self) -> tuple[float, ...]:
+        camera = self._camera
+        scale = camera.GetParallelScale() if camera.GetParallelProjection() else 0.0
+        return (*camera.GetPosition(), *camera.GetFocalPoint(), scale)
+
+    @property
     def was_moved(self) -> bool:
         """Whether somebody has moved it since it was placed."""
-        camera = self._camera
-        return self._placed != (*camera.GetPosition(), *camera.GetFocalPoint())
+        return self._placed != self._now
 
     @property
     def view(self) -> Camera | None:
-        """Where it was moved to, in world coordinates; None if it was not."""
-        if not self.was_moved:
+        """Where it was moved to, in world coordinates; None if it was not, or is fixed."""
+        if self.fixed or not self.was_moved:
             return None
         camera, origin = self._camera, self._origin
         eye, target = camera.GetPosition(), camera.GetFocalPoint()
@@ -79,40 +176,26 @@ class OwnView:
 
     def show(self, view: Camera) -> None:
         """Move it to a `view` of before."""
+        self.fixed = ""
+        self._see_by_perspective()
         camera = self._camera
         camera.SetPosition(*(view.eye - self._origin))
         camera.SetFocalPoint(*(view.target - self._origin))
         camera.SetViewUp(*view.up)
 
-    def reset(self, frame: Array, eye: Array, points: Array) -> None:
-        """Stand beside the model's camera, with these points in view.
+    # -- the free view
 
-        Parameters
-        ----------
-        frame : (3, 3) array
-            The model's camera frame, rows u, v, n.
-        eye : (3,) array
-            The model's.
-        points : (n, 3) array
-        """
-        behind = np.array([frame[2, 0], 0.0, frame[2, 2]])
-        beside = np.cross(behind, (0.0, 1.0, 0.0))
-        if np.linalg.norm(beside) < 0.2:  # it looks straight down or up: stand at its right
-            beside = np.array([frame[0, 0], 0.0, frame[0, 2]])
-            if np.linalg.norm(beside) < 0.2:
-                beside = np.array([1.0, 0.0, 0.0])
-        beside /= np.linalg.norm(beside)
-        if beside @ (0.3, 0.0, 1.0) < 0.0:  # scenes show their fronts to +z
-            beside = -beside
-        turn, rise = math.radians(_BEHIND_DEG), math.radians(_ELEVATION_DEG)
-        level = math.cos(turn) * beside + math.sin(turn) * behind
-        level /= np.linalg.norm(level)
-        self._direction = math.cos(rise) * level + np.array([0.0, math.sin(rise), 0.0])
-        self._framed = self._framed_first = points
-        self.place(eye)
+    def reset(self, framed: Framed) -> None:
+        """Look from where most is seen of what must be told apart, or as the fixed view does."""
+        self._framed = self._framed_first = framed
+        if self.fixed:
+            self._flat = None
+        else:
+            self._direction = _clearest(framed, self._middle)
+        self.place(framed)
 
-    def refit(self, eye: Array, points: Array) -> bool:
-        """Frame these points if they have left the view or nearly vanished.
+    def refit(self, framed: Framed) -> bool:
+        """Frame what has left the view or nearly vanished.
 
         And go back to what `reset` framed as soon as that shows everything again. The direction
         of looking stays.
@@ -122,62 +205,163 @@ class OwnView:
         bool
             Whether it has moved.
         """
-        first, now = self._framed_first, self._framed
-        if now is not first and self._fits(points, self._stand(first, eye)[0]):
-            points = first
+        points, first = framed.points, self._framed_first
+        assert first is not None
+        is_other = self._framed is not first and not self.fixed
+        if is_other and self._fits(points, self._stand(first)[0]):
+            self._framed = first
         elif self._fits(points, self.pane.eye):
             return False
-        self._framed = points
-        self.place(eye)
+        else:
+            self._framed, self._flat = framed, None
+        self.place(framed)
         return True
 
     def _fits(self, points: Array, eye: Array) -> bool:
         """Whether points are in the view from `eye` in the direction of now, and large enough."""
-        x, y, depth = self.pane.axes @ (points - eye).T
-        if depth.min() <= 0.0:
+        pane = self.pane
+        x, y, depth = pane.axes @ (points - eye).T
+        if depth.min() <= 0.0 and self.fixed != "eye":
             return False
-        width_px, height_px = self.pane.size_px
+        width_px, height_px = pane.size_px
         # From -1 to 1 in the pane.
-        across = x / (depth * self.pane.slope * width_px / height_px)
-        up = y / (depth * self.pane.slope)
+        unit = np.where(depth > 0.0, pane.unit(depth), np.inf)
+        across, up = 2.0 * x / (unit * width_px), 2.0 * y / (unit * height_px)
         largest = max(float(np.ptp(across)), float(np.ptp(up))) / 2.0
         inside = max(float(np.abs(across).max()), float(np.abs(up).max())) <= 1.0
         return inside and largest >= _SHRUNK
 
-    def place(self, eye: Array) -> None:
-        """Stand in the direction of now from the framed points, as near as the window allows.
-
-        Parameters
-        ----------
-        eye : (3,) array
-            The model's.
-        """
+    def place(self, framed: Framed) -> None:
+        """Stand in the direction of now from the framed points, as near as the window allows."""
+        if self.fixed:
+            self.follow(framed)
+            return
+        assert self._framed is not None
         camera = self._camera
-        position, seen = self._stand(self._framed, eye)
-        camera.SetParallelProjection(False)
-        camera.SetViewAngle(_VIEW_ANGLE_DEG)
+        position, seen = self._stand(self._framed)
+        self._see_by_perspective()
         camera.SetPosition(*position)
         camera.SetFocalPoint(*seen)
         camera.SetViewUp(0.0, 1.0, 0.0)
-        self._placed = (*camera.GetPosition(), *camera.GetFocalPoint())
+        self._placed = self._now
 
-    def _stand(self, framed: Array, eye: Array) -> tuple[Array, Array]:
+    def _see_by_perspective(self) -> None:
+        self._camera.SetParallelProjection(False)
+        self._camera.SetViewAngle(_VIEW_ANGLE_DEG)
+
+    def _room(self, below_em: float = 0.0) -> tuple[float, float]:
+        """What of the pane's width and height is for what is framed, each 1/2 to 1."""
+        wide, high = self._size_px
+        margin = 2.0 * _MARGIN_EM * self._em
+        return (
+            max(0.5, (wide - margin) / wide),
+            max(0.5, (high - margin - below_em * self._em) / high),
+        )
+
+    def _stand(self, framed: Framed) -> tuple[Array, Array]:
         """Where to stand for these points, and what to look at: (3,) each."""
-        width_px, height_px = self._size_px
-        out = self._direction
-        right = np.cross((0.0, 1.0, 0.0), out)
-        right /= np.linalg.norm(right)
-        up = np.cross(out, right)
-        x, y, z = np.stack([right, up, out]) @ framed.T
-        half = math.tan(math.radians(_VIEW_ANGLE_DEG / 2.0)) * _FILL
-        centre, distance = [], -math.inf
-        for across, slope in ((x, half * width_px / height_px), (y, half)):
-            low, high = float((slope * z - across).max()), float((slope * z + across).max())
-            centre.append((high - low) / 2.0)
-            distance = max(distance, (high + low) / (2.0 * slope))
+        out, size_px, eye = self._direction, self._size_px, framed.eye
+        axes, half = _axes_from(out), math.tan(math.radians(_VIEW_ANGLE_DEG / 2.0))
+        wide, high = self._room()
+        slopes = half * wide * size_px[0] / size_px[1], half * high
+        position = _stand_back(axes, framed.points, slopes)
+        for _ in range(2):  # camera's body and axes are as large as the pane makes them
+            unit = 2.0 * half / size_px[1] * float((position - eye) @ out)
+            around = max(0.0, AROUND_PX * min(size_px) * unit)
+            position = _stand_back(axes, np.vstack([framed.points, eye + around * _SIX_WAYS]), slopes)
         middle = float(self._middle @ out + eye @ out) / 2.0
-        position: Array = centre[0] * right + centre[1] * up + distance * out
-        return position, position + (middle - distance) * out
+        return position, position + (middle - float(position @ out)) * out
+
+    # -- fixed views
+
+    def fix(self, name: str, framed: Framed) -> None:
+        """Take one of `FIXED`, or ``""`` for the free view, as it opens."""
+        self.fixed = name
+        self.reset(framed)
+
+    def follow(self, framed: Framed) -> None:
+        """Stand where the model's camera has taken a fixed view."""
+        frame = framed.camera.frame
+        right, up, toward = (sign * frame[which] for which, sign in _AXES[self.fixed])
+        if self._flat is None:
+            self._flat = self._frame_flat(np.stack([right, up, toward]), framed)
+        flat, camera = self._flat, self._camera
+        position = framed.eye + flat.right * right + flat.up * up - flat.back * toward
+        away = max(flat.back, framed.camera.distance)
+        camera.SetParallelProjection(not self._sees_from_eye(framed))
+        if camera.GetParallelProjection():
+            camera.SetParallelScale(flat.half_height)
+        else:
+            camera.SetViewAngle(2.0 * math.degrees(math.atan(flat.half_height)))
+        camera.SetPosition(*position)
+        camera.SetFocalPoint(*(position + away * toward))
+        camera.SetViewUp(*up)
+        self._axes = np.stack([right, up, toward])
+        self._placed = self._now
+
+    def _sees_from_eye(self, framed: Framed) -> bool:
+        return self.fixed == "eye" and framed.has_eye
+
+    def _frame_flat(self, axes: Array, framed: Framed) -> _Flat:
+        offsets = axes @ (framed.points - framed.eye).T
+        wide_px, high_px = self._size_px
+        if self._sees_from_eye(framed):
+            corners = framed.points if framed.corners is None else framed.corners
+            x, y, depth = axes @ (corners - framed.eye).T
+            wide, high = self._room()
+            with np.errstate(divide="ignore", invalid="ignore"):
+                across, up = np.abs(x / depth).max(), np.abs(y / depth).max()
+            slope = max(up / high, across / wide * high_px / wide_px)
+            return _Flat(0.0, 0.0, 0.0, min(slope, _STEEPEST_EYE) if slope > 0.0 else 1.0)
+        below = 0.0 if self.fixed in ("axis", "eye") else _DIMENSIONS_EM
+        wide, high = self._room(below)
+        low, most = offsets[:2].min(axis=1), offsets[:2].max(axis=1)
+        middle, half = (low + most) / 2.0, 0.0
+        for _ in range(2):
+            half = max((most[1] - low[1]) / (2.0 * high), 1e-12 * float(np.abs(offsets).max()))
+            half = max(half, (most[0] - low[0]) / (2.0 * wide) * high_px / wide_px)
+            around = AROUND_PX * min(wide_px, high_px) * 2.0 * half / high_px
+            low, most = np.minimum(low, -around), np.maximum(most, around)
+            middle = (low + most) / 2.0
+        middle[1] -= below * self._em / high_px * half
+        deepest = float(np.linalg.norm(offsets, axis=0).max()) + around
+        return _Flat(float(middle[0]), float(middle[1]), 2.0 * deepest, float(half))
+
+    def _was_moved_while_fixed(self) -> None:
+        """Keep the fixed view if it was shifted or enlarged; a turn makes the free one of it."""
+        camera, (right, up, toward), flat = self._camera, self._axes, self._flat
+        assert flat is not None
+        now = np.array(camera.GetDirectionOfProjection())
+        position = np.array(camera.GetPosition())
+        if camera.GetParallelProjection() and float(now @ toward) > 1.0 - 1e-12:
+            eye = np.array(self._placed[:3]) if self._placed else position
+            shift = position - eye
+            self._flat = flat._replace(
+                right=flat.right + float(shift @ right),
+                up=flat.up + float(shift @ up),
+                half_height=camera.GetParallelScale(),
+            )
+            self._placed = self._now
+            return
+        self.fixed = ""
+        if camera.GetParallelProjection():  # as large as it was, seen from a place
+            distance = camera.GetParallelScale() / math.tan(math.radians(_VIEW_ANGLE_DEG) / 2.0)
+            focus = np.array(camera.GetFocalPoint())
+        else:
+            distance, focus = camera.GetDistance(), np.array(camera.GetFocalPoint())
+        if abs(now[1]) > _HIGHEST:  # the free view keeps the world's vertical, and needs one
+            level = math.copysign(1.0, -now[1]) * np.array([up[0], 0.0, up[2]])
+            if not np.linalg.norm(level) > 1e-6:
+                level = np.array([0.0, 0.0, -1.0])
+            level *= math.sqrt(1.0 - _HIGHEST**2) / np.linalg.norm(level)
+            now = level + np.array([0.0, math.copysign(_HIGHEST, now[1]), 0.0])
+        self._see_by_perspective()
+        camera.SetFocalPoint(*focus)
+        camera.SetPosition(*(focus - distance * now))
+        camera.SetViewUp(0.0, 1.0, 0.0)
+        self._placed = None
+
+    # -- what depends on where it stands
 
     def fit_range(self, points: Array, *depths: float) -> float:
         """Let the camera see all of these points; tell from which depth on it sees.
@@ -198,9 +382,12 @@ class OwnView:
 
     def lifted(self, times: float) -> Array:
         """Nearer to the camera by a part of the distance, for lines on faces, (4, 4)."""
-        lift = np.eye(4)
+        lift, pane = np.eye(4), self.pane
+        if pane.flat:
+            lift[:3, 3] = -times * _LINES_LIFT * 2.0 * pane.flat * pane.axes[2]
+            return lift
         lift[:3, :3] *= 1.0 - times * _LINES_LIFT
-        lift[:3, 3] = times * _LINES_LIFT * self.pane.eye
+        lift[:3, 3] = times * _LINES_LIFT * pane.eye
         return lift
 
     @property
@@ -208,12 +395,108 @@ class OwnView:
         """How the pane looks at the world just now."""
         pane = self.pane
         width_px, height_px = pane.size_px
-        px = height_px / (2.0 * pane.slope)
         right, up, toward = pane.axes
         rows = np.zeros((4, 4))
-        rows[0, :3] = width_px / 2.0 * toward + px * right
-        rows[1, :3] = height_px / 2.0 * toward - px * up
-        rows[2, 3] = -1.0
-        rows[3, :3] = toward
+        px = height_px / (2.0 * (pane.flat or pane.slope))
+        if pane.flat:
+            rows[3, 3] = 1.0
+            rows[2, :3] = toward
+        else:
+            rows[3, :3] = toward
+            rows[2, 3] = -1.0
+        rows[0] = width_px / 2.0 * rows[3]
+        rows[1] = height_px / 2.0 * rows[3]
+        rows[0, :3] += px * right
+        rows[1, :3] -= px * up
         nearest, _ = self._camera.GetClippingRange()
         return Sight(pane.eye + self._origin, rows, np.array([(*toward, -nearest)]))
+
+
+# --------------------------------------------------------------------------- the opening view
+
+
+def _axes_from(out: Array) -> Array:
+    """Right, up and toward what is looked at of a camera that stands in a direction, (3, 3)."""
+    right = np.cross((0.0, 1.0, 0.0), out)
+    right /= np.linalg.norm(right)
+    return np.stack([right, np.cross(out, right), -out])
+
+
+def _stand_back(axes: Array, points: Array, slopes: tuple[float, float]) -> Array:
+    """From where these points just fill a view of these slopes, (3,)."""
+    right, up, toward = axes
+    x, y, away = axes @ points.T
+    centre, distance = [], -math.inf
+    for across, slope in ((x, slopes[0]), (y, slopes[1])):
+        low, high = float((-slope * away - across).max()), float((-slope * away + across).max())
+        centre.append((high - low) / 2.0)
+        distance = max(distance, (high + low) / (2.0 * slope))
+    position: Array = centre[0] * right + centre[1] * up - distance * toward
+    return position
+
+
+def _directions(frame: Array) -> Iterator[Array]:
+    """From where the pane may be looked at: beside the model's camera, and a little behind it."""
+    behind = np.array([frame[2, 0], 0.0, frame[2, 2]])
+    beside = np.cross(behind, (0.0, 1.0, 0.0))
+    if np.linalg.norm(beside) < 0.2:  # it looks straight down or up: stand at its right
+        beside = np.array([frame[0, 0], 0.0, frame[0, 2]])
+        if np.linalg.norm(beside) < 0.2:
+            beside = np.array([1.0, 0.0, 0.0])
+    beside /= np.linalg.norm(beside)
+    if beside @ (0.3, 0.0, 1.0) < 0.0:  # scenes show their fronts to +z
+        beside = -beside
+    for turn_deg, rise_deg in product(_TURNS_DEG, _RISES_DEG):
+        turn, rise = math.radians(turn_deg), math.radians(rise_deg)
+        level = math.cos(turn) * beside + math.sin(turn) * behind
+        level /= np.linalg.norm(level)
+        yield math.cos(rise) * level + np.array([0.0, math.sin(rise), 0.0])
+
+
+def _clearest(framed: Framed, middle: Array) -> Array:
+    """The direction from which most is seen of eye, near plane, objects and far plane, (3,).
+
+    By how much of a square pane each of the four takes that none of the others does, and all of
+    the drawing together: the product of these parts is largest. The same for a pane of any other
+    proportions, so that a pane that is enlarged shows what it showed.
+    """
+    half = math.tan(math.radians(_VIEW_ANGLE_DEG / 2.0))
+    eye = framed.eye[None]
+    corners = np.tile(eye, (8, 1)) if framed.corners is None else framed.corners
+    best, found = -math.inf, None
+    for out in _directions(framed.camera.frame):
+        axes = _axes_from(out)
+        position = _stand_back(axes, np.vstack([framed.points, eye]), (half, half))
+        x, y, away = axes @ (np.vstack([eye, corners, framed.objects]) - position).T
+        spots = np.stack([x, y], axis=1) / (half * away)[:, None]
+        eye_spot, frustum, objects = spots[0], spots[1:9], spots[9:]
+        sides = [list(face) for face in FACES.values()]
+        near, far = _inside(frustum[[NEAR_FACE, FAR_FACE]])
+        thing = _inside(objects[sides]).any(axis=0)
+        whole = _inside(frustum[sides]).any(axis=0) | thing
+        at_eye = (np.abs(_SPOTS - eye_spot) < _EYE_PART).all(axis=1)
+        parts = (
+            near & ~thing & ~at_eye,
+            thing & ~near & ~at_eye,
+            far & ~thing & ~near & ~at_eye,
+            at_eye & ~near & ~far & ~thing,
+            whole,
+        )
+        shown = math.prod(max(0.5, float(part.sum())) for part in parts)
+        if shown > best:
+            best, found = shown, out
+    assert found is not None
+    return found
+
+
+_STEPS = (np.arange(_GRID) + 0.5) * (2.0 / _GRID) - 1.0
+_SPOTS = np.stack(np.meshgrid(_STEPS, _STEPS), axis=-1).reshape(-1, 2)
+
+
+def _inside(faces: Array) -> NDArray[np.bool_]:
+    """Which of `_SPOTS` are in convex faces, (n, 4, 2): (n, `_GRID` ** 2)."""
+    along = np.roll(faces, -1, axis=1) - faces
+    to_spot = _SPOTS - faces[:, :, None]
+    turns = along[:, :, None, 0] * to_spot[..., 1] - along[:, :, None, 1] * to_spot[..., 0]
+    found: NDArray[np.bool_] = np.logical_or((turns >= 0.0).all(axis=1), (turns <= 0.0).all(axis=1))
+    return found

@@ -55,7 +55,7 @@ class Style:
     frustum: str
     accent: str
     line_width: float = 2.0
-    font_size: float = 13.0
+    font_size: float = 12.0
 
     def enlarged(self, factor: float) -> Style:
         """Larger text and lines: for a projector's back row, or a finer screen."""

@@ -12,7 +12,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -23,13 +22,14 @@ from app.drawings.camera import CameraDrawing, Standing, view_matrices
 from app.drawings.frame import DIMMED
 from app.drawings.frustum import CUBE, FrustumDrawing
 from app.drawings.handles import APART_EM, HandleMarks
-from app.drawings.labels import Labels, Layout, Named
-from app.drawings.marks import MarksDrawing, Placing, spread_over
+from app.drawings.labels import Labels, Layout, Named, PaneView
+from app.drawings.marks import MarksDrawing, Placing
 from app.drawings.near_picture import NearPicture
-from app.drawings.own_view import OwnView
+from app.drawings.own_view import Framed, OwnView
 from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at, volume_edges
 from app.drawings.probes import Probes
 from app.drawings.rasterising import Rasteriser
+from app.drawings.silhouette import Mask, Silhouette
 from app.drawings.style import Style
 from app.lecture.highlight import CORNERS, Highlight
 from app.model.projection import Array, Camera, Projection
@@ -107,7 +107,10 @@ class WorldDrawing:
         self.handles = HandleMarks(canvas, style) if live else None
         self._highlighted: Highlight = frozenset()
         self._marks: MarksDrawing | None = None
-        self._marked = self._subject = np.empty((0, 3))
+        self._marked = np.empty((0, 3))
+        self._silhouette = Silhouette(scene, style.font_size)
+        self._masked_for: PaneView | None = None
+        self._mask: Mask | None = None
         self._grips: dict[str, Array] = {}
         self._standing: Standing | None = None
         self.own = OwnView(canvas, self._origin, self._objects.mean(axis=0))
@@ -260,41 +263,33 @@ class WorldDrawing:
         corners = self.frustum.corners if self.frustum.seen else None
         named = Named(at.eye, at.target, arrows, tips, self.camera.box, corners, planes)
         first = None
-        if self._marks is not None or (self.handles is not None and corners is not None):
-            first = partial(self._place_first, afresh=afresh, corners=corners)
-        return self.labels.lay_out(self.own.pane, named, afresh=afresh, first=first)
+        if self._marks is not None or self.handles is not None:
+            first = self._place_first
+        pane = self.own.pane
+        if pane is not self._masked_for:
+            self._masked_for, self._mask = pane, self._silhouette.seen(pane)
+        return self.labels.lay_out(pane, named, afresh=afresh, first=first, subject=self._mask)
 
-    def _place_first(
-        self,
-        layout: Layout,
-        seen: Callable[[Array], Sequence[Spot]],
-        *,
-        afresh: bool,
-        corners: Array | None,
-    ) -> None:
-        """What the labels keep off: the far corners' handles, and the texts of a scene."""
-        if self.handles is not None and corners is not None:
-            layout.keep_free(seen(corners[4:]))
+    def _place_first(self, layout: Layout, seen: Callable[[Array], Sequence[Spot]]) -> None:
+        """What the labels keep off: the handles, and the texts of a scene."""
+        if self.handles is not None:
+            height_px = self.own.pane.size_px[1]
+            layout.keep_free([(x, height_px - y, 1.0) for _, (x, y) in self.handles.shown])
         if self._marks is not None:
-            self._place_texts(layout, seen, afresh=afresh)
-
-    def _place_texts(
-        self, layout: Layout, seen: Callable[[Array], Sequence[Spot]], *, afresh: bool
-    ) -> None:
-        assert self._marks is not None
-        subject = None
-        if afresh:
-            spots = [spot[:2] for spot in seen(self._subject) if spot[2] > 0.0]
-            subject = np.array(spots).reshape(-1, 2)
-        self._marks.place_texts(layout, seen, subject)
+            self._marks.place_texts(layout, seen)
 
     # -- the pane's own camera
 
     def reset_view(self) -> None:
         """Put the pane's own camera beside the model's, with all that is drawn in view."""
-        at = self._stands
-        self.own.reset(at.camera.frame, at.eye, self._points_to_frame())
+        self.own.reset(self._framed())
         self.reset_clipping_range()
+
+    def _framed(self) -> Framed:
+        at, frustum = self._stands, self.frustum
+        corners = frustum.corners if frustum.seen else None
+        points, has_eye = self._points_to_frame(), self._projection.lens.central
+        return Framed(at.camera, at.eye, points, corners, self._objects, has_eye)
 
     def refit(self) -> bool:
         """Fit a view that nobody has moved, if what it framed has left it or nearly vanished.
@@ -310,7 +305,7 @@ class WorldDrawing:
         bool
             Whether anything was changed, and so has to be painted again.
         """
-        if self.own.was_moved or not self.own.refit(self._stands.eye, self._points_to_frame()):
+        if self.own.was_moved or not self.own.refit(self._framed()):
             return self._place_labels(afresh=True)
         self.reset_clipping_range()
         return True
@@ -335,9 +330,7 @@ class WorldDrawing:
         centre = (self._objects.mean(axis=0) + at.eye) / 2.0
         away = np.linalg.norm(self._marked - self._objects.mean(axis=0), axis=1)
         marked = self._marked[away <= _FRAMED_MARK * self._scene.size]
-        points = np.concatenate(
-            [self._objects, self.camera.around, self.frustum.corners, [at.target], marked]
-        )
+        points = np.concatenate([self._objects, self.frustum.corners, [at.eye, at.target], marked])
         offsets = points - centre
         lengths = np.maximum(np.linalg.norm(offsets, axis=1, keepdims=True), 1e-300)
         whole, nearby = _WHOLE * at.extent, _NEARBY * at.extent
@@ -348,7 +341,7 @@ class WorldDrawing:
     def _lay_out(self, _width_px: int, _height_px: int) -> None:
         """Fit a view that nobody has moved into a window of another size."""
         if not self.own.was_moved:
-            self.own.place(self._stands.eye)
+            self.own.place(self._framed())
         self.reset_clipping_range()
 
     def reset_clipping_range(self) -> None:
@@ -362,6 +355,8 @@ class WorldDrawing:
     def _follow_pane(self, *, afresh: bool) -> None:
         """All that depends on the model and on where the pane's camera stands."""
         pane, frustum, at = self.own.pane, self.frustum, self._stands
+        self.camera.follow(pane)
+        self._place_handles()
         self._place_labels(afresh=afresh)
         frustum.tint(pane, self._light)
         self.picture.show(self._projection, at, frustum, pane)
@@ -370,7 +365,6 @@ class WorldDrawing:
         drawn = [self._everything, self.camera.around, frustum.corners, self._marked]
         near = self.own.fit_range(np.concatenate(drawn), *depths[1:])
         self.camera.come_before(pane, depths, near)
-        self._place_handles()
         if self._probes.probes:
             self._place_probes()
 
@@ -410,8 +404,9 @@ class WorldDrawing:
         if self._marks is None:
             if illustration is None:
                 return
-            self._subject = spread_over(self._scene)
-            self._marks = MarksDrawing(self._canvas, self._scene, self._canvas.style, self._words)
+            self._marks = MarksDrawing(
+                self._canvas, self._scene, self._canvas.style, self._words, leads=True
+            )
         marks, limit = self._marks, _FARTHEST_MARK * self._stands.extent
         self._grips = (
             {} if illustration is None else {g.setting: g.point for g in illustration.grips}

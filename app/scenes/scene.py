@@ -513,7 +513,7 @@ def _letter_f() -> Scene:
         *letter_f_on_grid((-8.0, -8.0), (8.0, 8.0)),
         Projection(
             Camera((6.0, 5.0, 9.0), (0.0, 2.2, 0.0)),
-            Perspective(fov_y_deg=45.0, near=1.0, far=30.0),
+            Perspective(fov_y_deg=45.0, near=4.0, far=18.0),
         ),
     )
 
@@ -532,7 +532,7 @@ def _cube() -> Scene:
         ),
         Projection(
             Camera((2.4, 2.0, 3.2), (0.0, 0.5, 0.0)),
-            Perspective(fov_y_deg=45.0, near=1.0, far=10.0),
+            Perspective(fov_y_deg=45.0, near=1.6, far=7.0),
         ),
     )
 
@@ -564,7 +564,7 @@ def _posts() -> Scene:
         joined(ground, *lines),
         Projection(
             Camera((6.0, 5.0, 9.0), (1.0, 1.8, -8.0)),
-            Perspective(fov_y_deg=45.0, near=1.0, far=150.0),
+            Perspective(fov_y_deg=45.0, near=6.0, far=130.0),
         ),
     )
 

@@ -279,7 +279,7 @@ def _diagram(f_mm: float, n: float, focus: float, c_mm: float, sharp: Sharpness)
 
 _START = Projection(
     Camera((0.0, 1.3, 0.0), (0.0, 1.0, -5.0)),
-    Perspective(fov_y_deg=28.0, near=0.5, far=30.0),
+    Perspective(fov_y_deg=28.0, near=1.2, far=26.0),
 )
 
 PHENOMENON = Phenomenon(

@@ -279,7 +279,7 @@ PHENOMENON = Phenomenon(
     lectures=("002", "003"),
     start=Projection(
         Camera((1.5, 4.0, 10.0), (0.0, 0.0, 0.5)),
-        Perspective(fov_y_deg=50.0, near=1.0, far=40.0),
+        Perspective(fov_y_deg=50.0, near=3.0, far=24.0),
     ),
     geometry=_geometry,
     show=_show,

@@ -292,7 +292,7 @@ PHENOMENON = Phenomenon(
     start=oblique(
         Projection(
             Camera((0.0, 1.0, 8.0), (0.0, 1.0, 0.0)),
-            Orthographic(-2.1 * 16 / 9, 2.1 * 16 / 9, -2.1, 2.1, 5.0, 15.0, "y"),
+            Orthographic(-2.1 * 16 / 9, 2.1 * 16 / 9, -2.1, 2.1, 5.0, 13.0, "y"),
         ),
         1.0,
         45.0,

@@ -317,7 +317,7 @@ PHENOMENON = Phenomenon(
     start=Projection(
         Camera((1.5, 2.4, 8.0), (1.5, 2.4, 0.0)),
         # The window is 8 by 4.5 in the plane z = 0, 8 units away; its middle is 1.5 to the left.
-        Frustum(-5.5 / 8.0, 2.5 / 8.0, -2.25 / 8.0, 2.25 / 8.0, 1.0, 30.0, "y"),
+        Frustum(-5.5 / 4.0, 2.5 / 4.0, -2.25 / 4.0, 2.25 / 4.0, 2.0, 19.0, "y"),
     ),
     geometry=_geometry,
     show=_show,

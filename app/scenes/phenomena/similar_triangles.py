@@ -193,7 +193,7 @@ def _marked(where: Array) -> Marks:
 
 _START = Projection(
     Camera((5.5, 3.6, 9.5), (0.3, 2.4, 0.0)),
-    Perspective(fov_y_deg=40.0, near=1.0, far=14.0),
+    Perspective(fov_y_deg=40.0, near=2.0, far=14.0),
 )
 
 PHENOMENON = Phenomenon(
