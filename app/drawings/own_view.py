@@ -268,7 +268,9 @@ class OwnView:
         for _ in range(2):  # camera's body and axes are as large as the pane makes them
             unit = 2.0 * half / size_px[1] * float((position - eye) @ out)
             around = max(0.0, AROUND_PX * min(size_px) * unit)
-            position = _stand_back(axes, np.vstack([framed.points, eye + around * _SIX_WAYS]), slopes)
+            position = _stand_back(
+                axes, np.vstack([framed.points, eye + around * _SIX_WAYS]), slopes
+            )
         middle = float(self._middle @ out + eye @ out) / 2.0
         return position, position + (middle - float(position @ out)) * out
 

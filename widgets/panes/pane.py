@@ -213,6 +213,7 @@ class Pane(QFrame):
         self._fewer: Scene | None = None
         self._detail_is_stale = False
         self._matrices_ms = 0.0
+        self._beside_title: tuple[QWidget, int] | None = None
 
         self.title = Title(title)
         self.note = Title("", "paneNote")
@@ -416,6 +417,13 @@ class Pane(QFrame):
         """Put a widget under the canvas: it is hidden, enlarged and floated with the pane."""
         self._column.addWidget(widget, 1, 0)
 
+    def add_to_header(self, widget: QWidget, least_px: int) -> None:
+        """Put a widget beside the title, seen while the pane is at least so wide."""
+        layout = self.header.layout()
+        assert layout is not None
+        layout.addWidget(widget)
+        self._beside_title = widget, least_px
+
     def set_title(self, title: str, note: str) -> None:
         """Name what the pane shows now; its own name, for screen readers, stays."""
         self.title.setText(title)
@@ -503,6 +511,9 @@ class Pane(QFrame):
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
+        if self._beside_title is not None:
+            widget, least_px = self._beside_title
+            widget.setVisible(self.width() >= least_px)
         self.header.setMaximumWidth(max(0, self.width() - self._tools.sizeHint().width()))
 
     def moveEvent(self, event: QMoveEvent) -> None:

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
     QLabel,
     QLineEdit,
     QMainWindow,
+    QMenu,
     QSizePolicy,
     QToolBar,
     QToolButton,
@@ -139,6 +140,8 @@ class Actions(QObject):
         self.show_cost.setToolTip(
             self.tr("Measure what every step takes: the model, each pane's matrices and repaint")
         )
+        self.fixed: dict[str, QAction] = {}
+        self.layers: dict[str, QAction] = {}
         self._make_view_menu(theme)
         self.help = self._action(self.tr("&Keys and mouse"), help_.show_keys, keys.HelpContents)
         self._make_help_menu()
@@ -245,6 +248,7 @@ class Actions(QObject):
         menu.addSeparator()
         self.controls = self._toggle(self.tr("&Controls"), self.controls_shown, True, "F4")
         menu.addActions([self.controls, self.show_cost])
+        self._make_look_menus(menu)
         themes = menu.addMenu(self.tr("&Theme"))
         group = QActionGroup(self._window)
         for value, text in (
@@ -260,6 +264,36 @@ class Actions(QObject):
         menu.addAction(
             self._action(self.tr("&Full screen"), self._toggle_full_screen, FULL_SCREEN_KEY)
         )
+
+    def _make_look_menus(self, menu: QMenu) -> None:
+        """From where the world is looked at, and what of the drawings is seen."""
+        looked = menu.addMenu(self.tr("Look at the &world"))
+        group = QActionGroup(self._window)
+        for name, text in (
+            ("", self.tr("&Freely")),
+            ("side", self.tr("From the &side")),
+            ("top", self.tr("From &above")),
+            ("axis", self.tr("Along the a&xis")),
+            ("eye", self.tr("From the &eye")),
+        ):
+            self.fixed[name] = action = self._action(text)
+            action.setCheckable(True)
+            group.addAction(action)
+            looked.addAction(action)
+        self.fixed[""].setChecked(True)
+        layers = menu.addMenu(self.tr("&Layers"))
+        for name, text in (
+            ("labels", self.tr("&Labels")),
+            ("handles", self.tr("&Handles")),
+            ("grid", self.tr("&Grid")),
+            ("frustum", self.tr("&Frustum")),
+            ("camera", self.tr("&Camera")),
+            ("near-picture", self.tr("&Picture on the near plane")),
+        ):
+            self.layers[name] = action = self._action(text)
+            action.setCheckable(True)
+            action.setChecked(True)
+            layers.addAction(action)
 
     def _make_help_menu(self) -> None:
         menu = self._window.menuBar().addMenu(self.tr("&Help"))

@@ -28,6 +28,7 @@ from widgets.panes.stage_strip import StageStrip
 from widgets.parts.panel import Changed, Panel, Shown
 from widgets.window.drawer import Panels
 from widgets.window.slots import Slots
+from widgets.window.world_look import WorldLook
 
 
 def cameras(panes: Mapping[str, Pane]) -> dict[str, Camera]:
@@ -43,6 +44,7 @@ class Arrangement(QObject):
     ----------
     panes : mapping of str to Pane
     slots : Slots
+    world : WorldLook
     strip : StageStrip
     drawer : Panels
     panels : mapping of str to Panel
@@ -59,6 +61,7 @@ class Arrangement(QObject):
         self,
         panes: Mapping[str, Pane],
         slots: Slots,
+        world: WorldLook,
         strip: StageStrip,
         drawer: Panels,
         panels: Mapping[str, Panel],
@@ -68,7 +71,7 @@ class Arrangement(QObject):
         window: QWidget,
     ) -> None:
         super().__init__(window)
-        self._panes, self._slots, self._strip = panes, slots, strip
+        self._panes, self._slots, self._strip, self._world = panes, slots, strip, world
         self._drawer, self._panels = drawer, panels
         self._matrices, self._frame, self._probes = matrices, frame, probes
         self._given = View()
@@ -87,6 +90,8 @@ class Arrangement(QObject):
             frame_step=STEPS[self._frame.step],
             panel=next(opened, ""),
             letters=self._matrices.letters.currentData(),
+            layers=self._world.hidden,
+            fixed=self._world.fixed,
             probes=self._probes.probes,
             pinned=self._probes.pinned,
             panes=elsewhere | cameras(self._panes),
@@ -100,6 +105,7 @@ class Arrangement(QObject):
         """Arrange the window so; what is so already is left alone."""
         self._given = view
         self._slots.arrange(view.layout, view.large, self._slots.whole)
+        self._world.show(view.fixed, view.layers)
         self._strip.go_to(view.stage)
         self._frame.go_to(STEPS.index(view.frame_step))
         if view.panel is not None:  # else the scene has opened its own

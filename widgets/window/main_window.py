@@ -79,6 +79,7 @@ from widgets.window.settings import data_folder
 from widgets.window.slots import LARGE_AND_SMALL, PRESENTING, Slots
 from widgets.window.start_card import FirstSteps, StartCard
 from widgets.window.status_line import StatusLine
+from widgets.window.world_look import WorldLook
 
 
 def _world(*args: Any) -> Any:
@@ -320,6 +321,7 @@ class MainWindow(QMainWindow):
         self.arrangement = Arrangement(
             self.panes,
             self.slots,
+            WorldLook(self.panes, self.menus),
             self.strip,
             self.panels,
             dict(zip(PANELS, self.panels.all, strict=True)),

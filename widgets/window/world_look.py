@@ -1,0 +1,119 @@
+"""From where the world is looked at, and which layers of the drawings are seen.
+
+::
+
+    buttons on the world pane, menu --> WorldLook --> panes
+    Arrangement (the document's view) <----'  ^
+                      '-----------------------'
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import partial
+
+from PySide6.QtCore import QObject
+from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QToolButton, QWidget
+
+from app.document.view import FIXED, LAYERS
+from widgets.panes.pane import Pane
+from widgets.window.actions import Actions
+
+LEAST_PANE_PX = 420
+"""In a narrower pane the buttons give way to its title; the menu has them all the same."""
+
+
+class FixedViews(QWidget):
+    """A button for each place that the world can be looked at from."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("fixedViews")
+        texts = {
+            "": (self.tr("Free"), self.tr("From where the hand has turned it")),
+            "side": (
+                self.tr("Side"),
+                self.tr("From the side: the flat sketch of the blackboard, with its lengths"),
+            ),
+            "top": (self.tr("Above"), self.tr("From above, flat, with its lengths")),
+            "axis": (self.tr("Axis"), self.tr("Along the camera's axis, flat")),
+            "eye": (self.tr("Eye"), self.tr("From the eye, as the camera sees it")),
+        }
+        row = QHBoxLayout(self)
+        row.setContentsMargins(8, 0, 0, 0)
+        row.setSpacing(0)
+        self.group = QButtonGroup(self)
+        self.buttons: dict[str, QToolButton] = {}
+        for name in ("", *FIXED):
+            button = QToolButton()
+            button.setAutoRaise(True)
+            button.setCheckable(True)
+            button.setText(texts[name][0])
+            button.setToolTip(texts[name][1])
+            self.group.addButton(button)
+            self.buttons[name] = button
+            row.addWidget(button)
+        self.buttons[""].setChecked(True)
+
+
+class WorldLook(QObject):
+    """Lets the world be looked at from fixed places, and layers be hidden.
+
+    Parameters
+    ----------
+    panes : mapping of str to Pane
+    menus : Actions
+
+    Attributes
+    ----------
+    fixed : str
+        One of `FIXED`, or "" for freely.
+    hidden : frozenset of str
+        Of `LAYERS`.
+    """
+
+    def __init__(self, panes: Mapping[str, Pane], menus: Actions) -> None:
+        super().__init__(menus)
+        self._panes, self._world, self._menus = panes, panes["world"], menus
+        self.fixed, self.hidden = "", frozenset[str]()
+        self._views = FixedViews()
+        self._world.add_to_header(self._views, LEAST_PANE_PX)
+        for name, button in self._views.buttons.items():
+            button.clicked.connect(partial(self.show, name, None))
+            menus.fixed[name].triggered.connect(partial(self.show, name, None))
+        for action in menus.layers.values():
+            action.triggered.connect(self._switch)
+        self._world.hand.moved.connect(self._leave)
+
+    def show(self, fixed: str, hidden: frozenset[str] | None = None, _on: bool = True) -> None:
+        """Look so from now on.
+
+        Parameters
+        ----------
+        fixed : str
+        hidden : frozenset of str or None
+            None to leave the layers as they are.
+        """
+        if hidden is not None and hidden != self.hidden:
+            self.hidden = hidden
+            for pane in self._panes.values():
+                pane.show_layers(hidden)
+        if fixed != self.fixed:
+            self.fixed = fixed
+            self._world.show_fixed(fixed)
+        self._mark()
+
+    def _switch(self) -> None:
+        layers = self._menus.layers
+        self.show(self.fixed, frozenset(n for n in LAYERS if not layers[n].isChecked()))
+
+    def _leave(self) -> None:
+        """A hand has turned it: it is looked at freely from there."""
+        if self.fixed:
+            self.show("")
+
+    def _mark(self) -> None:
+        self._views.buttons[self.fixed].setChecked(True)
+        self._menus.fixed[self.fixed].setChecked(True)
+        for name, action in self._menus.layers.items():
+            action.setChecked(name not in self.hidden)
