@@ -14,7 +14,7 @@ import time
 from collections.abc import Callable, Sequence
 from typing import Any, Protocol, cast
 
-from PySide6.QtCore import QPoint, QPointF, Qt, Signal
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt, Signal
 from PySide6.QtGui import (
     QCloseEvent,
     QKeyEvent,
@@ -428,6 +428,7 @@ class Pane(QFrame):
         """Name what the pane shows now; its own name, for screen readers, stays."""
         self.title.setText(title)
         self.note.setText(note)
+        self._fit_header()
 
     def set_smoothing(self, smoothing: str) -> None:
         """Change antialiasing, to one of `SMOOTHINGS`; the next repaint shows it."""
@@ -490,7 +491,9 @@ class Pane(QFrame):
             Called while the pane is hidden: puts it where it shall be.
         """
         self.hide()
-        if window is not None:
+        if window is None:
+            self.setWindowFlags(Qt.WindowType.Widget)  # `place` takes it for a docked one
+        else:
             self.setParent(window, Qt.WindowType.Window)
         place()
         # Qt keeps the canvas' texture, which belongs to the old window, until the size changes.
@@ -511,10 +514,26 @@ class Pane(QFrame):
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
+        self._fit_header()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self._fit_header()
+
+    def _fit_header(self) -> None:
+        """Leave the note what the title and the buttons leave of the width."""
+        room = max(0, self.width() - self._tools.sizeHint().width())
+        bar = self.header.layout()
+        margins = bar.contentsMargins()
+        taken = margins.left() + self.title.sizeHint().width() + bar.spacing() + margins.right()
         if self._beside_title is not None:
             widget, least_px = self._beside_title
             widget.setVisible(self.width() >= least_px)
-        self.header.setMaximumWidth(max(0, self.width() - self._tools.sizeHint().width()))
+            if self.width() >= least_px:
+                taken += bar.spacing() + widget.sizeHint().width()
+        self.header.setMaximumWidth(room)
+        self.note.setMaximumWidth(max(0, room - taken))
 
     def moveEvent(self, event: QMoveEvent) -> None:
         super().moveEvent(event)

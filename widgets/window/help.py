@@ -57,19 +57,27 @@ class Help(QObject):
                 "<p>The strip below the NDC pane: drag it, or press ← → (or ↑ ↓) to go from stop to"
                 " stop, PageUp and PageDown for a small step, Home and End for its ends; a click"
                 " on a name goes there, ▶ plays.</p>"
-                "<p>Double-click a pane's title to enlarge it (F6, F7, F8; F9 shows all).</p>"
+                "<p>Double-click a pane's title to make it large; again, as large as the window,"
+                " and back. {4}, {5} and {6} do the same for world, NDC cube and image; {7} goes"
+                " back to all panes. Esc leaves what is on top.</p>"
+                "<p>F5 presents: the panes fill the screen, in letters for the back row. The tool"
+                " bar comes when the mouse is at the top of the screen. B blanks the screen, P"
+                " marks in all panes what the mouse is over.</p>"
                 "<p>Each control: drag the slider, or type a number and press Enter; Esc takes"
                 " back what you typed; double-click the name to reset it.</p>"
                 "<p>Matrices: double-click a number of view ← world or clip ← view (F2 or Enter)"
                 " to type another; Tab goes on to the next, Esc leaves it.</p>"
                 "<p>{0} plays the orbit, {1} undoes (a drag is one step), {2} resets all, {3}"
-                " exports, {4} is for the projector, F4 hides the controls.</p>"
+                " exports, F4 hides the controls.</p>"
                 "<p>Drop a document, a mesh (OBJ, STL, PLY, glTF) or an exported picture on the"
                 " window to open it.</p>"
             ).format(
                 *(
                     QKeySequence(key).toString(QKeySequence.SequenceFormat.NativeText)
-                    for key in (PLAY_KEY, "Ctrl+Z", "Ctrl+R", "Ctrl+E", "Ctrl+P")
+                    for key in (
+                        PLAY_KEY, "Ctrl+Z", "Ctrl+R", "Ctrl+E", "Ctrl+1", "Ctrl+2", "Ctrl+3",
+                        "Ctrl+0",
+                    )  # fmt: skip
                 )
             ),
         )

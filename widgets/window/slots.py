@@ -25,7 +25,8 @@ from widgets.panes.stage_strip import StageStrip
 from widgets.parts.panel import Changed, Shown
 
 COLUMN_WIDTHS = [400, 305, 330]
-LARGE_AND_SMALL = [590, 480]
+LARGE_AND_SMALL = [584, 486]
+IMAGE_AND_SMALL = [640, 430]
 PRESENTING = [500, 530]
 """For a class, whose letters take more of the smaller pictures."""
 UPPER_AND_LOWER = [318, 378]
@@ -67,9 +68,11 @@ class Slots(QSplitter):
         self.layout_name, self.large, self.whole = LAYOUTS[0], next(iter(panes)), ""
         self.leading = self.large
         self._widths = LARGE_AND_SMALL
+        self._is_by_hand = False
         self._small = QSplitter(Qt.Orientation.Vertical)
         for splitter in (self, self._small):
             splitter.setChildrenCollapsible(False)
+            splitter.splitterMoved.connect(self._dragged)
         for name, pane in panes.items():
             pane.setMinimumSize(*LEAST_PANE_PX)
             pane.enlarge_requested.connect(partial(self.bring, name))
@@ -118,13 +121,13 @@ class Slots(QSplitter):
             return
         moved = (layout, large) != (self.layout_name, self.large)
         kept = self.sizes(), self._small.sizes()
-        shared = layout == self.layout_name and not self.whole and not whole
+        stays = self._is_by_hand and layout == self.layout_name and not self.whole and not whole
         self.layout_name, self.large, self.whole = layout, large, whole
         with self._still():
             if moved:
                 self._place()
             self._reveal()
-            if moved and shared and len(kept[0]) == self.count():
+            if moved and stays and len(kept[0]) == self.count():
                 self.setSizes(kept[0])
                 self._small.setSizes(kept[1])
             elif moved:
@@ -192,8 +195,13 @@ class Slots(QSplitter):
     def share(self, large_and_small: list[int] | None = None) -> None:
         """Give the slots the room that they have at first, or from now on."""
         self._widths = large_and_small or self._widths
-        self.setSizes([*COLUMN_WIDTHS, 0] if self.layout_name == "columns" else self._widths)
+        self._is_by_hand = False
+        widths = IMAGE_AND_SMALL if self.large == "image" else self._widths
+        self.setSizes([*COLUMN_WIDTHS, 0] if self.layout_name == "columns" else widths)
         self._small.setSizes(UPPER_AND_LOWER)
+
+    def _dragged(self) -> None:
+        self._is_by_hand = True
 
     @contextmanager
     def _still(self) -> Iterator[None]:
