@@ -525,6 +525,7 @@ class Pane(QFrame):
         """Leave the note what the title and the buttons leave of the width."""
         room = max(0, self.width() - self._tools.sizeHint().width())
         bar = self.header.layout()
+        assert bar is not None
         margins = bar.contentsMargins()
         taken = margins.left() + self.title.sizeHint().width() + bar.spacing() + margins.right()
         if self._beside_title is not None:

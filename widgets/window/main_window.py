@@ -156,6 +156,7 @@ class MainWindow(QMainWindow):
         self.setObjectName("mainWindow")
         self.setAcceptDrops(True)
         self._is_closed = False
+        self.start_card: StartCard | None = None
         self._is_narrow = False
         self._folded: Panel | None = None
         """The panel that is open when no pane has the whole window."""
@@ -496,7 +497,9 @@ class MainWindow(QMainWindow):
 
     def show_start_card(self) -> None:
         """Offer the scenes as pictures, and three things to try."""
-        card = StartCard(
+        if self.start_card is not None:
+            return
+        self.start_card = card = StartCard(
             self,
             self.menus.scene_titles,
             self.files.recent,
@@ -507,14 +510,17 @@ class MainWindow(QMainWindow):
         card.file_chosen.connect(self.files.open)
         card.open_wanted.connect(self.files.open_dialog)
         card.always_set.connect(partial(setattr, self.settings, "start_card"))
+        card.left.connect(self._forget_start_card)
         card.open()
         self.first_steps.show()
 
+    def _forget_start_card(self) -> None:
+        self.start_card = None
+
     def _on_top(self) -> Callable[[], object] | None:
         """What Esc leaves: the start card, a message, an empty screen, a whole pane, presenting."""
-        card = self.findChild(StartCard)
-        if card is not None and card.isVisible():
-            return card.close
+        if self.start_card is not None:
+            return self.start_card.close
         if self.messages.text and not self.messages.choices:  # an offer would be lost
             return self.messages.done
         if self.slots.whole and not self.present.is_blank:
