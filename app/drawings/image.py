@@ -18,6 +18,7 @@ from vtkmodules.vtkRenderingCore import vtkRenderer
 
 from app.drawings.actors import Canvas, Space, face_actor, identity_camera, lifted
 from app.drawings.labels import Layout
+from app.drawings.layers import Layers
 from app.drawings.marks import MarksDrawing, Placing, spread_over
 from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at
 from app.drawings.precision import ModelActors, least_tolerance
@@ -160,6 +161,12 @@ class ImageDrawing:
         self._show_illustration(illustration)
         if self._probes.probes:
             self._place_probes()
+
+    def show_layers(self, hidden: Layers) -> None:
+        """Switch labels and grid off, if they are among these layers; then show a projection."""
+        if ("grid" in hidden) != ("grid" in self._canvas.hidden):
+            self._model.show_grid("grid" not in hidden)
+        self._canvas.show_layers(hidden)
 
     def show_detail(self, fewer: Scene | None) -> None:
         """Take a scene's fewer triangles, or all for None; then show a projection."""

@@ -35,7 +35,7 @@ FIXED = ("side", "top", "axis", "eye")
 
 _VIEW_ANGLE_DEG = 50.0
 _MARGIN_EM = 1.6  # beside what is framed, for the labels; never more than half the pane
-_DIMENSIONS_EM = 5.5  # under it in a flat view, for the lines that say how far
+_DIMENSIONS_EM = 8.5  # under it in a flat view, for the lines that say how far and a sentence
 _SHRUNK = 0.4  # of the pane: what fills less of it is brought nearer by `refit`
 _NEAREST = 0.02  # of the distance to what is looked at: what is nearer is cut
 _LINES_LIFT = 2e-3  # of the distance: a face must not eat its own edges
@@ -128,6 +128,7 @@ class OwnView:
         self._framed: Framed | None = None
         self._framed_first: Framed | None = None
         self.fixed = ""
+        self._was_shifted = False
         self._flat: _Flat | None = None
         self._axes = np.eye(3)
         self._take()
@@ -188,9 +189,8 @@ class OwnView:
     def reset(self, framed: Framed) -> None:
         """Look from where most is seen of what must be told apart, or as the fixed view does."""
         self._framed = self._framed_first = framed
-        if self.fixed:
-            self._flat = None
-        else:
+        self._was_shifted = False
+        if not self.fixed:
             self._direction = _clearest(framed, self._middle)
         self.place(framed)
 
@@ -205,15 +205,28 @@ class OwnView:
         bool
             Whether it has moved.
         """
+        if self.fixed:
+            return self._refit_fixed(framed)
         points, first = framed.points, self._framed_first
         assert first is not None
-        is_other = self._framed is not first and not self.fixed
-        if is_other and self._fits(points, self._stand(first)[0]):
+        if self._framed is not first and self._fits(points, self._stand(first)[0]):
             self._framed = first
         elif self._fits(points, self.pane.eye):
             return False
         else:
-            self._framed, self._flat = framed, None
+            self._framed = framed
+        self.place(framed)
+        return True
+
+    def _refit_fixed(self, framed: Framed) -> bool:
+        before = self._flat
+        assert before is not None
+        now = self._frame_flat(self._axes, framed)
+        size = max(before.half_height, now.half_height)
+        aside = max(abs(before.right - now.right), abs(before.up - now.up))
+        is_seen = now.half_height + aside <= 1.02 * before.half_height
+        if self._was_shifted or (is_seen and now.half_height >= _SHRUNK * size):
+            return False
         self.place(framed)
         return True
 
@@ -221,7 +234,7 @@ class OwnView:
         """Whether points are in the view from `eye` in the direction of now, and large enough."""
         pane = self.pane
         x, y, depth = pane.axes @ (points - eye).T
-        if depth.min() <= 0.0 and self.fixed != "eye":
+        if depth.min() <= 0.0:
             return False
         width_px, height_px = pane.size_px
         # From -1 to 1 in the pane.
@@ -234,6 +247,8 @@ class OwnView:
     def place(self, framed: Framed) -> None:
         """Stand in the direction of now from the framed points, as near as the window allows."""
         if self.fixed:
+            if not self._was_shifted:
+                self._flat = None
             self.follow(framed)
             return
         assert self._framed is not None
@@ -290,7 +305,7 @@ class OwnView:
         flat, camera = self._flat, self._camera
         position = framed.eye + flat.right * right + flat.up * up - flat.back * toward
         away = max(flat.back, framed.camera.distance)
-        camera.SetParallelProjection(not self._sees_from_eye(framed))
+        camera.SetParallelProjection(self.fixed != "eye" or not framed.has_eye)
         if camera.GetParallelProjection():
             camera.SetParallelScale(flat.half_height)
         else:
@@ -301,13 +316,15 @@ class OwnView:
         self._axes = np.stack([right, up, toward])
         self._placed = self._now
 
-    def _sees_from_eye(self, framed: Framed) -> bool:
-        return self.fixed == "eye" and framed.has_eye
+    @property
+    def sees_from_eye(self) -> bool:
+        """Whether the pane's camera stands in the model's."""
+        return self.fixed == "eye" and not self._camera.GetParallelProjection()
 
     def _frame_flat(self, axes: Array, framed: Framed) -> _Flat:
         offsets = axes @ (framed.points - framed.eye).T
         wide_px, high_px = self._size_px
-        if self._sees_from_eye(framed):
+        if self.fixed == "eye" and framed.has_eye:
             corners = framed.points if framed.corners is None else framed.corners
             x, y, depth = axes @ (corners - framed.eye).T
             wide, high = self._room()
@@ -343,7 +360,7 @@ class OwnView:
                 up=flat.up + float(shift @ up),
                 half_height=camera.GetParallelScale(),
             )
-            self._placed = self._now
+            self._placed, self._was_shifted = self._now, True
             return
         self.fixed = ""
         if camera.GetParallelProjection():  # as large as it was, seen from a place

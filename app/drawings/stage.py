@@ -28,6 +28,7 @@ from vtkmodules.vtkCommonDataModel import vtkPlane
 from app.drawings.actors import Canvas, Space, lift_lines
 from app.drawings.frustum import CUBE
 from app.drawings.labels import Layout
+from app.drawings.layers import Layers
 from app.drawings.marks import MarksDrawing, Placing
 from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at, volume_edges
 from app.drawings.precision import ModelActors, least_tolerance
@@ -139,6 +140,12 @@ class StageDrawing:
             scene = self._scene
             self._made = morph_of(self._projection, scene.origin, scene.corners)
         return self._made
+
+    def show_layers(self, hidden: Layers) -> None:
+        """Switch labels and grid off, if they are among these layers; then show a projection."""
+        if ("grid" in hidden) != ("grid" in self._canvas.hidden):
+            self._model.show_grid("grid" not in hidden)
+        self._canvas.show_layers(hidden)
 
     def show_detail(self, fewer: Scene | None) -> None:
         """Take a scene's fewer triangles, or all for None; then show a projection."""

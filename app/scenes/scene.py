@@ -44,8 +44,7 @@ from app.scenes.phenomena.illustration import OwnMesh, Subject
 from app.scenes.reading import read
 from app.scenes.shapes import (
     EDGE_RGB,
-    GRID_AXIS_RGB,
-    GRID_RGB,
+    OUTLINE_RGB,
     PLATE_RGB,
     SIDE_RGB,
     Coloured,
@@ -55,6 +54,7 @@ from app.scenes.shapes import (
     edges_of,
     flat,
     ground_grid,
+    is_grid,
     joined,
     letter_f_on_grid,
     written_number,
@@ -556,7 +556,7 @@ def _posts() -> Scene:
         digits = written_number(number, (0.0, 2.05, z + 0.06), height=0.8)
         quads += [(post, wood), (plate, plate_rgb), (digits, flat(EDGE_RGB, len(digits)))]
         outline = edges_of(plate)[0]  # grey: far away there is little else than outline
-        lines.append((outline, flat(GRID_AXIS_RGB, len(outline))))
+        lines.append((outline, flat(OUTLINE_RGB, len(outline))))
     ground = ground_grid((-10.0, -126.0), (10.0, 12.0), (2.0, 6.0), 0.0)
     return _built_in(
         "posts",
@@ -641,7 +641,7 @@ def _scene_of_phenomenon(
     mesh.points += place
     report(progress, 0.6)
     rgb = _face_colours(mesh, progress)
-    grid = (lines[1] == GRID_RGB).all(axis=1) | (lines[1] == GRID_AXIS_RGB).all(axis=1)
+    grid = is_grid(lines[1])
     scene = replace(
         scene,
         surface=_poly_data(mesh.points, mesh.offsets, mesh.corners, rgb),

@@ -32,6 +32,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.drawings.layers import Layers
 from app.lecture.highlight import NOTHING, Highlight
 from app.model.projection import Camera, Projection
 from app.picking.picking import Probe, Sight
@@ -72,6 +73,9 @@ class Drawing(Protocol):
     def reset_clipping_range(self) -> None:
         """Fit the pane camera's own near and far to the drawing after it has moved."""
 
+    def show_layers(self, hidden: Layers) -> None:
+        """Switch off what the drawing has of these layers; then show a projection."""
+
     @property
     def view(self) -> Camera | None:
         """Where the pane's own camera was moved to; None if it was not."""
@@ -108,6 +112,17 @@ class SteppedDrawing(Drawing, Protocol):
 
     def show_step(self, step: int | None) -> None:
         """Build it up to a step, or show what is always shown; draw nothing yet."""
+
+
+class FixedDrawing(Drawing, Protocol):
+    """A drawing that has fixed views beside the free one."""
+
+    @property
+    def fixed(self) -> str:
+        """The fixed view that is shown; ``""`` for the free one."""
+
+    def show_fixed(self, view: str) -> None:
+        """Take a fixed view, or the free one; draw nothing yet."""
 
 
 class _WholePixels(QWidget):
@@ -170,6 +185,8 @@ class Pane(QFrame):
     """
 
     concerns = PROJECTION | {"illustration"}
+    fixed_left = Signal()
+    """The fixed view was turned by hand, and is the free one now."""
     enlarge_requested = Signal()
     """The title was double-clicked."""
     clicked = Signal(QPointF)
@@ -204,6 +221,10 @@ class Pane(QFrame):
         self._stage_is_stale = False
         self._step: int | None = None
         self._step_is_stale = False
+        self._fixed = ""
+        self._fixed_is_stale = False
+        self._hidden: Layers = frozenset()
+        self._layers_are_stale = False
         self._probes: Sequence[Probe] = ()
         self._highlight = self._pointed_at = NOTHING
         self._highlight_is_stale = False
@@ -340,6 +361,32 @@ class Pane(QFrame):
             if self.isVisible():
                 self._refresh()
 
+    def show_fixed(self, view: str) -> None:
+        """Look from a fixed view of a `FixedDrawing`: at once if visible, or on appearing.
+
+        Parameters
+        ----------
+        view : str
+            One of `app.drawings.own_view.FIXED`; ``""`` for the free view.
+        """
+        if view != self._fixed:
+            self._fixed, self._fixed_is_stale = view, True
+            if self.isVisible():
+                self._refresh()
+
+    def show_layers(self, hidden: Layers) -> None:
+        """Switch these layers off, and no others: at once if visible, or on appearing.
+
+        Parameters
+        ----------
+        hidden : frozenset of str
+            Of `app.drawings.layers.LAYERS`.
+        """
+        if hidden != self._hidden:
+            self._hidden, self._layers_are_stale = hidden, True
+            if self.isVisible():
+                self._refresh()
+
     def show_probes(self, probes: Sequence[Probe]) -> None:
         """Mark these probes, and no others: at once if visible, else on appearing."""
         if probes != self._probes:
@@ -379,6 +426,10 @@ class Pane(QFrame):
             self.drawing = self._make_drawing(self.canvas, *self._to_build)
             self._to_build = None
             self._step_is_stale = self._step is not None
+            self._fixed_is_stale = bool(self._fixed)
+            self._layers_are_stale = False
+            if self._hidden:
+                self.drawing.show_layers(self._hidden)
             self._highlight_is_stale = True
             self._apply_smoothing()
             self.drawing.show_projection(shown.projection, shown.illustration)
@@ -391,7 +442,9 @@ class Pane(QFrame):
         elif self.drawing is not None:
             if self._detail_is_stale:
                 self.drawing.show_detail(self._fewer)
-            if self._stale or self._detail_is_stale:
+            if self._layers_are_stale:
+                self.drawing.show_layers(self._hidden)
+            if self._stale or self._detail_is_stale or self._layers_are_stale:
                 began = time.perf_counter()
                 self.drawing.show_projection(shown.projection, shown.illustration)
                 self._matrices_ms = 1e3 * (time.perf_counter() - began)
@@ -402,10 +455,13 @@ class Pane(QFrame):
         if self._step_is_stale and self.drawing is not None:
             cast(SteppedDrawing, self.drawing).show_step(self._step)
             self._step_is_stale = False
+        if self._fixed_is_stale and self.drawing is not None:
+            cast(FixedDrawing, self.drawing).show_fixed(self._fixed)
+            self._fixed_is_stale = False
         if self._highlight_is_stale and self.drawing is not None:
             self.drawing.show_highlight(self._highlight)
         self._stale = self._probes_stale = self._highlight_is_stale = False
-        self._detail_is_stale = False
+        self._detail_is_stale = self._layers_are_stale = False
         self.request_repaint()
 
     def _take_stage(self, drawing: Drawing) -> None:
@@ -510,6 +566,9 @@ class Pane(QFrame):
     def _view_moved(self) -> None:
         if self.drawing is not None:
             self.drawing.reset_clipping_range()
+            if self._fixed and not cast(FixedDrawing, self.drawing).fixed:
+                self._fixed = ""
+                self.fixed_left.emit()
         self.request_repaint()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
