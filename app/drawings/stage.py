@@ -314,6 +314,8 @@ class StageDrawing:
     def _layout(self, _width_px: int, _height_px: int) -> None:
         if not self.own.was_moved:  # nobody has turned it since: keep it whole
             self.reset_view()
+        else:
+            self.reset_clipping_range()
 
     def remove(self) -> None:
         """Take everything out of the screen again."""

@@ -364,11 +364,11 @@ class MainWindow(QMainWindow):
             self.slots,
             self.first_steps,
             self.guide,
+            self.arrangement,  # which takes back what a scene has opened or forgotten by itself
             self.cost,
             self.look,
             self.counting,
             self.strip,
-            self.arrangement,  # which takes back what a scene has opened or forgotten by itself
             self.files,
             self.status,
             self.quality,  # of what was drawn just now
