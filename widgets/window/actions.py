@@ -48,7 +48,7 @@ class Actions(QObject):
         The parts of the window that carry out what is asked for.
     panes : mapping of str to Pane
     theme : str
-    projector : bool
+    projector, all_digits : bool
         How the window looks at first.
     """
 
@@ -57,6 +57,7 @@ class Actions(QObject):
     controls_shown = Signal(bool)
     projector_set = Signal(bool)
     cost_shown = Signal(bool)
+    all_digits_set = Signal(bool)
 
     def __init__(
         self,
@@ -69,6 +70,7 @@ class Actions(QObject):
         panes: Mapping[str, Pane],
         theme: str,
         projector: bool,
+        all_digits: bool,
     ) -> None:
         super().__init__(window)
         self._window, self._files, self._help = window, files, help_
@@ -108,6 +110,11 @@ class Actions(QObject):
             self.tr("Remove the chosen probe from the panes"),
         )  # fmt: skip
         self.remove_probe.setEnabled(False)
+        self.find = self._action(
+            self.tr("&Find a control"), None, keys.Find,
+            self.tr("Find a control by its name, its letter or what it does"),
+        )  # fmt: skip
+        self.find.setShortcuts([*QKeySequence.keyBindings(keys.Find), QKeySequence("/")])
         self._make_edit_menu()
         self.scene_group = QActionGroup(window)
         self._make_scenes_menu()
@@ -120,6 +127,10 @@ class Actions(QObject):
         self.show_cost = self._toggle(self.tr("Show c&ost"), self.cost_shown, False)
         self.show_cost.setToolTip(
             self.tr("Measure what every step takes: the model, each pane's matrices and repaint")
+        )
+        self.all_digits = self._toggle(self.tr("All &digits"), self.all_digits_set, all_digits)
+        self.all_digits.setToolTip(
+            self.tr("Show all digits of every number that is read, not four")
         )
         self._make_view_menu(theme)
         self.help = self._action(self.tr("&Keys and mouse"), help_.show_keys, keys.HelpContents)
@@ -188,7 +199,7 @@ class Actions(QObject):
         menu.addSeparator()
         menu.addAction(self.reset)
         menu.addSeparator()
-        menu.addAction(self.remove_probe)
+        menu.addActions([self.remove_probe, self.find])
 
     def _make_scenes_menu(self) -> None:
         menu = self._window.menuBar().addMenu(self.tr("&Scenes"))
@@ -214,8 +225,8 @@ class Actions(QObject):
             self._action(self.tr("&Reset the panes' own views"), row.reset_views, "Ctrl+0")
         )
         menu.addSeparator()
-        controls = self._toggle(self.tr("&Controls"), self.controls_shown, True, "F4")
-        menu.addActions([controls, self.show_cost, self.projector])
+        self.controls = self._toggle(self.tr("&Controls"), self.controls_shown, True, "F4")
+        menu.addActions([self.controls, self.show_cost, self.projector, self.all_digits])
         themes = menu.addMenu(self.tr("&Theme"))
         group = QActionGroup(self._window)
         for value, text in (

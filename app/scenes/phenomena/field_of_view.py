@@ -330,6 +330,11 @@ PHENOMENON = Phenomenon(
         " of the distance alone. Ride along n, and the field of view follows so that things at"
         " the target's distance keep their size (a dolly zoom). One unit is 10 cm.",
     ),
+    tries=(
+        QT_TRANSLATE_NOOP("phenomena", "Drag the distance: what keeps its size?"),
+        QT_TRANSLATE_NOOP("phenomena", "Which parts grow when you come near?"),
+        QT_TRANSLATE_NOOP("phenomena", "Compare 29 mm with 105 mm."),
+    ),
     lectures=("001", "003"),
     start=_start(),
     geometry=_geometry,
@@ -379,7 +384,7 @@ PHENOMENON = Phenomenon(
             only_with=("preset", "tele"),
         ),
     ),
-    controls=("lens.fov_y_deg", "camera.eye"),
+    controls=("lens.fov_y_deg",),
     follow=_follow,
     found=_found,
     own_mesh=True,
