@@ -1,6 +1,6 @@
 """Finding a control by what it is called: its name, its letter, what its tooltip says, old names.
 
-Every word that is typed must begin a word of the control. Names come before tooltips: who types
+Every word that is typed must begin a word of the control, or be it if it is one letter. Names come before tooltips: who types
 "near" means the near plane, not all that depends on it.
 """
 
@@ -97,7 +97,10 @@ def _words(text: str) -> list[str]:
 
 def _has(text: str, asked: Iterable[str]) -> bool:
     words = _words(text)
-    return all(any(word.startswith(part) for word in words) for part in asked)
+    return all(
+        part in words or (len(part) > 1 and any(word.startswith(part) for word in words))
+        for part in asked
+    )
 
 
 class SearchBox(QLineEdit):

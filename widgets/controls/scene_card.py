@@ -33,7 +33,6 @@ from PySide6.QtWidgets import (
     QGridLayout,
     QHBoxLayout,
     QLabel,
-    QPushButton,
     QSizePolicy,
     QToolButton,
     QToolTip,
@@ -84,9 +83,9 @@ WORD = 16
 """Characters of a file's name that find room in the narrowest dock."""
 TITLE, LARGE = 1.25, 1.15
 """Size of the scene's name, and of a reading's number, against ordinary text."""
-ON_A_LINE = 20
-"""Longest text of several numbers that is not broken in two."""
-LABEL_EM, WORDS_EM = 7, 7
+BESIDE, ON_A_LINE = 14, 30
+"""Longest text of a value beside its label, and of numbers that is not broken in two."""
+LABEL_EM, WORDS_EM = 6, 7
 """Widths in heights of a line, beyond which labels, and words as values, may wrap."""
 NONE = "–"
 """Stands for a reading that there is not."""
@@ -138,21 +137,26 @@ class SceneCard(QWidget):
             label.setTextFormat(Qt.TextFormat.PlainText)
         self.warning = _Sentence("rowError")
         self.readout = Readout()
-        self.use_mesh = QPushButton(self.tr("Use my mesh…"))
+        self.use_mesh = QToolButton()
+        self.use_mesh.setText(self.tr("My mesh…"))
+        self.use_mesh.setAccessibleName(self.tr("My mesh"))
         self.use_mesh.setToolTip(
             self.tr("Put a mesh from a file into the place of the scene's own objects")
         )
         self.use_mesh.clicked.connect(self.mesh_wanted)
-        self.remove_mesh = QPushButton(self.tr("Own objects"))
+        self.remove_mesh = QToolButton()
+        self.remove_mesh.setText(self.tr("Own objects"))
+        self.remove_mesh.setAccessibleName(self.tr("Own objects"))
         self.remove_mesh.setToolTip(self.tr("Put the scene's own objects back"))
         self.remove_mesh.clicked.connect(self.mesh_removed)
         self.explanation = QToolButton()
-        self.explanation.setText(self.tr("Explanation and diagrams…"))
+        self.explanation.setText(self.tr("Explanation…"))
         self.explanation.setToolTip(
             self.tr("What the scene shows, in which lectures, and its diagrams, below the panes")
         )
         self.explanation.setAccessibleName(self.tr("Explanation and diagrams"))
-        self.explanation.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        for button in (self.use_mesh, self.remove_mesh, self.explanation):
+            button.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.explanation.clicked.connect(self.explanation_wanted)
         self._offered: dict[QWidget, bool] = {}
         self._lay_out()
@@ -163,7 +167,7 @@ class SceneCard(QWidget):
         self._rows.setSpacing(GAP_PX)
         buttons = QHBoxLayout()
         buttons.setSpacing(4)
-        for button in (self.use_mesh, self.remove_mesh):
+        for button in (self.explanation, self.use_mesh):
             buttons.addWidget(button)
         buttons.addStretch(1)
         column = QVBoxLayout(self)
@@ -174,8 +178,8 @@ class SceneCard(QWidget):
         column.addLayout(self._rows)
         column.addWidget(self.warning)
         column.addWidget(self.readout)
-        column.addWidget(self.explanation)
         column.addLayout(buttons)
+        column.addWidget(self.remove_mesh, 0, Qt.AlignmentFlag.AlignLeft)
 
     # -- what the owner says
 
@@ -379,6 +383,10 @@ class SceneCard(QWidget):
         illustration = self._illustration
         readings = () if illustration is None else illustration.readings
         self.readout.show_readings([self._with_count(r) if r.counted else r for r in readings])
+        has_diagrams = illustration is not None and bool(illustration.diagrams)
+        about = self.tr("Diagrams…") if has_diagrams else self.tr("Explanation…")
+        if self.explanation.text() != about:
+            self.explanation.setText(about)
         warning = self._problem if illustration is None else illustration.warning or self._problem
         why = "" if warning is None else _full(warning.sentence(of_phenomena))
         self.warning.say(why and f"⚠ {why}")
@@ -647,11 +655,13 @@ class _Value(QLabel):
     Attributes
     ----------
     exact : str
+    is_below : bool
+        Whether it stands below its label.
     """
 
     def __init__(self) -> None:
         super().__init__()
-        self.exact = ""
+        self.exact, self.is_below = "", False
         self.setTextFormat(Qt.TextFormat.AutoText)
         self.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         flags = Qt.TextInteractionFlag
@@ -757,7 +767,7 @@ class Readout(QWidget):
             part.setTextFormat(Qt.TextFormat.PlainText)
         label.setWordWrap(True)
         unit.setForegroundRole(QPalette.ColorRole.PlaceholderText)
-        row = len(self.lines)
+        row = 2 * len(self.lines)
         for column, part in enumerate((label, value, unit)):
             part.hide()
             self._grid.addWidget(part, row, column)
@@ -774,6 +784,7 @@ class Readout(QWidget):
             value.setMinimumWidth(WORDS_EM * self.fontMetrics().height() if is_word else 0)
         if text != value.text():
             value.setText(text)
+            self._place(value, max(map(len, text.split("\n"))) > BESIDE and not is_word)
             if not is_word:
                 # It only grows: a number with a digit less does not shift the others.
                 value.setMinimumWidth(max(value.minimumWidth(), value.sizeHint().width()))
@@ -787,6 +798,13 @@ class Readout(QWidget):
         unit_text = "" if reading.value is None else of_phenomena(reading.unit)
         if unit.text() != unit_text:
             unit.setText(unit_text)
+
+    def _place(self, value: _Value, below: bool) -> None:
+        """Put a value beside its label, or below it where it is too long for that."""
+        row = 2 * [each[1] for each in self.lines].index(value)
+        if below != value.is_below:
+            value.is_below = below
+            self._grid.addWidget(value, row + below, 0 if below else 1, 1, 3 if below else 1)
 
     def _widen(self, label: QLabel) -> None:
         """Let a label wrap only if it is long."""

@@ -94,7 +94,7 @@ VECTOR_CHARACTERS = 6
 """Longest number, without its sign, that has room where three stand side by side."""
 ALL_CHARACTERS = 18
 """Likewise where all digits are shown."""
-ONE_LINE_EM = 14
+ONE_LINE_EM = 11
 """Heights of a line: a name and what is chosen stand on one line if they are not wider."""
 
 REFUSAL_SHEET = "QLabel { border: 0px; border-left: 3px solid #d55e00; padding: 1px 0 2px 5px; }"
@@ -170,10 +170,15 @@ def short_text(value: float, below: float | None = None, most: int = 6) -> str:
     What is shown is never cut off: a lost exponent would be another number. Nor is it rounded up
     to a bound `below` which the number stays: then its distance is shown, as ``180-3e-12``.
     """
-    if below is not None and value < below <= float(f"{value:.{most}g}"):
-        if most < _MOST:
-            return short_text(value, below, most + 1)
-        return f"{below:g}-{below - value:.0e}"
+    text = _short_text(value, most)
+    if below is None or not value < below <= float(text):
+        return text
+    if most < _MOST:
+        return short_text(value, below, most + 1)
+    return f"{below:g}-{below - value:.0e}"
+
+
+def _short_text(value: float, most: int) -> str:
     text = number_text(value)
     if 10.0**most <= abs(value) < 10.0**FIELD_CHARACTERS - 0.5:
         return f"{value:.0f}"
@@ -357,6 +362,8 @@ class Doubling:
 
     def position_of(self, value: float) -> int:
         """The nearest slider position; the ends for values beyond them."""
+        if value >= self.high:
+            return self.last
         return min(range(len(self._values)), key=lambda at: abs(self._values[at] - value))
 
 
@@ -399,6 +406,16 @@ class _Slider(HeldSlider):
         self._mouse_x = self._at = 0.0
         self._turned = 0
         self.setMinimumWidth(LEAST_SLIDER_PX)
+        self.actionTriggered.connect(self._acted)
+
+    def _go_to(self, position: float, *, fine: bool) -> None:
+        stops = 1 if fine else self.coarse
+        self.setSliderPosition(round(position / stops) * stops)
+
+    def _acted(self, action: int) -> None:
+        """Let keys stop where a drag does; the value follows after this."""
+        if action != QSlider.SliderAction.SliderMove.value:
+            self._go_to(self.sliderPosition(), fine=False)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         super().mousePressEvent(event)
@@ -417,8 +434,7 @@ class _Slider(HeldSlider):
         if self.layoutDirection() == Qt.LayoutDirection.RightToLeft:
             moved = -moved
         self._at += moved * a_pixel * (FINE if is_fine else 1.0)
-        stops = 1 if is_fine else self.coarse
-        self.setSliderPosition(round(self._at / stops) * stops)
+        self._go_to(self._at, fine=is_fine)
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         if not (self.hasFocus() or event.modifiers() & Qt.KeyboardModifier.ControlModifier):
@@ -428,8 +444,9 @@ class _Slider(HeldSlider):
         self._turned += turned.y() or turned.x()  # some systems turn it with Shift
         notches = int(self._turned / _NOTCH)
         self._turned -= notches * _NOTCH
-        is_fine = event.modifiers() & Qt.KeyboardModifier.ShiftModifier
-        self.setValue(self.value() + notches * (1 if is_fine else self.notch))
+        if notches:
+            is_fine = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
+            self._go_to(self.value() + notches * (1 if is_fine else self.notch), fine=is_fine)
         event.accept()
 
 
@@ -1183,8 +1200,8 @@ class ChoiceRow(Row):
         none: str = "",
     ) -> None:
         super().__init__(name, tip)
-        self._keys = [choice.key for choice in choices]
-        self._value: str | None = self._keys[0]
+        self.keys = [choice.key for choice in choices]
+        self._value: str | None = self.keys[0]
         self._combo: QComboBox | None = None
         self._group = QButtonGroup(self)
         if buttons:
@@ -1211,7 +1228,7 @@ class ChoiceRow(Row):
         if needed > ONE_LINE_EM * metrics.height():
             self._grid.addWidget(combo, 1, 0, 1, 4)
         else:
-            combo.setMinimumContentsLength(len(longest))
+            combo.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
             self._grid.addWidget(combo, 0, 1)
         return combo
 
@@ -1237,10 +1254,10 @@ class ChoiceRow(Row):
 
     def choose(self, key: str) -> None:
         """Choose as the user does."""
-        self._chosen(self._keys.index(key))
+        self._chosen(self.keys.index(key))
 
     def _chosen(self, index: int) -> None:
-        key = self._keys[index]
+        key = self.keys[index]
         self.clear_error()
         if key == self._value:
             self._show_value()
@@ -1248,7 +1265,7 @@ class ChoiceRow(Row):
             self._make_edit(key)
 
     def _show_value(self) -> None:
-        index = self._keys.index(self._value) if self._value in self._keys else -1
+        index = self.keys.index(self._value) if self._value in self.keys else -1
         if self._combo is not None:
             self._combo.setCurrentIndex(index)
             return

@@ -255,7 +255,7 @@ class MainWindow(QMainWindow):
             ),
             self.probe_panel: (self.tr("Probe"), self.tr("Follow points through every stage")),
             self.scene_panel: (
-                self.tr("Explanation"),
+                self.tr("Explanation and diagrams"),
                 self.tr("What the scene shows, in which lectures, and its diagrams"),
             ),
             self.measure_panel: (

@@ -249,7 +249,6 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
 
     readings = (
         Reading(QT_TRANSLATE_NOOP("phenomena", "distance d to the target"), distance),
-        *_angles(projection),
         Reading(
             QT_TRANSLATE_NOOP("phenomena", "subject's height, at the target's distance"),
             size,
@@ -262,6 +261,7 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
             "×",
             Phrase(_BEHIND_EYE) if ratio is None else None,
         ),
+        *_angles(projection),
     )
     axis = Line(np.array([camera.eye, camera.target]), "accent", 1.0)
     lines = (Line(p, colour, 1.5) for p, colour in zip(polylines, colours, strict=True))

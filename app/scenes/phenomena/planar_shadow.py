@@ -357,7 +357,7 @@ PHENOMENON = Phenomenon(
         " w < 0, and unless it is clipped it is drawn on the other side as an anti-shadow.",
     ),
     tries=(
-        QT_TRANSLATE_NOOP("phenomena", "Drag the lamp: how does the shadow move?"),
+        QT_TRANSLATE_NOOP("phenomena", "Drag the lamp: where is the shadow?"),
         QT_TRANSLATE_NOOP("phenomena", "Lower it below the top of the F."),
         QT_TRANSLATE_NOOP("phenomena", "Stop the clipping: what appears?"),
     ),
