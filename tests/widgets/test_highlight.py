@@ -357,7 +357,6 @@ def test_a_cell_marks_the_rows_that_it_depends_on(window: MainWindow) -> None:
     assert view.is_marked(2, 1) and not view.is_marked(0, 0) and not view.is_marked(3, 3)
     clip = window.matrices.views["clip_from_world"]
     assert clip.is_marked(3, 0)  # w is the distance along n
-    window.controls.rows["camera_mode"].choose("vectors")
     assert {"eye_x", "eye_y", "target_z"} <= marked(window) and "up_y" not in marked(window)
     leave(window)
     assert marked(window) == set() and changed(before, pictures(window)) == set()

@@ -511,7 +511,7 @@ def test_every_place_of_a_slider_is_a_value_of_its_setting(name: str, setting: S
 
 def test_the_parts_of_the_board_can_be_doubled_up_to_its_bound(window: MainWindow) -> None:
     show_scene(window, "interpolation")
-    row = window.scene_panel.rows["subdivision"]
+    row = window.controls.card.rows["subdivision"]
     for key, parts in (
         (Qt.Key.Key_PageUp, 3.0), (Qt.Key.Key_End, 64.0), (Qt.Key.Key_PageDown, 32.0),
         (Qt.Key.Key_Home, 1.0), (Qt.Key.Key_Right, 2.0),
@@ -682,13 +682,13 @@ def test_the_phenomena_s_texts_are_in_the_window_s_language(
 @pytest.mark.parametrize("scene", ["letter-f", "planar-shadow"])
 def test_a_burst_of_keys_ends_with_its_scene(window: MainWindow, qtbot: QtBot, scene: str) -> None:
     show_scene(window, "similar-triangles")
-    row = next(row for row in window.scene_panel.rows.values() if isinstance(row, NumberRow))
+    row = next(row for row in window.controls.card.rows.values() if isinstance(row, NumberRow))
     for _ in range(3):  # of which not all are shown yet
         qtbot.keyClick(row.slider, Qt.Key.Key_Right)
     assert window.store.in_gesture and window.scene_panel._readable.pending
     window.files.choose_scene(scene)
     assert not window.store.in_gesture
-    assert window.scene_panel.rows.keys() == window.store.document.settings.keys()
+    assert window.controls.card.rows.keys() == window.store.document.settings.keys()
     assert not window.matrices._readable.in_gesture
 
 
@@ -700,11 +700,11 @@ def opened(window: MainWindow, scene: str) -> tuple[Any, Any]:
 
 
 def shown(window: Any, *names: str) -> list[Any]:
-    return [window.scene_panel.rows[name].value() for name in names]
+    return [window.controls.card.rows[name].value() for name in names]
 
 
 def in_words(window: Any, name: str) -> str:
-    row = window.scene_panel.rows[name]
+    row = window.controls.card.rows[name]
     assert isinstance(row, ChoiceRow)
     combo = row.widgets[0]
     assert isinstance(combo, QComboBox)
@@ -712,7 +712,7 @@ def in_words(window: Any, name: str) -> str:
 
 
 def choose(window: Any, name: str, key: str) -> None:
-    row = window.scene_panel.rows[name]
+    row = window.controls.card.rows[name]
     assert isinstance(row, ChoiceRow)
     row.choose(key)
 
@@ -739,7 +739,7 @@ def test_a_camera_that_was_turned_is_free_and_can_be_turned_back(window: MainWin
     assert shown(window, "points") == ["2"]
     store.set_projection(replace(start, camera=replace(start.camera, eye=(3.0, 5.0, 5.0))))
     assert shown(window, "points") == ["free"]
-    window.scene_panel.settings_edited.emit({"t": 0.25})
+    window.controls.card.settings_edited.emit({"t": 0.25})
     assert store.document.projection.camera.eye == (3.0, 5.0, 5.0)
     choose(window, "points", "2")
     assert shown(window, "points") == ["2"]
@@ -754,7 +754,7 @@ def test_a_camera_that_was_turned_is_free_and_can_be_turned_back(window: MainWin
 def test_an_oblique_drawing_is_as_its_lens_is(window: MainWindow) -> None:
     store, window = opened(window, "oblique-drawing")
     start = store.document.projection
-    rows = window.scene_panel.rows
+    rows = window.controls.card.rows
     assert shown(window, "drawing", "angle_deg", "morph") == ["cavalier", 45.0, 1.0]
     assert not rows["receding"].isEnabled()  # of the free drawing alone
     lens = replace(start.lens, alpha_deg=80.0)
@@ -765,7 +765,7 @@ def test_an_oblique_drawing_is_as_its_lens_is(window: MainWindow) -> None:
     assert receding == pytest.approx(scale, rel=1e-9)
     assert angle_deg == pytest.approx(direction, rel=1e-9)
     # The others stay as they are seen when one is changed.
-    number_row(window.scene_panel, "angle_deg").edited.emit(30.0)
+    number_row(window.controls.card, "angle_deg").edited.emit(30.0)
     drawn = store.document.projection.lens
     assert isinstance(drawn, Oblique)
     assert receding_of(drawn) == pytest.approx((scale, 30.0))
@@ -798,18 +798,18 @@ def test_a_photograph_is_none_any_more_when_the_camera_has_been_moved(window: Ma
     assert shown(window, "preset", "distance") == ["wide", 1.0]
     assert store.document.settings["distance"] == 1.0
     # From the control itself the photograph stays what it is: the size is held.
-    window.scene_panel.settings_edited.emit({"distance": 2.0})
+    window.controls.card.settings_edited.emit({"distance": 2.0})
     assert shown(window, "preset", "distance") == ["wide", 2.0]
     # Away from it, the distance moves the eye on from where it is.
     store.set_projection(replace(start, camera=away))
-    window.scene_panel.settings_edited.emit({"distance": 1.5})
+    window.controls.card.settings_edited.emit({"distance": 1.5})
     assert store.document.projection.camera.distance == pytest.approx(4.5)
     assert shown(window, "distance") == [1.5] and in_words(window, "preset") == "none of these"
     # What is farther than can be chosen is shown, too, and stays when something else is.
     far = Camera.from_orbit(target, orbit._replace(distance=300.0))
     store.set_projection(replace(start, camera=far))
     assert shown(window, "distance") == [pytest.approx(100.0)]
-    window.scene_panel.settings_edited.emit({"enlarged": False})
+    window.controls.card.settings_edited.emit({"enlarged": False})
     assert store.document.projection.camera == far
 
 
@@ -822,13 +822,13 @@ def test_the_eye_is_beside_the_middle_that_the_window_has(window: MainWindow) ->
     moved = replace(lens, left=lens.left - 0.25, right=lens.right - 0.25)
     store.set_projection(replace(start, lens=moved))  # the window, 2 to the left at the distance 8
     assert shown(window, "shift") == [pytest.approx(3.5)]
-    number_row(window.scene_panel, "shift").edited.emit(1.5)
+    number_row(window.controls.card, "shift").edited.emit(1.5)
     now = store.document.projection
     assert now.camera.eye == pytest.approx((-0.5, 2.4, 8.0))
     assert now.window == pytest.approx(start.window) and shown(window, "shift") == [1.5]
     store.set_projection(now.with_lens("perspective"))
     assert shown(window, "shift") == [0.0]
-    number_row(window.scene_panel, "shift").edited.emit(1.5)
+    number_row(window.controls.card, "shift").edited.emit(1.5)
     assert store.document.projection.window == pytest.approx(start.window)
 
 
@@ -839,15 +839,15 @@ def test_the_drive_is_as_far_as_the_camera_is(window: MainWindow) -> None:
         there = replace(start.camera, eye=(0.5, 2.2, z), target=(0.0, 2.0, z - 50.0))
         store.set_projection(replace(start, camera=there))
         assert shown(window, "position") == [position]
-        window.scene_panel.settings_edited.emit({"detail": z == -20.0})
+        window.controls.card.settings_edited.emit({"detail": z == -20.0})
         assert store.document.projection.camera == there  # nobody has asked for another place
-    number_row(window.scene_panel, "position").edited.emit(0.0)
+    number_row(window.controls.card, "position").edited.emit(0.0)
     assert store.document.projection.camera.eye == pytest.approx(start.camera.eye)
 
 
 def test_a_setting_without_effect_says_with_what_it_would_have_one(window: MainWindow) -> None:
     store, window = opened(window, "far-plane-popping")
-    rows = window.scene_panel.rows
+    rows = window.controls.card.rows
 
     def enabled() -> set[str]:
         return {name for name, row in rows.items() if row.isEnabled()}
@@ -858,7 +858,7 @@ def test_a_setting_without_effect_says_with_what_it_would_have_one(window: MainW
         ("fog_start", "Only with “Fog”: linear, from start to end."),
         ("detail_1", "Only with “Level of detail” switched on."),
     ):
-        field = number_row(window.scene_panel, name).field
+        field = number_row(window.controls.card, name).field
         place = field.rect().center()
         event = QHelpEvent(QEvent.Type.ToolTip, place, field.mapToGlobal(place))
         QApplication.sendEvent(field, event)
@@ -873,7 +873,7 @@ def test_a_setting_without_effect_says_with_what_it_would_have_one(window: MainW
 def test_a_bound_is_written_as_all_numbers_are(window: MainWindow) -> None:
     store, window = opened(window, "far-plane-popping")
     store.set_settings({"fog": "linear"})
-    row = number_row(window.scene_panel, "fog_end")
+    row = number_row(window.controls.card, "fog_end")
     enter(row.field, "10")
     assert row.error.endswith("Fog ends at = 10: must be greater than 20.")
 
