@@ -14,9 +14,9 @@ what
   for picking,
 - ``remove()``: takes everything out of the window again.
 
-- ``show_layers(hidden)``: switches off what it has of `app.drawings.layers.LAYERS`,
+- ``show_layers(hidden)``: switches off what it has of `app.document.view.LAYERS`,
 
-The world's has besides ``show_fixed(view)`` and ``fixed``, one of `app.drawings.own_view.FIXED` or
+The world's has besides ``show_fixed(view)`` and ``fixed``, one of `app.document.view.FIXED` or
 ``""`` for the view that a hand turns freely; and, if it is ``live``, marks to take hold of the
 camera by: ``hold(handle)``, ``held``, ``handle_at(pixel, within_px)``; a figure has none.
 

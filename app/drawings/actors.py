@@ -38,7 +38,6 @@ from vtkmodules.vtkRenderingCore import (
     vtkTextActor,
 )
 
-from app.drawings.layers import Layers
 from app.drawings.style import Style, rgb
 from app.model.projection import Projection
 from app.scenes.scene import Scene
@@ -132,7 +131,7 @@ class Canvas:
         self._props: list[tuple[Any, vtkProp]] = []
         self._layers: dict[vtkProp, str] = {}
         self._unwanted: set[vtkProp] = set()
-        self.hidden: Layers = frozenset()
+        self.hidden: frozenset[str] = frozenset()
         """The layers that are switched off."""
         self._labels: list[Label] = []
         self._layout = weakref.WeakMethod(layout)
@@ -172,7 +171,7 @@ class Canvas:
         (self._unwanted.discard if visible else self._unwanted.add)(prop)
         prop.SetVisibility(visible and self._layers[prop] not in self.hidden)
 
-    def show_layers(self, hidden: Layers) -> None:
+    def show_layers(self, hidden: frozenset[str]) -> None:
         """Switch these layers off, and no others."""
         self.hidden = hidden
         for prop, layer in self._layers.items():

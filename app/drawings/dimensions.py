@@ -50,7 +50,7 @@ class Measured(NamedTuple):
     Attributes
     ----------
     view : str
-        One of `app.drawings.own_view.FIXED`, or ``""``: nothing is.
+        One of `app.document.view.FIXED`, or ``""``: nothing is.
     projection : Projection
     eye, target : (3,) array
         Scene-local.

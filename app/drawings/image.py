@@ -18,7 +18,6 @@ from vtkmodules.vtkRenderingCore import vtkRenderer
 
 from app.drawings.actors import Canvas, Space, face_actor, identity_camera, lifted
 from app.drawings.labels import Layout
-from app.drawings.layers import Layers
 from app.drawings.marks import MarksDrawing, Placing, spread_over
 from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at
 from app.drawings.precision import ModelActors, least_tolerance
@@ -162,7 +161,7 @@ class ImageDrawing:
         if self._probes.probes:
             self._place_probes()
 
-    def show_layers(self, hidden: Layers) -> None:
+    def show_layers(self, hidden: frozenset[str]) -> None:
         """Switch labels and grid off, if they are among these layers; then show a projection."""
         if ("grid" in hidden) != ("grid" in self._canvas.hidden):
             self._model.show_grid("grid" not in hidden)

@@ -26,13 +26,14 @@ from numpy.typing import NDArray
 from app.drawings.actors import Canvas
 from app.drawings.camera import AROUND_PX
 from app.drawings.labels import PaneView
+<<<<<<< HEAD
 from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE
 from app.drawings.style import TITLE_EM
+=======
+from app.drawings.pointing import FACES
+>>>>>>> h-pictures
 from app.model.projection import Array, Camera
 from app.picking.picking import Sight
-
-FIXED = ("side", "top", "axis", "eye")
-"""The fixed views; ``""`` is the free one."""
 
 _VIEW_ANGLE_DEG = 50.0
 _MARGIN_EM = 1.6  # beside what is framed, for the labels; never more than half the pane
@@ -118,7 +119,7 @@ class OwnView:
     pane : PaneView
         How it looks just now; a move from outside is seen by `look`.
     fixed : str
-        One of `FIXED`, or ``""``.
+        One of `app.document.view.FIXED`, or ``""``.
     """
 
     def __init__(self, canvas: Canvas, origin: Array, middle: Array) -> None:
@@ -294,7 +295,7 @@ class OwnView:
     # -- fixed views
 
     def fix(self, name: str, framed: Framed) -> None:
-        """Take one of `FIXED`, or ``""`` for the free view, as it opens."""
+        """Take a fixed view, or ``""`` for the free view, as it opens."""
         self.fixed = name
         self.reset(framed)
 
@@ -491,10 +492,9 @@ def _clearest(framed: Framed, middle: Array) -> Array:
         x, y, away = axes @ (np.vstack([eye, corners, framed.objects]) - position).T
         spots = np.stack([x, y], axis=1) / (half * away)[:, None]
         eye_spot, frustum, objects = spots[0], spots[1:9], spots[9:]
-        sides = [list(face) for face in FACES.values()]
-        near, far = _inside(frustum[[NEAR_FACE, FAR_FACE]])
-        thing = _inside(objects[sides]).any(axis=0)
-        whole = _inside(frustum[sides]).any(axis=0) | thing
+        near, far, *walls = _inside(frustum[_SIDES])
+        thing = _inside(objects[_SIDES]).any(axis=0)
+        whole = np.logical_or.reduce([near, far, thing, *walls])
         at_eye = (np.abs(_SPOTS - eye_spot) < _EYE_PART).all(axis=1)
         parts = (
             near & ~thing & ~at_eye,
@@ -514,10 +514,16 @@ _STEPS = (np.arange(_GRID) + 0.5) * (2.0 / _GRID) - 1.0
 _SPOTS = np.stack(np.meshgrid(_STEPS, _STEPS), axis=-1).reshape(-1, 2)
 
 
+_SIDES = [list(face) for face in FACES.values()]
+"""Near and far first."""
+
+
 def _inside(faces: Array) -> NDArray[np.bool_]:
     """Which of `_SPOTS` are in convex faces, (n, 4, 2): (n, `_GRID` ** 2)."""
     along = np.roll(faces, -1, axis=1) - faces
-    to_spot = _SPOTS - faces[:, :, None]
-    turns = along[:, :, None, 0] * to_spot[..., 1] - along[:, :, None, 1] * to_spot[..., 0]
-    found: NDArray[np.bool_] = np.logical_or((turns >= 0.0).all(axis=1), (turns <= 0.0).all(axis=1))
+    # Left of each side: a linear form of the spot, the other way round for a face from behind.
+    normals = np.stack([-along[..., 1], along[..., 0]], axis=-1)
+    offsets = (normals * faces).sum(axis=-1, keepdims=True)
+    turns = normals @ _SPOTS.T - offsets
+    found: NDArray[np.bool_] = np.logical_or(turns.min(axis=1) >= 0.0, turns.max(axis=1) <= 0.0)
     return found

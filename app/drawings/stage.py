@@ -28,7 +28,6 @@ from vtkmodules.vtkCommonDataModel import vtkPlane
 from app.drawings.actors import Canvas, Space, lift_lines
 from app.drawings.frustum import CUBE
 from app.drawings.labels import Layout
-from app.drawings.layers import Layers
 from app.drawings.marks import MarksDrawing, Placing
 from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at, volume_edges
 from app.drawings.precision import ModelActors, least_tolerance
@@ -141,7 +140,7 @@ class StageDrawing:
             self._made = morph_of(self._projection, scene.origin, scene.corners)
         return self._made
 
-    def show_layers(self, hidden: Layers) -> None:
+    def show_layers(self, hidden: frozenset[str]) -> None:
         """Switch labels and grid off, if they are among these layers; then show a projection."""
         if ("grid" in hidden) != ("grid" in self._canvas.hidden):
             self._model.show_grid("grid" not in hidden)

@@ -24,7 +24,6 @@ from app.drawings.frame import DIMMED
 from app.drawings.frustum import CUBE, FrustumDrawing
 from app.drawings.handles import APART_EM, HandleMarks
 from app.drawings.labels import Labels, Layout, Named, PaneView
-from app.drawings.layers import Layers
 from app.drawings.marks import MarksDrawing, Placing
 from app.drawings.near_picture import NearPicture
 from app.drawings.own_view import Framed, OwnView
@@ -149,7 +148,7 @@ class WorldDrawing:
         Parameters
         ----------
         view : str
-            One of `app.drawings.own_view.FIXED`; ``""`` for the free view, as it opens.
+            One of `app.document.view.FIXED`; ``""`` for the free view, as it opens.
         """
         if view == self.own.fixed:
             return
@@ -160,13 +159,13 @@ class WorldDrawing:
         self.own.fix(view, self._framed())
         self.reset_clipping_range()
 
-    def show_layers(self, hidden: Layers) -> None:
+    def show_layers(self, hidden: frozenset[str]) -> None:
         """Switch these layers off, and no others; draw nothing yet.
 
         Parameters
         ----------
         hidden : frozenset of str
-            Of `app.drawings.layers.LAYERS`.
+            Of `app.document.view.LAYERS`.
         """
         for lines in (self._lines, self.picture.lines):
             actors.show_grid(lines, self._scene, "grid" not in hidden)

@@ -98,6 +98,7 @@ class Controls(QScrollArea):
         self._projection = Projection()
         self._defaults = self._projection
         self._size = 10.0
+        self._is_for_class = False
         self._lifted: tuple[str, ...] = ()
         self._found: set[QWidget] | None = None
         """What is looked for, and is all that is shown; None if nothing is."""
@@ -280,6 +281,14 @@ class Controls(QScrollArea):
         self.card.lift(self.rows[key] for key in lifted)
         self._show_rows()
 
+    def set_presenting(self, on: bool) -> None:
+        """Show a class the controls that matter, and nothing else; or all of them again."""
+        self._is_for_class = on
+        self.search.clear()
+        self.search.setVisible(not on)
+        self._show_found(None)
+        self._make_room()
+
     # -- looking for a control
 
     def find_control(self) -> None:
@@ -324,6 +333,8 @@ class Controls(QScrollArea):
         self.card.show_some(found)
         for part in self._parts:
             part.show_some(found)
+        for section in self.sections.values() if self._is_for_class else ():
+            section.hide()
         self._show_rows()
         if found is not None:
             self.verticalScrollBar().setValue(0)
@@ -576,7 +587,8 @@ class Controls(QScrollArea):
 
     def _make_room(self) -> None:
         """For the search box, above what scrolls."""
-        self.setViewportMargins(0, self.search.sizeHint().height() + GAP_PX, 0, 0)
+        search_px = 0 if self._is_for_class else self.search.sizeHint().height() + GAP_PX
+        self.setViewportMargins(0, search_px, 0, 0)
         self._place_search()
 
     def _place_search(self) -> None:

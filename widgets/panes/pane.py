@@ -32,7 +32,6 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.drawings.layers import Layers
 from app.lecture.highlight import NOTHING, Highlight
 from app.model.projection import Camera, Projection
 from app.picking.picking import Probe, Sight
@@ -73,7 +72,7 @@ class Drawing(Protocol):
     def reset_clipping_range(self) -> None:
         """Fit the pane camera's own near and far to the drawing after it has moved."""
 
-    def show_layers(self, hidden: Layers) -> None:
+    def show_layers(self, hidden: frozenset[str]) -> None:
         """Switch off what the drawing has of these layers; then show a projection."""
 
     @property
@@ -223,7 +222,7 @@ class Pane(QFrame):
         self._step_is_stale = False
         self._fixed = ""
         self._fixed_is_stale = False
-        self._hidden: Layers = frozenset()
+        self._hidden: frozenset[str] = frozenset()
         self._layers_are_stale = False
         self._probes: Sequence[Probe] = ()
         self._highlight = self._pointed_at = NOTHING
@@ -367,20 +366,20 @@ class Pane(QFrame):
         Parameters
         ----------
         view : str
-            One of `app.drawings.own_view.FIXED`; ``""`` for the free view.
+            One of `app.document.view.FIXED`; ``""`` for the free view.
         """
         if view != self._fixed:
             self._fixed, self._fixed_is_stale = view, True
             if self.isVisible():
                 self._refresh()
 
-    def show_layers(self, hidden: Layers) -> None:
+    def show_layers(self, hidden: frozenset[str]) -> None:
         """Switch these layers off, and no others: at once if visible, or on appearing.
 
         Parameters
         ----------
         hidden : frozenset of str
-            Of `app.drawings.layers.LAYERS`.
+            Of `app.document.view.LAYERS`.
         """
         if hidden != self._hidden:
             self._hidden, self._layers_are_stale = hidden, True

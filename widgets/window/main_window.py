@@ -547,6 +547,7 @@ class MainWindow(QMainWindow):
         self.menus.pointer.setEnabled(on)
         self.menus.pointer.setChecked(False)
         self.look.set_presenting(on)
+        self.controls.set_presenting(on)
         self.slots.share(PRESENTING if on else LARGE_AND_SMALL)
         self._show_beside()
 
