@@ -1,7 +1,7 @@
 """Finding a control by what it is called: its name, its letter, what its tooltip says, old names.
 
-Every word that is typed must begin a word of the control, or be it if it is one letter. Names come before tooltips: who types
-"near" means the near plane, not all that depends on it.
+Every word that is typed must begin a word of the control, or be it if it is one letter. Names come
+before tooltips: who types "near" means the near plane, not all that depends on it.
 """
 
 from __future__ import annotations

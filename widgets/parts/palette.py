@@ -36,6 +36,7 @@ _COLOURS = (  # role, light, dark
 _STYLE_SHEET = """
 #paneTitle {{ font-weight: 600; }}
 #paneNote {{ color: {muted}; }}
+#quietTitle {{ color: {muted}; font-weight: 600; }}
 #messageBar {{ background: {bar}; border: 1px solid {edge}; border-radius: 4px; }}
 QToolTip {{ color: {text}; background: {base}; border: 1px solid {edge}; }}
 QToolBar {{ spacing: 2px; padding: 2px; }}
