@@ -55,6 +55,7 @@ from app.model.projection import (
 from app.model.refusal import Refusal
 from app.scenes import mesh_files as meshes
 from app.scenes import scene
+from app.scenes.phenomena import PHENOMENA
 from tests.support.controls import (
     KEY,
     NONSENSE,
@@ -1582,7 +1583,7 @@ def test_a_long_text_being_typed_leaves_the_dock_as_wide(controls: Controls) -> 
 
 def test_the_letter_f_needs_no_scrolling_in_a_small_window(controls: Controls) -> None:
     start = scene.load("letter-f")
-    controls.card.show_scene("Letter F", start)
+    controls.card.show_scene("Letter F", start.tries, None)
     controls.set_scene(start.size, start.start)
     show(controls, start.start)
     controls.resize(285, 690)
@@ -1739,7 +1740,7 @@ def in_card(controls: Controls) -> list[str]:
 
 
 def test_the_controls_that_matter_stand_at_the_top_and_nowhere_else(
-    controls: Controls, record: Record
+    controls: Controls, record: Record, qtbot: Any
 ) -> None:
     far, near = controls.rows["far"], controls.rows["near"]
     before = [far.mapTo(controls, QPoint()).y(), far.parent()]
@@ -1760,8 +1761,8 @@ def test_the_controls_that_matter_stand_at_the_top_and_nowhere_else(
     controls.bring_to_front(("lens.near",))
     assert in_card(controls) == ["near"]
     controls.bring_to_front(())
-    QApplication.processEvents()
-    assert in_card(controls) == [] and [far.mapTo(controls, QPoint()).y(), far.parent()] == before
+    assert in_card(controls) == []
+    qtbot.waitUntil(lambda: [far.mapTo(controls, QPoint()).y(), far.parent()] == before)
     order = [controls.rows[key].mapTo(controls, QPoint()).y() for key in ("fov_y_deg", "near")]
     assert order[0] < order[1] < before[0]
 
@@ -1784,7 +1785,7 @@ def test_every_scene_has_three_lines_to_try_and_few_controls(controls: Controls,
     assert len(tries) == 3 and len(set(tries)) == 3
     assert all(line.endswith((".", "?")) and len(line) <= 42 for line in tries)
     assert sum(line.endswith("?") for line in tries) >= 1
-    controls.card.show_scene(name, loaded)
+    controls.card.show_scene(name, tries, loaded.phenomenon)
     assert controls.card.tries.text().split("\n") == list(tries)
     phenomenon = loaded.phenomenon
     if phenomenon is not None:
@@ -1876,7 +1877,7 @@ def test_of_another_lens_a_control_says_of_which(controls: Controls) -> None:
 
 
 def test_a_setting_of_the_scene_is_found_as_well(controls: Controls) -> None:
-    controls.card.show_scene("Popping", scene.load("far-plane-popping"))
+    controls.card.show_scene("Popping", (), PHENOMENA["far-plane-popping"])
     look_for(controls, "fog density")
     rows = controls.card.rows
     assert [name for name, row in rows.items() if row.isVisible()] == ["fog_density"]

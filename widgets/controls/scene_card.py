@@ -20,7 +20,6 @@ from typing import Any
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import (
     QAction,
-    QFont,
     QGuiApplication,
     QHelpEvent,
     QHideEvent,
@@ -52,7 +51,6 @@ from app.scenes.phenomena.illustration import (
     Settings,
     Value,
 )
-from app.scenes.scene import Scene
 from widgets.parts.clock import Clock, Playing
 from widgets.parts.digits import FEW, digits
 from widgets.parts.fields import (
@@ -183,18 +181,22 @@ class SceneCard(QWidget):
 
     # -- what the owner says
 
-    def show_scene(self, title: str, scene: Scene, mesh: str = "") -> None:
+    def show_scene(
+        self, title: str, tries: Iterable[str], phenomenon: Phenomenon | None, mesh: str = ""
+    ) -> None:
         """Show another scene, with rows for its settings.
 
         Parameters
         ----------
         title : str
             Translated.
-        scene : Scene
+        tries : iterable of str
+            What to try with it, a line each; to be translated.
+        phenomenon : Phenomenon or None
+            None for a scene that has no settings and no numbers of its own.
         mesh : str
             Name of the user's mesh in the place of its objects, or nothing.
         """
-        phenomenon = scene.phenomenon
         if phenomenon is not self._phenomenon:
             self.pause()
             for row in self.rows.values():  # which shows the last of the scene that is left
@@ -206,7 +208,7 @@ class SceneCard(QWidget):
             self.readout.show_readings(())
             self.warning.say("")
         self.title.setText(breakable(title, WORD))
-        self.tries.setText("\n".join(map(of_phenomena, scene.tries)))
+        self.tries.setText("\n".join(map(of_phenomena, tries)))
         has_place = phenomenon is not None and phenomenon.own_mesh
         self._offered = {
             self.use_mesh: has_place,
@@ -445,11 +447,10 @@ class SceneCard(QWidget):
         return super().eventFilter(watched, event)
 
     def _dress(self) -> None:
-        font = QFont()
-        font.setPointSizeF(TITLE * self.font().pointSizeF())
-        font.setWeight(QFont.Weight.DemiBold)
-        if font != self.title.font():
-            self.title.setFont(font)
+        """Give the name its size; a font set by hand ends with the theme."""
+        sheet = f"font-size: {TITLE * self.font().pointSizeF():g}pt; font-weight: 600;"
+        if sheet != self.title.styleSheet():
+            self.title.setStyleSheet(sheet)
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
@@ -555,7 +556,7 @@ class Player(QObject, Playing):
         super().__init__(parent)
         self._setting = setting
         self._low, self._high = map(self._place, ends_of(setting))
-        self._speed = setting.per_second
+        self.speed = setting.per_second
         self._at = self._low
         self._shown: float | None = None
         self._clock = Clock(self)
@@ -587,12 +588,12 @@ class Player(QObject, Playing):
         """Run for some seconds and emit the number; without effect while paused."""
         if not self.playing:
             return
-        if (self._at >= self._high and self._speed > 0.0) or (
-            self._at <= self._low and self._speed < 0.0
+        if (self._at >= self._high and self.speed > 0.0) or (
+            self._at <= self._low and self.speed < 0.0
         ):
-            self._speed = -self._speed
+            self.speed = -self.speed
         inside = self._low <= self._at <= self._high
-        self._at += self._speed * seconds
+        self._at += self.speed * seconds
         if inside:  # both ends are shown, for a frame
             self._at = min(max(self._at, self._low), self._high)
         value = 10.0**self._at if self._setting.logarithmic else self._at

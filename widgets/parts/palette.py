@@ -37,6 +37,7 @@ _STYLE_SHEET = """
 #startCard {{ background: {veil}; }}
 #card, #firstSteps {{ background: {window}; border: 1px solid {line}; border-radius: 6px; }}
 #paneNote {{ color: {muted}; }}
+#quietTitle {{ color: {muted}; font-weight: 600; }}
 #messageBar {{ background: {bar}; border: 1px solid {edge}; border-radius: 4px; }}
 QToolTip {{ color: {text}; background: {base}; border: 1px solid {edge}; }}
 QToolBar {{ spacing: 2px; padding: 3px; }}

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import Any, Literal, TypeAlias
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
-from PySide6.QtGui import QFont, QKeyEvent
+from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
 from app.model.projection import Projection
@@ -219,10 +219,7 @@ class Part(Rows):
 
 def quiet(label: QLabel) -> None:
     """Let a label be a title that does not call."""
-    label.setObjectName("paneNote")
-    font = QFont()
-    font.setWeight(QFont.Weight.DemiBold)
-    label.setFont(font)
+    label.setObjectName("quietTitle")  # for the application's style sheet
 
 
 class Section(Rows):

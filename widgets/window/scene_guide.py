@@ -90,7 +90,8 @@ class SceneGuide(QObject):
             return
         self._menus.show_scene(document.scene)
         title = self._menus.scene_title(document.scene)
-        self._card.show_scene(title, shown.scene, Path(document.mesh).name)
+        mesh = Path(document.mesh).name
+        self._card.show_scene(title, shown.scene.tries, phenomenon, mesh)
         self._panel.show_scene(title, phenomenon)
         self._controls.bring_to_front(phenomenon.controls if phenomenon else ())
 
