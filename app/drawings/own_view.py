@@ -26,12 +26,8 @@ from numpy.typing import NDArray
 from app.drawings.actors import Canvas
 from app.drawings.camera import AROUND_PX
 from app.drawings.labels import PaneView
-<<<<<<< HEAD
-from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE
-from app.drawings.style import TITLE_EM
-=======
 from app.drawings.pointing import FACES
->>>>>>> h-pictures
+from app.drawings.style import TITLE_EM
 from app.model.projection import Array, Camera
 from app.picking.picking import Sight
 
