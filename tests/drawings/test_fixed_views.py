@@ -271,7 +271,7 @@ def test_dimensions_follow_a_slider_and_reach_the_screen(off_screen: MakeScreen)
         image = screen.pixels()
         assert f"near = {near:g}" in texts(screen)
         (eye, plane) = pixel_of(drawing, [START.camera.eye, at(START, 0.0, 0.0, near)])
-        left, bottom, right, top = box_of(screen, texts(screen)[f"near = {near:g}"])
+        left, bottom, _, top = box_of(screen, texts(screen)[f"near = {near:g}"])
         row = SIZE_PX[1] - (bottom + top) / 2.0
         inked = drawn(image, to_bytes(LIGHT.ink))[int(row) - 3 : int(row) + 4].any(axis=0)
         columns = np.flatnonzero(inked)
