@@ -27,6 +27,7 @@ from app.drawings.actors import Canvas
 from app.drawings.camera import AROUND_PX
 from app.drawings.labels import PaneView
 from app.drawings.pointing import FACES
+from app.drawings.style import TITLE_EM
 from app.model.projection import Array, Camera
 from app.picking.picking import Sight
 
@@ -265,9 +266,10 @@ class OwnView:
         """What of the pane's width and height is for what is framed, each 1/2 to 1."""
         wide, high = self._size_px
         margin = 2.0 * _MARGIN_EM * self._em
+        above = 2.0 * TITLE_EM * self._em  # and as much below: the middle stays in the middle
         return (
             max(0.5, (wide - margin) / wide),
-            max(0.5, (high - margin - below_em * self._em) / high),
+            max(0.5, (high - margin - above - below_em * self._em) / high),
         )
 
     def _stand(self, framed: Framed) -> tuple[Array, Array]:

@@ -90,6 +90,28 @@ WRONG_SIZE = QT_TRANSLATE_NOOP(
 NO_OWN_MESH = QT_TRANSLATE_NOOP(
     "Refusal", "mesh = {1}: the scene “{0}” has a subject of its own, no mesh can take its place."
 )
+_TRIES = {
+    "letter-f": (
+        QT_TRANSLATE_NOOP("phenomena", "Drag the near plane towards the F."),
+        QT_TRANSLATE_NOOP("phenomena", "What happens to the picture?"),
+        QT_TRANSLATE_NOOP("phenomena", "What happens in the cube?"),
+    ),
+    "cube": (
+        QT_TRANSLATE_NOOP("phenomena", "Go nearer: which edges grow?"),
+        QT_TRANSLATE_NOOP("phenomena", "Which edges are parallel in the picture?"),
+        QT_TRANSLATE_NOOP("phenomena", "Choose the orthographic lens: and now?"),
+    ),
+    "posts": (
+        QT_TRANSLATE_NOOP("phenomena", "Where in the cube do the posts crowd?"),
+        QT_TRANSLATE_NOOP("phenomena", "Make near larger: do they spread out?"),
+        QT_TRANSLATE_NOOP("phenomena", "Move far in: which posts are gone?"),
+    ),
+}
+_TRIES_OF_A_MESH = (
+    QT_TRANSLATE_NOOP("phenomena", "Walk round it: drag the azimuth."),
+    QT_TRANSLATE_NOOP("phenomena", "Close near and far round it."),
+    QT_TRANSLATE_NOOP("phenomena", "What becomes of its shape in the cube?"),
+)
 FACES_WITH_EDGES = 5_000
 """Meshes of more faces get no edge lines: they would be denser than the pixels."""
 SAMPLE = 100_000
@@ -209,6 +231,13 @@ class Scene:
     def leading(self) -> str:
         """The pane that shows it best."""
         return "world" if self.phenomenon is None else self.phenomenon.leading
+
+    @property
+    def tries(self) -> tuple[str, ...]:
+        """What to try with it: three short lines, translatable as the phenomena's texts are."""
+        if self.phenomenon is not None:
+            return self.phenomenon.tries
+        return _TRIES.get(self.name, _TRIES_OF_A_MESH)
 
     @cached_property
     def requires(self) -> frozenset[str]:
