@@ -450,23 +450,21 @@ def show_grid(lines: vtkActor | None, scene: Scene, shown: bool) -> None:
     if lines is None:
         return
     mesh = scene.lines
-    if not shown:
-        mesh = _gridless.get(scene)
-        if mesh is None:
-            mesh = _gridless[scene] = _without_grid(scene)
     assert mesh is not None
+    kept = None if shown else ~is_grid(np.asarray(mesh.cell_data["rgb"]))
+    lines.SetVisibility(kept is None or bool(kept.any()))
+    if kept is not None and kept.any():
+        if scene not in _gridless:
+            _gridless[scene] = _lines_of(mesh, kept)
+        mesh = _gridless[scene]
     mapper: Any = lines.GetMapper()
     mapper.SetInputData(mesh)
-    lines.SetVisibility(bool(mesh.n_cells))
 
 
 _gridless: WeakKeyDictionary[Scene, pv.PolyData] = WeakKeyDictionary()
 
 
-def _without_grid(scene: Scene) -> pv.PolyData:
-    lines = scene.lines
-    assert lines is not None
-    kept = ~is_grid(lines.cell_data["rgb"])
+def _lines_of(lines: pv.PolyData, kept: NDArray[np.bool_]) -> pv.PolyData:
     ends = np.asarray(lines.lines).reshape(-1, 3)[kept]
     mesh = pv.PolyData(lines.points, lines=ends.ravel())
     mesh.cell_data["rgb"] = np.asarray(lines.cell_data["rgb"])[kept]
