@@ -20,7 +20,7 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor2D, vtkPolyDataMapper2D
 
 from app.drawings.actors import Canvas, Label
-from app.drawings.style import rgb
+from app.drawings.style import TITLE_EM, rgb
 from app.model.projection import Array
 
 AXES = ("v", "n", "u")
@@ -285,6 +285,7 @@ class Labels:
         before = self._kept
         em = self._canvas.style.font_size
         layout = Layout(pane.size_px, em, {} if afresh else before, subject)
+        layout.keep_title_free()
         texts = [words["near"], words["far"]]
         if named.planes is not None:
             texts = [f"{t} {written_distance(d)}" for t, d in zip(texts, named.planes, strict=True)]
@@ -376,6 +377,11 @@ class Layout:
         self._discs: list[_Box] = []
         self.settled: dict[Label, _Candidate] = {}
         """Which labels were put right next to their points, and where."""
+
+    def keep_title_free(self) -> None:
+        """Let no label lie under the title of the pane, at its top."""
+        width_px, height_px = self._size_px
+        self._taken.append(_Box(0.0, height_px - TITLE_EM * self.em, width_px, height_px))
 
     def keep_free(self, points: Sequence[Spot]) -> None:
         """Let no label hide what is drawn at these points."""

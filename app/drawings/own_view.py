@@ -266,10 +266,10 @@ class OwnView:
         """What of the pane's width and height is for what is framed, each 1/2 to 1."""
         wide, high = self._size_px
         margin = 2.0 * _MARGIN_EM * self._em
-        above = 2.0 * TITLE_EM * self._em  # and as much below: the middle stays in the middle
+        beside = (TITLE_EM + below_em) * self._em
         return (
             max(0.5, (wide - margin) / wide),
-            max(0.5, (high - margin - above - below_em * self._em) / high),
+            max(0.5, (high - margin - beside) / high),
         )
 
     def _stand(self, framed: Framed) -> tuple[Array, Array]:
@@ -286,6 +286,9 @@ class OwnView:
                 axes, np.vstack([framed.points, eye + around * _SIX_WAYS]), slopes
             )
         middle = float(self._middle @ out + eye @ out) / 2.0
+        # Lower in the pane, by half of what its title takes.
+        unit = 2.0 * half / size_px[1] * (float(position @ out) - middle)
+        position = position + TITLE_EM * self._em / 2.0 * unit * axes[1]
         return position, position + (middle - float(position @ out)) * out
 
     # -- fixed views
@@ -341,7 +344,7 @@ class OwnView:
             around = AROUND_PX * min(wide_px, high_px) * 2.0 * half / high_px
             low, most = np.minimum(low, -around), np.maximum(most, around)
             middle = (low + most) / 2.0
-        middle[1] -= below * self._em / high_px * half
+        middle[1] -= (below - TITLE_EM) * self._em / high_px * half
         deepest = float(np.linalg.norm(offsets, axis=0).max()) + around
         return _Flat(float(middle[0]), float(middle[1]), 2.0 * deepest, float(half))
 

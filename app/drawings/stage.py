@@ -261,6 +261,7 @@ class StageDrawing:
             return [(a, height_px - b, 1.0) for a, b in zip(x.tolist(), y.tolist(), strict=True)]
 
         layout = Layout((width_px, height_px), self._style.font_size, {})
+        layout.keep_title_free()
         self._marks.place_texts(layout, seen)
 
     def show_probes(self, probes: Sequence[Probe]) -> None:
