@@ -78,6 +78,8 @@ LARGEST_PICTURE = 2**30
 """Most bytes read as a PNG picture."""
 MOST_VALUES = 200_000
 """Most values of a document, by its commas: reading takes microseconds for each."""
+SHORTEST = 1e-100
+"""Shortest distance and up of a pane's own camera: VTK squares them."""
 DEEPEST = 50
 """Most levels of brackets in a document, far below what Python's recursion can write again."""
 
@@ -121,6 +123,8 @@ NO_MESH_HERE = QT_TRANSLATE_NOOP(
     "Refusal", "cannot be shown in the scene {0}, which needs its own objects"
 )
 POINTS = QT_TRANSLATE_NOOP("Refusal", "must be x, y, z of one point after the other")
+AWAY_FROM_TARGET = QT_TRANSLATE_NOOP("Refusal", "must be at least {0} away from the target")
+LONGER = QT_TRANSLATE_NOOP("Refusal", "must be at least {0} long")
 NO_EQUALS = QT_TRANSLATE_NOOP("Refusal", "must be written as NAME=VALUE")
 
 
@@ -531,7 +535,12 @@ def _pane_camera(panes: Tree, name: str) -> Camera:
     if not isinstance(panes[name], dict):
         raise Refusal.in_document(OBJECT, field=path, value=panes[name])
     with _paths(path):
-        return Camera(*(_required(panes[name], key, f"{path}.{key}") for key in _CAMERA))
+        camera = Camera(*(_required(panes[name], key, f"{path}.{key}") for key in _CAMERA))
+        if camera.distance < SHORTEST:
+            raise Refusal("eye", camera.eye, AWAY_FROM_TARGET, SHORTEST)
+        if math.hypot(*camera.up) < SHORTEST:
+            raise Refusal("up", camera.up, LONGER, SHORTEST)
+    return camera
 
 
 # --------------------------------------------------------------------------- document to text

@@ -12,7 +12,7 @@ from typing import Any
 from app.lecture.camera_frame import STEPS
 from app.lecture.notation import LETTERS, Letters
 from app.lecture.stages import IMAGE, NDC
-from app.model.limits import ONE_OF, finite, finite_vector, keep_checked
+from app.model.limits import LARGEST_IMAGE_PX, ONE_OF, finite_vector, keep_checked, real, within
 from app.model.projection import Camera
 from app.model.refusal import QT_TRANSLATE_NOOP, Bound, Refusal
 from app.picking.picking import Probe
@@ -111,7 +111,7 @@ class View:
                 finite_vector(where, probe.point)
             elif probe.pixel is not None and probe.point is None:
                 for part in probe.pixel:
-                    finite(where, part)
+                    within(where, real(where, part), 0.0, LARGEST_IMAGE_PX)
             else:
                 raise Refusal(where, None, A_PROBE)
         if not all(map(_is_number, self.pinned)) or not self.pinned <= set(numbers):
@@ -193,7 +193,7 @@ def _probes(value: Any) -> tuple[Probe, ...]:
         if len(part) == 3:
             probes.append(Probe(number, point=finite_vector(where, part)))
         else:
-            probes.append(Probe(number, pixel=(finite(where, part[0]), finite(where, part[1]))))
+            probes.append(Probe(number, pixel=(real(where, part[0]), real(where, part[1]))))
     return tuple(probes)
 
 

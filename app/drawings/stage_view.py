@@ -155,8 +155,10 @@ class StageView:
     def show(self, view: Camera) -> None:
         """Move it to a `view` of before."""
         camera = self._camera
-        camera.SetFocalPoint(*view.target)
-        camera.SetPosition(*(np.array(view.target) + _DISTANCE * view.frame[2]))
+        target = np.array(view.target)
+        away = max(_DISTANCE, 1e-9 * float(np.abs(target).max()))  # or it would be the target
+        camera.SetFocalPoint(*target)
+        camera.SetPosition(*(target + away * view.frame[2]))
         camera.SetViewUp(*view.up)
         camera.SetParallelScale(view.distance)
 

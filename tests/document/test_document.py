@@ -30,6 +30,7 @@ import app.model.projection
 import app.scenes.scene
 from app.bootstrap import ROOT
 from app.document.document import (
+    SHORTEST,
     Document,
     embed,
     extract,
@@ -147,6 +148,7 @@ def test_a_whole_number_may_be_written_with_a_point() -> None:
 
 
 FINITE = st.floats(-1e100, 1e100)
+PIXEL = st.floats(0.0, 16384.0)
 JSON_VALUES = st.recursive(
     st.one_of(
         st.none(),
@@ -171,7 +173,7 @@ def views(draw: st.DrawFn, camera: Camera) -> View:
     probes = [
         Probe(number, point=draw(st.tuples(FINITE, FINITE, FINITE)))
         if draw(st.booleans())
-        else Probe(number, pixel=draw(st.tuples(FINITE, FINITE)))
+        else Probe(number, pixel=draw(st.tuples(PIXEL, PIXEL)))
         for number in numbers
     ]
     return View(
@@ -199,6 +201,7 @@ def documents(draw: st.DrawFn) -> Document:
         camera = Camera(*draw(st.tuples(*[st.tuples(FINITE, FINITE, FINITE)] * 3)))
     except Refusal:  # no direction: rare, and not what is tested here
         camera = Camera()
+    seen_from = camera if min(camera.distance, math.hypot(*camera.up)) > SHORTEST else Camera()
     if draw(st.booleans()):
         near, far = ordered(1e-205, 1e100)
         far = draw(st.sampled_from([far, math.inf]))
@@ -217,7 +220,7 @@ def documents(draw: st.DrawFn) -> Document:
     inside = draw(unknown_keys(fields))
     if inside:
         extra[draw(st.sampled_from(["camera", "lens", "image"]))] = inside
-    view = draw(views(camera))
+    view = draw(views(seen_from))
     beside: dict[str, Any] = draw(unknown_keys(VIEW_FIELDS))
     if view.panes and inside:
         beside["panes"] = {draw(st.sampled_from(sorted(view.panes))): inside}
@@ -1299,6 +1302,14 @@ WRONG_CAMERAS: list[tuple[object, str]] = [
         {"world": {"eye": [1, 2, 3], "target": [0, 0, 0], "up": [0, 0, 0]}},
         ".world.up = [0, 0, 0]: must not be the zero vector.",
     ),
+    (  # what follows VTK would take for nothing
+        {"world": {"eye": [1e-200, 0, 0], "target": [0, 0, 0], "up": [0, 1, 0]}},
+        ".world.eye = [1e-200, 0, 0]: must be at least 1e-100 away from the target.",
+    ),
+    (
+        {"ndc": {"eye": [1, 2, 3], "target": [0, 0, 0], "up": [0, 1e-200, 0]}},
+        ".ndc.up = [0, 1e-200, 0]: must be at least 1e-100 long.",
+    ),
 ]
 
 
@@ -1347,7 +1358,8 @@ WRONG_VIEWS: list[tuple[object, str]] = [
     ({"probes": [[1]]}, f".probes[0] = [1]: {NO_PROBE}"),
     ({"probes": [[1, True, 2]]}, f".probes[0] = [1, true, 2]: {NO_PROBE}"),
     ({"probes": [[1, 2, 1e200]]}, ".probes[0] = 1e+200: must be at most 1e+100."),
-    ({"probes": [[-1e200, 2]]}, ".probes[0] = -1e+200: must be at least -1e+100."),
+    ({"probes": [[640, -1]]}, ".probes[0] = -1: must be at least 0."),
+    ({"probes": [None, [16385, 2]]}, ".probes[1] = 16385: must be at most 16384."),
     ({"pinned": [1]}, ".pinned = [1]: must be a list of numbers that probes have."),
     ({"pinned": [True], "probes": [[1, 2, 3]]},
      ".pinned = [true]: must be a list of numbers that probes have."),

@@ -76,6 +76,20 @@ def test_no_two_stages_and_no_two_steps_are_the_same_figure() -> None:
     assert len(figures) == len(views)
 
 
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("pane", ["world", "ndc", "image"])
+@pytest.mark.parametrize("reach", [1e-99, 1e50, 1e100])
+def test_what_is_far_beyond_every_scene_breaks_no_figure(pane: str, reach: float) -> None:
+    """A file may hold it: no number of it becomes none."""
+    scene = load("letter-f")
+    probes = Probe(1, (reach, -reach, reach)), Probe(2, None, (16384.0, 0.0))
+    for target in ((0.0, 0.0, 0.0), (-0.5, 3.7, -reach)):
+        camera = Camera((reach, 0.5 * reach, 0.1 * reach), target, (0.0, 1e-99, 0.0))
+        for stage in (0.0, 2.5, 4.0):
+            view = View(stage=stage, probes=probes, panes={pane: camera})
+            render(scene, scene.start, (pane,), (32, 32), view=view)
+
+
 def test_a_probe_is_marked_where_the_model_projects_it() -> None:
     scene = load("letter-f")
     point = ON_THE_LETTER.point

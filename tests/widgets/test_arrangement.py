@@ -15,6 +15,7 @@ from PySide6.QtWidgets import QApplication, QDialogButtonBox, QLineEdit, QMessag
 from app.document.document import Document, read, write
 from app.document.view import STAGES, View
 from app.drawings.figures import DPI, render
+from app.drawings.style import Style
 from app.model.projection import Camera, Perspective
 from app.picking.picking import Probe
 from app.scenes.scene import load
@@ -65,8 +66,19 @@ def prepared(tmp_path: Path) -> Path:
 
 def open_panel(window: MainWindow, name: str) -> None:
     """Open a panel of the drawer by its name."""
-    (button,) = (b for b in window.panels.findChildren(QToolButton) if b.text() == name)
+    (button,) = (b for b in window.findChildren(QToolButton) if b.text() == name)
     click(button)
+
+
+def is_as(view: View, other: View) -> bool:
+    """Whether two views are one, but for the last digits of cameras that VTK has held."""
+    if replace(view, panes={}) != replace(other, panes={}) or set(view.panes) != set(other.panes):
+        return False
+    return all(
+        getattr(view.panes[name], key) == pytest.approx(getattr(camera, key), rel=1e-12, abs=1e-12)
+        for name, camera in other.panes.items()
+        for key in ("eye", "target", "up")
+    )
 
 
 def turn(window: MainWindow, name: str) -> None:
@@ -112,7 +124,7 @@ def test_what_was_prepared_by_hand_comes_back_from_its_file(
     assert window.store.seen.view == View(panel="")
     assert window.files.open(mine)
     settle()
-    assert window.store.seen.view == view
+    assert is_as(window.store.seen.view, view)
     for name, picture in there.items():
         assert (pixels(window, name) == picture).all(), name
 
@@ -120,11 +132,11 @@ def test_what_was_prepared_by_hand_comes_back_from_its_file(
 def test_a_window_opens_as_its_document_says(make_window: MakeWindow, prepared: Path) -> None:
     window = make_window(read(prepared), path=prepared)
     settle()
-    assert window.store.seen.view == PREPARED
+    assert is_as(window.store.seen.view, PREPARED)
     assert window.strip.position == 1.75 and window.panels.open_panel is window.frame_panel
     assert not window.store.modified
     assert window.files.save()
-    assert read(prepared).view == PREPARED, "what this window cannot show is kept too"
+    assert is_as(read(prepared).view, PREPARED), "what this window cannot show is kept too"
 
 
 def test_what_the_command_line_sets_of_the_view_is_no_unsaved_work(
@@ -147,7 +159,9 @@ def test_a_view_is_changed_by_what_shows_it_and_nothing_else_is_painted(
     before = window.store.seen.view
     window.store.set_view(stage=3.0, letters="003", panel="matrices")
     settle()
-    assert window.store.seen.view == replace(before, stage=3.0, letters="003", panel="matrices")
+    assert is_as(
+        window.store.seen.view, replace(before, stage=3.0, letters="003", panel="matrices")
+    )
     with counted_repaints(window) as counts:
         window.store.set_view(stage=2.0)
         settle()
@@ -176,12 +190,12 @@ def test_a_file_is_opened_over_a_changed_view_and_undo_brings_the_view_back(
     click(window.strip.stops[5])
     window.history.undo()
     settle()
-    assert window.store.seen.view == view
+    assert is_as(window.store.seen.view, view)
     assert window.files.path == tmp_path / "mine.json"
     assert window.windowTitle().startswith("mine.json")
     window.history.redo()
     settle()
-    assert window.store.seen.view == replace(PREPARED, stage=5.0), "as it was left"
+    assert is_as(window.store.seen.view, replace(PREPARED, stage=5.0)), "as it was left"
     assert window.files.path == prepared
 
 
@@ -239,7 +253,7 @@ def test_a_scene_that_is_chosen_keeps_what_was_prepared_and_forgets_what_was_the
     assert window.store.seen.view == View(stage=2.0, panel="")
     window.history.undo()
     settle()
-    assert window.store.seen.view == view
+    assert is_as(window.store.seen.view, view)
 
 
 def test_undo_of_an_edit_moves_no_picture(window: MainWindow, prepared: Path) -> None:
@@ -250,7 +264,7 @@ def test_undo_of_an_edit_moves_no_picture(window: MainWindow, prepared: Path) ->
     view = window.store.seen.view
     window.history.undo()
     settle()
-    assert window.store.seen.view == view
+    assert is_as(window.store.seen.view, view)
 
 
 # -- what is seen is exported
@@ -267,7 +281,11 @@ def as_figure(window: MainWindow, pane: str, view: View) -> np.ndarray:
     shape = pixels(window, pane).shape
     document = window.store.document
     scene = load(document.scene)
-    text_pt = 13.0 * 72.0 / DPI
+    styles: list[Style] = []
+    window.look.built.connect(styles.append)
+    window.look.rebuild()
+    settle()
+    text_pt = styles[-1].font_size * 72.0 / DPI
     size = shape[1], shape[0]
     return render(scene, document.projection, (pane,), size, view=view, text_pt=text_pt)
 
@@ -309,7 +327,7 @@ def test_the_window_exports_what_the_command_line_draws_of_its_document(
     out = tmp_path / "figure.png"
     assert window.pictures.export(out, ExportChoice(("world", "ndc"), (400, 200), 1.0, False, 4.0))
     document = read(out)
-    assert document.view == replace(PREPARED, stage=2.0)
+    assert is_as(document.view, replace(PREPARED, stage=2.0))
     again = render(
         load("cube"), document.projection, ("world", "ndc"), (400, 200), view=document.view,
         text_pt=4.0,
