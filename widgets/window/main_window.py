@@ -54,6 +54,7 @@ from widgets.panels.probe_panel import ProbePanel
 from widgets.panels.scene_panel import ScenePanel
 from widgets.panes.canvas import CANVASES
 from widgets.panes.counting import Counting
+from widgets.panes.cursor import Cursor
 from widgets.panes.manipulation import Manipulation
 from widgets.panes.pane import SMOOTHINGS, Pane
 from widgets.panes.stage_strip import StageStrip
@@ -190,6 +191,9 @@ class MainWindow(QMainWindow):
         self.probing = Probing(
             self.panes, self.probe_panel, self.manipulation, lambda: self.shown, self
         )
+        self.cursors = {
+            name: Cursor(name, pane, self.manipulation) for name, pane in self.panes.items()
+        }
         self._lay_out()
         self.pictures = Pictures(
             self,
@@ -347,7 +351,11 @@ class MainWindow(QMainWindow):
             self.store,
             self.menus,
             lambda: self.shown.scene.start,
-            (self.controls.animation.pause, self.scene_panel.pause),
+            (
+                self.controls.animation.pause,
+                self.scene_panel.pause,
+                *(cursor.let_go for cursor in self.cursors.values()),
+            ),
         )
         self.recovery = Recovery(
             data_folder(),
@@ -357,6 +365,7 @@ class MainWindow(QMainWindow):
             self,
         )
         self._told: tuple[Told, ...] = (
+            *self.cursors.values(),
             self.manipulation,  # which lets go of what is held before it is gone
             self.probing,
             self.controls,
